@@ -1,0 +1,124 @@
+// How fast the simulation runs: a rover that drives, a rover that stands, a plan that is read.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "lua/mission_files.h"
+#include "record/log.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file under the folder for temporary files, removed at the end.
+class TemporaryFile {
+ public:
+  TemporaryFile(const std::string& name, const std::string& text)
+      : path_(fs::temp_directory_path() / fmt::format("lsos-bench-{}-{}", ::getpid(), name)) {
+    std::ofstream(path_) << text;
+  }
+  ~TemporaryFile() { fs::remove(path_); }
+  std::string path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string placemark(const std::string& schema,
+                      const std::vector<std::pair<std::string, std::string>>& fields,
+                      const std::string& geometry) {
+  std::string text = fmt::format(
+      "<Placemark><ExtendedData><SchemaData schemaUrl=\"#{}\">", schema);
+  for (const auto& [name, value] : fields) {
+    text += fmt::format("<SimpleData name=\"{}\">{}</SimpleData>", name, value);
+  }
+  return text + "</SchemaData></ExtendedData>" + geometry + "</Placemark>\n";
+}
+
+std::string plan(const std::string& terrain, const std::string& events) {
+  return "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>\n" +
+         placemark("MissionInfo",
+                   {{"Planet", "Moon"}, {"StartTime", "2026-07-30T12:00:00Z"},
+                    {"Terrain", terrain}, {"ParkedLogInterval", "60 s"}},
+                   "") +
+         placemark("Rover", {{"RoverId", "A"}, {"RoverType", "SEV"}},
+                   "<Point><coordinates>10,20</coordinates></Point>") +
+         events + "</Document></kml>\n";
+}
+
+std::string point(double lon_deg, double lat_deg) {
+  return fmt::format("<Point><coordinates>{:.7f},{:.7f}</coordinates></Point>", lon_deg, lat_deg);
+}
+
+// Counters: simulated seconds a second of wall time.
+void simulate(benchmark::State& state, const std::string& text, double limit_s, bool is_logged) {
+  const TemporaryFile file("plan.kml", text);
+  double sim_s = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    lsos::MissionFiles files = lsos::read_mission(file.path());
+    files.faults.throw_if_errors();
+    lsos::Simulation simulation(lsos::simulation_setup(files));
+    const std::string log_file = file.path() + ".gpkg";
+    std::unique_ptr<lsos::LogWriter> log;
+    if (is_logged) {
+      log = std::make_unique<lsos::LogWriter>(log_file, "IAU_2015:30100",
+                                              files.plan.mission.start_time);
+      simulation.set_log(log.get());
+    }
+    state.ResumeTiming();
+    simulation.start();
+    while (!simulation.is_finished() && lsos::seconds(simulation.now()) < limit_s) {
+      simulation.advance();
+    }
+    if (log) log->finish();
+    state.PauseTiming();
+    sim_s += lsos::seconds(simulation.now());
+    log.reset();
+    fs::remove(log_file);
+    state.ResumeTiming();
+  }
+  state.counters["x_real_time"] = benchmark::Counter(sim_s, benchmark::Counter::kIsRate);
+}
+
+// One SEV, 12 wheels, 5 ms, logged at 0.5 Hz.
+void sev_drives(benchmark::State& state, const std::string& terrain) {
+  simulate(state,
+           plan(terrain, placemark("Route", {{"RoverId", "A"}, {"Sequence", "1"}},
+                                   point(10.05, 20))),
+           120, true);
+}
+BENCHMARK_CAPTURE(sev_drives, flat, "Flat")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_drives, craters, "Craters")->Unit(benchmark::kMillisecond);
+
+void sev_parked_for_a_day(benchmark::State& state, bool is_logged) {
+  simulate(state,
+           plan("Flat", placemark("Pause",
+                                  {{"RoverId", "A"}, {"Sequence", "1"}, {"Duration", "1 d"}}, "")),
+           1e9, is_logged);
+}
+BENCHMARK_CAPTURE(sev_parked_for_a_day, without_log, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_parked_for_a_day, logged_each_minute, true)->Unit(benchmark::kMillisecond);
+
+void read_plan_of_placemarks(benchmark::State& state) {
+  std::string events;
+  for (int i = 1; i <= state.range(0); ++i) {
+    events += placemark("Pause",
+                        {{"RoverId", "A"}, {"Sequence", std::to_string(i)}, {"Duration", "10 s"}},
+                        point(10, 20));
+  }
+  const TemporaryFile file("large.kml", plan("Flat", events));
+  const auto catalog = lsos::read_catalog("");
+  for (auto _ : state) {
+    lsos::Faults faults;
+    benchmark::DoNotOptimize(lsos::read_plan(file.path(), catalog->declarations(), faults));
+    faults.throw_if_errors();
+  }
+}
+BENCHMARK(read_plan_of_placemarks)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+}  // namespace

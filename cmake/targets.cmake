@@ -1,0 +1,26 @@
+# How a folder becomes a library, and what all our own code is compiled with.
+add_library(lsos_options INTERFACE)
+target_compile_features(lsos_options INTERFACE cxx_std_20)
+# -ffp-contract=off: the same sums on every optimisation level (equal logs are a promise).
+target_compile_options(lsos_options INTERFACE
+  -Wall -Wextra -Wconversion -Wshadow -Wno-sign-conversion -ffp-contract=off
+  $<$<BOOL:${LSOS_WERROR}>:-Werror>)
+if(LSOS_SANITIZE)
+  target_compile_options(lsos_options INTERFACE
+    -fsanitize=${LSOS_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(lsos_options INTERFACE -fsanitize=${LSOS_SANITIZE})
+endif()
+
+# lsos_library(plan USES base planet LIBRARIES PkgConfig::tinyxml2)
+# USES: our folders that its headers may name. LIBRARIES: third-party, hidden behind it.
+function(lsos_library name)
+  cmake_parse_arguments(ARG "" "" "USES;LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_library(lsos_${name} STATIC ${sources})
+  target_include_directories(lsos_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  list(TRANSFORM ARG_USES PREPEND lsos_)
+  target_link_libraries(lsos_${name} PUBLIC lsos_options ${ARG_USES} PRIVATE ${ARG_LIBRARIES})
+endfunction()

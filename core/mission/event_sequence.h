@@ -1,0 +1,124 @@
+// The events of one rover, run one after another: waits for its turn and conditions, calls phases
+// when they are due, ends events and decides what follows a failure.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mission/machine.h"
+#include "mission/rover_agent.h"
+#include "mission/script_host.h"
+#include "planet/site_frame.h"
+#include "terrain/ground.h"
+
+namespace lsos {
+
+// What became of one event so far.
+struct EventRecord {
+  EventStatus status = EventStatus::not_started;
+  std::string reason;
+  std::optional<SimTime> ready, start, end;
+  double distance_start_m = 0, distance_m = not_modelled;
+  Geodetic place;              // of the rover when it started, then ended
+  bool is_written = true;      // nothing new for the log
+
+  void archive(Archive& a);
+};
+
+class EventSequence {
+ public:
+  // What an event may ask about the other rovers' events.
+  class Others {
+   public:
+    virtual ~Others() = default;
+    virtual const EventRecord& record(const PlanEvent::Reference& event) const = 0;
+  };
+
+  EventSequence(const RoverMachine& machine, const MissionInfo& mission, const Ground& ground);
+
+  // Runs what is due at `now`.
+  void run(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others);
+  // The simulated time at which `run` must be called next though nothing else happens; nullopt:
+  // only something else can wake it (an arrival, another rover's event).
+  std::optional<SimTime> wake(SimTime now) const;
+
+  // Ends the running event as incomplete and starts no other.
+  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const std::string& reason);
+
+  bool is_finished() const { return is_finished_; }
+  // An event with OnFailure = abort has failed: its label, else "".
+  const std::string& aborts_mission() const { return aborts_mission_; }
+
+  // Label and phase of the running event, "" when none runs.
+  std::string event_label() const;
+  std::string phase() const;
+
+  const std::vector<EventMachine>& events() const { return machine_.events; }
+  const std::vector<EventRecord>& records() const { return records_; }
+  EventRow row(std::size_t index) const;
+
+  // Rows for the log since the last call, in order of happening.
+  std::vector<std::size_t> take_changed_events();
+  std::vector<PhaseRow> take_phases();
+  std::vector<std::string> take_warnings();
+
+  // The running event's scripts are saved through `host` and begun again in it when reading.
+  void archive(Archive& a, ScriptHost& host);
+
+ private:
+  // One running script: the plan's event, then the events that its phases are.
+  struct Frame {
+    std::string type;
+    EventArguments arguments;
+    std::string phase;
+    std::string next;            // the phase of the frame below when this one is done
+    SimTime phase_start{};
+    ScriptInstance instance = 0;  // not saved: begun again
+  };
+  enum class Wake { next_exchange, at_time, arrival };
+
+  EventRecord& current() { return records_[index_]; }
+  const PlanEvent& event() const { return machine_.events[index_].event; }
+
+  bool take_turn(SimTime now, RoverAgent& agent);
+  bool may_start(SimTime now, const Others& others, std::string& impossible);
+  void start(SimTime now, RoverAgent& agent, ScriptHost& host);
+  bool is_due(SimTime now, const RoverAgent& agent) const;
+  bool call_phase(SimTime now, RoverAgent& agent, ScriptHost& host);
+  void enter_phase(const std::string& phase, SimTime now);
+  void push(const std::string& type, const EventArguments& arguments, const std::string& next,
+            SimTime now, ScriptHost& host);
+  void pop(SimTime now, ScriptHost& host);
+  PhaseContext context(SimTime now, RoverAgent& agent) const;
+  void end(EventStatus status, const std::string& reason, SimTime now, const RoverAgent& agent);
+  void abort_scripts(SimTime now, RoverAgent& agent, ScriptHost& host);
+  void after_failure(SimTime now);
+  void finish(SimTime now);
+  void skip_to(std::size_t index, SimTime now);
+  void changed(std::size_t index);
+  void write_phase(SimTime now);
+
+  RoverMachine machine_;
+  MissionInfo mission_;
+  const Ground* ground_;
+
+  std::vector<EventRecord> records_;
+  std::size_t index_ = 0;
+  bool has_turn_ = false;      // events_[index_] is waiting or running
+  bool is_finished_ = false;
+  std::vector<Frame> frames_;  // empty unless running
+  Wake wake_ = Wake::next_exchange;
+  SimTime wake_at_{};
+  std::string aborts_mission_;
+
+  std::vector<std::size_t> changed_;
+  std::vector<PhaseRow> phases_;
+  std::vector<std::string> warnings_;
+};
+
+// The event's waypoints on the ground, in the site frame. A waypoint off the terrain lies on the
+// reference surface.
+Path3 geometry_S_m(const PlanGeometry& geometry, const Ground& ground);
+
+}  // namespace lsos

@@ -1,0 +1,227 @@
+#include "mission/rover_agent.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double at_rest_mps = 0.005;        // below this for ...
+constexpr int exchanges_until_parked = 5;    // ... so many exchanges, a braked rover is parked
+constexpr double rolled_over_rad = 1.2;      // tilt of the chassis (69 deg)
+constexpr double driving_mps = 1e-3;         // faster than this counts as driving
+constexpr double gain_hysteresis_m = 0.5;    // smaller rises than this are noise
+constexpr double turn_rate_share = 0.4;      // wheels' share of cruise speed when turning on the spot
+
+FollowerPose pose_of(const VehicleReport& report) {
+  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps};
+}
+
+}  // namespace
+
+RoverAgent::RoverAgent(const PlanRover& rover, const VehicleConfig& config, const Ground& ground)
+    : rover_(rover), ground_(&ground), vehicle_(config, ground) {
+  view_.id = rover.id;
+  view_.type = rover.type;
+  view_.cruise_speed_mps = config.cruise_speed_mps;
+}
+
+void RoverAgent::place(double default_heading_rad) {
+  if (!vehicle_.place(rover_.start, rover_.heading_rad.value_or(default_heading_rad))) {
+    throw InputError(rover_.place,
+                     fmt::format("Rover '{}': the terrain is not known under one of its wheels",
+                                 rover_.id));
+  }
+  look();
+  count_extremes();
+}
+
+void RoverAgent::advance() {
+  vehicle_.advance(exchange_period);
+}
+
+void RoverAgent::observe() {
+  if (is_parked_) return;
+  look();
+  count_extremes();
+  if (!report_.is_finite) {
+    is_broken_ = true;
+    fault_ = "the dynamics gave a number that is not finite";
+  } else if (!report_.is_on_ground_data) {
+    fault_ = "left the terrain that is known";
+  } else if (std::hypot(report_.pitch_rad, report_.roll_rad) > rolled_over_rad) {
+    fault_ = fmt::format("rolled over (pitch {:.0f} deg, roll {:.0f} deg)",
+                         degrees(report_.pitch_rad), degrees(report_.roll_rad));
+  }
+  if (!fault_.empty()) {
+    command_ = {};
+    has_new_command_ = true;
+  } else if (follower_ && follower_->status() == PathFollower::Status::driving) {
+    command_ = follower_->update(pose_of(report_), seconds(exchange_period));
+    has_new_command_ = true;
+  }
+}
+
+void RoverAgent::control() {
+  if (has_new_command_) {
+    if (!command_.is_braking) is_parked_ = view_.is_parked = false;
+    if (!is_parked_) vehicle_.command(command_);
+    has_new_command_ = false;
+  }
+  if (is_parked_) return;
+  const bool is_following = follower_ && follower_->status() == PathFollower::Status::driving;
+  const bool rests = command_.is_braking && !is_following && report_.speed_mps < at_rest_mps;
+  exchanges_at_rest_ = rests ? exchanges_at_rest_ + 1 : 0;
+  if (exchanges_at_rest_ >= exchanges_until_parked || !fault_.empty()) {
+    is_parked_ = true;
+    exchanges_at_rest_ = 0;
+    vehicle_.halt();
+    if (!is_broken_) look();
+  }
+}
+
+void RoverAgent::look() {
+  const VehicleReport report = vehicle_.report();
+  if (!report.is_finite) {
+    report_.is_finite = false;  // keep the last good numbers for the log
+    return;
+  }
+  report_ = report;
+  update_view();
+}
+
+void RoverAgent::update_view() {
+  const Geodetic place = ground_->site().geodetic(report_.p_S_m);
+  view_.p_S_m = report_.p_S_m;
+  view_.lon_rad = place.lon_rad;
+  view_.lat_rad = place.lat_rad;
+  view_.elevation_m = report_.elevation_m;
+  view_.heading_rad = report_.heading_rad;
+  view_.pitch_rad = report_.pitch_rad;
+  view_.roll_rad = report_.roll_rad;
+  view_.speed_mps = report_.speed_mps;
+  view_.distance_m = vehicle_.distance_m();
+  view_.slope_rad = report_.slope_rad;
+  view_.slip = report_.slip;
+  view_.sinkage_m = report_.sinkage_m;
+  view_.drive_w = vehicle_.drive_w();
+  view_.drive_j = vehicle_.drive_j();
+  view_.is_parked = is_parked_;
+}
+
+void RoverAgent::count_extremes() {
+  const auto raise = [](double& most, double value) {
+    if (!(most >= value) && !std::isnan(value)) most = value;
+  };
+  raise(slip_max_, report_.slip_max);
+  raise(slope_max_rad_, report_.slope_rad);
+  if (report_.speed_mps > driving_mps) drive_s_ += seconds(exchange_period);
+  // Rises are counted from the last low point, once they pass the hysteresis.
+  const double elevation_m = report_.elevation_m;
+  if (std::isnan(elevation_low_m_)) elevation_low_m_ = elevation_m;
+  if (elevation_m > elevation_low_m_ + gain_hysteresis_m) {
+    elevation_gain_m_ += elevation_m - elevation_low_m_;
+    elevation_low_m_ = elevation_m;
+  } else if (elevation_m < elevation_low_m_) {
+    elevation_low_m_ = elevation_m;
+  }
+}
+
+DriveState RoverAgent::drive() const {
+  if (!follower_) return {};
+  if (!fault_.empty()) return {DriveState::Status::failed, fault_, follower_->remaining_m()};
+  switch (follower_->status()) {
+    case PathFollower::Status::driving:
+      return {DriveState::Status::driving, "", follower_->remaining_m()};
+    case PathFollower::Status::arrived:
+      return {DriveState::Status::arrived, "", 0};
+    case PathFollower::Status::failed:
+      return {DriveState::Status::failed, follower_->reason(), follower_->remaining_m()};
+  }
+  return {};
+}
+
+void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
+  const VehicleConfig& config = vehicle_.config();
+  FollowerLimits limits;
+  limits.speed_mps =
+      std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
+  limits.acceleration_mps2 = config.acceleration_mps2;
+  limits.arrival_radius_m = settings.arrival_radius_m;
+  limits.can_turn_on_spot = config.can_turn_on_spot;
+  double reach_m = 0.5;  // of the wheel farthest from the reference point
+  for (const WheelLayout::DrivenWheel& wheel : wheel_layout(config).wheels) {
+    reach_m = std::max(reach_m, wheel.p_B_m.norm());
+  }
+  limits.radius_min_m = config.turning_radius_min_m;
+  limits.turn_rate_radps = turn_rate_share * std::min(limits.speed_mps, 1.0) / reach_m;
+  follower_.emplace(path_S_m, pose_of(report_), limits);
+  if (!fault_.empty()) return;
+  command_ = follower_->update(pose_of(report_), seconds(exchange_period));
+  has_new_command_ = true;
+}
+
+void RoverAgent::brake() {
+  follower_.reset();
+  command_ = {};
+  has_new_command_ = true;
+}
+
+void RoverAgent::note(const std::string& name, const std::string& fields_json) {
+  notes_.push_back({noting_sequence_, name, fields_json});
+}
+
+std::vector<RoverAgent::Note> RoverAgent::take_notes() { return std::exchange(notes_, {}); }
+
+Geodetic RoverAgent::place_now() const { return ground_->site().geodetic(report_.p_S_m); }
+
+SampleRow RoverAgent::sample(SimTime now, const std::string& event,
+                             const std::string& phase) const {
+  SampleRow row;
+  row.time = now;
+  row.rover_id = rover_.id;
+  row.place = place_now();
+  row.elevation_m = report_.elevation_m;
+  row.p_S_m = report_.p_S_m;
+  row.roll_rad = report_.roll_rad;
+  row.pitch_rad = report_.pitch_rad;
+  row.heading_rad = report_.heading_rad;
+  row.speed_mps = report_.speed_mps;
+  row.distance_m = vehicle_.distance_m();
+  row.slope_rad = report_.slope_rad;
+  row.slip = report_.slip;
+  row.slip_max = report_.slip_max;
+  row.sinkage_m = report_.sinkage_m;
+  row.drive_w = vehicle_.drive_w();
+  row.drive_j = vehicle_.drive_j();
+  row.event = event;
+  row.phase = phase;
+  return row;
+}
+
+std::vector<JointRow> RoverAgent::joints(SimTime now) const {
+  std::vector<JointRow> rows;
+  const std::vector<double> positions = vehicle_.joint_positions();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const LinkConfig& link = vehicle_.config().links[i];
+    JointRow row{now, rover_.id, link.name};
+    (link.joint == JointType::revolute ? row.angle_rad : row.extension_m) = positions[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void RoverAgent::archive(Archive& a) {
+  a.tag("rover")(rover_.id)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(
+      is_broken_)(exchanges_at_rest_)(fault_)(report_)(slip_max_)(slope_max_rad_)(elevation_gain_m_)(
+      elevation_low_m_)(drive_s_);
+  if (a.is_reading()) update_view();
+}
+
+}  // namespace lsos

@@ -1,0 +1,88 @@
+// One rover in the simulation: its vehicle, what it is following, and whether it is parked. This
+// is what scripts command through RoverPort.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mission/rover_port.h"
+#include "plan/plan.h"
+#include "record/rows.h"
+#include "vehicle/path_follower.h"
+#include "vehicle/vehicle.h"
+
+namespace lsos {
+
+class RoverAgent : public RoverPort {
+ public:
+  struct Note {
+    std::int64_t sequence = 0;  // of the event that wrote it
+    std::string name, fields_json;
+  };
+
+  RoverAgent(const PlanRover& rover, const VehicleConfig& config, const Ground& ground);
+
+  // Stands the rover at its start. Throws InputError when the terrain is not known there.
+  void place(double default_heading_rad);
+
+  const std::string& id() const { return rover_.id; }
+  bool is_parked() const { return is_parked_; }
+  // Why the vehicle can drive no more: rolled over, left the terrain, broken numbers; else "".
+  const std::string& fault() const { return fault_; }
+  bool is_broken() const { return is_broken_; }  // numbers are not finite: it stays where it is
+
+  // Between exchanges; touches nothing but this rover and the ground.
+  void advance();
+  // At an exchange, before scripts run: looks at the vehicle and at the line it follows.
+  void observe();
+  // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
+  void control();
+
+  const RoverView& view() const override { return view_; }
+  DriveState drive() const override;
+  void follow(const Path3& path_S_m, const FollowSettings& settings) override;
+  void brake() override;
+  void note(const std::string& name, const std::string& fields_json) override;
+
+  // Notes that follow are of this event.
+  void set_noting_sequence(std::int64_t sequence) { noting_sequence_ = sequence; }
+  // What scripts have noted since the last call.
+  std::vector<Note> take_notes();
+  Geodetic place_now() const;
+  SampleRow sample(SimTime now, const std::string& event, const std::string& phase) const;
+  std::vector<JointRow> joints(SimTime now) const;
+
+  // Extremes over all exchanges.
+  double slip_max() const { return slip_max_; }
+  double slope_max_rad() const { return slope_max_rad_; }
+  double elevation_gain_m() const { return elevation_gain_m_; }
+  double drive_s() const { return drive_s_; }
+
+  void archive(Archive& a);
+
+ private:
+  void look();
+  void update_view();
+  void count_extremes();
+
+  PlanRover rover_;
+  const Ground* ground_;
+  Vehicle vehicle_;
+  RoverView view_;
+  VehicleReport report_;
+  std::optional<PathFollower> follower_;
+  DriveCommand command_;
+  bool has_new_command_ = false;
+  bool is_parked_ = true;
+  bool is_broken_ = false;
+  int exchanges_at_rest_ = 0;
+  std::string fault_;
+  std::vector<Note> notes_;
+  std::int64_t noting_sequence_ = 0;
+  double slip_max_ = not_modelled, slope_max_rad_ = not_modelled;
+  double elevation_gain_m_ = 0, elevation_low_m_ = not_modelled;
+  double drive_s_ = 0;
+};
+
+}  // namespace lsos

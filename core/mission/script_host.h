@@ -1,0 +1,84 @@
+// The seam between the engine and the scripts. The engine knows events by type name and phase
+// name only; it never sees Lua, and tests put a scripted mock here.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/archive.h"
+#include "base/vector.h"
+#include "mission/rover_port.h"
+#include "plan/declaration.h"
+
+namespace lsos {
+
+// What an event is given: parameters in SI by script key, and its waypoints on the ground (site
+// frame). An absent optional parameter is absent.
+struct EventArguments {
+  std::map<std::string, FieldValue> params;
+  Path3 geometry_S_m;
+
+  void archive(Archive& a);
+};
+
+// What a phase answers.
+struct Stay {};                        // call me again at the next exchange
+struct GoTo { std::string phase; };    // go on in that phase, at this exchange
+struct Done {};                        // the event is completed
+struct Fail { std::string reason; };   // the event has failed
+struct SleepUntil { SimTime time; };   // nothing polls until then
+struct Arrival {};                     // call me when the native activity has ended
+struct RunEvent {                      // this phase is another event; then `next` ("" = done)
+  std::string type;
+  EventArguments arguments;
+  std::string next;
+};
+using PhaseAnswer = std::variant<Stay, GoTo, Done, Fail, SleepUntil, Arrival, RunEvent>;
+
+// A script broke (not: an event failed): message with script, line and traceback. Fails the event.
+class ScriptError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// What a phase call may see and do beside its own state.
+struct PhaseContext {
+  RoverPort& rover;
+  SimTime now{};
+  SimTime phase_start{};   // when this phase was entered
+  SimTime event_start{};
+  Instant mission_start{};
+  std::uint64_t seed = 0;
+  std::string rover_id;
+  std::int64_t sequence = 0;
+  std::string label;
+};
+
+using ScriptInstance = std::int64_t;  // an event that runs; ids are never used twice
+
+class ScriptHost {
+ public:
+  virtual ~ScriptHost() = default;
+
+  virtual const Declarations& declarations() const = 0;
+
+  // Begins an event: ev.state is empty, ev.params and ev.geometry are the arguments.
+  virtual ScriptInstance begin(const std::string& type, const EventArguments& arguments) = 0;
+  // Throws ScriptError.
+  virtual PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,
+                                PhaseContext& context) = 0;
+  // Calls on_abort, if the script has one: the event ends from outside.
+  virtual void run_abort(ScriptInstance instance, PhaseContext& context) = 0;
+  virtual void end(ScriptInstance instance) = 0;
+
+  // ev.state, as bytes, and back into an event that has just begun. Throws ScriptError for what
+  // cannot be saved, naming the key.
+  virtual std::string save(ScriptInstance instance) = 0;
+  virtual void restore(ScriptInstance instance, const std::string& bytes) = 0;
+};
+
+}  // namespace lsos

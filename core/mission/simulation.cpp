@@ -1,0 +1,267 @@
+#include "mission/simulation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mission/site.h"
+
+namespace lsos {
+
+Simulation::Simulation(SimulationSetup setup)
+    : setup_(std::move(setup)), pool_(setup_.threads) {
+  LSOS_ASSERT(!setup_.plan.rovers.empty());
+  const Geodetic start = setup_.plan.rovers.front().start;
+  ground_ = ground_at(setup_.terrain, *setup_.plan.mission.planet, start, setup_.plan.mission.seed);
+  const double g_mps2 =
+      gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
+  for (const auto& [type, spec] : setup_.rover_specs) {
+    VehicleConfig vehicle = spec.vehicle;
+    add_wishbone(vehicle, spec.suspension, g_mps2);
+    vehicles_[type] = std::move(vehicle);
+  }
+  build();
+  place_rovers();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::build() {
+  rovers_.clear();
+  host_ = setup_.make_host();
+  machine_ = synthesise(setup_.plan, host_->declarations());
+  for (const RoverMachine& rover : machine_.rovers) {
+    rovers_.push_back({std::make_unique<RoverAgent>(rover.rover, vehicles_.at(rover.rover.type),
+                                                    *ground_),
+                       EventSequence(rover, machine_.mission, *ground_), SimTime{}, {}});
+  }
+}
+
+void Simulation::place_rovers() {
+  Faults faults;
+  for (std::size_t i = 0; i < rovers_.size(); ++i) {
+    try {
+      rovers_[i].agent->place(default_heading_rad(machine_.rovers[i], ground_->site()));
+    } catch (const InputError& error) {
+      faults.add(error.faults());
+    }
+    faults.add(site_faults(machine_.rovers[i], *ground_));
+  }
+  faults.throw_if_errors();
+}
+
+void Simulation::start() { exchange(); }
+
+void Simulation::advance() {
+  if (is_finished_) return;
+  const SimTime next = next_time();
+  if (next > setup_.plan.mission.max_duration) {
+    now_ = setup_.plan.mission.max_duration;
+    stop("MaxDuration is over");
+    return;
+  }
+  std::vector<RoverAgent*> active;
+  for (Rover& rover : rovers_) {
+    if (!rover.agent->is_parked()) active.push_back(rover.agent.get());
+  }
+  LSOS_ASSERT(active.empty() || next == now_ + exchange_period);
+  pool_.for_each(active.size(), [&](std::size_t i) { active[i]->advance(); });
+  now_ = next;
+  exchange();
+}
+
+SimTime Simulation::next_time() {
+  std::optional<SimTime> wake, next;
+  for (const Rover& rover : rovers_) {
+    if (!rover.agent->is_parked()) return now_ + exchange_period;
+    if (rover.wake && (!wake || *rover.wake < *wake)) wake = rover.wake;
+    if (!next || next_sample(rover) < *next) next = next_sample(rover);
+  }
+  if (!wake) {
+    // Every rover waits for another: the plan's own circles are found before, what is left is a
+    // script that waits for what does not come. Nothing will happen before the end of time.
+    return setup_.plan.mission.max_duration + exchange_period;
+  }
+  return log_ == nullptr ? *wake : std::min(*wake, *next);
+}
+
+void Simulation::exchange() {
+  for (Rover& rover : rovers_) rover.agent->observe();
+  run_scripts();
+  for (Rover& rover : rovers_) rover.agent->control();
+  for (const Rover& rover : rovers_) {
+    if (rover.sequence.aborts_mission().empty()) continue;
+    stop(fmt::format("'{}' of {} failed and aborts the mission", rover.sequence.aborts_mission(),
+                     rover.agent->id()));
+    is_aborted_ = true;
+    break;
+  }
+  is_finished_ = is_finished_ || std::ranges::all_of(rovers_, [](const Rover& rover) {
+                   return rover.sequence.is_finished();
+                 });
+  log_rows();
+  if (setup_.save_every_exchange) {
+    const std::string state = save();
+    build();
+    restore(state);
+  }
+}
+
+void Simulation::run_scripts() {
+  const std::size_t ended_before = events_ended();
+  for (Rover& rover : rovers_) {
+    const bool is_due = rover.wake && *rover.wake <= now_;
+    if (rover.sequence.is_finished() || (rover.agent->is_parked() && !is_due)) continue;
+    rover.sequence.run(now_, *rover.agent, *host_, *this);
+    rover.wake = rover.sequence.wake(now_);
+    for (std::string& warning : rover.sequence.take_warnings()) {
+      warnings_.push_back(std::move(warning));
+    }
+  }
+  // Whoever waits for an event that has ended may start at the next exchange.
+  if (events_ended() == ended_before) return;
+  for (Rover& rover : rovers_) {
+    if (!rover.sequence.is_finished()) {
+      rover.wake = std::min(rover.wake.value_or(now_ + exchange_period), now_ + exchange_period);
+    }
+  }
+}
+
+const EventRecord& Simulation::record(const PlanEvent::Reference& event) const {
+  for (const Rover& rover : rovers_) {
+    if (rover.agent->id() != event.rover_id) continue;
+    for (std::size_t i = 0; i < rover.sequence.events().size(); ++i) {
+      if (rover.sequence.events()[i].event.sequence == event.sequence) {
+        return rover.sequence.records()[i];
+      }
+    }
+  }
+  throw InternalError("a StartAfter names an event that is not in the plan");
+}
+
+void Simulation::stop(const std::string& reason) {
+  for (Rover& rover : rovers_) rover.sequence.stop(now_, *rover.agent, *host_, reason);
+  is_finished_ = true;
+}
+
+void Simulation::log_rows() {
+  for (Rover& rover : rovers_) {
+    const std::vector<RoverAgent::Note> notes = rover.agent->take_notes();
+    const std::vector<std::size_t> events = rover.sequence.take_changed_events();
+    const std::vector<PhaseRow> phases = rover.sequence.take_phases();
+    if (log_ == nullptr) continue;
+    for (const std::size_t event : events) log_->write(rover.sequence.row(event));
+    for (const PhaseRow& phase : phases) log_->write(phase);
+    for (const RoverAgent::Note& note : notes) {
+      log_->write(NoteRow{now_, rover.agent->id(), note.sequence, note.name, note.fields_json,
+                          rover.agent->place_now()});
+    }
+    if (is_sample_due(rover)) log_sample(rover);
+  }
+  if (log_ != nullptr) log_->commit_if_due();
+}
+
+void Simulation::log_sample(Rover& rover) {
+  log_->write(rover.agent->sample(now_, rover.sequence.event_label(), rover.sequence.phase()));
+  for (const JointRow& row : rover.agent->joints(now_)) log_->write(row);
+  rover.logged = now_;
+}
+
+bool Simulation::is_sample_due(const Rover& rover) const {
+  const MissionInfo& mission = setup_.plan.mission;
+  const SimTime interval =
+      rover.agent->is_parked() ? mission.parked_log_interval : mission.log_interval;
+  return now_ % interval == SimTime{};
+}
+
+SimTime Simulation::next_sample(const Rover& rover) const {
+  const MissionInfo& mission = setup_.plan.mission;
+  const SimTime interval =
+      rover.agent->is_parked() ? mission.parked_log_interval : mission.log_interval;
+  return (now_ / interval + 1) * interval;
+}
+
+void Simulation::terminate() {
+  log_rows();
+  if (log_ == nullptr) return;
+  for (Rover& rover : rovers_) {
+    if (rover.logged != now_) log_sample(rover);
+  }
+  for (const Rover& rover : rovers_) {
+    for (std::size_t i = 0; i < rover.sequence.records().size(); ++i) {
+      if (!rover.sequence.records()[i].ready) log_->write(rover.sequence.row(i));
+    }
+  }
+}
+
+std::vector<EventRow> Simulation::events() const {
+  std::vector<EventRow> rows;
+  for (const Rover& rover : rovers_) {
+    for (std::size_t i = 0; i < rover.sequence.records().size(); ++i) {
+      rows.push_back(rover.sequence.row(i));
+    }
+  }
+  return rows;
+}
+
+std::size_t Simulation::events_ended() const {
+  std::size_t count = 0;
+  for (const Rover& rover : rovers_) {
+    count += static_cast<std::size_t>(std::ranges::count_if(
+        rover.sequence.records(), [](const EventRecord& r) { return r.end.has_value(); }));
+  }
+  return count;
+}
+
+std::vector<RoverResult> Simulation::results() const {
+  std::vector<RoverResult> results;
+  for (const Rover& rover : rovers_) {
+    const RoverAgent& agent = *rover.agent;
+    RoverResult result{agent.id(), agent.view().distance_m};
+    for (const EventRecord& record : rover.sequence.records()) {
+      if (record.start && record.end) {
+        result.duration_s = std::max(result.duration_s, seconds(*record.end));
+      }
+    }
+    result.drive_s = agent.drive_s();
+    result.elevation_gain_m = agent.elevation_gain_m();
+    result.slope_max_rad = agent.slope_max_rad();
+    result.slip_max = agent.slip_max();
+    results.push_back(result);
+  }
+  return results;
+}
+
+std::vector<std::string> Simulation::assumptions() const {
+  std::vector<std::string> assumptions;
+  for (const auto& [type, vehicle] : vehicles_) {
+    assumptions.insert(assumptions.end(), vehicle.assumptions.begin(), vehicle.assumptions.end());
+  }
+  if (setup_.terrain.is_synthetic) {
+    assumptions.push_back(fmt::format("{}: the terrain is synthetic", setup_.terrain.name));
+  }
+  return assumptions;
+}
+
+std::string Simulation::save() {
+  Archive a = Archive::writer();
+  a.tag("simulation")(now_)(is_finished_)(is_aborted_)(warnings_);
+  for (Rover& rover : rovers_) {
+    a(*rover.agent)(rover.wake)(rover.logged);
+    rover.sequence.archive(a, *host_);
+  }
+  return a.bytes();
+}
+
+void Simulation::restore(const std::string& bytes) {
+  Archive a = Archive::reader(bytes);
+  a.tag("simulation")(now_)(is_finished_)(is_aborted_)(warnings_);
+  for (Rover& rover : rovers_) {
+    a(*rover.agent)(rover.wake)(rover.logged);
+    rover.sequence.archive(a, *host_);
+  }
+  if (!a.is_exhausted()) throw Archive::Mismatch("saved state is longer than the program expects");
+}
+
+}  // namespace lsos

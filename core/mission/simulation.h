@@ -1,0 +1,113 @@
+// A mission that runs: the clock, the rovers and their machines, and the order in which things
+// happen.
+//
+// Time is whole microseconds. Every 0.1 s is an exchange; between two exchanges each rover's
+// physics reads only itself and the ground, so rovers step side by side on several threads. At an
+// exchange, on one thread and in byte order of RoverId: physics is looked at, scripts run,
+// commands are given, rows are logged. A parked rover takes part only when it wakes; when all
+// rest, the clock leaps to the earliest wake.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mission/event_sequence.h"
+#include "mission/machine.h"
+#include "mission/rover_agent.h"
+#include "mission/script_host.h"
+#include "mission/worker_pool.h"
+#include "record/log.h"
+#include "vehicle/rover_spec.h"
+
+namespace lsos {
+
+struct SimulationSetup {
+  Plan plan;
+  std::map<std::string, RoverSpec> rover_specs;  // by RoverType
+  TerrainSpec terrain;
+  std::function<std::unique_ptr<ScriptHost>()> make_host;
+  int threads = 1;
+  // Torture: at each exchange all state is written out, everything is thrown away and read back.
+  bool save_every_exchange = false;
+};
+
+// What became of one rover.
+struct RoverResult {
+  std::string id;
+  double distance_m = 0;
+  double duration_s = 0;  // to its last event's end
+  double drive_s = 0;
+  double elevation_gain_m = 0;
+  double slope_max_rad = not_modelled, slip_max = not_modelled;
+};
+
+class Simulation : private EventSequence::Others {
+ public:
+  // The machine's `initialise`: ground, site frame, vehicles standing at their starts. Throws
+  // InputError when the plan does not fit the terrain.
+  explicit Simulation(SimulationSetup setup);
+  ~Simulation() override;
+
+  // Where rows go; none are written without. Before `start`.
+  void set_log(LogWriter* log) { log_ = log; }
+  // The exchange at time 0.
+  void start();
+  // To the next exchange, over quiet time in one leap.
+  void advance();
+  // Ends what runs as incomplete (a signal, the end of MaxDuration).
+  void stop(const std::string& reason);
+  // `terminate`: last samples, the rest of the events. Called once, when finished.
+  void terminate();
+
+  bool is_finished() const { return is_finished_; }
+  bool is_aborted() const { return is_aborted_; }  // by an event with OnFailure = abort
+  SimTime now() const { return now_; }
+  const Plan& plan() const { return setup_.plan; }
+  const Ground& ground() const { return *ground_; }
+
+  std::vector<EventRow> events() const;
+  std::vector<RoverResult> results() const;
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  std::vector<std::string> assumptions() const;
+  std::size_t events_ended() const;
+
+  // All state, and back into a simulation of the same setup.
+  std::string save();
+  void restore(const std::string& bytes);
+
+ private:
+  struct Rover {
+    std::unique_ptr<RoverAgent> agent;
+    EventSequence sequence;
+    std::optional<SimTime> wake;         // when it must be called though it is parked
+    std::optional<SimTime> logged;       // its last sample
+  };
+
+  void build();
+  void place_rovers();
+  void exchange();
+  void run_scripts();
+  void log_rows();
+  void log_sample(Rover& rover);
+  SimTime next_time();
+  bool is_sample_due(const Rover& rover) const;
+  SimTime next_sample(const Rover& rover) const;
+  const EventRecord& record(const PlanEvent::Reference& event) const override;
+
+  SimulationSetup setup_;
+  LogWriter* log_ = nullptr;
+  MissionMachine machine_;
+  std::unique_ptr<Ground> ground_;
+  std::map<std::string, VehicleConfig> vehicles_;  // by RoverType, with links
+  std::unique_ptr<ScriptHost> host_;
+  std::vector<Rover> rovers_;
+  WorkerPool pool_;
+  SimTime now_{};
+  bool is_finished_ = false, is_aborted_ = false;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,82 @@
+#include "mission/site.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace lsos {
+
+std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
+                                  const Geodetic& start, std::uint64_t seed) {
+  const SiteFrame datum(body, {start.lon_rad, start.lat_rad, 0});
+  const std::optional<double> elevation_m = Ground(terrain, datum, seed).elevation_m(start);
+  if (!elevation_m) {
+    throw InputError(terrain.place,
+                     fmt::format("terrain {} has no ground at the first rover's start {:.6f},{:.6f}",
+                                 terrain.name, lon_deg(start), lat_deg(start)));
+  }
+  return std::make_unique<Ground>(
+      terrain, SiteFrame(body, {start.lon_rad, start.lat_rad, *elevation_m}), seed);
+}
+
+double default_heading_rad(const RoverMachine& machine, const SiteFrame& site) {
+  constexpr double elsewhere_m = 0.1;
+  const Vec3 from_S_m = site.p_S_m(machine.rover.start);
+  for (const EventMachine& event : machine.events) {
+    if (!event.declaration.drives || !event.event.is_enabled) continue;
+    for (const Geodetic& point : event.event.geometry.points) {
+      const Vec3 way_S_m = site.p_S_m({point.lon_rad, point.lat_rad, 0}) - from_S_m;
+      const double east_m = way_S_m.dot(site.east_S(from_S_m));
+      const double north_m = way_S_m.dot(site.north_S(from_S_m));
+      if (std::hypot(east_m, north_m) < elsewhere_m) continue;
+      const double heading = std::atan2(east_m, north_m);
+      return heading < 0 ? heading + 2 * std::numbers::pi : heading;
+    }
+  }
+  return 0;
+}
+
+std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground) {
+  std::vector<Fault> faults;
+  const PlanRover& rover = machine.rover;
+  if (!ground.elevation_m(rover.start)) {
+    faults.push_back({Severity::error, rover.place,
+                      fmt::format("Rover '{}': its start ({:.6f},{:.6f}) is where the terrain is "
+                                  "not known",
+                                  rover.id, lon_deg(rover.start), lat_deg(rover.start))});
+  }
+  for (const EventMachine& event : machine.events) {
+    if (!event.declaration.drives || !event.event.is_enabled) continue;
+    int number = 0;
+    for (const Geodetic& point : event.event.geometry.points) {
+      ++number;
+      if (ground.elevation_m(point)) continue;
+      faults.push_back(
+          {Severity::error,
+           {event.event.place.file, event.event.geometry.line},
+           fmt::format("{} '{}': waypoint {} ({:.6f},{:.6f}) is where the terrain is not known",
+                       event.event.type, event.event.label, number, lon_deg(point),
+                       lat_deg(point))});
+    }
+  }
+  return faults;
+}
+
+std::vector<Fault> site_faults(const MissionMachine& machine, const TerrainSpec& terrain) {
+  try {
+    const std::unique_ptr<Ground> ground =
+        ground_at(terrain, *machine.mission.planet, machine.rovers.front().rover.start,
+                  machine.mission.seed);
+    std::vector<Fault> faults;
+    for (const RoverMachine& rover : machine.rovers) {
+      const std::vector<Fault> found = site_faults(rover, *ground);
+      faults.insert(faults.end(), found.begin(), found.end());
+    }
+    return faults;
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+}
+
+}  // namespace lsos

@@ -1,0 +1,27 @@
+// Where a plan's things stand on the ground: the site frame, default headings, and waypoints that
+// lie where there is no terrain.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mission/machine.h"
+#include "terrain/ground.h"
+
+namespace lsos {
+
+// The ground in the east-north-up frame on its surface at `start`. Throws InputError, also when
+// there is no ground at `start`.
+std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
+                                  const Geodetic& start, std::uint64_t seed);
+
+// Clockwise from true north: from the rover's start to its first waypoint elsewhere, else 0.
+double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
+
+// An error for a start, and for each event that would drive to a place, without ground.
+std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground);
+
+// The same for all rovers of a mission; also whatever keeps the terrain from being opened.
+std::vector<Fault> site_faults(const MissionMachine& machine, const TerrainSpec& terrain);
+
+}  // namespace lsos

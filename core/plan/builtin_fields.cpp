@@ -1,0 +1,127 @@
+// The fields that a plan has without any script: of missions, rovers, assets, and of every event.
+#include "base/sim_time.h"
+#include "plan/declaration.h"
+#include "planet/body.h"
+
+namespace lsos {
+
+namespace {
+
+// Some 27 years; keeps times far inside what SimTime can hold.
+constexpr double longest_s = 10000 * 86400.0;
+
+FieldDeclaration field(const char* name, const char* key, FieldKind kind, const char* doc) {
+  FieldDeclaration declaration;
+  declaration.name = name;
+  declaration.key = key;
+  declaration.kind = kind;
+  declaration.doc = doc;
+  return declaration;
+}
+
+FieldDeclaration required(const char* name, const char* key, FieldKind kind, const char* doc) {
+  FieldDeclaration declaration = field(name, key, kind, doc);
+  declaration.is_required = true;
+  return declaration;
+}
+
+FieldDeclaration with_default(FieldDeclaration declaration, FieldValue value) {
+  declaration.default_value = std::move(value);
+  return declaration;
+}
+
+FieldDeclaration in_range(FieldDeclaration declaration, const char* unit,
+                          std::optional<double> min_si, std::optional<double> max_si) {
+  declaration.unit = find_unit(unit);
+  declaration.min_si = min_si;
+  declaration.max_si = max_si;
+  return declaration;
+}
+
+FieldDeclaration planet_field() {
+  FieldDeclaration declaration =
+      required("Planet", "planet", FieldKind::choice, "body that the mission drives on");
+  for (const Body& body : all_bodies()) declaration.choices.emplace_back(body.name);
+  return declaration;
+}
+
+}  // namespace
+
+const std::vector<FieldDeclaration>& common_event_fields() {
+  static const std::vector<FieldDeclaration> fields{
+      with_default(field("Enabled", "enabled", FieldKind::boolean, "false: the event is left out"),
+                   true),
+      field("StartTime", "start_time", FieldKind::utc, "the event does not start before"),
+      field("StartAfter", "start_after", FieldKind::text,
+            "events that must have ended: labels or ROVER/SEQUENCE, comma-separated"),
+      in_range(field("Timeout", "timeout_s", FieldKind::duration,
+                     "the event fails when it takes longer, from the start of its first phase"),
+               "s", seconds(exchange_period), longest_s),
+      with_default(field("OnFailure", "on_failure", FieldKind::text,
+                         "what follows a failure: stop, skip, abort, goto LABEL"),
+                   std::string("stop")),
+  };
+  return fields;
+}
+
+const std::vector<FieldDeclaration>& event_identity_fields() {
+  static const std::vector<FieldDeclaration> fields{
+      required("RoverId", "rover_id", FieldKind::text, "the rover whose event this is"),
+      required("Sequence", "sequence", FieldKind::integer,
+               "place among the rover's events, ascending; gaps are fine"),
+  };
+  return fields;
+}
+
+const std::vector<FieldDeclaration>& mission_fields() {
+  static const std::vector<FieldDeclaration> fields{
+      planet_field(),
+      required("StartTime", "start_time", FieldKind::utc, "moment at which the simulation starts"),
+      required("Terrain", "terrain", FieldKind::text,
+               "name of a terrain script, or path of a raster, relative to the plan"),
+      in_range(with_default(field("Seed", "seed", FieldKind::integer, "of all random numbers"),
+                            std::int64_t{0}),
+               "1", 0, {}),
+      in_range(with_default(field("LogInterval", "log_interval_s", FieldKind::duration,
+                                  "time between log rows of a moving rover, in steps of 0.1 s"),
+                            2.0),
+               "s", seconds(exchange_period), longest_s),
+      in_range(field("ParkedLogInterval", "parked_log_interval_s", FieldKind::duration,
+                     "time between log rows of a parked rover; default LogInterval"),
+               "s", seconds(exchange_period), longest_s),
+      in_range(with_default(field("MaxDuration", "max_duration_s", FieldKind::duration,
+                                  "the run ends there as incomplete"),
+                            366 * 86400.0),
+               "s", seconds(exchange_period), longest_s),
+  };
+  return fields;
+}
+
+const std::vector<FieldDeclaration>& rover_fields() {
+  static const std::vector<FieldDeclaration> fields{
+      required("RoverId", "rover_id", FieldKind::text, "unique name of the rover"),
+      required("RoverType", "rover_type", FieldKind::text, "its script in rovers/"),
+      field("RoverConfig", "rover_config", FieldKind::text,
+            "initial configuration that the script defines"),
+      in_range(field("Heading", "heading_rad", FieldKind::number,
+                     "at the start, clockwise from true north; default toward its first waypoint"),
+               "deg", {}, {}),
+      in_range(with_default(field("InitialCharge", "initial_charge", FieldKind::number,
+                                  "of the battery at the start"),
+                            1.0),
+               "1", 0, 1),
+  };
+  return fields;
+}
+
+const std::vector<FieldDeclaration>& asset_fields() {
+  static const std::vector<FieldDeclaration> fields{
+      required("AssetId", "asset_id", FieldKind::text, "unique name, also among rovers"),
+      required("AssetType", "asset_type", FieldKind::text, "its script in rovers/"),
+      in_range(field("Height", "height_m", FieldKind::number, "of its antenna above ground"), "m",
+               0, {}),
+  };
+  return fields;
+}
+
+}  // namespace lsos

@@ -1,0 +1,76 @@
+// What scripts declare about themselves, as plain values: the fields that a plan may give them.
+// The plan reader checks Placemarks against these; where they come from (Lua) it does not know.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "planet/utc.h"
+
+namespace lsos {
+
+enum class FieldKind { number, integer, boolean, text, choice, duration, utc };
+
+// A value of a field, in SI. Durations are numbers (seconds).
+using FieldValue = std::variant<bool, std::int64_t, double, std::string, Instant>;
+
+// One SimpleData field of an event type.
+struct FieldDeclaration {
+  std::string name;  // in the plan: "Speed"
+  std::string key;   // in the script, with its SI suffix: "speed_mps"
+  FieldKind kind = FieldKind::text;
+  std::string doc;
+  const Unit* unit = nullptr;        // of a bare number (number and duration only)
+  std::optional<double> min_si;      // inclusive
+  std::optional<double> max_si;      // inclusive
+  std::vector<std::string> choices;  // choice only
+  bool is_required = false;
+  std::optional<FieldValue> default_value;  // absent: the script sees nil
+};
+
+enum class GeometryKind { none, point, line };
+
+// One event type: the script events/NAME.lua.
+struct EventDeclaration {
+  std::string name;
+  std::string doc;
+  Place place;                           // of the declaration in its script
+  std::vector<FieldDeclaration> fields;  // without the common ones (common_event_fields)
+  std::vector<GeometryKind> geometries;  // allowed; `none` among them: may have no geometry
+  bool drives = false;                   // a Point means: drive there from where the rover is
+  std::string start_phase;
+  struct Phase {
+    std::string name;
+    std::string sub_event;  // type of the event that this phase is; "" for a function
+    std::string next;       // phase after the sub-event; "" when the event is then completed
+  };
+  std::vector<Phase> phases;  // the start phase first, then by name
+};
+
+// What a plan can name.
+struct Declarations {
+  std::map<std::string, EventDeclaration> events;
+  struct RoverType {
+    std::string doc;
+    bool is_asset = false;
+    std::vector<std::string> configurations;  // what RoverConfig may name
+  };
+  std::map<std::string, RoverType> rover_types;
+  std::vector<std::string> terrains;
+};
+
+// Enabled, StartTime, StartAfter, Timeout, OnFailure: what every event has beside its own.
+const std::vector<FieldDeclaration>& common_event_fields();
+// RoverId and Sequence: which event of which rover it is.
+const std::vector<FieldDeclaration>& event_identity_fields();
+// Fields of MissionInfo, Rover and Asset.
+const std::vector<FieldDeclaration>& mission_fields();
+const std::vector<FieldDeclaration>& rover_fields();
+const std::vector<FieldDeclaration>& asset_fields();
+
+}  // namespace lsos

@@ -1,0 +1,136 @@
+#include "plan/event_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "plan/geometry.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+class EventsReader {
+ public:
+  EventsReader(const ReadContext& context, const std::vector<std::string>& rover_ids)
+      : context_(context),
+        suggestions_(rover_ids),
+        rover_ids_(rover_ids.begin(), rover_ids.end()) {}
+
+  DraftEvent read(const OurPlacemark& ours) {
+    const EventDeclaration& declaration = *ours.event;
+    FieldReader fields(subject_of(ours, "Sequence", context_), *ours.data, context_.faults);
+    fields.check_names({event_identity_fields(), common_event_fields(), declaration.fields});
+
+    DraftEvent draft;
+    draft.subject = fields.subject().name;
+    draft.drives = declaration.drives;
+    draft.start_after = fields.find("StartAfter");
+    draft.on_failure = fields.find("OnFailure");
+    PlanEvent& event = draft.event;
+    event.place = fields.subject().place;
+    event.type = declaration.name;
+    draft.is_placed = read_identity(fields, event);
+    event.label = ours.placemark->name.empty() ? fmt::format("{} {}", event.type, event.sequence)
+                                               : ours.placemark->name;
+    read_common(fields, event);
+    event.params = fields.read(declaration.fields, &draft.defaults);
+    event.geometry =
+        read_geometry(*ours.placemark, declaration.geometries, fields.subject(), context_.faults);
+    return draft;
+  }
+
+ private:
+  bool read_identity(FieldReader& fields, PlanEvent& event) {
+    const FieldValues values = fields.read(event_identity_fields(), nullptr);
+    const auto* sequence = find_value<std::int64_t>(values, "sequence");
+    const auto* rover_id = find_value<std::string>(values, "rover_id");
+    if (sequence != nullptr) event.sequence = *sequence;
+    if (rover_id == nullptr) return false;
+    event.rover_id = *rover_id;
+    if (rover_ids_.contains(event.rover_id)) return sequence != nullptr;
+    // Without any rover that is the fault to mend first, and it has been said.
+    if (!rover_ids_.empty()) {
+      std::string hint = suggestions_(event.rover_id);
+      if (hint.empty()) hint = fmt::format("; there are {}", listed(suggestions_.known()));
+      fields.error("RoverId", fmt::format("there is no such rover{}", hint));
+    }
+    return false;
+  }
+
+  void read_common(FieldReader& fields, PlanEvent& event) {
+    const FieldValues values = fields.read(common_event_fields(), nullptr);
+    if (const bool* enabled = find_value<bool>(values, "enabled")) event.is_enabled = *enabled;
+    if (const auto* start = find_value<Instant>(values, "start_time")) event.start_time = *start;
+    if (const auto* timeout_s = find_value<double>(values, "timeout_s")) {
+      event.timeout = from_seconds(*timeout_s);
+    }
+  }
+
+  const ReadContext& context_;
+  Suggestions suggestions_;
+  std::set<std::string> rover_ids_;
+};
+
+void check_sequences(std::vector<DraftEvent>& drafts, const ReadContext& context) {
+  const DraftEvent* first = nullptr;  // with the rover and sequence at hand
+  for (DraftEvent& draft : drafts) {
+    if (!draft.is_placed) continue;
+    const PlanEvent& event = draft.event;
+    if (first == nullptr || first->event.rover_id != event.rover_id ||
+        first->event.sequence != event.sequence) {
+      first = &draft;
+      continue;
+    }
+    draft.is_placed = false;
+    context.faults.error(
+        event.place,
+        fmt::format("{}: Sequence = {}: rover {} has an event with it at line {}", draft.subject,
+                    event.sequence, quoted(event.rover_id), first->event.place.line));
+  }
+}
+
+}  // namespace
+
+std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
+                                    const ReadContext& context,
+                                    const std::vector<std::string>& rover_ids) {
+  EventsReader reader(context, rover_ids);
+  std::vector<DraftEvent> drafts;
+  drafts.reserve(events.size());
+  for (const OurPlacemark& ours : events) drafts.push_back(reader.read(ours));
+  std::ranges::stable_sort(drafts, {}, [](const DraftEvent& draft) {
+    const PlanEvent& event = draft.event;
+    return std::tuple<const std::string&, std::int64_t, int>(event.rover_id, event.sequence,
+                                                             event.place.line);
+  });
+  check_sequences(drafts, context);
+  return drafts;
+}
+
+std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events) {
+  std::vector<std::string> defaults;
+  for (const FieldDeclaration& declaration : common_event_fields()) {
+    if (!declaration.default_value) continue;
+    const auto lacks_it = [&](const OurPlacemark& ours) {
+      return std::ranges::none_of(ours.data->fields, [&](const SourceField& field) {
+        return field.name == declaration.name && !field.text.empty();
+      });
+    };
+    const auto count = std::ranges::count_if(events, lacks_it);
+    if (count == 0) continue;
+    defaults.push_back(fmt::format("{} = {} ({} of {} events)", declaration.name,
+                                   format_value(declaration, *declaration.default_value), count,
+                                   events.size()));
+  }
+  return defaults;
+}
+
+std::string named(const DraftEvent& draft) {
+  return fmt::format("{} ({}/{})", draft.subject, draft.event.rover_id, draft.event.sequence);
+}
+
+}  // namespace lsos

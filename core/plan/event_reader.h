@@ -1,0 +1,34 @@
+// Reads the Placemarks that are events, each by itself; what they say of each other (StartAfter,
+// goto) is resolved afterwards, in references.h.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/mission_reader.h"
+
+namespace lsos {
+
+struct DraftEvent {
+  PlanEvent event;
+  std::string subject;  // "Route 'leg 2'"
+  bool drives = false;
+  bool is_placed = false;  // rover and sequence are known, and no other event has them
+  // Fields that name other events; nullptr when absent. They live in the KmlSource.
+  const SourceField* start_after = nullptr;
+  const SourceField* on_failure = nullptr;
+  std::vector<std::string> defaults;
+};
+
+// By rover id, then sequence, then line. `rover_ids`: what RoverId may name.
+std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
+                                    const ReadContext& context,
+                                    const std::vector<std::string>& rover_ids);
+
+// "Enabled = true (12 of 14 events)": of the fields that all events have, which were filled in.
+std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events);
+
+// "Route 'leg 2' (SEV/3)"
+std::string named(const DraftEvent& draft);
+
+}  // namespace lsos

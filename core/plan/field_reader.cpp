@@ -1,0 +1,162 @@
+#include "plan/field_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+const Unit& unit_of(const FieldDeclaration& declaration) {
+  if (declaration.unit != nullptr) return *declaration.unit;
+  return *find_unit(declaration.kind == FieldKind::duration ? "s" : "1");
+}
+
+template <class T>
+Parsed<FieldValue> as_field_value(Parsed<T> parsed) {
+  if (!parsed) return {{}, std::move(parsed.why)};
+  return {FieldValue(*parsed.value), {}};
+}
+
+// Why a number is outside its field's range; "" when it is inside.
+std::string out_of_range(const FieldDeclaration& declaration, double value_si) {
+  const std::optional<double>& min = declaration.min_si;
+  const std::optional<double>& max = declaration.max_si;
+  if ((!min || value_si >= *min) && (!max || value_si <= *max)) return {};
+  const Unit& unit = unit_of(declaration);
+  if (min && max) {
+    return fmt::format("must be from {} to {}", format_quantity(*min, unit),
+                       format_quantity(*max, unit));
+  }
+  return min ? fmt::format("must be at least {}", format_quantity(*min, unit))
+             : fmt::format("must be at most {}", format_quantity(*max, unit));
+}
+
+std::string range_fault(const FieldDeclaration& declaration, const FieldValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return out_of_range(declaration, *number);
+  if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    return out_of_range(declaration, static_cast<double>(*integer));
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string format_value(const FieldDeclaration& declaration, const FieldValue& value) {
+  struct Formatter {
+    const FieldDeclaration& declaration;
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(std::int64_t integer) const { return fmt::format("{}", integer); }
+    std::string operator()(double number) const {
+      return format_quantity(number, unit_of(declaration));
+    }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(Instant instant) const { return format_utc(instant); }
+  };
+  return std::visit(Formatter{declaration}, value);
+}
+
+void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclaration>> known) {
+  const auto is_known = [&](const std::string& name) {
+    return std::ranges::any_of(known, [&](std::span<const FieldDeclaration> list) {
+      return std::ranges::find(list, name, &FieldDeclaration::name) != list.end();
+    });
+  };
+  std::map<std::string, int> lines;
+  for (const SourceField& field : data_.fields) {
+    const Place place{subject_.place.file, field.line};
+    const auto [first, is_new] = lines.emplace(field.name, field.line);
+    if (!is_new) {
+      faults_.error(place, fmt::format("{}: {} is given twice; the first is at line {}",
+                                       subject_.name, shown(field.name), first->second));
+    } else if (field.name.empty()) {
+      faults_.error(place, fmt::format("{}: a SimpleData has no name", subject_.name));
+    } else if (!is_known(field.name)) {
+      std::vector<std::string> names;
+      for (const auto& list : known) {
+        for (const FieldDeclaration& each : list) names.push_back(each.name);
+      }
+      std::string hint = field.name.size() > 100 ? "" : did_you_mean(field.name, names);
+      if (hint.empty()) hint = fmt::format("; there are {}", listed(names));
+      faults_.error(
+          place, fmt::format("{}: there is no field {}{}", subject_.name, shown(field.name), hint));
+    }
+  }
+}
+
+FieldValues FieldReader::read(std::span<const FieldDeclaration> declarations,
+                              std::vector<std::string>* defaults) {
+  FieldValues values;
+  for (const FieldDeclaration& declaration : declarations) {
+    if (const SourceField* field = find(declaration.name)) {
+      if (auto value = parse(declaration, *field)) values[declaration.key] = std::move(*value);
+    } else if (declaration.is_required) {
+      faults_.error(subject_.place, fmt::format("{}: {} is missing; it is required", subject_.name,
+                                                declaration.name));
+    } else if (declaration.default_value) {
+      values[declaration.key] = *declaration.default_value;
+      if (defaults != nullptr) {
+        defaults->push_back(fmt::format("{}: {} = {}", subject_.name, declaration.name,
+                                        format_value(declaration, *declaration.default_value)));
+      }
+    }
+  }
+  return values;
+}
+
+const SourceField* FieldReader::find(const std::string& name) const {
+  for (const SourceField& field : data_.fields) {
+    if (field.name == name) return field.text.empty() ? nullptr : &field;
+  }
+  return nullptr;
+}
+
+void FieldReader::error(const std::string& field_name, const std::string& what) {
+  const SourceField* field = find(field_name);
+  if (field == nullptr) {
+    faults_.error(subject_.place, fmt::format("{}: {}: {}", subject_.name, field_name, what));
+  } else {
+    faults_.error(
+        {subject_.place.file, field->line},
+        fmt::format("{}: {} = {}: {}", subject_.name, field_name, shown(field->text), what));
+  }
+}
+
+std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration,
+                                             const SourceField& field) {
+  Parsed<FieldValue> result = parsed(declaration, field.text);
+  if (result) result.why = range_fault(declaration, *result.value);
+  if (result.why.empty()) return std::move(result.value);
+  error(declaration.name, result.why);
+  return {};
+}
+
+Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
+                                       const std::string& text) const {
+  switch (declaration.kind) {
+    case FieldKind::number:
+    case FieldKind::duration:
+      return as_field_value(parse_quantity(text, unit_of(declaration)));
+    case FieldKind::integer:
+      return as_field_value(parse_integer(text));
+    case FieldKind::boolean:
+      return as_field_value(parse_boolean(text));
+    case FieldKind::utc:
+      return as_field_value(parse_utc(text));
+    case FieldKind::choice:
+      if (std::ranges::find(declaration.choices, text) == declaration.choices.end()) {
+        return {{},
+                fmt::format("must be one of {}{}", listed(declaration.choices),
+                            text.size() > 100 ? "" : did_you_mean(text, declaration.choices))};
+      }
+      return {FieldValue(text), {}};
+    case FieldKind::text:
+      return {FieldValue(text), {}};
+  }
+  LSOS_ASSERT(false);
+}
+
+}  // namespace lsos

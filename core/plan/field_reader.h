@@ -1,0 +1,66 @@
+// Reads the fields of one Placemark against their declarations: names, kinds, units, ranges.
+#pragma once
+
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "plan/declaration.h"
+#include "plan/kml_reader.h"
+
+namespace lsos {
+
+// By script key, in SI.
+using FieldValues = std::map<std::string, FieldValue>;
+
+// nullptr when there is no such value. The kind of the field decides T.
+template <class T>
+const T* find_value(const FieldValues& values, const std::string& key) {
+  const auto found = values.find(key);
+  return found == values.end() ? nullptr : &std::get<T>(found->second);
+}
+
+// What a message speaks about: "plan.kml", line of the Placemark, "Route 'leg 2'".
+struct Subject {
+  Place place;
+  std::string name;
+};
+
+// For people: "1 m/s", "true", "2026-07-01T12:00:00.000Z".
+std::string format_value(const FieldDeclaration& declaration, const FieldValue& value);
+
+class FieldReader {
+ public:
+  FieldReader(Subject subject, const SourceData& data, Faults& faults)
+      : subject_(std::move(subject)), data_(data), faults_(faults) {}
+
+  const Subject& subject() const { return subject_; }
+
+  // Faults for fields that are in none of the lists, and for fields given twice.
+  void check_names(std::initializer_list<std::span<const FieldDeclaration>> known);
+
+  // What is given or has a default, by key. A missing required field and a wrong value are
+  // faults, and are left out. Defaults that were filled in are appended to `defaults`.
+  FieldValues read(std::span<const FieldDeclaration> declarations,
+                   std::vector<std::string>* defaults);
+
+  // nullptr when it is absent. An empty field counts as absent.
+  const SourceField* find(const std::string& name) const;
+
+  // "Route 'leg 2': Speed = -1: WHAT" at the field's line; without a value where it is absent.
+  void error(const std::string& field_name, const std::string& what);
+
+ private:
+  std::optional<FieldValue> parse(const FieldDeclaration& declaration, const SourceField& field);
+  Parsed<FieldValue> parsed(const FieldDeclaration& declaration, const std::string& text) const;
+
+  Subject subject_;
+  const SourceData& data_;
+  Faults& faults_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,174 @@
+#include "plan/geometry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+struct CoordinateFault {
+  std::string what;
+  int line;
+};
+
+// "a LineString, a Point or no geometry"
+std::string in_words(std::span<const GeometryKind> wanted) {
+  std::vector<std::string> words;
+  const auto add = [&](GeometryKind kind, const char* word) {
+    if (std::ranges::find(wanted, kind) != wanted.end()) words.emplace_back(word);
+  };
+  add(GeometryKind::line, "a LineString");
+  add(GeometryKind::point, "a Point");
+  add(GeometryKind::none, "no geometry");
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+// One lon,lat[,alt] at a time. Blanks after or before a comma, which KML forbids but people write,
+// do not end a tuple.
+class Tuples {
+ public:
+  Tuples(std::string_view text, int line) : rest_(text), line_(line) {}
+
+  // "" at the end.
+  std::string next() {
+    skip_blanks();
+    first_line_ = line_;
+    std::string tuple;
+    while (!rest_.empty()) {
+      if (!is_blank(rest_.front())) {
+        tuple += rest_.front();
+        rest_.remove_prefix(1);
+        continue;
+      }
+      skip_blanks();
+      const bool goes_on = !rest_.empty() && (rest_.front() == ',' || tuple.back() == ',');
+      if (!goes_on) break;
+    }
+    return tuple;
+  }
+  // Of the start of the tuple that next() gave.
+  int line() const { return first_line_; }
+
+ private:
+  void skip_blanks() {
+    while (!rest_.empty() && is_blank(rest_.front())) {
+      line_ += rest_.front() == '\n';
+      rest_.remove_prefix(1);
+    }
+  }
+
+  std::string_view rest_;
+  int line_;
+  int first_line_ = 0;
+};
+
+bool read_number(std::string_view text, double& value) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+}
+
+// What is wrong with the tuple, or "" and the place.
+std::string read_tuple(const std::string& tuple, Geodetic& place) {
+  std::array<double, 3> numbers{};
+  std::size_t count = 0;
+  std::string_view rest = tuple;
+  for (bool is_last = false; !is_last; ++count) {
+    const std::size_t comma = rest.find(',');
+    is_last = comma == std::string_view::npos;
+    const std::string_view part = rest.substr(0, comma);
+    if (count == numbers.size()) return "has more than lon,lat,alt; a blank parts coordinates";
+    if (!read_number(part, numbers[count])) {
+      return fmt::format("{} is no number; lon,lat or lon,lat,alt in degrees and m is wanted",
+                         shown(std::string(part)));
+    }
+    if (!is_last) rest.remove_prefix(comma + 1);
+  }
+  if (count < 2) return "has one number; lon,lat or lon,lat,alt is wanted";
+  const auto [lon, lat, altitude] = numbers;
+  if (std::abs(lat) > 90) {
+    const bool looks_swapped = std::abs(lon) <= 90 && std::abs(lat) <= 360;
+    return fmt::format("latitude {} is outside -90..90 degrees{}", lat,
+                       looks_swapped ? "; this looks like lat,lon, and lon,lat is wanted" : "");
+  }
+  if (lon < -180 || lon > 360) return fmt::format("longitude {} is outside -180..360 degrees", lon);
+  place = geodetic_from_degrees(lon > 180 ? lon - 360 : lon, lat);
+  return {};
+}
+
+// The places of `source`; only its first wrong coordinate is named.
+std::vector<Geodetic> read_places(const SourceGeometry& source,
+                                  std::vector<CoordinateFault>& wrong) {
+  std::vector<Geodetic> places;
+  Tuples tuples(source.coordinates, source.line);
+  for (std::string tuple = tuples.next(); !tuple.empty(); tuple = tuples.next()) {
+    const std::string what = read_tuple(tuple, places.emplace_back());
+    if (what.empty()) continue;
+    wrong.push_back({fmt::format("coordinates '{}': {}",
+                                 tuple.size() > 80 ? tuple.substr(0, 80) + "..." : tuple, what),
+                     tuples.line()});
+    return places;
+  }
+  const bool is_point = source.kind == "Point";
+  if (places.empty()) {
+    wrong.push_back(
+        {fmt::format("{} has no coordinates; lon,lat is wanted", source.kind), source.line});
+  } else if (is_point && places.size() > 1) {
+    wrong.push_back(
+        {fmt::format("Point has {} coordinates; one is wanted", places.size()), source.line});
+  } else if (!is_point && places.size() < 2) {
+    wrong.push_back({"LineString has one coordinate; two or more are wanted", source.line});
+  }
+  return places;
+}
+
+}  // namespace
+
+PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const GeometryKind> wanted,
+                           const Subject& subject, Faults& faults) {
+  const auto refuse = [&](int line, const std::string& what) {
+    faults.error({subject.place.file, line}, fmt::format("{}: {}", subject.name, what));
+    return PlanGeometry{};
+  };
+  const auto is_wanted = [&](GeometryKind kind) {
+    return std::ranges::find(wanted, kind) != wanted.end();
+  };
+  if (placemark.geometries.empty()) {
+    if (is_wanted(GeometryKind::none)) return {};
+    return refuse(placemark.line, fmt::format("has no geometry; {} is wanted", in_words(wanted)));
+  }
+  const SourceGeometry& source = placemark.geometries.front();
+  if (placemark.geometries.size() > 1) {
+    return refuse(
+        placemark.geometries[1].line,
+        fmt::format("has {} geometries; one at most is wanted", placemark.geometries.size()));
+  }
+  PlanGeometry geometry;
+  if (source.kind == "Point") geometry.kind = GeometryKind::point;
+  if (source.kind == "LineString") geometry.kind = GeometryKind::line;
+  if (geometry.kind == GeometryKind::none || !is_wanted(geometry.kind)) {
+    return refuse(source.line,
+                  fmt::format("has a {}; {} is wanted", source.kind, in_words(wanted)));
+  }
+  geometry.line = source.line;
+  std::vector<CoordinateFault> wrong;
+  geometry.points = read_places(source, wrong);
+  if (!wrong.empty()) return refuse(wrong.front().line, wrong.front().what);
+  return geometry;
+}
+
+}  // namespace lsos

@@ -1,0 +1,17 @@
+// Point and LineString of a Placemark as places on the body.
+#pragma once
+
+#include <span>
+
+#include "plan/field_reader.h"
+#include "plan/kml_reader.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+// The one geometry of the Placemark if it is of a wanted kind (`none` among them: there may be
+// none) and its coordinates are right. Otherwise a fault, and kind `none`.
+PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const GeometryKind> wanted,
+                           const Subject& subject, Faults& faults);
+
+}  // namespace lsos

@@ -1,0 +1,221 @@
+#include "plan/kml_reader.h"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "base/error.h"
+#include "plan/kml_text.h"
+
+namespace lsos {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+// "Placemark" of "kml:Placemark". Documents choose their prefixes freely, and no two elements that
+// are looked for differ in their prefix alone.
+std::string_view local_name(const XMLElement& element) {
+  const std::string_view name = element.Name();
+  const std::size_t colon = name.rfind(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+struct LinedText {
+  std::string text;
+  int line = 0;
+};
+
+// Text and CDATA directly in `element`, trimmed, with the line of its first character.
+LinedText text_of(const XMLElement& element) {
+  LinedText found{{}, element.GetLineNum()};
+  bool has_text = false;
+  for (const auto* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const tinyxml2::XMLText* text = node->ToText();
+    if (text == nullptr) continue;
+    if (!has_text && !trimmed(text->Value()).empty()) {
+      has_text = true;
+      found.line = text->GetLineNum();
+    }
+    found.text += text->Value();
+  }
+  found.text = std::string(trimmed(found.text));
+  return found;
+}
+
+std::string attribute(const XMLElement& element, const char* name) {
+  const char* value = element.Attribute(name);
+  return value == nullptr ? std::string() : std::string(trimmed(value));
+}
+
+const XMLElement* child(const XMLElement& parent, std::string_view name) {
+  for (const auto* each = parent.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    if (local_name(*each) == name) return each;
+  }
+  return nullptr;
+}
+
+bool is_geometry(std::string_view name) {
+  constexpr std::array<std::string_view, 8> names{"Point",   "LineString",    "LinearRing",
+                                                  "Polygon", "MultiGeometry", "Model",
+                                                  "Track",   "MultiTrack"};
+  return std::ranges::find(names, name) != names.end();
+}
+
+SourceGeometry geometry(const XMLElement& element) {
+  SourceGeometry found;
+  found.line = element.GetLineNum();
+  const std::string_view name = local_name(element);
+  found.kind = name.ends_with("Track") ? fmt::format("gx:{}", name) : std::string(name);
+  if (name != "Point" && name != "LineString") return found;
+  if (const XMLElement* coordinates = child(element, "coordinates")) {
+    LinedText text = text_of(*coordinates);
+    found.coordinates = std::move(text.text);
+    found.line = text.line;
+  }
+  return found;
+}
+
+SourceData schema_data(const XMLElement& element) {
+  SourceData data;
+  data.line = element.GetLineNum();
+  data.schema_url = attribute(element, "schemaUrl");
+  for (const auto* each = element.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    if (local_name(*each) != "SimpleData") continue;
+    LinedText text = text_of(*each);
+    data.fields.push_back({attribute(*each, "name"), std::move(text.text), text.line});
+  }
+  return data;
+}
+
+SourcePlacemark placemark(const XMLElement& element) {
+  SourcePlacemark found;
+  found.line = element.GetLineNum();
+  for (const auto* each = element.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    const std::string_view name = local_name(*each);
+    if (name == "name") {
+      found.name = text_of(*each).text;
+    } else if (name == "ExtendedData") {
+      for (const auto* data = each->FirstChildElement(); data; data = data->NextSiblingElement()) {
+        if (local_name(*data) == "SchemaData") found.data.push_back(schema_data(*data));
+      }
+    } else if (is_geometry(name)) {
+      found.geometries.push_back(geometry(*each));
+    }
+  }
+  return found;
+}
+
+class Collector {
+ public:
+  explicit Collector(KmlSource& source) : source_(source) {}
+
+  // Depth is bounded by tinyxml2's limit on nested elements.
+  void collect(const XMLElement& element) {
+    const std::string_view name = local_name(element);
+    if (name == "Placemark") {
+      source_.placemarks.push_back(placemark(element));
+    } else if (name == "Schema") {
+      schema_names_.emplace(attribute(element, "id"), attribute(element, "name"));
+    } else if (name == "kml" || name == "Document" || name == "Folder") {
+      for (const auto* each = element.FirstChildElement(); each;
+           each = each->NextSiblingElement()) {
+        collect(*each);
+      }
+    }
+  }
+
+  // A <Schema> may stand after what refers to it, so names are resolved at the end.
+  void resolve_schemas() {
+    for (SourcePlacemark& each : source_.placemarks) {
+      for (SourceData& data : each.data) {
+        const std::size_t hash = data.schema_url.rfind('#');
+        if (hash == std::string::npos) continue;
+        data.schema = data.schema_url.substr(hash + 1);
+        const auto named = schema_names_.find(data.schema);
+        if (hash == 0 && named != schema_names_.end() && !named->second.empty()) {
+          data.schema = named->second;
+        }
+      }
+    }
+  }
+
+ private:
+  KmlSource& source_;
+  std::map<std::string, std::string> schema_names_;  // by id
+};
+
+std::string in_plain_words(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "is empty; a KML document is wanted";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "is no XML: an element that starts here is not closed by its own end tag";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "is no XML: an attribute is not of the form name=\"value\", or a tag is not closed";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "is no XML: a comment is not closed by '-->'";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "is no XML: a CDATA section is not closed by ']]>'";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "is no XML: a declaration <? ... ?> is misplaced or not closed";
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+      return "is no XML: a declaration <! ... > is not closed";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "is no XML: the document ends in the middle of a text";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return fmt::format("nests elements more than {} deep", TINYXML2_MAX_ELEMENT_DEPTH);
+    default:
+      return "is no XML: a tag is malformed, or the document ends too early";
+  }
+}
+
+// The one root element; throws unless it is one that KML documents have.
+const XMLElement& root_of(const tinyxml2::XMLDocument& document, const std::string& file) {
+  const XMLElement* root = document.RootElement();
+  if (root == nullptr) throw InputError({file, 0}, "is no XML: there is no element");
+  constexpr std::array<std::string_view, 4> roots{"kml", "Document", "Folder", "Placemark"};
+  if (std::ranges::find(roots, local_name(*root)) == roots.end()) {
+    throw InputError(
+        {file, root->GetLineNum()},
+        fmt::format("is no KML: its outermost element is <{}>, <kml> is wanted", root->Name()));
+  }
+  for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    if ((node->ToElement() != nullptr && node != root) || node->ToText() != nullptr) {
+      throw InputError({file, node->GetLineNum()},
+                       fmt::format("is no XML: there is more than the one <{}>", root->Name()));
+    }
+  }
+  return *root;
+}
+
+}  // namespace
+
+KmlSource parse_kml(std::string bytes, const std::string& file) {
+  const KmlText text = kml_text(std::move(bytes), file);
+  tinyxml2::XMLDocument document;
+  document.Parse(text.utf8.data(), text.utf8.size());
+  if (document.Error()) {
+    throw InputError({text.file, document.ErrorLineNum()}, in_plain_words(document));
+  }
+  KmlSource source{text.file, {}};
+  Collector collector(source);
+  collector.collect(root_of(document, text.file));
+  collector.resolve_schemas();
+  return source;
+}
+
+KmlSource read_kml(const std::string& file) { return parse_kml(read_bytes(file), file); }
+
+}  // namespace lsos

@@ -1,0 +1,47 @@
+// What a KML document says, as plain values: its Placemarks with data and geometry, each with the
+// line it came from. What the values mean is not known here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lsos {
+
+// One <SimpleData>: its text without the blanks around it.
+struct SourceField {
+  std::string name;
+  std::string text;
+  int line = 0;
+};
+
+// One <SchemaData>.
+struct SourceData {
+  std::string schema_url;
+  std::string schema;  // after '#', through the document's <Schema id name>; "" without '#'
+  std::vector<SourceField> fields;
+  int line = 0;
+};
+
+struct SourceGeometry {
+  std::string kind;         // "Point", "LineString", "Polygon", "MultiGeometry", "gx:Track", ...
+  std::string coordinates;  // of Point and LineString: text as written, without blanks around it
+  int line = 0;             // of the first coordinate; else of the geometry
+};
+
+struct SourcePlacemark {
+  std::string name;
+  std::vector<SourceData> data;
+  std::vector<SourceGeometry> geometries;  // more than one is not KML, but is seen
+  int line = 0;
+};
+
+struct KmlSource {
+  std::string file;  // for messages; with the document's name for a KMZ
+  std::vector<SourcePlacemark> placemarks;
+};
+
+// Reads KML or KMZ. Throws InputError (file, line) when that is not what it is.
+KmlSource read_kml(const std::string& file);
+KmlSource parse_kml(std::string bytes, const std::string& file);
+
+}  // namespace lsos

@@ -1,0 +1,31 @@
+// The text of a KML document, whatever it is packed in: a KMZ archive, an encoding.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace lsos {
+
+// No document may unpack to more than this: a KMZ of a few kilobytes can claim gigabytes.
+inline constexpr std::size_t max_kml_bytes = std::size_t{256} << 20;
+
+struct KmlText {
+  std::string file;  // for messages: "plan.kml", "plan.kmz/doc.kml"
+  std::string utf8;  // without byte order mark
+};
+
+// All bytes of `file`. Throws InputError when it cannot be read or is too large.
+std::string read_bytes(const std::string& file);
+
+// Unpacks a KMZ (doc.kml, else its first .kml) and converts UTF-16, UTF-32 and declared 8-bit
+// encodings. Throws InputError when there is no document or the bytes are not of their encoding.
+KmlText kml_text(std::string bytes, const std::string& file);
+
+// Parts of kml_text.
+bool is_zip(std::string_view bytes);
+KmlText unpack_kmz(const std::string& bytes, const std::string& file,
+                   std::size_t max_bytes = max_kml_bytes);
+std::string to_utf8(std::string bytes, const std::string& file);
+
+}  // namespace lsos

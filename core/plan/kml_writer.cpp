@@ -1,0 +1,198 @@
+#include "plan/kml_writer.h"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <cmath>
+
+#include "base/error.h"
+
+namespace lsos {
+
+namespace {
+
+// Length of the well-formed UTF-8 character at the start of `text` that XML 1.0 allows; 0: none.
+std::size_t xml_character_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) {
+    return first >= 0x20 || first == '\t' || first == '\n' || first == '\r' ? 1 : 0;
+  }
+  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  if ((first == 0xe0 && byte(1) < 0xa0) || (first == 0xf0 && byte(1) < 0x90)) return 0;  // overlong
+  if ((first == 0xed && byte(1) > 0x9f) || (first == 0xf4 && byte(1) > 0x8f)) return 0;
+  if (first == 0xef && byte(1) == 0xbf && byte(2) > 0xbd) return 0;  // U+FFFE, U+FFFF
+  return length;
+}
+
+std::string xml_text(std::string_view text) {
+  std::string clean;
+  clean.reserve(text.size());
+  while (!text.empty()) {
+    const std::size_t length = xml_character_length(text);
+    if (length == 0) {
+      clean += "\xef\xbf\xbd";  // U+FFFD
+      text.remove_prefix(1);
+    } else {
+      clean += text.substr(0, length);
+      text.remove_prefix(length);
+    }
+  }
+  return clean;
+}
+
+// Writes elements in the order that the KML 2.2 schema asks for.
+class Writer {
+ public:
+  std::string document(const KmlDocument& document) {
+    printer_.PushHeader(false, true);
+    open("kml");
+    printer_.PushAttribute("xmlns", "http://www.opengis.net/kml/2.2");
+    open("Document");
+    element("name", document.name);
+    optional_element("description", document.description);
+    for (const KmlStyle& each : document.styles) style(each);
+    for (const KmlSchema& each : document.schemas) schema(each);
+    for (const KmlFolder& each : document.folders) folder(each);
+    for (const KmlPlacemark& each : document.placemarks) placemark(each);
+    close();
+    close();
+    return printer_.CStr();
+  }
+
+ private:
+  void open(const char* name) { printer_.OpenElement(name); }
+  void close() { printer_.CloseElement(); }
+  void attribute(const char* name, const std::string& value) {
+    printer_.PushAttribute(name, xml_text(value).c_str());
+  }
+  void element(const char* name, const std::string& text) {
+    open(name);
+    if (!text.empty()) printer_.PushText(xml_text(text).c_str());
+    close();
+  }
+  void optional_element(const char* name, const std::string& text) {
+    if (!text.empty()) element(name, text);
+  }
+
+  void style(const KmlStyle& style) {
+    open("Style");
+    attribute("id", style.id);
+    if (!style.icon_color_abgr.empty()) {
+      open("IconStyle");
+      element("color", style.icon_color_abgr);
+      element("scale", fmt::format("{}", style.icon_scale));
+      if (!style.icon_href.empty()) {
+        open("Icon");
+        element("href", style.icon_href);
+        close();
+      }
+      close();
+    }
+    open("LabelStyle");
+    element("scale", fmt::format("{}", style.label_scale));
+    close();
+    if (!style.line_color_abgr.empty()) {
+      open("LineStyle");
+      element("color", style.line_color_abgr);
+      element("width", fmt::format("{}", style.line_width));
+      close();
+    }
+    close();
+  }
+
+  void schema(const KmlSchema& schema) {
+    open("Schema");
+    attribute("name", schema.name);
+    attribute("id", schema.id);
+    for (const KmlField& field : schema.fields) {
+      open("SimpleField");
+      attribute("type", field.type);
+      attribute("name", field.name);
+      optional_element("displayName", field.display_name);
+      close();
+    }
+    close();
+  }
+
+  void folder(const KmlFolder& folder_to_write) {
+    open("Folder");
+    element("name", folder_to_write.name);
+    if (folder_to_write.open) element("open", "1");
+    for (const KmlFolder& each : folder_to_write.folders) folder(each);
+    for (const KmlPlacemark& each : folder_to_write.placemarks) placemark(each);
+    close();
+  }
+
+  void placemark(const KmlPlacemark& placemark) {
+    open("Placemark");
+    element("name", placemark.name);
+    optional_element("description", placemark.description);
+    time(placemark);
+    if (!placemark.style_id.empty()) element("styleUrl", "#" + placemark.style_id);
+    if (!placemark.schema_id.empty()) data(placemark);
+    geometry(placemark.geometry);
+    close();
+  }
+
+  void time(const KmlPlacemark& placemark) {
+    if (!placemark.when_utc.empty()) {
+      open("TimeStamp");
+      element("when", placemark.when_utc);
+      close();
+    } else if (!placemark.begin_utc.empty() || !placemark.end_utc.empty()) {
+      open("TimeSpan");
+      optional_element("begin", placemark.begin_utc);
+      optional_element("end", placemark.end_utc);
+      close();
+    }
+  }
+
+  void data(const KmlPlacemark& placemark) {
+    open("ExtendedData");
+    open("SchemaData");
+    attribute("schemaUrl", "#" + placemark.schema_id);
+    for (const auto& [name, text] : placemark.data) {
+      open("SimpleData");
+      attribute("name", name);
+      if (!text.empty()) printer_.PushText(xml_text(text).c_str());
+      close();
+    }
+    close();
+    close();
+  }
+
+  void geometry(const KmlGeometry& geometry) {
+    if (geometry.kind == KmlGeometryKind::none) return;
+    const bool is_line = geometry.kind == KmlGeometryKind::line;
+    LSOS_ASSERT(is_line ? geometry.points.size() >= 2 : geometry.points.size() == 1);
+    open(is_line ? "LineString" : "Point");
+    if (is_line && geometry.clamp_to_ground) element("tessellate", "1");
+    element("altitudeMode", geometry.clamp_to_ground ? "clampToGround" : "absolute");
+    std::string text;
+    for (const Geodetic& point : geometry.points) {
+      LSOS_ASSERT(std::isfinite(point.lon_rad) && std::isfinite(point.lat_rad));
+      // 1e-9 degrees are 0.1 mm on Earth.
+      text +=
+          fmt::format("{}{:.9f},{:.9f}", text.empty() ? "" : " ", lon_deg(point), lat_deg(point));
+      if (!geometry.clamp_to_ground) {
+        LSOS_ASSERT(std::isfinite(point.height_m));
+        text += fmt::format(",{:.3f}", point.height_m);
+      }
+    }
+    element("coordinates", text);
+    close();
+  }
+
+  tinyxml2::XMLPrinter printer_;
+};
+
+}  // namespace
+
+std::string write_kml(const KmlDocument& document) { return Writer().document(document); }
+
+}  // namespace lsos

@@ -1,0 +1,75 @@
+// Writes KML 2.2 documents that are valid against the OGC schema, from plain values.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "planet/body.h"
+
+namespace lsos {
+
+struct KmlField {
+  std::string name;
+  std::string type;  // string, int, uint, short, ushort, float, double, bool
+  std::string display_name;
+};
+
+struct KmlSchema {
+  std::string id;
+  std::string name;
+  std::vector<KmlField> fields;
+};
+
+// Colours are eight hexadecimal digits: alpha, blue, green, red ("ff0000ff" is opaque red).
+struct KmlStyle {
+  std::string id;
+  std::string line_color_abgr;  // "": no LineStyle
+  double line_width = 2;        // pixels
+  std::string icon_color_abgr;  // "": no IconStyle
+  double icon_scale = 1;
+  std::string icon_href;  // "": the viewer's own icon
+  double label_scale = 1;
+};
+
+enum class KmlGeometryKind { none, point, line };
+
+struct KmlGeometry {
+  KmlGeometryKind kind = KmlGeometryKind::none;
+  std::vector<Geodetic> points;  // one for a point, two or more for a line
+  // false: the points' heights count, above the reference surface (KML "absolute").
+  bool clamp_to_ground = true;
+};
+
+struct KmlPlacemark {
+  std::string name;
+  std::string description;  // "": none
+  std::string style_id;     // "": none
+  std::string when_utc;     // ISO 8601: a TimeStamp; "": none
+  std::string begin_utc;    // with end_utc: a TimeSpan, either end may be ""; not with when_utc
+  std::string end_utc;
+  KmlGeometry geometry;
+  std::string schema_id;  // of a schema of the document; "": no data
+  std::vector<std::pair<std::string, std::string>> data;  // field name, text
+};
+
+struct KmlFolder {
+  std::string name;
+  bool open = false;
+  std::vector<KmlPlacemark> placemarks;
+  std::vector<KmlFolder> folders;
+};
+
+struct KmlDocument {
+  std::string name;
+  std::string description;  // "": none
+  std::vector<KmlSchema> schemas;
+  std::vector<KmlStyle> styles;
+  std::vector<KmlFolder> folders;
+  std::vector<KmlPlacemark> placemarks;
+};
+
+// The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
+std::string write_kml(const KmlDocument& document);
+
+}  // namespace lsos

@@ -1,0 +1,117 @@
+#include "plan/mission_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Whole exchanges, or nothing when `interval_s` is not a multiple.
+std::optional<SimTime> whole_exchanges(double interval_s) {
+  const double exchanges = interval_s / seconds(exchange_period);
+  const double nearest = std::round(exchanges);
+  if (std::abs(exchanges - nearest) > 1e-9 * nearest) return {};
+  return exchange_period * static_cast<std::int64_t>(nearest);
+}
+
+std::optional<SimTime> read_interval(FieldReader& fields, const FieldValues& values,
+                                     const std::string& key, const std::string& name) {
+  const double* interval_s = find_value<double>(values, key);
+  if (interval_s == nullptr) return {};
+  const std::optional<SimTime> interval = whole_exchanges(*interval_s);
+  if (!interval) fields.error(name, "must be a multiple of 0.1 s");
+  return interval;
+}
+
+// A path of the plan as it is seen from where we run.
+fs::path beside_plan(const std::string& path, const ReadContext& context) {
+  return (fs::path(context.plan_file).parent_path() / path).lexically_normal();
+}
+
+void read_terrain(FieldReader& fields, const std::string& text, const ReadContext& context,
+                  MissionInfo& mission) {
+  mission.terrain = text;
+  mission.terrain_as_written = text;
+  const std::vector<std::string>& names = context.declarations.terrains;
+  if (std::ranges::find(names, text) != names.end()) return;
+  const fs::path path = beside_plan(text, context);
+  std::error_code error;
+  if (fs::is_regular_file(path, error)) {
+    mission.terrain = path.string();
+    mission.terrain_is_raster = true;
+    return;
+  }
+  std::string hint = Suggestions(names)(text);
+  if (hint.empty()) hint = fmt::format("; there are {}", listed(names));
+  fields.error("Terrain", fmt::format("is neither the name of a terrain nor a file relative to the "
+                                      "plan{}",
+                                      hint));
+}
+
+}  // namespace
+
+Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
+                   const ReadContext& context) {
+  const std::string& type = ours.data->schema;
+  Subject subject{{context.source_file, ours.placemark->line}, type};
+  if (!ours.placemark->name.empty()) {
+    subject.name += " " + quoted(ours.placemark->name);
+    return subject;
+  }
+  const auto id = std::ranges::find(ours.data->fields, id_field, &SourceField::name);
+  if (id != ours.data->fields.end() && !id->text.empty()) subject.name += " " + shown(id->text);
+  return subject;
+}
+
+MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
+                         std::vector<std::string>& defaults) {
+  MissionInfo mission;
+  if (missions.empty()) {
+    context.faults.error({context.source_file, 0}, "has no MissionInfo; exactly one is wanted");
+    return mission;
+  }
+  for (std::size_t i = 1; i < missions.size(); ++i) {
+    context.faults.error({context.source_file, missions[i].placemark->line},
+                         fmt::format("MissionInfo: a second one; the first is at line {}",
+                                     missions[0].placemark->line));
+  }
+  mission.place = {context.source_file, missions[0].placemark->line};
+  FieldReader fields({mission.place, "MissionInfo"}, *missions[0].data, context.faults);
+  fields.check_names({mission_fields()});
+  const FieldValues values = fields.read(mission_fields(), &defaults);
+
+  if (const auto* planet = find_value<std::string>(values, "planet")) {
+    mission.planet = find_body(*planet);
+  }
+  if (const auto* start = find_value<Instant>(values, "start_time")) mission.start_time = *start;
+  if (const auto* terrain = find_value<std::string>(values, "terrain")) {
+    read_terrain(fields, *terrain, context, mission);
+  }
+  if (const auto* seed = find_value<std::int64_t>(values, "seed")) {
+    mission.seed = static_cast<std::uint64_t>(*seed);
+  }
+  mission.log_interval =
+      read_interval(fields, values, "log_interval_s", "LogInterval").value_or(mission.log_interval);
+  mission.parked_log_interval =
+      read_interval(fields, values, "parked_log_interval_s", "ParkedLogInterval")
+          .value_or(mission.log_interval);
+  if (fields.find("ParkedLogInterval") == nullptr) {
+    defaults.push_back(
+        fmt::format("MissionInfo: ParkedLogInterval = {}",
+                    format_quantity(seconds(mission.parked_log_interval), *find_unit("s"))));
+  }
+  if (const auto* longest_s = find_value<double>(values, "max_duration_s")) {
+    mission.max_duration = from_seconds(*longest_s);
+  }
+  return mission;
+}
+
+}  // namespace lsos

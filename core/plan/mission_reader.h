@@ -1,0 +1,40 @@
+// Reads the Placemarks that are no events: MissionInfo, Rover, Asset.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "plan/classify.h"
+#include "plan/field_reader.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+// What the readers of all kinds of Placemark share.
+struct ReadContext {
+  const std::string& plan_file;    // as given: paths in the plan are relative to it
+  const std::string& source_file;  // for messages
+  const Declarations& declarations;
+  Faults& faults;
+};
+
+// Checks that there is one MissionInfo and reads the first. Defaults go to `defaults`.
+MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
+                         std::vector<std::string>& defaults);
+
+// Lines of the ids that the plan gives, also of those whose Placemark has other faults.
+using IdLines = std::map<std::string, int>;
+
+// In byte order of id.
+std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
+                                   const ReadContext& context, IdLines& ids,
+                                   std::vector<std::string>& defaults);
+std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
+                                   const ReadContext& context, IdLines& ids);
+
+// "Rover 'NAME'" of the Placemark; where it has none, the text of `id_field` stands for it.
+Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
+                   const ReadContext& context);
+
+}  // namespace lsos

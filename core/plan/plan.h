@@ -1,0 +1,99 @@
+// A mission plan as values: what the Placemarks of a KML document say, checked, in SI, and each
+// with the line it came from.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/sim_time.h"
+#include "plan/declaration.h"
+#include "planet/body.h"
+#include "planet/utc.h"
+
+namespace lsos {
+
+struct MissionInfo {
+  Place place;
+  const Body* planet = nullptr;
+  Instant start_time;
+  std::string terrain;  // name of a terrain script, or path of a raster (resolved)
+  bool terrain_is_raster = false;
+  std::string terrain_as_written;  // what the plan says; hashed in place of a resolved path
+  std::uint64_t seed = 0;
+  SimTime log_interval{2'000'000};
+  SimTime parked_log_interval{2'000'000};
+  SimTime max_duration{366LL * 86400 * 1'000'000};
+};
+
+struct PlanRover {
+  Place place;
+  std::string id;
+  std::string type;                   // script in rovers/
+  std::string configuration;          // "" = the type's own
+  Geodetic start;                     // height 0: rovers stand on the ground
+  std::optional<double> heading_rad;  // clockwise from true north
+  double initial_charge = 1;
+};
+
+// A thing that stands on the ground and is no rover: a habitat, a comm station.
+struct PlanAsset {
+  Place place;
+  std::string id;
+  std::string type;  // script in rovers/ whose kind is an asset
+  Geodetic position;
+  std::optional<double> antenna_height_m;  // above ground; absent: the type's own
+};
+
+struct PlanGeometry {
+  GeometryKind kind = GeometryKind::none;
+  std::vector<Geodetic> points;  // one for a Point
+  int line = 0;
+};
+
+enum class OnFailure { stop, skip, abort, go_to };
+
+// One event of a rover, with every field present or filled in from its default.
+struct PlanEvent {
+  Place place;
+  std::string type;
+  std::string label;
+  std::string rover_id;
+  std::int64_t sequence = 0;
+  PlanGeometry geometry;
+  std::map<std::string, FieldValue> params;  // by script key; optional absent ones are left out
+
+  bool is_enabled = true;
+  std::optional<Instant> start_time;
+  struct Reference {
+    std::string rover_id;
+    std::int64_t sequence = 0;
+    auto operator<=>(const Reference&) const = default;
+  };
+  std::vector<Reference> start_after;
+  std::optional<SimTime> timeout;
+  OnFailure on_failure = OnFailure::stop;
+  std::int64_t go_to_sequence = 0;  // with OnFailure::go_to
+};
+
+struct Plan {
+  std::string file;
+  MissionInfo mission;
+  std::vector<PlanRover> rovers;      // in byte order of id
+  std::vector<PlanEvent> events;      // by rover id, then sequence
+  std::vector<PlanAsset> assets;      // in byte order of id
+  int decoration_count = 0;           // Placemarks that are not ours
+  std::vector<std::string> defaults;  // "Route 'leg 2': Speed = 1 m/s", what was filled in
+
+  // SHA-256 of all that the plan says, in a fixed order, without file name and lines.
+  std::string hash() const;
+};
+
+// Reads and checks a KML or KMZ file against what there is. All faults are collected in `faults`
+// (warnings too); the plan is complete only when it has no errors.
+Plan read_plan(const std::string& file, const Declarations& declarations, Faults& faults);
+
+}  // namespace lsos

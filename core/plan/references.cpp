@@ -1,0 +1,185 @@
+#include "plan/references.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+std::string trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
+}
+
+// goto names one event, so a comma needs no escape there; one that has it is understood.
+std::string unescaped(std::string text) {
+  for (std::size_t at = text.find("\\,"); at != std::string::npos; at = text.find("\\,", at)) {
+    text.erase(at, 1);
+  }
+  return text;
+}
+
+class Resolver {
+ public:
+  Resolver(std::vector<DraftEvent>& drafts, Faults& faults) : drafts_(drafts), faults_(faults) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < drafts.size(); ++i) {
+      const PlanEvent& event = drafts[i].event;
+      by_label_[event.label].push_back(i);
+      by_identity_[{event.rover_id, event.sequence}].push_back(i);
+      names.push_back(event.label);
+    }
+    suggestions_ = Suggestions(std::move(names));
+  }
+
+  void run() {
+    for (DraftEvent& draft : drafts_) {
+      if (draft.start_after != nullptr) read_start_after(draft);
+      if (draft.on_failure != nullptr) read_on_failure(draft);
+    }
+  }
+
+ private:
+  // All events that the reference can mean: by label, and as ROVER/SEQUENCE.
+  Indices meanings(const std::string& reference) const {
+    Indices found;
+    const auto labelled = by_label_.find(reference);
+    if (labelled != by_label_.end()) found = labelled->second;
+    const std::size_t slash = reference.rfind('/');
+    if (slash != std::string::npos) {
+      const Parsed<std::int64_t> sequence = parse_integer(reference.substr(slash + 1));
+      if (sequence) {
+        const auto identified =
+            by_identity_.find({trimmed(reference.substr(0, slash)), *sequence.value});
+        if (identified != by_identity_.end()) {
+          found.insert(found.end(), identified->second.begin(), identified->second.end());
+        }
+      }
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  std::string choices(const Indices& indices) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : indices) names.push_back(named(drafts_[i]));
+    return listed(names);
+  }
+
+  void error(const DraftEvent& draft, const SourceField& field, const std::string& what) {
+    faults_.error(
+        {draft.event.place.file, field.line},
+        fmt::format("{}: {} = {}: {}", draft.subject, field.name, shown(field.text), what));
+  }
+
+  void read_start_after(DraftEvent& draft) {
+    std::vector<PlanEvent::Reference>& awaited = draft.event.start_after;
+    for (const std::string& reference : split_references(draft.start_after->text)) {
+      const Indices found = meanings(reference);
+      if (reference.empty()) {
+        error(draft, *draft.start_after, "names nothing between two commas");
+      } else if (found.empty()) {
+        error(draft, *draft.start_after,
+              fmt::format("there is no event {}{}", shown(reference), suggestions_(reference)));
+      } else if (found.size() > 1) {
+        error(draft, *draft.start_after,
+              fmt::format("{} can be {}; ROVER/SEQUENCE says which", shown(reference),
+                          choices(found)));
+      } else {
+        const PlanEvent& event = drafts_[found.front()].event;
+        awaited.push_back({event.rover_id, event.sequence});
+      }
+    }
+    std::ranges::sort(awaited);
+    awaited.erase(std::unique(awaited.begin(), awaited.end()), awaited.end());
+  }
+
+  void read_on_failure(DraftEvent& draft) {
+    constexpr std::array<std::pair<std::string_view, OnFailure>, 3> words{
+        {{"stop", OnFailure::stop}, {"skip", OnFailure::skip}, {"abort", OnFailure::abort}}};
+    const std::string& text = draft.on_failure->text;
+    for (const auto& [word, meaning] : words) {
+      if (text == word) {
+        draft.event.on_failure = meaning;
+        return;
+      }
+    }
+    if (text == "goto") {
+      error(draft, *draft.on_failure, "goto wants the label of a later event of the rover");
+    } else if (text.starts_with("goto ") || text.starts_with("goto\t")) {
+      read_go_to(draft, unescaped(trimmed(text.substr(5))));
+    } else {
+      const std::vector<std::string> known{"stop", "skip", "abort", "goto LABEL"};
+      error(draft, *draft.on_failure,
+            fmt::format("must be one of {}{}", listed(known),
+                        text.size() > 20 ? "" : did_you_mean(text, known)));
+    }
+  }
+
+  void read_go_to(DraftEvent& draft, const std::string& label) {
+    if (!draft.is_placed) return;
+    const Indices found = meanings(label);
+    Indices later;
+    for (const std::size_t i : found) {
+      const PlanEvent& event = drafts_[i].event;
+      if (event.rover_id == draft.event.rover_id && event.sequence > draft.event.sequence) {
+        later.push_back(i);
+      }
+    }
+    if (found.empty()) {
+      error(draft, *draft.on_failure,
+            fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
+    } else if (later.empty()) {
+      error(draft, *draft.on_failure,
+            fmt::format("{} is no later event of rover {}", choices(found),
+                        quoted(draft.event.rover_id)));
+    } else if (later.size() > 1) {
+      error(draft, *draft.on_failure,
+            fmt::format("{} can be {}; ROVER/SEQUENCE says which", shown(label), choices(later)));
+    } else {
+      draft.event.on_failure = OnFailure::go_to;
+      draft.event.go_to_sequence = drafts_[later.front()].event.sequence;
+    }
+  }
+
+  std::vector<DraftEvent>& drafts_;
+  Faults& faults_;
+  std::map<std::string, Indices> by_label_;
+  std::map<std::pair<std::string, std::int64_t>, Indices> by_identity_;
+  Suggestions suggestions_;
+};
+
+}  // namespace
+
+std::vector<std::string> split_references(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == ',') {
+      parts.back() += text[++i];
+    } else if (text[i] == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += text[i];
+    }
+  }
+  for (std::string& part : parts) part = trimmed(part);
+  return parts;
+}
+
+void resolve_references(std::vector<DraftEvent>& drafts, Faults& faults) {
+  Resolver(drafts, faults).run();
+}
+
+}  // namespace lsos

@@ -1,0 +1,34 @@
+// Nearest valid names for messages, at a bounded cost for plans with thousands of faults.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lsos {
+
+class Suggestions {
+ public:
+  Suggestions() = default;
+  explicit Suggestions(std::vector<std::string> known) : known_(std::move(known)) {}
+
+  // "; did you mean 'Speed'?" or "". Only the first few different names are compared with all
+  // that is known: after them nobody reads on.
+  std::string operator()(const std::string& name);
+
+  const std::vector<std::string>& known() const { return known_; }
+
+ private:
+  std::vector<std::string> known_;
+  std::map<std::string, std::string> answers_;
+};
+
+// "a, b, c"; a long list ends in "... (40 in all)".
+std::string listed(const std::vector<std::string>& names);
+
+// Text of a plan as messages show it: in quotes, on one line and not longer than a line.
+std::string quoted(const std::string& text);
+// The same, but a number is bare.
+std::string shown(const std::string& text);
+
+}  // namespace lsos

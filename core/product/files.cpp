@@ -1,0 +1,33 @@
+#include "product/files.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace lsos {
+
+void write_file(const std::string& file, std::string_view bytes) {
+  const std::string part = file + std::string(part_suffix);
+  errno = 0;
+  std::ofstream out(part, std::ios::binary | std::ios::trunc);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (out && std::rename(part.c_str(), file.c_str()) == 0) return;
+  const std::string why = errno == 0 ? "cannot be written" : std::strerror(errno);
+  std::remove(part.c_str());
+  throw std::runtime_error(fmt::format("{}: {}", file, why));
+}
+
+std::optional<std::string> read_file(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return std::nullopt;
+  return bytes;
+}
+
+}  // namespace lsos

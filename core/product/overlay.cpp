@@ -1,0 +1,221 @@
+#include "product/overlay.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/error.h"
+#include "plan/kml_writer.h"
+#include "product/files.h"
+#include "product/rover_track.h"
+#include "record/columns.h"
+
+namespace lsos {
+
+namespace {
+
+// Alpha, blue, green, red; the first three as the paper draws its rovers.
+constexpr std::array rover_colors{"0000ff", "ff0000", "00c000", "00a5ff",
+                                  "c000c0", "c0c000", "00ffff", "8080ff"};
+
+// Prefixed, so that no plan reader takes a Placemark of ours for an event ("Sample").
+template <class Row>
+std::string schema_id;
+template <>
+const std::string schema_id<SampleRow> = "lsos_samples";
+template <>
+const std::string schema_id<EventRow> = "lsos_events";
+template <>
+const std::string schema_id<NoteRow> = "lsos_notes";
+
+const char* kml_type(ColumnType type) {
+  switch (type) {
+    case ColumnType::integer:
+      return "int";
+    case ColumnType::real:
+      return "double";
+    case ColumnType::text:
+      break;
+  }
+  return "string";
+}
+
+template <class Row>
+KmlSchema schema() {
+  KmlSchema schema{schema_id<Row>, schema_id<Row>, {}};
+  for (const Column<Row>& column : columns<Row>()) {
+    schema.fields.push_back({std::string(column.name), kml_type(column.type), ""});
+  }
+  return schema;
+}
+
+// A Placemark that carries every column of the row that is not NULL.
+template <class Row>
+KmlPlacemark placemark(const Row& row, Instant start, std::string name) {
+  KmlPlacemark placemark;
+  placemark.name = std::move(name);
+  placemark.schema_id = schema_id<Row>;
+  for (const Column<Row>& column : columns<Row>()) {
+    const ColumnValue value = column.value(row, start);
+    if (std::holds_alternative<std::monostate>(value)) continue;
+    placemark.data.emplace_back(column.name, to_text(value));
+  }
+  return placemark;
+}
+
+KmlFolder named_folder(std::string name) {
+  KmlFolder folder;
+  folder.name = std::move(name);
+  return folder;
+}
+
+KmlGeometry point(const Geodetic& place) { return {KmlGeometryKind::point, {place}}; }
+
+// XML's calendar has no second 60: within a leap second there is no time to show.
+std::string xml_time(Instant instant) {
+  const std::string utc = format_utc(instant);
+  return utc.find(":60.") == std::string::npos ? utc : "";
+}
+
+// The styles of one rover; its colour goes by its place among the rovers.
+struct RoverStyle {
+  std::string plan_id, driven_id, event_id, sample_id;
+
+  explicit RoverStyle(std::size_t i)
+      : plan_id(fmt::format("plan-{}", i)),
+        driven_id(fmt::format("driven-{}", i)),
+        event_id(fmt::format("event-{}", i)),
+        sample_id(fmt::format("sample-{}", i)),
+        color_(rover_colors[i % rover_colors.size()]) {}
+
+  void add_to(std::vector<KmlStyle>& styles) const {
+    KmlStyle plan;
+    plan.id = plan_id;
+    plan.line_color_abgr = "80" + color_;
+    plan.line_width = 5;
+    KmlStyle driven;
+    driven.id = driven_id;
+    driven.line_color_abgr = "ff" + color_;
+    KmlStyle event;
+    event.id = event_id;
+    event.icon_color_abgr = "ff" + color_;
+    KmlStyle sample;
+    sample.id = sample_id;
+    sample.icon_color_abgr = "c0" + color_;
+    sample.icon_scale = 0.3;
+    sample.label_scale = 0;  // thousands of labels would hide the ground
+    styles.insert(styles.end(), {plan, driven, event, sample});
+  }
+
+ private:
+  std::string color_;
+};
+
+KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const RoverStyle& style) {
+  KmlFolder folder = named_folder(rover_id + " plan");
+  for (const PlanEvent& event : plan.events) {
+    if (event.rover_id != rover_id || event.geometry.kind != GeometryKind::line) continue;
+    KmlPlacemark line;
+    line.name = fmt::format("{} {} (plan)", rover_id, event.label);
+    line.style_id = style.plan_id;
+    line.geometry = {KmlGeometryKind::line, event.geometry.points};
+    folder.placemarks.push_back(std::move(line));
+  }
+  return folder;
+}
+
+KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
+                      const RoverStyle& style) {
+  KmlFolder folder = named_folder(rover_id + " driven");
+  KmlPlacemark line;
+  line.name = rover_id + " driven";
+  line.style_id = style.driven_id;
+  line.geometry = {KmlGeometryKind::line, track.line()};
+  if (line.geometry.points.size() >= 2) folder.placemarks.push_back(std::move(line));
+  return folder;
+}
+
+KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
+                       const std::string& rover_id, const RoverStyle& style) {
+  KmlFolder folder = named_folder(rover_id + " events");
+  for (const EventRow& event : events) {
+    if (event.rover_id != rover_id) continue;
+    KmlPlacemark mark = placemark(event, start, event.label);
+    mark.description = to_string(event.status);
+    if (!event.reason.empty()) mark.description += ": " + event.reason;
+    mark.style_id = style.event_id;
+    if (event.start) mark.begin_utc = xml_time(start + *event.start);
+    if (event.end) mark.end_utc = xml_time(start + *event.end);
+    if (event.place) mark.geometry = point(*event.place);
+    folder.placemarks.push_back(std::move(mark));
+  }
+  return folder;
+}
+
+KmlFolder sample_points(const RoverTrack& track, Instant start, const std::string& rover_id,
+                        const RoverStyle& style) {
+  KmlFolder folder = named_folder(rover_id + " samples");
+  for (const SampleRow& row : track.samples()) {
+    KmlPlacemark mark = placemark(row, start, fmt::format("{} {} s", rover_id, seconds(row.time)));
+    mark.style_id = style.sample_id;
+    mark.when_utc = xml_time(start + row.time);
+    mark.geometry = point(row.place);
+    folder.placemarks.push_back(std::move(mark));
+  }
+  return folder;
+}
+
+KmlFolder note_points(const std::vector<NoteRow>& notes, Instant start) {
+  KmlFolder folder = named_folder("notes");
+  for (const NoteRow& note : notes) {
+    KmlPlacemark mark = placemark(note, start, note.name);
+    mark.description =
+        fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json);
+    mark.when_utc = xml_time(start + note.time);
+    mark.geometry = point(note.place);
+    folder.placemarks.push_back(std::move(mark));
+  }
+  return folder;
+}
+
+std::map<std::string, RoverTrack> tracks(const LogReader& log, const MissionInfo& mission) {
+  LSOS_ASSERT(mission.planet != nullptr);
+  const SimTime interval = sample_interval(log.last_sample_time(), overlay_samples_max,
+                                           mission.log_interval, mission.parked_log_interval);
+  std::map<std::string, RoverTrack> tracks;
+  log.for_each_sample([&](const SampleRow& row) {
+    tracks.try_emplace(row.rover_id, *mission.planet, interval).first->second.add(row);
+  });
+  return tracks;
+}
+
+}  // namespace
+
+std::string overlay_kml(const LogReader& log, const Plan& plan) {
+  const Instant start = log.start();
+  const std::vector<EventRow> events = log.events();
+
+  KmlDocument document;
+  document.name = "overlay";
+  document.description = fmt::format("simulated from {}", format_utc(start));
+  document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<NoteRow>()};
+  std::size_t i = 0;
+  for (const auto& [rover_id, track] : tracks(log, plan.mission)) {
+    const RoverStyle style(i++);
+    style.add_to(document.styles);
+    KmlFolder rover = named_folder(rover_id);
+    rover.open = true;
+    rover.folders = {drawn_lines(plan, rover_id, style), driven_line(track, rover_id, style),
+                     event_points(events, start, rover_id, style),
+                     sample_points(track, start, rover_id, style)};
+    document.folders.push_back(std::move(rover));
+  }
+  document.folders.push_back(note_points(log.notes(), start));
+  return write_kml(document);
+}
+
+void write_overlay(const std::string& run_dir, const Plan& plan) {
+  write_file(run_dir + "/overlay.kml", overlay_kml(LogReader(run_dir + "/log.gpkg"), plan));
+}
+
+}  // namespace lsos

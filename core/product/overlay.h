@@ -1,0 +1,21 @@
+// overlay.kml: what happened, drawn over what was planned, for Google Earth and GIS tools.
+#pragma once
+
+#include <string>
+
+#include "plan/plan.h"
+#include "record/log.h"
+
+namespace lsos {
+
+// Sample Placemarks of one rover at most; the log has them all.
+inline constexpr int overlay_samples_max = 2000;
+
+// The document: for each rover its drawn lines, the line that it drove, its events where they
+// happened, and samples uniform in time with every column of the log; then the notes.
+std::string overlay_kml(const LogReader& log, const Plan& plan);
+
+// Reads DIR/log.gpkg and writes DIR/overlay.kml. Throws InputError when there is no log.
+void write_overlay(const std::string& run_dir, const Plan& plan);
+
+}  // namespace lsos

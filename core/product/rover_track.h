@@ -1,0 +1,37 @@
+// What the overlay shows of one rover's samples, gathered in one pass over a log of any length.
+#pragma once
+
+#include <vector>
+
+#include "planet/body.h"
+#include "record/rows.h"
+
+namespace lsos {
+
+// Time between samples that are shown, such that at most `count` (2 or more) fall into 0..end: a
+// multiple of `log_interval`, and of `parked_log_interval` too where that costs no more than half
+// of the samples, because those are the times that a parked rover has rows at.
+SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime parked_log_interval);
+
+class RoverTrack {
+ public:
+  RoverTrack(const Body& body, SimTime interval) : body_(&body), interval_(interval) {}
+
+  // In order of time.
+  void add(const SampleRow& row);
+
+  // Where it drove, every 0.5 m or so; fewer than two points when it never moved.
+  std::vector<Geodetic> line() const;
+  // The first sample of each interval.
+  const std::vector<SampleRow>& samples() const { return samples_; }
+
+ private:
+  const Body* body_;
+  SimTime interval_;
+  SimTime next_{};
+  std::vector<SampleRow> samples_;
+  std::vector<Geodetic> line_;
+  Geodetic last_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,192 @@
+#include "product/run_folder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "base/error.h"
+#include "product/files.h"
+#include "product/summary.h"
+#include "record/log.h"
+
+namespace lsos {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The summary goes first: without it a run is unfinished, whatever else is still there.
+constexpr std::array run_files{"summary.json", "overlay.kml",  "report.html", "plan.kml",
+                               "log.gpkg",     "log.gpkg-wal", "log.gpkg-shm"};
+
+// Empty while a folder is looked at; holds `run_mark` from `prepare` on.
+constexpr const char* lock_name = ".lsos-host.lock";
+constexpr std::string_view run_mark = "a run of lsos-host that has not finished\n";
+
+enum class Content { nothing, finished_run, unfinished_run, foreign };
+
+bool is_there(const fs::path& file) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(file, error));
+}
+
+// A link would lead us to read, or a later program to write, somewhere else.
+bool is_plain_file(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(fs::symlink_status(file, error));
+}
+
+bool is_log(const fs::path& file) {
+  try {
+    const LogReader log(file.string());
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Content content_of(const fs::path& folder) {
+  for (const char* name : run_files) {
+    if (is_there(folder / name) && !is_plain_file(folder / name)) return Content::foreign;
+  }
+  const fs::path lock_file = folder / lock_name;
+  if (is_there(lock_file) && !is_plain_file(lock_file)) return Content::foreign;
+
+  if (is_summary(read_file((folder / "summary.json").string()).value_or(""))) {
+    return Content::finished_run;
+  }
+  if (read_file(lock_file.string()).value_or("") == run_mark) return Content::unfinished_run;
+  if (is_there(folder / "log.gpkg") && is_log(folder / "log.gpkg")) return Content::unfinished_run;
+  const bool has_more = std::ranges::any_of(
+      fs::directory_iterator(folder),
+      [](const fs::directory_entry& entry) { return entry.path().filename() != lock_name; });
+  return has_more ? Content::foreign : Content::nothing;
+}
+
+void refuse_foreign(const std::string& path, const Content content) {
+  if (content != Content::foreign) return;
+  throw InputError({path},
+                   "holds files that are no run of lsos-host, and these are never touched; name "
+                   "another folder with -o");
+}
+
+[[noreturn]] void refuse_for_errno(const std::string& path, const char* what) {
+  throw InputError({path},
+                   fmt::format("{}: {}; name another folder with -o", what, std::strerror(errno)));
+}
+
+// The file behind the descriptor is still the one of that name.
+bool is_same_file(int descriptor, const std::string& file) {
+  struct stat open_file {};
+  struct stat named_file {};
+  return ::fstat(descriptor, &open_file) == 0 && ::lstat(file.c_str(), &named_file) == 0 &&
+         open_file.st_ino == named_file.st_ino && open_file.st_dev == named_file.st_dev;
+}
+
+}  // namespace
+
+std::string default_run_folder(const std::string& plan_file) {
+  return (fs::path("out") / fs::path(plan_file).stem()).string();
+}
+
+RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
+  while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
+  try {
+    make_folders();
+    // Before the lock too: in a foreign folder not even a lock file may be made.
+    refuse_foreign(path_, content_of(path_));
+    lock();
+    const Content content = content_of(path_);
+    refuse_foreign(path_, content);
+    if (content == Content::unfinished_run && !force) {
+      throw InputError({path_},
+                       "holds a run that has not finished; --force replaces it, -o names another "
+                       "folder");
+    }
+  } catch (const fs::filesystem_error& error) {
+    release();
+    throw InputError({path_},
+                     fmt::format("cannot be the folder of a run: {}", error.code().message()));
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+RunFolder::~RunFolder() { release(); }
+
+void RunFolder::make_folders() {
+  if (is_there(path_) && !fs::is_directory(path_)) {
+    throw InputError({path_}, "is a file, not a folder; name another folder with -o");
+  }
+  std::vector<std::string> missing;
+  for (fs::path folder = path_; !folder.empty() && !is_there(folder);
+       folder = folder.parent_path()) {
+    missing.push_back(folder.string());
+  }
+  std::ranges::reverse(missing);
+  for (const std::string& folder : missing) {
+    if (fs::create_directory(folder)) made_folders_.push_back(folder);
+  }
+}
+
+void RunFolder::lock() {
+  const std::string lock_file = file(lock_name);
+  // Again when the file was removed by its holder between our opening and our locking it.
+  for (;;) {
+    lock_ = ::open(lock_file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+    has_made_lock_file_ = lock_ >= 0;
+    if (lock_ < 0) lock_ = ::open(lock_file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (lock_ < 0 && errno == ENOENT) continue;
+    if (lock_ < 0) refuse_for_errno(path_, "cannot be written");
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+      has_made_lock_file_ = false;
+      if (errno != EWOULDBLOCK) refuse_for_errno(path_, "cannot be locked");
+      throw InputError({path_},
+                       "another lsos-host is writing there; wait for it, or name another folder "
+                       "with -o");
+    }
+    if (is_same_file(lock_, lock_file)) return;
+    ::close(lock_);
+  }
+}
+
+void RunFolder::prepare() {
+  // The lock file holds this mark or nothing, so one write settles it.
+  if (::pwrite(lock_, run_mark.data(), run_mark.size(), 0) != std::ssize(run_mark)) {
+    throw std::runtime_error(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
+  }
+  is_prepared_ = true;
+  for (const char* name : run_files) {
+    for (const std::string& old : {file(name), file(name) + std::string(part_suffix)}) {
+      if (::unlink(old.c_str()) != 0 && errno != ENOENT) {
+        throw std::runtime_error(fmt::format("{}: {}", old, std::strerror(errno)));
+      }
+    }
+  }
+}
+
+void RunFolder::release() {
+  if (lock_ >= 0) {
+    // The mark of an unfinished run stays.
+    const bool is_done = is_prepared_ && is_summary(read_file(file("summary.json")).value_or(""));
+    if (is_done || (!is_prepared_ && has_made_lock_file_)) ::unlink(file(lock_name).c_str());
+    ::close(lock_);
+    lock_ = -1;
+  }
+  if (is_prepared_) return;
+  std::ranges::reverse(made_folders_);
+  for (const std::string& folder : made_folders_) ::rmdir(folder.c_str());
+  made_folders_.clear();
+}
+
+}  // namespace lsos

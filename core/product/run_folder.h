@@ -1,0 +1,47 @@
+// The folder that a run leaves its files in, and the rules for touching it: a finished run of ours
+// may be replaced, an unfinished one only when forced, anything else never.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lsos {
+
+// "out/PLAN-NAME" for "some/where/PLAN-NAME.kml".
+std::string default_run_folder(const std::string& plan_file);
+
+// Holds the folder against other writers until it goes.
+class RunFolder {
+ public:
+  // Checks that `path` may become the folder of a run and locks it. Folders that are missing are
+  // made; of files that are there none is touched. Throws InputError with advice when another
+  // program writes there, when an unfinished run is there and `force` is not given, and when
+  // anything is there that is no run of ours.
+  RunFolder(const std::string& path, bool force);
+  // Gives the lock back. Where `prepare` was not called, the folder is as it was found.
+  ~RunFolder();
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+  // The path of a file in the folder.
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+  // Removes the files of the run that was there; its other files stay. From now on the folder
+  // holds an unfinished run until it has a summary. To be called only when the plan has passed its
+  // checks, right before the log is made; throws std::runtime_error when a file cannot be removed.
+  void prepare();
+
+ private:
+  void make_folders();
+  void lock();
+  void release();
+
+  std::string path_;
+  std::vector<std::string> made_folders_;  // outermost first
+  int lock_ = -1;                          // file descriptor
+  bool has_made_lock_file_ = false;
+  bool is_prepared_ = false;
+};
+
+}  // namespace lsos

@@ -1,0 +1,247 @@
+#include "record/columns.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace lsos {
+
+namespace {
+
+template <class Row, class T>
+Row row_of(T Row::*);
+
+ColumnValue from_number(double value) {
+  return std::isnan(value) ? ColumnValue{} : ColumnValue{value};
+}
+
+double to_number(const ColumnValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return number == nullptr ? not_modelled : *number;
+}
+
+ColumnValue from_string(const std::string& text) {
+  return text.empty() ? ColumnValue{} : ColumnValue{text};
+}
+
+std::string to_string_or_empty(const ColumnValue& value) {
+  const std::string* text = std::get_if<std::string>(&value);
+  return text == nullptr ? std::string() : *text;
+}
+
+std::int64_t to_integer(const ColumnValue& value) {
+  const std::int64_t* number = std::get_if<std::int64_t>(&value);
+  return number == nullptr ? 0 : *number;
+}
+
+// Columns that are one member of the row.
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> real(std::string_view name) {
+  return {name, ColumnType::real, [](const Row& row, Instant) { return from_number(row.*member); },
+          [](Row& row, const ColumnValue& value) { row.*member = to_number(value); }};
+}
+
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> text(std::string_view name) {
+  return {name, ColumnType::text, [](const Row& row, Instant) { return from_string(row.*member); },
+          [](Row& row, const ColumnValue& value) { row.*member = to_string_or_empty(value); }};
+}
+
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> integer(std::string_view name) {
+  return {name, ColumnType::integer,
+          [](const Row& row, Instant) { return ColumnValue{row.*member}; },
+          [](Row& row, const ColumnValue& value) { row.*member = to_integer(value); }};
+}
+
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> time(std::string_view name) {
+  return {name, ColumnType::real,
+          [](const Row& row, Instant) { return ColumnValue{seconds(row.*member)}; },
+          [](Row& row, const ColumnValue& value) { row.*member = from_seconds(to_number(value)); }};
+}
+
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> optional_time(std::string_view name) {
+  return {name, ColumnType::real,
+          [](const Row& row, Instant) {
+            const std::optional<SimTime>& time = row.*member;
+            return time ? ColumnValue{seconds(*time)} : ColumnValue{};
+          },
+          [](Row& row, const ColumnValue& value) {
+            const double* time_s = std::get_if<double>(&value);
+            (row.*member).reset();
+            if (time_s != nullptr) row.*member = from_seconds(*time_s);
+          }};
+}
+
+// Columns of `samples` that are part of a member. Longitude and latitude are not taken back: the
+// point of the row gives the place.
+Column<SampleRow> utc() {
+  return {
+      "utc", ColumnType::text,
+      [](const SampleRow& row, Instant start) { return ColumnValue{format_utc(start + row.time)}; },
+      nullptr};
+}
+
+template <double (*degrees)(const Geodetic&)>
+Column<SampleRow> place_deg(std::string_view name) {
+  return {name, ColumnType::real,
+          [](const SampleRow& row, Instant) { return from_number(degrees(row.place)); }, nullptr};
+}
+
+template <int axis>
+Column<SampleRow> coordinate(std::string_view name) {
+  return {name, ColumnType::real,
+          [](const SampleRow& row, Instant) { return from_number(row.p_S_m[axis]); },
+          [](SampleRow& row, const ColumnValue& value) { row.p_S_m[axis] = to_number(value); }};
+}
+
+Column<EventRow> status() {
+  return {"status", ColumnType::text,
+          [](const EventRow& row, Instant) { return ColumnValue{to_string(row.status)}; },
+          [](EventRow& row, const ColumnValue& value) {
+            row.status = event_status(to_string_or_empty(value)).value_or(EventStatus::not_started);
+          }};
+}
+
+constexpr std::array<std::pair<EventStatus, const char*>, 8> status_names{{
+    {EventStatus::not_started, "not_started"},
+    {EventStatus::waiting, "waiting"},
+    {EventStatus::running, "running"},
+    {EventStatus::completed, "completed"},
+    {EventStatus::failed, "failed"},
+    {EventStatus::skipped, "skipped"},
+    {EventStatus::incomplete, "incomplete"},
+    {EventStatus::disabled, "disabled"},
+}};
+
+}  // namespace
+
+template <>
+std::span<const Column<SampleRow>> columns<SampleRow>() {
+  using R = SampleRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),
+      utc(),
+      text<&R::rover_id>("rover_id"),
+      place_deg<lon_deg>("lon_deg"),
+      place_deg<lat_deg>("lat_deg"),
+      real<&R::elevation_m>("elevation_m"),
+      coordinate<0>("x_m"),
+      coordinate<1>("y_m"),
+      coordinate<2>("z_m"),
+      real<&R::roll_rad>("roll_rad"),
+      real<&R::pitch_rad>("pitch_rad"),
+      real<&R::heading_rad>("heading_rad"),
+      real<&R::speed_mps>("speed_mps"),
+      real<&R::distance_m>("distance_m"),
+      real<&R::slope_rad>("slope_rad"),
+      real<&R::slip>("slip"),
+      real<&R::slip_max>("slip_max"),
+      real<&R::sinkage_m>("sinkage_m"),
+      real<&R::energy_j>("energy_j"),
+      real<&R::charge>("charge"),
+      real<&R::energy_rate_w>("energy_rate_w"),
+      real<&R::solar_w>("solar_w"),
+      real<&R::solar_available_w>("solar_available_w"),
+      real<&R::external_w>("external_w"),
+      real<&R::load_w>("load_w"),
+      real<&R::drive_w>("drive_w"),
+      real<&R::loss_w>("loss_w"),
+      real<&R::solar_j>("solar_j"),
+      real<&R::external_j>("external_j"),
+      real<&R::load_j>("load_j"),
+      real<&R::drive_j>("drive_j"),
+      real<&R::loss_j>("loss_j"),
+      real<&R::sun_fraction>("sun_fraction"),
+      real<&R::incidence>("incidence"),
+      text<&R::event>("event"),
+      text<&R::phase>("phase"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<JointRow>> columns<JointRow>() {
+  using R = JointRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),
+      text<&R::rover_id>("rover_id"),
+      text<&R::joint>("joint"),
+      real<&R::angle_rad>("angle_rad"),
+      real<&R::extension_m>("extension_m"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<EventRow>> columns<EventRow>() {
+  using R = EventRow;
+  static const Column<R> table[] = {
+      text<&R::rover_id>("rover_id"),
+      integer<&R::sequence>("sequence"),
+      text<&R::type>("type"),
+      text<&R::label>("label"),
+      status(),
+      text<&R::reason>("reason"),
+      optional_time<&R::ready>("ready_s"),
+      optional_time<&R::start>("start_s"),
+      optional_time<&R::end>("end_s"),
+      real<&R::distance_m>("distance_m"),
+      real<&R::energy_used_j>("energy_used_j"),
+      real<&R::solar_j>("solar_j"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<PhaseRow>> columns<PhaseRow>() {
+  using R = PhaseRow;
+  static const Column<R> table[] = {
+      text<&R::rover_id>("rover_id"), integer<&R::sequence>("sequence"), text<&R::phase>("phase"),
+      time<&R::start>("start_s"),     optional_time<&R::end>("end_s"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<NoteRow>> columns<NoteRow>() {
+  using R = NoteRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"), text<&R::rover_id>("rover_id"),  integer<&R::sequence>("sequence"),
+      text<&R::name>("name"),   text<&R::fields_json>("fields"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<RunRow>> columns<RunRow>() {
+  static const Column<RunRow> table[] = {text<&RunRow::key>("key"), text<&RunRow::value>("value")};
+  return table;
+}
+
+std::string to_text(const ColumnValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *number);
+  if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return to_string_or_empty(value);
+}
+
+const char* to_string(EventStatus status) {
+  for (const auto& [known, name] : status_names) {
+    if (known == status) return name;
+  }
+  broken_promise("every EventStatus has a name", __FILE__, __LINE__);
+}
+
+std::optional<EventStatus> event_status(std::string_view name) {
+  for (const auto& [status, known] : status_names) {
+    if (known == name) return status;
+  }
+  return std::nullopt;
+}
+
+}  // namespace lsos

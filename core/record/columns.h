@@ -1,0 +1,61 @@
+// What the columns of each layer are: name, type, and how a row gives and takes the value. One
+// table serves creating a layer, writing, reading back, the digest and the products.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "planet/utc.h"
+#include "record/rows.h"
+
+namespace lsos {
+
+enum class ColumnType { integer, real, text };
+
+// monostate is NULL: a NaN, an absent optional, an empty text.
+using ColumnValue = std::variant<std::monostate, std::int64_t, double, std::string>;
+
+// One column of the rows of type Row.
+template <class Row>
+struct Column {
+  std::string_view name;
+  ColumnType type = ColumnType::real;
+  // `start` is the mission's StartTime, for columns of calendar time.
+  ColumnValue (*value)(const Row& row, Instant start) = nullptr;
+  // Takes a value back; nullptr where it follows from the other columns.
+  void (*set_value)(Row& row, const ColumnValue& value) = nullptr;
+};
+
+// Layer `run`: what the run was made of.
+struct RunRow {
+  std::string key;
+  std::string value;
+};
+
+// The columns in the order of the file.
+template <class Row>
+std::span<const Column<Row>> columns();
+template <>
+std::span<const Column<SampleRow>> columns<SampleRow>();
+template <>
+std::span<const Column<JointRow>> columns<JointRow>();
+template <>
+std::span<const Column<EventRow>> columns<EventRow>();
+template <>
+std::span<const Column<PhaseRow>> columns<PhaseRow>();
+template <>
+std::span<const Column<NoteRow>> columns<NoteRow>();
+template <>
+std::span<const Column<RunRow>> columns<RunRow>();
+
+// A value as text in the C locale, numbers in the shortest form that reads back equal; "" is NULL.
+std::string to_text(const ColumnValue& value);
+
+// The status with that name, as to_string writes it.
+std::optional<EventStatus> event_status(std::string_view name);
+
+}  // namespace lsos

@@ -1,0 +1,146 @@
+#include "record/gpkg.h"
+
+#include <cpl_conv.h>
+
+namespace lsos::gpkg {
+
+QuietErrors::QuietErrors() { CPLPushErrorHandlerEx(&QuietErrors::handle, this); }
+QuietErrors::~QuietErrors() { CPLPopErrorHandler(); }
+
+void QuietErrors::handle(CPLErr severity, CPLErrorNum, const char* text) {
+  auto* self = static_cast<QuietErrors*>(CPLGetErrorHandlerUserData());
+  if (severity >= CE_Failure && self->message_.empty()) self->message_ = text;
+}
+
+std::string QuietErrors::message() const {
+  return message_.empty() ? "the GeoPackage driver gives no reason" : message_;
+}
+
+namespace {
+
+GDALDriver* geopackage_driver() {
+  static GDALDriver* driver = [] {
+    GDALAllRegister();
+    return GetGDALDriverManager()->GetDriverByName("GPKG");
+  }();
+  return driver;
+}
+
+OGRFieldType field_type(ColumnType type) {
+  switch (type) {
+    case ColumnType::integer:
+      return OFTInteger64;
+    case ColumnType::real:
+      return OFTReal;
+    case ColumnType::text:
+      break;
+  }
+  return OFTString;
+}
+
+OGRwkbGeometryType geometry_type(LayerGeometry geometry) {
+  switch (geometry) {
+    case LayerGeometry::point:
+      return wkbPoint25D;
+    case LayerGeometry::line:
+      return wkbLineString25D;
+    case LayerGeometry::none:
+      break;
+  }
+  return wkbNone;
+}
+
+}  // namespace
+
+Dataset create(const std::string& file) {
+  GDALDriver* driver = geopackage_driver();
+  if (driver == nullptr) return nullptr;
+  // Only a write-ahead log leaves the file readable after kill -9; it has to be asked for before
+  // the file exists. A power loss may cost the last commits (NORMAL), a kill may not.
+  const CPLConfigOptionSetter journal("OGR_SQLITE_JOURNAL", "WAL", false);
+  const CPLConfigOptionSetter synchronous("OGR_SQLITE_SYNCHRONOUS", "NORMAL", false);
+  CPLStringList options;
+  // GDAL's own table of row counts is written at close alone: wrong for whoever reads meanwhile.
+  options.SetNameValue("ADD_GPKG_OGR_CONTENTS", "NO");
+  return Dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, options.List()));
+}
+
+Dataset open_to_read(const std::string& file) {
+  if (geopackage_driver() == nullptr) return nullptr;
+  const char* const drivers[] = {"GPKG", nullptr};
+  return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+}
+
+OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs) {
+  CPLStringList options;
+  options.SetNameValue("FID", "fid");
+  options.SetNameValue("GEOMETRY_NAME", "geom");
+  // Keeping an index costs more than the rows themselves.
+  options.SetNameValue("SPATIAL_INDEX", "NO");
+  const bool is_spatial = spec.geometry != LayerGeometry::none;
+  OGRLayer* layer = dataset.CreateLayer(std::string(spec.name).c_str(), is_spatial ? &crs : nullptr,
+                                        geometry_type(spec.geometry), options.List());
+  if (layer == nullptr) return nullptr;
+  for (const ColumnSpec& column : spec.columns) {
+    OGRFieldDefn field(std::string(column.name).c_str(), field_type(column.type));
+    if (layer->CreateField(&field) != OGRERR_NONE) return nullptr;
+  }
+  return layer;
+}
+
+void run_sql(GDALDataset& dataset, const std::string& statement,
+             const std::function<void(const OGRFeature&)>& visit) {
+  OGRLayer* answer = dataset.ExecuteSQL(statement.c_str(), nullptr, nullptr);
+  if (answer == nullptr) return;
+  while (const Feature feature{answer->GetNextFeature()}) {
+    if (visit) visit(*feature);
+  }
+  dataset.ReleaseResultSet(answer);
+}
+
+void set_value(OGRFeature& feature, int field, const ColumnValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) {
+    feature.SetField(field, *real);
+  } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    feature.SetField(field, static_cast<GIntBig>(*integer));
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    feature.SetField(field, text->c_str());
+  } else {
+    feature.SetFieldNull(field);
+  }
+}
+
+ColumnValue value(const OGRFeature& feature, int field, ColumnType type) {
+  if (!feature.IsFieldSetAndNotNull(field)) return {};
+  switch (type) {
+    case ColumnType::integer:
+      return std::int64_t{feature.GetFieldAsInteger64(field)};
+    case ColumnType::real:
+      return feature.GetFieldAsDouble(field);
+    case ColumnType::text:
+      break;
+  }
+  return std::string(feature.GetFieldAsString(field));
+}
+
+void set_point(OGRFeature& feature, const std::optional<Geodetic>& place) {
+  if (!place) {
+    feature.SetGeometryDirectly(nullptr);
+    return;
+  }
+  if (feature.GetGeometryRef() == nullptr) feature.SetGeometryDirectly(new OGRPoint(0, 0, 0));
+  OGRPoint* point = feature.GetGeometryRef()->toPoint();
+  point->setX(lon_deg(*place));
+  point->setY(lat_deg(*place));
+  point->setZ(place->height_m);
+}
+
+std::optional<Geodetic> point(const OGRFeature& feature) {
+  const OGRGeometry* geometry = feature.GetGeometryRef();
+  if (geometry == nullptr || wkbFlatten(geometry->getGeometryType()) != wkbPoint) return {};
+  const OGRPoint* point = geometry->toPoint();
+  if (point->IsEmpty()) return {};
+  return geodetic_from_degrees(point->getX(), point->getY(), point->getZ());
+}
+
+}  // namespace lsos::gpkg

@@ -1,0 +1,77 @@
+#include "record/layers.h"
+
+namespace lsos {
+
+namespace {
+
+template <class Row>
+LayerSpec filled(LayerGeometry geometry) {
+  LayerSpec layer{layer_name<Row>, geometry, {}};
+  for (const Column<Row>& column : columns<Row>()) {
+    layer.columns.push_back({column.name, column.type});
+  }
+  return layer;
+}
+
+std::vector<LayerSpec> make_layers() {
+  using enum ColumnType;
+  return {
+      filled<SampleRow>(LayerGeometry::point),
+      filled<EventRow>(LayerGeometry::point),
+      filled<PhaseRow>(LayerGeometry::none),
+      {"pairs",
+       LayerGeometry::none,
+       {{"time_s", real},
+        {"from_id", text},
+        {"to_id", text},
+        {"distance_m", real},
+        {"visible", integer},
+        {"visible_fraction", real},
+        {"link", integer},
+        {"relay", text}}},
+      {"sight_intervals",
+       LayerGeometry::none,
+       {{"from_id", text},
+        {"to_id", text},
+        {"kind", text},
+        {"start_s", real},
+        {"end_s", real},
+        {"light_time_s", real}}},
+      {"panels",
+       LayerGeometry::none,
+       {{"time_s", real},
+        {"rover_id", text},
+        {"panel", text},
+        {"sun_fraction", real},
+        {"incidence", real},
+        {"power_w", real},
+        {"azimuth_rad", real},
+        {"elevation_rad", real}}},
+      filled<JointRow>(LayerGeometry::none),
+      {"resources",
+       LayerGeometry::none,
+       {{"time_s", real}, {"rover_id", text}, {"resource", text}, {"amount", real}}},
+      {"planned_paths",
+       LayerGeometry::line,
+       {{"time_s", real},
+        {"rover_id", text},
+        {"sequence", integer},
+        {"leg", integer},
+        {"attempt", integer},
+        {"length_m", real},
+        {"duration_s", real},
+        {"energy_j", real},
+        {"slope_max_rad", real}}},
+      filled<NoteRow>(LayerGeometry::point),
+      filled<RunRow>(LayerGeometry::none),
+  };
+}
+
+}  // namespace
+
+const std::vector<LayerSpec>& contract_layers() {
+  static const std::vector<LayerSpec> layers = make_layers();
+  return layers;
+}
+
+}  // namespace lsos

@@ -1,0 +1,51 @@
+// The layers of a log: every one that the contract names, in the order of the digest. Layers that
+// nothing fills yet are there too, empty.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "record/columns.h"
+
+namespace lsos {
+
+enum class LayerGeometry { none, point, line };
+
+struct ColumnSpec {
+  std::string_view name;
+  ColumnType type = ColumnType::real;
+};
+
+struct LayerSpec {
+  std::string_view name;
+  LayerGeometry geometry = LayerGeometry::none;
+  std::vector<ColumnSpec> columns;
+};
+
+const std::vector<LayerSpec>& contract_layers();
+
+// The layer that rows of this type go to.
+template <class Row>
+constexpr std::string_view layer_name = "";
+template <>
+inline constexpr std::string_view layer_name<SampleRow> = "samples";
+template <>
+inline constexpr std::string_view layer_name<EventRow> = "events";
+template <>
+inline constexpr std::string_view layer_name<PhaseRow> = "phases";
+template <>
+inline constexpr std::string_view layer_name<JointRow> = "joints";
+template <>
+inline constexpr std::string_view layer_name<NoteRow> = "notes";
+template <>
+inline constexpr std::string_view layer_name<RunRow> = "run";
+
+// Where the point of a row is; absent: the row has none.
+template <class Row>
+std::optional<Geodetic> place_of(const Row& row) {
+  if constexpr (requires { row.place; }) return row.place;
+  return std::nullopt;
+}
+
+}  // namespace lsos

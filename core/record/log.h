@@ -1,0 +1,89 @@
+// The log of a run: one GeoPackage that other programs can read at any moment.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planet/utc.h"
+#include "record/rows.h"
+
+namespace lsos {
+
+// The key in layer `run` that holds the StartTime, microseconds of TAI as in Instant. Written by
+// LogWriter itself.
+inline constexpr std::string_view start_key = "start_tai_us";
+
+// The log could not be written (a full disk): the run must stop, exit code 3. What was committed
+// before stays readable.
+class LogError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Writes log.gpkg. All layers exist and are committed before the constructor returns; rows are
+// committed at least once a wall second by `commit_if_due`. Fids count up from 1 in each layer,
+// in order of writing. Not for use from two threads.
+class LogWriter {
+ public:
+  // `file` must not exist. `crs` as in Body; `start` turns time_s into utc. All functions throw
+  // LogError; after one the file is closed as the last commit left it.
+  LogWriter(const std::string& file, const std::string& crs, Instant start);
+  // Without `finish` the file stays as the last commit left it.
+  ~LogWriter();
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
+
+  void write(const SampleRow& row);
+  void write(const JointRow& row);
+  void write(const EventRow& row);  // updates the row of the same rover and sequence
+  void write(const PhaseRow& row);
+  void write(const NoteRow& row);
+  // Layer `run`, a row a key, updated when written again; nothing that differs between two equal
+  // runs.
+  void write_run(const std::map<std::string, std::string>& values);
+
+  // Commits when the last commit is a wall second old.
+  void commit_if_due();
+  void commit();
+
+  // Commits all, folds the write-ahead log into the one file and closes it. Where another program
+  // has the file open just then, that program's closing removes the write-ahead log.
+  void finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Reads a log back, of a finished, running or killed run. Rows in fid order.
+class LogReader {
+ public:
+  explicit LogReader(const std::string& file);  // throws InputError when it is no log of ours
+  ~LogReader();
+
+  std::vector<SampleRow> samples() const;
+  std::vector<JointRow> joints() const;
+  std::vector<EventRow> events() const;
+  std::vector<PhaseRow> phases() const;
+  std::vector<NoteRow> notes() const;
+  // One sample at a time: weeks of them need not fit into memory.
+  void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;
+  // Of the row that was written last; 0 when there is none.
+  SimTime last_sample_time() const;
+  std::map<std::string, std::string> run() const;
+  Instant start() const;
+
+  // SHA-256 over all layers of the contract in fixed order, rows in fid order, every value with
+  // its type: equal for equal runs.
+  std::string sha256() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lsos

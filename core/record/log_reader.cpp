@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "base/error.h"
+#include "base/sha256.h"
+#include "base/units.h"
+#include "record/gpkg.h"
+#include "record/log.h"
+
+namespace lsos {
+
+namespace {
+
+// The number of each column in the file, in the order of `names`.
+std::vector<int> field_numbers(OGRLayer& layer, const LayerSpec& spec, const std::string& file) {
+  std::vector<int> numbers;
+  for (const ColumnSpec& column : spec.columns) {
+    const std::string name(column.name);
+    const int number = layer.GetLayerDefn()->GetFieldIndex(name.c_str());
+    if (number < 0) {
+      throw InputError({file}, fmt::format("no log of lsos-host: layer '{}' has no column '{}'",
+                                           spec.name, name));
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+template <class T>
+void add_bytes(Sha256& hash, char tag, T number) {
+  char bytes[1 + sizeof number];
+  bytes[0] = tag;
+  std::memcpy(bytes + 1, &number, sizeof number);
+  hash.add({bytes, sizeof bytes});
+}
+
+void add_text(Sha256& hash, char tag, std::string_view text) {
+  add_bytes(hash, tag, static_cast<std::uint64_t>(text.size()));
+  hash.add(text);
+}
+
+void add_value(Sha256& hash, const ColumnValue& value) {
+  if (const auto* real = std::get_if<double>(&value)) {
+    add_bytes(hash, 'd', *real);
+  } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
+    add_bytes(hash, 'i', *integer);
+  } else if (const auto* text = std::get_if<std::string>(&value)) {
+    add_text(hash, 's', *text);
+  } else {
+    hash.add("n");
+  }
+}
+
+void add_geometry(Sha256& hash, const OGRFeature& feature) {
+  const OGRGeometry* geometry = feature.GetGeometryRef();
+  if (geometry == nullptr) {
+    hash.add("n");
+    return;
+  }
+  std::string wkb(geometry->WkbSize(), '\0');
+  geometry->exportToWkb(wkbNDR, reinterpret_cast<unsigned char*>(wkb.data()), wkbVariantIso);
+  add_text(hash, 'g', wkb);
+}
+
+}  // namespace
+
+struct LogReader::Impl {
+  std::string file;
+  gpkg::Dataset dataset;
+
+  OGRLayer& layer(const LayerSpec& spec) const {
+    OGRLayer* found = dataset->GetLayerByName(std::string(spec.name).c_str());
+    if (found == nullptr) {
+      throw InputError({file}, fmt::format("no log of lsos-host: it has no layer '{}'", spec.name));
+    }
+    return *found;
+  }
+
+  const LayerSpec& spec(std::string_view name) const {
+    for (const LayerSpec& layer : contract_layers()) {
+      if (layer.name == name) return layer;
+    }
+    broken_promise("rows belong to a layer of the contract", __FILE__, __LINE__);
+  }
+
+  // Visits the features of a layer in fid order, which is the order of the table.
+  template <class Visit>
+  void for_each_feature(OGRLayer& layer, Visit visit) const {
+    const gpkg::QuietErrors errors;
+    GIntBig last_fid = 0;
+    layer.ResetReading();
+    while (const gpkg::Feature feature{layer.GetNextFeature()}) {
+      LSOS_ASSERT(feature->GetFID() > last_fid);
+      last_fid = feature->GetFID();
+      visit(*feature);
+    }
+    if (errors.has_failed()) throw InputError({file}, "cannot be read: " + errors.message());
+  }
+
+  template <class Row, class Visit>
+  void for_each_row(Visit visit) const {
+    const LayerSpec& layer_spec = spec(layer_name<Row>);
+    OGRLayer& source = layer(layer_spec);
+    const std::vector<int> numbers = field_numbers(source, layer_spec, file);
+    for_each_feature(source, [&](const OGRFeature& feature) {
+      Row row;
+      std::size_t i = 0;
+      for (const Column<Row>& column : columns<Row>()) {
+        const int number = numbers[i++];
+        if (column.set_value == nullptr) continue;
+        column.set_value(row, gpkg::value(feature, number, column.type));
+      }
+      if constexpr (requires { row.place; }) {
+        if (const std::optional<Geodetic> place = gpkg::point(feature)) row.place = *place;
+      }
+      visit(row);
+    });
+  }
+
+  template <class Row>
+  std::vector<Row> rows() const {
+    std::vector<Row> rows;
+    for_each_row<Row>([&](const Row& row) { rows.push_back(row); });
+    return rows;
+  }
+};
+
+LogReader::LogReader(const std::string& file) : impl_(std::make_unique<Impl>()) {
+  impl_->file = file;
+  const gpkg::QuietErrors errors;
+  impl_->dataset = gpkg::open_to_read(file);
+  if (impl_->dataset == nullptr) {
+    throw InputError({file}, "no log of lsos-host: " + errors.message());
+  }
+  for (const LayerSpec& spec : contract_layers()) field_numbers(impl_->layer(spec), spec, file);
+}
+
+LogReader::~LogReader() = default;
+
+std::vector<SampleRow> LogReader::samples() const { return impl_->rows<SampleRow>(); }
+std::vector<JointRow> LogReader::joints() const { return impl_->rows<JointRow>(); }
+std::vector<EventRow> LogReader::events() const { return impl_->rows<EventRow>(); }
+std::vector<PhaseRow> LogReader::phases() const { return impl_->rows<PhaseRow>(); }
+std::vector<NoteRow> LogReader::notes() const { return impl_->rows<NoteRow>(); }
+
+void LogReader::for_each_sample(const std::function<void(const SampleRow&)>& visit) const {
+  impl_->for_each_row<SampleRow>(visit);
+}
+
+SimTime LogReader::last_sample_time() const {
+  SimTime last{};
+  const gpkg::QuietErrors errors;
+  gpkg::run_sql(*impl_->dataset, "SELECT time_s FROM samples ORDER BY fid DESC LIMIT 1",
+                [&](const OGRFeature& row) { last = from_seconds(row.GetFieldAsDouble(0)); });
+  if (errors.has_failed()) throw InputError({impl_->file}, "cannot be read: " + errors.message());
+  return last;
+}
+
+std::map<std::string, std::string> LogReader::run() const {
+  std::map<std::string, std::string> values;
+  impl_->for_each_row<RunRow>([&](const RunRow& row) { values[row.key] = row.value; });
+  return values;
+}
+
+Instant LogReader::start() const {
+  const std::map<std::string, std::string> values = run();
+  const auto found = values.find(std::string(start_key));
+  const auto tai_us = found == values.end() ? Parsed<std::int64_t>{} : parse_integer(found->second);
+  if (!tai_us) {
+    throw InputError({impl_->file},
+                     fmt::format("no log of lsos-host: layer 'run' has no '{}'", start_key));
+  }
+  return {*tai_us.value};
+}
+
+std::string LogReader::sha256() const {
+  Sha256 hash;
+  for (const LayerSpec& spec : contract_layers()) {
+    OGRLayer& layer = impl_->layer(spec);
+    const std::vector<int> numbers = field_numbers(layer, spec, impl_->file);
+    add_text(hash, 'L', spec.name);
+    for (const ColumnSpec& column : spec.columns) add_text(hash, 'C', column.name);
+    impl_->for_each_feature(layer, [&](const OGRFeature& feature) {
+      hash.add("R");
+      for (std::size_t i = 0; i < numbers.size(); ++i) {
+        add_value(hash, gpkg::value(feature, numbers[i], spec.columns[i].type));
+      }
+      if (spec.geometry != LayerGeometry::none) add_geometry(hash, feature);
+    });
+  }
+  return hash.hex();
+}
+
+}  // namespace lsos

@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "record/gpkg.h"
+#include "record/log.h"
+
+namespace lsos {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Wall time after which rows are committed: what a reader or a kill may miss at most.
+constexpr std::chrono::milliseconds commit_period{900};
+
+// Writes the rows of one layer, fids counted from 1.
+template <class Row>
+class RowLayer {
+ public:
+  void open(OGRLayer& layer) {
+    layer_ = &layer;
+    feature_ = gpkg::Feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
+  }
+
+  bool append(const Row& row, Instant start) {
+    fill(row, start, ++last_fid_);
+    return layer_->CreateFeature(feature_.get()) == OGRERR_NONE;
+  }
+
+  bool update(std::int64_t fid, const Row& row, Instant start) {
+    fill(row, start, fid);
+    return layer_->SetFeature(feature_.get()) == OGRERR_NONE;
+  }
+
+  std::int64_t last_fid() const { return last_fid_; }
+
+  // Puts the layer's extent into the file's table of contents, which map viewers zoom to.
+  bool sync() { return layer_->SyncToDisk() == OGRERR_NONE; }
+
+ private:
+  void fill(const Row& row, Instant start, std::int64_t fid) {
+    feature_->SetFID(fid);
+    int field = 0;
+    for (const Column<Row>& column : columns<Row>()) {
+      gpkg::set_value(*feature_, field++, column.value(row, start));
+    }
+    if (layer_->GetGeomType() != wkbNone) gpkg::set_point(*feature_, place_of(row));
+  }
+
+  OGRLayer* layer_ = nullptr;
+  gpkg::Feature feature_;
+  std::int64_t last_fid_ = 0;
+};
+
+}  // namespace
+
+struct LogWriter::Impl {
+  std::string file;
+  Instant start;
+  // Before the layers' features, which need the dataset's column definitions until they go.
+  gpkg::Dataset dataset;
+  RowLayer<SampleRow> samples;
+  RowLayer<JointRow> joints;
+  RowLayer<EventRow> events;
+  RowLayer<PhaseRow> phases;
+  RowLayer<NoteRow> notes;
+  RowLayer<RunRow> run;
+  std::map<std::pair<std::string, std::int64_t>, std::int64_t> event_fids;
+  std::map<std::string, std::int64_t> run_fids;
+  Clock::time_point last_commit = Clock::now();
+  bool in_transaction = false;
+
+  // Does `action`; when it fails, the log is lost from the last commit on.
+  template <class Action>
+  void attempt(const char* what, Action action) {
+    if (dataset == nullptr) throw LogError(fmt::format("{}: {}: the log is closed", file, what));
+    const gpkg::QuietErrors errors;
+    if (action() && !errors.has_failed()) return;
+    const std::string why = errors.message();
+    abandon();
+    throw LogError(fmt::format("{}: {}: {}", file, what, why));
+  }
+
+  // Closes the file as the last commit left it.
+  void abandon() {
+    const gpkg::QuietErrors errors;
+    if (in_transaction) dataset->RollbackTransaction();
+    in_transaction = false;
+    release_features();
+    dataset.reset();
+  }
+
+  // Features hold on to their layer's definition, so they go before the dataset.
+  void release_features() {
+    samples = {};
+    joints = {};
+    events = {};
+    phases = {};
+    notes = {};
+    run = {};
+  }
+
+  void create_layers(const std::string& crs_name) {
+    OGRSpatialReference crs;
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    attempt("reading the reference system",
+            [&] { return crs.SetFromUserInput(crs_name.c_str()) == OGRERR_NONE; });
+    for (const LayerSpec& spec : contract_layers()) {
+      attempt("making a layer", [&] { return gpkg::create_layer(*dataset, spec, crs) != nullptr; });
+    }
+    open_layer(samples);
+    open_layer(joints);
+    open_layer(events);
+    open_layer(phases);
+    open_layer(notes);
+    open_layer(run);
+    // GDAL makes tables late; the first step must find them all in the file.
+    attempt("making the layers", [&] {
+      dataset->FlushCache(false);
+      return true;
+    });
+  }
+
+  template <class Row>
+  void open_layer(RowLayer<Row>& layer) {
+    layer.open(*dataset->GetLayerByName(std::string(layer_name<Row>).c_str()));
+  }
+
+  void begin() {
+    attempt("starting a transaction", [&] { return dataset->StartTransaction() == OGRERR_NONE; });
+    in_transaction = true;
+  }
+
+  void commit() {
+    attempt("writing", [&] {
+      return samples.sync() && events.sync() && notes.sync() &&
+             dataset->CommitTransaction() == OGRERR_NONE;
+    });
+    in_transaction = false;
+    last_commit = Clock::now();
+  }
+
+  template <class Row>
+  void append(RowLayer<Row>& layer, const Row& row) {
+    attempt("writing", [&] { return layer.append(row, start); });
+  }
+
+  // Writes the row, or updates the one that was written for this key.
+  template <class Row, class Key>
+  void put(RowLayer<Row>& layer, std::map<Key, std::int64_t>& fids, const Key& key,
+           const Row& row) {
+    const auto known = fids.find(key);
+    if (known != fids.end()) {
+      attempt("writing", [&] { return layer.update(known->second, row, start); });
+      return;
+    }
+    append(layer, row);
+    fids[key] = layer.last_fid();
+  }
+
+  void put_run(const RunRow& row) { put(run, run_fids, row.key, row); }
+};
+
+LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant start)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->file = file;
+  impl_->start = start;
+  {
+    // GDAL would open an existing GeoPackage and add to it.
+    if (std::filesystem::exists(file)) {
+      throw LogError(fmt::format("{}: making the log: the file exists", file));
+    }
+    const gpkg::QuietErrors errors;
+    impl_->dataset = gpkg::create(file);
+    if (impl_->dataset == nullptr) {
+      throw LogError(fmt::format("{}: making the log: {}", file, errors.message()));
+    }
+  }
+  impl_->begin();
+  impl_->create_layers(crs);
+  impl_->put_run({std::string(start_key), fmt::format("{}", start.tai_us)});
+  impl_->commit();
+  impl_->begin();
+}
+
+LogWriter::~LogWriter() {
+  if (impl_->dataset != nullptr) impl_->abandon();
+}
+
+void LogWriter::write(const SampleRow& row) { impl_->append(impl_->samples, row); }
+void LogWriter::write(const JointRow& row) { impl_->append(impl_->joints, row); }
+void LogWriter::write(const PhaseRow& row) { impl_->append(impl_->phases, row); }
+void LogWriter::write(const NoteRow& row) { impl_->append(impl_->notes, row); }
+
+void LogWriter::write(const EventRow& row) {
+  impl_->put(impl_->events, impl_->event_fids, {row.rover_id, row.sequence}, row);
+}
+
+void LogWriter::write_run(const std::map<std::string, std::string>& values) {
+  for (const auto& [key, value] : values) impl_->put_run({key, value});
+}
+
+void LogWriter::commit_if_due() {
+  if (Clock::now() - impl_->last_commit >= commit_period) commit();
+}
+
+void LogWriter::commit() {
+  impl_->commit();
+  impl_->begin();
+}
+
+void LogWriter::finish() {
+  impl_->commit();
+  impl_->attempt("finishing", [&] {
+    gpkg::run_sql(*impl_->dataset, "PRAGMA wal_checkpoint(TRUNCATE)");
+    return true;
+  });
+  {
+    // Back from WAL to the plain journal, so that the one file can be read from a read-only place.
+    // SQLite refuses that while another program has the file open, and that is no fault of the
+    // log: it stays in WAL mode.
+    const gpkg::QuietErrors ignored;
+    gpkg::run_sql(*impl_->dataset, "PRAGMA journal_mode = DELETE");
+  }
+  impl_->attempt("closing", [&] {
+    impl_->release_features();
+    impl_->dataset.reset();
+    return true;
+  });
+}
+
+}  // namespace lsos

@@ -1,0 +1,86 @@
+// The rows of a run's log, as values. A NaN number (not_modelled) is NULL in the file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/sim_time.h"
+#include "base/vector.h"
+#include "planet/body.h"
+
+namespace lsos {
+
+// Layer `samples`: one rover at one time.
+struct SampleRow {
+  SimTime time{};
+  std::string rover_id;
+  Geodetic place;                     // of the reference point; height: its own
+  double elevation_m = not_modelled;  // of the ground under it, raster datum
+  Vec3 p_S_m = Vec3::Zero();
+  double roll_rad = 0, pitch_rad = 0, heading_rad = 0;
+  double speed_mps = 0, distance_m = 0, slope_rad = not_modelled;
+  double slip = not_modelled, slip_max = not_modelled, sinkage_m = not_modelled;
+  double energy_j = not_modelled, charge = not_modelled, energy_rate_w = not_modelled;
+  double solar_w = not_modelled, solar_available_w = not_modelled, external_w = not_modelled;
+  double load_w = not_modelled, drive_w = not_modelled, loss_w = not_modelled;
+  double solar_j = not_modelled, external_j = not_modelled, load_j = not_modelled;
+  double drive_j = not_modelled, loss_j = not_modelled;
+  double sun_fraction = not_modelled, incidence = not_modelled;
+  std::string event;  // label of the running event, "" = none (NULL)
+  std::string phase;
+};
+
+// Layer `joints`: the angles that a picture needs, one row a rover and time.
+struct JointRow {
+  SimTime time{};
+  std::string rover_id;
+  std::string joint;
+  double angle_rad = not_modelled;    // of a revolute joint
+  double extension_m = not_modelled;  // of a prismatic joint
+};
+
+enum class EventStatus {
+  not_started,
+  waiting,
+  running,
+  completed,
+  failed,
+  skipped,
+  incomplete,
+  disabled
+};
+const char* to_string(EventStatus status);
+
+// Layer `events`: (rover_id, sequence) is its key; writing it again updates the row.
+struct EventRow {
+  std::string rover_id;
+  std::int64_t sequence = 0;
+  std::string type, label;
+  EventStatus status = EventStatus::not_started;
+  std::string reason;  // "" = NULL
+  std::optional<SimTime> ready, start, end;
+  double distance_m = not_modelled, energy_used_j = not_modelled, solar_j = not_modelled;
+  std::optional<Geodetic> place;  // where the rover was when it ended (or started)
+};
+
+// Layer `phases`: one phase of one event, written when it ends.
+struct PhaseRow {
+  std::string rover_id;
+  std::int64_t sequence = 0;
+  std::string phase;
+  SimTime start{};
+  std::optional<SimTime> end;
+};
+
+// Layer `notes`: what events log, findings, decisions.
+struct NoteRow {
+  SimTime time{};
+  std::string rover_id;
+  std::int64_t sequence = 0;
+  std::string name;
+  std::string fields_json;  // an object, keys sorted
+  Geodetic place;
+};
+
+}  // namespace lsos

@@ -1,0 +1,57 @@
+// The ground as wheels feel it: a smooth height field (C1) over the curved body, asked for at
+// points of the site frame. Equal to the raster at its cell centres.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/vector.h"
+#include "planet/site_frame.h"
+#include "terrain/terrain_spec.h"
+
+namespace lsos {
+
+struct GroundSample {
+  // Height of the asked point above the surface, measured along the local vertical; NaN where
+  // there is no ground (outside the raster or on nodata).
+  double gap_m = not_modelled;
+  double elevation_m = not_modelled;  // of the surface below it, above the reference surface
+  Vec3 normal_S = Vec3::UnitZ();      // unit, outward
+  bool is_ground() const { return gap_m == gap_m; }
+};
+
+class Ground {
+ public:
+  // Throws InputError: raster cannot be opened, has no CRS, is on another body than the site.
+  Ground(const TerrainSpec& spec, const SiteFrame& site, std::uint64_t seed);
+  ~Ground();
+
+  const SiteFrame& site() const;
+
+  // Remembers the tile last used. One a thread; results never depend on it.
+  class Probe {
+   public:
+    explicit Probe(const Ground& ground);
+    ~Probe();
+    Probe(Probe&&) noexcept;
+    Probe& operator=(Probe&&) noexcept;
+    GroundSample sample(const Vec3& p_S_m);
+
+   private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+  };
+
+  // Of the surface at a place; nullopt where there is no ground. Slow; for set-up and logs.
+  std::optional<double> elevation_m(const Geodetic& place) const;
+  const Soil& soil() const;
+  // SHA-256 of what makes this ground: script values and raster bytes' metadata and samples.
+  std::string hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lsos

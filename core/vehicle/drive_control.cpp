@@ -1,0 +1,100 @@
+#include "vehicle/drive_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lsos {
+
+namespace {
+
+constexpr double steering_free_rad = 0.1;    // error up to which wheels turn at full speed
+constexpr double steering_stop_rad = 0.35;   // error from which they stand
+
+Vec3 rest_position_B_m(const VehicleConfig& config, int link) {
+  Vec3 p = Vec3::Zero();
+  for (; link >= 0; link = config.links[static_cast<std::size_t>(link)].parent) {
+    p += config.links[static_cast<std::size_t>(link)].p_PJ_m;
+  }
+  return p;
+}
+
+// Velocity over the ground of a point of the body that moves as commanded.
+Vec2 velocity_at(const DriveCommand& command, const Vec2& p_B_m) {
+  return {command.speed_mps - command.yaw_rate_radps * p_B_m.y(),
+          command.yaw_rate_radps * p_B_m.x()};
+}
+
+double nearest_angle_rad(double wanted, double now, double max) {
+  double best = std::clamp(wanted, -max, max);
+  double best_turn = std::numeric_limits<double>::infinity();
+  for (const double turn : {0.0, -std::numbers::pi, std::numbers::pi}) {
+    const double candidate = wanted + turn;
+    if (std::abs(candidate) > max) continue;
+    if (std::abs(candidate - now) < best_turn) {
+      best = candidate;
+      best_turn = std::abs(candidate - now);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+WheelLayout wheel_layout(const VehicleConfig& config) {
+  WheelLayout layout;
+  std::vector<int> steering_of_link(config.links.size(), -1);
+  for (std::size_t i = 0; i < config.links.size(); ++i) {
+    const LinkConfig& link = config.links[i];
+    const int inherited =
+        link.parent < 0 ? -1 : steering_of_link[static_cast<std::size_t>(link.parent)];
+    steering_of_link[i] = inherited;
+    const Vec2 p_B_m = rest_position_B_m(config, static_cast<int>(i)).head<2>();
+    if (link.steering) {
+      steering_of_link[i] = static_cast<int>(layout.steerings.size());
+      layout.steerings.push_back({static_cast<int>(i), p_B_m, link.steering->angle_max_rad});
+    }
+    if (link.wheel && link.drive) {
+      const double offset_m =
+          inherited < 0
+              ? 0
+              : p_B_m.y() - layout.steerings[static_cast<std::size_t>(inherited)].p_B_m.y();
+      layout.wheels.push_back(
+          {static_cast<int>(i), inherited, offset_m, p_B_m, link.wheel->radius_m});
+    }
+  }
+  return layout;
+}
+
+WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
+                           const std::vector<double>& steering_now_rad) {
+  WheelTargets targets{steering_now_rad, std::vector<double>(layout.wheels.size(), 0.0)};
+  double error_rad = 0;
+  for (std::size_t i = 0; i < layout.steerings.size(); ++i) {
+    const WheelLayout::Steering& steering = layout.steerings[i];
+    const Vec2 v = velocity_at(command, steering.p_B_m);
+    if (v.norm() < 1e-9) continue;
+    targets.steering_angle_rad[i] = nearest_angle_rad(std::atan2(v.y(), v.x()),
+                                                      steering_now_rad[i], steering.angle_max_rad);
+    error_rad =
+        std::max(error_rad, std::abs(targets.steering_angle_rad[i] - steering_now_rad[i]));
+  }
+  const double share = std::clamp(
+      (steering_stop_rad - error_rad) / (steering_stop_rad - steering_free_rad), 0.0, 1.0);
+  for (std::size_t i = 0; i < layout.wheels.size(); ++i) {
+    const WheelLayout::DrivenWheel& wheel = layout.wheels[i];
+    double angle_rad = 0;
+    Vec2 p_B_m = wheel.p_B_m;
+    if (wheel.steering >= 0) {
+      const auto s = static_cast<std::size_t>(wheel.steering);
+      angle_rad = targets.steering_angle_rad[s];
+      p_B_m = layout.steerings[s].p_B_m +
+              wheel.offset_m * Vec2(-std::sin(angle_rad), std::cos(angle_rad));
+    }
+    const Vec2 heading(std::cos(angle_rad), std::sin(angle_rad));
+    targets.spin_radps[i] = share * velocity_at(command, p_B_m).dot(heading) / wheel.radius_m;
+  }
+  return targets;
+}
+
+}  // namespace lsos

@@ -1,0 +1,51 @@
+// From the motion that is wanted of the vehicle to angles of its steering joints and speeds of its
+// wheels: every wheel rolls about one common centre of turning.
+#pragma once
+
+#include <vector>
+
+#include "base/archive.h"
+#include "vehicle/vehicle_config.h"
+
+namespace lsos {
+
+// Wanted motion of the reference point.
+struct DriveCommand {
+  double speed_mps = 0;       // along the heading, backwards negative
+  double yaw_rate_radps = 0;  // to the left positive
+  bool is_braking = true;     // brakes on; the rest is then ignored
+
+  void archive(Archive& a) { a(speed_mps)(yaw_rate_radps)(is_braking); }
+};
+
+// Where steering joints and wheels stand, from the configuration's tree.
+struct WheelLayout {
+  struct Steering {
+    int link = 0;
+    Vec2 p_B_m;            // of its axis
+    double angle_max_rad = 0;
+  };
+  struct DrivenWheel {
+    int link = 0;
+    int steering = -1;     // index into `steerings`, -1: fixed straight ahead
+    double offset_m = 0;   // along the axle from the steering axis, left positive
+    Vec2 p_B_m;            // with the steering straight ahead
+    double radius_m = 0;
+  };
+  std::vector<Steering> steerings;
+  std::vector<DrivenWheel> wheels;
+};
+WheelLayout wheel_layout(const VehicleConfig& config);
+
+struct WheelTargets {
+  std::vector<double> steering_angle_rad;  // by steering
+  std::vector<double> spin_radps;          // by wheel
+};
+
+// `steering_now_rad`: present angles. Of the two directions a wheel can point in, the nearer one
+// is taken. Standing still keeps the angles. Spins fade to zero while steerings are far (over
+// 0.1 rad, fully at 0.35) from their target, so that wheels do not fight each other.
+WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
+                           const std::vector<double>& steering_now_rad);
+
+}  // namespace lsos

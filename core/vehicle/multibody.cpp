@@ -1,0 +1,165 @@
+#include "vehicle/multibody.h"
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+
+namespace lsos {
+
+namespace {
+
+btVector3 bt(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+Mat3 eigen(const btQuaternion& q) { return Quat(q.w(), q.x(), q.y(), q.z()).toRotationMatrix(); }
+
+}  // namespace
+
+struct Multibody::Impl {
+  Impl(const VehicleConfig& config)
+      : body(static_cast<int>(config.links.size()), config.chassis.mass_kg,
+             bt(config.chassis.moments_kgm2), /*fixedBase=*/false, /*canSleep=*/false),
+        p_BC_m(config.p_BC_m) {}
+
+  btMultiBody body;
+  Vec3 p_BC_m;
+  // Work space of the algorithm; its content does not outlive a step.
+  btAlignedObjectArray<btScalar> scratch_r;
+  btAlignedObjectArray<btVector3> scratch_v;
+  btAlignedObjectArray<btMatrix3x3> scratch_m;
+};
+
+Multibody::Multibody(const VehicleConfig& config) : impl_(std::make_unique<Impl>(config)) {
+  btMultiBody& body = impl_->body;
+  const btQuaternion unturned(0, 0, 0, 1);
+  for (std::size_t i = 0; i < config.links.size(); ++i) {
+    const LinkConfig& link = config.links[i];
+    // Bullet measures from the parent's centre of mass, we from its frame.
+    const Vec3 p_parent_com = link.parent < 0
+                                  ? config.p_BC_m
+                                  : config.links[static_cast<std::size_t>(link.parent)].p_JC_m;
+    const btVector3 com_to_joint = bt(link.p_PJ_m - p_parent_com), joint_to_com = bt(link.p_JC_m);
+    const btVector3 moments = bt(link.inertia.moments_kgm2), axis = bt(link.axis);
+    const int index = static_cast<int>(i);
+    if (link.joint == JointType::revolute) {
+      body.setupRevolute(index, link.inertia.mass_kg, moments, link.parent, unturned, axis,
+                         com_to_joint, joint_to_com, /*disableParentCollision=*/true);
+    } else {
+      body.setupPrismatic(index, link.inertia.mass_kg, moments, link.parent, unturned, axis,
+                          com_to_joint, joint_to_com, /*disableParentCollision=*/true);
+    }
+    parents_.push_back(link.parent);
+  }
+  body.finalizeMultiDof();
+  // Bullet's defaults take energy away (4 % a second) and clamp speeds; neither is physics.
+  body.setLinearDamping(0);
+  body.setAngularDamping(0);
+  body.setMaxCoordinateVelocity(1e9);
+  body.setUseGyroTerm(true);
+  motions_.resize(config.links.size() + 1);
+  place(Vec3::Zero(), Mat3::Identity());
+}
+
+Multibody::~Multibody() = default;
+
+void Multibody::place(const Vec3& p_SB_m, const Mat3& R_SB) {
+  btMultiBody& body = impl_->body;
+  const Quat q_BS = Quat(R_SB).normalized().conjugate();
+  body.setWorldToBaseRot(btQuaternion(q_BS.x(), q_BS.y(), q_BS.z(), q_BS.w()));
+  body.setBasePos(bt(p_SB_m + R_SB * impl_->p_BC_m));
+  for (int i = 0; i < body.getNumLinks(); ++i) body.setJointPos(i, 0);
+  halt();
+}
+
+double Multibody::joint_position(int link) const { return impl_->body.getJointPos(link); }
+double Multibody::joint_velocity(int link) const { return impl_->body.getJointVel(link); }
+
+void Multibody::add_force(int link, const Vec3& force_S_n, const Vec3& point_S_m) {
+  btMultiBody& body = impl_->body;
+  const Vec3 torque = (point_S_m - motion(link).p_C_S_m).cross(force_S_n);
+  if (link == chassis) {
+    body.addBaseForce(bt(force_S_n));
+    body.addBaseTorque(bt(torque));
+  } else {
+    body.addLinkForce(link, bt(force_S_n));
+    body.addLinkTorque(link, bt(torque));
+  }
+}
+
+void Multibody::add_gravity(const Vec3& g_S_mps2) {
+  btMultiBody& body = impl_->body;
+  body.addBaseForce(bt(g_S_mps2 * body.getBaseMass()));
+  for (int i = 0; i < body.getNumLinks(); ++i) {
+    body.addLinkForce(i, bt(g_S_mps2 * body.getLinkMass(i)));
+  }
+}
+
+void Multibody::add_joint_force(int link, double force) {
+  impl_->body.addJointTorque(link, force);
+}
+
+void Multibody::step(double step_s) {
+  btMultiBody& body = impl_->body;
+  // Also integrates the velocities (its last lines add acceleration x step).
+  body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(
+      step_s, impl_->scratch_r, impl_->scratch_v, impl_->scratch_m, /*isConstraintPass=*/false,
+      /*jointFeedbackInWorldSpace=*/false, /*jointFeedbackInJointFrame=*/false);
+  body.stepPositionsMultiDof(step_s);
+  body.clearForcesAndTorques();
+  update_motions();
+}
+
+void Multibody::halt() {
+  btMultiBody& body = impl_->body;
+  body.setBaseVel(btVector3(0, 0, 0));
+  body.setBaseOmega(btVector3(0, 0, 0));
+  for (int i = 0; i < body.getNumLinks(); ++i) body.setJointVel(i, 0);
+  update_motions();
+}
+
+void Multibody::update_motions() {
+  const btMultiBody& body = impl_->body;
+  LinkMotion& base = motions_[0];
+  base.p_C_S_m = eigen(body.getBasePos());
+  base.R_SL = eigen(body.getWorldToBaseRot()).transpose();
+  base.v_C_S_mps = eigen(body.getBaseVel());
+  base.omega_S_radps = eigen(body.getBaseOmega());
+  for (int i = 0; i < body.getNumLinks(); ++i) {
+    const btMultibodyLink& link = body.getLink(i);
+    const LinkMotion& parent = motion(parents_[static_cast<std::size_t>(i)]);
+    LinkMotion& motion = motions_[static_cast<std::size_t>(i + 1)];
+    motion.R_SL = parent.R_SL * eigen(link.m_cachedRotParentToThis).transpose();
+    const Vec3 from_parent_S_m = motion.R_SL * eigen(link.m_cachedRVector);
+    motion.p_C_S_m = parent.p_C_S_m + from_parent_S_m;
+    // Joint axes in the link's frame: rotation, and motion of its centre of mass (see
+    // btMultiBodyLink.h).
+    const double rate = body.getJointVel(i);
+    motion.omega_S_radps = parent.omega_S_radps + motion.R_SL * (eigen(link.getAxisTop(0)) * rate);
+    motion.v_C_S_mps = parent.v_C_S_mps + parent.omega_S_radps.cross(from_parent_S_m) +
+                       motion.R_SL * (eigen(link.getAxisBottom(0)) * rate);
+  }
+}
+
+void Multibody::archive(Archive& a) {
+  btMultiBody& body = impl_->body;
+  a.tag("multibody");
+  Vec3 position = eigen(body.getBasePos());
+  Vec3 velocity = eigen(body.getBaseVel()), omega = eigen(body.getBaseOmega());
+  const btQuaternion& q = body.getWorldToBaseRot();
+  Quat rotation(q.w(), q.x(), q.y(), q.z());
+  a(position)(rotation)(velocity)(omega);
+  if (a.is_reading()) {
+    body.setBasePos(bt(position));
+    body.setWorldToBaseRot(btQuaternion(rotation.x(), rotation.y(), rotation.z(), rotation.w()));
+    body.setBaseVel(bt(velocity));
+    body.setBaseOmega(bt(omega));
+  }
+  for (int i = 0; i < body.getNumLinks(); ++i) {
+    double joint = body.getJointPos(i), rate = body.getJointVel(i);
+    a(joint)(rate);
+    if (a.is_reading()) {
+      body.setJointPos(i, joint);
+      body.setJointVel(i, rate);
+    }
+  }
+  if (a.is_reading()) update_motions();
+}
+
+}  // namespace lsos

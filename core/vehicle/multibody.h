@@ -1,0 +1,64 @@
+// The rigid bodies of one vehicle, moved by Bullet's articulated-body algorithm (btMultiBody) in
+// double precision. No constraints, contacts or warm starts: the state is positions and velocities
+// alone and can be restored exactly.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/archive.h"
+#include "base/vector.h"
+#include "vehicle/vehicle_config.h"
+
+namespace lsos {
+
+// Where a link is and how it moves, in the site frame S; C is its centre of mass.
+struct LinkMotion {
+  Vec3 p_C_S_m = Vec3::Zero();
+  Mat3 R_SL = Mat3::Identity();
+  Vec3 v_C_S_mps = Vec3::Zero();
+  Vec3 omega_S_radps = Vec3::Zero();
+
+  // Velocity of the link's material at a point.
+  Vec3 velocity_at(const Vec3& p_S_m) const {
+    return v_C_S_mps + omega_S_radps.cross(p_S_m - p_C_S_m);
+  }
+};
+
+class Multibody {
+ public:
+  static constexpr int chassis = -1;
+
+  explicit Multibody(const VehicleConfig& config);
+  ~Multibody();
+
+  // Puts the chassis' reference frame B at a pose, all joints at 0, everything at rest.
+  void place(const Vec3& p_SB_m, const Mat3& R_SB);
+
+  // Motion of the chassis (Multibody::chassis) or link i, as of the last step or place.
+  const LinkMotion& motion(int link) const { return motions_[static_cast<std::size_t>(link + 1)]; }
+  double joint_position(int link) const;
+  double joint_velocity(int link) const;
+
+  // Forces of the coming step; cleared by it.
+  void add_force(int link, const Vec3& force_S_n, const Vec3& point_S_m);
+  void add_gravity(const Vec3& g_S_mps2);
+  void add_joint_force(int link, double force);  // N or N m, on the link, along its axis
+
+  void step(double step_s);
+
+  // All velocities to exactly zero.
+  void halt();
+
+  void archive(Archive& a);
+
+ private:
+  void update_motions();
+
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+  std::vector<int> parents_;
+  std::vector<LinkMotion> motions_;  // chassis first
+};
+
+}  // namespace lsos

@@ -1,0 +1,149 @@
+#include "vehicle/path_follower.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lsos {
+
+namespace {
+
+constexpr double at_end_m = 0.02;           // a stop is reached this near to it
+constexpr double turn_begin_rad = 1.0;      // heading error that driving cannot mend
+constexpr double turn_done_rad = 0.03;
+constexpr double lookahead_min_m = 1.5;
+constexpr double lookahead_s = 1.0;
+constexpr double curvature_rate_1pms = 0.2; // wheels must be able to steer along
+constexpr double creep_mps = 0.05;          // slowest speed asked for while driving
+constexpr double at_rest_mps = 0.01;
+constexpr double progress_m = 0.5;          // less than this in stuck_s is being stuck
+constexpr double stuck_s = 60;
+constexpr double turning_share = 0.25;      // turning on the spot may take this much longer
+
+double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
+                           const FollowerLimits& limits)
+    : waypoints_S_m_{start.p_S_m}, limits_(limits) {
+  for (const Vec3& p : path_S_m) waypoints_S_m_.push_back(p.head<2>());
+  lay_line();
+  if (!line_.empty()) remaining_m_ = line_.back().begin_m + line_.back().length_m;
+  best_remaining_m_ = remaining_m_;
+  is_turning_ = limits_.can_turn_on_spot;
+  is_stopping_ = line_.empty();
+}
+
+void PathFollower::lay_line() {
+  DrivingLimits limits;
+  limits.speed_mps = limits_.speed_mps;
+  limits.acceleration_mps2 = limits.lateral_mps2 = limits_.acceleration_mps2;
+  limits.radius_min_m = limits_.radius_min_m;
+  limits.can_turn_on_spot = limits_.can_turn_on_spot;
+  line_ = driving_line(waypoints_S_m_, limits);
+}
+
+DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
+  if (status_ != Status::driving || is_stopping_) return stop(pose);
+
+  const auto gone_m = [&] { return line_[leg_].along_S.dot(pose.p_S_m - line_[leg_].from_S_m); };
+  while (leg_ + 1 < line_.size()) {
+    const DrivingLeg& leg = line_[leg_];
+    if (gone_m() < leg.length_m - (leg.ends_in_stop ? at_end_m : 0)) break;
+    if (leg.ends_in_stop) is_turning_ = true;
+    ++leg_;
+  }
+  const DrivingLeg& leg = line_[leg_];
+  const Vec2 offset_m = pose.p_S_m - leg.from_S_m;
+  const double left_m = leg.along_S.x() * offset_m.y() - leg.along_S.y() * offset_m.x();
+  const double to_end_m = leg.length_m - gone_m();
+  const double heading_error_rad =
+      wrapped_rad(pose.yaw_rad - std::atan2(leg.along_S.y(), leg.along_S.x()));
+  const DrivingLeg& last = line_.back();
+  remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - gone_m());
+
+  if (is_stuck(period_s)) {
+    status_ = Status::failed;
+    reason_ = fmt::format("stuck: less than {} m of progress in {} s, {:.1f} m before the end",
+                          progress_m, stuck_s, remaining_m_);
+    return stop(pose);
+  }
+  if (&leg == &last && to_end_m <= at_end_m) {
+    is_stopping_ = true;
+    return stop(pose);
+  }
+  if (limits_.can_turn_on_spot && std::abs(heading_error_rad) > turn_begin_rad) is_turning_ = true;
+  if (is_turning_ && std::abs(heading_error_rad) > turn_done_rad) {
+    return turn(heading_error_rad, pose);
+  }
+  is_turning_ = false;
+  return drive(pose, to_end_m, left_m, heading_error_rad, period_s);
+}
+
+DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
+                                 double heading_error_rad, double period_s) {
+  const DrivingLeg& leg = line_[leg_];
+  const double braking_mps = std::sqrt(leg.end_speed_mps * leg.end_speed_mps +
+                                       2 * limits_.acceleration_mps2 * std::max(0.0, to_end_m));
+  command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s,
+                           leg.speed_max_mps, std::max(creep_mps, braking_mps)});
+  // Distance to the line decays critically damped over the lookahead l: in distance travelled,
+  // e'' + (2/l) e' + e/l^2 = 0 about the arc's own curvature.
+  const double lookahead_m = std::max(lookahead_min_m, lookahead_s * pose.speed_mps);
+  const double most_1pm = 1 / limits_.radius_min_m, ramp_1pm = curvature_rate_1pms * period_s;
+  const double wanted_1pm =
+      std::clamp(leg.curvature_1pm - left_m / (lookahead_m * lookahead_m) -
+                     2 * std::sin(heading_error_rad) / lookahead_m,
+                 -most_1pm, most_1pm);
+  command_curvature_1pm_ = std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm,
+                                      command_curvature_1pm_ + ramp_1pm);
+  return {command_mps_, command_mps_ * command_curvature_1pm_, false};
+}
+
+DriveCommand PathFollower::turn(double heading_error_rad, const FollowerPose& pose) {
+  command_mps_ = command_curvature_1pm_ = 0;
+  // Come to rest first, then turn, slowing down towards the end.
+  if (pose.speed_mps > 5 * creep_mps) return {0, 0, false};
+  const double rate = std::clamp(-heading_error_rad, -limits_.turn_rate_radps,
+                                 limits_.turn_rate_radps);
+  const double slowest = 0.1 * limits_.turn_rate_radps;
+  return {0, std::abs(rate) < slowest ? std::copysign(slowest, rate) : rate, false};
+}
+
+DriveCommand PathFollower::stop(const FollowerPose& pose) {
+  command_mps_ = command_curvature_1pm_ = 0;
+  if (status_ == Status::driving && pose.speed_mps < at_rest_mps) {
+    const double distance_m = (pose.p_S_m - waypoints_S_m_.back()).norm();
+    if (distance_m <= limits_.arrival_radius_m) {
+      status_ = Status::arrived;
+      remaining_m_ = 0;
+    } else {
+      status_ = Status::failed;
+      reason_ = fmt::format("came to rest {:.2f} m from the last waypoint, its radius is {} m",
+                            distance_m, limits_.arrival_radius_m);
+    }
+  }
+  return {0, 0, true};
+}
+
+bool PathFollower::is_stuck(double period_s) {
+  if (remaining_m_ < best_remaining_m_ - progress_m) {
+    best_remaining_m_ = remaining_m_;
+    since_progress_s_ = 0;
+  } else {
+    since_progress_s_ += is_turning_ ? turning_share * period_s : period_s;
+  }
+  return since_progress_s_ > stuck_s;
+}
+
+void PathFollower::archive(Archive& a) {
+  a.tag("follower")(waypoints_S_m_)(limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(
+      command_curvature_1pm_)(remaining_m_)(best_remaining_m_)(since_progress_s_)(status_)(
+      reason_);
+  if (a.is_reading()) lay_line();
+}
+
+}  // namespace lsos

@@ -1,0 +1,76 @@
+// Follows a driving line: turns towards it, holds it with feedback on distance and heading, keeps
+// its speeds, stops and turns at sharp corners, and comes to rest at its end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/archive.h"
+#include "vehicle/drive_control.h"
+#include "vehicle/driving_line.h"
+
+namespace lsos {
+
+struct FollowerLimits {
+  double speed_mps = 1;           // along the line
+  double acceleration_mps2 = 0.2;
+  double arrival_radius_m = 1;    // the rover must come to rest within this of the last waypoint
+  double radius_min_m = 2.5;      // tightest turn while driving
+  double turn_rate_radps = 0.2;   // on the spot
+  bool can_turn_on_spot = true;
+
+  void archive(Archive& a) {
+    a(speed_mps)(acceleration_mps2)(arrival_radius_m)(radius_min_m)(turn_rate_radps)(
+        can_turn_on_spot);
+  }
+};
+
+// Where the rover is, on the horizontal plane of the site frame.
+struct FollowerPose {
+  Vec2 p_S_m;
+  double yaw_rad = 0;       // counter-clockwise from east
+  double speed_mps = 0;     // magnitude
+};
+
+class PathFollower {
+ public:
+  enum class Status { driving, arrived, failed };
+
+  PathFollower() = default;
+  // `path_S_m`: at least one waypoint; only x and y matter. The line begins where the rover is.
+  PathFollower(const Path3& path_S_m, const FollowerPose& start, const FollowerLimits& limits);
+
+  // Called once an exchange period; the command holds until the next call.
+  DriveCommand update(const FollowerPose& pose, double period_s);
+
+  Status status() const { return status_; }
+  const std::string& reason() const { return reason_; }
+  double remaining_m() const { return remaining_m_; }
+
+  void archive(Archive& a);
+
+ private:
+  DriveCommand drive(const FollowerPose& pose, double to_end_m, double left_m,
+                     double heading_error_rad, double period_s);
+  DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
+  DriveCommand stop(const FollowerPose& pose);
+  bool is_stuck(double period_s);
+  void lay_line();
+
+  std::vector<Vec2> waypoints_S_m_;  // from where the rover was
+  FollowerLimits limits_;
+  std::vector<DrivingLeg> line_;     // derived from the two above
+
+  std::size_t leg_ = 0;
+  bool is_turning_ = false;
+  bool is_stopping_ = false;
+  double command_mps_ = 0;           // ramped
+  double command_curvature_1pm_ = 0;
+  double remaining_m_ = 0;
+  double best_remaining_m_ = 0;
+  double since_progress_s_ = 0;
+  Status status_ = Status::driving;
+  std::string reason_;
+};
+
+}  // namespace lsos

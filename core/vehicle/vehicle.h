@@ -1,0 +1,105 @@
+// One simulated vehicle: its bodies, wheels on the soil, motors and brakes, stepped through an
+// exchange period at a time. It reads only itself and the ground.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/archive.h"
+#include "terrain/ground.h"
+#include "vehicle/drive_control.h"
+#include "vehicle/multibody.h"
+#include "vehicle/wheel_soil.h"
+
+namespace lsos {
+
+// What can be said of a vehicle at an exchange. Angles about the local vertical there: heading
+// clockwise from true north, 0..2 pi; pitch nose up; roll right side down.
+struct VehicleReport {
+  Vec3 p_S_m = Vec3::Zero();        // reference point
+  Vec3 v_S_mps = Vec3::Zero();
+  double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
+  double yaw_rad = 0;               // counter-clockwise from the site's east, horizontal plane
+  double speed_mps = 0;             // of the reference point along the ground
+  double slope_rad = not_modelled;  // of the plane through the ground under the wheels
+  double slip = not_modelled, slip_max = not_modelled;
+  double sinkage_m = not_modelled;
+  double elevation_m = not_modelled;  // of the ground under the reference point
+  bool is_on_ground_data = true;    // the terrain is known under every wheel
+  bool is_finite = true;
+
+  void archive(Archive& a) {
+    a(p_S_m)(v_S_mps)(heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(speed_mps)(slope_rad)(slip)(
+        slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_finite);
+  }
+};
+
+class Vehicle {
+ public:
+  // `config` with all its links; `ground` must outlive the vehicle.
+  Vehicle(const VehicleConfig& config, const Ground& ground);
+
+  const VehicleConfig& config() const { return config_; }
+
+  // Stands the vehicle on the ground at a place and lets it settle on its springs, brakes on.
+  // Returns false when the ground is not known under a wheel.
+  bool place(const Geodetic& at, double heading_rad);
+
+  // Takes effect with the next `advance`.
+  void command(const DriveCommand& command);
+
+  // Steps through `period`, a multiple of the configuration's step.
+  void advance(SimTime period);
+
+  // Parked: brakes on, all velocities exactly zero.
+  void halt();
+
+  VehicleReport report();
+  // Position (m or rad) of each joint, in order of config().links.
+  std::vector<double> joint_positions() const;
+  double distance_m() const { return distance_m_; }  // driven by the reference point
+  double drive_j() const { return drive_j_; }        // electrical, since the start
+  double drive_w() const { return drive_w_; }        // mean over the last period
+
+  void archive(Archive& a);
+
+ private:
+  struct WheelState {
+    WheelContactState contact;
+    double spin_target_radps = 0;
+    double servo_integral_rad = 0;  // accumulated speed error
+    double brake_anchor_rad = 0;
+    double load_n = 0, sinkage_m = 0, slip = not_modelled;  // of the last step, for reports
+
+    void archive(Archive& a) {
+      a(contact)(spin_target_radps)(servo_integral_rad)(brake_anchor_rad)(load_n)(sinkage_m)(slip);
+    }
+  };
+  struct SteeringState {
+    double target_rad = 0;    // where it shall go
+    double setpoint_rad = 0;  // on the way there, at the motor's rate
+
+    void archive(Archive& a) { a(target_rad)(setpoint_rad); }
+  };
+
+  void step(double step_s);
+  void apply_springs();
+  void apply_steering(double step_s);
+  double apply_drives(double step_s);  // electrical power, W
+  void apply_contacts(double step_s);
+  Vec3 reference_point_S_m() const;
+  Vec3 reference_velocity_S_mps() const;
+
+  VehicleConfig config_;
+  const Ground* ground_;
+  Ground::Probe probe_;
+  Multibody bodies_;
+  WheelLayout layout_;
+  std::vector<int> spring_links_;
+  std::vector<WheelState> wheels_;        // by layout_.wheels
+  std::vector<SteeringState> steerings_;  // by layout_.steerings
+  DriveCommand command_;
+  double distance_m_ = 0, drive_j_ = 0, drive_w_ = 0;
+};
+
+}  // namespace lsos

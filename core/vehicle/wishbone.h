@@ -1,0 +1,38 @@
+// Suspension template: independently sprung wheel modules (SEV). Each module travels vertically,
+// steers about a vertical axis and carries one or more wheels on one axle line.
+#pragma once
+
+#include "vehicle/vehicle_config.h"
+
+namespace lsos {
+
+struct WishboneModule {
+  std::string name;      // "front_left"
+  Vec2 p_B_m;            // of the steering axis: x forward, y left
+};
+
+struct Wishbone {
+  std::vector<WishboneModule> modules;
+  // Unsprung, not steered, of one module: arms. Then what steers: knuckle and motors.
+  double arm_mass_kg = 0;
+  double knuckle_mass_kg = 0;
+  double stiffness_npm = 0;         // at the wheel
+  double damping_nspm = 0;
+  double travel_up_m = 0;           // compression from rest to the stop, > 0
+  double travel_down_m = 0;         // droop from rest to the stop, > 0
+  SteeringMotor steering;
+  std::vector<double> wheel_offsets_m;  // along the axle from the steering axis, left positive
+  double wheel_mass_kg = 0;
+  Wheel wheel;
+  DriveMotor drive;
+};
+
+// Adds the modules' links to `vehicle`. The springs' preload carries the sprung mass, shared
+// equally, in `gravity_mps2`: the ride height is set at the site, as with an adjustable
+// suspension, and that is added to the assumptions.
+void add_wishbone(VehicleConfig& vehicle, const Wishbone& wishbone, double gravity_mps2);
+
+// What does not fit together ("wheel_offsets_m are empty"), one sentence each; empty when fine.
+std::vector<std::string> wishbone_faults(const VehicleConfig& vehicle, const Wishbone& wishbone);
+
+}  // namespace lsos

@@ -1,0 +1,42 @@
+// The lsos module as a registry: what is bound to Lua and what lua/README.md says are one list.
+#pragma once
+
+#include <lua.hpp>
+#include <string>
+#include <vector>
+
+#include "lua/constructors.h"
+
+namespace lsos {
+
+struct ApiFunction {
+  const char* name;
+  lua_CFunction function;
+  const char* signature;
+  const char* doc;
+};
+
+struct ApiConstant {
+  const char* name;
+  void (*push)(lua_State*);
+  const char* doc;
+};
+
+const std::vector<ApiFunction>& api_functions();
+const std::vector<ApiConstant>& api_constants();
+// Sections: fields, events, rovers, terrains.
+struct ApiSection {
+  const char* title;
+  std::vector<Constructor> constructors;
+};
+const std::vector<ApiSection>& api_sections();
+
+// Makes the module, once a state.
+void make_api(lua_State* L);
+void push_lsos_module(lua_State* L);
+
+// The table at `index` (or nil: empty) as a JSON object with sorted keys. Throws
+// std::runtime_error naming the key of what has no JSON form.
+std::string fields_json(lua_State* L, int index);
+
+}  // namespace lsos

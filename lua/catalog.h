@@ -1,0 +1,60 @@
+// Which scripts there are: events/, rovers/, terrain/ and terrain/soils/ of several folders, the
+// earlier folder going before the later.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "lua/script.h"
+#include "plan/declaration.h"
+#include "terrain/terrain_spec.h"
+#include "vehicle/rover_spec.h"
+
+namespace lsos {
+
+class Catalog {
+ public:
+  // Reads and loads every script once; what changes on disk later is not seen. A broken script is
+  // left out and costs only a warning, so that a plan that does not use it runs.
+  explicit Catalog(const std::vector<ScriptFolder>& folders);
+  // The same for plain folders.
+  explicit Catalog(const std::vector<std::string>& folders);
+
+  const Declarations& declarations() const { return declarations_; }
+
+  // Warnings: scripts that are broken (with each of their faults) or hidden by another.
+  const Faults& faults() const { return faults_; }
+  // The errors of a script that is there but broken; empty for others. When a plan names such an
+  // event these say more than "unknown".
+  std::vector<Fault> faults_of(ScriptKind kind, const std::string& name) const;
+
+  // What a script says. Throws InputError: its faults if it is broken; or, at `asked_at`, that
+  // there is no such script, with the nearest name.
+  RoverSpec load_rover(const std::string& name, const Place& asked_at = {}) const;
+  TerrainSpec load_terrain(const std::string& name, const Place& asked_at = {}) const;
+  Soil load_soil(const std::string& name, const Place& asked_at = {}) const;
+
+  // All scripts in use, by kind and name, for the hashes of a run.
+  const std::vector<Script>& scripts() const { return scripts_; }
+
+ private:
+  using Key = std::pair<ScriptKind, std::string>;
+
+  void load_all();
+  void add_broken(const Script& script, const Faults& faults);
+  template <class T>
+  const T& find(const std::map<std::string, T>& things, ScriptKind kind, const std::string& name,
+                const Place& asked_at) const;
+
+  std::vector<Script> scripts_;
+  Declarations declarations_;
+  Faults faults_;
+  std::map<Key, std::vector<Fault>> broken_;
+  std::map<std::string, RoverSpec> rovers_;
+  std::map<std::string, TerrainSpec> terrains_;
+  std::map<std::string, Soil> soils_;
+};
+
+}  // namespace lsos

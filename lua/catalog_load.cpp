@@ -1,0 +1,149 @@
+// What the scripts of a catalog say, and the answers to those who ask for one.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "lua/catalog.h"
+#include "lua/event_library.h"
+#include "lua/loader.h"
+#include "lua/rover_constructors.h"
+#include "lua/terrain_constructors.h"
+
+namespace lsos {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const char* noun(ScriptKind kind) {
+  switch (kind) {
+    case ScriptKind::event:
+      return "event";
+    case ScriptKind::rover:
+      return "rover type";
+    case ScriptKind::terrain:
+      return "terrain";
+    case ScriptKind::soil:
+      return "soil";
+  }
+  return "";
+}
+
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& things) {
+  std::vector<std::string> names;
+  for (const auto& [name, thing] : things) names.push_back(name);
+  return names;
+}
+
+template <class T>
+std::optional<T> load(LuaState& lua, const Script& script, const char* kind, Faults& faults) {
+  std::optional<T> value;
+  lua.run([&](lua_State* L) {
+    if (const Made* made = load_script(L, script, kind, faults))
+      value = std::any_cast<T>(made->value);
+  });
+  return value;
+}
+
+// Fills in the soil that is named, and makes a raster's path independent of where we are.
+void complete(TerrainScript& terrain, const Script& script,
+              const std::map<std::string, Soil>& soils, Faults& faults) {
+  TerrainSpec& spec = terrain.spec;
+  spec.name = script.name;
+  if (auto* raster = std::get_if<RasterSurface>(&spec.surface)) {
+    const fs::path file = raster->file;
+    raster->file = (file.is_absolute() ? file : fs::path(script.folder) / file).string();
+  }
+  if (terrain.soil_name.empty()) return;
+  const auto soil = soils.find(terrain.soil_name);
+  if (soil != soils.end()) {
+    spec.soil = soil->second;
+  } else {
+    faults.error(spec.place, fmt::format("terrain: no soil '{}'{}", terrain.soil_name,
+                                         did_you_mean(terrain.soil_name, names_of(soils))));
+  }
+}
+
+}  // namespace
+
+void Catalog::add_broken(const Script& script, const Faults& faults) {
+  for (const Fault& fault : faults.sorted()) {
+    broken_[{script.kind, script.name}].push_back(fault);
+    faults_.warning(fault.place, fmt::format("the {} '{}' cannot be used: {}", noun(script.kind),
+                                             script.name, fault.what));
+  }
+}
+
+// Soils come before terrains in scripts_, as terrains name them.
+void Catalog::load_all() {
+  EventLibrary library;
+  std::map<std::string, Faults> event_faults;
+  for (const Script& script : scripts_) {
+    Faults faults;
+    switch (script.kind) {
+      case ScriptKind::event:
+        library.load(script, event_faults[script.name]);
+        break;
+      case ScriptKind::rover:
+        if (auto rover = load<RoverSpec>(library.lua(), script, rover_kind, faults)) {
+          for (const std::string& fault : wishbone_faults(rover->vehicle, rover->suspension)) {
+            faults.error(rover->place, "rover: " + fault);
+          }
+          if (faults.has_errors()) break;
+          declarations_.rover_types[script.name] = {rover->doc, false, {}};
+          rovers_[script.name] = std::move(*rover);
+        }
+        break;
+      case ScriptKind::soil:
+        if (auto soil = load<Soil>(library.lua(), script, soil_kind, faults)) {
+          soils_[script.name] = std::move(*soil);
+        }
+        break;
+      case ScriptKind::terrain:
+        if (auto terrain = load<TerrainScript>(library.lua(), script, terrain_kind, faults)) {
+          complete(*terrain, script, soils_, faults);
+          if (!faults.has_errors()) terrains_[script.name] = std::move(terrain->spec);
+        }
+        break;
+    }
+    add_broken(script, faults);
+  }
+  library.check_sub_events(event_faults);
+  for (const Script& script : scripts_) {
+    if (script.kind == ScriptKind::event) add_broken(script, event_faults[script.name]);
+  }
+  for (const auto& [name, event] : library.events()) declarations_.events[name] = event.declaration;
+  declarations_.terrains = names_of(terrains_);
+}
+
+std::vector<Fault> Catalog::faults_of(ScriptKind kind, const std::string& name) const {
+  const auto found = broken_.find({kind, name});
+  return found == broken_.end() ? std::vector<Fault>{} : found->second;
+}
+
+template <class T>
+const T& Catalog::find(const std::map<std::string, T>& things, ScriptKind kind,
+                       const std::string& name, const Place& asked_at) const {
+  const auto found = things.find(name);
+  if (found != things.end()) return found->second;
+  if (std::vector<Fault> faults = faults_of(kind, name); !faults.empty()) {
+    throw InputError(std::move(faults));
+  }
+  throw InputError(asked_at, fmt::format("no {} '{}'{}", noun(kind), name,
+                                         did_you_mean(name, names_of(things))));
+}
+
+RoverSpec Catalog::load_rover(const std::string& name, const Place& asked_at) const {
+  return find(rovers_, ScriptKind::rover, name, asked_at);
+}
+
+TerrainSpec Catalog::load_terrain(const std::string& name, const Place& asked_at) const {
+  return find(terrains_, ScriptKind::terrain, name, asked_at);
+}
+
+Soil Catalog::load_soil(const std::string& name, const Place& asked_at) const {
+  return find(soils_, ScriptKind::soil, name, asked_at);
+}
+
+}  // namespace lsos

@@ -1,0 +1,62 @@
+// `lsos-host check` and `lsos-host fsm`: what a plan says, without simulating it.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+#include "mission/site.h"
+
+namespace lsos {
+
+namespace {
+
+std::string json_text(const MissionFiles& files) {
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  for (const Fault& fault : files.faults.sorted()) {
+    faults.push_back({{"severity", fault.severity == Severity::error ? "error" : "warning"},
+                      {"file", fault.place.file},
+                      {"line", fault.place.line},
+                      {"what", fault.what}});
+  }
+  const nlohmann::ordered_json answer{{"plan", files.plan.file},
+                                      {"is_valid", !files.faults.has_errors()},
+                                      {"rovers", files.plan.rovers.size()},
+                                      {"events", files.plan.events.size()},
+                                      {"decoration", files.plan.decoration_count},
+                                      {"faults", faults},
+                                      {"defaults", files.plan.defaults}};
+  return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string people_text(const MissionFiles& files) {
+  std::string text;
+  for (const Fault& fault : files.faults.sorted()) text += to_string(fault) + "\n";
+  if (files.faults.has_errors()) return text;
+  text +=
+      fmt::format("{}: {} rovers, {} events, {} other Placemarks left alone\n", files.plan.file,
+                  files.plan.rovers.size(), files.plan.events.size(), files.plan.decoration_count);
+  for (const std::string& line : files.plan.defaults) text += fmt::format("  default: {}\n", line);
+  return text;
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  MissionFiles files = read_mission(options.plan);
+  if (!files.faults.has_errors()) {
+    files.faults.add(
+        site_faults(synthesise(files.plan, files.catalog->declarations()), files.terrain));
+  }
+  fmt::print("{}", options.is_json ? json_text(files) : people_text(files));
+  return files.faults.has_errors() ? 2 : 0;
+}
+
+int fsm_command(const std::string& plan) {
+  const MissionFiles files = read_mission(plan);
+  files.faults.throw_if_errors();
+  fmt::print("{}", to_dot(synthesise(files.plan, files.catalog->declarations())));
+  return 0;
+}
+
+}  // namespace lsos

@@ -1,0 +1,120 @@
+// `lsos-host list`: what a plan can name, with fields, units, ranges and defaults.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+
+namespace lsos {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* to_text(FieldKind kind) {
+  constexpr const char* names[] = {"number", "integer",  "boolean", "text",
+                                   "choice", "duration", "utc"};
+  return names[static_cast<int>(kind)];
+}
+
+std::string default_text(const FieldDeclaration& field) {
+  if (!field.default_value) return "";
+  if (const auto* number = std::get_if<double>(&*field.default_value)) {
+    return field.unit ? format_quantity(*number, *field.unit) : fmt::format("{}", *number);
+  }
+  if (const auto* integer = std::get_if<std::int64_t>(&*field.default_value)) {
+    return std::to_string(*integer);
+  }
+  if (const auto* truth = std::get_if<bool>(&*field.default_value))
+    return *truth ? "true" : "false";
+  if (const auto* text = std::get_if<std::string>(&*field.default_value)) return *text;
+  return format_utc(std::get<Instant>(*field.default_value));
+}
+
+Json field_json(const FieldDeclaration& field) {
+  Json json{{"name", field.name},
+            {"key", field.key},
+            {"kind", to_text(field.kind)},
+            {"required", field.is_required},
+            {"doc", field.doc}};
+  if (field.unit != nullptr) json["unit"] = field.unit->symbol;
+  const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
+  if (field.min_si) json["min"] = *field.min_si / factor;
+  if (field.max_si) json["max"] = *field.max_si / factor;
+  if (!field.choices.empty()) json["choices"] = field.choices;
+  if (field.default_value) json["default"] = default_text(field);
+  return json;
+}
+
+std::string field_text(const FieldDeclaration& field) {
+  std::string text = fmt::format("  {:<16} {}", field.name, to_text(field.kind));
+  if (field.unit != nullptr) text += fmt::format(", {}", field.unit->symbol);
+  if (field.min_si) text += fmt::format(", at least {}", *field.min_si / field.unit->si_factor);
+  if (field.max_si) text += fmt::format(", at most {}", *field.max_si / field.unit->si_factor);
+  if (!field.choices.empty()) text += fmt::format(": {}", fmt::join(field.choices, ", "));
+  if (field.is_required) text += ", required";
+  if (field.default_value) text += fmt::format(", default {}", default_text(field));
+  if (!field.doc.empty()) text += fmt::format(" - {}", field.doc);
+  return text + "\n";
+}
+
+struct Listed {
+  std::string name, doc;
+  std::vector<FieldDeclaration> fields;
+};
+
+std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
+  std::vector<Listed> all;
+  const Declarations& declarations = catalog.declarations();
+  if (what == "events") {
+    for (const auto& [name, event] : declarations.events) {
+      all.push_back({name, event.doc, event.fields});
+    }
+  } else if (what == "rovers") {
+    for (const auto& [name, rover] : declarations.rover_types) all.push_back({name, rover.doc, {}});
+  } else if (what == "terrains") {
+    for (const std::string& name : declarations.terrains) all.push_back({name, "", {}});
+  } else {
+    for (const Script& script : catalog.scripts()) {
+      if (script.kind == ScriptKind::soil) all.push_back({script.name, "", {}});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+int list_command(const ListOptions& options) {
+  const auto catalog = read_catalog("");
+  std::vector<Listed> all = listed(*catalog, options.what);
+  if (!options.name.empty()) {
+    std::vector<std::string> names;
+    for (const Listed& one : all) names.push_back(one.name);
+    std::erase_if(all, [&](const Listed& one) { return one.name != options.name; });
+    if (all.empty()) {
+      throw InputError({}, fmt::format("'{}' is not among the {}{}", options.name, options.what,
+                                       did_you_mean(options.name, names)));
+    }
+  }
+  Json json = Json::array();
+  for (const Listed& one : all) {
+    if (options.is_json) {
+      Json fields = Json::array();
+      for (const FieldDeclaration& field : one.fields) fields.push_back(field_json(field));
+      json.push_back({{"name", one.name}, {"doc", one.doc}, {"fields", fields}});
+      continue;
+    }
+    fmt::print("{}{}{}\n", one.name, one.doc.empty() ? "" : ": ", one.doc);
+    for (const FieldDeclaration& field : one.fields) fmt::print("{}", field_text(field));
+  }
+  if (options.is_json) fmt::print("{}\n", json.dump(2));
+  if (!options.is_json && options.what == "events" && options.name.empty()) {
+    fmt::print("Every event also has:\n");
+    for (const FieldDeclaration& field : common_event_fields()) fmt::print("{}", field_text(field));
+  }
+  return 0;
+}
+
+}  // namespace lsos

@@ -1,0 +1,26 @@
+// `lsos-host overlay`: writes overlay.kml again from a run's log.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+#include "product/overlay.h"
+
+namespace lsos {
+
+int overlay_command(const std::string& folder) {
+  const std::string plan_file = folder + "/plan.kml";
+  if (!std::filesystem::exists(plan_file) || !std::filesystem::exists(folder + "/log.gpkg")) {
+    throw InputError({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
+  }
+  // The plan passed its checks when it was run; what its folder had beside it (scripts, rasters)
+  // may be elsewhere now and is not needed to draw it.
+  const MissionFiles files = read_mission(plan_file);
+  if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
+  write_overlay(folder, files.plan);
+  fmt::print("{}/overlay.kml\n", folder);
+  return 0;
+}
+
+}  // namespace lsos

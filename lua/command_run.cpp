@@ -1,0 +1,107 @@
+// `lsos-host run`: reads, checks, simulates, and leaves the results in a folder.
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+#include "lua/progress.h"
+#include "plan/kml_text.h"
+#include "product/files.h"
+#include "product/overlay.h"
+#include "product/run_folder.h"
+#include "product/summary.h"
+
+namespace lsos {
+
+namespace {
+
+std::atomic<int> asked_to_stop{0};
+
+RunSummary summarise(const Simulation& simulation, const MissionFiles& files, double wall_s) {
+  RunSummary summary;
+  summary.plan = files.plan.file;
+  summary.events = simulation.events();
+  summary.status = run_status(summary.events, simulation.is_aborted());
+  summary.sim_s = seconds(simulation.now());
+  summary.wall_s = wall_s;
+  for (const RoverResult& result : simulation.results()) {
+    RoverSummary& rover = summary.rovers[result.id];
+    rover.distance_m = result.distance_m;
+    rover.duration_s = result.duration_s;
+    rover.drive_s = result.drive_s;
+    rover.elevation_gain_m = result.elevation_gain_m;
+    rover.max_slope_rad = result.slope_max_rad;
+    rover.max_slip = result.slip_max;
+  }
+  for (const Fault& fault : files.faults.sorted()) summary.warnings.push_back(to_string(fault));
+  for (const std::string& warning : simulation.warnings()) summary.warnings.push_back(warning);
+  summary.assumptions = files.assumptions;
+  for (const std::string& assumption : simulation.assumptions()) {
+    summary.assumptions.push_back(assumption);
+  }
+  return summary;
+}
+
+void simulate(Simulation& simulation, bool is_quiet) {
+  Progress progress(is_quiet);
+  const auto events = static_cast<double>(simulation.plan().events.size());
+  simulation.start();
+  while (!simulation.is_finished()) {
+    if (const int signal = asked_to_stop) {
+      simulation.stop(fmt::format("stopped by {}", signal == SIGINT ? "SIGINT" : "SIGTERM"));
+      break;
+    }
+    simulation.advance();
+    progress.show(static_cast<double>(simulation.events_ended()) / events,
+                  seconds(simulation.now()));
+  }
+  progress.finish();
+  simulation.terminate();
+}
+
+}  // namespace
+
+void ask_to_stop(int signal) { asked_to_stop = signal; }
+
+int run_command(const RunOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  MissionFiles files = read_mission(options.plan, options.seed);
+  files.faults.throw_if_errors();
+  for (const Fault& fault : files.faults.sorted()) {
+    if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
+  }
+  RunFolder folder(options.folder.empty() ? default_run_folder(options.plan) : options.folder,
+                   options.is_forced);
+  SimulationSetup setup = simulation_setup(files);
+  setup.threads = options.threads;
+  setup.save_every_exchange = options.save_every_exchange;
+  // The last checks: whether the plan fits the terrain. Only then the old run may go.
+  Simulation simulation(std::move(setup));
+  const std::string plan_bytes = read_bytes(options.plan);  // it may lie in the folder itself
+  folder.prepare();
+  write_file(folder.file("plan.kml"), plan_bytes);
+  LogWriter log(folder.file("log.gpkg"), std::string(files.plan.mission.planet->crs),
+                files.plan.mission.start_time);
+  log.write_run(run_values(files, simulation.ground()));
+  simulation.set_log(&log);
+  simulate(simulation, options.is_quiet);
+  log.finish();
+
+  const double wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  RunSummary summary = summarise(simulation, files, wall_s);
+  summary.log_sha256 = LogReader(folder.file("log.gpkg")).sha256();
+  write_overlay(folder.path(), files.plan);
+  write_summary(folder.path(), summary);
+
+  fmt::print("{}", options.is_json ? to_json(summary) : to_text(summary));
+  if (!options.is_json) fmt::print("results in {}\n", folder.path());
+  if (const int signal = asked_to_stop) return 128 + signal;
+  return summary.status == RunStatus::completed ? 0 : 1;
+}
+
+}  // namespace lsos

@@ -1,0 +1,43 @@
+// The program's commands. Each returns its exit code: 0 completed, 1 an event failed or is
+// incomplete, 130/143 stopped by a signal; wrong input is thrown as InputError.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace lsos {
+
+struct RunOptions {
+  std::string plan;
+  std::string folder;  // "": out/PLAN-NAME
+  bool is_quiet = false;
+  bool is_json = false;
+  bool is_forced = false;  // replace an unfinished run
+  int threads = 1;
+  std::optional<std::uint64_t> seed;  // instead of the plan's
+  bool save_every_exchange = false;
+};
+int run_command(const RunOptions& options);
+
+struct CheckOptions {
+  std::string plan;
+  bool is_json = false;
+};
+int check_command(const CheckOptions& options);
+
+int fsm_command(const std::string& plan);
+
+struct ListOptions {
+  std::string what;  // events, rovers, terrains, soils
+  std::string name;  // "": all
+  bool is_json = false;
+};
+int list_command(const ListOptions& options);
+
+int overlay_command(const std::string& folder);
+
+// Asks a running `run` to stop, from a signal handler.
+void ask_to_stop(int signal);
+
+}  // namespace lsos

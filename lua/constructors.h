@@ -1,0 +1,52 @@
+// lsos.wheel {...} and the like: functions that read a table into a C++ value while a script loads.
+#pragma once
+
+#include <lua.hpp>
+#include <string>
+#include <vector>
+
+#include "lua/reader.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+// One constructor as registered and documented.
+struct Constructor {
+  const char* name;
+  lua_CFunction function;  // its upvalue 1 is the name
+  void (*list_keys)(TableReader&);
+  const char* doc;
+};
+
+std::vector<Constructor> field_constructors();
+std::vector<Constructor> event_constructors();
+std::vector<Constructor> rover_constructors();
+std::vector<Constructor> terrain_constructors();
+
+// The name of the constructor that runs, and a reader of its one argument.
+TableReader constructor_reader(lua_State* L);
+
+// "Route" of "events/Route.lua": scripts are named by their files.
+std::string script_name(const std::string& file);
+
+template <class T, void (*Read)(TableReader&, T&)>
+int construct(lua_State* L) {
+  TableReader t = constructor_reader(L);
+  T value;
+  Read(t, value);
+  t.finish();
+  push_made(L, {t.what(), t.place(), std::move(value)});
+  return 1;
+}
+
+template <class T, void (*Read)(TableReader&, T&)>
+Constructor constructor(const char* name, const char* doc) {
+  return {name, guard<construct<T, Read>>,
+          [](TableReader& t) {
+            T value;
+            Read(t, value);
+          },
+          doc};
+}
+
+}  // namespace lsos

@@ -1,0 +1,111 @@
+#include "lua/handle.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lua/made.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+namespace {
+
+const HandleType& type_of_closure(lua_State* L) {
+  return *static_cast<const HandleType*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+
+std::string registry_name(const HandleType& type) {
+  return fmt::format("lsos.handle.{}", type.name);
+}
+
+// Upvalue 2: method functions by name.
+int read_key(lua_State* L) {
+  const HandleType& type = type_of_closure(L);
+  if (lua_type(L, 2) != LUA_TSTRING) refuse_handle_key(type, luaL_typename(L, 2));
+  const std::string_view key = lua_tostring(L, 2);
+  for (const HandleField& field : type.fields) {
+    if (key != field.name) continue;
+    lua_settop(L, 1);
+    return field.read(L);
+  }
+  lua_rawget(L, lua_upvalueindex(2));
+  if (lua_isnil(L, -1)) refuse_handle_key(type, std::string(key).c_str());
+  return 1;
+}
+
+int refuse_write(lua_State* L) {
+  const HandleType& type = type_of_closure(L);
+  throw std::runtime_error(fmt::format("{} is read-only, '{}' cannot be assigned", type.name,
+                                       lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "?"));
+}
+
+int to_string(lua_State* L) {
+  lua_pushstring(L, type_of_closure(L).name);
+  return 1;
+}
+
+void push_metatable(lua_State* L, const HandleType& type) {
+  if (luaL_newmetatable(L, registry_name(type).c_str()) == 0) return;
+  void* data = const_cast<HandleType*>(&type);
+  lua_pushlightuserdata(L, data);
+  lua_newtable(L);
+  for (const HandleMethod& method : type.methods) {
+    lua_pushcfunction(L, method.function);
+    lua_setfield(L, -2, method.name);
+  }
+  lua_pushcclosure(L, guard<read_key>, 2);
+  lua_setfield(L, -2, "__index");
+  lua_pushlightuserdata(L, data);
+  lua_pushcclosure(L, type.write == nullptr ? guard<refuse_write> : type.write, 1);
+  lua_setfield(L, -2, "__newindex");
+  lua_pushlightuserdata(L, data);
+  lua_pushcclosure(L, guard<to_string>, 1);
+  lua_setfield(L, -2, "__tostring");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+}
+
+}  // namespace
+
+void refuse_handle_key(const HandleType& type, const char* key) {
+  std::vector<std::string> known;
+  for (const HandleField& field : type.fields) known.emplace_back(field.name);
+  for (const HandleMethod& method : type.methods) known.emplace_back(method.name);
+  throw std::runtime_error(
+      fmt::format("{} has no '{}'{}", type.name, key, did_you_mean(key, known)));
+}
+
+void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance) {
+  auto* id = static_cast<ScriptInstance*>(lua_newuserdatauv(L, sizeof(ScriptInstance), 1));
+  *id = instance;
+  push_metatable(L, type);
+  lua_setmetatable(L, -2);
+}
+
+const EventCall& handle_call(lua_State* L, const HandleType& type) {
+  const auto* id =
+      static_cast<const ScriptInstance*>(luaL_testudata(L, 1, registry_name(type).c_str()));
+  if (id == nullptr) {
+    throw std::runtime_error(fmt::format(
+        "a method of {0} is called with a colon, as in {0}:{1}(); "
+        "found {2} in place of {0}",
+        type.name, type.methods.empty() ? "f" : type.methods.front().name, describe(L, 1)));
+  }
+  const EventCall* call = context(L).call;
+  if (call == nullptr || call->instance != *id) {
+    throw std::runtime_error(
+        fmt::format("{} belongs to an event that is not running now; do not keep it", type.name));
+  }
+  return *call;
+}
+
+void push_quantity(lua_State* L, double value) {
+  if (std::isnan(value)) {
+    lua_pushnil(L);
+  } else {
+    lua_pushnumber(L, value);
+  }
+}
+
+}  // namespace lsos

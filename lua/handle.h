@@ -1,0 +1,58 @@
+// Objects of the host in scripts: `ev`, `rover`, `rover.drive`. A handle holds the id of its event,
+// no pointer; it answers only while that event's phase runs. Fields are read-only.
+#pragma once
+
+#include <lua.hpp>
+#include <vector>
+
+#include "lua/context.h"
+
+namespace lsos {
+
+struct HandleField {
+  const char* name;
+  lua_CFunction read;  // argument 1 is the handle; pushes the value
+  const char* type;
+  const char* doc;
+};
+
+struct HandleMethod {
+  const char* name;
+  lua_CFunction function;
+  const char* signature;
+  const char* doc;
+};
+
+struct HandleType {
+  const char* name;  // as scripts call it: "rover"
+  const char* doc;
+  std::vector<HandleField> fields;
+  std::vector<HandleMethod> methods;
+  lua_CFunction write = nullptr;  // __newindex; absent: everything is refused
+};
+
+const HandleType& event_handle_type();
+const HandleType& rover_handle_type();
+const HandleType& drive_handle_type();
+
+// Pushes a handle (with one user value) of an event.
+void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance);
+
+// The call that the handle at argument 1 belongs to. Throws std::runtime_error when it is another
+// object, or one of an event that is not running now.
+const EventCall& handle_call(lua_State* L, const HandleType& type);
+
+// Throws "ev has no 'sate'; did you mean 'state'?".
+[[noreturn]] void refuse_handle_key(const HandleType& type, const char* key);
+
+// NaN, a quantity that is not modelled, is nil for scripts.
+void push_quantity(lua_State* L, double value);
+
+// The read-only view of the event's waypoints.
+void push_geometry(lua_State* L, ScriptInstance instance);
+
+// The waypoints if the value at `index` is that view, else nullptr. Throws std::runtime_error when
+// it belongs to an event that is not running now.
+const Path3* to_geometry(lua_State* L, int index);
+
+}  // namespace lsos

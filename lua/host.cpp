@@ -1,0 +1,238 @@
+#include "lua/host.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "lua/answer.h"
+#include "lua/arguments.h"
+#include "lua/event_library.h"
+#include "lua/handle.h"
+#include "lua/value.h"
+
+namespace lsos {
+
+namespace {
+
+// An event that runs. `table` is a registry reference to { params, geometry, state, ev, rover }.
+struct Instance {
+  const EventScript* script = nullptr;
+  EventArguments arguments;
+  std::optional<RandomStream> random;
+  std::string last_phase;
+  int table = LUA_NOREF;
+};
+
+constexpr std::string_view state_version = "ev.state 1";
+
+// "events/Route.lua:23: Route 'leg 2' in phase drive at 812.4 s: attempt to ..." and the traceback.
+std::string failure_text(const LuaFailure& failure, const EventScript& script,
+                         const std::string& phase, const PhaseContext& context) {
+  const auto [place, what] = split_place(failure.message, script.file);
+  const std::string text =
+      to_string({Severity::error, place,
+                 fmt::format("{} '{}' in {} at {} s: {}", script.declaration.name, context.label,
+                             phase, seconds(context.now), what)});
+  return failure.traceback.empty() ? text : text + "\n" + failure.traceback;
+}
+
+// Marks the phase call as going on, for handles and lsos functions.
+class CallScope {
+ public:
+  CallScope(LuaContext& context, const EventCall& call) : context_(context) {
+    LSOS_ASSERT(context.call == nullptr);
+    context.call = &call;
+  }
+  ~CallScope() { context_.call = nullptr; }
+  CallScope(const CallScope&) = delete;
+  CallScope& operator=(const CallScope&) = delete;
+
+ private:
+  LuaContext& context_;
+};
+
+}  // namespace
+
+struct LuaHost::Impl {
+  EventLibrary library;
+  Declarations declarations;
+  std::map<ScriptInstance, Instance> instances;
+  ScriptInstance last_id = 0;
+
+  explicit Impl(const Limits& limits) : library(limits) {}
+
+  Instance& at(ScriptInstance id) {
+    const auto found = instances.find(id);
+    LSOS_ASSERT(found != instances.end());
+    return found->second;
+  }
+
+  // Pushes the instance's table; what needs the context is made at the first call.
+  void push_table(lua_State* L, ScriptInstance id, Instance& instance, const EventCall& call) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
+    if (lua_getfield(L, -1, "ev") != LUA_TNIL) return lua_pop(L, 1);
+    lua_pop(L, 1);
+    push_params(L, instance.script->declaration, instance.arguments, call.phase.mission_start);
+    lua_setfield(L, -2, "params");
+    push_geometry(L, id);
+    lua_setfield(L, -2, "geometry");
+    push_handle(L, rover_handle_type(), id);
+    lua_setfield(L, -2, "rover");
+    push_handle(L, event_handle_type(), id);
+    lua_pushvalue(L, -2);
+    lua_setiuservalue(L, -2, 1);
+    lua_setfield(L, -2, "ev");
+  }
+
+  // Calls the script function at the top with (ev, rover), pops it, leaves `results` values.
+  void call(lua_State* L, ScriptInstance id, Instance& instance, const EventCall& call,
+            const std::string& where, int results) {
+    push_table(L, id, instance, call);
+    lua_getfield(L, -1, "ev");
+    lua_getfield(L, -2, "rover");
+    lua_remove(L, -3);
+    const CallScope scope(library.lua().context(), call);
+    if (const auto failure = call_script(L, 2, results)) {
+      throw ScriptError(failure_text(*failure, *instance.script, where, call.phase));
+    }
+  }
+
+  PhaseAnswer run_function(lua_State* L, ScriptInstance id, Instance& instance,
+                           const EventCall& event_call, const std::string& where) {
+    const int base = lua_gettop(L) - 1;
+    call(L, id, instance, event_call, where, LUA_MULTRET);
+    return read_answer(L, base, instance.script->declaration);
+  }
+
+  PhaseAnswer run_sub_event(lua_State* L, ScriptInstance id, Instance& instance,
+                            const EventCall& event_call, const EventDeclaration::Phase& phase,
+                            const std::string& where) {
+    const EventDeclaration& child = library.events().at(phase.sub_event).declaration;
+    RunEvent answer{phase.sub_event, {}, phase.next};
+    const auto push_part = [&](const char* name) {
+      if (lua_getfield(L, -1, name) == LUA_TFUNCTION) {
+        call(L, id, instance, event_call, where, 1);
+      }
+    };
+    push_part("params");
+    answer.arguments.params = read_params(L, -1, child, event_call.phase.mission_start);
+    lua_pop(L, 1);
+    push_part("geometry");
+    const CallScope scope(library.lua().context(), event_call);  // it may be ev.geometry
+    answer.arguments.geometry_S_m = read_waypoints(L, -1, child);
+    return answer;
+  }
+
+  std::string state_bytes(lua_State* L, Instance& instance) {
+    Archive archive = Archive::writer();
+    archive.tag(state_version)(instance.random);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
+    lua_getfield(L, -1, "state");
+    save_value(L, -1, "ev.state", archive);
+    return archive.bytes();
+  }
+};
+
+LuaHost::LuaHost(const Catalog& catalog, const Limits& limits)
+    : impl_(std::make_unique<Impl>(limits)) {
+  impl_->declarations = catalog.declarations();
+  Faults faults;
+  for (const Script& script : catalog.scripts()) {
+    if (script.kind == ScriptKind::event && impl_->declarations.events.contains(script.name)) {
+      impl_->library.load(script, faults);
+    }
+  }
+  LSOS_ASSERT(!faults.has_errors());  // the catalog has loaded the same sources
+}
+
+LuaHost::~LuaHost() = default;
+
+const Declarations& LuaHost::declarations() const { return impl_->declarations; }
+
+ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arguments) {
+  const auto found = impl_->library.events().find(type);
+  LSOS_ASSERT(found != impl_->library.events().end());
+  Instance instance;
+  instance.script = &found->second;
+  instance.arguments = arguments;
+  impl_->library.lua().run([&](lua_State* L) {
+    lua_newtable(L);
+    lua_newtable(L);
+    lua_setfield(L, -2, "state");
+    instance.table = luaL_ref(L, LUA_REGISTRYINDEX);
+  });
+  impl_->instances.emplace(++impl_->last_id, std::move(instance));
+  return impl_->last_id;
+}
+
+PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
+                               PhaseContext& context) {
+  Instance& instance = impl_->at(id);
+  const EventScript& script = *instance.script;
+  const std::string where = "phase " + phase_name;
+  PhaseAnswer answer;
+  impl_->library.lua().run([&](lua_State* L) {
+    const EventCall call{script.declaration, instance.arguments, id, context, instance.random};
+    try {
+      lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
+      lua_getfield(L, -1, "phases");
+      const EventDeclaration::Phase& phase = find_phase(script.declaration, phase_name);
+      lua_getfield(L, -1, phase_name.c_str());
+      answer = phase.sub_event.empty() ? impl_->run_function(L, id, instance, call, where)
+                                       : impl_->run_sub_event(L, id, instance, call, phase, where);
+      instance.last_phase = phase_name;
+      impl_->state_bytes(L, instance);  // what cannot be saved is refused in the phase that put it
+    } catch (const ScriptError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      throw ScriptError(failure_text({error.what(), ""}, script, where, context));
+    }
+  });
+  return answer;
+}
+
+void LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
+  Instance& instance = impl_->at(id);
+  impl_->library.lua().run([&](lua_State* L) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, instance.script->functions);
+    if (lua_getfield(L, -1, "on_abort") != LUA_TFUNCTION) return;
+    const EventCall call{instance.script->declaration, instance.arguments, id, context,
+                         instance.random};
+    impl_->call(L, id, instance, call, "on_abort", 0);
+  });
+}
+
+void LuaHost::end(ScriptInstance id) {
+  const int table = impl_->at(id).table;
+  impl_->library.lua().run([&](lua_State* L) { luaL_unref(L, LUA_REGISTRYINDEX, table); });
+  impl_->instances.erase(id);
+}
+
+std::string LuaHost::save(ScriptInstance id) {
+  Instance& instance = impl_->at(id);
+  std::string bytes;
+  impl_->library.lua().run([&](lua_State* L) {
+    try {
+      bytes = impl_->state_bytes(L, instance);
+    } catch (const std::runtime_error& error) {
+      throw ScriptError(fmt::format("{}: {} after phase {}: {}", instance.script->file,
+                                    instance.script->declaration.name, instance.last_phase,
+                                    error.what()));
+    }
+  });
+  return bytes;
+}
+
+void LuaHost::restore(ScriptInstance id, const std::string& bytes) {
+  Instance& instance = impl_->at(id);
+  Archive archive = Archive::reader(bytes);
+  archive.tag(state_version)(instance.random);
+  impl_->library.lua().run([&](lua_State* L) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
+    restore_value(L, archive);
+    lua_setfield(L, -2, "state");
+  });
+  if (!archive.is_exhausted()) throw Archive::Mismatch("saved ev.state is too long");
+}
+
+}  // namespace lsos

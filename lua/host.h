@@ -1,0 +1,34 @@
+// The engine's ScriptHost, in Lua: runs the phases of event scripts.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lua/catalog.h"
+#include "lua/context.h"
+#include "mission/script_host.h"
+
+namespace lsos {
+
+class LuaHost : public ScriptHost {
+ public:
+  // Loads the catalog's sound event scripts anew. The same catalog always gives the same host, so
+  // that saved states fit.
+  explicit LuaHost(const Catalog& catalog, const Limits& limits = {});
+  ~LuaHost() override;
+
+  const Declarations& declarations() const override;
+  ScriptInstance begin(const std::string& type, const EventArguments& arguments) override;
+  PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,
+                        PhaseContext& context) override;
+  void run_abort(ScriptInstance instance, PhaseContext& context) override;
+  void end(ScriptInstance instance) override;
+  std::string save(ScriptInstance instance) override;
+  void restore(ScriptInstance instance, const std::string& bytes) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,119 @@
+// The command line of lsos-host.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+
+#include "base/error.h"
+#include "lua/commands.h"
+#include "lua/version.h"
+#include "record/log.h"
+
+namespace {
+
+using lsos::InputError;
+
+const std::vector<std::string> built{"run", "check", "fsm", "list", "overlay"};
+// Named in the manual, not there yet.
+const std::vector<std::string> unbuilt{"repl",    "test",   "resume", "report",  "compare",
+                                       "schema",  "import", "export", "picture", "sun",
+                                       "terrain", "sight",  "light",  "rig",     "new"};
+
+// `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
+// told which one was meant.
+void insert_run(std::vector<std::string>& arguments) {
+  if (arguments.empty()) return;
+  const std::string& first = arguments.front();
+  if (first == "-h" || first == "--help" || first == "--version") return;
+  if (std::ranges::count(built, first) > 0) return;
+  if (std::ranges::count(unbuilt, first) > 0) {
+    throw InputError({}, fmt::format("the command '{}' is not built yet", first));
+  }
+  if (first.starts_with('-') || std::filesystem::is_regular_file(first)) {
+    arguments.insert(arguments.begin(), "run");
+    return;
+  }
+  std::vector<std::string> known = built;
+  known.insert(known.end(), unbuilt.begin(), unbuilt.end());
+  throw InputError({}, fmt::format("'{}' is neither a command nor a readable plan{}", first,
+                                   lsos::did_you_mean(first, known)));
+}
+
+int run_program(std::vector<std::string> arguments) {
+  insert_run(arguments);
+  CLI::App app("Simulates planetary surface missions that are drawn on a map.", "lsos-host");
+  app.set_version_flag("--version", lsos::program_version);
+  app.require_subcommand(1);
+  app.footer("lsos-host PLAN.kml is short for lsos-host run PLAN.kml.");
+
+  lsos::RunOptions run;
+  CLI::App* run_command = app.add_subcommand("run", "Simulate a plan");
+  run_command->add_option("PLAN", run.plan, "A KML or KMZ plan")->required();
+  run_command->add_option("-o,--output", run.folder, "Folder of the results (out/PLAN-NAME)");
+  run_command->add_flag("--force", run.is_forced, "Replace an unfinished run");
+  run_command->add_flag("--quiet", run.is_quiet, "No progress");
+  run_command->add_flag("--json", run.is_json, "The summary as JSON");
+  run_command->add_option("--threads", run.threads, "Threads that step rovers")
+      ->check(CLI::Range(1, 256));
+  run_command->add_option("--seed", run.seed, "Instead of the plan's Seed");
+  run_command->add_flag("--save-every-exchange", run.save_every_exchange,
+                        "Write all state out and read it back every 0.1 s (a test of resuming)");
+
+  lsos::CheckOptions check;
+  CLI::App* check_command = app.add_subcommand("check", "Read and check a plan");
+  check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
+  check_command->add_flag("--json", check.is_json, "The answer as JSON");
+
+  std::string fsm_plan;
+  CLI::App* fsm_command =
+      app.add_subcommand("fsm", "The machine synthesised from a plan, as Graphviz DOT");
+  fsm_command->add_option("PLAN", fsm_plan, "A KML or KMZ plan")->required();
+
+  lsos::ListOptions list;
+  CLI::App* list_command = app.add_subcommand("list", "What a plan can name");
+  list_command->add_option("WHAT", list.what, "events, rovers, terrains or soils")
+      ->required()
+      ->check(CLI::IsMember({"events", "rovers", "terrains", "soils"}));
+  list_command->add_option("NAME", list.name, "Only this one");
+  list_command->add_flag("--json", list.is_json, "As JSON");
+
+  std::string overlay_folder;
+  CLI::App* overlay_command =
+      app.add_subcommand("overlay", "Write overlay.kml of a run again from its log");
+  overlay_command->add_option("DIR", overlay_folder, "Folder of a run")->required();
+
+  try {
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (run_command->parsed()) return lsos::run_command(run);
+  if (check_command->parsed()) return lsos::check_command(check);
+  if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan);
+  if (list_command->parsed()) return lsos::list_command(list);
+  return lsos::overlay_command(overlay_folder);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, lsos::ask_to_stop);
+  std::signal(SIGTERM, lsos::ask_to_stop);
+  std::signal(SIGPIPE, SIG_IGN);
+  // Beyond a file size limit a write must fail and be reported, not kill the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run_program({argv + 1, argv + argc});
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  } catch (const lsos::LogError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 3;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "fault inside the program: {}\n", error.what());
+    return 3;
+  }
+}

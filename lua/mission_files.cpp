@@ -1,0 +1,119 @@
+#include "lua/mission_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "lua/host.h"
+#include "lua/script_folders.h"
+#include "lua/version.h"
+
+namespace lsos {
+
+namespace {
+
+// Ground of a raster that the plan names itself: no script says what it is made of.
+Soil default_soil(const Catalog& catalog) { return catalog.load_soil("ApolloNominal"); }
+
+TerrainSpec terrain_of(const Plan& plan, const Catalog& catalog,
+                       std::vector<std::string>& assumptions) {
+  if (!plan.mission.terrain_is_raster) {
+    return catalog.load_terrain(plan.mission.terrain, plan.mission.place);
+  }
+  TerrainSpec terrain;
+  terrain.name = std::filesystem::path(plan.mission.terrain).filename();
+  terrain.place = plan.mission.place;
+  terrain.surface = RasterSurface{plan.mission.terrain};
+  terrain.soil = default_soil(catalog);
+  terrain.is_synthetic = false;
+  assumptions.push_back(fmt::format("{}: the soil is {}; a terrain script can name another",
+                                    terrain.name, terrain.soil.name));
+  return terrain;
+}
+
+// A plan that names a broken script is told why it is broken, not that it is unknown.
+void add_script_faults(const Catalog& catalog, Faults& faults) {
+  for (const Fault& fault : catalog.faults().sorted()) {
+    faults.warning(fault.place, fault.what);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
+  const char* path = std::getenv("LSOS_PATH");
+  std::error_code ignored;
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return std::make_shared<const Catalog>(script_folders(
+      plan_file, path == nullptr ? "" : path, shipped_folder(program, LSOS_SOURCE_FOLDER)));
+}
+
+MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
+  MissionFiles files;
+  files.catalog = read_catalog(plan_file);
+  files.plan = read_plan(plan_file, files.catalog->declarations(), files.faults);
+  add_script_faults(*files.catalog, files.faults);
+  if (seed) files.plan.mission.seed = *seed;
+  if (files.faults.has_errors()) return files;
+  const auto collect = [&](auto load) {
+    try {
+      load();
+    } catch (const InputError& error) {
+      files.faults.add(error.faults());
+    }
+  };
+  for (const PlanRover& rover : files.plan.rovers) {
+    collect([&] {
+      files.rover_specs.insert({rover.type, files.catalog->load_rover(rover.type, rover.place)});
+    });
+  }
+  collect([&] { files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions); });
+  return files;
+}
+
+SimulationSetup simulation_setup(const MissionFiles& files) {
+  SimulationSetup setup;
+  setup.plan = files.plan;
+  setup.rover_specs = files.rover_specs;
+  setup.terrain = files.terrain;
+  setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
+  return setup;
+}
+
+std::map<std::string, std::string> run_values(const MissionFiles& files, const Ground& ground) {
+  const MissionInfo& mission = files.plan.mission;
+  std::map<std::string, std::string> values{
+      {"program", "lsos-host"},
+      {"program_version", program_version},
+      {"plan_sha256", files.plan.hash()},
+      {"seed", std::to_string(mission.seed)},
+      {"planet", std::string(mission.planet->name)},
+      {"start_time", format_utc(mission.start_time)},
+      {"log_interval_s", fmt::format("{}", seconds(mission.log_interval))},
+      {"parked_log_interval_s", fmt::format("{}", seconds(mission.parked_log_interval))},
+      {"terrain", files.terrain.name},
+      {"terrain_sha256", ground.hash()},
+      {"soil", files.terrain.soil.name},
+  };
+  std::set<std::string> events, rovers;
+  for (const PlanEvent& event : files.plan.events) events.insert(event.type);
+  for (const PlanRover& rover : files.plan.rovers) rovers.insert(rover.type);
+  for (const Script& script : files.catalog->scripts()) {
+    const bool is_used =
+        (script.kind == ScriptKind::event && events.contains(script.name)) ||
+        (script.kind == ScriptKind::rover && rovers.contains(script.name)) ||
+        (script.kind == ScriptKind::terrain && !mission.terrain_is_raster &&
+         script.name == mission.terrain) ||
+        (script.kind == ScriptKind::soil && script.name == files.terrain.soil.name);
+    constexpr const char* kinds[] = {"event", "rover", "terrain", "soil"};
+    if (!is_used) continue;
+    values[fmt::format("{}_{}_sha256", kinds[static_cast<int>(script.kind)], script.name)] =
+        script.sha256;
+  }
+  return values;
+}
+
+}  // namespace lsos

@@ -1,0 +1,37 @@
+// A plan together with the scripts that it names, read and checked.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "lua/catalog.h"
+#include "mission/simulation.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+struct MissionFiles {
+  std::shared_ptr<const Catalog> catalog;  // shared: each rebuilt script host reads it
+  Plan plan;
+  std::map<std::string, RoverSpec> rover_specs;  // by RoverType
+  TerrainSpec terrain;
+  std::vector<std::string> assumptions;
+  Faults faults;  // warnings too
+};
+
+// The scripts that a plan can use, or that any plan can for "".
+std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
+
+// Reads all and collects every fault. `seed` replaces the plan's.
+MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed = {});
+
+// What the simulation starts from; the files must have no errors.
+SimulationSetup simulation_setup(const MissionFiles& files);
+
+// The layer `run`: what the run was made of, nothing that differs between two equal runs.
+std::map<std::string, std::string> run_values(const MissionFiles& files, const Ground& ground);
+
+}  // namespace lsos

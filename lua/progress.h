@@ -1,0 +1,30 @@
+// How far a run has come, on standard error: a bar on a terminal, a line now and then elsewhere.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace lsos {
+
+class Progress {
+ public:
+  explicit Progress(bool is_quiet);
+
+  // `share` of the events that have ended, 0..1. Draws at most ten times a second.
+  void show(double share, double sim_s);
+  // Removes the bar.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool is_quiet_;
+  bool is_terminal_;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point drawn_ = begin_;
+};
+
+// "2 d 03:04:05", "00:12:30".
+std::string clock_text(double time_s);
+
+}  // namespace lsos

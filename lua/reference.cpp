@@ -1,0 +1,137 @@
+#include "lua/reference.h"
+
+#include <fmt/format.h>
+
+#include "lua/api.h"
+#include "lua/handle.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr const char* introduction = R"(# Writing scripts
+
+One file is one thing: `events/Route.lua` is the event type `Route`, `rovers/SEV.lua` the rover type
+`SEV`, `terrain/Flat.lua` the terrain `Flat`, `terrain/soils/ApolloDense.lua` a soil. A script gets
+everything by `local lsos = require 'lsos'` and returns what one constructor made. Scripts are looked
+for beside the plan, then in each folder of `LSOS_PATH`, then among the shipped ones; the first wins.
+
+Everything is in SI units, and a name says which: `speed_mps`, `friction_rad`. Positions are in the
+site frame: metres to the east, north and up.
+
+## How an event runs
+
+An event is a table of named phases. The engine calls a phase as `phase(ev, rover)`; what it returns
+says when it is called next:
+
+| answer | meaning |
+|---|---|
+| nothing | again at the next exchange, 0.1 s later |
+| `'name'` | go on in that phase, now |
+| `lsos.sleep(s)`, `lsos.sleep_until(s)` | again then; nothing polls meanwhile |
+| `lsos.arrival` | again when `rover:follow` has ended |
+| `lsos.done` | the event is completed |
+| `lsos.fail(format, ...)` | the event has failed |
+
+Only `ev.state` lives between two calls, as it is saved with the mission: numbers, texts, booleans,
+vec3, and tables of these with text keys or as lists. A local variable of the file is not saved; use
+it for constants. A phase may be another event:
+
+```lua
+local lsos = require 'lsos'
+
+return lsos.event {
+  api    = 1,
+  doc    = 'Stand still twice as long as the plan says.',
+  params = { duration_s = lsos.duration { kml = 'Duration', unit = 'min', required = true } },
+  start  = 'first',
+  phases = {
+    first  = lsos.sub_event {
+      event  = 'Pause',
+      params = function(ev) return { duration_s = ev.params.duration_s } end,
+      next   = 'second',
+    },
+    second = lsos.sub_event {
+      event  = 'Pause',
+      params = function(ev) return { duration_s = ev.params.duration_s } end,
+    },
+  },
+}
+```
+
+## What is different from plain Lua
+
+Scripts have `assert error ipairs pairs pcall print rawequal rawget rawlen rawset select setmetatable
+getmetatable tonumber tostring type xpcall require` and the libraries `math`, `string`, `table`,
+`utf8`. So that a mission gives the same log every time and no script can hang it:
+
+- `pairs` goes through numbers in ascending order, then texts by bytes; `table.sort` is stable.
+- `lsos.random` is the only source of chance. There is no clock, file, `os`, `io`, `load` or
+  `coroutine`.
+- Assigning a global, or reading one that is not there, is an error.
+- A call may take {0} million instructions, all scripts together {1} MiB of memory.
+- A text pattern with many repetitions (`* + - %b`) works on short texts only.
+- `print` writes a row into the log's notes.
+)";
+
+std::string key_table(const Constructor& constructor) {
+  std::vector<KeyDoc> keys;
+  TableReader reader(keys);
+  constructor.list_keys(reader);
+  std::string text = "| key | | |\n|---|---|---|\n";
+  for (const KeyDoc& key : keys) {
+    text += fmt::format(
+        "| {} | {} | {} |\n",
+        key.is_required ? fmt::format("**`{}`**", key.key) : fmt::format("`{}`", key.key), key.type,
+        key.doc);
+  }
+  return text;
+}
+
+std::string handle_section(const HandleType& type) {
+  std::string text =
+      fmt::format("\n### `{}`\n\n{}\n\n| | | |\n|---|---|---|\n", type.name, type.doc);
+  for (const HandleField& field : type.fields) {
+    text += fmt::format("| `{}.{}` | {} | {} |\n", type.name, field.name, field.type, field.doc);
+  }
+  for (const HandleMethod& method : type.methods) {
+    text += fmt::format("| `{}` | function | {} |\n", method.signature, method.doc);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string api_reference() {
+  const Limits limits;
+  std::string text = introduction;
+  const auto fill_in = [&](std::string_view mark, const std::string& value) {
+    text.replace(text.find(mark), mark.size(), value);
+  };
+  fill_in("{0}", std::to_string(limits.instructions / 1'000'000));
+  fill_in("{1}", std::to_string(limits.memory_bytes >> 20));
+
+  text += "\n## Objects that a phase is given\n";
+  for (const HandleType* type :
+       {&event_handle_type(), &rover_handle_type(), &drive_handle_type()}) {
+    text += handle_section(*type);
+  }
+  text += "\n## Functions and values\n\n| | |\n|---|---|\n";
+  for (const ApiFunction& entry : api_functions()) {
+    text += fmt::format("| `{}` | {} |\n", entry.signature, entry.doc);
+  }
+  for (const ApiConstant& entry : api_constants()) {
+    text += fmt::format("| `lsos.{}` | {} |\n", entry.name, entry.doc);
+  }
+  text += "\n## Constructors\n\nEach takes one table. Keys in bold are required.\n";
+  for (const ApiSection& section : api_sections()) {
+    text += fmt::format("\n### {}\n", section.title);
+    for (const Constructor& constructor : section.constructors) {
+      text += fmt::format("\n#### `lsos.{} {{...}}`\n\n{}\n\n{}", constructor.name, constructor.doc,
+                          key_table(constructor));
+    }
+  }
+  return text;
+}
+
+}  // namespace lsos

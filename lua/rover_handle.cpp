@@ -1,0 +1,144 @@
+// `rover` and `rover.drive`: a rover's state at the last exchange, and the commands to it.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "lua/arguments.h"
+#include "lua/handle.h"
+#include "lua/reader.h"
+#include "lua/state.h"
+#include "lua/vec3.h"
+
+namespace lsos {
+
+namespace {
+
+const EventCall& call_of(lua_State* L) { return handle_call(L, rover_handle_type()); }
+const RoverView& view_of(lua_State* L) { return call_of(L).phase.rover.view(); }
+
+template <auto Member>
+int quantity(lua_State* L) {
+  push_quantity(L, view_of(L).*Member);
+  return 1;
+}
+
+template <auto Member>
+int text(lua_State* L) {
+  lua_pushstring(L, (view_of(L).*Member).c_str());
+  return 1;
+}
+
+int position(lua_State* L) {
+  push_vec3(L, view_of(L).p_S_m);
+  return 1;
+}
+
+int is_parked(lua_State* L) {
+  lua_pushboolean(L, view_of(L).is_parked);
+  return 1;
+}
+
+int drive(lua_State* L) {
+  push_handle(L, drive_handle_type(), call_of(L).instance);
+  return 1;
+}
+
+FollowSettings check_settings(lua_State* L, int argument) {
+  FollowSettings settings;
+  if (lua_isnoneornil(L, argument)) return settings;
+  luaL_checktype(L, argument, LUA_TTABLE);
+  Faults faults;
+  TableReader t(L, argument, "rover:follow", {}, faults);
+  t.number(optional, "speed_mps", settings.speed_mps, positive, "Driving speed.");
+  t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive, "Arrived within.");
+  t.finish();
+  faults.throw_if_errors();
+  return settings;
+}
+
+int follow(lua_State* L) {
+  const EventCall& call = call_of(L);
+  lua_settop(L, 3);
+  const Path3 path = read_path(L, 2, "rover:follow");
+  if (path.empty()) throw std::runtime_error("rover:follow wants at least one waypoint");
+  call.phase.rover.follow(path, check_settings(L, 3));
+  return 0;
+}
+
+int brake(lua_State* L) {
+  call_of(L).phase.rover.brake();
+  return 0;
+}
+
+int distance_to_m(lua_State* L) {
+  lua_pushnumber(L, (check_vec3(L, 2) - view_of(L).p_S_m).norm());
+  return 1;
+}
+
+DriveState drive_of(lua_State* L) {
+  return handle_call(L, drive_handle_type()).phase.rover.drive();
+}
+
+int drive_status(lua_State* L) {
+  static constexpr const char* names[] = {"none", "driving", "arrived", "failed"};
+  lua_pushstring(L, names[static_cast<int>(drive_of(L).status)]);
+  return 1;
+}
+
+int drive_reason(lua_State* L) {
+  lua_pushstring(L, drive_of(L).reason.c_str());
+  return 1;
+}
+
+int drive_remaining_m(lua_State* L) {
+  push_quantity(L, drive_of(L).remaining_m);
+  return 1;
+}
+
+}  // namespace
+
+const HandleType& drive_handle_type() {
+  static const HandleType type{
+      "rover.drive",
+      "What became of the last rover:follow.",
+      {{"status", drive_status, "text", "'none', 'driving', 'arrived' or 'failed'."},
+       {"reason", drive_reason, "text", "Why it failed, else ''."},
+       {"remaining_m", drive_remaining_m, "number", "Along the path."}},
+      {}};
+  return type;
+}
+
+const HandleType& rover_handle_type() {
+  using V = RoverView;
+  static const HandleType type{
+      "rover",
+      "The rover that the event belongs to, as it was at the last exchange. A quantity that is not "
+      "modelled is nil.",
+      {{"id", text<&V::id>, "text", "RoverId of the plan."},
+       {"type", text<&V::type>, "text", "RoverType of the plan."},
+       {"position", position, "vec3", "Reference point, site frame (east, north, up), m."},
+       {"lon_rad", quantity<&V::lon_rad>, "number", "Longitude, east positive."},
+       {"lat_rad", quantity<&V::lat_rad>, "number", "Latitude."},
+       {"elevation_m", quantity<&V::elevation_m>, "number", "Of the ground under it."},
+       {"heading_rad", quantity<&V::heading_rad>, "number", "Clockwise from true north."},
+       {"pitch_rad", quantity<&V::pitch_rad>, "number", "Nose up positive."},
+       {"roll_rad", quantity<&V::roll_rad>, "number", "Right side down positive."},
+       {"speed_mps", quantity<&V::speed_mps>, "number", "Along the ground."},
+       {"distance_m", quantity<&V::distance_m>, "number", "Driven since the mission's start."},
+       {"slope_rad", quantity<&V::slope_rad>, "number", "Of the ground under the wheels."},
+       {"slip", quantity<&V::slip>, "number", "Mean over driven wheels; nil when standing."},
+       {"sinkage_m", quantity<&V::sinkage_m>, "number", "Mean over wheels."},
+       {"drive_w", quantity<&V::drive_w>, "number", "Electrical power of the motors."},
+       {"drive_j", quantity<&V::drive_j>, "number", "Its integral since the mission's start."},
+       {"cruise_speed_mps", quantity<&V::cruise_speed_mps>, "number", "The type's usual speed."},
+       {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
+       {"drive", drive, "rover.drive", "What became of the last rover:follow."}},
+      {{"follow", guard<follow>, "rover:follow(path, { speed_mps = , arrival_radius_m = })",
+        "Drives along waypoints (list of vec3, or one); then answer lsos.arrival."},
+       {"brake", guard<brake>, "rover:brake()", "Stops and holds."},
+       {"distance_to_m", guard<distance_to_m>, "rover:distance_to_m(point)",
+        "Straight distance from the reference point."}}};
+  return type;
+}
+
+}  // namespace lsos

@@ -1,0 +1,30 @@
+// What scripts can reach: an allow list of Lua's own functions, some of them replaced so that no
+// script can hang the program, read an address, or see an order that differs from run to run.
+#pragma once
+
+#include <lua.hpp>
+
+namespace lsos {
+
+// Makes the shared, read-only libraries. Once a state, before any script.
+void make_sandbox(lua_State* L);
+
+// Pushes a new environment for one script file.
+void push_environment(lua_State* L);
+
+// Text of any value without addresses: "rover 'A'", "table", "function". Pushes it.
+void push_text(lua_State* L, int index);
+
+// Replaces the table at the top of the stack by a read-only view of it; `name` is for messages.
+// A missing key is an error with the nearest name.
+void make_read_only(lua_State* L, const char* name);
+
+// Keys of the table at `index` as a new array, pushed: numbers ascending, then strings by bytes.
+// Raises when another key is among them.
+void push_sorted_keys(lua_State* L, int index);
+
+// Replacements, each in its own file; `L`'s top is the library's table.
+void replace_string_functions(lua_State* L);
+void replace_table_functions(lua_State* L);
+
+}  // namespace lsos

@@ -1,0 +1,240 @@
+#include "lua/sandbox_base.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lua/api.h"
+#include "lua/sandbox.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+namespace {
+
+struct Key {
+  bool is_text = false;
+  bool is_integer = false;
+  lua_Integer integer = 0;
+  lua_Number number = 0;
+  std::string text;
+};
+
+bool comes_before(const Key& a, const Key& b) {
+  if (a.is_text != b.is_text) return b.is_text;
+  if (a.is_text) return a.text < b.text;
+  if (a.is_integer && b.is_integer) return a.integer < b.integer;
+  return a.number < b.number;
+}
+
+int sorted_next(lua_State* L) {
+  // Upvalues: the table, its keys, how many were given out.
+  lua_Integer given = lua_tointeger(L, lua_upvalueindex(3));
+  for (;;) {
+    lua_rawgeti(L, lua_upvalueindex(2), ++given);
+    if (lua_isnil(L, -1)) return 1;
+    lua_pushvalue(L, -1);
+    lua_rawget(L, lua_upvalueindex(1));
+    if (!lua_isnil(L, -1)) break;
+    lua_pop(L, 2);  // removed since the loop began
+  }
+  lua_pushinteger(L, given);
+  lua_replace(L, lua_upvalueindex(3));
+  return 2;
+}
+
+int pairs(lua_State* L) {
+  luaL_checkany(L, 1);
+  if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL) {
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 3);
+    return 3;
+  }
+  luaL_checktype(L, 1, LUA_TTABLE);
+  lua_settop(L, 1);
+  push_sorted_keys(L, 1);
+  charge(L, static_cast<lua_Integer>(lua_rawlen(L, 2)));
+  lua_pushinteger(L, 0);
+  lua_pushcclosure(L, guard<sorted_next>, 3);
+  return 1;
+}
+
+int to_text(lua_State* L) {
+  luaL_checkany(L, 1);
+  push_text(L, 1);
+  return 1;
+}
+
+// After a protected call that failed: an error that no script may catch goes on.
+void pass_on_fatal(lua_State* L, int status) {
+  LuaContext& ctx = context(L);
+  if (status == LUA_ERRMEM) note_memory_spent(L);
+  if (!ctx.spent.empty()) {
+    lua_pushlstring(L, ctx.spent.data(), ctx.spent.size());
+    lua_error(L);
+  }
+  if (ctx.internal_error) lua_error(L);
+}
+
+int protected_call(lua_State* L) {
+  luaL_checkany(L, 1);
+  const int status = lua_pcall(L, lua_gettop(L) - 1, LUA_MULTRET, 0);
+  if (status != LUA_OK) pass_on_fatal(L, status);
+  lua_pushboolean(L, status == LUA_OK);
+  lua_insert(L, 1);
+  return lua_gettop(L);
+}
+
+int protected_call_with_handler(lua_State* L) {
+  luaL_checktype(L, 2, LUA_TFUNCTION);
+  lua_pushvalue(L, 2);
+  lua_copy(L, 1, 2);
+  lua_replace(L, 1);  // handler, function, arguments
+  const int status = lua_pcall(L, lua_gettop(L) - 2, LUA_MULTRET, 1);
+  if (status != LUA_OK) pass_on_fatal(L, status);
+  lua_pushboolean(L, status == LUA_OK);
+  lua_replace(L, 1);
+  return lua_gettop(L);
+}
+
+bool is_protected(lua_State* L, int index) {
+  if (luaL_getmetafield(L, index, "__metatable") == LUA_TNIL) return false;
+  lua_pop(L, 1);
+  return true;
+}
+
+int set_metatable(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  luaL_argexpected(L, lua_istable(L, 2) || lua_isnil(L, 2), 2, "nil or table");
+  if (is_protected(L, 1)) throw std::runtime_error("this metatable cannot be changed");
+  if (lua_istable(L, 2)) {
+    // Finalizers and weak tables act when the collector runs, which is not repeatable.
+    for (const char* name : {"__gc", "__mode"}) {
+      lua_pushstring(L, name);
+      lua_rawget(L, 2);
+      if (!lua_isnil(L, -1)) {
+        throw std::runtime_error(fmt::format(
+            "a metatable with '{}' is not allowed: the collector's moment is not repeatable",
+            name));
+      }
+      lua_pop(L, 1);
+    }
+  }
+  lua_settop(L, 2);
+  lua_setmetatable(L, 1);
+  return 1;
+}
+
+int get_metatable(lua_State* L) {
+  luaL_checkany(L, 1);
+  if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL) return 1;
+  if (lua_getmetatable(L, 1) == 0) lua_pushnil(L);
+  return 1;
+}
+
+int raw_set(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
+  luaL_checkany(L, 2);
+  luaL_checkany(L, 3);
+  if (is_protected(L, 1)) throw std::runtime_error("rawset on a table that is read-only");
+  lua_settop(L, 3);
+  lua_rawset(L, 1);
+  return 1;
+}
+
+int require(lua_State* L) {
+  const std::string name = luaL_checkstring(L, 1);
+  if (name != "lsos") {
+    throw std::runtime_error(fmt::format("require '{}': only 'lsos' can be required", name));
+  }
+  push_lsos_module(L);
+  return 1;
+}
+
+// Goes to the notes of the log, under the name "print".
+int print(lua_State* L) {
+  const EventCall& call = running_call(L, "print");
+  std::string line;
+  const int count = lua_gettop(L);
+  for (int i = 1; i <= count; ++i) {
+    push_text(L, i);
+    line += (i > 1 ? "\t" : "") + error_text(L, -1);
+    lua_pop(L, 1);
+  }
+  lua_settop(L, 0);
+  lua_newtable(L);
+  lua_pushlstring(L, line.data(), line.size());
+  lua_setfield(L, 1, "text");
+  call.phase.rover.note("print", fields_json(L, 1));
+  return 0;
+}
+
+}  // namespace
+
+void push_sorted_keys(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  std::vector<Key> keys;
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    lua_pop(L, 1);
+    Key key;
+    if (lua_type(L, -1) == LUA_TSTRING) {
+      key.is_text = true;
+      key.text = error_text(L, -1);
+    } else if (lua_type(L, -1) == LUA_TNUMBER) {
+      key.is_integer = lua_isinteger(L, -1) != 0;
+      key.integer = key.is_integer ? lua_tointeger(L, -1) : 0;
+      key.number = lua_tonumber(L, -1);
+    } else {
+      throw std::runtime_error(
+          fmt::format("a key is a {}: only numbers and texts have an order", luaL_typename(L, -1)));
+    }
+    keys.push_back(std::move(key));
+  }
+  std::ranges::sort(keys, comes_before);
+  lua_createtable(L, static_cast<int>(keys.size()), 0);
+  lua_Integer position = 0;
+  for (const Key& key : keys) {
+    if (key.is_text) lua_pushlstring(L, key.text.data(), key.text.size());
+    if (!key.is_text && key.is_integer) lua_pushinteger(L, key.integer);
+    if (!key.is_text && !key.is_integer) lua_pushnumber(L, key.number);
+    lua_rawseti(L, -2, ++position);
+  }
+}
+
+void push_text(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  const int type = lua_type(L, index);
+  const bool is_plain =
+      type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING;
+  if (is_plain) {
+    luaL_tolstring(L, index, nullptr);
+    return;
+  }
+  if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) {
+    lua_pushstring(L, luaL_typename(L, index));
+    return;
+  }
+  lua_pushvalue(L, index);
+  lua_call(L, 1, 1);
+  if (lua_type(L, -1) != LUA_TSTRING) throw std::runtime_error("'__tostring' must give a text");
+}
+
+void add_base_functions(lua_State* L) {
+  constexpr luaL_Reg functions[] = {{"pairs", guard<pairs>},
+                                    {"tostring", guard<to_text>},
+                                    {"pcall", guard<protected_call>},
+                                    {"xpcall", guard<protected_call_with_handler>},
+                                    {"setmetatable", guard<set_metatable>},
+                                    {"getmetatable", guard<get_metatable>},
+                                    {"rawset", guard<raw_set>},
+                                    {"require", guard<require>},
+                                    {"print", guard<print>},
+                                    {nullptr, nullptr}};
+  luaL_setfuncs(L, functions, 0);
+}
+
+}  // namespace lsos

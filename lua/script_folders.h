@@ -1,0 +1,20 @@
+// Where scripts are looked for.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lua/script.h"
+
+namespace lsos {
+
+// Beside the plan ("" when there is none), then each folder of `lsos_path` (separated by colons),
+// then the shipped ones. Folders that do not exist are harmless.
+std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
+                                         const std::string& shipped_folder);
+
+// The folder of the shipped scripts, seen from the running program: the nearest folder above it
+// that has share/lsos-host/events or events/Route.lua; otherwise `source_folder`.
+std::string shipped_folder(const std::string& program_file, const std::string& source_folder);
+
+}  // namespace lsos

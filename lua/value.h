@@ -1,0 +1,20 @@
+// ev.state as bytes and back: nil, booleans, integers, floats (bit exact), texts, vec3, and tables
+// of these with text keys and a dense list part.
+#pragma once
+
+#include <lua.hpp>
+#include <string>
+
+#include "base/archive.h"
+
+namespace lsos {
+
+// Writes the value at `index`, tables in sorted order. Throws std::runtime_error naming the path
+// ("ev.state.path[3].f") of what cannot be saved: functions, objects, tables with metatables,
+// tables that occur twice or in themselves, lists with holes, other keys than texts.
+void save_value(lua_State* L, int index, const std::string& name, Archive& archive);
+
+// Pushes the value that was saved. Throws Archive::Mismatch for damaged bytes.
+void restore_value(lua_State* L, Archive& archive);
+
+}  // namespace lsos

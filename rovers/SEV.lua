@@ -1,0 +1,100 @@
+-- NASA's Space Exploration Vehicle: a pressurised rover for two, twelve wheels in six steerable
+-- modules of two.
+--
+-- Each number says where it is from: (V) read in the source, (R) recalled, source not seen,
+-- (D) computed from those, (A) our assumption, which summary.json repeats.
+
+local lsos = require 'lsos'
+
+local payload_kg   = 1000                -- R: NASA SEV fact sheet
+local total_kg     = 3000 + payload_kg   -- V: 3000 kg, NASA lunar science LER page
+local wheelbase_m  = 4.0                 -- V: encyclopedia articles on the SEV
+local track_m      = 3.0                 -- A: between the steering axes
+local arm_kg       = 40                  -- A
+local knuckle_kg   = 40                  -- A: with the steering motor and two drive motors
+local wheel_kg     = 30                  -- A
+
+local modules = {}
+for axle, x_m in ipairs { wheelbase_m / 2, 0, -wheelbase_m / 2 } do
+  for side, y_m in ipairs { track_m / 2, -track_m / 2 } do
+    modules[#modules + 1] = lsos.module {
+      name       = ({ 'front', 'middle', 'rear' })[axle] .. ({ '_left', '_right' })[side],
+      position_m = lsos.vec3(x_m, y_m, 0),
+    }
+  end
+end
+
+local chassis = lsos.chassis {
+  mass_kg          = total_kg - #modules * (arm_kg + knuckle_kg + 2 * wheel_kg),  -- D: 3160
+  size_m           = lsos.vec3(4.5, 2.0, 2.4),  -- V: length 4.5; A: width between the wheels
+  clearance_m      = 0.6,                       -- D: height 3 m (V) less the box
+  center_of_mass_m = lsos.vec3(0, 0, 1.3),      -- A: batteries below the floor
+}
+
+local suspension = lsos.wishbone {
+  modules         = modules,
+  arm_mass_kg     = arm_kg,
+  knuckle_mass_kg = knuckle_kg,
+
+  -- A: 0.7 Hz ride with 527 kg a module (D), at 0.7 of critical damping.
+  spring = lsos.spring {
+    stiffness_npm = 1e4,
+    damping_nspm  = 3200,
+    travel_up_m   = 0.25,
+    travel_down_m = 0.25,
+  },
+
+  steering = lsos.steering {
+    angle_max_rad      = math.pi,    -- V: 360 degrees, lunarsettlementindex.org quoting NASA
+    rate_max_radps     = 0.5,        -- A
+    torque_max_n_m     = 2000,       -- A: turns two wheels standing in soil
+    stiffness_n_m_prad = 2e4,        -- A
+    damping_n_m_sprad  = 600,        -- D: 0.7 of critical
+  },
+
+  wheel_offsets_m = { 0.2, -0.2 },   -- A: twin wheels 0.1 m apart
+  wheel = lsos.wheel {
+    radius_m                = 0.495,   -- R: 99 cm diameter, NASA SEV fact sheet
+    width_m                 = 0.305,   -- R: 30.5 cm, the same
+    mass_kg                 = wheel_kg,
+    normal_stiffness_npm    = 1e5,     -- A: 5 mm under a wheel's lunar load
+    normal_damping_nspm     = 2500,    -- A
+    tangential_damping_nspm = 500,     -- A
+  },
+
+  drive = lsos.drive {
+    torque_max_n_m           = 730,    -- D: 4000 lbf in low gear (V: Chariot, 2007) on 12 wheels
+    power_max_w              = 1500,   -- A
+    efficiency               = 0.8,    -- A: motor and gear
+    servo_gain_n_m_sprad     = 300,
+    servo_integral_n_m_prad  = 300,
+    brake_torque_max_n_m     = 1500,   -- A: holds twice what the motor gives
+    brake_stiffness_n_m_prad = 2e4,
+    brake_damping_n_m_sprad  = 200,
+  },
+}
+
+return lsos.rover {
+  api  = 1,
+  name = 'SEV',
+  doc  = 'Pressurised rover for two, twelve wheels in six steerable modules.',
+
+  chassis    = chassis,
+  suspension = suspension,
+
+  step_s            = 0.005,
+  cruise_speed_mps  = 2.0,
+  speed_max_mps     = 2.78,   -- V: 10 km/h in any direction, lunarsettlementindex.org quoting NASA
+  acceleration_mps2 = 0.3,    -- A
+  can_turn_on_spot  = true,   -- D: all modules steer
+
+  assumptions = {
+    'SEV: 4000 kg in all, read as 3000 kg of vehicle and 1000 kg of payload; sources disagree',
+    'SEV: wheel modules of 140 kg (arm 40, knuckle 40, two wheels of 30), track 3 m and centre of '
+      .. 'mass at 1.3 m are assumed',
+    'SEV: springs of 10 kN/m with 0.25 m of travel either way and 0.7 of critical damping are '
+      .. 'assumed',
+    'SEV: motors of 1.5 kW a wheel with an efficiency of 0.8 are assumed; their torque is that of '
+      .. 'the Chariot chassis in low gear',
+  },
+}

@@ -1,0 +1,98 @@
+// Every message that a user can cause is a file: a wrong plan in tests/messages/plan, or a command
+// line in tests/messages/options. A new file is a new case; tests/README.md says how it looks.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "system/process.h"
+#include "system/source_files.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+const fs::path messages = repository() / "tests" / "messages";
+
+std::vector<std::string> names(const fs::path& folder, const std::string& extension) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == extension) names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = fs::path(info.param).stem();
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+// The text after `key` in the lines that start with it, without `ending`.
+Words values(const std::vector<std::string>& lines, const std::string& key,
+             const std::string& ending = "") {
+  Words values;
+  for (const std::string& line : lines) {
+    if (!line.starts_with(key) || !line.ends_with(ending)) continue;
+    values.push_back(line.substr(key.size(), line.size() - key.size() - ending.size()));
+  }
+  return values;
+}
+
+class PlanMessage : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(PlanMessage, is_as_expected) {
+  const fs::path file = messages / "plan" / GetParam();
+  const Words expected = values(read_lines(file), "<!-- expect: ", " -->");
+  ASSERT_FALSE(expected.empty()) << "the first lines must be <!-- expect: TEXT -->";
+  const bool only_warnings = std::ranges::all_of(expected, [](const std::string& text) {
+    return text.find("warning: ") != std::string::npos;
+  });
+
+  const Outcome outcome = run({"check", file.string()});
+  EXPECT_EQ(outcome.exit_code, only_warnings ? 0 : 2) << outcome.err;
+  for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, PlanMessage,
+                         ::testing::ValuesIn(names(messages / "plan", ".kml")), test_name);
+
+class OptionsMessage : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(OptionsMessage, is_as_expected) {
+  const std::vector<std::string> lines = read_lines(messages / "options" / GetParam());
+  const Words expected = values(lines, "expect: ");
+  const Words exit = values(lines, "exit: ");
+  const Words args = values(lines, "args:");
+  ASSERT_FALSE(expected.empty()) << "a line 'expect: TEXT' is wanted";
+  ASSERT_EQ(exit.size(), 1u) << "one line 'exit: N' is wanted";
+  ASSERT_EQ(args.size(), 1u) << "one line 'args: ...' is wanted";
+  std::istringstream words(args[0]);
+  const Words arguments{std::istream_iterator<std::string>(words), {}};
+
+  // There the program finds a plan that is right, and can do no harm.
+  const TempFolder folder;
+  folder.write("plan.kml", read_text(repository() / "plans" / "first_drive.kml"));
+  const Outcome outcome = run(arguments, {.folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, std::stoi(exit[0])) << outcome.err;
+  for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, OptionsMessage,
+                         ::testing::ValuesIn(names(messages / "options", ".txt")), test_name);
+
+TEST(Messages, stand_in_the_folders_that_are_walked) {
+  EXPECT_GT(names(messages / "plan", ".kml").size(), 10u);
+  EXPECT_GT(names(messages / "options", ".txt").size(), 10u);
+}
+
+}  // namespace
+}  // namespace lsos::test

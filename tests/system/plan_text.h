@@ -1,0 +1,38 @@
+// Small plans, written as a mission planner's map tool would.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lsos::test {
+
+using Fields = std::vector<std::pair<std::string, std::string>>;
+
+// One Placemark of ours.
+struct Mark {
+  std::string type;  // the name in its schemaUrl
+  Fields fields;
+  std::string geometry;  // KML, or ""
+};
+
+std::string kml(const std::vector<Mark>& marks);
+
+// "<Point>..." and "<LineString>..." of "lon,lat lon,lat ..." in degrees.
+std::string point(const std::string& coordinates);
+std::string line(const std::string& coordinates);
+
+// On the Moon's `Flat` terrain from 2026-01-01; `more` fields are added.
+Mark mission(const Fields& more = {});
+Mark sev(const std::string& id, const std::string& coordinates);
+Mark event(const std::string& type, const std::string& rover, int sequence, const Fields& more = {},
+           const std::string& geometry = "");
+
+// One SEV that drives 30 m eastwards, pauses for 60 s and waits until 5 minutes have passed.
+std::vector<Mark> short_drive();
+// Two of them that cross each other's way, with events that wait for each other.
+std::vector<Mark> two_rovers();
+// Hours of driving, for who wants to disturb it.
+std::vector<Mark> long_drive();
+
+}  // namespace lsos::test

@@ -1,0 +1,115 @@
+// The commands that the READMEs show, run as they stand there, and the scripts that they name.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "system/process.h"
+#include "system/source_files.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string program_folder = fs::path(LSOS_PROGRAM).parent_path();
+
+// script/run builds in the folder that these tests were built in, where all is up to date.
+Words environment() {
+  return {"LSOS_BUILD=" LSOS_BUILD_DIR, "PATH=" + program_folder + ":" + std::getenv("PATH")};
+}
+
+// The commands in fenced sh blocks that start the program; a trailing backslash goes on.
+Words shown_commands(const fs::path& file) {
+  Words commands;
+  bool is_in_block = false;
+  std::string command;
+  for (const std::string& line : read_lines(file)) {
+    if (line.starts_with("```")) {
+      is_in_block = line == "```sh";
+      continue;
+    }
+    if (!is_in_block) continue;
+    command += line;
+    if (command.ends_with('\\')) {
+      command.pop_back();
+      continue;
+    }
+    if (command.starts_with("script/run ") || command.starts_with("lsos-host ")) {
+      commands.push_back(command);
+    }
+    command.clear();
+  }
+  return commands;
+}
+
+std::vector<std::string> readmes() {
+  std::vector<std::string> files = {"README.md"};
+  for (const auto& folder : fs::directory_iterator(repository())) {
+    const std::string name = folder.path().filename();
+    if (!folder.is_directory() || name.starts_with('.') || name == "build" || name == "out") {
+      continue;
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() == ".md") {
+        files.push_back(fs::relative(entry.path(), repository()));
+      }
+    }
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = info.param;
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+class Readme : public ::testing::TestWithParam<std::string> {};
+
+// In a folder that looks like the repository, so that what the commands write is not left there.
+TEST_P(Readme, shows_commands_that_work) {
+  const fs::path file = repository() / GetParam();
+  if (!fs::exists(file)) GTEST_SKIP() << GetParam() << " is not there";
+  const TempFolder folder;
+  for (const auto& entry : fs::directory_iterator(repository())) {
+    const std::string name = entry.path().filename();
+    if (name == "build" || name == "out" || name == ".git") continue;
+    fs::create_symlink(entry.path(), folder / name);
+  }
+  for (const std::string& command : shown_commands(file)) {
+    const Outcome outcome = run_command({"bash", "-o", "pipefail", "-c", command},
+                                        {.folder = folder.path(), .environment = environment()});
+    EXPECT_EQ(outcome.exit_code, 0) << "$ " << command << "\n" << outcome.err;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Documents, Readme, ::testing::ValuesIn(readmes()), test_name);
+
+TEST(ScriptRun, is_the_program_from_any_folder) {
+  const TempFolder folder;
+  const Outcome direct = run({"list", "events"}, {.folder = folder.path()});
+  const Outcome scripted = run_command({repository() / "script" / "run", "list", "events"},
+                                       {.folder = folder.path(), .environment = environment()});
+  ASSERT_EQ(direct.exit_code, 0) << direct.err;
+  EXPECT_EQ(scripted.exit_code, 0) << scripted.err;
+  EXPECT_EQ(scripted.out, direct.out);
+}
+
+TEST(ScriptRun, passes_on_the_exit_code) {
+  const Outcome outcome =
+      run_command({repository() / "script" / "run", "nowhere.kml"}, {.environment = environment()});
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+}
+
+TEST(ScriptBootstrap, knows_its_groups) {
+  const std::string script = repository() / "script" / "bootstrap";
+  EXPECT_EQ(run_command({script, "toys"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace lsos::test

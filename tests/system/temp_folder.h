@@ -1,0 +1,28 @@
+// A folder for one test, removed with all that is in it at the end.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lsos::test {
+
+class TempFolder {
+ public:
+  TempFolder();
+  ~TempFolder();
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  // Writes a file, with the folders above it, and returns its path.
+  std::string write(const std::string& name, const std::string& text) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+// "" when there is no such file.
+std::string read_text(const std::filesystem::path& file);
+
+}  // namespace lsos::test

@@ -1,0 +1,135 @@
+// Scripts given as text, in a folder of their own, and a rover that only remembers commands.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lua/catalog.h"
+#include "lua/host.h"
+#include "lua/script_folders.h"
+
+namespace lsos {
+
+class RecordingRover : public RoverPort {
+ public:
+  RoverView rover;
+  DriveState drive_state;
+  std::vector<std::string> calls;  // "brake", "follow 2 points", "note NAME JSON"
+  Path3 path;
+  FollowSettings settings;
+
+  const RoverView& view() const override { return rover; }
+  DriveState drive() const override { return drive_state; }
+  void follow(const Path3& path_S_m, const FollowSettings& with) override {
+    path = path_S_m;
+    settings = with;
+    calls.push_back("follow " + std::to_string(path.size()) + " points");
+  }
+  void brake() override { calls.push_back("brake"); }
+  void note(const std::string& name, const std::string& fields_json) override {
+    calls.push_back("note " + name + " " + fields_json);
+  }
+};
+
+// A folder with scripts that is removed with the object.
+class ScriptDirectory {
+ public:
+  ScriptDirectory() {
+    static std::atomic<int> count = 0;
+    path_ = std::filesystem::path(::testing::TempDir()) /
+            ("lsos_lua_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
+    std::filesystem::create_directories(path_);
+  }
+  ~ScriptDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScriptDirectory(const ScriptDirectory&) = delete;
+  ScriptDirectory& operator=(const ScriptDirectory&) = delete;
+
+  // write("events/Route.lua", text)
+  void write(const std::string& file, const std::string& text) const {
+    std::filesystem::create_directories((path_ / file).parent_path());
+    std::ofstream(path_ / file, std::ios::binary) << text;
+  }
+  std::string path() const { return path_.string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string errors_of(const Catalog& catalog, ScriptKind kind, const std::string& name) {
+  std::string text;
+  for (const Fault& fault : catalog.faults_of(kind, name)) text += to_string(fault) + "\n";
+  return text;
+}
+
+// One event with the phases that a test gives as text, and what runs it.
+class EventRun {
+ public:
+  // `body` is the Lua text before `return lsos.event {...}`; `event` what stands in its braces
+  // beside api, doc and start = 'go'.
+  EventRun(const std::string& body, const std::string& event, const EventArguments& arguments = {},
+           const Limits& limits = {}) {
+    directory.write("events/Probe.lua", "local lsos = require 'lsos'\n" + body +
+                                            "\nreturn lsos.event { api = 1, doc = 'A probe.', "
+                                            "start = 'go', " +
+                                            event + " }\n");
+    catalog = std::make_unique<Catalog>(
+        std::vector<ScriptFolder>{{directory.path(), ""}, {LSOS_SOURCE_DIR, "shipped"}});
+    const std::string errors = errors_of(*catalog, ScriptKind::event, "Probe");
+    if (!errors.empty()) throw std::runtime_error(errors);
+    host = std::make_unique<LuaHost>(*catalog, limits);
+    instance = host->begin("Probe", arguments);
+    context.label = "probe 1";
+    context.rover_id = "A";
+    context.sequence = 10;
+    context.seed = 7;
+  }
+
+  // A phase `go` with this text as its body.
+  static std::unique_ptr<EventRun> of_phase(const std::string& text,
+                                            const EventArguments& arguments = {},
+                                            const Limits& limits = {}) {
+    return std::make_unique<EventRun>("local function go(ev, rover)\n" + text + "\nend",
+                                      "geometry = { 'none', 'point', 'line' }, "
+                                      "phases = { go = go }",
+                                      arguments, limits);
+  }
+
+  PhaseAnswer run(const std::string& phase = "go") {
+    return host->run_phase(instance, phase, context);
+  }
+  // The message of the ScriptError that the phase must give.
+  std::string error(const std::string& phase = "go") {
+    try {
+      run(phase);
+    } catch (const ScriptError& failure) {
+      return failure.what();
+    }
+    return "no error";
+  }
+  // As torture mode does: everything thrown away and read back.
+  void recreate(const EventArguments& arguments = {}) {
+    const std::string bytes = host->save(instance);
+    host = std::make_unique<LuaHost>(*catalog);
+    instance = host->begin("Probe", arguments);
+    host->restore(instance, bytes);
+  }
+
+  ScriptDirectory directory;
+  std::unique_ptr<Catalog> catalog;
+  std::unique_ptr<LuaHost> host;
+  ScriptInstance instance = 0;
+  RecordingRover rover;
+  PhaseContext context{rover, {}, {}, {}, {}, 0, "", 0, ""};
+};
+
+}  // namespace lsos

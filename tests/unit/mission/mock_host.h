@@ -1,0 +1,62 @@
+// A script host without scripts: event types whose phases are C++ functions. State is a number.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "mission/script_host.h"
+
+namespace lsos::test {
+
+struct MockInstance {
+  std::string type;
+  EventArguments arguments;
+  double state = 0;
+};
+
+class MockHost : public ScriptHost {
+ public:
+  using Phase = std::function<PhaseAnswer(MockInstance&, PhaseContext&)>;
+
+  // The first phase of a type is its start.
+  void add(const std::string& type, const std::string& phase, Phase function) {
+    EventDeclaration& declaration = declarations_.events[type];
+    declaration.name = type;
+    if (declaration.start_phase.empty()) declaration.start_phase = phase;
+    declaration.phases.push_back({phase, "", ""});
+    phases_[{type, phase}] = std::move(function);
+  }
+  void set_drives(const std::string& type) { declarations_.events[type].drives = true; }
+
+  const Declarations& declarations() const override { return declarations_; }
+  ScriptInstance begin(const std::string& type, const EventArguments& arguments) override {
+    instances_[++last_] = {type, arguments, 0};
+    return last_;
+  }
+  PhaseAnswer run_phase(ScriptInstance id, const std::string& phase,
+                        PhaseContext& context) override {
+    ++calls;
+    return phases_.at({instances_.at(id).type, phase})(instances_.at(id), context);
+  }
+  void run_abort(ScriptInstance, PhaseContext& context) override {
+    ++aborts;
+    context.rover.brake();
+  }
+  void end(ScriptInstance id) override { instances_.erase(id); }
+  std::string save(ScriptInstance id) override { return std::to_string(instances_.at(id).state); }
+  void restore(ScriptInstance id, const std::string& bytes) override {
+    instances_.at(id).state = std::stod(bytes);
+  }
+
+  static inline int calls = 0;
+  static inline int aborts = 0;
+
+ private:
+  Declarations declarations_;
+  std::map<std::pair<std::string, std::string>, Phase> phases_;
+  std::map<ScriptInstance, MockInstance> instances_;
+  ScriptInstance last_ = 0;
+};
+
+}  // namespace lsos::test

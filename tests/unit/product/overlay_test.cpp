@@ -1,0 +1,201 @@
+// overlay.kml from a small log, as KML and as GIS tools read it.
+#include "product/overlay.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "product/files.h"
+#include "product/rover_track.h"
+#include "unit/record/log_fixture.h"
+
+namespace lsos {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+int count_of(const std::string& text, const std::string& part) {
+  int count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// Two rovers, one of which drives `count` samples along a line; "B" stands still.
+void write_log(const std::string& file, int count) {
+  LogWriter log(file, moon_crs, test_start());
+  for (int i = 0; i < count; ++i) {
+    SampleRow row = test_sample(i);
+    log.write(row);
+    row.rover_id = "SEV2";
+    row.place = test_sample(0).place;
+    log.write(row);
+  }
+  EventRow event = test_event();
+  event.status = EventStatus::failed;
+  event.reason = "stuck <deep> & fast";
+  event.end = SimTime{5'000'000};
+  event.place = test_sample(2).place;
+  log.write(event);
+  event.sequence = 20;
+  event.label = "Route 20";
+  event.status = EventStatus::not_started;
+  event.ready = event.start = event.end = std::nullopt;
+  event.place = std::nullopt;
+  log.write(event);
+  log.write(NoteRow{SimTime{4'000'000}, "SEV1", 10, "reached", R"({"waypoint":2})",
+                    test_sample(2).place});
+  log.finish();
+}
+
+Plan test_plan() {
+  Plan plan;
+  plan.mission.planet = find_body("Moon");
+  plan.mission.start_time = test_start();
+  PlanEvent route;
+  route.rover_id = "SEV1";
+  route.sequence = 10;
+  route.type = "Route";
+  route.label = "Route 10";
+  route.geometry = {GeometryKind::line,
+                    {geodetic_from_degrees(-10.5, -89.25), geodetic_from_degrees(-10.4, -89.25)},
+                    7};
+  plan.events = {route};
+  return plan;
+}
+
+std::string overlay_of(const TestFolder& folder, int count) {
+  write_log(folder / "log.gpkg", count);
+  write_overlay(folder.path(), test_plan());
+  return read_file(folder / "overlay.kml").value_or("");
+}
+
+std::string output_of(const std::string& command, const std::string& file) {
+  const int status = std::system((command + " > '" + file + "' 2>&1").c_str());
+  return read_file(file).value_or("") + (status == 0 ? "" : "[failed]");
+}
+
+bool has_program(const std::string& name) {
+  return std::system(("command -v " + name + " > /dev/null").c_str()) == 0;
+}
+
+TEST(Overlay, shows_what_was_planned_and_what_was_driven) {
+  const TestFolder folder;
+  const std::string kml = overlay_of(folder, 5);
+
+  EXPECT_THAT(kml, HasSubstr("<name>SEV1 Route 10 (plan)</name>"));
+  EXPECT_THAT(kml, HasSubstr("-10.500000000,-89.250000000 -10.400000000,-89.250000000"));
+  EXPECT_THAT(kml, HasSubstr("<name>SEV1 driven</name>"));
+  EXPECT_THAT(kml, HasSubstr("<color>ff0000ff</color>"));
+  EXPECT_THAT(kml, HasSubstr("<color>ffff0000</color>"));
+  EXPECT_EQ(count_of(kml, "<LineString>"), 2) << "SEV2 drew no line and drove none";
+}
+
+TEST(Overlay, shows_events_and_notes_where_they_happened) {
+  const TestFolder folder;
+  const std::string kml = overlay_of(folder, 5);
+
+  EXPECT_THAT(kml, HasSubstr("<description>failed: stuck &lt;deep&gt; &amp; fast</description>"));
+  EXPECT_THAT(kml, HasSubstr("<begin>2026-07-01T12:00:00.100Z</begin>"));
+  EXPECT_THAT(kml, HasSubstr("<end>2026-07-01T12:00:05.000Z</end>"));
+  EXPECT_THAT(kml, HasSubstr("<SimpleData name=\"status\">not_started</SimpleData>"));
+  EXPECT_THAT(kml, HasSubstr("<name>reached</name>"));
+}
+
+TEST(Overlay, carries_every_column_of_the_samples) {
+  const TestFolder folder;
+  const std::string kml = overlay_of(folder, 3);
+
+  for (const char* name : {"time_s", "utc", "slip_max", "incidence", "phase"}) {
+    EXPECT_THAT(kml, HasSubstr("name=\"" + std::string(name) + "\"/>")) << name;
+  }
+  EXPECT_THAT(kml, HasSubstr("<SimpleData name=\"speed_mps\">0.3</SimpleData>"));
+  EXPECT_THAT(kml, HasSubstr("<SimpleData name=\"utc\">2026-07-01T12:00:04.000Z</SimpleData>"));
+  EXPECT_THAT(kml, Not(HasSubstr("<SimpleData name=\"energy_j\">"))) << "not modelled: NULL";
+  EXPECT_EQ(count_of(kml, "#lsos_samples"), 6);
+}
+
+TEST(Overlay, has_at_most_2000_samples_a_rover) {
+  const TestFolder folder;
+  const std::string kml = overlay_of(folder, 5000);
+
+  // 0..9998 s in steps of 2 s: every third is the densest that fits.
+  EXPECT_EQ(count_of(kml, "<name>SEV1 6 s</name>"), 1);
+  EXPECT_EQ(count_of(kml, "<name>SEV1 2 s</name>"), 0);
+  EXPECT_EQ(count_of(kml, "#lsos_samples"), 2 * 1667);
+}
+
+TEST(Overlay, is_valid_against_the_schema_of_kml) {
+  const char* data = std::getenv("LSOS_REFERENCE_DATA");
+  const std::string schema =
+      std::string(data != nullptr ? data : LSOS_SOURCE_DIR "/../shared/data") +
+      "/kml/xsd/ogckml22.xsd";
+  if (!read_file(schema)) GTEST_SKIP() << "no reference data: " << schema;
+  if (!has_program("xmllint")) GTEST_SKIP() << "no xmllint here";
+  const TestFolder folder;
+  overlay_of(folder, 5);
+  // The catalog beside the schema names local copies of what it includes.
+  const std::string catalog = schema.substr(0, schema.rfind('/')) + "/catalog.xml";
+  const std::string command = "XML_CATALOG_FILES='" + catalog +
+                              "' xmllint --nonet --noout --schema '" + schema + "' '" +
+                              (folder / "overlay.kml") + "'";
+  EXPECT_THAT(output_of(command, folder / "answer.txt"), HasSubstr("overlay.kml validates"));
+}
+
+TEST(Overlay, is_read_by_gis_tools_with_its_fields) {
+  if (!has_program("ogrinfo")) GTEST_SKIP() << "no ogrinfo here";
+  const TestFolder folder;
+  overlay_of(folder, 5);
+  const std::string answer =
+      output_of("ogrinfo -ro -al '" + (folder / "overlay.kml") + "'", folder / "answer.txt");
+
+  EXPECT_THAT(answer, HasSubstr("Layer name: SEV1 samples"));
+  EXPECT_THAT(answer, HasSubstr("speed_mps (Real) = 0.3"));
+  EXPECT_THAT(answer, HasSubstr("Layer name: SEV1 events"));
+  EXPECT_THAT(answer, HasSubstr("status (String) = failed"));
+  EXPECT_THAT(answer, HasSubstr("sequence (Integer) = 10"));
+  EXPECT_THAT(answer, HasSubstr("fields (String) = {\"waypoint\":2}"));
+  EXPECT_THAT(answer, HasSubstr("LINESTRING"));
+  EXPECT_THAT(answer, Not(HasSubstr("ERROR")));
+}
+
+TEST(Overlay, of_a_log_without_samples_has_no_rovers) {
+  const TestFolder folder;
+  LogWriter(folder / "log.gpkg", moon_crs, test_start()).finish();
+  EXPECT_THAT(overlay_kml(LogReader(folder / "log.gpkg"), test_plan()), Not(HasSubstr("SEV1")));
+}
+
+TEST(SampleInterval, is_as_short_as_the_count_allows) {
+  const SimTime s{1'000'000};
+  EXPECT_EQ(sample_interval(100 * s, 2000, 2 * s, 2 * s), 2 * s);
+  EXPECT_EQ(sample_interval(3998 * s, 2000, 2 * s, 2 * s), 2 * s);
+  EXPECT_EQ(sample_interval(4000 * s, 2000, 2 * s, 2 * s), 4 * s);
+  EXPECT_EQ(sample_interval(SimTime{0}, 2000, 2 * s, 2 * s), 2 * s);
+}
+
+TEST(SampleInterval, falls_on_the_rows_of_parked_rovers) {
+  const SimTime s{1'000'000};
+  // Four weeks: 1210.2 s would do; 1260 s are 21 rows of a parked rover.
+  EXPECT_EQ(sample_interval(28 * 86'400 * s, 2000, 2 * s, 60 * s), 1260 * s);
+  // A parked interval of an hour would leave two samples of two hours.
+  EXPECT_EQ(sample_interval(7200 * s, 2000, 2 * s, 3600 * s), 4 * s);
+}
+
+TEST(RoverTrack, has_a_line_that_ends_where_the_rover_stands) {
+  RoverTrack track(*find_body("Moon"), SimTime{2'000'000});
+  for (int i = 0; i <= 10; ++i) {
+    SampleRow row = test_sample(i);
+    // 0.2 m a sample northward on a sphere of the Moon's radius.
+    const double step_rad = 0.2 / find_body("Moon")->equatorial_radius_m;
+    row.place = {0.1, 0.2 + step_rad * i, 0};
+    track.add(row);
+  }
+  const std::vector<Geodetic> line = track.line();
+  // At 0, 0.6, 1.2, 1.8 and 2.0 m.
+  ASSERT_EQ(line.size(), 5u);
+  EXPECT_NEAR(surface_distance_m(*find_body("Moon"), line.front(), line.back()), 2.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace lsos

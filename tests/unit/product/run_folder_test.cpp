@@ -1,0 +1,148 @@
+// The rules for touching a folder: each with its message.
+#include "product/run_folder.h"
+
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "product/files.h"
+#include "product/summary.h"
+#include "unit/record/log_fixture.h"
+
+namespace lsos {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string refusal_of(const std::string& path, bool force = false) {
+  try {
+    const RunFolder folder(path, force);
+    return "not refused";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+void write_finished_run(const std::string& path) {
+  RunFolder run(path, false);
+  run.prepare();
+  write_file(run.file("log.gpkg"), "log");
+  write_file(run.file("overlay.kml"), "overlay");
+  write_file(run.file("plan.kml"), "plan");
+  write_summary(path, {});
+}
+
+TEST(RunFolder, is_named_after_the_plan) {
+  EXPECT_EQ(default_run_folder("plans/south.pole.kml"), "out/south.pole");
+  EXPECT_EQ(default_run_folder("a.kmz"), "out/a");
+}
+
+TEST(RunFolder, is_made_with_its_parents) {
+  const TestFolder folder;
+  write_finished_run(folder / "out/a");
+  EXPECT_TRUE(fs::exists(folder / "out/a/summary.json"));
+  EXPECT_FALSE(fs::exists(folder / "out/a/.lsos-host.lock"));
+}
+
+TEST(RunFolder, leaves_nothing_when_the_run_did_not_begin) {
+  const TestFolder folder;
+  { const RunFolder run(folder / "out/a", false); }
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(RunFolder, replaces_a_finished_run_only_when_told) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  write_finished_run(path);
+  write_file(path + "/my notes.txt", "mine");
+  {
+    const RunFolder run(path, false);
+    EXPECT_TRUE(fs::exists(path + "/summary.json"));
+  }
+  EXPECT_TRUE(fs::exists(path + "/log.gpkg"));
+  RunFolder run(path, false);
+  run.prepare();
+  for (const char* name : {"log.gpkg", "overlay.kml", "plan.kml", "summary.json"}) {
+    EXPECT_FALSE(fs::exists(run.file(name))) << name;
+  }
+  EXPECT_EQ(read_file(path + "/my notes.txt"), "mine");
+}
+
+TEST(RunFolder, refuses_an_unfinished_run_unless_forced) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  { RunFolder(path, false).prepare(); }
+  EXPECT_THAT(refusal_of(path), HasSubstr("a: holds a run that has not finished; --force"));
+  EXPECT_THAT(refusal_of(path), HasSubstr("--force")) << "looking changes nothing";
+  EXPECT_EQ(refusal_of(path, true), "not refused");
+}
+
+TEST(RunFolder, knows_an_unfinished_run_by_its_log) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  fs::create_directory(path);
+  { LogWriter(path + "/log.gpkg", moon_crs, test_start()).commit(); }
+  EXPECT_THAT(refusal_of(path), HasSubstr("--force"));
+  RunFolder run(path, true);
+  run.prepare();
+  EXPECT_FALSE(fs::exists(path + "/log.gpkg"));
+}
+
+TEST(RunFolder, never_touches_what_is_not_ours) {
+  const TestFolder folder;
+  for (const char* name : {"plan.kml", "log.gpkg", "summary.json", "thesis.doc"}) {
+    const std::string path = folder / (std::string("with ") + name);
+    fs::create_directory(path);
+    write_file(path + "/" + name, "theirs");
+    for (const bool force : {false, true}) {
+      EXPECT_THAT(refusal_of(path, force), HasSubstr("no run of lsos-host")) << name;
+    }
+    EXPECT_EQ(read_file(path + "/" + name), "theirs");
+    EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 1) << name;
+  }
+}
+
+TEST(RunFolder, follows_no_link_out_of_the_folder) {
+  const TestFolder folder;
+  write_finished_run(folder / "other");
+  const std::string path = folder / "a";
+  write_finished_run(path);
+  fs::remove(path + "/log.gpkg");
+  fs::create_symlink(folder / "other/log.gpkg", path + "/log.gpkg");
+  EXPECT_THAT(refusal_of(path, true), HasSubstr("no run of lsos-host"));
+  EXPECT_TRUE(fs::exists(folder / "other/log.gpkg"));
+}
+
+TEST(RunFolder, refuses_a_file) {
+  const TestFolder folder;
+  write_file(folder / "a", "theirs");
+  EXPECT_THAT(refusal_of(folder / "a", true), HasSubstr("a: is a file, not a folder"));
+  EXPECT_THAT(refusal_of(folder / "a/b", true), HasSubstr("cannot be the folder of a run"));
+  EXPECT_EQ(read_file(folder / "a"), "theirs");
+}
+
+TEST(RunFolder, keeps_out_a_second_writer) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  {
+    RunFolder first(path, false);
+    EXPECT_THAT(refusal_of(path), HasSubstr("another lsos-host is writing there"));
+    first.prepare();
+    EXPECT_THAT(refusal_of(path, true), HasSubstr("another lsos-host is writing there"));
+    write_summary(path, {});
+  }
+  EXPECT_EQ(refusal_of(path), "not refused");
+}
+
+TEST(RunFolder, removes_what_a_kill_left_half_written) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  { RunFolder(path, false).prepare(); }
+  write_file(path + "/overlay.kml.part", "half");
+  RunFolder run(path, true);
+  run.prepare();
+  EXPECT_FALSE(fs::exists(path + "/overlay.kml.part"));
+}
+
+}  // namespace
+}  // namespace lsos

@@ -1,0 +1,129 @@
+#include "vehicle/path_follower.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/units.h"
+#include "test_rover.h"
+#include "vehicle/vehicle.h"
+
+namespace lsos {
+namespace {
+
+constexpr double g = 1.6242;
+constexpr double period_s = 0.1;
+
+double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 along = line[i + 1] - line[i];
+    const double t = std::clamp((p - line[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (p - line[i] - t * along).norm());
+  }
+  return nearest;
+}
+
+struct Drive {
+  PathFollower::Status status = PathFollower::Status::driving;
+  double worst_m = 0;      // farthest from the line
+  double to_goal_m = 0;
+  std::string reason;
+};
+
+Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double heading_rad) {
+  Vehicle vehicle(test::rover(g), ground);
+  EXPECT_TRUE(vehicle.place({0.1, 0.2, 0}, heading_rad));
+  const auto pose = [&] {
+    const VehicleReport report = vehicle.report();
+    return FollowerPose{report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps};
+  };
+  Path3 path;
+  std::vector<Vec2> line{Vec2::Zero()};
+  for (const Vec2& p : waypoints) {
+    path.push_back({p.x(), p.y(), 0});
+    line.push_back(p);
+  }
+  FollowerLimits limits;
+  limits.speed_mps = 2;
+  limits.acceleration_mps2 = 0.3;
+  PathFollower follower(path, pose(), limits);
+  Drive result;
+  for (int i = 0; i < 20000 && follower.status() == PathFollower::Status::driving; ++i) {
+    vehicle.command(follower.update(pose(), period_s));
+    vehicle.advance(exchange_period);
+    result.worst_m = std::max(result.worst_m, distance_to_line_m(pose().p_S_m, line));
+  }
+  result.status = follower.status();
+  result.reason = follower.reason();
+  result.to_goal_m = (pose().p_S_m - line.back()).norm();
+  return result;
+}
+
+TEST(PathFollower, holds_a_line_with_corners_and_stops_at_its_end) {
+  const auto ground = test::moon();
+  const Drive result =
+      drive(*ground, {{40, 0}, {40, 30}, {70, 45}, {100, 50}, {60, 80}}, radians(90));
+  EXPECT_EQ(result.status, PathFollower::Status::arrived) << result.reason;
+  EXPECT_LT(result.worst_m, 0.5);
+  EXPECT_LT(result.to_goal_m, 0.3);
+}
+
+TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_one) {
+  DrivingLimits limits;
+  limits.speed_mps = 2;
+  const std::vector<DrivingLeg> line =
+      driving_line({{0, 0}, {40, 0}, {80, 10}, {80, 50}}, limits);
+  std::vector<Vec2> points{{0, 0}};
+  int stops = 0;
+  for (const DrivingLeg& leg : line) {
+    points.push_back(leg.from_S_m + leg.length_m * leg.along_S);
+    stops += leg.ends_in_stop;
+  }
+  EXPECT_NEAR(distance_to_line_m({40, 0}, points), 0.2, 0.03);
+  EXPECT_EQ(stops, 2);  // the sharp corner and the end
+  // Every leg can be driven: speeds change no faster than the acceleration allows.
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    EXPECT_LE(line[i].end_speed_mps, line[i + 1].speed_max_mps + 1e-12);
+    EXPECT_NEAR((line[i].from_S_m + line[i].length_m * line[i].along_S - line[i + 1].from_S_m).norm(),
+                0, 1e-9);
+  }
+}
+
+TEST(PathFollower, holds_a_line_across_a_slope) {
+  const auto ground = test::moon(radians(15), radians(180));
+  const Drive result = drive(*ground, {{60, 0}}, radians(90));
+  EXPECT_EQ(result.status, PathFollower::Status::arrived) << result.reason;
+  EXPECT_LT(result.worst_m, 0.5);
+}
+
+TEST(PathFollower, begins_by_turning_when_the_line_lies_behind) {
+  const auto ground = test::moon();
+  const Drive result = drive(*ground, {{-30, 5}}, radians(90));
+  EXPECT_EQ(result.status, PathFollower::Status::arrived) << result.reason;
+  EXPECT_LT(result.worst_m, 0.5);
+}
+
+TEST(PathFollower, says_that_it_is_stuck_when_it_gets_nowhere) {
+  FollowerLimits limits;
+  const FollowerPose pose{Vec2::Zero(), 0, 0};
+  PathFollower follower({{100, 0, 0}}, pose, limits);
+  int periods = 0;
+  while (follower.status() == PathFollower::Status::driving && periods < 10000) {
+    follower.update(pose, period_s);
+    ++periods;
+  }
+  EXPECT_EQ(follower.status(), PathFollower::Status::failed);
+  EXPECT_NE(follower.reason().find("stuck"), std::string::npos);
+  EXPECT_NEAR(periods * period_s, 60, 1);
+}
+
+TEST(PathFollower, a_line_that_ends_where_the_rover_stands_is_done_at_once) {
+  const FollowerPose pose{Vec2(3, 4), 0, 0};
+  PathFollower follower({{3, 4, 0}}, pose, {});
+  EXPECT_TRUE(follower.update(pose, period_s).is_braking);
+  EXPECT_EQ(follower.status(), PathFollower::Status::arrived);
+}
+
+}  // namespace
+}  // namespace lsos

@@ -1,0 +1,168 @@
+#include "vehicle/vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/units.h"
+#include "test_rover.h"
+#include "vehicle/vehicle_checks.h"
+
+namespace lsos {
+namespace {
+
+constexpr double g = 1.6242;  // GM / R^2 of the Moon
+const Geodetic start{0.1, 0.2, 0};
+
+void run(Vehicle& vehicle, double duration_s) {
+  for (int i = 0; i < static_cast<int>(duration_s * 10); ++i) vehicle.advance(exchange_period);
+}
+
+TEST(Vehicle, stands_level_on_level_ground_at_its_ride_height) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_TRUE(vehicle.place(start, radians(30)));
+  const VehicleReport report = vehicle.report();
+  EXPECT_NEAR(report.heading_rad, radians(30), 1e-6);
+  EXPECT_NEAR(report.pitch_rad, 0, 1e-4);
+  EXPECT_NEAR(report.roll_rad, 0, 1e-4);
+  EXPECT_EQ(report.speed_mps, 0);
+  // Springs carry the weight, so wheels sit as deep as the weight compresses them:
+  // 3840 kg x g / 12 wheels / 1e5 N/m = 5.2 mm.
+  EXPECT_NEAR(report.p_S_m.z(), -3840 * g / 12 / 1e5, 5e-4);
+}
+
+TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_TRUE(vehicle.place(start, radians(90)));
+  vehicle.command({1.5, 0, false});
+  run(vehicle, 20);
+  const VehicleReport report = vehicle.report();
+  EXPECT_NEAR(report.speed_mps, 1.5, 0.05);
+  EXPECT_NEAR(report.p_S_m.y(), 0, 0.01);
+  EXPECT_NEAR(report.p_S_m.x(), vehicle.distance_m(), 0.01);
+  EXPECT_GT(report.slip, 0);
+  EXPECT_LT(report.slip, 0.05);
+}
+
+TEST(Vehicle, steady_drive_power_is_the_rolling_resistance) {
+  const auto ground = test::moon();
+  const VehicleConfig config = test::rover(g);
+  Vehicle vehicle(config, *ground);
+  ASSERT_TRUE(vehicle.place(start, 0));
+  vehicle.command({1, 0, false});
+  run(vehicle, 20);
+  // Second method: resistance of twelve equally loaded wheels from the pressure law.
+  const Wheel& wheel = *config.links[2].wheel;
+  const double z_m = sinkage_m(test::soil(), wheel, config.mass_kg() * g / 12);
+  const double resistance_n = 12 * compaction_resistance_n(test::soil(), wheel, z_m);
+  // Rims turn at the 1 m/s commanded; the ground passes slower by the slip.
+  const double expected_w = resistance_n * 1.0 / 0.8;
+  EXPECT_NEAR(vehicle.drive_w(), expected_w, 0.03 * expected_w);
+}
+
+TEST(Vehicle, climbing_takes_the_work_of_climbing) {
+  const auto flat = test::moon();
+  const auto hill = test::moon(radians(8), radians(180));  // rises to the north
+  double energy_jpm[2], slip = 0, rise = 0;
+  int i = 0;
+  for (const Ground* ground : {flat.get(), hill.get()}) {
+    Vehicle vehicle(test::rover(g), *ground);
+    ASSERT_TRUE(vehicle.place(start, 0));
+    vehicle.command({1, 0, false});
+    run(vehicle, 20);
+    const double before_j = vehicle.drive_j(), before_m = vehicle.distance_m();
+    const double z_m = vehicle.report().p_S_m.z();
+    run(vehicle, 60);
+    const double driven_m = vehicle.distance_m() - before_m;
+    energy_jpm[i++] = (vehicle.drive_j() - before_j) / driven_m;
+    rise = (vehicle.report().p_S_m.z() - z_m) / driven_m;
+    slip = vehicle.report().slip;
+  }
+  EXPECT_NEAR(rise, std::sin(radians(8)), 1e-3);
+  // Rims go 1/(1 - slip) as far as the rover; resistance falls a little with the load's cosine.
+  const double climb_jpm = 3840 * g * rise / 0.8 / (1 - slip);
+  EXPECT_NEAR(energy_jpm[1] - energy_jpm[0] / (1 - slip), climb_jpm, 0.04 * climb_jpm);
+}
+
+TEST(Vehicle, holds_on_a_slope_with_its_brakes) {
+  const auto ground = test::moon(radians(20), radians(90));
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_TRUE(vehicle.place(start, radians(90)));
+  run(vehicle, 20);
+  const Vec3 before_S_m = vehicle.report().p_S_m;
+  run(vehicle, 300);
+  EXPECT_LT((vehicle.report().p_S_m - before_S_m).norm(), 1e-6);
+  EXPECT_NEAR(vehicle.report().slope_rad, radians(20), 1e-3);
+  EXPECT_NEAR(vehicle.report().pitch_rad, radians(-20), 0.02);
+}
+
+TEST(Vehicle, turns_on_the_spot) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_TRUE(vehicle.place(start, 0));
+  vehicle.command({0, 0.1, false});
+  for (int i = 0; i < 200; ++i) {
+    vehicle.advance(exchange_period);
+    vehicle.command({0, 0.1, false});
+  }
+  const VehicleReport report = vehicle.report();
+  EXPECT_LT(report.p_S_m.head<2>().norm(), 0.2);
+  // To the left, so the heading falls from north; wheels need seconds to turn into place first.
+  EXPECT_GT(report.heading_rad, 2 * std::numbers::pi - 0.1 * 20);
+  EXPECT_LT(report.heading_rad, 2 * std::numbers::pi - 0.1 * 12);
+}
+
+TEST(Vehicle, half_the_step_ends_at_the_same_place) {
+  const auto ground = test::moon(radians(5), radians(200));
+  VehicleReport ends[2];
+  double energy_j[2];
+  for (const int i : {0, 1}) {
+    VehicleConfig config = test::rover(g);
+    if (i == 1) config.step /= 2;
+    Vehicle vehicle(config, *ground);
+    ASSERT_TRUE(vehicle.place(start, 0));
+    vehicle.command({1.5, 0.02, false});
+    run(vehicle, 60);
+    ends[i] = vehicle.report();
+    energy_j[i] = vehicle.drive_j();
+  }
+  EXPECT_LT((ends[0].p_S_m - ends[1].p_S_m).norm(), 0.02);
+  EXPECT_NEAR(energy_j[0], energy_j[1], 0.01 * energy_j[0]);
+}
+
+TEST(Vehicle, goes_on_bit_for_bit_from_saved_state) {
+  const auto ground = test::moon(radians(5), radians(200));
+  Vehicle first(test::rover(g), *ground);
+  ASSERT_TRUE(first.place(start, 0));
+  first.command({1.5, 0.05, false});
+  run(first, 5);
+  Archive saved = Archive::writer();
+  first.archive(saved);
+  Vehicle second(test::rover(g), *ground);
+  Archive reader = Archive::reader(saved.bytes());
+  second.archive(reader);
+  for (Vehicle* vehicle : {&first, &second}) {
+    run(*vehicle, 5);
+    vehicle->command({});
+    run(*vehicle, 5);
+  }
+  Archive a = Archive::writer(), b = Archive::writer();
+  first.archive(a);
+  second.archive(b);
+  EXPECT_EQ(a.bytes(), b.bytes());
+}
+
+TEST(StabilityFaults, refuse_a_step_too_long_for_a_stiff_wheel) {
+  VehicleConfig config = test::rover(g);
+  EXPECT_TRUE(stability_faults(config).empty());
+  // A MER-like wheel: 1.5 kg on 1e5 N/m at 5 ms is unstable (omega x step = 1.29).
+  config.links[2].inertia.mass_kg = 1.5;
+  const std::vector<std::string> faults = stability_faults(config);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].find("omega x step is 1.29"), std::string::npos) << faults[0];
+}
+
+}  // namespace
+}  // namespace lsos
