@@ -30,7 +30,7 @@ struct PushValue {
 std::string known_keys(const EventDeclaration& event, std::string_view near) {
   std::vector<std::string> keys;
   for (const FieldDeclaration& field : event.fields) keys.push_back(field.key);
-  return did_you_mean(near, keys);
+  return suggest_key(near, keys);
 }
 
 // Upvalues: table of values, table of known keys, the event's declaration.

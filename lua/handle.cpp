@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lua/made.h"
+#include "lua/reader.h"
 #include "lua/state.h"
 
 namespace lsos {
@@ -73,7 +74,7 @@ void refuse_handle_key(const HandleType& type, const char* key) {
   for (const HandleField& field : type.fields) known.emplace_back(field.name);
   for (const HandleMethod& method : type.methods) known.emplace_back(method.name);
   throw std::runtime_error(
-      fmt::format("{} has no '{}'{}", type.name, key, did_you_mean(key, known)));
+      fmt::format("{} has no '{}'{}", type.name, key, suggest_key(key, known)));
 }
 
 void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance) {

@@ -56,6 +56,15 @@ std::string si_unit_of(std::string_view key) {
   return std::string(best_symbol);
 }
 
+std::string suggest_key(std::string_view key, std::span<const std::string> known) {
+  for (const std::string& candidate : known) {
+    if (candidate.starts_with(std::string(key) + "_") && !si_unit_of(candidate).empty()) {
+      return fmt::format("; did you mean '{}'?", candidate);
+    }
+  }
+  return did_you_mean(key, known);
+}
+
 Faults& load_faults(lua_State* L, const char* constructor) {
   if (Faults* faults = context(L).load_faults) return *faults;
   throw std::runtime_error(fmt::format("{} works only while a script loads", constructor));
@@ -243,7 +252,7 @@ void TableReader::finish() {
   std::ranges::sort(unknown);
   std::ranges::sort(known_);
   for (const std::string& key : unknown) {
-    const std::string near = did_you_mean(key, known_);
+    const std::string near = suggest_key(key, known_);
     fault(
         fmt::format("unknown key '{}'{}", key,
                     near.empty() ? fmt::format("; known are {}", fmt::join(known_, ", ")) : near));

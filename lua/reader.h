@@ -12,6 +12,7 @@
 #include <limits>
 #include <lua.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -131,7 +132,10 @@ class TableReader {
 // "lsos.wheel works only while a script loads".
 Faults& load_faults(lua_State* L, const char* constructor);
 
-// Text after the last underscore group that names a unit: "m/s" for "speed_mps", "" for none.
+// "; did you mean 'speed_mps'?" for 'speed': a key whose unit was forgotten, else the nearest key.
+std::string suggest_key(std::string_view key, std::span<const std::string> known);
+
+// The unit that a key's suffix names: "m/s" for "speed_mps", "" for none.
 std::string si_unit_of(std::string_view key);
 
 }  // namespace lsos

@@ -88,9 +88,20 @@ int protected_call(lua_State* L) {
   return lua_gettop(L);
 }
 
+// A spent budget is raised inside the count hook, where no further hook fires: the script's handler
+// (upvalue 1) could then loop without an end.
+int handle_error(lua_State* L) {
+  if (!context(L).spent.empty()) return 1;
+  lua_pushvalue(L, lua_upvalueindex(1));
+  lua_insert(L, 1);
+  lua_call(L, 1, 1);
+  return 1;
+}
+
 int protected_call_with_handler(lua_State* L) {
   luaL_checktype(L, 2, LUA_TFUNCTION);
   lua_pushvalue(L, 2);
+  lua_pushcclosure(L, handle_error, 1);
   lua_copy(L, 1, 2);
   lua_replace(L, 1);  // handler, function, arguments
   const int status = lua_pcall(L, lua_gettop(L) - 2, LUA_MULTRET, 1);

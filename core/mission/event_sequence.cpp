@@ -108,6 +108,7 @@ bool EventSequence::take_turn(SimTime now, RoverAgent& agent) {
 }
 
 bool EventSequence::may_start(SimTime now, const Others& others, std::string& impossible) {
+  waits_for_others_ = false;
   for (const PlanEvent::Reference& awaited : event().start_after) {
     const EventRecord& record = others.record(awaited);
     if (!has_ended(record)) {
@@ -116,6 +117,7 @@ bool EventSequence::may_start(SimTime now, const Others& others, std::string& im
         impossible = fmt::format("{}/{}, which it waits for, can no longer run",
                                  awaited.rover_id, awaited.sequence);
       }
+      waits_for_others_ = true;
       return false;
     }
     // The order of rovers within one exchange must not matter: it counts from the next one.
@@ -338,10 +340,11 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
   if (is_finished_) return std::nullopt;
   if (frames_.empty()) {
     if (!has_turn_) return now + exchange_period;
-    // Waiting: its StartTime is known; what StartAfter names wakes it when it ends.
-    if (!event().start_time) return std::nullopt;
-    const SimTime at = round_up_to_exchange(*event().start_time - mission_.start_time);
-    return at > now ? std::optional(at) : std::nullopt;
+    // What StartAfter names wakes it when it ends; its StartTime is known.
+    if (waits_for_others_) return std::nullopt;
+    const SimTime next = now + exchange_period;
+    if (!event().start_time) return next;
+    return std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
   }
   std::optional<SimTime> earliest;
   if (event().timeout) {
@@ -392,7 +395,8 @@ std::vector<PhaseRow> EventSequence::take_phases() { return std::exchange(phases
 std::vector<std::string> EventSequence::take_warnings() { return std::exchange(warnings_, {}); }
 
 void EventSequence::archive(Archive& a, ScriptHost& host) {
-  a.tag("events")(records_)(index_)(has_turn_)(is_finished_)(wake_)(wake_at_)(aborts_mission_);
+  a.tag("events")(records_)(index_)(has_turn_)(waits_for_others_)(is_finished_)(
+      wake_)(wake_at_)(aborts_mission_);
   std::uint64_t depth = frames_.size();
   a(depth);
   if (a.is_reading()) frames_.resize(depth);

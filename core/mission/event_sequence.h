@@ -106,6 +106,7 @@ class EventSequence {
   std::vector<EventRecord> records_;
   std::size_t index_ = 0;
   bool has_turn_ = false;      // events_[index_] is waiting or running
+  bool waits_for_others_ = false;  // for the end of a StartAfter
   bool is_finished_ = false;
   std::vector<Frame> frames_;  // empty unless running
   Wake wake_ = Wake::next_exchange;

@@ -121,7 +121,7 @@ void RoverAgent::count_extremes() {
   };
   raise(slip_max_, report_.slip_max);
   raise(slope_max_rad_, report_.slope_rad);
-  if (report_.speed_mps > driving_mps) drive_s_ += seconds(exchange_period);
+  if (report_.speed_mps > driving_mps) drive_time_ += exchange_period;
   // Rises are counted from the last low point, once they pass the hysteresis.
   const double elevation_m = report_.elevation_m;
   if (std::isnan(elevation_low_m_)) elevation_low_m_ = elevation_m;
@@ -220,7 +220,7 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(
       is_broken_)(exchanges_at_rest_)(fault_)(report_)(slip_max_)(slope_max_rad_)(elevation_gain_m_)(
-      elevation_low_m_)(drive_s_);
+      elevation_low_m_)(drive_time_);
   if (a.is_reading()) update_view();
 }
 

@@ -57,7 +57,7 @@ class RoverAgent : public RoverPort {
   double slip_max() const { return slip_max_; }
   double slope_max_rad() const { return slope_max_rad_; }
   double elevation_gain_m() const { return elevation_gain_m_; }
-  double drive_s() const { return drive_s_; }
+  double drive_s() const { return seconds(drive_time_); }
 
   void archive(Archive& a);
 
@@ -82,7 +82,7 @@ class RoverAgent : public RoverPort {
   std::int64_t noting_sequence_ = 0;
   double slip_max_ = not_modelled, slope_max_rad_ = not_modelled;
   double elevation_gain_m_ = 0, elevation_low_m_ = not_modelled;
-  double drive_s_ = 0;
+  SimTime drive_time_{};
 };
 
 }  // namespace lsos

@@ -8,8 +8,8 @@ namespace lsos {
 
 namespace {
 
-constexpr double steering_free_rad = 0.1;    // error up to which wheels turn at full speed
-constexpr double steering_stop_rad = 0.35;   // error from which they stand
+constexpr double steering_free_rad = 0.2;    // error up to which wheels turn at full speed
+constexpr double steering_stop_rad = 0.8;    // error from which they stand
 
 Vec3 rest_position_B_m(const VehicleConfig& config, int link) {
   Vec3 p = Vec3::Zero();

@@ -44,7 +44,7 @@ struct WheelTargets {
 
 // `steering_now_rad`: present angles. Of the two directions a wheel can point in, the nearer one
 // is taken. Standing still keeps the angles. Spins fade to zero while steerings are far (over
-// 0.1 rad, fully at 0.35) from their target, so that wheels do not fight each other.
+// 0.2 rad, fully at 0.8) from their target, so that wheels do not fight each other.
 WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
                            const std::vector<double>& steering_now_rad);
 

@@ -13,7 +13,7 @@ struct DrivingLimits {
   double acceleration_mps2 = 0.2;   // along the line, both ways
   double lateral_mps2 = 0.2;        // across it, in arcs
   double corner_offset_m = 0.2;     // how far an arc may pass inside its corner
-  double radius_min_m = 2.5;        // of an arc
+  double radius_min_m = 5;          // of an arc
   bool can_turn_on_spot = true;
 };
 

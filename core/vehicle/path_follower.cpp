@@ -13,8 +13,11 @@ namespace {
 constexpr double at_end_m = 0.02;           // a stop is reached this near to it
 constexpr double turn_begin_rad = 1.0;      // heading error that driving cannot mend
 constexpr double turn_done_rad = 0.03;
-constexpr double lookahead_min_m = 1.5;
-constexpr double lookahead_s = 1.0;
+// Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
+// be driven in well more than that.
+constexpr double lookahead_min_m = 2.5;
+constexpr double lookahead_s = 2.0;
+constexpr double preview_s = 0.4;           // arcs are steered for this early, for the same lag
 constexpr double curvature_rate_1pms = 0.2; // wheels must be able to steer along
 constexpr double creep_mps = 0.05;          // slowest speed asked for while driving
 constexpr double at_rest_mps = 0.01;
@@ -95,12 +98,22 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double lookahead_m = std::max(lookahead_min_m, lookahead_s * pose.speed_mps);
   const double most_1pm = 1 / limits_.radius_min_m, ramp_1pm = curvature_rate_1pms * period_s;
   const double wanted_1pm =
-      std::clamp(leg.curvature_1pm - left_m / (lookahead_m * lookahead_m) -
+      std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) - left_m / (lookahead_m * lookahead_m) -
                      2 * std::sin(heading_error_rad) / lookahead_m,
                  -most_1pm, most_1pm);
   command_curvature_1pm_ = std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm,
                                       command_curvature_1pm_ + ramp_1pm);
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
+}
+
+// Of the leg that the rover will be on after `preview_m`.
+double PathFollower::curvature_ahead_1pm(double to_end_m, double preview_m) const {
+  std::size_t leg = leg_;
+  for (preview_m -= to_end_m; preview_m > 0; preview_m -= line_[leg].length_m) {
+    if (line_[leg].ends_in_stop || leg + 1 == line_.size()) break;
+    ++leg;
+  }
+  return line_[leg].curvature_1pm;
 }
 
 DriveCommand PathFollower::turn(double heading_error_rad, const FollowerPose& pose) {

@@ -15,7 +15,7 @@ struct FollowerLimits {
   double speed_mps = 1;           // along the line
   double acceleration_mps2 = 0.2;
   double arrival_radius_m = 1;    // the rover must come to rest within this of the last waypoint
-  double radius_min_m = 2.5;      // tightest turn while driving
+  double radius_min_m = 5;        // tightest turn while driving
   double turn_rate_radps = 0.2;   // on the spot
   bool can_turn_on_spot = true;
 
@@ -52,6 +52,7 @@ class PathFollower {
  private:
   DriveCommand drive(const FollowerPose& pose, double to_end_m, double left_m,
                      double heading_error_rad, double period_s);
+  double curvature_ahead_1pm(double to_end_m, double preview_m) const;
   DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
   DriveCommand stop(const FollowerPose& pose);
   bool is_stuck(double period_s);

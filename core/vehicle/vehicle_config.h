@@ -86,7 +86,7 @@ struct VehicleConfig {
   double speed_max_mps = 0;
   double acceleration_mps2 = 0;       // both ways, when following a path
   bool can_turn_on_spot = false;
-  double turning_radius_min_m = 2.5;  // while driving
+  double turning_radius_min_m = 5;  // while driving
   std::vector<std::string> assumptions;  // sentences for summary.json
 
   double mass_kg() const;

@@ -71,16 +71,19 @@ TEST(SubEvent, is_given_its_defaults) {
 }
 
 TEST(SubEvent, parameters_may_come_from_a_function_of_the_event) {
-  const RunEvent answer = Parent(R"(params = function(ev, rover) return {
+  Parent parent(R"(params = function(ev, rover) return {
       hold_s = ev.time_s + 1, until_s = 30, is_quick = true, mode = 'fixed', remark = rover.id,
-      crew = 2 } end, next = 'rest')")
-                              .run();
+      crew = 2 } end, next = 'rest')");
+  parent.rover.rover.id = "A";
+  const RunEvent answer = parent.run();
   const auto& params = answer.arguments.params;
   EXPECT_EQ(answer.next, "rest");
   EXPECT_EQ(std::get<double>(params.at("hold_s")), 6);
   EXPECT_EQ(std::get<Instant>(params.at("until_s")), Instant{90'000'000});
   EXPECT_EQ(std::get<bool>(params.at("is_quick")), true);
   EXPECT_EQ(std::get<std::string>(params.at("mode")), "fixed");
+  EXPECT_EQ(std::get<std::string>(params.at("remark")), "A");
+  EXPECT_EQ(std::get<std::int64_t>(params.at("crew")), 2);
 }
 
 TEST(SubEvent, every_wrong_parameter_is_named_at_once) {

@@ -48,6 +48,19 @@ TEST(RasterErrors, name_the_file_and_the_reason) {
       HasSubstr("tied to no body"));
 }
 
+TEST(RasterErrors, name_the_file_whose_samples_cannot_be_read) {
+  const std::string file = TextRaster{centred_moon, centred_transform, "", ramp}.write("gone");
+  const Ground ground(raster_terrain(file), site_on("Moon", -30, 20), 0);
+  // The virtual raster stays, the grid behind it goes.
+  std::filesystem::remove(file.substr(0, file.size() - 3) + "asc");
+  try {
+    ground.elevation_m(ground.site().origin());
+    FAIL() << "read without its samples";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("gone.vrt: cannot be read: "), HasSubstr(".asc")));
+  }
+}
+
 TEST(RasterErrors, name_both_bodies) {
   const std::string mars =
       TextRaster{"IAU_2015:49900", "-30.001, 0.0001, 0, 20.001, 0, -0.0001", "", ramp}.write(
