@@ -31,8 +31,7 @@ class TemporaryFile {
 std::string placemark(const std::string& schema,
                       const std::vector<std::pair<std::string, std::string>>& fields,
                       const std::string& geometry) {
-  std::string text = fmt::format(
-      "<Placemark><ExtendedData><SchemaData schemaUrl=\"#{}\">", schema);
+  std::string text = fmt::format("<Placemark><ExtendedData><SchemaData schemaUrl=\"#{}\">", schema);
   for (const auto& [name, value] : fields) {
     text += fmt::format("<SimpleData name=\"{}\">{}</SimpleData>", name, value);
   }
@@ -42,8 +41,10 @@ std::string placemark(const std::string& schema,
 std::string plan(const std::string& terrain, const std::string& events) {
   return "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>\n" +
          placemark("MissionInfo",
-                   {{"Planet", "Moon"}, {"StartTime", "2026-07-30T12:00:00Z"},
-                    {"Terrain", terrain}, {"ParkedLogInterval", "60 s"}},
+                   {{"Planet", "Moon"},
+                    {"StartTime", "2026-07-30T12:00:00Z"},
+                    {"Terrain", terrain},
+                    {"ParkedLogInterval", "60 s"}},
                    "") +
          placemark("Rover", {{"RoverId", "A"}, {"RoverType", "SEV"}},
                    "<Point><coordinates>10,20</coordinates></Point>") +
@@ -87,18 +88,18 @@ void simulate(benchmark::State& state, const std::string& text, double limit_s, 
 
 // One SEV, 12 wheels, 5 ms, logged at 0.5 Hz.
 void sev_drives(benchmark::State& state, const std::string& terrain) {
-  simulate(state,
-           plan(terrain, placemark("Route", {{"RoverId", "A"}, {"Sequence", "1"}},
-                                   point(10.05, 20))),
-           120, true);
+  simulate(
+      state,
+      plan(terrain, placemark("Route", {{"RoverId", "A"}, {"Sequence", "1"}}, point(10.05, 20))),
+      120, true);
 }
 BENCHMARK_CAPTURE(sev_drives, flat, "Flat")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sev_drives, craters, "Craters")->Unit(benchmark::kMillisecond);
 
 void sev_parked_for_a_day(benchmark::State& state, bool is_logged) {
   simulate(state,
-           plan("Flat", placemark("Pause",
-                                  {{"RoverId", "A"}, {"Sequence", "1"}, {"Duration", "1 d"}}, "")),
+           plan("Flat",
+                placemark("Pause", {{"RoverId", "A"}, {"Sequence", "1"}, {"Duration", "1 d"}}, "")),
            1e9, is_logged);
 }
 BENCHMARK_CAPTURE(sev_parked_for_a_day, without_log, false)->Unit(benchmark::kMillisecond);

@@ -1,6 +1,7 @@
 // What the scripts of a catalog say, and the answers to those who ask for one.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "lua/catalog.h"
@@ -65,6 +66,18 @@ void complete(TerrainScript& terrain, const Script& script,
   }
 }
 
+// All modules are alike, so that what is wrong with one is said a dozen times: three will do.
+void check_vehicle(const RoverSpec& rover, Faults& faults) {
+  const std::vector<std::string> found = wishbone_faults(rover.vehicle, rover.suspension);
+  constexpr std::size_t shown_max = 3;
+  for (std::size_t i = 0; i < std::min(found.size(), shown_max); ++i) {
+    faults.error(rover.place, "rover: " + found[i]);
+  }
+  if (found.size() > shown_max) {
+    faults.error(rover.place, fmt::format("rover: {} more of the kind", found.size() - shown_max));
+  }
+}
+
 }  // namespace
 
 void Catalog::add_broken(const Script& script, const Faults& faults) {
@@ -87,9 +100,7 @@ void Catalog::load_all() {
         break;
       case ScriptKind::rover:
         if (auto rover = load<RoverSpec>(library.lua(), script, rover_kind, faults)) {
-          for (const std::string& fault : wishbone_faults(rover->vehicle, rover->suspension)) {
-            faults.error(rover->place, "rover: " + fault);
-          }
+          check_vehicle(*rover, faults);
           if (faults.has_errors()) break;
           declarations_.rover_types[script.name] = {rover->doc, false, {}};
           rovers_[script.name] = std::move(*rover);

@@ -74,10 +74,9 @@ void read_params(TableReader& t, EventDeclaration& event) {
     if (std::ranges::any_of(event.fields, same_name)) {
       t.fault(fmt::format("params: '{}' is the name of two fields", field->name));
     }
-    for (const FieldDeclaration& common : common_event_fields()) {
-      if (common.name == field->name) {
-        t.fault(fmt::format("params: '{}' is a field that every event has", field->name));
-      }
+    if (std::ranges::any_of(common_event_fields(), same_name) ||
+        std::ranges::any_of(event_identity_fields(), same_name)) {
+      t.fault(fmt::format("params: '{}' is a field that every event has", field->name));
     }
     event.fields.push_back(*field);
     event.fields.back().key = key;

@@ -23,7 +23,9 @@ constexpr std::pair<std::string_view, std::string_view> compound_units[] = {
 std::string range_text(const Range& range, const std::string& unit) {
   const std::string u = unit.empty() ? "" : " " + unit;
   if (std::isfinite(range.min) && std::isfinite(range.max)) {
-    return fmt::format("{}{}..{}{}", range.is_above_min ? "above " : "", range.min, range.max, u);
+    return range.is_above_min
+               ? fmt::format("more than {} and at most {}{}", range.min, range.max, u)
+               : fmt::format("{}..{}{}", range.min, range.max, u);
   }
   if (std::isfinite(range.min)) {
     return fmt::format("{} {}{}", range.is_above_min ? "more than" : "at least", range.min, u);

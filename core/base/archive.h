@@ -37,8 +37,7 @@ class Archive {
   Archive& tag(std::string_view word);
 
   template <class T>
-    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-  Archive& operator()(T& value) {
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) Archive& operator()(T& value) {
     raw(&value, sizeof value);
     return *this;
   }
@@ -51,9 +50,7 @@ class Archive {
   Archive& operator()(std::string& value);
   Archive& operator()(Vec3& value) { return (*this)(value.x())(value.y())(value.z()); }
   Archive& operator()(Vec2& value) { return (*this)(value.x())(value.y()); }
-  Archive& operator()(Quat& value) {
-    return (*this)(value.w())(value.x())(value.y())(value.z());
-  }
+  Archive& operator()(Quat& value) { return (*this)(value.w())(value.x())(value.y())(value.z()); }
 
   template <class T>
   Archive& operator()(std::vector<T>& values) {
@@ -89,7 +86,7 @@ class Archive {
     return *this;
   }
   template <class T>
-    requires requires(T& value, Archive& a) { value.archive(a); }
+  requires requires(T& value, Archive& a) { value.archive(a); }
   Archive& operator()(T& value) {
     value.archive(*this);
     return *this;

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "mission/machine.h"
-#include "mission/rover_agent.h"
-#include "mission/script_host.h"
+#include "mission/running_event.h"
 #include "planet/site_frame.h"
 #include "terrain/ground.h"
 
@@ -20,8 +19,8 @@ struct EventRecord {
   std::string reason;
   std::optional<SimTime> ready, start, end;
   double distance_start_m = 0, distance_m = not_modelled;
-  Geodetic place;              // of the rover when it started, then ended
-  bool is_written = true;      // nothing new for the log
+  Geodetic place;          // of the rover when it started, then ended
+  bool is_written = true;  // nothing new for the log
 
   void archive(Archive& a);
 };
@@ -67,37 +66,20 @@ class EventSequence {
   void archive(Archive& a, ScriptHost& host);
 
  private:
-  // One running script: the plan's event, then the events that its phases are.
-  struct Frame {
-    std::string type;
-    EventArguments arguments;
-    std::string phase;
-    std::string next;            // the phase of the frame below when this one is done
-    SimTime phase_start{};
-    ScriptInstance instance = 0;  // not saved: begun again
-  };
-  enum class Wake { next_exchange, at_time, arrival };
-
   EventRecord& current() { return records_[index_]; }
   const PlanEvent& event() const { return machine_.events[index_].event; }
 
-  bool take_turn(SimTime now, RoverAgent& agent);
+  bool take_turn(SimTime now, const RoverAgent& agent);
   bool may_start(SimTime now, const Others& others, std::string& impossible);
-  void start(SimTime now, RoverAgent& agent, ScriptHost& host);
-  bool is_due(SimTime now, const RoverAgent& agent) const;
-  bool call_phase(SimTime now, RoverAgent& agent, ScriptHost& host);
-  void enter_phase(const std::string& phase, SimTime now);
-  void push(const std::string& type, const EventArguments& arguments, const std::string& next,
-            SimTime now, ScriptHost& host);
-  void pop(SimTime now, ScriptHost& host);
-  PhaseContext context(SimTime now, RoverAgent& agent) const;
+  void start(SimTime now, const RoverAgent& agent, ScriptHost& host);
+  // Why the running event cannot go on, whatever its script wants; "" when it can.
+  std::string hindrance(SimTime now, const RoverAgent& agent) const;
+  void abort(SimTime now, RoverAgent& agent, ScriptHost& host);
   void end(EventStatus status, const std::string& reason, SimTime now, const RoverAgent& agent);
-  void abort_scripts(SimTime now, RoverAgent& agent, ScriptHost& host);
   void after_failure(SimTime now);
-  void finish(SimTime now);
   void skip_to(std::size_t index, SimTime now);
+  void finish(SimTime now);
   void changed(std::size_t index);
-  void write_phase(SimTime now);
 
   RoverMachine machine_;
   MissionInfo mission_;
@@ -105,12 +87,10 @@ class EventSequence {
 
   std::vector<EventRecord> records_;
   std::size_t index_ = 0;
-  bool has_turn_ = false;      // events_[index_] is waiting or running
+  bool has_turn_ = false;          // events_[index_] is waiting or running
   bool waits_for_others_ = false;  // for the end of a StartAfter
   bool is_finished_ = false;
-  std::vector<Frame> frames_;  // empty unless running
-  Wake wake_ = Wake::next_exchange;
-  SimTime wake_at_{};
+  std::optional<RunningEvent> running_;
   std::string aborts_mission_;
 
   std::vector<std::size_t> changed_;

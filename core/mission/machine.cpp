@@ -50,8 +50,9 @@ std::string event_node(const EventMachine& machine) {
   const std::string title = event.label == fmt::format("{} {}", event.type, event.sequence)
                                 ? event.label
                                 : fmt::format("{}: {}", event.type, event.label);
-  return fmt::format("    {} [label=\"{{{} | {{{}}}}}\"{}];\n", node(event.rover_id, event.sequence),
-                     escaped(title), phases_text(machine.declaration),
+  return fmt::format("    {} [label=\"{{{} | {{{}}}}}\"{}];\n",
+                     node(event.rover_id, event.sequence), escaped(title),
+                     phases_text(machine.declaration),
                      event.is_enabled ? "" : ", style=dashed, fontcolor=gray");
 }
 

@@ -12,12 +12,12 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_rest_mps = 0.005;        // below this for ...
-constexpr int exchanges_until_parked = 5;    // ... so many exchanges, a braked rover is parked
-constexpr double rolled_over_rad = 1.2;      // tilt of the chassis (69 deg)
-constexpr double driving_mps = 1e-3;         // faster than this counts as driving
-constexpr double gain_hysteresis_m = 0.5;    // smaller rises than this are noise
-constexpr double turn_rate_share = 0.4;      // wheels' share of cruise speed when turning on the spot
+constexpr double at_rest_mps = 0.005;      // below this for ...
+constexpr int exchanges_until_parked = 5;  // ... so many exchanges, a braked rover is parked
+constexpr double rolled_over_rad = 1.2;    // tilt of the chassis (69 deg)
+constexpr double driving_mps = 1e-3;       // faster than this counts as driving
+constexpr double gain_hysteresis_m = 0.5;  // smaller rises than this are noise
+constexpr double turn_rate_share = 0.4;    // wheels' share of cruise speed when turning on the spot
 
 FollowerPose pose_of(const VehicleReport& report) {
   return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps};
@@ -34,17 +34,15 @@ RoverAgent::RoverAgent(const PlanRover& rover, const VehicleConfig& config, cons
 
 void RoverAgent::place(double default_heading_rad) {
   if (!vehicle_.place(rover_.start, rover_.heading_rad.value_or(default_heading_rad))) {
-    throw InputError(rover_.place,
-                     fmt::format("Rover '{}': the terrain is not known under one of its wheels",
-                                 rover_.id));
+    throw InputError(
+        rover_.place,
+        fmt::format("Rover '{}': the terrain is not known under one of its wheels", rover_.id));
   }
   look();
   count_extremes();
 }
 
-void RoverAgent::advance() {
-  vehicle_.advance(exchange_period);
-}
+void RoverAgent::advance() { vehicle_.advance(exchange_period); }
 
 void RoverAgent::observe() {
   if (is_parked_) return;
@@ -218,9 +216,8 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 }
 
 void RoverAgent::archive(Archive& a) {
-  a.tag("rover")(rover_.id)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(
-      is_broken_)(exchanges_at_rest_)(fault_)(report_)(slip_max_)(slope_max_rad_)(elevation_gain_m_)(
-      elevation_low_m_)(drive_time_);
+  a.tag("rover")(rover_.id)(
+      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(report_)(slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(drive_time_);
   if (a.is_reading()) update_view();
 }
 

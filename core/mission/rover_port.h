@@ -28,8 +28,8 @@ struct RoverView {
 struct DriveState {
   enum class Status { none, driving, arrived, failed };
   Status status = Status::none;
-  std::string reason;          // why it failed
-  double remaining_m = 0;      // along the path
+  std::string reason;      // why it failed
+  double remaining_m = 0;  // along the path
 };
 
 struct FollowSettings {

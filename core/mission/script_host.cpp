@@ -12,17 +12,26 @@ struct ArchivedValue {
     std::uint8_t kind = static_cast<std::uint8_t>(value.index());
     a(kind);
     switch (kind) {
-      case 0: through<bool>(a); break;
-      case 1: through<std::int64_t>(a); break;
-      case 2: through<double>(a); break;
-      case 3: through<std::string>(a); break;
+      case 0:
+        through<bool>(a);
+        break;
+      case 1:
+        through<std::int64_t>(a);
+        break;
+      case 2:
+        through<double>(a);
+        break;
+      case 3:
+        through<std::string>(a);
+        break;
       case 4: {
         Instant instant = a.is_reading() ? Instant{} : std::get<Instant>(value);
         a(instant.tai_us);
         value = instant;
         break;
       }
-      default: throw Archive::Mismatch("saved state holds a value of an unknown kind");
+      default:
+        throw Archive::Mismatch("saved state holds a value of an unknown kind");
     }
   }
 

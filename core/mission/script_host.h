@@ -27,13 +27,19 @@ struct EventArguments {
 };
 
 // What a phase answers.
-struct Stay {};                        // call me again at the next exchange
-struct GoTo { std::string phase; };    // go on in that phase, at this exchange
-struct Done {};                        // the event is completed
-struct Fail { std::string reason; };   // the event has failed
-struct SleepUntil { SimTime time; };   // nothing polls until then
-struct Arrival {};                     // call me when the native activity has ended
-struct RunEvent {                      // this phase is another event; then `next` ("" = done)
+struct Stay {};  // call me again at the next exchange
+struct GoTo {
+  std::string phase;
+};               // go on in that phase, at this exchange
+struct Done {};  // the event is completed
+struct Fail {
+  std::string reason;
+};  // the event has failed
+struct SleepUntil {
+  SimTime time;
+};                  // nothing polls until then
+struct Arrival {};  // call me when the native activity has ended
+struct RunEvent {   // this phase is another event; then `next` ("" = done)
   std::string type;
   EventArguments arguments;
   std::string next;
@@ -49,7 +55,7 @@ class ScriptError : public std::runtime_error {
 struct PhaseContext {
   RoverPort& rover;
   SimTime now{};
-  SimTime phase_start{};   // when this phase was entered
+  SimTime phase_start{};  // when this phase was entered
   SimTime event_start{};
   Instant mission_start{};
   std::uint64_t seed = 0;

@@ -9,13 +9,11 @@
 
 namespace lsos {
 
-Simulation::Simulation(SimulationSetup setup)
-    : setup_(std::move(setup)), pool_(setup_.threads) {
+Simulation::Simulation(SimulationSetup setup) : setup_(std::move(setup)), pool_(setup_.threads) {
   LSOS_ASSERT(!setup_.plan.rovers.empty());
   const Geodetic start = setup_.plan.rovers.front().start;
   ground_ = ground_at(setup_.terrain, *setup_.plan.mission.planet, start, setup_.plan.mission.seed);
-  const double g_mps2 =
-      gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
+  const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
   for (const auto& [type, spec] : setup_.rover_specs) {
     VehicleConfig vehicle = spec.vehicle;
     add_wishbone(vehicle, spec.suspension, g_mps2);
@@ -32,9 +30,11 @@ void Simulation::build() {
   host_ = setup_.make_host();
   machine_ = synthesise(setup_.plan, host_->declarations());
   for (const RoverMachine& rover : machine_.rovers) {
-    rovers_.push_back({std::make_unique<RoverAgent>(rover.rover, vehicles_.at(rover.rover.type),
-                                                    *ground_),
-                       EventSequence(rover, machine_.mission, *ground_), SimTime{}, {}});
+    rovers_.push_back(
+        {std::make_unique<RoverAgent>(rover.rover, vehicles_.at(rover.rover.type), *ground_),
+         EventSequence(rover, machine_.mission, *ground_),
+         SimTime{},
+         {}});
   }
 }
 
@@ -169,6 +169,7 @@ void Simulation::log_sample(Rover& rover) {
 }
 
 bool Simulation::is_sample_due(const Rover& rover) const {
+  if (rover.logged == now_) return false;
   const MissionInfo& mission = setup_.plan.mission;
   const SimTime interval =
       rover.agent->is_parked() ? mission.parked_log_interval : mission.log_interval;
@@ -248,7 +249,7 @@ std::string Simulation::save() {
   Archive a = Archive::writer();
   a.tag("simulation")(now_)(is_finished_)(is_aborted_)(warnings_);
   for (Rover& rover : rovers_) {
-    a(*rover.agent)(rover.wake)(rover.logged);
+    a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);
   }
   return a.bytes();
@@ -258,7 +259,7 @@ void Simulation::restore(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
   a.tag("simulation")(now_)(is_finished_)(is_aborted_)(warnings_);
   for (Rover& rover : rovers_) {
-    a(*rover.agent)(rover.wake)(rover.logged);
+    a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);
   }
   if (!a.is_exhausted()) throw Archive::Mismatch("saved state is longer than the program expects");

@@ -82,8 +82,8 @@ class Simulation : private EventSequence::Others {
   struct Rover {
     std::unique_ptr<RoverAgent> agent;
     EventSequence sequence;
-    std::optional<SimTime> wake;         // when it must be called though it is parked
-    std::optional<SimTime> logged;       // its last sample
+    std::optional<SimTime> wake;    // when it must be called though it is parked
+    std::optional<SimTime> logged;  // its last sample
   };
 
   void build();

@@ -12,9 +12,10 @@ std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
   const SiteFrame datum(body, {start.lon_rad, start.lat_rad, 0});
   const std::optional<double> elevation_m = Ground(terrain, datum, seed).elevation_m(start);
   if (!elevation_m) {
-    throw InputError(terrain.place,
-                     fmt::format("terrain {} has no ground at the first rover's start {:.6f},{:.6f}",
-                                 terrain.name, lon_deg(start), lat_deg(start)));
+    throw InputError(
+        terrain.place,
+        fmt::format("terrain {} has no ground at the first rover's start {:.6f},{:.6f}",
+                    terrain.name, lon_deg(start), lat_deg(start)));
   }
   return std::make_unique<Ground>(
       terrain, SiteFrame(body, {start.lon_rad, start.lat_rad, *elevation_m}), seed);
@@ -65,9 +66,8 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
 
 std::vector<Fault> site_faults(const MissionMachine& machine, const TerrainSpec& terrain) {
   try {
-    const std::unique_ptr<Ground> ground =
-        ground_at(terrain, *machine.mission.planet, machine.rovers.front().rover.start,
-                  machine.mission.seed);
+    const std::unique_ptr<Ground> ground = ground_at(
+        terrain, *machine.mission.planet, machine.rovers.front().rover.start, machine.mission.seed);
     std::vector<Fault> faults;
     for (const RoverMachine& rover : machine.rovers) {
       const std::vector<Fault> found = site_faults(rover, *ground);

@@ -8,8 +8,8 @@ namespace lsos {
 
 namespace {
 
-constexpr double steering_free_rad = 0.2;    // error up to which wheels turn at full speed
-constexpr double steering_stop_rad = 0.8;    // error from which they stand
+constexpr double steering_free_rad = 0.2;  // error up to which wheels turn at full speed
+constexpr double steering_stop_rad = 0.8;  // error from which they stand
 
 Vec3 rest_position_B_m(const VehicleConfig& config, int link) {
   Vec3 p = Vec3::Zero();
@@ -74,10 +74,9 @@ WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& comman
     const WheelLayout::Steering& steering = layout.steerings[i];
     const Vec2 v = velocity_at(command, steering.p_B_m);
     if (v.norm() < 1e-9) continue;
-    targets.steering_angle_rad[i] = nearest_angle_rad(std::atan2(v.y(), v.x()),
-                                                      steering_now_rad[i], steering.angle_max_rad);
-    error_rad =
-        std::max(error_rad, std::abs(targets.steering_angle_rad[i] - steering_now_rad[i]));
+    targets.steering_angle_rad[i] =
+        nearest_angle_rad(std::atan2(v.y(), v.x()), steering_now_rad[i], steering.angle_max_rad);
+    error_rad = std::max(error_rad, std::abs(targets.steering_angle_rad[i] - steering_now_rad[i]));
   }
   const double share = std::clamp(
       (steering_stop_rad - error_rad) / (steering_stop_rad - steering_free_rad), 0.0, 1.0);

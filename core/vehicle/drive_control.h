@@ -22,14 +22,14 @@ struct DriveCommand {
 struct WheelLayout {
   struct Steering {
     int link = 0;
-    Vec2 p_B_m;            // of its axis
+    Vec2 p_B_m;  // of its axis
     double angle_max_rad = 0;
   };
   struct DrivenWheel {
     int link = 0;
-    int steering = -1;     // index into `steerings`, -1: fixed straight ahead
-    double offset_m = 0;   // along the axle from the steering axis, left positive
-    Vec2 p_B_m;            // with the steering straight ahead
+    int steering = -1;    // index into `steerings`, -1: fixed straight ahead
+    double offset_m = 0;  // along the axle from the steering axis, left positive
+    Vec2 p_B_m;           // with the steering straight ahead
     double radius_m = 0;
   };
   std::vector<Steering> steerings;

@@ -8,7 +8,7 @@ namespace lsos {
 namespace {
 
 constexpr double same_point_m = 0.01;
-constexpr double straight_rad = 0.01;    // a bend that needs no arc
+constexpr double straight_rad = 0.01;  // a bend that needs no arc
 constexpr double arc_step_rad = 0.1;
 
 double bend_rad(const Vec2& in, const Vec2& out) {
@@ -40,8 +40,8 @@ class LineBuilder {
     // An arc of radius R passes R (1/cos - 1) inside the corner and begins R tan before it; half
     // of the shorter side is its, the rest belongs to the next corner.
     const double room_m = std::min((corner - at_).norm(), 0.5 * (next - corner).norm());
-    double radius_m = std::min(limits_.corner_offset_m / (1 / std::cos(half) - 1),
-                               room_m / std::tan(half));
+    double radius_m =
+        std::min(limits_.corner_offset_m / (1 / std::cos(half) - 1), room_m / std::tan(half));
     if (!limits_.can_turn_on_spot) radius_m = std::max(radius_m, limits_.radius_min_m);
     if (radius_m < limits_.radius_min_m) {
       go_to(corner, 0);
@@ -66,9 +66,9 @@ class LineBuilder {
     for (auto leg = legs_.rbegin(); leg != legs_.rend(); ++leg) {
       if (leg->ends_in_stop) end_mps = 0;
       leg->end_speed_mps = std::min(end_mps, leg->speed_max_mps);
-      end_mps = std::min(leg->speed_max_mps,
-                         std::sqrt(leg->end_speed_mps * leg->end_speed_mps +
-                                   2 * limits_.acceleration_mps2 * leg->length_m));
+      end_mps =
+          std::min(leg->speed_max_mps, std::sqrt(leg->end_speed_mps * leg->end_speed_mps +
+                                                 2 * limits_.acceleration_mps2 * leg->length_m));
     }
     if (!legs_.empty()) legs_.back().ends_in_stop = true;
     return std::move(legs_);
@@ -91,7 +91,8 @@ std::vector<DrivingLeg> driving_line(const std::vector<Vec2>& waypoints_S_m,
   }
   if (points.size() < 2) return {};
   LineBuilder builder(limits, points.front());
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) builder.round_corner(points[i], points[i + 1]);
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    builder.round_corner(points[i], points[i + 1]);
   builder.go_to(points.back(), 0);
   return builder.finished();
 }

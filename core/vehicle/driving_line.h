@@ -9,22 +9,22 @@
 namespace lsos {
 
 struct DrivingLimits {
-  double speed_mps = 1;             // greatest along the line
-  double acceleration_mps2 = 0.2;   // along the line, both ways
-  double lateral_mps2 = 0.2;        // across it, in arcs
-  double corner_offset_m = 0.2;     // how far an arc may pass inside its corner
-  double radius_min_m = 5;          // of an arc
+  double speed_mps = 1;            // greatest along the line
+  double acceleration_mps2 = 0.2;  // along the line, both ways
+  double lateral_mps2 = 0.2;       // across it, in arcs
+  double corner_offset_m = 0.2;    // how far an arc may pass inside its corner
+  double radius_min_m = 5;         // of an arc
   bool can_turn_on_spot = true;
 };
 
 // One straight piece of the line; arcs are pieces of at most 0.1 rad each. Horizontal plane of S.
 struct DrivingLeg {
-  Vec2 from_S_m, along_S;           // along_S: unit
+  Vec2 from_S_m, along_S;  // along_S: unit
   double length_m = 0;
-  double begin_m = 0;               // distance along the line
-  double curvature_1pm = 0;         // of the arc it belongs to, to the left positive
-  double speed_max_mps = 0;         // on this leg
-  double end_speed_mps = 0;         // at its end, so that all that follows can be kept
+  double begin_m = 0;        // distance along the line
+  double curvature_1pm = 0;  // of the arc it belongs to, to the left positive
+  double speed_max_mps = 0;  // on this leg
+  double end_speed_mps = 0;  // at its end, so that all that follows can be kept
   bool ends_in_stop = false;
 };
 

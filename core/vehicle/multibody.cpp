@@ -91,9 +91,7 @@ void Multibody::add_gravity(const Vec3& g_S_mps2) {
   }
 }
 
-void Multibody::add_joint_force(int link, double force) {
-  impl_->body.addJointTorque(link, force);
-}
+void Multibody::add_joint_force(int link, double force) { impl_->body.addJointTorque(link, force); }
 
 void Multibody::step(double step_s) {
   btMultiBody& body = impl_->body;

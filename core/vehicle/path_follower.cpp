@@ -10,20 +10,20 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_end_m = 0.02;           // a stop is reached this near to it
-constexpr double turn_begin_rad = 1.0;      // heading error that driving cannot mend
+constexpr double at_end_m = 0.02;       // a stop is reached this near to it
+constexpr double turn_begin_rad = 1.0;  // heading error that driving cannot mend
 constexpr double turn_done_rad = 0.03;
 // Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
 // be driven in well more than that.
 constexpr double lookahead_min_m = 2.5;
 constexpr double lookahead_s = 2.0;
-constexpr double preview_s = 0.4;           // arcs are steered for this early, for the same lag
-constexpr double curvature_rate_1pms = 0.2; // wheels must be able to steer along
-constexpr double creep_mps = 0.05;          // slowest speed asked for while driving
+constexpr double preview_s = 0.4;            // arcs are steered for this early, for the same lag
+constexpr double curvature_rate_1pms = 0.2;  // wheels must be able to steer along
+constexpr double creep_mps = 0.05;           // slowest speed asked for while driving
 constexpr double at_rest_mps = 0.01;
-constexpr double progress_m = 0.5;          // less than this in stuck_s is being stuck
+constexpr double progress_m = 0.5;  // less than this in stuck_s is being stuck
 constexpr double stuck_s = 60;
-constexpr double turning_share = 0.25;      // turning on the spot may take this much longer
+constexpr double turning_share = 0.25;  // turning on the spot may take this much longer
 
 double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
@@ -91,18 +91,18 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const DrivingLeg& leg = line_[leg_];
   const double braking_mps = std::sqrt(leg.end_speed_mps * leg.end_speed_mps +
                                        2 * limits_.acceleration_mps2 * std::max(0.0, to_end_m));
-  command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s,
-                           leg.speed_max_mps, std::max(creep_mps, braking_mps)});
+  command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s, leg.speed_max_mps,
+                           std::max(creep_mps, braking_mps)});
   // Distance to the line decays critically damped over the lookahead l: in distance travelled,
   // e'' + (2/l) e' + e/l^2 = 0 about the arc's own curvature.
   const double lookahead_m = std::max(lookahead_min_m, lookahead_s * pose.speed_mps);
   const double most_1pm = 1 / limits_.radius_min_m, ramp_1pm = curvature_rate_1pms * period_s;
-  const double wanted_1pm =
-      std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) - left_m / (lookahead_m * lookahead_m) -
-                     2 * std::sin(heading_error_rad) / lookahead_m,
-                 -most_1pm, most_1pm);
-  command_curvature_1pm_ = std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm,
-                                      command_curvature_1pm_ + ramp_1pm);
+  const double wanted_1pm = std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) -
+                                           left_m / (lookahead_m * lookahead_m) -
+                                           2 * std::sin(heading_error_rad) / lookahead_m,
+                                       -most_1pm, most_1pm);
+  command_curvature_1pm_ =
+      std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
 
@@ -120,8 +120,8 @@ DriveCommand PathFollower::turn(double heading_error_rad, const FollowerPose& po
   command_mps_ = command_curvature_1pm_ = 0;
   // Come to rest first, then turn, slowing down towards the end.
   if (pose.speed_mps > 5 * creep_mps) return {0, 0, false};
-  const double rate = std::clamp(-heading_error_rad, -limits_.turn_rate_radps,
-                                 limits_.turn_rate_radps);
+  const double rate =
+      std::clamp(-heading_error_rad, -limits_.turn_rate_radps, limits_.turn_rate_radps);
   const double slowest = 0.1 * limits_.turn_rate_radps;
   return {0, std::abs(rate) < slowest ? std::copysign(slowest, rate) : rate, false};
 }
@@ -153,9 +153,8 @@ bool PathFollower::is_stuck(double period_s) {
 }
 
 void PathFollower::archive(Archive& a) {
-  a.tag("follower")(waypoints_S_m_)(limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(
-      command_curvature_1pm_)(remaining_m_)(best_remaining_m_)(since_progress_s_)(status_)(
-      reason_);
+  a.tag("follower")(waypoints_S_m_)(
+      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(remaining_m_)(best_remaining_m_)(since_progress_s_)(status_)(reason_);
   if (a.is_reading()) lay_line();
 }
 

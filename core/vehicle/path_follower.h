@@ -12,24 +12,24 @@
 namespace lsos {
 
 struct FollowerLimits {
-  double speed_mps = 1;           // along the line
+  double speed_mps = 1;  // along the line
   double acceleration_mps2 = 0.2;
-  double arrival_radius_m = 1;    // the rover must come to rest within this of the last waypoint
-  double radius_min_m = 5;        // tightest turn while driving
-  double turn_rate_radps = 0.2;   // on the spot
+  double arrival_radius_m = 1;   // the rover must come to rest within this of the last waypoint
+  double radius_min_m = 5;       // tightest turn while driving
+  double turn_rate_radps = 0.2;  // on the spot
   bool can_turn_on_spot = true;
 
   void archive(Archive& a) {
-    a(speed_mps)(acceleration_mps2)(arrival_radius_m)(radius_min_m)(turn_rate_radps)(
-        can_turn_on_spot);
+    a(speed_mps)(acceleration_mps2)(
+        arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot);
   }
 };
 
 // Where the rover is, on the horizontal plane of the site frame.
 struct FollowerPose {
   Vec2 p_S_m;
-  double yaw_rad = 0;       // counter-clockwise from east
-  double speed_mps = 0;     // magnitude
+  double yaw_rad = 0;    // counter-clockwise from east
+  double speed_mps = 0;  // magnitude
 };
 
 class PathFollower {
@@ -60,12 +60,12 @@ class PathFollower {
 
   std::vector<Vec2> waypoints_S_m_;  // from where the rover was
   FollowerLimits limits_;
-  std::vector<DrivingLeg> line_;     // derived from the two above
+  std::vector<DrivingLeg> line_;  // derived from the two above
 
   std::size_t leg_ = 0;
   bool is_turning_ = false;
   bool is_stopping_ = false;
-  double command_mps_ = 0;           // ramped
+  double command_mps_ = 0;  // ramped
   double command_curvature_1pm_ = 0;
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;

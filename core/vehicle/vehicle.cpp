@@ -45,8 +45,8 @@ bool Vehicle::place(const Geodetic& at, double heading_rad) {
   if (!elevation_m) return false;
   const Vec3 p_S_m = site.p_S_m({at.lon_rad, at.lat_rad, *elevation_m});
   const Vec3 up = site.up_S(p_S_m);
-  const Vec3 ahead = std::cos(heading_rad) * site.north_S(p_S_m) +
-                     std::sin(heading_rad) * site.east_S(p_S_m);
+  const Vec3 ahead =
+      std::cos(heading_rad) * site.north_S(p_S_m) + std::sin(heading_rad) * site.east_S(p_S_m);
 
   // The plane through the ground under the wheels gives the attitude to begin with.
   std::vector<Vec3> feet_S_m;
@@ -80,7 +80,8 @@ void Vehicle::command(const DriveCommand& command) {
   command_ = command;
   if (command.is_braking) {
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
-      if (begins_braking) wheels_[i].brake_anchor_rad = bodies_.joint_position(layout_.wheels[i].link);
+      if (begins_braking)
+        wheels_[i].brake_anchor_rad = bodies_.joint_position(layout_.wheels[i].link);
       wheels_[i].spin_target_radps = wheels_[i].servo_integral_rad = 0;
     }
     return;
@@ -148,8 +149,8 @@ void Vehicle::apply_steering(double step_s) {
     const double torque_n_m =
         motor.stiffness_n_m_prad * (state.setpoint_rad - bodies_.joint_position(link)) -
         motor.damping_n_m_sprad * bodies_.joint_velocity(link);
-    bodies_.add_joint_force(
-        link, std::clamp(torque_n_m, -motor.torque_max_n_m, motor.torque_max_n_m));
+    bodies_.add_joint_force(link,
+                            std::clamp(torque_n_m, -motor.torque_max_n_m, motor.torque_max_n_m));
   }
 }
 
@@ -177,8 +178,8 @@ double Vehicle::apply_drives(double step_s) {
     const double limit_n_m =
         std::min(motor.torque_max_n_m, motor.power_max_w / std::max(std::abs(spin_radps), 1e-6));
     const double integral_rad = wheel.servo_integral_rad + error_radps * step_s;
-    const double wanted_n_m = motor.servo_gain_n_m_sprad * error_radps +
-                              motor.servo_integral_n_m_prad * integral_rad;
+    const double wanted_n_m =
+        motor.servo_gain_n_m_sprad * error_radps + motor.servo_integral_n_m_prad * integral_rad;
     const double torque_n_m = std::clamp(wanted_n_m, -limit_n_m, limit_n_m);
     // At its limit the motor stops accumulating error that it could not act on.
     if (torque_n_m == wanted_n_m) wheel.servo_integral_rad = integral_rad;
@@ -235,8 +236,8 @@ VehicleReport Vehicle::report() {
   const Vec3 up = site.up_S(report.p_S_m);
   const Mat3& R_SB = bodies_.motion(Multibody::chassis).R_SL;
   const Vec3 ahead = R_SB.col(0), left = R_SB.col(1);
-  const double heading = std::atan2(ahead.dot(site.east_S(report.p_S_m)),
-                                    ahead.dot(site.north_S(report.p_S_m)));
+  const double heading =
+      std::atan2(ahead.dot(site.east_S(report.p_S_m)), ahead.dot(site.north_S(report.p_S_m)));
   report.heading_rad = heading < 0 ? heading + 2 * std::numbers::pi : heading;
   if (report.heading_rad >= 2 * std::numbers::pi) report.heading_rad = 0;
   report.pitch_rad = std::asin(std::clamp(ahead.dot(up), -1.0, 1.0));

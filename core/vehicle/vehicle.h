@@ -16,7 +16,7 @@ namespace lsos {
 // What can be said of a vehicle at an exchange. Angles about the local vertical there: heading
 // clockwise from true north, 0..2 pi; pitch nose up; roll right side down.
 struct VehicleReport {
-  Vec3 p_S_m = Vec3::Zero();        // reference point
+  Vec3 p_S_m = Vec3::Zero();  // reference point
   Vec3 v_S_mps = Vec3::Zero();
   double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
   double yaw_rad = 0;               // counter-clockwise from the site's east, horizontal plane
@@ -25,12 +25,12 @@ struct VehicleReport {
   double slip = not_modelled, slip_max = not_modelled;
   double sinkage_m = not_modelled;
   double elevation_m = not_modelled;  // of the ground under the reference point
-  bool is_on_ground_data = true;    // the terrain is known under every wheel
+  bool is_on_ground_data = true;      // the terrain is known under every wheel
   bool is_finite = true;
 
   void archive(Archive& a) {
-    a(p_S_m)(v_S_mps)(heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(speed_mps)(slope_rad)(slip)(
-        slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_finite);
+    a(p_S_m)(v_S_mps)(
+        heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(speed_mps)(slope_rad)(slip)(slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_finite);
   }
 };
 

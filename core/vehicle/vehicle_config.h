@@ -15,22 +15,22 @@
 namespace lsos {
 
 struct Inertia {
-  double mass_kg = 0;                       // > 0
-  Vec3 moments_kgm2 = Vec3::Zero();         // principal, about the centre of mass, > 0
+  double mass_kg = 0;                // > 0
+  Vec3 moments_kgm2 = Vec3::Zero();  // principal, about the centre of mass, > 0
 };
 
 // A spring and damper in a joint. Force (or torque) = preload - stiffness q - damping q'. Beyond
 // the stops a second, stiffer spring and damper pushes back.
 struct SpringDamper {
-  double stiffness = 0;       // N/m or N m/rad
-  double damping = 0;         // N s/m or N m s/rad
-  double preload = 0;         // N or N m at q = 0; see wishbone.h for who sets it
+  double stiffness = 0;                   // N/m or N m/rad
+  double damping = 0;                     // N s/m or N m s/rad
+  double preload = 0;                     // N or N m at q = 0; see wishbone.h for who sets it
   double lower_stop = 0, upper_stop = 0;  // m or rad
   double stop_stiffness = 0, stop_damping = 0;
 };
 
 struct SteeringMotor {
-  double angle_max_rad = 0;     // either way
+  double angle_max_rad = 0;  // either way
   double rate_max_radps = 0;
   double torque_max_n_m = 0;
   double stiffness_n_m_prad = 0;  // of the position servo; also holds when parked
@@ -38,11 +38,11 @@ struct SteeringMotor {
 };
 
 struct DriveMotor {
-  double torque_max_n_m = 0;    // at the wheel, after gearing
-  double power_max_w = 0;       // mechanical, at the wheel
-  double efficiency = 1;        // mechanical out / electrical in, 0..1
-  double servo_gain_n_m_sprad = 0;      // torque a rad/s of speed error
-  double servo_integral_n_m_prad = 0;   // torque a rad of accumulated speed error
+  double torque_max_n_m = 0;           // at the wheel, after gearing
+  double power_max_w = 0;              // mechanical, at the wheel
+  double efficiency = 1;               // mechanical out / electrical in, 0..1
+  double servo_gain_n_m_sprad = 0;     // torque a rad/s of speed error
+  double servo_integral_n_m_prad = 0;  // torque a rad of accumulated speed error
   double brake_torque_max_n_m = 0;
   double brake_stiffness_n_m_prad = 0;  // of the brake's saved-anchor spring
   double brake_damping_n_m_sprad = 0;
@@ -61,32 +61,32 @@ enum class JointType { revolute, prismatic };
 // One link and the joint that ties it to its parent.
 struct LinkConfig {
   std::string name;
-  int parent = -1;                    // index of an earlier link; -1: the chassis
+  int parent = -1;  // index of an earlier link; -1: the chassis
   JointType joint = JointType::revolute;
-  Vec3 axis = Vec3::UnitZ();          // unit, in the parent's axes
-  Vec3 p_PJ_m = Vec3::Zero();         // joint, in the parent's link frame (chassis: frame B)
-  Vec3 p_JC_m = Vec3::Zero();         // the link's centre of mass seen from the joint
+  Vec3 axis = Vec3::UnitZ();   // unit, in the parent's axes
+  Vec3 p_PJ_m = Vec3::Zero();  // joint, in the parent's link frame (chassis: frame B)
+  Vec3 p_JC_m = Vec3::Zero();  // the link's centre of mass seen from the joint
   Inertia inertia;
   // What acts in the joint: one of these at most.
   std::optional<SpringDamper> spring;
   std::optional<SteeringMotor> steering;
   std::optional<DriveMotor> drive;
-  std::optional<Wheel> wheel;         // the link is a wheel; its joint axis is the axle
+  std::optional<Wheel> wheel;  // the link is a wheel; its joint axis is the axle
 };
 
 struct VehicleConfig {
   std::string type;
   Inertia chassis;
-  Vec3 p_BC_m = Vec3::Zero();         // chassis' centre of mass
-  Vec3 chassis_size_m = Vec3::Zero(); // of its box, for pictures and contact
-  double chassis_clearance_m = 0;     // from ground to the box's underside at rest
+  Vec3 p_BC_m = Vec3::Zero();          // chassis' centre of mass
+  Vec3 chassis_size_m = Vec3::Zero();  // of its box, for pictures and contact
+  double chassis_clearance_m = 0;      // from ground to the box's underside at rest
   std::vector<LinkConfig> links;
-  SimTime step{5000};                 // divides the exchange period
+  SimTime step{5000};  // divides the exchange period
   double cruise_speed_mps = 0;
   double speed_max_mps = 0;
-  double acceleration_mps2 = 0;       // both ways, when following a path
+  double acceleration_mps2 = 0;  // both ways, when following a path
   bool can_turn_on_spot = false;
-  double turning_radius_min_m = 5;  // while driving
+  double turning_radius_min_m = 5;       // while driving
   std::vector<std::string> assumptions;  // sentences for summary.json
 
   double mass_kg() const;

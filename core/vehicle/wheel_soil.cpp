@@ -77,7 +77,8 @@ WheelContactForces contact_forces(const Soil& soil, const Wheel& wheel,
   }
   state.shear_S_m = shear_m;
 
-  Vec3 traction_n = -limit_n * stress_share_pm(j_m, K) * shear_m - wheel.tangential_damping_nspm * slip_mps;
+  Vec3 traction_n =
+      -limit_n * stress_share_pm(j_m, K) * shear_m - wheel.tangential_damping_nspm * slip_mps;
   const double traction = traction_n.norm();
   if (traction > limit_n) traction_n *= limit_n / traction;
   forces.at_contact_S_n = forces.load_n * n + traction_n;

@@ -42,11 +42,11 @@ struct WheelContactState {
 
 // How the wheel meets the ground at this step. Vectors in the site frame.
 struct WheelContactInput {
-  double penetration_m = 0;    // of the rim into the surface, along the normal; > 0 touches
-  Vec3 normal_S;               // unit, out of the ground
-  Vec3 heading_S;              // unit, rolling direction along the surface
-  Vec3 rim_velocity_S_mps;     // of the wheel's material at the contact point
-  Vec3 hub_velocity_S_mps;     // of the wheel's centre
+  double penetration_m = 0;      // of the rim into the surface, along the normal; > 0 touches
+  Vec3 normal_S;                 // unit, out of the ground
+  Vec3 heading_S;                // unit, rolling direction along the surface
+  Vec3 rim_velocity_S_mps;       // of the wheel's material at the contact point
+  Vec3 hub_velocity_S_mps;       // of the wheel's centre
   double rolling_speed_mps = 0;  // radius x spin
 };
 

@@ -11,9 +11,9 @@ namespace {
 // A solid box of this mass and edge lengths.
 Inertia box(double mass_kg, const Vec3& size_m) {
   const Vec3 square = size_m.array().square();
-  return {mass_kg, mass_kg / 12 *
-                       Vec3(square.y() + square.z(), square.x() + square.z(),
-                            square.x() + square.y())};
+  return {mass_kg,
+          mass_kg / 12 *
+              Vec3(square.y() + square.z(), square.x() + square.z(), square.x() + square.y())};
 }
 
 // A disc of even mass with its axle along y: the mean of a hoop and a solid cylinder would suit a
@@ -73,8 +73,8 @@ void add_wishbone(VehicleConfig& vehicle, const Wishbone& wishbone, double gravi
 std::vector<std::string> wishbone_faults(const VehicleConfig& vehicle, const Wishbone& wishbone) {
   std::vector<std::string> faults;
   if (wishbone.modules.size() < 3) {
-    faults.push_back(fmt::format("{} modules: at least 3 are needed to stand on",
-                                 wishbone.modules.size()));
+    faults.push_back(
+        fmt::format("{} modules: at least 3 are needed to stand on", wishbone.modules.size()));
   }
   if (wishbone.wheel_offsets_m.empty()) faults.push_back("wheel_offsets_m is empty");
   if (vehicle.chassis_clearance_m <= 0) {

@@ -7,8 +7,8 @@
 namespace lsos {
 
 struct WishboneModule {
-  std::string name;      // "front_left"
-  Vec2 p_B_m;            // of the steering axis: x forward, y left
+  std::string name;  // "front_left"
+  Vec2 p_B_m;        // of the steering axis: x forward, y left
 };
 
 struct Wishbone {
@@ -16,10 +16,10 @@ struct Wishbone {
   // Unsprung, not steered, of one module: arms. Then what steers: knuckle and motors.
   double arm_mass_kg = 0;
   double knuckle_mass_kg = 0;
-  double stiffness_npm = 0;         // at the wheel
+  double stiffness_npm = 0;  // at the wheel
   double damping_nspm = 0;
-  double travel_up_m = 0;           // compression from rest to the stop, > 0
-  double travel_down_m = 0;         // droop from rest to the stop, > 0
+  double travel_up_m = 0;    // compression from rest to the stop, > 0
+  double travel_down_m = 0;  // droop from rest to the stop, > 0
   SteeringMotor steering;
   std::vector<double> wheel_offsets_m;  // along the axle from the steering axis, left positive
   double wheel_mass_kg = 0;

@@ -61,9 +61,11 @@ TEST(Handle, follow_takes_lists_points_and_settings) {
 
 TEST(Handle, follow_refuses_what_is_no_path_and_unknown_settings) {
   const auto error = [](const std::string& text) { return EventRun::of_phase(text)->error(); };
-  EXPECT_THAT(error("rover:follow(5)"), HasSubstr("rover:follow wants a list of vec3, found a number"));
+  EXPECT_THAT(error("rover:follow(5)"),
+              HasSubstr("rover:follow wants a list of vec3, found a number"));
   EXPECT_THAT(error("rover:follow {}"), HasSubstr("wants at least one waypoint"));
-  EXPECT_THAT(error("rover:follow { lsos.vec3(1, 2, 0/0) }"), HasSubstr("waypoint 1 must be a vec3"));
+  EXPECT_THAT(error("rover:follow { lsos.vec3(1, 2, 0/0) }"),
+              HasSubstr("waypoint 1 must be a vec3"));
   EXPECT_THAT(error("rover:follow(lsos.vec3(1, 2), { speed = 2 })"),
               HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: rover:follow: "
                         "unknown key 'speed'; did you mean 'speed_mps'?"));
@@ -72,8 +74,8 @@ TEST(Handle, follow_refuses_what_is_no_path_and_unknown_settings) {
 }
 
 TEST(Handle, distance_is_straight) {
-  auto run = EventRun::of_phase(
-      "assert(rover:distance_to_m(lsos.vec3(3, 4, 12)) == 13) return lsos.done");
+  auto run =
+      EventRun::of_phase("assert(rover:distance_to_m(lsos.vec3(3, 4, 12)) == 13) return lsos.done");
   expect_done(*run);
 }
 
@@ -120,8 +122,7 @@ TEST(Handle, log_writes_sorted_json) {
 TEST(Handle, log_refuses_what_has_no_json_form) {
   EXPECT_THAT(EventRun::of_phase("ev:log('x', { a = { f = print } })")->error(),
               HasSubstr("a.f: a function cannot be written to the log"));
-  EXPECT_THAT(EventRun::of_phase("ev:log('x', { 1, 2 })")->error(),
-              HasSubstr("fields have names"));
+  EXPECT_THAT(EventRun::of_phase("ev:log('x', { 1, 2 })")->error(), HasSubstr("fields have names"));
   EXPECT_THAT(EventRun::of_phase("local t = {} t.t = t ev:log('x', t)")->error(),
               HasSubstr("nested too deep"));
 }

@@ -51,12 +51,14 @@ TEST(Host, error_names_file_line_event_phase_time_and_cause) {
 }
 
 TEST(Host, error_goes_on_from_a_value_that_is_no_text) {
-  EXPECT_THAT(EventRun::of_phase("error({})")->error(), HasSubstr("an error whose value is a table"));
+  EXPECT_THAT(EventRun::of_phase("error({})")->error(),
+              HasSubstr("an error whose value is a table"));
 }
 
 TEST(Host, gives_the_event_what_it_was_given) {
   EventArguments arguments;
-  arguments.params = {{"speed_mps", 1.5}, {"until_s", Instant{90'000'000}}, {"crew", std::int64_t{2}}};
+  arguments.params = {
+      {"speed_mps", 1.5}, {"until_s", Instant{90'000'000}}, {"crew", std::int64_t{2}}};
   arguments.geometry_S_m = {Vec3(1, 2, 3), Vec3(4, 5, 6)};
   EventRun run(R"(
     local function go(ev)
@@ -84,8 +86,9 @@ TEST(Host, gives_the_event_what_it_was_given) {
 }
 
 TEST(Host, refuses_a_misspelt_parameter_and_writing_to_one) {
-  const char* params = "phases = { go = go }, params = { speed_mps = lsos.number { kml = 'Speed', "
-                       "unit = 'm/s' } }";
+  const char* params =
+      "phases = { go = go }, params = { speed_mps = lsos.number { kml = 'Speed', "
+      "unit = 'm/s' } }";
   EXPECT_THAT(EventRun("local function go(ev) return ev.params.speed_mp end", params).error(),
               HasSubstr("Probe has no parameter 'speed_mp'; did you mean 'speed_mps'?"));
   EXPECT_THAT(EventRun("local function go(ev) ev.params.speed_mps = 1 end", params).error(),

@@ -39,7 +39,8 @@ TEST(Sandbox, library_lacks_what_is_not_repeatable_or_binary) {
 
 TEST(Sandbox, nothing_shared_can_be_changed) {
   EXPECT_THAT(error_of("string.rep = nil"), HasSubstr("string is read-only"));
-  EXPECT_THAT(error_of("rawset(string, 'rep', 1)"), HasSubstr("rawset on a table that is read-only"));
+  EXPECT_THAT(error_of("rawset(string, 'rep', 1)"),
+              HasSubstr("rawset on a table that is read-only"));
   EXPECT_THAT(error_of("rawset(_ENV, 'x', 1)"), HasSubstr("rawset on a table that is read-only"));
   EXPECT_THAT(error_of("setmetatable(string, {})"), HasSubstr("this metatable cannot be changed"));
   EXPECT_THAT(error_of("getmetatable('').__index = 1"), HasSubstr("index a boolean value"));
@@ -48,9 +49,10 @@ TEST(Sandbox, nothing_shared_can_be_changed) {
 }
 
 TEST(Sandbox, assigning_a_global_is_an_error_with_its_line) {
-  EXPECT_THAT(error_of("local a = 1\nplan = a"),
-              HasSubstr("events/Probe.lua:4: Probe 'probe 1' in phase go at 0 s: assignment to global "
-                        "'plan': make it local"));
+  EXPECT_THAT(
+      error_of("local a = 1\nplan = a"),
+      HasSubstr("events/Probe.lua:4: Probe 'probe 1' in phase go at 0 s: assignment to global "
+                "'plan': make it local"));
   EXPECT_THAT(error_of("pairs = 1"), HasSubstr("assignment to global 'pairs'"));
 }
 
@@ -119,7 +121,8 @@ TEST_P(Runaway, is_stopped_with_its_line) {
   const auto begin = std::chrono::steady_clock::now();
   auto run = EventRun::of_phase(GetParam(), {}, {1'000'000, std::size_t{64} << 20});
   const std::string error = run->error();
-  EXPECT_THAT(error, HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: more than "));
+  EXPECT_THAT(error,
+              HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: more than "));
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   EXPECT_LT(wall.count(), 10);
 }
@@ -141,9 +144,10 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Sandbox, too_much_memory_is_refused_at_its_line) {
   auto run = EventRun::of_phase("local t = {}\nfor i = 1, 1e9 do t[i] = { i } end", {},
                                 {1'000'000'000, std::size_t{16} << 20});
-  EXPECT_THAT(run->error(),
-              HasSubstr("events/Probe.lua:4: Probe 'probe 1' in phase go at 0 s: more than 16 MiB of "
-                        "memory"));
+  EXPECT_THAT(
+      run->error(),
+      HasSubstr("events/Probe.lua:4: Probe 'probe 1' in phase go at 0 s: more than 16 MiB of "
+                "memory"));
 }
 
 TEST(Sandbox, host_works_on_after_a_script_was_stopped) {
@@ -154,17 +158,20 @@ TEST(Sandbox, host_works_on_after_a_script_was_stopped) {
 }
 
 TEST(Sandbox, functions_that_loop_inside_c_are_bounded) {
-  EXPECT_THAT(error_of("('x'):rep(1e9)"), HasSubstr("string.rep would make 1000000000 bytes; at most"));
+  EXPECT_THAT(error_of("('x'):rep(1e9)"),
+              HasSubstr("string.rep would make 1000000000 bytes; at most"));
   EXPECT_THAT(error_of("table.move({}, 1, 1e12, 2)"), HasSubstr("table.move of 1000000000000"));
-  EXPECT_THAT(error_of("table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, "
-                       "2)"),
-              HasSubstr("table functions take plain tables, not one with '__len'"));
+  EXPECT_THAT(
+      error_of("table.insert(setmetatable({}, { __len = function() return 1 << 60 end }), 1, "
+               "2)"),
+      HasSubstr("table functions take plain tables, not one with '__len'"));
 }
 
 TEST(Sandbox, pattern_that_could_take_minutes_is_refused) {
-  EXPECT_THAT(error_of("('a'):rep(1000):find(('.-'):rep(3) .. 'b')"),
-              HasSubstr("a pattern with 3 repetitions (* + - %b) can take too long on a text of 1000 "
-                        "bytes; at most 100, more if it begins with '^'"));
+  EXPECT_THAT(
+      error_of("('a'):rep(1000):find(('.-'):rep(3) .. 'b')"),
+      HasSubstr("a pattern with 3 repetitions (* + - %b) can take too long on a text of 1000 "
+                "bytes; at most 100, more if it begins with '^'"));
   for (const char* call : {"s:match(p)", "s:gmatch(p)", "s:gsub(p, '')"}) {
     EXPECT_THAT(error_of(std::string("local s, p = ('a'):rep(1000), ('a*'):rep(5) ") + call),
                 HasSubstr("a pattern with 5 repetitions"));

@@ -70,9 +70,9 @@ TEST(State, cycles_and_shared_tables_are_refused_naming_both_paths) {
 }
 
 TEST(State, too_deep_nesting_is_refused) {
-  EXPECT_THAT(EventRun::of_phase("local t = ev.state for i = 1, 200 do t.t = {} t = t.t end")
-                  ->error(),
-              HasSubstr("nested deeper than 100"));
+  EXPECT_THAT(
+      EventRun::of_phase("local t = ev.state for i = 1, 200 do t.t = {} t = t.t end")->error(),
+      HasSubstr("nested deeper than 100"));
 }
 
 TEST(State, must_be_a_table) {

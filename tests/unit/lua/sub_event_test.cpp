@@ -28,11 +28,12 @@ class Parent {
  public:
   explicit Parent(const std::string& sub_event, const EventArguments& arguments = {}) {
     directory.write("events/Child.lua", child);
-    directory.write("events/Parent.lua",
-                    "local lsos = require 'lsos'\nreturn lsos.event { api = 1, doc = 'A parent.', "
-                    "geometry = { 'none', 'line' }, start = 'go', phases = { rest = function() end, "
-                    "go = lsos.sub_event { event = 'Child', " +
-                        sub_event + " } } }");
+    directory.write(
+        "events/Parent.lua",
+        "local lsos = require 'lsos'\nreturn lsos.event { api = 1, doc = 'A parent.', "
+        "geometry = { 'none', 'line' }, start = 'go', phases = { rest = function() end, "
+        "go = lsos.sub_event { event = 'Child', " +
+            sub_event + " } } }");
     catalog = std::make_unique<Catalog>(std::vector<ScriptFolder>{{directory.path(), ""}});
     EXPECT_EQ(errors_of(*catalog, ScriptKind::event, "Parent"), "");
     host = std::make_unique<LuaHost>(*catalog);
@@ -110,9 +111,9 @@ TEST(SubEvent, takes_a_point_or_a_path) {
                 .run()
                 .arguments.geometry_S_m,
             Path3({Vec3(4, 5, 6)}));
-  EXPECT_EQ(Parent(params + "function() return { lsos.vec3(7, 8, 9) } end").run()
-                .arguments.geometry_S_m,
-            Path3({Vec3(7, 8, 9)}));
+  EXPECT_EQ(
+      Parent(params + "function() return { lsos.vec3(7, 8, 9) } end").run().arguments.geometry_S_m,
+      Path3({Vec3(7, 8, 9)}));
   EXPECT_THAT(Parent(params + "function(ev) return ev.geometry end", arguments).error(),
               HasSubstr("Child does not take a geometry of 2 waypoints"));
   EXPECT_THAT(Parent(params + "function() return { 5 } end").error(),

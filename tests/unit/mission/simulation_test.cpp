@@ -230,8 +230,8 @@ TEST(Simulation, waits_for_the_events_of_another_rover_until_the_next_exchange) 
     mission.event("Hold", first ? 5 : 1).start_after = {};
     mission.rover("B");
     mission.event("Hold", first ? 1 : 5);
-    mission.setup_.plan.events[first ? 1 : 0].start_after = {
-        first ? PlanEvent::Reference{"A", 1} : PlanEvent::Reference{"B", 2}};
+    mission.setup_.plan.events[first ? 1 : 0].start_after = {first ? PlanEvent::Reference{"A", 1}
+                                                                   : PlanEvent::Reference{"B", 2}};
     const std::vector<EventRow> events = mission.run();
     EXPECT_EQ(events[first ? 1 : 0].start, milliseconds(5100));
     EXPECT_EQ(events[first ? 1 : 0].ready, milliseconds(0));

@@ -43,7 +43,8 @@ TEST(Multibody, keeps_momentum_in_free_flight_while_its_motors_turn) {
     for (std::size_t link = 0; link < config.links.size(); ++link) {
       const int index = static_cast<int>(link);
       if (config.links[link].wheel) bodies.add_joint_force(index, 20);
-      if (config.links[link].spring) bodies.add_joint_force(index, 100 - 1e4 * bodies.joint_position(index));
+      if (config.links[link].spring)
+        bodies.add_joint_force(index, 100 - 1e4 * bodies.joint_position(index));
     }
     bodies.step(0.001);
   }
@@ -64,7 +65,8 @@ TEST(Multibody, link_velocities_are_the_rates_of_link_positions) {
   for (int link = -1; link < 24; ++link) before.push_back(bodies.motion(link).p_C_S_m);
   bodies.step(1e-7);
   for (int link = -1; link < 24; ++link) {
-    const Vec3 rate = (bodies.motion(link).p_C_S_m - before[static_cast<std::size_t>(link + 1)]) / 1e-7;
+    const Vec3 rate =
+        (bodies.motion(link).p_C_S_m - before[static_cast<std::size_t>(link + 1)]) / 1e-7;
     EXPECT_LT((rate - bodies.motion(link).v_C_S_mps).norm(), 1e-6) << "link " << link;
   }
 }

@@ -26,7 +26,7 @@ double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
 
 struct Drive {
   PathFollower::Status status = PathFollower::Status::driving;
-  double worst_m = 0;      // farthest from the line
+  double worst_m = 0;  // farthest from the line
   double to_goal_m = 0;
   std::string reason;
 };
@@ -72,8 +72,7 @@ TEST(PathFollower, holds_a_line_with_corners_and_stops_at_its_end) {
 TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_one) {
   DrivingLimits limits;
   limits.speed_mps = 2;
-  const std::vector<DrivingLeg> line =
-      driving_line({{0, 0}, {40, 0}, {80, 10}, {80, 50}}, limits);
+  const std::vector<DrivingLeg> line = driving_line({{0, 0}, {40, 0}, {80, 10}, {80, 50}}, limits);
   std::vector<Vec2> points{{0, 0}};
   int stops = 0;
   for (const DrivingLeg& leg : line) {
@@ -85,8 +84,9 @@ TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_
   // Every leg can be driven: speeds change no faster than the acceleration allows.
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     EXPECT_LE(line[i].end_speed_mps, line[i + 1].speed_max_mps + 1e-12);
-    EXPECT_NEAR((line[i].from_S_m + line[i].length_m * line[i].along_S - line[i + 1].from_S_m).norm(),
-                0, 1e-9);
+    EXPECT_NEAR(
+        (line[i].from_S_m + line[i].length_m * line[i].along_S - line[i + 1].from_S_m).norm(), 0,
+        1e-9);
   }
 }
 

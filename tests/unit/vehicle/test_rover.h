@@ -9,15 +9,23 @@
 namespace lsos::test {
 
 inline Soil soil() {
-  return {.name = "ApolloNominal", .k_c = 1400, .k_phi = 820000, .n = 1, .cohesion_pa = 170,
-          .friction_rad = 0.6108652381980153, .density_kgpm3 = 1520, .shear_modulus_m = 0.018};
+  return {.name = "ApolloNominal",
+          .k_c = 1400,
+          .k_phi = 820000,
+          .n = 1,
+          .cohesion_pa = 170,
+          .friction_rad = 0.6108652381980153,
+          .density_kgpm3 = 1520,
+          .shear_modulus_m = 0.018};
 }
 
 inline Wishbone suspension() {
   Wishbone w;
   for (const double x : {2.0, 0.0, -2.0}) {
     for (const double y : {1.5, -1.5}) {
-      w.modules.push_back({(x > 0 ? "front" : x < 0 ? "rear" : "middle") +
+      w.modules.push_back({(x > 0   ? "front"
+                            : x < 0 ? "rear"
+                                    : "middle") +
                                std::string(y > 0 ? "_left" : "_right"),
                            Vec2(x, y)});
     }
@@ -27,15 +35,25 @@ inline Wishbone suspension() {
   w.stiffness_npm = 1e4;
   w.damping_nspm = 3e3;
   w.travel_up_m = w.travel_down_m = 0.25;
-  w.steering = {.angle_max_rad = 3.2, .rate_max_radps = 0.6, .torque_max_n_m = 2000,
-                .stiffness_n_m_prad = 2e4, .damping_n_m_sprad = 1e3};
+  w.steering = {.angle_max_rad = 3.2,
+                .rate_max_radps = 0.6,
+                .torque_max_n_m = 2000,
+                .stiffness_n_m_prad = 2e4,
+                .damping_n_m_sprad = 1e3};
   w.wheel_offsets_m = {0.25, -0.25};
   w.wheel_mass_kg = 30;
-  w.wheel = {.radius_m = 0.5, .width_m = 0.3, .normal_stiffness_npm = 1e5,
-             .normal_damping_nspm = 1e3, .tangential_damping_nspm = 500};
-  w.drive = {.torque_max_n_m = 800, .power_max_w = 2000, .efficiency = 0.8,
-             .servo_gain_n_m_sprad = 300, .servo_integral_n_m_prad = 300,
-             .brake_torque_max_n_m = 1500, .brake_stiffness_n_m_prad = 2e4,
+  w.wheel = {.radius_m = 0.5,
+             .width_m = 0.3,
+             .normal_stiffness_npm = 1e5,
+             .normal_damping_nspm = 1e3,
+             .tangential_damping_nspm = 500};
+  w.drive = {.torque_max_n_m = 800,
+             .power_max_w = 2000,
+             .efficiency = 0.8,
+             .servo_gain_n_m_sprad = 300,
+             .servo_integral_n_m_prad = 300,
+             .brake_torque_max_n_m = 1500,
+             .brake_stiffness_n_m_prad = 2e4,
              .brake_damping_n_m_sprad = 200};
   return w;
 }

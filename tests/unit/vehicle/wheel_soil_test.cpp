@@ -76,8 +76,8 @@ TEST(WheelSoil, traction_never_passes_the_strength_of_the_soil) {
   input.rim_velocity_S_mps = {3, -4, 0};
   for (int i = 0; i < 1000; ++i) {
     const WheelContactForces forces = contact_forces(soil, wheel, input, 1e-3, state);
-    const double limit_n = traction_limit_n(soil, wheel, forces.load_n,
-                                            contact_length_m(wheel, forces.sinkage_m));
+    const double limit_n =
+        traction_limit_n(soil, wheel, forces.load_n, contact_length_m(wheel, forces.sinkage_m));
     EXPECT_LE(forces.at_contact_S_n.head<2>().norm(), limit_n * (1 + 1e-12));
   }
 }

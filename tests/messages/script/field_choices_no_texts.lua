@@ -1,0 +1,9 @@
+-- expect: choice: choices[2]: a text is wanted, found a number
+-- as: events
+local lsos = require 'lsos'
+return lsos.event {
+  api = 1,
+  doc = 'A case.',
+  phases = { go = function() end },
+  params = { mode = lsos.choice { kml = 'Mode', choices = { 'a', 2 } } },
+}

@@ -1,0 +1,9 @@
+-- expect: number: 'kml' is missing
+-- as: events
+local lsos = require 'lsos'
+return lsos.event {
+  api = 1,
+  doc = 'A case.',
+  phases = { go = function() end },
+  params = { share = lsos.number { min = 0 } },
+}

@@ -1,0 +1,9 @@
+-- expect: event: params: 'RoverId' is a field that every event has
+-- as: events
+local lsos = require 'lsos'
+return lsos.event {
+  api = 1,
+  doc = 'A case.',
+  phases = { go = function() end },
+  params = { other = lsos.text { kml = 'RoverId' } },
+}

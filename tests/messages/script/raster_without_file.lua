@@ -1,0 +1,4 @@
+-- expect: raster: 'file' is missing
+-- as: terrain
+local lsos = require 'lsos'
+return lsos.terrain { surface = lsos.raster {} }
