@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "system/process.h"
+#include "system/run_folder.h"
 #include "system/source_files.h"
 #include "system/temp_folder.h"
 
@@ -89,6 +90,31 @@ TEST_P(Readme, shows_commands_that_work) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, Readme, ::testing::ValuesIn(readmes()), test_name);
+
+// The first fenced block of that language in README.md.
+std::string shown_block(const std::string& language) {
+  std::string block;
+  bool is_in_block = false;
+  for (const std::string& line : read_lines(repository() / "README.md")) {
+    if (is_in_block && line == "```") break;
+    if (is_in_block) block += line + "\n";
+    if (line == "```" + language) is_in_block = true;
+  }
+  return block;
+}
+
+TEST(FirstEvent, of_the_readme_works_beside_a_plan_without_building) {
+  const TempFolder folder;
+  folder.write("events/Beacon.lua", shown_block("lua"));
+  std::string plan = read_text(repository() / "plans" / "first_drive.kml");
+  plan.insert(plan.rfind("</Document>"), shown_block("xml"));
+  const std::string file = folder.write("plan.kml", plan);
+  const Outcome outcome = run({file, "-o", folder / "run", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const fs::path log = folder / "run" / "log.gpkg";
+  EXPECT_EQ(query(log, "select name from notes where sequence = 25"), "beacon");
+  EXPECT_EQ(query(log, "select status from events where type = 'Beacon'"), "completed");
+}
 
 TEST(ScriptRun, is_the_program_from_any_folder) {
   const TempFolder folder;
