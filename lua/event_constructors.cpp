@@ -139,13 +139,19 @@ void read_phases(TableReader& t, EventDeclaration& event, int functions) {
                           name, describe(L, -1)));
     }
   });
+  lua_pushnil(L);
+  if (lua_next(L, -2) == 0) {
+    t.fault("phases: at least one is needed");
+  } else {
+    lua_pop(L, 2);
+  }
   lua_pop(L, 2);
 }
 
 void check_phases(TableReader& t, EventDeclaration& event) {
   std::vector<std::string> names;
   for (const EventDeclaration::Phase& phase : event.phases) names.push_back(phase.name);
-  if (names.empty()) return t.fault("phases: at least one is needed");
+  if (names.empty()) return;  // a fault already
   if (event.start_phase.empty() && names.size() == 1) event.start_phase = names.front();
   if (event.start_phase.empty()) return t.fault("'start' is missing: which phase comes first?");
   const auto check = [&](const std::string& what, const std::string& name) {
