@@ -1,8 +1,8 @@
 -- Level ground with bowl craters; the plan's Seed decides where they are. Synthetic, no real place.
 --
--- Numbers fall with the square of the diameter, as on old mare surfaces, at a tenth of the density in
--- equilibrium (Trask 1966: 10^-1.1 D^-2 a m2, 9e-3 for D > 3 m), so that there is always a way round.
--- Depth to diameter of worn small craters, an assumption.
+-- Numbers fall with the square of the diameter, as on old mare surfaces, at a tenth of the density
+-- in equilibrium (Trask 1966: 10^-1.1 D^-2 a m2, 9e-3 for D > 3 m), so that there is always a way
+-- round. Depth to diameter of worn small craters, an assumption.
 
 local lsos = require 'lsos'
 

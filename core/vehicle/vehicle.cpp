@@ -264,12 +264,13 @@ VehicleReport Vehicle::report() {
     if (std::isnan(wheel.slip)) continue;
     ++slipping;
     slip_sum += wheel.slip;
-    if (!(report.slip_max > std::abs(wheel.slip))) report.slip_max = std::abs(wheel.slip);
+    if (!(report.slip_max >= wheel.slip)) report.slip_max = wheel.slip;
   }
   if (touching > 0) report.sinkage_m = sinkage_sum_m / touching;
   if (slipping > 0) report.slip = slip_sum / slipping;
   if (feet_S_m.size() >= 3) {
-    report.slope_rad = std::acos(std::clamp(fit_plane(feet_S_m, up).normal.dot(up), -1.0, 1.0));
+    const Vec3 normal_S = fit_plane(feet_S_m, up).normal;
+    report.slope_rad = std::atan2(normal_S.cross(up).norm(), normal_S.dot(up));
   }
   return report;
 }

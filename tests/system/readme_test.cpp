@@ -46,6 +46,7 @@ Words shown_commands(const fs::path& file) {
   return commands;
 }
 
+// README.md, and what else shows commands.
 std::vector<std::string> readmes() {
   std::vector<std::string> files = {"README.md"};
   for (const auto& folder : fs::directory_iterator(repository())) {
@@ -54,7 +55,7 @@ std::vector<std::string> readmes() {
       continue;
     }
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() == ".md") {
+      if (entry.path().extension() == ".md" && !shown_commands(entry.path()).empty()) {
         files.push_back(fs::relative(entry.path(), repository()));
       }
     }

@@ -1,0 +1,126 @@
+// All that is shipped works: every plan, every terrain, every rover and every soil.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "system/plan_text.h"
+#include "system/process.h"
+#include "system/run_folder.h"
+#include "system/source_files.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> names(const std::string& folder, const std::string& ending) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(repository() / folder)) {
+    if (entry.path().extension() == ending) found.push_back(entry.path().stem());
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST(ShippedPlan, completes) {
+  for (const std::string& plan : names("plans", ".kml")) {
+    const TempFolder folder;
+    const Outcome outcome =
+        run({repository() / "plans" / (plan + ".kml"), "-o", folder / "run", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << plan << "\n" << outcome.out << outcome.err;
+  }
+}
+
+// One SEV drives a short way; its route and terrain as given.
+Outcome drive(const TempFolder& folder, const std::string& terrain, const std::string& rover) {
+  const std::string plan = folder.write(
+      "plan.kml", kml({{"MissionInfo",
+                        {{"Planet", "Mars"}, {"StartTime", "2026-01-01"}, {"Terrain", terrain}},
+                        ""},
+                       {"Rover", {{"RoverId", "A"}, {"RoverType", rover}}, point("30,-40")},
+                       event("Route", "A", 1, {}, point("30.0003,-40.0001"))}));
+  return run({plan, "-o", folder / "run", "--quiet"});
+}
+
+TEST(ShippedTerrain, carries_a_rover_on_any_body) {
+  for (const std::string& terrain : names("terrain", ".lua")) {
+    const TempFolder folder;
+    const Outcome outcome = drive(folder, terrain, "SEV");
+    EXPECT_EQ(outcome.exit_code, 0) << terrain << "\n" << outcome.out << outcome.err;
+    EXPECT_GT(summary(folder / "run")["rovers"]["A"]["distance_m"], 10) << terrain;
+  }
+}
+
+TEST(ShippedRover, drives) {
+  for (const std::string& rover : names("rovers", ".lua")) {
+    const TempFolder folder;
+    const Outcome outcome = drive(folder, "Flat", rover);
+    EXPECT_EQ(outcome.exit_code, 0) << rover << "\n" << outcome.out << outcome.err;
+  }
+}
+
+TEST(ShippedSoil, is_listed_and_can_be_named_by_a_terrain) {
+  const std::string listed = run({"list", "soils"}).out;
+  for (const std::string& soil : names("terrain/soils", ".lua")) {
+    EXPECT_NE(listed.find(soil), std::string::npos);
+    const TempFolder folder;
+    folder.write(
+        "terrain/Mine.lua",
+        "-- Level ground of one soil.\n"
+        "local lsos = require 'lsos'\n"
+        "return lsos.terrain { api = 1, doc = 'Level.', surface = lsos.plane {}, soil = '" +
+            soil + "' }\n");
+    EXPECT_EQ(drive(folder, "Mine", "SEV").exit_code, 0) << soil;
+  }
+}
+
+TEST(FirstDrive, holds_its_line_within_half_a_metre) {
+  const TempFolder folder;
+  ASSERT_EQ(
+      run({repository() / "plans" / "first_drive.kml", "-o", folder / "run", "--quiet"}).exit_code,
+      0);
+  // The drawn line in metres east and north of its start; the plan's degrees on a sphere of
+  // 1737.4 km are these within a decimetre.
+  const std::vector<std::pair<double, double>> line{{0, 0},     {60, 35},   {150, 40}, {220, 90},
+                                                    {215, 170}, {150, 230}, {60, 240}};
+  const std::string rows =
+      run_command({"sqlite3", folder / "run" / "log.gpkg", "select x_m || ' ' || y_m from samples"})
+          .out;
+  std::istringstream text(rows);
+  double x = 0, y = 0, worst_m = 0;
+  int count = 0;
+  while (text >> x >> y) {
+    double nearest_m = 1e9;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const double dx = line[i + 1].first - line[i].first;
+      const double dy = line[i + 1].second - line[i].second;
+      const double t = std::clamp(
+          ((x - line[i].first) * dx + (y - line[i].second) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      nearest_m =
+          std::min(nearest_m, std::hypot(x - line[i].first - t * dx, y - line[i].second - t * dy));
+    }
+    worst_m = std::max(worst_m, nearest_m);
+    ++count;
+  }
+  EXPECT_GT(count, 500);
+  EXPECT_LT(worst_m, 0.5);
+}
+
+TEST(FullDisk, stops_the_run_and_leaves_what_was_committed) {
+  const TempFolder folder;
+  const std::string plan = folder.write("plan.kml", kml(long_drive()));
+  // No file may grow beyond 1 MiB: the log's insert fails as on a full disk.
+  const Words words = program({plan, "-o", folder / "run", "--quiet"});
+  std::string command = "ulimit -f 1024; exec";
+  for (const std::string& word : words) command += " '" + word + "'";
+  const Outcome outcome = run_command({"bash", "-c", command});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_NE(outcome.err.find("log.gpkg"), std::string::npos) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder / "run" / "summary.json"));
+  EXPECT_GT(std::stoi("0" + query(folder / "run" / "log.gpkg", "select count(*) from samples")), 0);
+}
+
+}  // namespace
+}  // namespace lsos::test
