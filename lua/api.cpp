@@ -31,7 +31,8 @@ int random(lua_State* L) {
   const double low = luaL_optnumber(L, 1, 0), high = luaL_optnumber(L, 2, 1);
   if (!(low <= high)) throw std::runtime_error("lsos.random(low, high): low is above high");
   if (!call.random) {
-    call.random.emplace(call.phase.seed, call.phase.rover_id, call.phase.sequence, "script");
+    call.random.emplace(call.phase.seed, call.phase.rover_id, call.phase.sequence,
+                        fmt::format("script {}", call.phase.script_number));
   }
   lua_pushnumber(L, call.random->uniform(low, high));
   return 1;

@@ -5,7 +5,6 @@
 
 #include "lua/commands.h"
 #include "lua/mission_files.h"
-#include "mission/site.h"
 
 namespace lsos {
 
@@ -25,7 +24,8 @@ std::string json_text(const MissionFiles& files) {
                                       {"events", files.plan.events.size()},
                                       {"decoration", files.plan.decoration_count},
                                       {"faults", faults},
-                                      {"defaults", files.plan.defaults}};
+                                      {"defaults", files.plan.defaults},
+                                      {"assumptions", files.assumptions}};
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -33,10 +33,15 @@ std::string people_text(const MissionFiles& files) {
   std::string text;
   for (const Fault& fault : files.faults.sorted()) text += to_string(fault) + "\n";
   if (files.faults.has_errors()) return text;
-  text +=
-      fmt::format("{}: {} rovers, {} events, {} other Placemarks left alone\n", files.plan.file,
-                  files.plan.rovers.size(), files.plan.events.size(), files.plan.decoration_count);
+  const auto counted = [](std::size_t count, const char* noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+  };
+  text += fmt::format(
+      "{}: {}, {}, {} left alone\n", files.plan.file, counted(files.plan.rovers.size(), "rover"),
+      counted(files.plan.events.size(), "event"),
+      counted(static_cast<std::size_t>(files.plan.decoration_count), "other Placemark"));
   for (const std::string& line : files.plan.defaults) text += fmt::format("  default: {}\n", line);
+  for (const std::string& line : files.assumptions) text += fmt::format("  assumption: {}\n", line);
   return text;
 }
 
@@ -45,8 +50,13 @@ std::string people_text(const MissionFiles& files) {
 int check_command(const CheckOptions& options) {
   MissionFiles files = read_mission(options.plan);
   if (!files.faults.has_errors()) {
-    files.faults.add(
-        site_faults(synthesise(files.plan, files.catalog->declarations()), files.terrain));
+    try {
+      // The machine's `initialise`: rovers are put on the ground, nothing moves.
+      const Simulation simulation(simulation_setup(files));
+      for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
+    } catch (const InputError& error) {
+      files.faults.add(error.faults());
+    }
   }
   fmt::print("{}", options.is_json ? json_text(files) : people_text(files));
   return files.faults.has_errors() ? 2 : 0;

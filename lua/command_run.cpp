@@ -25,7 +25,7 @@ RunSummary summarise(const Simulation& simulation, const MissionFiles& files, do
   RunSummary summary;
   summary.plan = files.plan.file;
   summary.events = simulation.events();
-  summary.status = run_status(summary.events, simulation.is_aborted());
+  summary.status = run_status(summary.events);
   summary.sim_s = seconds(simulation.now());
   summary.wall_s = wall_s;
   for (const RoverResult& result : simulation.results()) {
@@ -46,14 +46,17 @@ RunSummary summarise(const Simulation& simulation, const MissionFiles& files, do
   return summary;
 }
 
-void simulate(Simulation& simulation, bool is_quiet) {
+// Answers the signal that stopped it, or 0.
+int simulate(Simulation& simulation, bool is_quiet) {
   Progress progress(is_quiet);
   const auto events = static_cast<double>(simulation.plan().events.size());
+  int stopped_by = 0;
   simulation.start();
-  while (!simulation.is_finished()) {
-    if (const int signal = asked_to_stop) {
-      simulation.stop(fmt::format("stopped by {}", signal == SIGINT ? "SIGINT" : "SIGTERM"));
-      break;
+  while (!simulation.is_finished() && stopped_by == 0) {
+    stopped_by = asked_to_stop;
+    if (stopped_by != 0) {
+      simulation.stop(fmt::format("stopped by {}", stopped_by == SIGINT ? "SIGINT" : "SIGTERM"));
+      continue;
     }
     simulation.advance();
     progress.show(static_cast<double>(simulation.events_ended()) / events,
@@ -61,11 +64,15 @@ void simulate(Simulation& simulation, bool is_quiet) {
   }
   progress.finish();
   simulation.terminate();
+  return stopped_by;
 }
 
 }  // namespace
 
-void ask_to_stop(int signal) { asked_to_stop = signal; }
+void ask_to_stop(int signal) {
+  asked_to_stop = signal;
+  std::signal(signal, SIG_DFL);  // who asks again does not want to wait
+}
 
 int run_command(const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -88,7 +95,7 @@ int run_command(const RunOptions& options) {
                 files.plan.mission.start_time);
   log.write_run(run_values(files, simulation.ground()));
   simulation.set_log(&log);
-  simulate(simulation, options.is_quiet);
+  const int stopped_by = simulate(simulation, options.is_quiet);
   log.finish();
 
   const double wall_s =
@@ -98,9 +105,12 @@ int run_command(const RunOptions& options) {
   write_overlay(folder.path(), files.plan);
   write_summary(folder.path(), summary);
 
+  for (const std::string& warning : simulation.warnings()) {
+    if (!options.is_quiet) fmt::print(stderr, "warning: {}\n", warning);
+  }
   fmt::print("{}", options.is_json ? to_json(summary) : to_text(summary));
   if (!options.is_json) fmt::print("results in {}\n", folder.path());
-  if (const int signal = asked_to_stop) return 128 + signal;
+  if (stopped_by != 0) return 128 + stopped_by;
   return summary.status == RunStatus::completed ? 0 : 1;
 }
 

@@ -34,10 +34,15 @@ TerrainSpec terrain_of(const Plan& plan, const Catalog& catalog,
   return terrain;
 }
 
-// A plan that names a broken script is told why it is broken, not that it is unknown.
-void add_script_faults(const Catalog& catalog, Faults& faults) {
+// Scripts that are broken or hidden: a warning each, unless the plan names them, which is an error
+// already.
+void add_script_warnings(const Catalog& catalog, Faults& faults) {
+  const std::vector<Fault> known = faults.sorted();
   for (const Fault& fault : catalog.faults().sorted()) {
-    faults.warning(fault.place, fault.what);
+    const bool is_known = std::ranges::any_of(known, [&](const Fault& k) {
+      return k.place == fault.place && fault.what.ends_with(k.what);
+    });
+    if (!is_known) faults.warning(fault.place, fault.what);
   }
 }
 
@@ -55,7 +60,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   MissionFiles files;
   files.catalog = read_catalog(plan_file);
   files.plan = read_plan(plan_file, files.catalog->declarations(), files.faults);
-  add_script_faults(*files.catalog, files.faults);
+  add_script_warnings(*files.catalog, files.faults);
   if (seed) files.plan.mission.seed = *seed;
   if (files.faults.has_errors()) return files;
   const auto collect = [&](auto load) {
@@ -99,7 +104,18 @@ std::map<std::string, std::string> run_values(const MissionFiles& files, const G
       {"soil", files.terrain.soil.name},
   };
   std::set<std::string> events, rovers;
-  for (const PlanEvent& event : files.plan.events) events.insert(event.type);
+  // With the events that their phases are.
+  std::vector<std::string> types;
+  for (const PlanEvent& event : files.plan.events) types.push_back(event.type);
+  while (!types.empty()) {
+    const std::string type = std::move(types.back());
+    types.pop_back();
+    if (!events.insert(type).second) continue;
+    for (const EventDeclaration::Phase& phase :
+         files.catalog->declarations().events.at(type).phases) {
+      if (!phase.sub_event.empty()) types.push_back(phase.sub_event);
+    }
+  }
   for (const PlanRover& rover : files.plan.rovers) rovers.insert(rover.type);
   for (const Script& script : files.catalog->scripts()) {
     const bool is_used =

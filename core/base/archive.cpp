@@ -14,6 +14,14 @@ void Archive::raw(void* data, std::size_t size) {
   position_ += size;
 }
 
+Archive& Archive::operator()(bool& value) {
+  std::uint8_t byte = value ? 1 : 0;
+  (*this)(byte);
+  if (byte > 1) throw Mismatch("saved state holds a truth value that is neither 0 nor 1");
+  value = byte == 1;
+  return *this;
+}
+
 std::size_t Archive::size(std::size_t size) {
   auto count = static_cast<std::uint64_t>(size);
   (*this)(count);

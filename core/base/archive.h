@@ -41,6 +41,7 @@ class Archive {
     raw(&value, sizeof value);
     return *this;
   }
+  Archive& operator()(bool& value);
   Archive& operator()(SimTime& value) {
     std::int64_t count = value.count();
     (*this)(count);

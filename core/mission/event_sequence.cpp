@@ -39,7 +39,7 @@ Path3 geometry_S_m(const PlanGeometry& geometry, const Ground& ground) {
 
 void EventRecord::archive(Archive& a) {
   a(status)(reason)(ready)(start)(end)(distance_start_m)(distance_m)(place.lon_rad)(place.lat_rad)(
-      place.height_m)(is_written);
+      place.height_m)(is_prevented)(is_written);
 }
 
 EventSequence::EventSequence(const RoverMachine& machine, const MissionInfo& mission,
@@ -68,17 +68,23 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
         continue;
       }
     }
-    std::string hindered = hindrance(now, agent);
+    std::string hindered = hindrance(agent);
     if (++changes > phase_changes_max) hindered = "its phases go round without time passing";
+    const bool is_due = running_->is_due(now, agent);
+    // What ends at the very moment of its timeout has not taken longer.
+    if (hindered.empty() && !is_due && is_timed_out(now)) {
+      hindered = fmt::format("timed out after {} s", seconds(*event().timeout));
+    }
     if (!hindered.empty()) {
       abort(now, agent, host);
       end(EventStatus::failed, hindered, now, agent);
-      if (agent.is_broken()) finish(now);
+      if (agent.is_broken()) finish(now, hindered, true);
       continue;
     }
-    if (!running_->is_due(now, agent)) return;
+    if (!is_due) return;
     switch (running_->call(now, mission_, agent, host)) {
       case RunningEvent::Progress::waits:
+        if (is_timed_out(now)) break;
         return;
       case RunningEvent::Progress::goes_on:
         break;
@@ -92,14 +98,13 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
   }
 }
 
-std::string EventSequence::hindrance(SimTime now, const RoverAgent& agent) const {
+std::string EventSequence::hindrance(const RoverAgent& agent) const {
   const bool drives = agent.drive().status != DriveState::Status::none;
-  if (!agent.fault().empty() && (drives || agent.is_broken())) return agent.fault();
-  const SimTime running = now - *records_[index_].start;
-  if (event().timeout && running >= *event().timeout) {
-    return fmt::format("timed out after {} s", seconds(*event().timeout));
-  }
-  return "";
+  return !agent.fault().empty() && (drives || agent.is_broken()) ? agent.fault() : "";
+}
+
+bool EventSequence::is_timed_out(SimTime now) const {
+  return event().timeout && now - *records_[index_].start >= *event().timeout;
 }
 
 // Gives the next enabled event its turn; false when there is none.
@@ -118,20 +123,25 @@ bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
 }
 
 bool EventSequence::may_start(SimTime now, const Others& others, std::string& impossible) {
+  // The order of rovers within one exchange must not matter: an end counts from the next one.
   waits_for_others_ = false;
+  bool is_late = false;
   for (const PlanEvent::Reference& awaited : event().start_after) {
     const EventRecord& record = others.record(awaited);
-    if (!has_ended(record)) {
-      // `incomplete`, or not started though its rover has finished, will never end.
-      if (record.status == EventStatus::incomplete || record.end) {
-        impossible = fmt::format("{}/{}, which it waits for, can no longer run", awaited.rover_id,
-                                 awaited.sequence);
-      }
+    if (!record.end) {
       waits_for_others_ = true;
+    } else if (*record.end >= now) {
+      is_late = true;
+    } else if (!has_ended(record)) {
+      impossible = fmt::format("{}/{}, which it waits for, can no longer run", awaited.rover_id,
+                               awaited.sequence);
       return false;
     }
-    // The order of rovers within one exchange must not matter: it counts from the next one.
-    if (*record.end >= now) return false;
+  }
+  if (waits_for_others_ || is_late) {
+    // Something that has ended now may decide at the next exchange, whatever else it waits for.
+    waits_for_others_ = !is_late;
+    return false;
   }
   return !event().start_time || *event().start_time - mission_.start_time <= now;
 }
@@ -162,13 +172,16 @@ void EventSequence::abort(SimTime now, RoverAgent& agent, ScriptHost& host) {
 }
 
 void EventSequence::end(EventStatus status, const std::string& reason, SimTime now,
-                        const RoverAgent& agent) {
+                        RoverAgent& agent) {
+  agent.brake();  // whatever its script left under way
   EventRecord& record = current();
   if (running_) {
     for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));
   }
   record.status = status;
-  record.reason = reason;
+  // A script's traceback is for the warnings; the reason is its first line.
+  record.reason = reason.substr(0, reason.find('\n'));
+  if (record.reason != reason) warnings_.push_back(reason);
   record.end = now;
   record.place = agent.place_now();
   if (record.start) record.distance_m = agent.view().distance_m - record.distance_start_m;
@@ -191,19 +204,22 @@ void EventSequence::after_failure(SimTime now) {
     }
     case OnFailure::abort:
       aborts_mission_ = event().label;
-      finish(now);
+      finish(now, fmt::format("'{}' failed", event().label), true);
       return;
     case OnFailure::stop:
-      finish(now);
+      finish(now, fmt::format("'{}' failed", event().label), true);
       return;
   }
 }
 
 // No more events run here. An end without having started says so to those who wait for them.
-void EventSequence::finish(SimTime now) {
+void EventSequence::finish(SimTime now, const std::string& reason, bool is_failure) {
   is_finished_ = true;
-  for (std::size_t i = index_ + 1; i < records_.size(); ++i) {
-    if (records_[i].status == EventStatus::not_started) records_[i].end = now;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    if (records_[i].status != EventStatus::not_started || records_[i].end) continue;
+    records_[i].end = now;
+    records_[i].reason = reason;
+    records_[i].is_prevented = is_failure;
   }
 }
 
@@ -215,19 +231,19 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
     record.reason = fmt::format("'{}' failed and goes to '{}'", event().label,
                                 machine_.events[index].event.label);
     record.end = now;
-    changed(i);
   }
   index_ = index;
 }
 
 void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host,
-                         const std::string& reason) {
+                         const std::string& reason, bool is_failure) {
   if (running_) abort(now, agent, host);
   if (has_turn_) {
     const bool has_started = current().start.has_value();
+    current().is_prevented = is_failure && !has_started;
     end(has_started ? EventStatus::incomplete : EventStatus::not_started, reason, now, agent);
   }
-  finish(now);
+  finish(now, reason, is_failure);
 }
 
 std::optional<SimTime> EventSequence::wake(SimTime now) const {
@@ -247,6 +263,12 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
   return std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
 }
 
+SimTime EventSequence::last_end() const {
+  SimTime last{};
+  for (const EventRecord& record : records_) last = std::max(last, record.end.value_or(SimTime{}));
+  return last;
+}
+
 std::string EventSequence::event_label() const { return running_ ? event().label : ""; }
 std::string EventSequence::phase() const { return running_ ? running_->phase() : ""; }
 
@@ -258,7 +280,11 @@ EventRow EventSequence::row(std::size_t index) const {
   row.sequence = event.sequence;
   row.type = event.type;
   row.label = event.label;
-  row.status = record.status;
+  // The file knows how an event ends; until then it is what a kill would leave it as.
+  row.is_prevented = record.is_prevented;
+  row.status = record.status == EventStatus::running   ? EventStatus::incomplete
+               : record.status == EventStatus::waiting ? EventStatus::not_started
+                                                       : record.status;
   row.reason = record.reason;
   row.ready = record.ready;
   row.start = record.start;

@@ -20,6 +20,7 @@ struct EventRecord {
   std::optional<SimTime> ready, start, end;
   double distance_start_m = 0, distance_m = not_modelled;
   Geodetic place;          // of the rover when it started, then ended
+  bool is_prevented = false;  // will not start because of a failure
   bool is_written = true;  // nothing new for the log
 
   void archive(Archive& a);
@@ -43,9 +44,13 @@ class EventSequence {
   std::optional<SimTime> wake(SimTime now) const;
 
   // Ends the running event as incomplete and starts no other.
-  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const std::string& reason);
+  // `is_failure`: because an event failed.
+  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const std::string& reason,
+            bool is_failure);
 
   bool is_finished() const { return is_finished_; }
+  // When the last event so far ended.
+  SimTime last_end() const;
   // An event with OnFailure = abort has failed: its label, else "".
   const std::string& aborts_mission() const { return aborts_mission_; }
 
@@ -73,12 +78,13 @@ class EventSequence {
   bool may_start(SimTime now, const Others& others, std::string& impossible);
   void start(SimTime now, const RoverAgent& agent, ScriptHost& host);
   // Why the running event cannot go on, whatever its script wants; "" when it can.
-  std::string hindrance(SimTime now, const RoverAgent& agent) const;
+  std::string hindrance(const RoverAgent& agent) const;
+  bool is_timed_out(SimTime now) const;
   void abort(SimTime now, RoverAgent& agent, ScriptHost& host);
-  void end(EventStatus status, const std::string& reason, SimTime now, const RoverAgent& agent);
+  void end(EventStatus status, const std::string& reason, SimTime now, RoverAgent& agent);
   void after_failure(SimTime now);
   void skip_to(std::size_t index, SimTime now);
-  void finish(SimTime now);
+  void finish(SimTime now, const std::string& reason, bool is_failure);
   void changed(std::size_t index);
 
   RoverMachine machine_;

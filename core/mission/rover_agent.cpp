@@ -33,10 +33,10 @@ RoverAgent::RoverAgent(const PlanRover& rover, const VehicleConfig& config, cons
 }
 
 void RoverAgent::place(double default_heading_rad) {
-  if (!vehicle_.place(rover_.start, rover_.heading_rad.value_or(default_heading_rad))) {
-    throw InputError(
-        rover_.place,
-        fmt::format("Rover '{}': the terrain is not known under one of its wheels", rover_.id));
+  const std::string hindrance =
+      vehicle_.place(rover_.start, rover_.heading_rad.value_or(default_heading_rad));
+  if (!hindrance.empty()) {
+    throw InputError(rover_.place, fmt::format("Rover '{}': {}", rover_.id, hindrance));
   }
   look();
   count_extremes();
@@ -52,7 +52,8 @@ void RoverAgent::observe() {
     is_broken_ = true;
     fault_ = "the dynamics gave a number that is not finite";
   } else if (!report_.is_on_ground_data) {
-    fault_ = "left the terrain that is known";
+    fault_ = fmt::format("left the terrain that is known at {:.6f},{:.6f}", lon_deg(place_now()),
+                         lat_deg(place_now()));
   } else if (std::hypot(report_.pitch_rad, report_.roll_rad) > rolled_over_rad) {
     fault_ = fmt::format("rolled over (pitch {:.0f} deg, roll {:.0f} deg)",
                          degrees(report_.pitch_rad), degrees(report_.roll_rad));
@@ -91,6 +92,9 @@ void RoverAgent::look() {
     return;
   }
   report_ = report;
+  view_.distance_m = vehicle_.distance_m();
+  view_.drive_w = vehicle_.drive_w();
+  view_.drive_j = vehicle_.drive_j();
   update_view();
 }
 
@@ -104,12 +108,9 @@ void RoverAgent::update_view() {
   view_.pitch_rad = report_.pitch_rad;
   view_.roll_rad = report_.roll_rad;
   view_.speed_mps = report_.speed_mps;
-  view_.distance_m = vehicle_.distance_m();
   view_.slope_rad = report_.slope_rad;
   view_.slip = report_.slip;
   view_.sinkage_m = report_.sinkage_m;
-  view_.drive_w = vehicle_.drive_w();
-  view_.drive_j = vehicle_.drive_j();
   view_.is_parked = is_parked_;
 }
 
@@ -117,18 +118,30 @@ void RoverAgent::count_extremes() {
   const auto raise = [](double& most, double value) {
     if (!(most >= value) && !std::isnan(value)) most = value;
   };
-  raise(slip_max_, report_.slip_max);
+  raise(slip_max_, std::abs(report_.slip_max));
   raise(slope_max_rad_, report_.slope_rad);
   if (report_.speed_mps > driving_mps) drive_time_ += exchange_period;
-  // Rises are counted from the last low point, once they pass the hysteresis.
+  // Rises from turning point to turning point; what is smaller than the hysteresis is no turn.
   const double elevation_m = report_.elevation_m;
-  if (std::isnan(elevation_low_m_)) elevation_low_m_ = elevation_m;
-  if (elevation_m > elevation_low_m_ + gain_hysteresis_m) {
-    elevation_gain_m_ += elevation_m - elevation_low_m_;
-    elevation_low_m_ = elevation_m;
-  } else if (elevation_m < elevation_low_m_) {
-    elevation_low_m_ = elevation_m;
+  if (std::isnan(elevation_low_m_)) elevation_low_m_ = elevation_high_m_ = elevation_m;
+  if (is_rising_) {
+    elevation_high_m_ = std::max(elevation_high_m_, elevation_m);
+    if (elevation_m < elevation_high_m_ - gain_hysteresis_m) {
+      elevation_gain_m_ += elevation_high_m_ - elevation_low_m_;
+      elevation_low_m_ = elevation_m;
+      is_rising_ = false;
+    }
+  } else {
+    elevation_low_m_ = std::min(elevation_low_m_, elevation_m);
+    if (elevation_m > elevation_low_m_ + gain_hysteresis_m) {
+      elevation_high_m_ = elevation_m;
+      is_rising_ = true;
+    }
   }
+}
+
+double RoverAgent::elevation_gain_m() const {
+  return elevation_gain_m_ + (is_rising_ ? elevation_high_m_ - elevation_low_m_ : 0);
 }
 
 DriveState RoverAgent::drive() const {
@@ -147,6 +160,11 @@ DriveState RoverAgent::drive() const {
 
 void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   const VehicleConfig& config = vehicle_.config();
+  if (settings.speed_mps && *settings.speed_mps > config.speed_max_mps) {
+    warnings_.push_back(
+        fmt::format("{}: asked to drive at {:.3g} m/s, a {} does {:.3g} m/s at most", rover_.id,
+                    *settings.speed_mps, config.type, config.speed_max_mps));
+  }
   FollowerLimits limits;
   limits.speed_mps =
       std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
@@ -158,7 +176,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
     reach_m = std::max(reach_m, wheel.p_B_m.norm());
   }
   limits.radius_min_m = config.turning_radius_min_m;
-  limits.turn_rate_radps = turn_rate_share * std::min(limits.speed_mps, 1.0) / reach_m;
+  limits.turn_rate_radps = turn_rate_share * std::min(config.cruise_speed_mps, 1.0) / reach_m;
   follower_.emplace(path_S_m, pose_of(report_), limits);
   if (!fault_.empty()) return;
   command_ = follower_->update(pose_of(report_), seconds(exchange_period));
@@ -174,6 +192,8 @@ void RoverAgent::brake() {
 void RoverAgent::note(const std::string& name, const std::string& fields_json) {
   notes_.push_back({noting_sequence_, name, fields_json});
 }
+
+std::vector<std::string> RoverAgent::take_warnings() { return std::exchange(warnings_, {}); }
 
 std::vector<RoverAgent::Note> RoverAgent::take_notes() { return std::exchange(notes_, {}); }
 
@@ -191,13 +211,13 @@ SampleRow RoverAgent::sample(SimTime now, const std::string& event,
   row.pitch_rad = report_.pitch_rad;
   row.heading_rad = report_.heading_rad;
   row.speed_mps = report_.speed_mps;
-  row.distance_m = vehicle_.distance_m();
+  row.distance_m = view_.distance_m;
   row.slope_rad = report_.slope_rad;
   row.slip = report_.slip;
   row.slip_max = report_.slip_max;
   row.sinkage_m = report_.sinkage_m;
-  row.drive_w = vehicle_.drive_w();
-  row.drive_j = vehicle_.drive_j();
+  row.drive_w = view_.drive_w;
+  row.drive_j = view_.drive_j;
   row.event = event;
   row.phase = phase;
   return row;
@@ -217,7 +237,10 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(
-      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(report_)(slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(drive_time_);
+      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(report_)(view_
+                                                                                                                        .distance_m)(
+      view_.drive_w)(view_.drive_j)(
+      slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
   if (a.is_reading()) update_view();
 }
 

@@ -49,6 +49,8 @@ class RoverAgent : public RoverPort {
   void set_noting_sequence(std::int64_t sequence) { noting_sequence_ = sequence; }
   // What scripts have noted since the last call.
   std::vector<Note> take_notes();
+  // What the user should know, since the last call.
+  std::vector<std::string> take_warnings();
   Geodetic place_now() const;
   SampleRow sample(SimTime now, const std::string& event, const std::string& phase) const;
   std::vector<JointRow> joints(SimTime now) const;
@@ -56,7 +58,7 @@ class RoverAgent : public RoverPort {
   // Extremes over all exchanges.
   double slip_max() const { return slip_max_; }
   double slope_max_rad() const { return slope_max_rad_; }
-  double elevation_gain_m() const { return elevation_gain_m_; }
+  double elevation_gain_m() const;
   double drive_s() const { return seconds(drive_time_); }
 
   void archive(Archive& a);
@@ -79,9 +81,12 @@ class RoverAgent : public RoverPort {
   int exchanges_at_rest_ = 0;
   std::string fault_;
   std::vector<Note> notes_;
+  std::vector<std::string> warnings_;
   std::int64_t noting_sequence_ = 0;
   double slip_max_ = not_modelled, slope_max_rad_ = not_modelled;
-  double elevation_gain_m_ = 0, elevation_low_m_ = not_modelled;
+  double elevation_gain_m_ = 0;
+  double elevation_low_m_ = not_modelled, elevation_high_m_ = not_modelled;
+  bool is_rising_ = false;
   SimTime drive_time_{};
 };
 

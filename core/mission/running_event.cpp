@@ -15,7 +15,7 @@ constexpr std::size_t frames_max = 8;  // events within events
 
 RunningEvent::RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
                            ScriptHost& host)
-    : rover_id_(event.rover_id), label_(event.label), sequence_(event.sequence), start_(now) {
+    : rover_id_(event.rover_id), label_(event.label), sequence_(event.sequence) {
   push(event.type, arguments, "", now, host);
 }
 
@@ -102,6 +102,7 @@ RunningEvent::Progress RunningEvent::fail(const std::string& reason, SimTime now
 std::vector<std::string> RunningEvent::abort(SimTime now, const MissionInfo& mission,
                                              RoverAgent& agent, ScriptHost& host) {
   std::vector<std::string> faults;
+  agent.set_noting_sequence(sequence_);
   while (!frames_.empty()) {
     PhaseContext called = context(now, mission, agent);
     try {
@@ -132,17 +133,24 @@ PhaseContext RunningEvent::context(SimTime now, const MissionInfo& mission,
   return {.rover = agent,
           .now = now,
           .phase_start = frames_.back().phase_start,
-          .event_start = start_,
+          .event_start = frames_.back().start,
           .mission_start = mission.start_time,
           .seed = mission.seed,
           .rover_id = rover_id_,
           .sequence = sequence_,
-          .label = label_};
+          .label = label_,
+          .script_number = frames_.back().number};
 }
 
 void RunningEvent::push(const std::string& type, const EventArguments& arguments,
                         const std::string& next, SimTime now, ScriptHost& host) {
-  Frame frame{type, arguments, host.declarations().events.at(type).start_phase, next, now, 0};
+  Frame frame;
+  frame.type = type;
+  frame.arguments = arguments;
+  frame.phase = host.declarations().events.at(type).start_phase;
+  frame.next = next;
+  frame.start = frame.phase_start = now;
+  frame.number = begun_++;
   frame.instance = host.begin(type, arguments);
   frames_.push_back(std::move(frame));
 }
@@ -168,12 +176,13 @@ void RunningEvent::end_phase(SimTime now) {
 std::vector<PhaseRow> RunningEvent::take_phases() { return std::exchange(phases_, {}); }
 
 void RunningEvent::archive(Archive& a, ScriptHost& host) {
-  a.tag("running")(rover_id_)(label_)(sequence_)(start_)(wake_)(wake_at_);
+  a.tag("running")(rover_id_)(label_)(sequence_)(begun_)(wake_)(wake_at_);
   std::uint64_t depth = frames_.size();
   a(depth);
   if (a.is_reading()) frames_.resize(depth);
   for (Frame& frame : frames_) {
-    a(frame.type)(frame.phase)(frame.next)(frame.phase_start)(frame.arguments);
+    a(frame.type)(frame.phase)(frame.next)(frame.start)(frame.phase_start)(frame.number)(
+        frame.arguments);
     std::string state = a.is_reading() ? "" : host.save(frame.instance);
     a(state);
     if (a.is_reading()) {

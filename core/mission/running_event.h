@@ -46,7 +46,9 @@ class RunningEvent {
     EventArguments arguments;
     std::string phase;
     std::string next;  // the phase of the frame below when this one is done
-    SimTime phase_start{};
+    SimTime start{}, phase_start{};
+    std::int64_t number = 0;  // which of the plan event's scripts, in order of beginning
+
     ScriptInstance instance = 0;  // not saved: begun again
   };
   enum class Wake { next_exchange, at_time, arrival };
@@ -64,7 +66,7 @@ class RunningEvent {
 
   std::string rover_id_, label_;
   std::int64_t sequence_ = 0;
-  SimTime start_{};
+  std::int64_t begun_ = 0;     // scripts so far
   std::vector<Frame> frames_;  // the plan's event first
   Wake wake_ = Wake::next_exchange;
   SimTime wake_at_{};

@@ -62,6 +62,7 @@ struct PhaseContext {
   std::string rover_id;
   std::int64_t sequence = 0;
   std::string label;
+  std::int64_t script_number = 0;  // which of the plan event's scripts; keys its random numbers
 };
 
 using ScriptInstance = std::int64_t;  // an event that runs; ids are never used twice

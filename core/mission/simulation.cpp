@@ -9,7 +9,16 @@
 
 namespace lsos {
 
-Simulation::Simulation(SimulationSetup setup) : setup_(std::move(setup)), pool_(setup_.threads) {
+namespace {
+
+// A rover that has not come to rest so long after its last event slides for ever.
+constexpr SimTime coming_to_rest{60'000'000};
+
+}  // namespace
+
+Simulation::Simulation(SimulationSetup setup)
+    : setup_(std::move(setup)),
+      pool_(std::min(setup_.threads, static_cast<int>(setup_.plan.rovers.size()))) {
   LSOS_ASSERT(!setup_.plan.rovers.empty());
   const Geodetic start = setup_.plan.rovers.front().start;
   ground_ = ground_at(setup_.terrain, *setup_.plan.mission.planet, start, setup_.plan.mission.seed);
@@ -57,7 +66,8 @@ void Simulation::advance() {
   if (is_finished_) return;
   const SimTime next = next_time();
   if (next > setup_.plan.mission.max_duration) {
-    now_ = setup_.plan.mission.max_duration;
+    // The last exchange within it.
+    now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
     stop("MaxDuration is over");
     return;
   }
@@ -93,13 +103,16 @@ void Simulation::exchange() {
   for (const Rover& rover : rovers_) {
     if (rover.sequence.aborts_mission().empty()) continue;
     stop(fmt::format("'{}' of {} failed and aborts the mission", rover.sequence.aborts_mission(),
-                     rover.agent->id()));
-    is_aborted_ = true;
+                     rover.agent->id()),
+         true);
     break;
   }
-  is_finished_ = is_finished_ || std::ranges::all_of(rovers_, [](const Rover& rover) {
-                   return rover.sequence.is_finished();
-                 });
+  // Rovers that still roll come to rest first, so that the last rows say where they are.
+  is_finished_ =
+      is_finished_ || std::ranges::all_of(rovers_, [&](const Rover& rover) {
+        return rover.sequence.is_finished() &&
+               (rover.agent->is_parked() || now_ - rover.sequence.last_end() > coming_to_rest);
+      });
   log_rows();
   if (setup_.save_every_exchange) {
     const std::string state = save();
@@ -115,9 +128,7 @@ void Simulation::run_scripts() {
     if (rover.sequence.is_finished() || (rover.agent->is_parked() && !is_due)) continue;
     rover.sequence.run(now_, *rover.agent, *host_, *this);
     rover.wake = rover.sequence.wake(now_);
-    for (std::string& warning : rover.sequence.take_warnings()) {
-      warnings_.push_back(std::move(warning));
-    }
+    take_warnings(rover);
   }
   // Whoever waits for an event that has ended may start at the next exchange.
   if (events_ended() == ended_before) return;
@@ -140,9 +151,18 @@ const EventRecord& Simulation::record(const PlanEvent::Reference& event) const {
   throw InternalError("a StartAfter names an event that is not in the plan");
 }
 
-void Simulation::stop(const std::string& reason) {
-  for (Rover& rover : rovers_) rover.sequence.stop(now_, *rover.agent, *host_, reason);
+void Simulation::stop(const std::string& reason, bool is_failure) {
+  for (Rover& rover : rovers_) {
+    rover.sequence.stop(now_, *rover.agent, *host_, reason, is_failure);
+    take_warnings(rover);
+  }
   is_finished_ = true;
+}
+
+void Simulation::take_warnings(Rover& rover) {
+  for (const auto& warnings : {rover.sequence.take_warnings(), rover.agent->take_warnings()}) {
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  }
 }
 
 void Simulation::log_rows() {
@@ -221,7 +241,7 @@ std::vector<RoverResult> Simulation::results() const {
     const RoverAgent& agent = *rover.agent;
     RoverResult result{agent.id(), agent.view().distance_m};
     for (const EventRecord& record : rover.sequence.records()) {
-      if (record.start && record.end) {
+      if (record.ready && record.end) {
         result.duration_s = std::max(result.duration_s, seconds(*record.end));
       }
     }
@@ -240,14 +260,16 @@ std::vector<std::string> Simulation::assumptions() const {
     assumptions.insert(assumptions.end(), vehicle.assumptions.begin(), vehicle.assumptions.end());
   }
   if (setup_.terrain.is_synthetic) {
-    assumptions.push_back(fmt::format("{}: the terrain is synthetic", setup_.terrain.name));
+    assumptions.push_back(
+        fmt::format("{}: the terrain is synthetic and laid out from the start of the first rover",
+                    setup_.terrain.name));
   }
   return assumptions;
 }
 
 std::string Simulation::save() {
   Archive a = Archive::writer();
-  a.tag("simulation")(now_)(is_finished_)(is_aborted_)(warnings_);
+  a.tag("simulation")(now_)(is_finished_)(warnings_);
   for (Rover& rover : rovers_) {
     a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);
@@ -257,7 +279,7 @@ std::string Simulation::save() {
 
 void Simulation::restore(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
-  a.tag("simulation")(now_)(is_finished_)(is_aborted_)(warnings_);
+  a.tag("simulation")(now_)(is_finished_)(warnings_);
   for (Rover& rover : rovers_) {
     a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);

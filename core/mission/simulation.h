@@ -58,12 +58,11 @@ class Simulation : private EventSequence::Others {
   // To the next exchange, over quiet time in one leap.
   void advance();
   // Ends what runs as incomplete (a signal, the end of MaxDuration).
-  void stop(const std::string& reason);
+  void stop(const std::string& reason, bool is_failure = false);
   // `terminate`: last samples, the rest of the events. Called once, when finished.
   void terminate();
 
   bool is_finished() const { return is_finished_; }
-  bool is_aborted() const { return is_aborted_; }  // by an event with OnFailure = abort
   SimTime now() const { return now_; }
   const Plan& plan() const { return setup_.plan; }
   const Ground& ground() const { return *ground_; }
@@ -90,6 +89,7 @@ class Simulation : private EventSequence::Others {
   void place_rovers();
   void exchange();
   void run_scripts();
+  void take_warnings(Rover& rover);
   void log_rows();
   void log_sample(Rover& rover);
   SimTime next_time();
@@ -106,7 +106,7 @@ class Simulation : private EventSequence::Others {
   std::vector<Rover> rovers_;
   WorkerPool pool_;
   SimTime now_{};
-  bool is_finished_ = false, is_aborted_ = false;
+  bool is_finished_ = false;
   std::vector<std::string> warnings_;
 };
 

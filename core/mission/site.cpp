@@ -64,19 +64,4 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
   return faults;
 }
 
-std::vector<Fault> site_faults(const MissionMachine& machine, const TerrainSpec& terrain) {
-  try {
-    const std::unique_ptr<Ground> ground = ground_at(
-        terrain, *machine.mission.planet, machine.rovers.front().rover.start, machine.mission.seed);
-    std::vector<Fault> faults;
-    for (const RoverMachine& rover : machine.rovers) {
-      const std::vector<Fault> found = site_faults(rover, *ground);
-      faults.insert(faults.end(), found.begin(), found.end());
-    }
-    return faults;
-  } catch (const InputError& error) {
-    return error.faults();
-  }
-}
-
 }  // namespace lsos

@@ -21,7 +21,4 @@ double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
 // An error for a start, and for each event that would drive to a place, without ground.
 std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground);
 
-// The same for all rovers of a mission; also whatever keeps the terrain from being opened.
-std::vector<Fault> site_faults(const MissionMachine& machine, const TerrainSpec& terrain);
-
 }  // namespace lsos

@@ -94,6 +94,12 @@ class Classifier {
       const std::string& name = has_hash ? data.schema : data.schema_url;
       if (!has_marker_field(data) && (is_ours || !is_nearly_known(name))) continue;
       found = true;
+      if (const auto broken = declarations_.broken_events.find(name);
+          broken != declarations_.broken_events.end()) {
+        faults_.add(broken->second);
+        error(placemark, data.line, fmt::format("the script of event {} is broken", shown(name)));
+        continue;
+      }
       std::string what =
           fmt::format("schemaUrl = {}: there is no event {}", shown(data.schema_url), shown(name));
       if (!has_hash) what = fmt::format("schemaUrl = {}: has no '#'", shown(data.schema_url));

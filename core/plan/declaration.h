@@ -62,6 +62,9 @@ struct Declarations {
   };
   std::map<std::string, RoverType> rover_types;
   std::vector<std::string> terrains;
+  // Scripts that are there but cannot be used, with what is wrong in each. A plan that names one is
+  // told that.
+  std::map<std::string, std::vector<Fault>> broken_events, broken_rovers, broken_terrains;
 };
 
 // Enabled, StartTime, StartAfter, Timeout, OnFailure: what every event has beside its own.

@@ -53,6 +53,8 @@ class FieldReader {
 
   // "Route 'leg 2': Speed = -1: WHAT" at the field's line; without a value where it is absent.
   void error(const std::string& field_name, const std::string& what);
+  // Faults found elsewhere that explain one of ours.
+  void add(const std::vector<Fault>& faults) { faults_.add(faults); }
 
  private:
   std::optional<FieldValue> parse(const FieldDeclaration& declaration, const SourceField& field);

@@ -42,6 +42,12 @@ void read_terrain(FieldReader& fields, const std::string& text, const ReadContex
   mission.terrain_as_written = text;
   const std::vector<std::string>& names = context.declarations.terrains;
   if (std::ranges::find(names, text) != names.end()) return;
+  if (const auto broken = context.declarations.broken_terrains.find(text);
+      broken != context.declarations.broken_terrains.end()) {
+    fields.add(broken->second);
+    fields.error("Terrain", "its script is broken");
+    return;
+  }
   const fs::path path = beside_plan(text, context);
   std::error_code error;
   if (fs::is_regular_file(path, error)) {

@@ -39,6 +39,12 @@ const Declarations::RoverType* find_type(FieldReader& fields, const std::string&
   if (found != declarations.rover_types.end() && found->second.is_asset == wants_asset) {
     return &found->second;
   }
+  if (const auto broken = declarations.broken_rovers.find(name);
+      broken != declarations.broken_rovers.end()) {
+    fields.add(broken->second);
+    fields.error(field_name, "its script is broken");
+    return nullptr;
+  }
   const std::vector<std::string> names = type_names(declarations, wants_asset);
   if (found != declarations.rover_types.end()) {
     fields.error(field_name, fmt::format("is no {}; there are {}", wanted, listed(names)));

@@ -68,19 +68,12 @@ const char* to_string(RunStatus status) {
   broken_promise("every RunStatus has a name", __FILE__, __LINE__);
 }
 
-RunStatus run_status(std::span<const EventRow> events, bool aborted) {
-  if (std::ranges::any_of(events, is_unfinished)) return RunStatus::incomplete;
-  const auto was_prevented = [&](const EventRow& event) {
-    return aborted || std::ranges::any_of(events, [&](const EventRow& earlier) {
-             return has_failed(earlier) && earlier.rover_id == event.rover_id &&
-                    earlier.sequence < event.sequence;
-           });
-  };
-  for (const EventRow& event : events) {
-    if (event.status == EventStatus::not_started && !was_prevented(event)) {
-      return RunStatus::incomplete;
-    }
-  }
+RunStatus run_status(std::span<const EventRow> events) {
+  const bool is_incomplete = std::ranges::any_of(events, [](const EventRow& event) {
+    return is_unfinished(event) ||
+           (event.status == EventStatus::not_started && !event.is_prevented);
+  });
+  if (is_incomplete) return RunStatus::incomplete;
   return std::ranges::any_of(events, has_failed) ? RunStatus::failed : RunStatus::completed;
 }
 

@@ -16,9 +16,8 @@ enum class RunStatus { completed, failed, incomplete };
 const char* to_string(RunStatus status);
 
 // incomplete: an event is incomplete (or still runs or waits), or has not started though no failure
-// prevented it; else failed: an event failed; else completed. A failure prevents the later events
-// of its rover, and with `aborted`, that is when a failure ended the mission, those of all rovers.
-RunStatus run_status(std::span<const EventRow> events, bool aborted = false);
+// prevented it (EventRow::is_prevented); else failed: an event failed; else completed.
+RunStatus run_status(std::span<const EventRow> events);
 
 // NaN: not modelled, null in the file.
 struct RoverSummary {

@@ -183,6 +183,11 @@ LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant st
   impl_->create_layers(crs);
   impl_->put_run({std::string(start_key), fmt::format("{}", start.tai_us)});
   impl_->commit();
+  // Into the file itself, so that who looks at it alone sees a GeoPackage from the beginning.
+  impl_->attempt("making the layers", [&] {
+    gpkg::run_sql(*impl_->dataset, "PRAGMA wal_checkpoint(TRUNCATE)");
+    return true;
+  });
   impl_->begin();
 }
 

@@ -61,6 +61,7 @@ struct EventRow {
   std::string reason;  // "" = NULL
   std::optional<SimTime> ready, start, end;
   double distance_m = not_modelled, energy_used_j = not_modelled, solar_j = not_modelled;
+  bool is_prevented = false;      // not started because of a failure; not a column
   std::optional<Geodetic> place;  // where the rover was when it ended (or started)
 };
 

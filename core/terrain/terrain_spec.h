@@ -31,7 +31,7 @@ struct CraterSurface {
   double diameter_min_m = 3;
   double diameter_max_m = 60;
   double exponent = 2;
-  double density_pm2 = 2e-4;      // craters larger than diameter_min a m2
+  double density_pm2 = 2e-4;  // craters larger than diameter_min a m2
   double depth_to_diameter = 0.15;
 };
 

@@ -21,9 +21,11 @@ constexpr double preview_s = 0.4;            // arcs are steered for this early,
 constexpr double curvature_rate_1pms = 0.2;  // wheels must be able to steer along
 constexpr double creep_mps = 0.05;           // slowest speed asked for while driving
 constexpr double at_rest_mps = 0.01;
-constexpr double progress_m = 0.5;  // less than this in stuck_s is being stuck
+constexpr double progress_m = 0.5;             // less than this in stuck_s is being stuck; of slow
+constexpr double progress_share = 0.1;         // drives, less than this share of what is asked
 constexpr double stuck_s = 60;
-constexpr double turning_share = 0.25;  // turning on the spot may take this much longer
+constexpr double turning_progress_rad = 0.05;  // the same for turning on the spot
+constexpr double stopping_limit_s = 30;        // brakes that take longer than this do not hold
 
 double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
@@ -36,6 +38,7 @@ PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
   lay_line();
   if (!line_.empty()) remaining_m_ = line_.back().begin_m + line_.back().length_m;
   best_remaining_m_ = remaining_m_;
+  best_heading_error_rad_ = 2 * std::numbers::pi;
   is_turning_ = limits_.can_turn_on_spot;
   is_stopping_ = line_.empty();
 }
@@ -50,7 +53,7 @@ void PathFollower::lay_line() {
 }
 
 DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
-  if (status_ != Status::driving || is_stopping_) return stop(pose);
+  if (status_ != Status::driving || is_stopping_) return stop(pose, period_s);
 
   const auto gone_m = [&] { return line_[leg_].along_S.dot(pose.p_S_m - line_[leg_].from_S_m); };
   while (leg_ + 1 < line_.size()) {
@@ -68,15 +71,15 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
   const DrivingLeg& last = line_.back();
   remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - gone_m());
 
-  if (is_stuck(period_s)) {
+  if (is_stuck(std::abs(heading_error_rad), period_s)) {
     status_ = Status::failed;
-    reason_ = fmt::format("stuck: less than {} m of progress in {} s, {:.1f} m before the end",
-                          progress_m, stuck_s, remaining_m_);
-    return stop(pose);
+    reason_ = fmt::format("stuck: no progress in {} s, {:.1f} m before the end", stuck_s,
+                          remaining_m_);
+    return stop(pose, period_s);
   }
   if (&leg == &last && to_end_m <= at_end_m) {
     is_stopping_ = true;
-    return stop(pose);
+    return stop(pose, period_s);
   }
   if (limits_.can_turn_on_spot && std::abs(heading_error_rad) > turn_begin_rad) is_turning_ = true;
   if (is_turning_ && std::abs(heading_error_rad) > turn_done_rad) {
@@ -126,9 +129,14 @@ DriveCommand PathFollower::turn(double heading_error_rad, const FollowerPose& po
   return {0, std::abs(rate) < slowest ? std::copysign(slowest, rate) : rate, false};
 }
 
-DriveCommand PathFollower::stop(const FollowerPose& pose) {
+DriveCommand PathFollower::stop(const FollowerPose& pose, double period_s) {
   command_mps_ = command_curvature_1pm_ = 0;
-  if (status_ == Status::driving && pose.speed_mps < at_rest_mps) {
+  stopping_s_ += period_s;
+  const bool rests = pose.speed_mps < at_rest_mps;
+  if (status_ == Status::driving && !rests && stopping_s_ > stopping_limit_s) {
+    status_ = Status::failed;
+    reason_ = fmt::format("the brakes do not hold: still sliding at {:.2f} m/s", pose.speed_mps);
+  } else if (status_ == Status::driving && rests) {
     const double distance_m = (pose.p_S_m - waypoints_S_m_.back()).norm();
     if (distance_m <= limits_.arrival_radius_m) {
       status_ = Status::arrived;
@@ -142,19 +150,21 @@ DriveCommand PathFollower::stop(const FollowerPose& pose) {
   return {0, 0, true};
 }
 
-bool PathFollower::is_stuck(double period_s) {
-  if (remaining_m_ < best_remaining_m_ - progress_m) {
-    best_remaining_m_ = remaining_m_;
-    since_progress_s_ = 0;
-  } else {
-    since_progress_s_ += is_turning_ ? turning_share * period_s : period_s;
-  }
+bool PathFollower::is_stuck(double heading_error_rad, double period_s) {
+  const double step_m = std::min(progress_m, progress_share * limits_.speed_mps * stuck_s);
+  const bool has_moved = remaining_m_ < best_remaining_m_ - step_m;
+  const bool has_turned =
+      is_turning_ && heading_error_rad < best_heading_error_rad_ - turning_progress_rad;
+  if (has_moved) best_remaining_m_ = remaining_m_;
+  if (has_turned) best_heading_error_rad_ = heading_error_rad;
+  if (!is_turning_) best_heading_error_rad_ = 2 * std::numbers::pi;
+  since_progress_s_ = has_moved || has_turned ? 0 : since_progress_s_ + period_s;
   return since_progress_s_ > stuck_s;
 }
 
 void PathFollower::archive(Archive& a) {
   a.tag("follower")(waypoints_S_m_)(
-      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(remaining_m_)(best_remaining_m_)(since_progress_s_)(status_)(reason_);
+      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_);
   if (a.is_reading()) lay_line();
 }
 

@@ -54,8 +54,8 @@ class PathFollower {
                      double heading_error_rad, double period_s);
   double curvature_ahead_1pm(double to_end_m, double preview_m) const;
   DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
-  DriveCommand stop(const FollowerPose& pose);
-  bool is_stuck(double period_s);
+  DriveCommand stop(const FollowerPose& pose, double period_s);
+  bool is_stuck(double heading_error_rad, double period_s);
   void lay_line();
 
   std::vector<Vec2> waypoints_S_m_;  // from where the rover was
@@ -69,7 +69,9 @@ class PathFollower {
   double command_curvature_1pm_ = 0;
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;
+  double best_heading_error_rad_ = 0;
   double since_progress_s_ = 0;
+  double stopping_s_ = 0;
   Status status_ = Status::driving;
   std::string reason_;
 };

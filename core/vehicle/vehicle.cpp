@@ -1,9 +1,12 @@
 #include "vehicle/vehicle.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "base/units.h"
 #include "vehicle/plane_fit.h"
 
 namespace lsos {
@@ -39,10 +42,15 @@ Vec3 Vehicle::reference_velocity_S_mps() const {
   return bodies_.motion(Multibody::chassis).velocity_at(reference_point_S_m());
 }
 
-bool Vehicle::place(const Geodetic& at, double heading_rad) {
+double Vehicle::speed_along_ground_mps() const {
+  const Vec3 v_S_mps = reference_velocity_S_mps();
+  return (v_S_mps - v_S_mps.dot(ground_normal_S_) * ground_normal_S_).norm();
+}
+
+std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   const SiteFrame& site = ground_->site();
   const std::optional<double> elevation_m = ground_->elevation_m(at);
-  if (!elevation_m) return false;
+  if (!elevation_m) return "the terrain is not known there";
   const Vec3 p_S_m = site.p_S_m({at.lon_rad, at.lat_rad, *elevation_m});
   const Vec3 up = site.up_S(p_S_m);
   const Vec3 ahead =
@@ -53,7 +61,7 @@ bool Vehicle::place(const Geodetic& at, double heading_rad) {
   for (const WheelLayout::DrivenWheel& wheel : layout_.wheels) {
     const Vec3 over = p_S_m + wheel.p_B_m.x() * ahead + wheel.p_B_m.y() * up.cross(ahead);
     const GroundSample ground = probe_.sample(over);
-    if (!ground.is_ground()) return false;
+    if (!ground.is_ground()) return "the terrain is not known under one of its wheels";
     feet_S_m.push_back(over - ground.gap_m * up);
   }
   const PlaneFit plane = fit_plane(feet_S_m, up);
@@ -66,13 +74,19 @@ bool Vehicle::place(const Geodetic& at, double heading_rad) {
 
   command({});
   const double step_s = seconds(config_.step);
-  for (double t_s = 0; t_s < settle_limit_s; t_s += step_s) {
+  const int steps = static_cast<int>(settle_limit_s / step_s), least = static_cast<int>(1 / step_s);
+  bool is_settled = false;
+  for (int i = 0; i < steps && !is_settled; ++i) {
     step(step_s);
-    if (t_s > 1 && reference_velocity_S_mps().norm() < settled_mps) break;
+    is_settled = i >= least && reference_velocity_S_mps().norm() < settled_mps;
+  }
+  if (!is_settled) {
+    return fmt::format("it does not come to rest there: the ground slopes by {:.0f} deg",
+                       degrees(std::acos(std::clamp(plane.normal.dot(up), -1.0, 1.0))));
   }
   halt();
   distance_m_ = drive_j_ = drive_w_ = 0;
-  return true;
+  return "";
 }
 
 void Vehicle::command(const DriveCommand& command) {
@@ -123,9 +137,7 @@ void Vehicle::step(double step_s) {
   apply_contacts(step_s);
   bodies_.step(step_s);
 
-  const Vec3 v_S_mps = reference_velocity_S_mps();
-  const Vec3 up = bodies_.motion(Multibody::chassis).R_SL.col(2);
-  distance_m_ += (v_S_mps - v_S_mps.dot(up) * up).norm() * step_s;
+  distance_m_ += speed_along_ground_mps() * step_s;
 }
 
 void Vehicle::apply_springs() {
@@ -191,6 +203,7 @@ double Vehicle::apply_drives(double step_s) {
 
 void Vehicle::apply_contacts(double step_s) {
   const Soil& soil = ground_->soil();
+  Vec3 normals_S = Vec3::Zero();
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const int link = layout_.wheels[i].link;
     const Wheel& shape = *config_.links[static_cast<std::size_t>(link)].wheel;
@@ -207,6 +220,7 @@ void Vehicle::apply_contacts(double step_s) {
     wheel.slip = not_modelled;
     if (!ground.is_ground()) continue;
     const Vec3& normal = ground.normal_S;
+    normals_S += normal;
     const Vec3 up = ground_->site().up_S(p_contact_S_m);
 
     WheelContactInput input;
@@ -224,6 +238,7 @@ void Vehicle::apply_contacts(double step_s) {
     bodies_.add_force(link, forces.at_contact_S_n, p_contact_S_m);
     bodies_.add_force(link, forces.at_hub_S_n, hub.p_C_S_m);
   }
+  if (normals_S != Vec3::Zero()) ground_normal_S_ = normals_S.normalized();
 }
 
 VehicleReport Vehicle::report() {
@@ -246,8 +261,7 @@ VehicleReport Vehicle::report() {
   report.yaw_rad = std::atan2(ahead.y(), ahead.x());
   const GroundSample under = probe_.sample(report.p_S_m);
   report.elevation_m = under.elevation_m;
-  const Vec3 normal = under.is_ground() ? under.normal_S : up;
-  report.speed_mps = (report.v_S_mps - report.v_S_mps.dot(normal) * normal).norm();
+  report.speed_mps = speed_along_ground_mps();
 
   std::vector<Vec3> feet_S_m;
   double slip_sum = 0, sinkage_sum_m = 0;
@@ -264,7 +278,7 @@ VehicleReport Vehicle::report() {
     if (std::isnan(wheel.slip)) continue;
     ++slipping;
     slip_sum += wheel.slip;
-    if (!(report.slip_max >= wheel.slip)) report.slip_max = wheel.slip;
+    if (!(std::abs(report.slip_max) >= std::abs(wheel.slip))) report.slip_max = wheel.slip;
   }
   if (touching > 0) report.sinkage_m = sinkage_sum_m / touching;
   if (slipping > 0) report.slip = slip_sum / slipping;
@@ -284,7 +298,8 @@ std::vector<double> Vehicle::joint_positions() const {
 }
 
 void Vehicle::archive(Archive& a) {
-  a.tag("vehicle")(bodies_)(wheels_)(steerings_)(command_)(distance_m_)(drive_j_)(drive_w_);
+  a.tag("vehicle")(bodies_)(
+      wheels_)(steerings_)(command_)(ground_normal_S_)(distance_m_)(drive_j_)(drive_w_);
 }
 
 }  // namespace lsos

@@ -22,7 +22,8 @@ struct VehicleReport {
   double yaw_rad = 0;               // counter-clockwise from the site's east, horizontal plane
   double speed_mps = 0;             // of the reference point along the ground
   double slope_rad = not_modelled;  // of the plane through the ground under the wheels
-  double slip = not_modelled, slip_max = not_modelled;
+  double slip = not_modelled;       // mean over driven wheels in contact
+  double slip_max = not_modelled;   // of the wheel that slips most, with its sign
   double sinkage_m = not_modelled;
   double elevation_m = not_modelled;  // of the ground under the reference point
   bool is_on_ground_data = true;      // the terrain is known under every wheel
@@ -42,8 +43,9 @@ class Vehicle {
   const VehicleConfig& config() const { return config_; }
 
   // Stands the vehicle on the ground at a place and lets it settle on its springs, brakes on.
-  // Returns false when the ground is not known under a wheel.
-  bool place(const Geodetic& at, double heading_rad);
+  // Answers why that cannot be: the ground is not known under a wheel, or too steep to stand on;
+  // "" when it stands.
+  std::string place(const Geodetic& at, double heading_rad);
 
   // Takes effect with the next `advance`.
   void command(const DriveCommand& command);
@@ -89,6 +91,7 @@ class Vehicle {
   void apply_contacts(double step_s);
   Vec3 reference_point_S_m() const;
   Vec3 reference_velocity_S_mps() const;
+  double speed_along_ground_mps() const;
 
   VehicleConfig config_;
   const Ground* ground_;
@@ -99,6 +102,7 @@ class Vehicle {
   std::vector<WheelState> wheels_;        // by layout_.wheels
   std::vector<SteeringState> steerings_;  // by layout_.steerings
   DriveCommand command_;
+  Vec3 ground_normal_S_ = Vec3::UnitZ();  // mean under the wheels at the last step
   double distance_m_ = 0, drive_j_ = 0, drive_w_ = 0;
 };
 

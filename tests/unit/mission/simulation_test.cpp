@@ -18,7 +18,8 @@ double number(const MockInstance& instance, const std::string& key) {
 }
 
 // Hold: sleeps `duration_s`. Drive: follows its line. Twice: two Holds, one after the other.
-// Break: fails after `duration_s`. Poll: stays for three calls. Spin: goes round for ever.
+// Break: fails after `duration_s`. Leave: drives off and ends. Poll: stays for three calls. Spin:
+// goes round for ever.
 std::unique_ptr<ScriptHost> make_host() {
   auto host = std::make_unique<MockHost>();
   host->add("Hold", "begin", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
@@ -34,9 +35,18 @@ std::unique_ptr<ScriptHost> make_host() {
     return SleepUntil{c.now + from_seconds(number(i, "duration_s"))};
   });
   host->add("Drive", "go", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
-    c.rover.follow(i.arguments.geometry_S_m, {});
+    FollowSettings settings;
+    if (i.arguments.params.contains("speed_mps")) settings.speed_mps = number(i, "speed_mps");
+    c.rover.follow(i.arguments.geometry_S_m, settings);
     return GoTo{"arrive"};
   });
+  host->add("Leave", "only", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
+    if (i.state > 0) return Done{};
+    i.state = 1;
+    c.rover.follow(i.arguments.geometry_S_m, {});
+    return SleepUntil{c.now + milliseconds(2000)};
+  });
+  host->set_drives("Leave");
   host->add("Drive", "arrive", [](MockInstance&, PhaseContext& c) -> PhaseAnswer {
     const DriveState drive = c.rover.drive();
     if (drive.status == DriveState::Status::failed) return Fail{drive.reason};
@@ -207,7 +217,7 @@ TEST(Simulation, on_failure_skips_aborts_and_goes_to_a_later_event) {
   const std::vector<EventRow> aborted = abort.run();
   EXPECT_EQ(aborted[1].status, EventStatus::incomplete);
   EXPECT_EQ(aborted[2].status, EventStatus::not_started);
-  EXPECT_TRUE(abort.simulation_->is_aborted());
+  EXPECT_TRUE(aborted[2].is_prevented);
 }
 
 TEST(Simulation, a_timeout_fails_the_event_and_lets_its_script_clean_up) {
@@ -291,6 +301,60 @@ TEST(Simulation, drives_a_rover_to_its_point) {
   EXPECT_EQ(event.status, EventStatus::completed) << event.reason;
   EXPECT_NEAR(event.distance_m, 20, 0.5);
   EXPECT_NEAR(mission.simulation_->results()[0].distance_m, 20, 0.5);
+}
+
+TEST(Simulation, an_event_that_ends_at_its_timeout_has_not_taken_longer) {
+  Mission mission;
+  mission.rover("A");
+  mission.event("Hold", 60).timeout = milliseconds(60000);
+  EXPECT_EQ(mission.run()[0].status, EventStatus::completed);
+}
+
+TEST(Simulation, brakes_at_the_end_of_an_event_that_left_its_rover_driving) {
+  Mission mission;
+  mission.rover("A");
+  mission.drive(50).type = "Leave";
+  mission.event("Hold", 30);
+  const std::vector<EventRow> events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::completed);
+  EXPECT_LT(mission.simulation_->results()[0].distance_m, 5);
+}
+
+TEST(Simulation, finds_at_once_that_one_of_several_awaited_events_can_no_longer_run) {
+  Mission mission;
+  mission.rover("A");
+  mission.event("Hold", 1000);
+  mission.rover("B");
+  mission.event("Break", 5);
+  mission.event("Hold", 1);
+  mission.rover("C");
+  mission.event("Hold", 1).start_after = {{"A", 1}, {"B", 3}};
+  const EventRow event = mission.run()[3];
+  EXPECT_EQ(event.status, EventStatus::failed);
+  EXPECT_EQ(event.end, milliseconds(5100));
+}
+
+TEST(Simulation, refuses_a_start_too_steep_to_stand_on) {
+  Mission mission;
+  mission.setup_.terrain.surface = PlaneSurface{0, 0.7, 0};
+  mission.rover("A");
+  mission.event("Hold", 1);
+  try {
+    mission.run();
+    FAIL() << "the rover stands on 40 degrees";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("does not come to rest there: the ground slopes by 40 deg"));
+  }
+}
+
+TEST(Simulation, warns_of_a_speed_that_the_rover_does_not_reach) {
+  Mission mission;
+  mission.rover("A");
+  mission.drive(5).params["speed_mps"] = 50.0;
+  mission.run();
+  ASSERT_EQ(mission.simulation_->warnings().size(), 1u);
+  EXPECT_THAT(mission.simulation_->warnings()[0], HasSubstr("asked to drive at 50 m/s"));
 }
 
 // Two rovers, driving and waiting for each other; a fingerprint of where everything ended.

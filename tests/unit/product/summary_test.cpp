@@ -22,11 +22,16 @@ EventRow event_of(const std::string& rover_id, std::int64_t sequence, EventStatu
   return row;
 }
 
+EventRow prevented(const std::string& rover_id, std::int64_t sequence) {
+  EventRow row = event_of(rover_id, sequence, EventStatus::not_started);
+  row.is_prevented = true;
+  return row;
+}
+
 struct StatusCase {
   const char* what;
   std::vector<EventRow> events;
   RunStatus expected;
-  bool aborted = false;
 };
 
 TEST(RunStatus, follows_the_events) {
@@ -39,8 +44,11 @@ TEST(RunStatus, follows_the_events) {
        RunStatus::completed},
       {"one failed", {event_of("A", 1, completed), event_of("A", 2, failed)}, RunStatus::failed},
       {"a failure stopped the rover",
-       {event_of("A", 1, failed), event_of("A", 2, not_started)},
+       {event_of("A", 1, failed), prevented("A", 2)},
        RunStatus::failed},
+      {"not started for another reason than the failure before it",
+       {event_of("A", 1, failed), event_of("A", 2, not_started)},
+       RunStatus::incomplete},
       {"not started although nothing failed",
        {event_of("A", 1, completed), event_of("A", 2, not_started)},
        RunStatus::incomplete},
@@ -48,24 +56,19 @@ TEST(RunStatus, follows_the_events) {
        {event_of("A", 1, failed), event_of("B", 1, not_started)},
        RunStatus::incomplete},
       {"a failure of one rover ended the mission of all",
-       {event_of("A", 1, failed), event_of("B", 1, not_started)},
-       RunStatus::failed,
-       true},
-      {"a failure does not reach back",
-       {event_of("A", 1, not_started), event_of("A", 2, failed)},
-       RunStatus::incomplete},
+       {event_of("A", 1, failed), prevented("B", 1)},
+       RunStatus::failed},
       {"incomplete outweighs failed",
        {event_of("A", 1, failed), event_of("B", 1, incomplete)},
        RunStatus::incomplete},
       {"incomplete outweighs an abort",
-       {event_of("A", 1, failed), event_of("B", 1, incomplete)},
-       RunStatus::incomplete,
-       true},
+       {prevented("A", 1), event_of("A", 2, failed), event_of("B", 1, incomplete)},
+       RunStatus::incomplete},
       {"still running", {event_of("A", 1, running)}, RunStatus::incomplete},
       {"still waiting", {event_of("A", 1, waiting)}, RunStatus::incomplete},
   };
   for (const StatusCase& one : cases) {
-    EXPECT_EQ(run_status(one.events, one.aborted), one.expected) << one.what;
+    EXPECT_EQ(run_status(one.events), one.expected) << one.what;
   }
 }
 

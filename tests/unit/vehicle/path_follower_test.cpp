@@ -33,7 +33,7 @@ struct Drive {
 
 Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double heading_rad) {
   Vehicle vehicle(test::rover(g), ground);
-  EXPECT_TRUE(vehicle.place({0.1, 0.2, 0}, heading_rad));
+  EXPECT_EQ(vehicle.place({0.1, 0.2, 0}, heading_rad), "");
   const auto pose = [&] {
     const VehicleReport report = vehicle.report();
     return FollowerPose{report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps};
@@ -116,6 +116,26 @@ TEST(PathFollower, says_that_it_is_stuck_when_it_gets_nowhere) {
   EXPECT_EQ(follower.status(), PathFollower::Status::failed);
   EXPECT_NE(follower.reason().find("stuck"), std::string::npos);
   EXPECT_NEAR(periods * period_s, 60, 1);
+}
+
+TEST(PathFollower, says_when_the_brakes_do_not_hold) {
+  FollowerPose pose{Vec2::Zero(), 0, 2};  // slides on
+  PathFollower follower({{0, 0, 0}}, pose, {});
+  for (int i = 0; i < 400; ++i) follower.update(pose, period_s);
+  EXPECT_EQ(follower.status(), PathFollower::Status::failed);
+  EXPECT_NE(follower.reason().find("still sliding at 2.00 m/s"), std::string::npos);
+}
+
+TEST(PathFollower, has_patience_with_a_slow_turn) {
+  FollowerLimits limits;
+  limits.speed_mps = 0.02;
+  FollowerPose pose{Vec2::Zero(), 3.1, 0};
+  PathFollower follower({{100, 0, 0}}, pose, limits);
+  for (int i = 0; i < 6000; ++i) {
+    const DriveCommand command = follower.update(pose, period_s);
+    pose.yaw_rad += std::clamp(command.yaw_rate_radps, -0.005, 0.005) * period_s;
+  }
+  EXPECT_EQ(follower.status(), PathFollower::Status::driving) << follower.reason();
 }
 
 TEST(PathFollower, a_line_that_ends_where_the_rover_stands_is_done_at_once) {

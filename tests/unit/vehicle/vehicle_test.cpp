@@ -21,7 +21,7 @@ void run(Vehicle& vehicle, double duration_s) {
 TEST(Vehicle, stands_level_on_level_ground_at_its_ride_height) {
   const auto ground = test::moon();
   Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_TRUE(vehicle.place(start, radians(30)));
+  ASSERT_EQ(vehicle.place(start, radians(30)), "");
   const VehicleReport report = vehicle.report();
   EXPECT_NEAR(report.heading_rad, radians(30), 1e-6);
   EXPECT_NEAR(report.pitch_rad, 0, 1e-4);
@@ -35,7 +35,7 @@ TEST(Vehicle, stands_level_on_level_ground_at_its_ride_height) {
 TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
   const auto ground = test::moon();
   Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_TRUE(vehicle.place(start, radians(90)));
+  ASSERT_EQ(vehicle.place(start, radians(90)), "");
   vehicle.command({1.5, 0, false});
   run(vehicle, 20);
   const VehicleReport report = vehicle.report();
@@ -50,7 +50,7 @@ TEST(Vehicle, steady_drive_power_is_the_rolling_resistance) {
   const auto ground = test::moon();
   const VehicleConfig config = test::rover(g);
   Vehicle vehicle(config, *ground);
-  ASSERT_TRUE(vehicle.place(start, 0));
+  ASSERT_EQ(vehicle.place(start, 0), "");
   vehicle.command({1, 0, false});
   run(vehicle, 20);
   // Second method: resistance of twelve equally loaded wheels from the pressure law.
@@ -69,7 +69,7 @@ TEST(Vehicle, climbing_takes_the_work_of_climbing) {
   int i = 0;
   for (const Ground* ground : {flat.get(), hill.get()}) {
     Vehicle vehicle(test::rover(g), *ground);
-    ASSERT_TRUE(vehicle.place(start, 0));
+    ASSERT_EQ(vehicle.place(start, 0), "");
     vehicle.command({1, 0, false});
     run(vehicle, 20);
     const double before_j = vehicle.drive_j(), before_m = vehicle.distance_m();
@@ -89,7 +89,7 @@ TEST(Vehicle, climbing_takes_the_work_of_climbing) {
 TEST(Vehicle, holds_on_a_slope_with_its_brakes) {
   const auto ground = test::moon(radians(20), radians(90));
   Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_TRUE(vehicle.place(start, radians(90)));
+  ASSERT_EQ(vehicle.place(start, radians(90)), "");
   run(vehicle, 20);
   const Vec3 before_S_m = vehicle.report().p_S_m;
   run(vehicle, 300);
@@ -101,7 +101,7 @@ TEST(Vehicle, holds_on_a_slope_with_its_brakes) {
 TEST(Vehicle, turns_on_the_spot) {
   const auto ground = test::moon();
   Vehicle vehicle(test::rover(g), *ground);
-  ASSERT_TRUE(vehicle.place(start, 0));
+  ASSERT_EQ(vehicle.place(start, 0), "");
   vehicle.command({0, 0.1, false});
   for (int i = 0; i < 200; ++i) {
     vehicle.advance(exchange_period);
@@ -122,7 +122,7 @@ TEST(Vehicle, half_the_step_ends_at_the_same_place) {
     VehicleConfig config = test::rover(g);
     if (i == 1) config.step /= 2;
     Vehicle vehicle(config, *ground);
-    ASSERT_TRUE(vehicle.place(start, 0));
+    ASSERT_EQ(vehicle.place(start, 0), "");
     vehicle.command({1.5, 0.02, false});
     run(vehicle, 60);
     ends[i] = vehicle.report();
@@ -135,7 +135,7 @@ TEST(Vehicle, half_the_step_ends_at_the_same_place) {
 TEST(Vehicle, goes_on_bit_for_bit_from_saved_state) {
   const auto ground = test::moon(radians(5), radians(200));
   Vehicle first(test::rover(g), *ground);
-  ASSERT_TRUE(first.place(start, 0));
+  ASSERT_EQ(first.place(start, 0), "");
   first.command({1.5, 0.05, false});
   run(first, 5);
   Archive saved = Archive::writer();
