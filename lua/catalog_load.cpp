@@ -126,6 +126,11 @@ void Catalog::load_all() {
   }
   for (const auto& [name, event] : library.events()) declarations_.events[name] = event.declaration;
   declarations_.terrains = names_of(terrains_);
+  for (const auto& [key, faults] : broken_) {
+    if (key.first == ScriptKind::event) declarations_.broken_events[key.second] = faults;
+    if (key.first == ScriptKind::rover) declarations_.broken_rovers[key.second] = faults;
+    if (key.first == ScriptKind::terrain) declarations_.broken_terrains[key.second] = faults;
+  }
 }
 
 std::vector<Fault> Catalog::faults_of(ScriptKind kind, const std::string& name) const {

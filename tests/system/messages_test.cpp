@@ -1,5 +1,6 @@
-// Every message that a user can cause is a file: a wrong plan in tests/messages/plan, or a command
-// line in tests/messages/options. A new file is a new case; tests/README.md says how it looks.
+// Every message that a user can cause is a file: a wrong plan in tests/messages/plan, one that does
+// not fit its scripts or its ground in tests/messages/mission, or a command line in
+// tests/messages/options. A new file is a new case; tests/README.md says how it looks.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ std::vector<std::string> names(const fs::path& folder, const std::string& extens
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
-  std::string name = fs::path(info.param).stem();
+  std::string name = fs::path(info.param).replace_extension();
   std::ranges::replace_if(
       name, [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
   return name;
@@ -47,10 +48,21 @@ Words values(const std::vector<std::string>& lines, const std::string& key,
   return values;
 }
 
+// "plan/a.kml", "mission/b.kml", ...
+std::vector<std::string> plans() {
+  std::vector<std::string> all;
+  for (const char* folder : {"plan", "mission"}) {
+    for (const std::string& name : names(messages / folder, ".kml")) {
+      all.push_back(std::string(folder) + "/" + name);
+    }
+  }
+  return all;
+}
+
 class PlanMessage : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(PlanMessage, is_as_expected) {
-  const fs::path file = messages / "plan" / GetParam();
+  const fs::path file = messages / GetParam();
   const Words expected = values(read_lines(file), "<!-- expect: ", " -->");
   ASSERT_FALSE(expected.empty()) << "the first lines must be <!-- expect: TEXT -->";
   const bool only_warnings = std::ranges::all_of(expected, [](const std::string& text) {
@@ -62,8 +74,7 @@ TEST_P(PlanMessage, is_as_expected) {
   for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
 }
 
-INSTANTIATE_TEST_SUITE_P(Messages, PlanMessage,
-                         ::testing::ValuesIn(names(messages / "plan", ".kml")), test_name);
+INSTANTIATE_TEST_SUITE_P(Messages, PlanMessage, ::testing::ValuesIn(plans()), test_name);
 
 class OptionsMessage : public ::testing::TestWithParam<std::string> {};
 

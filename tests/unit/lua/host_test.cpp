@@ -152,7 +152,7 @@ TEST(Host, random_numbers_are_keyed_by_rover_and_sequence) {
   EXPECT_EQ(first(1, 1), first(1, 1));
   EXPECT_NE(first(1, 1), first(1, 2));
   EXPECT_NE(first(1, 1), first(2, 1));
-  RandomStream expected(1, "A", 1, "script");
+  RandomStream expected(1, "A", 1, "script 0");
   EXPECT_EQ(std::stod(first(1, 1)), expected.uniform());
 }
 
