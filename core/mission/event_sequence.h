@@ -19,9 +19,9 @@ struct EventRecord {
   std::string reason;
   std::optional<SimTime> ready, start, end;
   double distance_start_m = 0, distance_m = not_modelled;
-  Geodetic place;          // of the rover when it started, then ended
+  Geodetic place;             // of the rover when it started, then ended
   bool is_prevented = false;  // will not start because of a failure
-  bool is_written = true;  // nothing new for the log
+  bool is_written = true;     // nothing new for the log
 
   void archive(Archive& a);
 };

@@ -21,8 +21,8 @@ constexpr double preview_s = 0.4;            // arcs are steered for this early,
 constexpr double curvature_rate_1pms = 0.2;  // wheels must be able to steer along
 constexpr double creep_mps = 0.05;           // slowest speed asked for while driving
 constexpr double at_rest_mps = 0.01;
-constexpr double progress_m = 0.5;             // less than this in stuck_s is being stuck; of slow
-constexpr double progress_share = 0.1;         // drives, less than this share of what is asked
+constexpr double progress_m = 0.5;      // less than this in stuck_s is being stuck; of slow
+constexpr double progress_share = 0.1;  // drives, less than this share of what is asked
 constexpr double stuck_s = 60;
 constexpr double turning_progress_rad = 0.05;  // the same for turning on the spot
 constexpr double stopping_limit_s = 30;        // brakes that take longer than this do not hold
@@ -73,8 +73,8 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
 
   if (is_stuck(std::abs(heading_error_rad), period_s)) {
     status_ = Status::failed;
-    reason_ = fmt::format("stuck: no progress in {} s, {:.1f} m before the end", stuck_s,
-                          remaining_m_);
+    reason_ =
+        fmt::format("stuck: no progress in {} s, {:.1f} m before the end", stuck_s, remaining_m_);
     return stop(pose, period_s);
   }
   if (&leg == &last && to_end_m <= at_end_m) {
