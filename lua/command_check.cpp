@@ -29,6 +29,29 @@ std::string json_text(const MissionFiles& files) {
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
+std::string json_text(const MissionMachine& machine) {
+  nlohmann::ordered_json rovers = nlohmann::ordered_json::array();
+  for (const RoverMachine& rover : machine.rovers) {
+    nlohmann::ordered_json events = nlohmann::ordered_json::array();
+    for (const EventMachine& event : rover.events) {
+      nlohmann::ordered_json phases = nlohmann::ordered_json::array();
+      for (const EventDeclaration::Phase& phase : event.declaration.phases) {
+        phases.push_back(phase.name);
+      }
+      events.push_back({{"sequence", event.event.sequence},
+                        {"type", event.event.type},
+                        {"label", event.event.label},
+                        {"enabled", event.event.is_enabled},
+                        {"phases", phases}});
+    }
+    rovers.push_back(
+        {{"rover_id", rover.rover.id}, {"type", rover.rover.type}, {"events", events}});
+  }
+  return nlohmann::ordered_json{{"rovers", rovers}}.dump(2, ' ', false,
+                                                         nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
 std::string people_text(const MissionFiles& files) {
   std::string text;
   for (const Fault& fault : files.faults.sorted()) text += to_string(fault) + "\n";
@@ -62,10 +85,11 @@ int check_command(const CheckOptions& options) {
   return files.faults.has_errors() ? 2 : 0;
 }
 
-int fsm_command(const std::string& plan) {
+int fsm_command(const std::string& plan, bool is_json) {
   const MissionFiles files = read_mission(plan);
   files.faults.throw_if_errors();
-  fmt::print("{}", to_dot(synthesise(files.plan, files.catalog->declarations())));
+  const MissionMachine machine = synthesise(files.plan, files.catalog->declarations());
+  fmt::print("{}", is_json ? json_text(machine) : to_dot(machine));
   return 0;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
 #include "lua/mission_files.h"
@@ -9,7 +10,7 @@
 
 namespace lsos {
 
-int overlay_command(const std::string& folder) {
+int overlay_command(const std::string& folder, bool is_json) {
   const std::string plan_file = folder + "/plan.kml";
   if (!std::filesystem::exists(plan_file) || !std::filesystem::exists(folder + "/log.gpkg")) {
     throw InputError({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
@@ -19,7 +20,12 @@ int overlay_command(const std::string& folder) {
   const MissionFiles files = read_mission(plan_file);
   if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
   write_overlay(folder, files.plan);
-  fmt::print("{}/overlay.kml\n", folder);
+  const std::string file = folder + "/overlay.kml";
+  if (is_json) {
+    fmt::print("{}\n", nlohmann::json{{"overlay", file}}.dump());
+  } else {
+    fmt::print("{}\n", file);
+  }
   return 0;
 }
 

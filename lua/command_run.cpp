@@ -49,7 +49,6 @@ RunSummary summarise(const Simulation& simulation, const MissionFiles& files, do
 // Answers the signal that stopped it, or 0.
 int simulate(Simulation& simulation, bool is_quiet) {
   Progress progress(is_quiet);
-  const auto events = static_cast<double>(simulation.plan().events.size());
   int stopped_by = 0;
   simulation.start();
   while (!simulation.is_finished() && stopped_by == 0) {
@@ -59,8 +58,7 @@ int simulate(Simulation& simulation, bool is_quiet) {
       continue;
     }
     simulation.advance();
-    progress.show(static_cast<double>(simulation.events_ended()) / events,
-                  seconds(simulation.now()));
+    progress.show(simulation.progress(), seconds(simulation.now()));
   }
   progress.finish();
   simulation.terminate();

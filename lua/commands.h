@@ -26,7 +26,7 @@ struct CheckOptions {
 };
 int check_command(const CheckOptions& options);
 
-int fsm_command(const std::string& plan);
+int fsm_command(const std::string& plan, bool is_json);
 
 struct ListOptions {
   std::string what;  // events, rovers, terrains, soils
@@ -35,7 +35,7 @@ struct ListOptions {
 };
 int list_command(const ListOptions& options);
 
-int overlay_command(const std::string& folder);
+int overlay_command(const std::string& folder, bool is_json);
 
 // Asks a running `run` to stop, from a signal handler.
 void ask_to_stop(int signal);

@@ -65,10 +65,13 @@ int run_program(std::vector<std::string> arguments) {
   check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
   check_command->add_flag("--json", check.is_json, "The answer as JSON");
 
+  bool is_json = false;
   std::string fsm_plan;
   CLI::App* fsm_command =
       app.add_subcommand("fsm", "The machine synthesised from a plan, as Graphviz DOT");
   fsm_command->add_option("PLAN", fsm_plan, "A KML or KMZ plan")->required();
+
+  fsm_command->add_flag("--json", is_json, "As JSON");
 
   lsos::ListOptions list;
   CLI::App* list_command = app.add_subcommand("list", "What a plan can name");
@@ -83,6 +86,8 @@ int run_program(std::vector<std::string> arguments) {
       app.add_subcommand("overlay", "Write overlay.kml of a run again from its log");
   overlay_command->add_option("DIR", overlay_folder, "Folder of a run")->required();
 
+  overlay_command->add_flag("--json", is_json, "The name of the file as JSON");
+
   try {
     std::ranges::reverse(arguments);  // as CLI11 takes them
     app.parse(arguments);
@@ -91,9 +96,9 @@ int run_program(std::vector<std::string> arguments) {
   }
   if (run_command->parsed()) return lsos::run_command(run);
   if (check_command->parsed()) return lsos::check_command(check);
-  if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan);
+  if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan, is_json);
   if (list_command->parsed()) return lsos::list_command(list);
-  return lsos::overlay_command(overlay_folder);
+  return lsos::overlay_command(overlay_folder, is_json);
 }
 
 }  // namespace

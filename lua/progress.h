@@ -10,7 +10,7 @@ class Progress {
  public:
   explicit Progress(bool is_quiet);
 
-  // `share` of the events that have ended, 0..1. Draws at most ten times a second.
+  // `share` of the mission that is done, 0..1. Draws at most ten times a second.
   void show(double share, double sim_s);
   // Removes the bar.
   void finish();

@@ -158,6 +158,8 @@ DriveState RoverAgent::drive() const {
   return {};
 }
 
+double RoverAgent::drive_share() const { return follower_ ? follower_->share() : 0; }
+
 void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   const VehicleConfig& config = vehicle_.config();
   if (settings.speed_mps && *settings.speed_mps > config.speed_max_mps) {

@@ -41,6 +41,8 @@ class RoverAgent : public RoverPort {
 
   const RoverView& view() const override { return view_; }
   DriveState drive() const override;
+  // How much of the line that it follows lies behind, 0..1; 0 when it follows none.
+  double drive_share() const;
   void follow(const Path3& path_S_m, const FollowSettings& settings) override;
   void brake() override;
   void note(const std::string& name, const std::string& fields_json) override;

@@ -226,6 +226,13 @@ std::vector<EventRow> Simulation::events() const {
   return rows;
 }
 
+double Simulation::progress() const {
+  double ended = static_cast<double>(events_ended());
+  for (const Rover& rover : rovers_) ended += rover.agent->drive_share();
+  const auto events = static_cast<double>(setup_.plan.events.size());
+  return events > 0 ? std::min(1.0, ended / events) : 1;
+}
+
 std::size_t Simulation::events_ended() const {
   std::size_t count = 0;
   for (const Rover& rover : rovers_) {

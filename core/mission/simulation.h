@@ -71,7 +71,9 @@ class Simulation : private EventSequence::Others {
   std::vector<RoverResult> results() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
   std::vector<std::string> assumptions() const;
-  std::size_t events_ended() const;
+  // How far the mission has come, 0..1: events that have ended, and the share driven of those under
+  // way.
+  double progress() const;
 
   // All state, and back into a simulation of the same setup.
   std::string save();
@@ -93,6 +95,7 @@ class Simulation : private EventSequence::Others {
   void log_rows();
   void log_sample(Rover& rover);
   SimTime next_time();
+  std::size_t events_ended() const;
   bool is_sample_due(const Rover& rover) const;
   SimTime next_sample(const Rover& rover) const;
   const EventRecord& record(const PlanEvent::Reference& event) const override;

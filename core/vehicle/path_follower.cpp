@@ -150,6 +150,11 @@ DriveCommand PathFollower::stop(const FollowerPose& pose, double period_s) {
   return {0, 0, true};
 }
 
+double PathFollower::share() const {
+  if (line_.empty()) return 1;
+  return 1 - remaining_m_ / (line_.back().begin_m + line_.back().length_m);
+}
+
 bool PathFollower::is_stuck(double heading_error_rad, double period_s) {
   const double step_m = std::min(progress_m, progress_share * limits_.speed_mps * stuck_s);
   const bool has_moved = remaining_m_ < best_remaining_m_ - step_m;

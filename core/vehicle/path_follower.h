@@ -46,6 +46,8 @@ class PathFollower {
   Status status() const { return status_; }
   const std::string& reason() const { return reason_; }
   double remaining_m() const { return remaining_m_; }
+  // How much of the line lies behind, 0..1.
+  double share() const;
 
   void archive(Archive& a);
 
