@@ -77,7 +77,7 @@ TEST(LogKill, is_read_by_another_process_while_it_is_written) {
   // exec: a process that shares nothing with the writer, as a map viewer would be.
   const std::string command =
       "ogrinfo -ro -al -so '" + file + "' samples > '" + file + ".txt' 2>&1";
-  if (std::system("command -v ogrinfo > /dev/null") != 0) GTEST_SKIP() << "no ogrinfo here";
+  if (std::system("command -v ogrinfo > /dev/null") != 0) FAIL() << "no ogrinfo here";
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::ifstream answer(file + ".txt");
   const std::string text(std::istreambuf_iterator<char>(answer), {});
