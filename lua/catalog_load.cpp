@@ -66,9 +66,9 @@ void complete(TerrainScript& terrain, const Script& script,
   }
 }
 
-// All modules are alike, so that what is wrong with one is said a dozen times: three will do.
+// Wheels are alike, so that what is wrong with one is said a dozen times: three will do.
 void check_vehicle(const RoverSpec& rover, Faults& faults) {
-  const std::vector<std::string> found = wishbone_faults(rover.vehicle, rover.suspension);
+  const std::vector<std::string> found = vehicle_faults(rover);
   constexpr std::size_t shown_max = 3;
   for (std::size_t i = 0; i < std::min(found.size(), shown_max); ++i) {
     faults.error(rover.place, "rover: " + found[i]);
@@ -76,6 +76,14 @@ void check_vehicle(const RoverSpec& rover, Faults& faults) {
   if (found.size() > shown_max) {
     faults.error(rover.place, fmt::format("rover: {} more of the kind", found.size() - shown_max));
   }
+}
+
+std::vector<std::string> configurations_of(const RoverSpec& rover) {
+  std::vector<std::string> names;
+  for (const RoverConfiguration& configuration : rover.configurations) {
+    names.push_back(configuration.name);
+  }
+  return names;
 }
 
 }  // namespace
@@ -102,7 +110,7 @@ void Catalog::load_all() {
         if (auto rover = load<RoverSpec>(library.lua(), script, rover_kind, faults)) {
           check_vehicle(*rover, faults);
           if (faults.has_errors()) break;
-          declarations_.rover_types[script.name] = {rover->doc, false, {}};
+          declarations_.rover_types[script.name] = {rover->doc, false, configurations_of(*rover)};
           rovers_[script.name] = std::move(*rover);
         }
         break;

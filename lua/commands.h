@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lsos {
 
@@ -34,6 +35,18 @@ struct ListOptions {
   bool is_json = false;
 };
 int list_command(const ListOptions& options);
+
+struct RigOptions {
+  std::string soil;  // a name, or a file
+  double radius_m = 0, width_m = 0, load_n = 0;
+  double grouser_height_m = 0;
+  int grouser_count = 0;
+  double interface_friction_ratio = 0.8;
+  double gravity_mps2 = 9.80665;
+  std::vector<double> slips;
+  double slip_angle_deg = 0;
+};
+int rig_command(const RigOptions& options);
 
 int overlay_command(const std::string& folder, bool is_json);
 

@@ -21,6 +21,7 @@ struct Constructor {
 std::vector<Constructor> field_constructors();
 std::vector<Constructor> event_constructors();
 std::vector<Constructor> rover_constructors();
+std::vector<Constructor> suspension_constructors();  // among rover_constructors
 std::vector<Constructor> terrain_constructors();
 
 // The name of the constructor that runs, and a reader of its one argument.

@@ -22,7 +22,8 @@ void add_failure(const Script& script, const LuaFailure& failure, Faults& faults
   faults.error(place, what + useful_traceback(failure.traceback));
 }
 
-// Leaves the script's one result on the stack.
+}  // namespace
+
 bool run_script(lua_State* L, const Script& script, Faults& faults) {
   if (const auto failure = load_text(L, script.source, script.file)) {
     add_failure(script, *failure, faults);
@@ -39,8 +40,6 @@ bool run_script(lua_State* L, const Script& script, Faults& faults) {
   if (!failure && found.has_errors()) lua_pop(L, 1);
   return !failure && !found.has_errors();
 }
-
-}  // namespace
 
 const Made* load_script(lua_State* L, const Script& script, const char* kind, Faults& faults) {
   if (!run_script(L, script, faults)) return nullptr;

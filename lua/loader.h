@@ -8,6 +8,9 @@
 
 namespace lsos {
 
+// Pushes what the script returned, or collects the faults, pushes nothing and returns false.
+bool run_script(lua_State* L, const Script& script, Faults& faults);
+
 // Pushes what the script returned, made by lsos.`kind`, and returns it; or collects the faults,
 // pushes nothing and returns nullptr.
 const Made* load_script(lua_State* L, const Script& script, const char* kind, Faults& faults);

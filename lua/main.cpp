@@ -14,7 +14,7 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run", "check", "fsm", "list", "overlay"};
+const std::vector<std::string> built{"run", "check", "fsm", "list", "overlay", "rig"};
 // Named in the manual, not there yet.
 const std::vector<std::string> unbuilt{"repl",    "test",   "resume", "report",  "compare",
                                        "schema",  "import", "export", "picture", "sun",
@@ -88,6 +88,25 @@ int run_program(std::vector<std::string> arguments) {
 
   overlay_command->add_flag("--json", is_json, "The name of the file as JSON");
 
+  lsos::RigOptions rig;
+  CLI::App* rig_command =
+      app.add_subcommand("rig", "A single-wheel test bed: one wheel on a soil at given slips");
+  rig_command->add_option("--soil", rig.soil, "A soil by name, or a Lua file")->required();
+  rig_command->add_option("--radius", rig.radius_m, "Of the wheel's rim, m")->required();
+  rig_command->add_option("--width", rig.width_m, "m")->required();
+  rig_command->add_option("--load", rig.load_n, "On the wheel, N")->required();
+  rig_command->add_option("--slip", rig.slips, "-1..1, one or several: 0,0.2,0.5")
+      ->required()
+      ->delimiter(',');
+  rig_command->add_option("--slip-angle", rig.slip_angle_deg,
+                          "Of the travel from the heading, deg, to the left positive");
+  rig_command->add_option("--grouser-height", rig.grouser_height_m, "m");
+  rig_command->add_option("--grouser-count", rig.grouser_count, "Round the whole rim");
+  rig_command->add_option("--interface-friction", rig.interface_friction_ratio,
+                          "Friction of soil on the rim over that in the soil, 0..1 (0.8)");
+  rig_command->add_option("--gravity", rig.gravity_mps2, "m/s2 (9.80665)");
+  rig_command->add_flag("--json", is_json, "Its answer is JSON in any case");
+
   try {
     std::ranges::reverse(arguments);  // as CLI11 takes them
     app.parse(arguments);
@@ -97,6 +116,7 @@ int run_program(std::vector<std::string> arguments) {
   if (run_command->parsed()) return lsos::run_command(run);
   if (check_command->parsed()) return lsos::check_command(check);
   if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan, is_json);
+  if (rig_command->parsed()) return lsos::rig_command(rig);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, is_json);
 }

@@ -1,9 +1,10 @@
-// lsos.rover and its parts.
+// lsos.rover, its body and its configurations.
 #include "lua/rover_constructors.h"
 
 #include <fmt/format.h>
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 
 #include "base/sim_time.h"
 #include "lua/constructors.h"
@@ -20,17 +21,6 @@ struct Chassis {
   double clearance_m = 0;
 };
 
-// lsos.wheel: what is of one wheel.
-struct WheelScript {
-  Wheel wheel;
-  double mass_kg = 0;
-};
-
-struct Spring {
-  double stiffness_npm = 0, damping_nspm = 0;
-  double travel_up_m = 0, travel_down_m = 0;
-};
-
 bool is_positive(const Vec3& v) { return v.minCoeff() > 0; }
 
 // Of a box with its mass spread evenly.
@@ -42,7 +32,7 @@ Vec3 box_moments_kgm2(double mass_kg, const Vec3& size_m) {
 
 void read_chassis(TableReader& t, Chassis& chassis) {
   t.number(required, "mass_kg", chassis.inertia.mass_kg, positive,
-           "With load, without wheel modules.");
+           "With load, without suspension and wheels.");
   t.vec3(required, "size_m", chassis.size_m, "Length, width, height of its box.");
   t.number(required, "clearance_m", chassis.clearance_m, not_negative,
            "From the ground to the box's underside at rest.");
@@ -61,83 +51,59 @@ void read_chassis(TableReader& t, Chassis& chassis) {
       moments_kgm2.value_or(box_moments_kgm2(chassis.inertia.mass_kg, chassis.size_m));
 }
 
-void read_module(TableReader& t, WishboneModule& module) {
-  Vec3 position_m = Vec3::Zero();
-  t.text(required, "name", module.name, "As in the log: 'front_left'.");
-  t.vec3(required, "position_m", position_m, "Of the steering axis: forward, left; z is 0.");
-  if (position_m.z() != 0) t.fault("position_m: z must be 0, the wheels stand on the ground");
-  module.p_B_m = position_m.head<2>();
+// joints = { rocker_left = 0.2 }
+void read_joints(TableReader& t, std::map<std::string, double>& joints) {
+  if (!t.take(optional, "joints", "table of numbers, m or rad",
+              "Where joints stand at the start, by name; the others at 0."))
+    return;
+  lua_State* L = t.L();
+  if (lua_istable(L, -1)) {
+    lua_pushnil(L);
+    while (lua_next(L, -2) != 0) {
+      if (lua_type(L, -2) != LUA_TSTRING || lua_type(L, -1) != LUA_TNUMBER) {
+        t.fault("joints: NAME = number is wanted throughout, as in { rocker_left = 0.2 }");
+      } else if (!std::isfinite(lua_tonumber(L, -1))) {
+        t.fault(fmt::format("joints: {} must be finite", lua_tostring(L, -2)));
+      } else {
+        joints[lua_tostring(L, -2)] = lua_tonumber(L, -1);
+      }
+      lua_pop(L, 1);
+    }
+  } else if (!lua_isnil(L, -1)) {
+    t.fault(fmt::format("joints: a table is wanted, found {}", describe(L, -1)));
+  }
+  lua_pop(L, 1);
 }
 
-void read_wheel(TableReader& t, WheelScript& script) {
-  Wheel& wheel = script.wheel;
-  t.number(required, "radius_m", wheel.radius_m, {0, 10, true}, "Rolling radius.");
-  t.number(required, "width_m", wheel.width_m, {0, 10, true}, "Of the tread.");
-  t.number(required, "mass_kg", script.mass_kg, positive, "Of one wheel.");
-  t.number(required, "normal_stiffness_npm", wheel.normal_stiffness_npm, positive,
-           "Of wheel and ground, along the ground's normal.");
-  t.number(required, "normal_damping_nspm", wheel.normal_damping_nspm, not_negative,
-           "Along the ground's normal.");
-  t.number(required, "tangential_damping_nspm", wheel.tangential_damping_nspm, not_negative,
-           "Along the ground.");
+void read_configuration(TableReader& t, RoverConfiguration& configuration) {
+  t.text(required, "name", configuration.name, "What a plan's RoverConfig says.");
+  t.text(required, "doc", configuration.doc, "One sentence that a mission planner understands.");
+  read_joints(t, configuration.joints);
+  t.texts(optional, "free_wheels", configuration.free_wheels,
+          "Wheels that turn without motor and brake, by name.");
+  t.texts(optional, "locked_wheels", configuration.locked_wheels,
+          "Wheels that do not turn at all, by name.");
+  t.number(optional, "payload_mass_kg", configuration.payload_mass_kg, any_number,
+           "On the chassis besides its own mass, as a point; negative takes load off (default 0).");
+  t.vec3(optional, "payload_position_m", configuration.p_BP_m,
+         "Of its centre of mass: forward, left, up as for the chassis (default 0, 0, 0).");
 }
 
-void read_spring(TableReader& t, Spring& spring) {
-  t.number(required, "stiffness_npm", spring.stiffness_npm, positive, "At the wheel module.");
-  t.number(required, "damping_nspm", spring.damping_nspm, not_negative, "At the wheel module.");
-  t.number(required, "travel_up_m", spring.travel_up_m, positive,
-           "Compression from rest to the stop.");
-  t.number(required, "travel_down_m", spring.travel_down_m, positive,
-           "Droop from rest to the stop.");
-}
-
-void read_steering(TableReader& t, SteeringMotor& motor) {
-  t.number(required, "angle_max_rad", motor.angle_max_rad, {0, std::numbers::pi}, "Either way.");
-  t.number(required, "rate_max_radps", motor.rate_max_radps, positive, "Turning rate.");
-  t.number(required, "torque_max_n_m", motor.torque_max_n_m, positive, "Of the motor.");
-  t.number(required, "stiffness_n_m_prad", motor.stiffness_n_m_prad, positive,
-           "Of the position servo; holds when parked.");
-  t.number(required, "damping_n_m_sprad", motor.damping_n_m_sprad, not_negative,
-           "Of the position servo.");
-}
-
-void read_drive(TableReader& t, DriveMotor& motor) {
-  t.number(required, "torque_max_n_m", motor.torque_max_n_m, positive, "At the wheel.");
-  t.number(required, "power_max_w", motor.power_max_w, positive, "Mechanical, at the wheel.");
-  t.number(required, "efficiency", motor.efficiency, {0, 1, true},
-           "Mechanical out over electrical in.");
-  t.number(required, "servo_gain_n_m_sprad", motor.servo_gain_n_m_sprad, positive,
-           "Torque per speed error.");
-  t.number(required, "servo_integral_n_m_prad", motor.servo_integral_n_m_prad, not_negative,
-           "Torque per accumulated speed error.");
-  t.number(required, "brake_torque_max_n_m", motor.brake_torque_max_n_m, positive,
-           "Of the brake, at the wheel.");
-  t.number(required, "brake_stiffness_n_m_prad", motor.brake_stiffness_n_m_prad, positive,
-           "Of the brake's hold.");
-  t.number(required, "brake_damping_n_m_sprad", motor.brake_damping_n_m_sprad, not_negative,
-           "Of the brake's hold.");
-}
-
-void read_wishbone(TableReader& t, Wishbone& wishbone) {
-  WheelScript wheel;
-  Spring spring;
-  t.list(required, "modules", "module", wishbone.modules, "Where wheel modules are.");
-  t.number(required, "arm_mass_kg", wishbone.arm_mass_kg, positive,
-           "Of one module: moves with the spring, is not steered.");
-  t.number(required, "knuckle_mass_kg", wishbone.knuckle_mass_kg, positive,
-           "Of one module: what is steered, without wheels.");
-  t.made(required, "spring", "spring", spring, "Of one module.");
-  t.made(required, "steering", "steering", wishbone.steering, "Of one module.");
-  t.numbers(required, "wheel_offsets_m", wishbone.wheel_offsets_m, any_number,
-            "Of a module's wheels along the axle from the steering axis, left positive.");
-  t.made(required, "wheel", "wheel", wheel, "Every wheel.");
-  t.made(required, "drive", "drive", wishbone.drive, "The motor of every wheel.");
-  wishbone.wheel = wheel.wheel;
-  wishbone.wheel_mass_kg = wheel.mass_kg;
-  wishbone.stiffness_npm = spring.stiffness_npm;
-  wishbone.damping_nspm = spring.damping_nspm;
-  wishbone.travel_up_m = spring.travel_up_m;
-  wishbone.travel_down_m = spring.travel_down_m;
+// One of three kinds of suspension.
+void read_suspension(TableReader& t, Suspension& suspension) {
+  constexpr const char* kinds = "lsos.wishbone, lsos.rocker_bogie or lsos.skid_steer";
+  if (!t.take(required, "suspension", kinds, "Springs or rockers, steering and wheels.")) return;
+  const Made* made = to_made(t.L(), -1);
+  if (made != nullptr && made->kind == "wishbone") {
+    suspension = std::any_cast<Wishbone>(made->value);
+  } else if (made != nullptr && made->kind == "rocker_bogie") {
+    suspension = std::any_cast<RockerBogie>(made->value);
+  } else if (made != nullptr && made->kind == "skid_steer") {
+    suspension = std::any_cast<SkidSteer>(made->value);
+  } else if (!lua_isnil(t.L(), -1)) {
+    t.fault(fmt::format("suspension: {} is wanted, found {}", kinds, describe(t.L(), -1)));
+  }
+  lua_pop(t.L(), 1);
 }
 
 // A rover's physics step divides the exchange period exactly.
@@ -162,7 +128,9 @@ void read_rover(TableReader& t, RoverSpec& spec) {
   t.text(optional, "name", name, "The file's name, for readers; nothing else is allowed.");
   t.text(required, "doc", spec.doc, "One sentence that a mission planner understands.");
   t.made(required, "chassis", "chassis", chassis, "Body and load.");
-  t.made(required, "suspension", "wishbone", spec.suspension, "Springs, steering and wheels.");
+  read_suspension(t, spec.suspension);
+  t.list(optional, "configurations", "configuration", spec.configurations,
+         "What a plan's RoverConfig may name.");
   read_step(t, vehicle);
   t.number(required, "cruise_speed_mps", vehicle.cruise_speed_mps, positive,
            "When an event gives no speed.");
@@ -170,8 +138,14 @@ void read_rover(TableReader& t, RoverSpec& spec) {
   t.number(required, "acceleration_mps2", vehicle.acceleration_mps2, positive,
            "Speeding up and slowing down along a path.");
   t.boolean(optional, "can_turn_on_spot", vehicle.can_turn_on_spot, "Default false.");
+  t.boolean(optional, "can_crab", vehicle.can_crab,
+            "Drives in any direction without turning (default false).");
   t.number(optional, "turning_radius_min_m", vehicle.turning_radius_min_m, not_negative,
-           "While driving (default 2.5).");
+           "While driving (default 5).");
+  t.number(optional, "drive_calibration", vehicle.drive_calibration, positive,
+           "Electrical drive power is multiplied by this to match measurements (default 1).");
+  t.text(optional, "drive_calibration_source", vehicle.drive_calibration_source,
+         "The measurements; required unless drive_calibration is 1.");
   t.texts(optional, "assumptions", vehicle.assumptions,
           "Sentences about numbers that have no source; they go into summary.json.");
   if (vehicle.cruise_speed_mps > vehicle.speed_max_mps) {
@@ -193,15 +167,13 @@ void read_rover(TableReader& t, RoverSpec& spec) {
 }  // namespace
 
 std::vector<Constructor> rover_constructors() {
-  return {constructor<RoverSpec, read_rover>(rover_kind, "What a script in rovers/ returns."),
-          constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
-          constructor<Wishbone, read_wishbone>(
-              "wishbone", "Independently sprung, steered wheel modules, each with its wheels."),
-          constructor<WishboneModule, read_module>("module", "One wheel module's place."),
-          constructor<Spring, read_spring>("spring", "Spring and damper of a wheel module."),
-          constructor<SteeringMotor, read_steering>("steering", "Steering of a wheel module."),
-          constructor<WheelScript, read_wheel>("wheel", "A wheel and its contact."),
-          constructor<DriveMotor, read_drive>("drive", "A wheel's motor and brake.")};
+  std::vector<Constructor> all{
+      constructor<RoverSpec, read_rover>(rover_kind, "What a script in rovers/ returns."),
+      constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
+      constructor<RoverConfiguration, read_configuration>(
+          "configuration", "How a rover may stand and be loaded at the start.")};
+  std::ranges::move(suspension_constructors(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace lsos

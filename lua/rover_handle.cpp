@@ -51,6 +51,8 @@ FollowSettings check_settings(lua_State* L, int argument) {
   TableReader t(L, argument, "rover:follow", {}, faults);
   t.number(optional, "speed_mps", settings.speed_mps, positive, "Driving speed.");
   t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive, "Arrived within.");
+  t.boolean(optional, "crab", settings.is_crabbing,
+            "Along the path without turning into it; rovers that can.");
   t.finish();
   faults.throw_if_errors();
   return settings;
@@ -133,7 +135,8 @@ const HandleType& rover_handle_type() {
        {"cruise_speed_mps", quantity<&V::cruise_speed_mps>, "number", "The type's usual speed."},
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
        {"drive", drive, "rover.drive", "What became of the last rover:follow."}},
-      {{"follow", guard<follow>, "rover:follow(path, { speed_mps = , arrival_radius_m = })",
+      {{"follow", guard<follow>,
+        "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival."},
        {"brake", guard<brake>, "rover:brake()", "Stops and holds."},
        {"distance_to_m", guard<distance_to_m>, "rover:distance_to_m(point)",

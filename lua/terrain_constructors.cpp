@@ -13,7 +13,8 @@ namespace {
 
 using Surface = decltype(TerrainSpec::surface);
 
-constexpr double right_angle_rad = std::numbers::pi / 2;
+// Steeper than any soil; bearing factors grow without bound towards a right angle.
+constexpr double friction_max_rad = 1.3;
 
 void read_plane(TableReader& t, PlaneSurface& plane) {
   t.number(optional, "height_m", plane.height_m, any_number, "At the site's origin (default 0).");
@@ -80,28 +81,53 @@ void read_terrain(TableReader& t, TerrainScript& terrain) {
   lua_pop(t.L(), 1);
 }
 
+// Bekker's parameters: all three or none.
+void read_bekker(TableReader& t, Soil& soil) {
+  std::optional<double> k_c, k_phi, n;
+  t.number(optional, "k_c", k_c, any_number,
+           "Bekker's cohesive modulus, N/m^(n+1). Without k_c, k_phi and n sinkage follows "
+           "Terzaghi's bearing capacity.");
+  t.number(optional, "k_phi", k_phi, positive, "Bekker's frictional modulus, N/m^(n+2).");
+  t.number(optional, "n", n, {0.2, 2}, "Bekker's sinkage exponent.");
+  if (t.L() == nullptr) return;
+  if (const int given = k_c.has_value() + k_phi.has_value() + n.has_value();
+      given != 0 && given != 3) {
+    t.fault(
+        fmt::format("{} without {}: Bekker's law needs all of k_c, k_phi and n; without any "
+                    "of them Terzaghi's is used",
+                    k_c     ? "k_c"
+                    : k_phi ? "k_phi"
+                            : "n",
+                    !k_c     ? "k_c"
+                    : !k_phi ? "k_phi"
+                             : "n"));
+  }
+  soil.k_c = k_c.value_or(0);
+  soil.k_phi = k_phi.value_or(0);
+  soil.n = n.value_or(1);
+}
+
+}  // namespace
+
 void read_soil(TableReader& t, Soil& soil) {
   std::string doc;
   soil.name = script_name(t.place().file);
   t.text(optional, "doc", doc, "What it is and where its numbers are from.");
-  t.number(required, "k_c", soil.k_c, any_number, "Bekker's cohesive modulus, N/m^(n+1).");
-  t.number(required, "k_phi", soil.k_phi, positive, "Bekker's frictional modulus, N/m^(n+2).");
-  t.number(required, "n", soil.n, {0.2, 2}, "Bekker's sinkage exponent.");
+  t.boolean(optional, "is_rigid", soil.is_rigid,
+            "Rock: wheels do not sink, friction is of wheel on rock (default false).");
+  read_bekker(t, soil);
   t.number(required, "cohesion_pa", soil.cohesion_pa, not_negative, "Mohr-Coulomb cohesion.");
-  t.number(required, "friction_rad", soil.friction_rad, {0, right_angle_rad},
+  t.number(required, "friction_rad", soil.friction_rad, {0, friction_max_rad},
            "Internal friction angle.");
   t.number(required, "density_kgpm3", soil.density_kgpm3, positive, "Bulk density.");
-  t.number(required, "shear_modulus_x_m", soil.shear_modulus_m, positive,
-           "Janosi and Hanamoto's K: the displacement over which shear builds up.");
-  double across_m = soil.shear_modulus_m;
-  t.number(optional, "shear_modulus_y_m", across_m, positive,
+  t.number(required, "shear_modulus_x_m", soil.shear_modulus_x_m, positive,
+           "Janosi and Hanamoto's K along the wheel: the displacement over which shear builds up.");
+  soil.shear_modulus_y_m = soil.shear_modulus_x_m;
+  t.number(optional, "shear_modulus_y_m", soil.shear_modulus_y_m, positive,
            "The same across the wheel (default: as along it).");
-  if (across_m != soil.shear_modulus_m) {
-    t.fault("shear_modulus_y_m must equal shear_modulus_x_m: one K serves all directions");
-  }
+  t.number(optional, "slip_sinkage", soil.slip_sinkage, {0, 10},
+           "How fast sinkage grows with shear under the wheel, see core/vehicle (default 1).");
 }
-
-}  // namespace
 
 std::vector<Constructor> terrain_constructors() {
   return {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "lua/reader.h"
 #include "terrain/terrain_spec.h"
 
 namespace lsos {
@@ -15,5 +16,8 @@ struct TerrainScript {
   std::string soil_name;  // of a script in terrain/soils/; "": the spec has its soil
   std::string doc;
 };
+
+// The keys of lsos.soil, also for a plain table.
+void read_soil(TableReader& t, Soil& soil);
 
 }  // namespace lsos

@@ -54,12 +54,13 @@ local suspension = lsos.wishbone {
 
   wheel_offsets_m = { 0.2, -0.2 },   -- A: twin wheels 0.1 m apart
   wheel = lsos.wheel {
-    radius_m                = 0.495,   -- R: 99 cm diameter, NASA SEV fact sheet
-    width_m                 = 0.305,   -- R: 30.5 cm, the same
-    mass_kg                 = wheel_kg,
-    normal_stiffness_npm    = 1e5,     -- A: 5 mm under a wheel's lunar load
-    normal_damping_nspm     = 2500,    -- A
-    tangential_damping_nspm = 500,     -- A
+    radius_m                 = 0.495,    -- R: 99 cm diameter, NASA SEV fact sheet
+    width_m                  = 0.305,    -- R: 30.5 cm, the same
+    mass_kg                  = wheel_kg,
+    normal_stiffness_npm     = 1e5,      -- A: 5 mm under a wheel's lunar load
+    normal_damping_nspm      = 2500,     -- A
+    tangential_damping_nspm  = 500,      -- A
+    interface_friction_ratio = 1,        -- A: tyre treads shear soil on soil
   },
 
   drive = lsos.drive {
@@ -82,11 +83,21 @@ return lsos.rover {
   chassis    = chassis,
   suspension = suspension,
 
-  step_s            = 0.005,
+  configurations = {
+    lsos.configuration {
+      name               = 'Unloaded',
+      doc                = 'Without its payload.',
+      payload_mass_kg    = -payload_kg,
+      payload_position_m = lsos.vec3(0, 0, 1.3),  -- A: at the centre of mass
+    },
+  },
+
+  step_s            = 0.010,
   cruise_speed_mps  = 2.0,
   speed_max_mps     = 2.78,   -- V: 10 km/h in any direction, lunarsettlementindex.org quoting NASA
   acceleration_mps2 = 0.3,    -- A
   can_turn_on_spot  = true,   -- D: all modules steer
+  can_crab          = true,   -- V: in any direction, the same
 
   assumptions = {
     'SEV: 4000 kg in all, read as 3000 kg of vehicle and 1000 kg of payload; sources disagree',
@@ -96,5 +107,6 @@ return lsos.rover {
       .. 'assumed',
     'SEV: motors of 1.5 kW a wheel with an efficiency of 0.8 are assumed; their torque is that of '
       .. 'the Chariot chassis in low gear',
+    'SEV: treads that shear soil on soil (interface friction 1) are assumed',
   },
 }

@@ -17,16 +17,33 @@ constexpr int exchanges_until_parked = 5;  // ... so many exchanges, a braked ro
 constexpr double rolled_over_rad = 1.2;    // tilt of the chassis (69 deg)
 constexpr double driving_mps = 1e-3;       // faster than this counts as driving
 constexpr double gain_hysteresis_m = 0.5;  // smaller rises than this are noise
+constexpr double lookahead_least_m = 0.6;  // of path following, for small rovers
 constexpr double turn_rate_share = 0.4;    // wheels' share of cruise speed when turning on the spot
 
+// Numbers and texts in the fields of a note.
+std::string json(double value) { return std::isnan(value) ? "null" : fmt::format("{:.6g}", value); }
+std::string json(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
 FollowerPose pose_of(const VehicleReport& report) {
-  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps};
+  const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
+  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
+          left_S.dot(report.v_S_mps.head<2>())};
 }
 
 }  // namespace
 
 RoverAgent::RoverAgent(const PlanRover& rover, const VehicleConfig& config, const Ground& ground)
-    : rover_(rover), ground_(&ground), vehicle_(config, ground) {
+    : rover_(rover),
+      ground_(&ground),
+      vehicle_(config, ground),
+      footprint_at_rest_(footprint_at_rest(config)) {
   view_.id = rover.id;
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
@@ -48,23 +65,83 @@ void RoverAgent::observe() {
   if (is_parked_) return;
   look();
   count_extremes();
-  if (!report_.is_finite) {
-    is_broken_ = true;
-    fault_ = "the dynamics gave a number that is not finite";
-  } else if (!report_.is_on_ground_data) {
-    fault_ = fmt::format("left the terrain that is known at {:.6f},{:.6f}", lon_deg(place_now()),
-                         lat_deg(place_now()));
-  } else if (std::hypot(report_.pitch_rad, report_.roll_rad) > rolled_over_rad) {
-    fault_ = fmt::format("rolled over (pitch {:.0f} deg, roll {:.0f} deg)",
-                         degrees(report_.pitch_rad), degrees(report_.roll_rad));
-  }
+  if (fault_.empty()) find_faults();
   if (!fault_.empty()) {
     command_ = {};
     has_new_command_ = true;
-  } else if (follower_ && follower_->status() == PathFollower::Status::driving) {
-    command_ = follower_->update(pose_of(report_), seconds(exchange_period));
-    has_new_command_ = true;
+    return;
   }
+  if (!is_driving()) return;
+  find_hindrances();
+  if (!is_driving()) return;
+  command_ = follower_->update(pose_of(report_), seconds(exchange_period));
+  has_new_command_ = true;
+  if (follower_->status() == PathFollower::Status::failed && follower_->is_stuck()) {
+    note("stuck",
+         fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
+                     json(follower_->remaining_m()), json(report_.sinkage_m), json(report_.slip)));
+  }
+}
+
+bool RoverAgent::is_driving() const {
+  return follower_ && follower_->status() == PathFollower::Status::driving &&
+         drive_failure_.empty();
+}
+
+// What ends its mission.
+void RoverAgent::find_faults() {
+  if (!report_.is_finite) {
+    is_broken_ = true;
+    fault_ = vehicle_.fault();
+    note("broken_dynamics", "{}");
+  } else if (!report_.is_on_ground_data) {
+    fault_ = fmt::format("left the terrain that is known at {:.6f},{:.6f}", lon_deg(place_now()),
+                         lat_deg(place_now()));
+    note("left_terrain", "{}");
+  } else if (std::hypot(report_.pitch_rad, report_.roll_rad) > rolled_over_rad) {
+    fault_ = fmt::format("rolled over (pitch {:.0f} deg, roll {:.0f} deg)",
+                         degrees(report_.pitch_rad), degrees(report_.roll_rad));
+    note("rollover", fmt::format(R"({{"pitch_rad":{},"roll_rad":{}}})", json(report_.pitch_rad),
+                                 json(report_.roll_rad)));
+  }
+}
+
+// What ends its drive: the rover can be told to try again, another way.
+void RoverAgent::find_hindrances() {
+  if (!report_.is_chassis_on_ground) {
+    may_touch_with_chassis_ = false;
+  } else if (!may_touch_with_chassis_) {
+    fail_drive("high_centred",
+               fmt::format("high-centred: its chassis touches the ground, {:.1f} m before the end",
+                           follower_->remaining_m()),
+               fmt::format(R"({{"remaining_m":{}}})", json(follower_->remaining_m())));
+  }
+}
+
+void RoverAgent::fail_drive(const std::string& finding, const std::string& reason,
+                            const std::string& fields_json) {
+  drive_failure_ = reason;
+  command_ = {};
+  has_new_command_ = true;
+  note(finding, fields_json);
+}
+
+Footprint RoverAgent::footprint() const {
+  return moved(footprint_at_rest_, report_.p_S_m.head<2>(), report_.yaw_rad, Vec2::Zero());
+}
+
+Footprint RoverAgent::swept_footprint() const {
+  const Vec2 v_mps = report_.v_S_mps.head<2>();
+  const double braking_s = v_mps.norm() / (2 * vehicle_.config().acceleration_mps2);
+  return moved(footprint_at_rest_, report_.p_S_m.head<2>(), report_.yaw_rad,
+               (braking_s + seconds(exchange_period)) * v_mps);
+}
+
+void RoverAgent::end_drive_before(const std::string& other_id, double distance_m) {
+  if (!is_driving()) return;
+  fail_drive("would_touch",
+             fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m),
+             fmt::format(R"({{"distance_m":{},"other":{}}})", json(distance_m), json(other_id)));
 }
 
 void RoverAgent::control() {
@@ -74,8 +151,7 @@ void RoverAgent::control() {
     has_new_command_ = false;
   }
   if (is_parked_) return;
-  const bool is_following = follower_ && follower_->status() == PathFollower::Status::driving;
-  const bool rests = command_.is_braking && !is_following && report_.speed_mps < at_rest_mps;
+  const bool rests = command_.is_braking && !is_driving() && report_.speed_mps < at_rest_mps;
   exchanges_at_rest_ = rests ? exchanges_at_rest_ + 1 : 0;
   if (exchanges_at_rest_ >= exchanges_until_parked || !fault_.empty()) {
     is_parked_ = true;
@@ -146,7 +222,9 @@ double RoverAgent::elevation_gain_m() const {
 
 DriveState RoverAgent::drive() const {
   if (!follower_) return {};
-  if (!fault_.empty()) return {DriveState::Status::failed, fault_, follower_->remaining_m()};
+  for (const std::string& reason : {fault_, drive_failure_}) {
+    if (!reason.empty()) return {DriveState::Status::failed, reason, follower_->remaining_m()};
+  }
   switch (follower_->status()) {
     case PathFollower::Status::driving:
       return {DriveState::Status::driving, "", follower_->remaining_m()};
@@ -173,12 +251,20 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   limits.acceleration_mps2 = config.acceleration_mps2;
   limits.arrival_radius_m = settings.arrival_radius_m;
   limits.can_turn_on_spot = config.can_turn_on_spot;
-  double reach_m = 0.5;  // of the wheel farthest from the reference point
-  for (const WheelLayout::DrivenWheel& wheel : wheel_layout(config).wheels) {
+  double reach_m = 0.3;  // of the wheel farthest from the reference point
+  for (const WheelLayout::WheelPlace& wheel : wheel_layout(config).wheels) {
     reach_m = std::max(reach_m, wheel.p_B_m.norm());
   }
   limits.radius_min_m = config.turning_radius_min_m;
   limits.turn_rate_radps = turn_rate_share * std::min(config.cruise_speed_mps, 1.0) / reach_m;
+  limits.lookahead_min_m = std::max(lookahead_least_m, reach_m);
+  limits.is_crabbing = settings.is_crabbing && config.can_crab;
+  if (settings.is_crabbing && !config.can_crab) {
+    warnings_.push_back(
+        fmt::format("{}: asked to crab, a {} cannot; it turns instead", rover_.id, config.type));
+  }
+  drive_failure_.clear();
+  may_touch_with_chassis_ = report_.is_chassis_on_ground;
   follower_.emplace(path_S_m, pose_of(report_), limits);
   if (!fault_.empty()) return;
   command_ = follower_->update(pose_of(report_), seconds(exchange_period));
@@ -187,6 +273,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
 
 void RoverAgent::brake() {
   follower_.reset();
+  drive_failure_.clear();
   command_ = {};
   has_new_command_ = true;
 }
@@ -239,8 +326,8 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(
-      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(report_)(view_
-                                                                                                                        .distance_m)(
+      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(report_)(view_
+                                                                                                                                                                 .distance_m)(
       view_.drive_w)(view_.drive_j)(
       slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
   if (a.is_reading()) update_view();

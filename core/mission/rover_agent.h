@@ -9,6 +9,7 @@
 #include "mission/rover_port.h"
 #include "plan/plan.h"
 #include "record/rows.h"
+#include "vehicle/footprint.h"
 #include "vehicle/path_follower.h"
 #include "vehicle/vehicle.h"
 
@@ -39,6 +40,13 @@ class RoverAgent : public RoverPort {
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
 
+  // What it covers now, and stretched to where it could come to rest if it braked.
+  Footprint footprint() const;
+  Footprint swept_footprint() const;
+  const Vec3& velocity_S_mps() const { return report_.v_S_mps; }
+  // It would touch another: the drive ends.
+  void end_drive_before(const std::string& other_id, double distance_m);
+
   const RoverView& view() const override { return view_; }
   DriveState drive() const override;
   // How much of the line that it follows lies behind, 0..1; 0 when it follows none.
@@ -67,12 +75,18 @@ class RoverAgent : public RoverPort {
 
  private:
   void look();
+  void find_faults();
+  void find_hindrances();
+  bool is_driving() const;
+  void fail_drive(const std::string& finding, const std::string& reason,
+                  const std::string& fields_json);
   void update_view();
   void count_extremes();
 
   PlanRover rover_;
   const Ground* ground_;
   Vehicle vehicle_;
+  Footprint footprint_at_rest_;
   RoverView view_;
   VehicleReport report_;
   std::optional<PathFollower> follower_;
@@ -82,6 +96,8 @@ class RoverAgent : public RoverPort {
   bool is_broken_ = false;
   int exchanges_at_rest_ = 0;
   std::string fault_;
+  std::string drive_failure_;            // why the present drive ended early, "" when it did not
+  bool may_touch_with_chassis_ = false;  // high-centred when this drive began: let it get free
   std::vector<Note> notes_;
   std::vector<std::string> warnings_;
   std::int64_t noting_sequence_ = 0;

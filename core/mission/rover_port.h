@@ -35,6 +35,7 @@ struct DriveState {
 struct FollowSettings {
   std::optional<double> speed_mps;  // absent: the rover's cruise speed
   double arrival_radius_m = 1;
+  bool is_crabbing = false;  // along the path without turning into it, if the rover can
 };
 
 class RoverPort {

@@ -23,10 +23,9 @@ Simulation::Simulation(SimulationSetup setup)
   const Geodetic start = setup_.plan.rovers.front().start;
   ground_ = ground_at(setup_.terrain, *setup_.plan.mission.planet, start, setup_.plan.mission.seed);
   const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
-  for (const auto& [type, spec] : setup_.rover_specs) {
-    VehicleConfig vehicle = spec.vehicle;
-    add_wishbone(vehicle, spec.suspension, g_mps2);
-    vehicles_[type] = std::move(vehicle);
+  for (const PlanRover& rover : setup_.plan.rovers) {
+    vehicles_[{rover.type, rover.configuration}] =
+        make_vehicle(setup_.rover_specs.at(rover.type), rover.configuration, g_mps2);
   }
   build();
   place_rovers();
@@ -40,7 +39,8 @@ void Simulation::build() {
   machine_ = synthesise(setup_.plan, host_->declarations());
   for (const RoverMachine& rover : machine_.rovers) {
     rovers_.push_back(
-        {std::make_unique<RoverAgent>(rover.rover, vehicles_.at(rover.rover.type), *ground_),
+        {std::make_unique<RoverAgent>(
+             rover.rover, vehicles_.at({rover.rover.type, rover.rover.configuration}), *ground_),
          EventSequence(rover, machine_.mission, *ground_),
          SimTime{},
          {}});
@@ -57,7 +57,20 @@ void Simulation::place_rovers() {
     }
     faults.add(site_faults(machine_.rovers[i], *ground_));
   }
+  if (!faults.has_errors()) find_rovers_in_each_other(faults);
   faults.throw_if_errors();
+}
+
+void Simulation::find_rovers_in_each_other(Faults& faults) const {
+  for (std::size_t i = 0; i < rovers_.size(); ++i) {
+    for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
+      const RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
+      if (!overlap(a.footprint(), b.footprint())) continue;
+      faults.error(machine_.rovers[k].rover.place,
+                   fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre",
+                               b.id(), a.id(), (b.view().p_S_m - a.view().p_S_m).norm()));
+    }
+  }
 }
 
 void Simulation::start() { exchange(); }
@@ -98,6 +111,7 @@ SimTime Simulation::next_time() {
 
 void Simulation::exchange() {
   for (Rover& rover : rovers_) rover.agent->observe();
+  keep_apart();
   run_scripts();
   for (Rover& rover : rovers_) rover.agent->control();
   for (const Rover& rover : rovers_) {
@@ -118,6 +132,21 @@ void Simulation::exchange() {
     const std::string state = save();
     build();
     restore(state);
+  }
+}
+
+// Ends the drive of a rover that could not stop before another. Those that move away may go.
+void Simulation::keep_apart() {
+  for (std::size_t i = 0; i < rovers_.size(); ++i) {
+    for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
+      RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
+      if (a.is_parked() && b.is_parked()) continue;
+      const Vec3 between_m = b.view().p_S_m - a.view().p_S_m;
+      const bool is_closing = between_m.dot(a.velocity_S_mps() - b.velocity_S_mps()) > 0;
+      if (!is_closing || !overlap(a.swept_footprint(), b.swept_footprint())) continue;
+      a.end_drive_before(b.id(), between_m.norm());
+      b.end_drive_before(a.id(), between_m.norm());
+    }
   }
 }
 
@@ -263,8 +292,13 @@ std::vector<RoverResult> Simulation::results() const {
 
 std::vector<std::string> Simulation::assumptions() const {
   std::vector<std::string> assumptions;
-  for (const auto& [type, vehicle] : vehicles_) {
-    assumptions.insert(assumptions.end(), vehicle.assumptions.begin(), vehicle.assumptions.end());
+  for (const auto& [key, vehicle] : vehicles_) {
+    for (const std::string& assumption : vehicle.assumptions) {
+      // Configurations of one type share theirs.
+      if (std::ranges::find(assumptions, assumption) == assumptions.end()) {
+        assumptions.push_back(assumption);
+      }
+    }
   }
   if (setup_.terrain.is_synthetic) {
     assumptions.push_back(

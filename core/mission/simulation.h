@@ -89,7 +89,9 @@ class Simulation : private EventSequence::Others {
 
   void build();
   void place_rovers();
+  void find_rovers_in_each_other(Faults& faults) const;
   void exchange();
+  void keep_apart();
   void run_scripts();
   void take_warnings(Rover& rover);
   void log_rows();
@@ -104,7 +106,8 @@ class Simulation : private EventSequence::Others {
   LogWriter* log_ = nullptr;
   MissionMachine machine_;
   std::unique_ptr<Ground> ground_;
-  std::map<std::string, VehicleConfig> vehicles_;  // by RoverType, with links
+  // By RoverType and RoverConfig, with links.
+  std::map<std::pair<std::string, std::string>, VehicleConfig> vehicles_;
   std::unique_ptr<ScriptHost> host_;
   std::vector<Rover> rovers_;
   WorkerPool pool_;

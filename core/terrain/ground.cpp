@@ -123,6 +123,7 @@ GroundSample Ground::Probe::sample(const Vec3& p_S_m) {
 
   GroundSample sample;
   sample.elevation_m = surface.height_m;
+  sample.up_S = standing.up_S;
   sample.gap_m = standing.height_m - surface.height_m;
   // The surface is where height(p) - surface(u(x, y), v(x, y)) is 0; its normal is that gradient.
   // The gradients of x and y grow from the asked point down to the surface.

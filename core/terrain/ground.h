@@ -18,6 +18,7 @@ struct GroundSample {
   double gap_m = not_modelled;
   double elevation_m = not_modelled;  // of the surface below it, above the reference surface
   Vec3 normal_S = Vec3::UnitZ();      // unit, outward
+  Vec3 up_S = Vec3::UnitZ();          // unit, the local vertical
   bool is_ground() const { return gap_m == gap_m; }
 };
 

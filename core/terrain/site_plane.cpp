@@ -36,7 +36,10 @@ Standing SitePlane::standing_on_sphere(const Vec3& p_S_m) const {
   if (!(p.z() > cos_farthest * r)) return result;
   result.is_near = true;
   result.radius_m = r;
-  result.height_m = r - site_.body().equatorial_radius_m;
+  // r - R without the digits that a difference of two radii loses: wheels would feel them.
+  const double R = site_.body().equatorial_radius_m, c = centre_to_site_S_m_.norm();
+  const double over_site_m = (p_S_m.squaredNorm() + 2 * p_S_m.dot(centre_to_site_S_m_)) / (r + c);
+  result.height_m = over_site_m + (c - R);
   result.up_S = p * (1 / r);
   const double per_z = 1 / p.z();
   const double scale = distance_m_ * per_z;

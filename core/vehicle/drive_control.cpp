@@ -20,9 +20,9 @@ Vec3 rest_position_B_m(const VehicleConfig& config, int link) {
 }
 
 // Velocity over the ground of a point of the body that moves as commanded.
-Vec2 velocity_at(const DriveCommand& command, const Vec2& p_B_m) {
+Vec2 velocity_at(const WheelLayout& layout, const DriveCommand& command, const Vec2& p_B_m) {
   return {command.speed_mps - command.yaw_rate_radps * p_B_m.y(),
-          command.yaw_rate_radps * p_B_m.x()};
+          command.left_mps + command.yaw_rate_radps * (p_B_m.x() - layout.turning_x_B_m)};
 }
 
 double nearest_angle_rad(double wanted, double now, double max) {
@@ -54,15 +54,23 @@ WheelLayout wheel_layout(const VehicleConfig& config) {
       steering_of_link[i] = static_cast<int>(layout.steerings.size());
       layout.steerings.push_back({static_cast<int>(i), p_B_m, link.steering->angle_max_rad});
     }
-    if (link.wheel && link.drive) {
+    if (link.wheel) {
       const double offset_m =
           inherited < 0
               ? 0
               : p_B_m.y() - layout.steerings[static_cast<std::size_t>(inherited)].p_B_m.y();
       layout.wheels.push_back(
-          {static_cast<int>(i), inherited, offset_m, p_B_m, link.wheel->radius_m});
+          {static_cast<int>(i), inherited, offset_m, p_B_m, link.wheel->radius_m, link.wheel_mode});
     }
   }
+  double fixed = 0, sum_m = 0;
+  for (const WheelLayout::WheelPlace& wheel : layout.wheels) {
+    if (wheel.steering >= 0) continue;
+    ++fixed;
+    sum_m += wheel.p_B_m.x();
+  }
+  if (fixed > 0) layout.turning_x_B_m = sum_m / fixed;
+  if (layout.steerings.empty()) layout.skid_track_ratio = config.skid_track_ratio;
   return layout;
 }
 
@@ -72,7 +80,7 @@ WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& comman
   double error_rad = 0;
   for (std::size_t i = 0; i < layout.steerings.size(); ++i) {
     const WheelLayout::Steering& steering = layout.steerings[i];
-    const Vec2 v = velocity_at(command, steering.p_B_m);
+    const Vec2 v = velocity_at(layout, command, steering.p_B_m);
     if (v.norm() < 1e-9) continue;
     targets.steering_angle_rad[i] =
         nearest_angle_rad(std::atan2(v.y(), v.x()), steering_now_rad[i], steering.angle_max_rad);
@@ -81,7 +89,7 @@ WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& comman
   const double share = std::clamp(
       (steering_stop_rad - error_rad) / (steering_stop_rad - steering_free_rad), 0.0, 1.0);
   for (std::size_t i = 0; i < layout.wheels.size(); ++i) {
-    const WheelLayout::DrivenWheel& wheel = layout.wheels[i];
+    const WheelLayout::WheelPlace& wheel = layout.wheels[i];
     double angle_rad = 0;
     Vec2 p_B_m = wheel.p_B_m;
     if (wheel.steering >= 0) {
@@ -91,7 +99,9 @@ WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& comman
               wheel.offset_m * Vec2(-std::sin(angle_rad), std::cos(angle_rad));
     }
     const Vec2 heading(std::cos(angle_rad), std::sin(angle_rad));
-    targets.spin_radps[i] = share * velocity_at(command, p_B_m).dot(heading) / wheel.radius_m;
+    p_B_m.y() *= layout.skid_track_ratio;
+    targets.spin_radps[i] =
+        share * velocity_at(layout, command, p_B_m).dot(heading) / wheel.radius_m;
   }
   return targets;
 }

@@ -2,6 +2,8 @@
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 
+#include <cmath>
+
 namespace lsos {
 
 namespace {
@@ -46,6 +48,7 @@ Multibody::Multibody(const VehicleConfig& config) : impl_(std::make_unique<Impl>
                           com_to_joint, joint_to_com, /*disableParentCollision=*/true);
     }
     parents_.push_back(link.parent);
+    initial_.push_back(link.initial);
   }
   body.finalizeMultiDof();
   // Bullet's defaults take energy away (4 % a second) and clamp speeds; neither is physics.
@@ -64,7 +67,8 @@ void Multibody::place(const Vec3& p_SB_m, const Mat3& R_SB) {
   const Quat q_BS = Quat(R_SB).normalized().conjugate();
   body.setWorldToBaseRot(btQuaternion(q_BS.x(), q_BS.y(), q_BS.z(), q_BS.w()));
   body.setBasePos(bt(p_SB_m + R_SB * impl_->p_BC_m));
-  for (int i = 0; i < body.getNumLinks(); ++i) body.setJointPos(i, 0);
+  for (int i = 0; i < body.getNumLinks(); ++i)
+    body.setJointPos(i, initial_[static_cast<std::size_t>(i)]);
   halt();
 }
 
@@ -72,14 +76,17 @@ double Multibody::joint_position(int link) const { return impl_->body.getJointPo
 double Multibody::joint_velocity(int link) const { return impl_->body.getJointVel(link); }
 
 void Multibody::add_force(int link, const Vec3& force_S_n, const Vec3& point_S_m) {
+  add_wrench(link, force_S_n, (point_S_m - motion(link).p_C_S_m).cross(force_S_n));
+}
+
+void Multibody::add_wrench(int link, const Vec3& force_S_n, const Vec3& torque_S_n_m) {
   btMultiBody& body = impl_->body;
-  const Vec3 torque = (point_S_m - motion(link).p_C_S_m).cross(force_S_n);
   if (link == chassis) {
     body.addBaseForce(bt(force_S_n));
-    body.addBaseTorque(bt(torque));
+    body.addBaseTorque(bt(torque_S_n_m));
   } else {
     body.addLinkForce(link, bt(force_S_n));
-    body.addLinkTorque(link, bt(torque));
+    body.addLinkTorque(link, bt(torque_S_n_m));
   }
 }
 
@@ -102,6 +109,41 @@ void Multibody::step(double step_s) {
   body.stepPositionsMultiDof(step_s);
   body.clearForcesAndTorques();
   update_motions();
+}
+
+std::optional<int> Multibody::broken_link() const {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const LinkMotion& m = motions_[i];
+    // A sum is finite only if each part is.
+    if (!std::isfinite(m.p_C_S_m.sum() + m.v_C_S_mps.sum() + m.omega_S_radps.sum())) {
+      return static_cast<int>(i) - 1;
+    }
+  }
+  return {};
+}
+
+double Multibody::kinetic_j() const {
+  const btMultiBody& body = impl_->body;
+  double energy_j = 0;
+  for (int i = chassis; i < body.getNumLinks(); ++i) {
+    const LinkMotion& m = motion(i);
+    const double mass_kg = i == chassis ? body.getBaseMass() : body.getLinkMass(i);
+    const Vec3 inertia = eigen(i == chassis ? body.getBaseInertia() : body.getLinkInertia(i));
+    const Vec3 omega_L = m.R_SL.transpose() * m.omega_S_radps;
+    energy_j +=
+        mass_kg * m.v_C_S_mps.squaredNorm() / 2 + omega_L.cwiseProduct(inertia).dot(omega_L) / 2;
+  }
+  return energy_j;
+}
+
+double Multibody::potential_j(const Vec3& g_S_mps2) const {
+  const btMultiBody& body = impl_->body;
+  double energy_j = 0;
+  for (int i = chassis; i < body.getNumLinks(); ++i) {
+    const double mass_kg = i == chassis ? body.getBaseMass() : body.getLinkMass(i);
+    energy_j -= mass_kg * g_S_mps2.dot(motion(i).p_C_S_m);
+  }
+  return energy_j;
 }
 
 void Multibody::halt() {

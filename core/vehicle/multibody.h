@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/archive.h"
@@ -32,7 +33,8 @@ class Multibody {
   explicit Multibody(const VehicleConfig& config);
   ~Multibody();
 
-  // Puts the chassis' reference frame B at a pose, all joints at 0, everything at rest.
+  // Puts the chassis' reference frame B at a pose, joints where the configuration begins,
+  // everything at rest.
   void place(const Vec3& p_SB_m, const Mat3& R_SB);
 
   // Motion of the chassis (Multibody::chassis) or link i, as of the last step or place.
@@ -42,10 +44,16 @@ class Multibody {
 
   // Forces of the coming step; cleared by it.
   void add_force(int link, const Vec3& force_S_n, const Vec3& point_S_m);
+  void add_wrench(int link, const Vec3& force_S_n, const Vec3& torque_S_n_m);  // at its C
   void add_gravity(const Vec3& g_S_mps2);
   void add_joint_force(int link, double force);  // N or N m, on the link, along its axis
 
   void step(double step_s);
+  // The first link (or `chassis`) whose motion is not a finite number; nullopt: all are.
+  std::optional<int> broken_link() const;
+  // Kinetic energy, and potential energy of gravity `g_S_mps2` above the site's origin, J.
+  double kinetic_j() const;
+  double potential_j(const Vec3& g_S_mps2) const;
 
   // All velocities to exactly zero.
   void halt();
@@ -58,6 +66,7 @@ class Multibody {
   struct Impl;
   std::unique_ptr<Impl> impl_;
   std::vector<int> parents_;
+  std::vector<double> initial_;      // m or rad, by link
   std::vector<LinkMotion> motions_;  // chassis first
 };
 

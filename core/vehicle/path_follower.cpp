@@ -15,7 +15,6 @@ constexpr double turn_begin_rad = 1.0;  // heading error that driving cannot men
 constexpr double turn_done_rad = 0.03;
 // Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
 // be driven in well more than that.
-constexpr double lookahead_min_m = 2.5;
 constexpr double lookahead_s = 2.0;
 constexpr double preview_s = 0.4;            // arcs are steered for this early, for the same lag
 constexpr double curvature_rate_1pms = 0.2;  // wheels must be able to steer along
@@ -25,7 +24,11 @@ constexpr double progress_m = 0.5;      // less than this in stuck_s is being st
 constexpr double progress_share = 0.1;  // drives, less than this share of what is asked
 constexpr double stuck_s = 60;
 constexpr double turning_progress_rad = 0.05;  // the same for turning on the spot
-constexpr double stopping_limit_s = 30;        // brakes that take longer than this do not hold
+constexpr double drift_smoothing_s = 1;        // across a slope a rover slides steadily
+constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing of it
+constexpr double drift_max_rad = 0.6;
+constexpr double crab_turn_rate = 0.5;   // 1/s: how fast a heading error is turned back
+constexpr double stopping_limit_s = 30;  // brakes that take longer than this do not hold
 
 double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
@@ -39,7 +42,8 @@ PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
   if (!line_.empty()) remaining_m_ = line_.back().begin_m + line_.back().length_m;
   best_remaining_m_ = remaining_m_;
   best_heading_error_rad_ = 2 * std::numbers::pi;
-  is_turning_ = limits_.can_turn_on_spot;
+  heading_rad_ = start.yaw_rad;
+  is_turning_ = limits_.can_turn_on_spot && !limits_.is_crabbing;
   is_stopping_ = line_.empty();
 }
 
@@ -71,8 +75,9 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
   const DrivingLeg& last = line_.back();
   remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - gone_m());
 
-  if (is_stuck(std::abs(heading_error_rad), period_s)) {
+  if (makes_no_progress(std::abs(heading_error_rad), period_s)) {
     status_ = Status::failed;
+    is_stuck_ = true;
     reason_ =
         fmt::format("stuck: no progress in {} s, {:.1f} m before the end", stuck_s, remaining_m_);
     return stop(pose, period_s);
@@ -81,6 +86,7 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
     is_stopping_ = true;
     return stop(pose, period_s);
   }
+  if (limits_.is_crabbing) return crab(pose, to_end_m, left_m, period_s);
   if (limits_.can_turn_on_spot && std::abs(heading_error_rad) > turn_begin_rad) is_turning_ = true;
   if (is_turning_ && std::abs(heading_error_rad) > turn_done_rad) {
     return turn(heading_error_rad, pose);
@@ -89,24 +95,54 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
   return drive(pose, to_end_m, left_m, heading_error_rad, period_s);
 }
 
-DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
-                                 double heading_error_rad, double period_s) {
+void PathFollower::ramp_speed(double to_end_m, double period_s) {
   const DrivingLeg& leg = line_[leg_];
   const double braking_mps = std::sqrt(leg.end_speed_mps * leg.end_speed_mps +
                                        2 * limits_.acceleration_mps2 * std::max(0.0, to_end_m));
   command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s, leg.speed_max_mps,
                            std::max(creep_mps, braking_mps)});
+}
+
+DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
+                                 double heading_error_rad, double period_s) {
+  ramp_speed(to_end_m, period_s);
+  // On a cross slope a rover goes not where it points. What must lie along the line is its travel.
+  if (pose.speed_mps > drift_speed_min_mps) {
+    const double ahead_mps =
+        std::sqrt(std::max(0.0, pose.speed_mps * pose.speed_mps - pose.left_mps * pose.left_mps));
+    const double drift_rad = std::atan2(pose.left_mps, std::max(ahead_mps, drift_speed_min_mps));
+    drift_rad_ += (std::clamp(drift_rad, -drift_max_rad, drift_max_rad) - drift_rad_) *
+                  std::min(1.0, period_s / drift_smoothing_s);
+  }
   // Distance to the line decays critically damped over the lookahead l: in distance travelled,
   // e'' + (2/l) e' + e/l^2 = 0 about the arc's own curvature.
-  const double lookahead_m = std::max(lookahead_min_m, lookahead_s * pose.speed_mps);
+  const double lookahead_m = std::max(limits_.lookahead_min_m, lookahead_s * pose.speed_mps);
   const double most_1pm = 1 / limits_.radius_min_m, ramp_1pm = curvature_rate_1pms * period_s;
-  const double wanted_1pm = std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) -
-                                           left_m / (lookahead_m * lookahead_m) -
-                                           2 * std::sin(heading_error_rad) / lookahead_m,
-                                       -most_1pm, most_1pm);
+  const double wanted_1pm =
+      std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) -
+                     left_m / (lookahead_m * lookahead_m) -
+                     2 * std::sin(heading_error_rad + drift_rad_) / lookahead_m,
+                 -most_1pm, most_1pm);
   command_curvature_1pm_ =
       std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
+}
+
+// Goes along the line sideways, heading kept: the wheels point where the rover shall go.
+DriveCommand PathFollower::crab(const FollowerPose& pose, double to_end_m, double left_m,
+                                double period_s) {
+  ramp_speed(to_end_m, period_s);
+  const DrivingLeg& leg = line_[leg_];
+  const Vec2 left_S(-leg.along_S.y(), leg.along_S.x());
+  const double back_mps =
+      std::clamp(-left_m / lookahead_s, -0.5 * command_mps_, 0.5 * command_mps_);
+  const Vec2 v_S_mps = command_mps_ * leg.along_S + back_mps * left_S;
+  const Vec2 ahead_S(std::cos(pose.yaw_rad), std::sin(pose.yaw_rad));
+  const double turn_rad = wrapped_rad(heading_rad_ - pose.yaw_rad);
+  const double turn_radps =
+      std::clamp(crab_turn_rate * turn_rad, -limits_.turn_rate_radps, limits_.turn_rate_radps);
+  return {v_S_mps.dot(ahead_S), turn_radps, false,
+          ahead_S.x() * v_S_mps.y() - ahead_S.y() * v_S_mps.x()};
 }
 
 // Of the leg that the rover will be on after `preview_m`.
@@ -155,7 +191,7 @@ double PathFollower::share() const {
   return 1 - remaining_m_ / (line_.back().begin_m + line_.back().length_m);
 }
 
-bool PathFollower::is_stuck(double heading_error_rad, double period_s) {
+bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) {
   const double step_m = std::min(progress_m, progress_share * limits_.speed_mps * stuck_s);
   const bool has_moved = remaining_m_ < best_remaining_m_ - step_m;
   const bool has_turned =
@@ -169,7 +205,7 @@ bool PathFollower::is_stuck(double heading_error_rad, double period_s) {
 
 void PathFollower::archive(Archive& a) {
   a.tag("follower")(waypoints_S_m_)(
-      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_);
+      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_);
   if (a.is_reading()) lay_line();
 }
 

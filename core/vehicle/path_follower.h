@@ -18,10 +18,12 @@ struct FollowerLimits {
   double radius_min_m = 5;       // tightest turn while driving
   double turn_rate_radps = 0.2;  // on the spot
   bool can_turn_on_spot = true;
+  double lookahead_min_m = 2.5;  // over which distance to the line decays at low speed
+  bool is_crabbing = false;      // goes along the line without turning into it
 
   void archive(Archive& a) {
     a(speed_mps)(acceleration_mps2)(
-        arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot);
+        arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing);
   }
 };
 
@@ -30,6 +32,7 @@ struct FollowerPose {
   Vec2 p_S_m;
   double yaw_rad = 0;    // counter-clockwise from east
   double speed_mps = 0;  // magnitude
+  double left_mps = 0;   // its part across the heading: sliding, or crabbing
 };
 
 class PathFollower {
@@ -45,6 +48,7 @@ class PathFollower {
 
   Status status() const { return status_; }
   const std::string& reason() const { return reason_; }
+  bool is_stuck() const { return is_stuck_; }  // why it failed
   double remaining_m() const { return remaining_m_; }
   // How much of the line lies behind, 0..1.
   double share() const;
@@ -57,7 +61,9 @@ class PathFollower {
   double curvature_ahead_1pm(double to_end_m, double preview_m) const;
   DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
   DriveCommand stop(const FollowerPose& pose, double period_s);
-  bool is_stuck(double heading_error_rad, double period_s);
+  DriveCommand crab(const FollowerPose& pose, double to_end_m, double left_m, double period_s);
+  void ramp_speed(double to_end_m, double period_s);
+  bool makes_no_progress(double heading_error_rad, double period_s);
   void lay_line();
 
   std::vector<Vec2> waypoints_S_m_;  // from where the rover was
@@ -69,6 +75,8 @@ class PathFollower {
   bool is_stopping_ = false;
   double command_mps_ = 0;  // ramped
   double command_curvature_1pm_ = 0;
+  double drift_rad_ = 0;    // of the travel from the heading, smoothed: how far the rover slides
+  double heading_rad_ = 0;  // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;
   double best_heading_error_rad_ = 0;
@@ -76,6 +84,7 @@ class PathFollower {
   double stopping_s_ = 0;
   Status status_ = Status::driving;
   std::string reason_;
+  bool is_stuck_ = false;
 };
 
 }  // namespace lsos

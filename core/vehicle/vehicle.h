@@ -2,6 +2,7 @@
 // exchange period at a time. It reads only itself and the ground.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,18 +28,38 @@ struct VehicleReport {
   double sinkage_m = not_modelled;
   double elevation_m = not_modelled;  // of the ground under the reference point
   bool is_on_ground_data = true;      // the terrain is known under every wheel
+  bool is_chassis_on_ground = false;  // it touched in the last period: high-centred
+  double drive_share = 0;  // of the most that its motors can do, on the mean of driven wheels
   bool is_finite = true;
 
   void archive(Archive& a) {
     a(p_S_m)(v_S_mps)(
-        heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(speed_mps)(slope_rad)(slip)(slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_finite);
+        heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(speed_mps)(slope_rad)(slip)(slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_chassis_on_ground)(drive_share)(is_finite);
   }
+};
+
+// Work since the start, J, by what does it; done on the vehicle, so that what takes energy away
+// is negative. Their sum is the change of its kinetic and potential energy.
+struct WorkDone {
+  double motors_j = 0;  // of driven wheels
+  double brakes_j = 0;
+  double steering_j = 0;
+  double suspension_j = 0;  // springs, dampers, stops, differentials
+  double soil_j = 0;        // all forces on wheels
+  double chassis_j = 0;     // of the ground on the chassis
+
+  double sum_j() const {
+    return motors_j + brakes_j + steering_j + suspension_j + soil_j + chassis_j;
+  }
+  void archive(Archive& a) { a(motors_j)(brakes_j)(steering_j)(suspension_j)(soil_j)(chassis_j); }
 };
 
 class Vehicle {
  public:
   // `config` with all its links; `ground` must outlive the vehicle.
   Vehicle(const VehicleConfig& config, const Ground& ground);
+  Vehicle(const Vehicle&) = delete;  // parts point into config_
+  Vehicle& operator=(const Vehicle&) = delete;
 
   const VehicleConfig& config() const { return config_; }
 
@@ -59,6 +80,12 @@ class Vehicle {
   VehicleReport report();
   // Position (m or rad) of each joint, in order of config().links.
   std::vector<double> joint_positions() const;
+  const WorkDone& work() const { return work_; }
+  double kinetic_j() const { return bodies_.kinetic_j(); }
+  double potential_j() const;  // of gravity at the chassis, above the site's origin
+  // What its dynamics broke on ("step 12 of ..."), "" while all numbers are finite. A broken
+  // vehicle is not stepped any more.
+  const std::string& fault() const { return fault_; }
   double distance_m() const { return distance_m_; }  // driven by the reference point
   double drive_j() const { return drive_j_; }        // electrical, since the start
   double drive_w() const { return drive_w_; }        // mean over the last period
@@ -71,10 +98,13 @@ class Vehicle {
     double spin_target_radps = 0;
     double servo_integral_rad = 0;  // accumulated speed error
     double brake_anchor_rad = 0;
-    double load_n = 0, sinkage_m = 0, slip = not_modelled;  // of the last step, for reports
+    Vec3 normal_S = Vec3::UnitZ();  // of the ground where it touched last
+    // Of the last step, for reports.
+    double load_n = 0, sinkage_m = 0, slip = not_modelled, torque_n_m = 0;
 
     void archive(Archive& a) {
-      a(contact)(spin_target_radps)(servo_integral_rad)(brake_anchor_rad)(load_n)(sinkage_m)(slip);
+      a(contact)(spin_target_radps)(
+          servo_integral_rad)(brake_anchor_rad)(normal_S)(load_n)(sinkage_m)(slip)(torque_n_m);
     }
   };
   struct SteeringState {
@@ -84,11 +114,27 @@ class Vehicle {
     void archive(Archive& a) { a(target_rad)(setpoint_rad); }
   };
 
+  struct WheelPart {
+    int link = 0;
+    WheelMode mode = WheelMode::driven;
+    const Wheel* shape = nullptr;
+    const DriveMotor* motor = nullptr;  // nullptr: a wheel without one
+    WheelSoil soil;
+  };
+
   void step(double step_s);
-  void apply_springs();
+  void apply_springs(double step_s);
   void apply_steering(double step_s);
   double apply_drives(double step_s);  // electrical power, W
+  double motor_torque_n_m(const DriveMotor& motor, double spin_radps, double step_s,
+                          WheelState& wheel) const;
+  double brake_torque_n_m(const DriveMotor& motor, double angle_rad, double spin_radps,
+                          WheelState& wheel) const;
   void apply_contacts(double step_s);
+  void find_gravity();
+  void find_chassis_near_ground();
+  void apply_chassis_contact(double step_s);
+  void find_fault();
   Vec3 reference_point_S_m() const;
   Vec3 reference_velocity_S_mps() const;
   double speed_along_ground_mps() const;
@@ -99,11 +145,19 @@ class Vehicle {
   Multibody bodies_;
   WheelLayout layout_;
   std::vector<int> spring_links_;
+  std::vector<WheelPart> parts_;          // by layout_.wheels
+  std::vector<Vec3> underside_B_m_;       // points of the chassis that may touch the ground
+  Vec3 gravity_S_mps2_ = Vec3::Zero();    // once a period, from the pose
+  bool is_chassis_near_ground_ = false;   // looked at once a period
   std::vector<WheelState> wheels_;        // by layout_.wheels
   std::vector<SteeringState> steerings_;  // by layout_.steerings
   DriveCommand command_;
   Vec3 ground_normal_S_ = Vec3::UnitZ();  // mean under the wheels at the last step
+  bool is_chassis_on_ground_ = false;
   double distance_m_ = 0, drive_j_ = 0, drive_w_ = 0;
+  WorkDone work_;
+  std::int64_t steps_ = 0;  // since it was placed
+  std::string fault_;
 };
 
 }  // namespace lsos

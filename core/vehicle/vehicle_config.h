@@ -5,6 +5,7 @@
 // is the ground centre of the wheelbase with the vehicle at rest on level ground.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,10 @@ struct SteeringMotor {
 };
 
 struct DriveMotor {
-  double torque_max_n_m = 0;           // at the wheel, after gearing
-  double power_max_w = 0;              // mechanical, at the wheel
+  double torque_max_n_m = 0;  // at the wheel, after gearing
+  double power_max_w = 0;     // mechanical, at the wheel
+  // The torque falls linearly to zero at this speed (a DC motor's line); infinite: it does not.
+  double no_load_speed_radps = std::numeric_limits<double>::infinity();
   double efficiency = 1;               // mechanical out / electrical in, 0..1
   double servo_gain_n_m_sprad = 0;     // torque a rad/s of speed error
   double servo_integral_n_m_prad = 0;  // torque a rad of accumulated speed error
@@ -49,12 +52,21 @@ struct DriveMotor {
 };
 
 struct Wheel {
-  double radius_m = 0;
+  double radius_m = 0;  // of the rim, without grousers
   double width_m = 0;
   double normal_stiffness_npm = 0;
   double normal_damping_nspm = 0;
   double tangential_damping_nspm = 0;
+  double grouser_height_m = 0;
+  int grouser_count = 0;
+  // Friction between rim and soil over friction within the soil, tan(delta)/tan(phi), 0..1. Rough
+  // rims and treads shear soil on soil (1).
+  double interface_friction_ratio = 0.8;
+  double rolling_resistance = 0;  // of the wheel itself (flexing), share of its load
 };
+
+// How a wheel turns: by its motor and brake, freely, or not at all (a seized drive).
+enum class WheelMode { driven, free, locked };
 
 enum class JointType { revolute, prismatic };
 
@@ -72,6 +84,16 @@ struct LinkConfig {
   std::optional<SteeringMotor> steering;
   std::optional<DriveMotor> drive;
   std::optional<Wheel> wheel;  // the link is a wheel; its joint axis is the axle
+  WheelMode wheel_mode = WheelMode::driven;
+  double initial = 0;  // m or rad: where the joint stands when the vehicle is placed
+};
+
+// Two joints tied so that one turns as far as the other turns back (a differential): torque on
+// both = -stiffness (q1 + q2) - damping (q1' + q2').
+struct JointCoupling {
+  int first = 0, second = 0;      // links
+  double stiffness_n_m_prad = 0;  // > 0
+  double damping_n_m_sprad = 0;
 };
 
 struct VehicleConfig {
@@ -81,11 +103,19 @@ struct VehicleConfig {
   Vec3 chassis_size_m = Vec3::Zero();  // of its box, for pictures and contact
   double chassis_clearance_m = 0;      // from ground to the box's underside at rest
   std::vector<LinkConfig> links;
+  std::vector<JointCoupling> couplings;
   SimTime step{5000};  // divides the exchange period
   double cruise_speed_mps = 0;
   double speed_max_mps = 0;
   double acceleration_mps2 = 0;  // both ways, when following a path
   bool can_turn_on_spot = false;
+  bool can_crab = false;  // drives in any direction without turning
+  // Wheels that cannot steer slide when the vehicle turns: it turns this much less than their
+  // speeds say, as if its track were wider (Mandow et al. 2007). 1: all wheels roll.
+  double skid_track_ratio = 1;
+  // Electrical drive power is multiplied by this to match field measurements; see the source.
+  double drive_calibration = 1;
+  std::string drive_calibration_source;
   double turning_radius_min_m = 5;       // while driving
   std::vector<std::string> assumptions;  // sentences for summary.json
 

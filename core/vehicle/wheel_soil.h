@@ -2,65 +2,98 @@
 //
 // A reconstruction of the ROAMS wheel model (Sohl and Jain 2005, whose equations are not public):
 // no torque at the contact, one compliance along the terrain normal and one with two degrees of
-// freedom along the terrain, traction limited by the strength of the soil.
-//   Sinkage and its resistance: one pressure law, p = (k_c/b + k_phi) z^n (Bekker 1969).
-//   Traction: Mohr-Coulomb, H_max = b l c + W tan(phi), approached with shear displacement as
-//   Janosi and Hanamoto (1961) found. In steady rolling at slip s it is Wong's integral along the
-//   contact, H = H_max (1 - K/(s l) (1 - exp(-s l/K))); the contact's memory, the mean shear
-//   displacement j = s l/2, carries the same curve through starts, stops and standing still.
+// freedom along the terrain, traction limited by the strength of the soil. With z the sinkage, l
+// the length of the contact, j the mean displacement by which the soil under it is sheared:
+//
+//   Static sinkage z0 and compaction: the soil's one pressure law (pressure_sinkage.h).
+//   Slip sinkage: z = z0 (1 + a u / (1 + u/2)), u = 2 |j| / l. Measured sinkages of a small wheel
+//     in sand under slip, skid and slip angles fall on one curve over u, which is why shear, not
+//     slip, is the variable (fit to VALIDATION.md's data; a = Soil::slip_sinkage).
+//   Shear strength: H_max = f (b l c (1 + 2 h/b) + W tan(phi) (1 + 0.64 (h/b) atan(b/h))), h the
+//     grousers' height (Bekker 1969 as in Li and Bingham's LTV paper); f is the interface friction
+//     ratio of the rim between grousers and 1 where they shear soil on soil.
+//   Mobilised share: 1 - (1 - exp(-x))/x with x = 2 |j|/K (Janosi and Hanamoto 1961, integrated
+//     along the contact as Wong did); K differs along and across the wheel.
+//   Steady rolling: j = l/2 (r w - v (1 - z/(2R)))/(r w): Wong and Reece's j(theta), averaged over
+//     the contact. Its part without slip, from the rim's curvature, is why a driven wheel at zero
+//     slip nearly carries its own resistance.
+//   Grousers: between them soil turns with the wheel, so that shear, its arm and its length are
+//     those of the circle r + g h, where g, 0..1, is how much of the rim their wedges fill.
+//   Ploughing: passive earth pressure (Rankine 1857) on the rim's face b for the part of the way
+//     that the wheel skids instead of rolling, and on its side as it is pushed sideways; it comes
+//     on top of the shear strength. The wedge's two ends widen the face by half its length.
 #pragma once
 
 #include "base/archive.h"
 #include "base/vector.h"
-#include "terrain/soil.h"
+#include "vehicle/pressure_sinkage.h"
 #include "vehicle/vehicle_config.h"
 
 namespace lsos {
 
-// Static sinkage of a rigid wheel, m: the depth at which the pressure law carries `load_n`
-// (Bekker 1969): z = (3 W / ((3 - n)(k_c + b k_phi) sqrt(D)))^(2/(2n+1)).
-double sinkage_m(const Soil& soil, const Wheel& wheel, double load_n);
-
-// Work of the pressure law a metre of rut, N: R_c = (k_c + b k_phi) z^(n+1) / (n+1).
-double compaction_resistance_n(const Soil& soil, const Wheel& wheel, double sinkage_m);
-
-// Length of the contact between rim and soil, m: l = sqrt(D z - z^2), from entry to the lowest
-// point, because the rut does not spring back.
-double contact_length_m(const Wheel& wheel, double sinkage_m);
-
-// Most that the soil can bear along the terrain, N.
-double traction_limit_n(const Soil& soil, const Wheel& wheel, double load_n,
-                        double contact_length_m);
-
-// What the contact remembers: how far the soil under the wheel is sheared, in the site frame.
-// This holds a parked rover on a slope without creeping.
+// What the contact remembers. This holds a parked rover on a slope without creeping.
 struct WheelContactState {
-  Vec3 shear_S_m = Vec3::Zero();
+  Vec3 shear_S_m = Vec3::Zero();  // how far the soil under the wheel is sheared, site frame
+  double rolled_m = 0;            // into the soil ahead, -rolling_mobilised_m..rolling_mobilised_m
+  double sinkage_m = 0;
 
-  void archive(Archive& a) { a(shear_S_m); }
+  void archive(Archive& a) { a(shear_S_m)(rolled_m)(sinkage_m); }
 };
 
 // How the wheel meets the ground at this step. Vectors in the site frame.
 struct WheelContactInput {
-  double penetration_m = 0;      // of the rim into the surface, along the normal; > 0 touches
+  double load_n = 0;             // along the normal
   Vec3 normal_S;                 // unit, out of the ground
   Vec3 heading_S;                // unit, rolling direction along the surface
-  Vec3 rim_velocity_S_mps;       // of the wheel's material at the contact point
   Vec3 hub_velocity_S_mps;       // of the wheel's centre
-  double rolling_speed_mps = 0;  // radius x spin
+  double rolling_speed_mps = 0;  // rim radius x spin
 };
 
 struct WheelContactForces {
-  Vec3 at_contact_S_n = Vec3::Zero();  // normal force and traction, at the contact point
-  Vec3 at_hub_S_n = Vec3::Zero();      // compaction resistance: radial pressure, no torque
-  double load_n = 0;
+  Vec3 traction_S_n = Vec3::Zero();  // shear along the ground, `arm_m` below the hub
+  Vec3 at_hub_S_n = Vec3::Zero();    // what has no torque: compaction, ploughing, flexing
+  double arm_m = 0;                  // r + g h
   double sinkage_m = 0;
+  double traction_limit_n = 0;  // H_max
+  double soil_shear_n = 0;      // H_max / f
 };
 
-// One step of `step_s`; changes `state`.
-WheelContactForces contact_forces(const Soil& soil, const Wheel& wheel,
-                                  const WheelContactInput& input, double step_s,
-                                  WheelContactState& state);
+// One kind of wheel on one kind of soil.
+class WheelSoil {
+ public:
+  WheelSoil(const Soil& soil, const Wheel& wheel, double gravity_mps2);
+
+  // One step of `step_s`; changes `state`. A load of 0 lets the contact forget.
+  WheelContactForces forces(const WheelContactInput& input, double step_s,
+                            WheelContactState& state) const;
+
+  // Most shear along the terrain, N, over a contact of this length: what the soil bears, and what
+  // reaches it through the rim (the interface friction ratio). The latter limits the traction.
+  double soil_shear_n(double load_n, double contact_length_m) const;
+  double traction_limit_n(double load_n, double contact_length_m) const;
+  // Passive earth pressure on a face of this width and depth, N.
+  double ploughing_n(double width_m, double depth_m) const;
+  // How much of the rim the grousers' wedges fill, 0..1.
+  double grouser_cover() const { return cover_; }
+  const PressureSinkage& pressure() const { return pressure_; }
+
+ private:
+  double contact_length_m(double sinkage_m, double load_n) const;
+
+  Soil soil_;
+  Wheel wheel_;
+  PressureSinkage pressure_;
+  double unit_weight_npm3_ = 0;
+  double cover_ = 0;
+  double shear_radius_m_ = 0;  // r + g h
+  double interface_ = 1;
+  double shear_per_area_pa_ = 0, shear_per_load_ = 0;
+  double wedge_ = 0;  // tan(pi/4 + phi/2): root of K_p, and the wedge's length over its depth
+};
+
+// Force along the normal of the wheel's spring and damper, N, never pulling. `penetration_m` of
+// the rim into the surface along the normal, `closing_mps` its growth.
+double normal_load_n(const Wheel& wheel, double penetration_m, double closing_mps);
 
 // Longitudinal slip, -1..1: 1 - v/(r w) when driving, r w/v - 1 when braking; NaN when both are
 // slower than 1 mm/s.

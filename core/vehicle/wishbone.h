@@ -1,14 +1,20 @@
-// Suspension template: independently sprung wheel modules (SEV). Each module travels vertically,
-// steers about a vertical axis and carries one or more wheels on one axle line.
+// Suspension template: independently sprung wheel modules (SEV, LRV). Each module travels
+// vertically, steers about a vertical axis or not at all, and carries one or more wheels on one
+// axle line.
 #pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "vehicle/vehicle_config.h"
 
 namespace lsos {
 
 struct WishboneModule {
-  std::string name;  // "front_left"
-  Vec2 p_B_m;        // of the steering axis: x forward, y left
+  std::string name;        // "front_left"
+  Vec2 p_B_m;              // of the steering axis: x forward, y left
+  bool is_steered = true;  // has a knuckle and its mass
 };
 
 struct Wishbone {
@@ -23,16 +29,17 @@ struct Wishbone {
   SteeringMotor steering;
   std::vector<double> wheel_offsets_m;  // along the axle from the steering axis, left positive
   double wheel_mass_kg = 0;
+  std::optional<Vec3> wheel_moments_kgm2;  // forward, axle, up; by default of a disc
   Wheel wheel;
   DriveMotor drive;
 };
 
-// Adds the modules' links to `vehicle`. The springs' preload carries the sprung mass, shared
-// equally, in `gravity_mps2`: the ride height is set at the site, as with an adjustable
-// suspension, and that is added to the assumptions.
+// Adds the modules' links to `vehicle`: front_left_arm, front_left_steering, front_left_wheel_1.
+// The springs' preload carries the chassis level in `gravity_mps2`: the ride height is set at the
+// site, as with an adjustable suspension, and that is added to the assumptions.
 void add_wishbone(VehicleConfig& vehicle, const Wishbone& wishbone, double gravity_mps2);
 
-// What does not fit together ("wheel_offsets_m are empty"), one sentence each; empty when fine.
-std::vector<std::string> wishbone_faults(const VehicleConfig& vehicle, const Wishbone& wishbone);
+// What does not fit together ("wheel_offsets_m is empty"), one sentence each; empty when fine.
+std::vector<std::string> wishbone_faults(const Wishbone& wishbone);
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
--- expect: soil: friction_rad = 35: must be 0..1.5707963267948966 rad
+-- expect: soil: friction_rad = 35: must be 0..1.3 rad
 -- as: terrain/soils
 local lsos = require 'lsos'
 return lsos.soil { friction_rad = 35 }

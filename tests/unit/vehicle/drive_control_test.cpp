@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "test_rover.h"
+#include "test_rovers.h"
 
 namespace lsos {
 namespace {
@@ -63,6 +63,45 @@ TEST(WheelTargets, wait_for_the_steering_before_they_turn) {
 TEST(WheelTargets, keep_their_angles_when_standing_still) {
   std::vector<double> now(6, 0.3);
   EXPECT_EQ(wheel_targets(layout, {0, 0, false}, now).steering_angle_rad, now);
+}
+
+TEST(WheelTargets, crab_with_all_wheels_alike) {
+  std::vector<double> now = straight;
+  for (int i = 0; i < 3; ++i) {
+    now = wheel_targets(layout, {1, 0, false, 1}, now).steering_angle_rad;
+  }
+  const WheelTargets targets = wheel_targets(layout, {1, 0, false, 1}, now);
+  for (const double angle : targets.steering_angle_rad) {
+    EXPECT_NEAR(angle, std::numbers::pi / 4, 1e-12);
+  }
+  for (const double spin : targets.spin_radps) EXPECT_NEAR(spin, std::sqrt(2) / 0.5, 1e-12);
+}
+
+TEST(WheelTargets, turn_about_the_axle_of_wheels_that_cannot_steer) {
+  // Front and rear steer, the middle wheels at x = 0.1 m are fixed: the centre of turning is at
+  // (0.1, 2) for 2 m to the left, wherever the reference point is.
+  VehicleConfig config = test::small_body();
+  add_rocker_bogie(config, test::rocker_bogie());
+  const WheelLayout rover = wheel_layout(config);
+  EXPECT_DOUBLE_EQ(rover.turning_x_B_m, 0.1);
+  std::vector<double> now(rover.steerings.size(), 0.0);
+  for (int i = 0; i < 5; ++i) now = wheel_targets(rover, {0.2, 0.1, false}, now).steering_angle_rad;
+  for (std::size_t i = 0; i < rover.steerings.size(); ++i) {
+    const Vec2 to_centre = Vec2(0.1, 2) - rover.steerings[i].p_B_m;
+    EXPECT_NEAR(Vec2(std::cos(now[i]), std::sin(now[i])).dot(to_centre), 0, 1e-12);
+  }
+}
+
+TEST(WheelTargets, spread_the_speeds_of_a_skid_steered_rover) {
+  VehicleConfig config = test::small_body();
+  add_skid_steer(config, test::skid_steer());
+  const WheelLayout rover = wheel_layout(config);
+  const WheelTargets targets = wheel_targets(rover, {0.2, 0.1, false}, {});
+  for (std::size_t i = 0; i < rover.wheels.size(); ++i) {
+    // Wheels 0.3 m to either side count as 0.45 m.
+    const double side = rover.wheels[i].p_B_m.y() > 0 ? -1 : 1;
+    EXPECT_NEAR(targets.spin_radps[i] * 0.15, 0.2 + side * 0.1 * 0.45, 1e-12);
+  }
 }
 
 }  // namespace

@@ -28,15 +28,19 @@ struct Drive {
   PathFollower::Status status = PathFollower::Status::driving;
   double worst_m = 0;  // farthest from the line
   double to_goal_m = 0;
+  double yaw_rad = 0;
   std::string reason;
 };
 
-Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double heading_rad) {
+Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double heading_rad,
+            bool is_crabbing = false) {
   Vehicle vehicle(test::rover(g), ground);
   EXPECT_EQ(vehicle.place({0.1, 0.2, 0}, heading_rad), "");
   const auto pose = [&] {
     const VehicleReport report = vehicle.report();
-    return FollowerPose{report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps};
+    const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
+    return FollowerPose{report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
+                        left_S.dot(report.v_S_mps.head<2>())};
   };
   Path3 path;
   std::vector<Vec2> line{Vec2::Zero()};
@@ -47,6 +51,7 @@ Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double hea
   FollowerLimits limits;
   limits.speed_mps = 2;
   limits.acceleration_mps2 = 0.3;
+  limits.is_crabbing = is_crabbing;
   PathFollower follower(path, pose(), limits);
   Drive result;
   for (int i = 0; i < 20000 && follower.status() == PathFollower::Status::driving; ++i) {
@@ -56,6 +61,7 @@ Drive drive(const Ground& ground, const std::vector<Vec2>& waypoints, double hea
   }
   result.status = follower.status();
   result.reason = follower.reason();
+  result.yaw_rad = pose().yaw_rad;
   result.to_goal_m = (pose().p_S_m - line.back()).norm();
   return result;
 }
@@ -65,7 +71,7 @@ TEST(PathFollower, holds_a_line_with_corners_and_stops_at_its_end) {
   const Drive result =
       drive(*ground, {{40, 0}, {40, 30}, {70, 45}, {100, 50}, {60, 80}}, radians(90));
   EXPECT_EQ(result.status, PathFollower::Status::arrived) << result.reason;
-  EXPECT_LT(result.worst_m, 0.5);
+  EXPECT_LT(result.worst_m, 0.3);
   EXPECT_LT(result.to_goal_m, 0.3);
 }
 
@@ -95,6 +101,14 @@ TEST(PathFollower, holds_a_line_across_a_slope) {
   const Drive result = drive(*ground, {{60, 0}}, radians(90));
   EXPECT_EQ(result.status, PathFollower::Status::arrived) << result.reason;
   EXPECT_LT(result.worst_m, 0.5);
+}
+
+TEST(PathFollower, crabs_along_a_line_with_its_heading_kept) {
+  const auto ground = test::moon(radians(5), radians(180));
+  const Drive result = drive(*ground, {{20, 0}, {30, 20}}, radians(0), true);
+  EXPECT_EQ(result.status, PathFollower::Status::arrived) << result.reason;
+  EXPECT_LT(result.worst_m, 0.5);
+  EXPECT_NEAR(result.yaw_rad, radians(90), 0.05);
 }
 
 TEST(PathFollower, begins_by_turning_when_the_line_lies_behind) {

@@ -16,7 +16,8 @@ inline Soil soil() {
           .cohesion_pa = 170,
           .friction_rad = 0.6108652381980153,
           .density_kgpm3 = 1520,
-          .shear_modulus_m = 0.018};
+          .shear_modulus_x_m = 0.018,
+          .shear_modulus_y_m = 0.018};
 }
 
 inline Wishbone suspension() {

@@ -39,7 +39,7 @@ TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
   vehicle.command({1.5, 0, false});
   run(vehicle, 20);
   const VehicleReport report = vehicle.report();
-  EXPECT_NEAR(report.speed_mps, 1.5, 0.05);
+  EXPECT_NEAR(report.speed_mps, 1.5 * (1 - report.slip), 0.01);
   EXPECT_NEAR(report.p_S_m.y(), 0, 0.01);
   EXPECT_NEAR(report.p_S_m.x(), vehicle.distance_m(), 0.01);
   EXPECT_GT(report.slip, 0);
@@ -55,8 +55,10 @@ TEST(Vehicle, steady_drive_power_is_the_rolling_resistance) {
   run(vehicle, 20);
   // Second method: resistance of twelve equally loaded wheels from the pressure law.
   const Wheel& wheel = *config.links[2].wheel;
-  const double z_m = sinkage_m(test::soil(), wheel, config.mass_kg() * g / 12);
-  const double resistance_n = 12 * compaction_resistance_n(test::soil(), wheel, z_m);
+  const PressureSinkage law(test::soil(), wheel.radius_m, wheel.width_m, g);
+  const double load_n = config.mass_kg() * g / 12;
+  const double resistance_n = 12 * law.compaction_resistance_n(vehicle.report().sinkage_m, load_n);
+  EXPECT_NEAR(vehicle.report().sinkage_m, law.static_sinkage_m(load_n), 0.0015);  // slip adds to it
   // Rims turn at the 1 m/s commanded; the ground passes slower by the slip.
   const double expected_w = resistance_n * 1.0 / 0.8;
   EXPECT_NEAR(vehicle.drive_w(), expected_w, 0.03 * expected_w);
@@ -152,6 +154,139 @@ TEST(Vehicle, goes_on_bit_for_bit_from_saved_state) {
   first.archive(a);
   second.archive(b);
   EXPECT_EQ(a.bytes(), b.bytes());
+}
+
+TEST(Vehicle, crabs_without_turning) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_EQ(vehicle.place(start, 0), "");
+  vehicle.command({0.5, 0, false, 0.5});
+  for (int i = 0; i < 300; ++i) {
+    vehicle.command({0.5, 0, false, 0.5});
+    vehicle.advance(exchange_period);
+  }
+  const VehicleReport report = vehicle.report();
+  // Heading north: ahead is y, left is -x.
+  EXPECT_NEAR(report.v_S_mps.y(), -report.v_S_mps.x(), 0.02);
+  EXPECT_GT(report.p_S_m.y(), 10);
+  EXPECT_NEAR(report.yaw_rad, std::numbers::pi / 2, 0.02);
+}
+
+TEST(Vehicle, a_locked_wheel_drags_and_costs_power_and_a_free_one_rolls_along) {
+  const auto ground = test::moon();
+  double speed_mps[3], power_w[3];
+  for (const WheelMode mode : {WheelMode::driven, WheelMode::free, WheelMode::locked}) {
+    VehicleConfig config = test::rover(g);
+    for (LinkConfig& link : config.links) {
+      if (link.name.starts_with("front_left_wheel")) link.wheel_mode = mode;
+    }
+    Vehicle vehicle(config, *ground);
+    ASSERT_EQ(vehicle.place(start, 0), "");
+    vehicle.command({1, 0, false});
+    run(vehicle, 20);
+    const auto i = static_cast<std::size_t>(mode);
+    speed_mps[i] = vehicle.report().speed_mps;
+    power_w[i] = vehicle.drive_w();
+    for (std::size_t k = 0; k < config.links.size(); ++k) {
+      if (config.links[k].wheel_mode == WheelMode::driven) continue;
+      const double turned_rad = vehicle.joint_positions()[k];
+      if (mode == WheelMode::free) {
+        EXPECT_GT(turned_rad, 30);
+      } else {
+        EXPECT_LT(std::abs(turned_rad), 0.1);
+      }
+    }
+  }
+  EXPECT_NEAR(power_w[1], power_w[0], 0.1 * power_w[0]);
+  EXPECT_GT(power_w[2], 1.5 * power_w[0]);
+  EXPECT_LT(speed_mps[2], speed_mps[0]);
+}
+
+TEST(Vehicle, a_motor_gives_no_more_than_its_line_from_stall_to_no_load) {
+  const auto ground = test::moon();
+  VehicleConfig config = test::rover(g);
+  for (LinkConfig& link : config.links) {
+    if (link.drive) link.drive->no_load_speed_radps = 3;  // 1.5 m/s at the rim
+  }
+  Vehicle vehicle(config, *ground);
+  ASSERT_EQ(vehicle.place(start, 0), "");
+  vehicle.command({2.5, 0, false});
+  run(vehicle, 60);
+  // What rolling takes leaves it a little under the no-load speed.
+  EXPECT_LT(vehicle.report().speed_mps, 1.5);
+  EXPECT_GT(vehicle.report().speed_mps, 1.2);
+}
+
+TEST(Vehicle, drive_calibration_scales_the_electrical_energy_alone) {
+  const auto ground = test::moon();
+  double drive_j[2], motors_j[2];
+  for (const int i : {0, 1}) {
+    VehicleConfig config = test::rover(g);
+    if (i == 1) config.drive_calibration = 1.25;
+    Vehicle vehicle(config, *ground);
+    ASSERT_EQ(vehicle.place(start, 0), "");
+    vehicle.command({1, 0, false});
+    run(vehicle, 20);
+    drive_j[i] = vehicle.drive_j();
+    motors_j[i] = vehicle.work().motors_j;
+  }
+  EXPECT_NEAR(drive_j[1], 1.25 * drive_j[0], 1e-9 * drive_j[0]);
+  EXPECT_EQ(motors_j[1], motors_j[0]);
+}
+
+TEST(Vehicle, electrical_energy_is_the_motors_work_over_their_efficiency_on_the_level) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_EQ(vehicle.place(start, 0), "");
+  vehicle.command({1, 0, false});
+  run(vehicle, 30);
+  EXPECT_NEAR(vehicle.drive_j(), vehicle.work().motors_j / 0.8, 0.005 * vehicle.drive_j());
+}
+
+TEST(Vehicle, lies_on_its_chassis_when_wheels_find_no_hold) {
+  // Soft springs that let the chassis down to the ground.
+  const auto ground = test::moon();
+  VehicleConfig config = test::rover(g);
+  config.chassis_clearance_m = 0.05;
+  for (LinkConfig& link : config.links) {
+    if (!link.spring) continue;
+    link.spring->preload *= 0.2;
+    link.spring->stiffness = 1000;
+    link.spring->stop_stiffness = 1000;
+  }
+  Vehicle vehicle(config, *ground);
+  vehicle.place(start, 0);
+  run(vehicle, 5);
+  const VehicleReport report = vehicle.report();
+  EXPECT_TRUE(report.is_chassis_on_ground);
+  // It does not sink through: the underside is near the ground.
+  EXPECT_NEAR(report.p_S_m.z() + 0.05, 0, 0.06);
+}
+
+TEST(Vehicle, says_where_numbers_broke_and_stops) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_EQ(vehicle.place(start, 0), "");
+  run(vehicle, 1);
+  vehicle.command({std::nan(""), 0, false});
+  run(vehicle, 1);
+  EXPECT_FALSE(vehicle.report().is_finite);
+  EXPECT_NE(vehicle.fault().find("not finite in step 201"), std::string::npos) << vehicle.fault();
+  EXPECT_NE(vehicle.fault().find("front_left_wheel_1 had"), std::string::npos) << vehicle.fault();
+}
+
+TEST(Vehicle, its_energy_changes_by_the_work_done_on_it) {
+  const auto ground = test::moon();
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_EQ(vehicle.place(start, 0), "");
+  vehicle.command({2, 0, false});
+  run(vehicle, 5);
+  const WorkDone before = vehicle.work();
+  const double before_j = vehicle.kinetic_j() + vehicle.potential_j();
+  run(vehicle, 5);
+  const WorkDone after = vehicle.work();
+  const double change_j = vehicle.kinetic_j() + vehicle.potential_j() - before_j;
+  EXPECT_NEAR(after.sum_j() - before.sum_j(), change_j, 0.01 * after.motors_j);
 }
 
 TEST(StabilityFaults, refuse_a_step_too_long_for_a_stiff_wheel) {

@@ -3,93 +3,184 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "base/units.h"
 #include "test_rover.h"
+#include "vehicle/single_wheel.h"
 
 namespace lsos {
 namespace {
 
+constexpr double g_moon_mps2 = 1.62;
+
 // Worked by hand for a wheel of the Apollo LRV (b 0.229 m, D 0.813 m, 283.5 N) on nominal lunar
-// soil: sinkage 18.39 mm, compaction resistance 31.98 N, contact length 0.1227 m along the arc,
-// smooth thrust limit 203.3 N.
-const Wheel lrv_wheel{.radius_m = 0.4065, .width_m = 0.229};
-
-TEST(WheelSoil, sinks_and_resists_as_worked_by_hand_for_the_lrv) {
-  const double z_m = sinkage_m(test::soil(), lrv_wheel, 283.5);
-  EXPECT_NEAR(z_m, 0.01839, 1e-5);
-  EXPECT_NEAR(compaction_resistance_n(test::soil(), lrv_wheel, z_m), 31.98, 0.03);
-  EXPECT_NEAR(contact_length_m(lrv_wheel, z_m), 0.1227, 0.002);
-  EXPECT_NEAR(traction_limit_n(test::soil(), lrv_wheel, 283.5, 0.1227), 203.3, 0.1);
+// soil, with soil shearing on soil.
+constexpr double lrv_load_n = 283.5;
+Wheel lrv_wheel() {
+  return {.radius_m = 0.4065,
+          .width_m = 0.229,
+          .normal_stiffness_npm = 1e5,
+          .interface_friction_ratio = 1};
 }
+WheelSoil lrv() { return {test::soil(), lrv_wheel(), g_moon_mps2}; }
 
-TEST(WheelSoil, compaction_resistance_is_the_work_of_the_pressure_law_a_metre) {
-  // Second method: the integral of b p(z) dz by the midpoint rule.
-  const Soil soil = test::soil();
-  const double z_m = 0.02, b = lrv_wheel.width_m;
-  double work = 0;
-  constexpr int parts = 10000;
-  for (int i = 0; i < parts; ++i) {
-    const double z = (i + 0.5) * z_m / parts;
-    work += b * (soil.k_c / b + soil.k_phi) * std::pow(z, soil.n) * z_m / parts;
-  }
-  EXPECT_NEAR(compaction_resistance_n(soil, lrv_wheel, z_m), work, 1e-6 * work);
+TEST(WheelSoil, has_the_thrust_limit_worked_by_hand_for_the_lrv) {
+  // Smooth thrust limit c A + W tan(phi) = 203.3 N; contact length along the arc 0.1227 m.
+  EXPECT_NEAR(lrv().traction_limit_n(lrv_load_n, 0.1227), 203.3, 0.1);
+  EXPECT_NEAR(lrv().pressure().contact_length_m(0.01839), 0.1227, 0.002);
 }
 
 WheelContactInput rolling(double slip) {
   WheelContactInput input;
-  input.penetration_m = 0.003;
+  input.load_n = lrv_load_n;
   input.normal_S = Vec3::UnitZ();
   input.heading_S = Vec3::UnitX();
   input.rolling_speed_mps = 1;
   input.hub_velocity_S_mps = {1 - slip, 0, 0};
-  input.rim_velocity_S_mps = {-slip, 0, 0};
   return input;
 }
 
-Wheel stiff_wheel() {
-  Wheel wheel = lrv_wheel;
-  wheel.normal_stiffness_npm = 283.5 / 0.003;
-  return wheel;
-}
-
-TEST(WheelSoil, steady_thrust_follows_janosi_and_hanamoto) {
+TEST(WheelSoil, steady_thrust_is_wong_and_reeces_integral_under_even_pressure) {
+  // Second method: shear stress integrated over the contact angle, with the displacement
+  // j(theta) = R ((theta1 - theta) - (1 - s)(sin theta1 - sin theta)) of Wong and Reece (1967).
   const Soil soil = test::soil();
-  const Wheel wheel = stiff_wheel();
-  for (const double slip : {0.02, 0.1, 0.3, 0.6, 0.9}) {
-    WheelContactState state;
-    WheelContactForces forces;
-    for (int i = 0; i < 4000; ++i) forces = contact_forces(soil, wheel, rolling(slip), 1e-3, state);
-    const double l_m = contact_length_m(wheel, forces.sinkage_m);
-    // Wong (Theory of Ground Vehicles): thrust = limit x (1 - K/(s l) (1 - exp(-s l/K))).
-    const double x = slip * l_m / soil.shear_modulus_m;
-    const double limit_n = traction_limit_n(soil, wheel, forces.load_n, l_m);
-    EXPECT_NEAR(forces.at_contact_S_n.x(), limit_n * (1 - (1 - std::exp(-x)) / x), 1e-3 * limit_n)
-        << "slip " << slip;
+  const double R = lrv_wheel().radius_m;
+  for (const double slip : {0.1, 0.3, 0.6, 0.9}) {
+    const SingleWheelPoint point = single_wheel(lrv(), lrv_load_n, slip, 0);
+    const double theta1 = std::acos(1 - point.sinkage_m / R);
+    constexpr int parts = 2000;
+    double share = 0;
+    for (int i = 0; i < parts; ++i) {
+      const double theta = theta1 * (i + 0.5) / parts;
+      const double j = R * ((theta1 - theta) - (1 - slip) * (std::sin(theta1) - std::sin(theta)));
+      share += (1 - std::exp(-j / soil.shear_modulus_x_m)) / parts;
+    }
+    EXPECT_NEAR(point.torque_n_m / R / point.traction_limit_n, share, 0.02) << "slip " << slip;
   }
 }
 
+TEST(WheelSoil, a_towed_wheel_is_pulled_with_its_compaction_resistance) {
+  // Where the axle has no torque the drawbar pull is the work of the rut alone.
+  double low = -0.3, high = 0.1;
+  for (int i = 0; i < 60; ++i) {
+    const double slip = (low + high) / 2;
+    (single_wheel(lrv(), lrv_load_n, slip, 0).torque_n_m < 0 ? low : high) = slip;
+  }
+  const SingleWheelPoint towed = single_wheel(lrv(), lrv_load_n, low, 0);
+  EXPECT_LT(low, 0);
+  EXPECT_GT(low, -0.05);
+  // 31.98 N by hand at the static sinkage.
+  EXPECT_NEAR(-towed.drawbar_pull_n, 31.98, 1.5);
+}
+
+TEST(WheelSoil, sinkage_grows_with_slip_either_way_and_with_slip_angle) {
+  double before_m = 0;
+  for (const double slip : {0.0, 0.2, 0.5, 0.9}) {
+    const double z_m = single_wheel(lrv(), lrv_load_n, slip, 0).sinkage_m;
+    EXPECT_GT(z_m, before_m);
+    before_m = z_m;
+  }
+  const double level_m = single_wheel(lrv(), lrv_load_n, 0, 0).sinkage_m;
+  EXPECT_GT(single_wheel(lrv(), lrv_load_n, -0.5, 0).sinkage_m, level_m);
+  EXPECT_GT(single_wheel(lrv(), lrv_load_n, 0, radians(30)).sinkage_m, level_m);
+}
+
+TEST(WheelSoil, mirrored_motion_has_mirrored_forces) {
+  const SingleWheelPoint left = single_wheel(lrv(), lrv_load_n, 0.2, radians(20));
+  const SingleWheelPoint right = single_wheel(lrv(), lrv_load_n, 0.2, radians(-20));
+  EXPECT_LT(left.side_force_n, 0);  // pushed back to the right
+  EXPECT_NEAR(left.side_force_n, -right.side_force_n, 1e-6);
+  EXPECT_NEAR(left.drawbar_pull_n, right.drawbar_pull_n, 1e-6);
+}
+
+TEST(WheelSoil, a_stiffer_shear_modulus_across_weakens_only_the_side_force) {
+  Soil soil = test::soil();
+  soil.shear_modulus_y_m = 0.06;
+  const WheelSoil stiff(soil, lrv_wheel(), g_moon_mps2);
+  const auto side_n = [](const WheelSoil& w) {
+    return -single_wheel(w, lrv_load_n, 0, radians(10)).side_force_n;
+  };
+  EXPECT_LT(side_n(stiff), 0.8 * side_n(lrv()));
+  EXPECT_NEAR(single_wheel(stiff, lrv_load_n, 0.3, 0).drawbar_pull_n,
+              single_wheel(lrv(), lrv_load_n, 0.3, 0).drawbar_pull_n, 1e-9);
+}
+
+TEST(WheelSoil, grousers_pull_more_the_higher_and_the_more_there_are) {
+  double before_n = -1e9;
+  for (const auto& [height_m, count] :
+       {std::pair(0.0, 0), std::pair(0.005, 12), std::pair(0.005, 24), std::pair(0.015, 24)}) {
+    Wheel wheel = lrv_wheel();
+    wheel.interface_friction_ratio = 0.8;
+    wheel.grouser_height_m = height_m;
+    wheel.grouser_count = count;
+    const WheelSoil grousered(test::soil(), wheel, g_moon_mps2);
+    const double pull_n = single_wheel(grousered, lrv_load_n, 0.3, 0).drawbar_pull_n;
+    EXPECT_GT(pull_n, before_n);
+    before_n = pull_n;
+  }
+}
+
+TEST(WheelSoil, ploughing_is_rankines_passive_pressure_on_a_wide_face) {
+  // By hand: Kp = tan^2(45 + 35/2 deg) = 3.690; gamma = 1520 x 1.62 = 2462.4 N/m3; at 0.1 m deep
+  // and 10 m wide 10 (2462.4 x 0.01 x 3.690 / 2 + 2 x 170 x 0.1 x 1.921) = 1107.4 N, and the
+  // wedge's ends add 0.5 x 1.921 x 0.1 m to the width: 1 %.
+  EXPECT_NEAR(lrv().ploughing_n(10, 0.1), 1107.4 * 1.0096, 1);
+}
+
+TEST(WheelSoil, a_locked_wheel_is_dragged_against_shear_compaction_and_ploughing) {
+  const SingleWheelPoint locked = single_wheel(lrv(), lrv_load_n, -1, 0);
+  const PressureSinkage& pressure = lrv().pressure();
+  const double expected_n = 0.98 * locked.traction_limit_n +
+                            pressure.compaction_resistance_n(locked.sinkage_m, lrv_load_n) +
+                            lrv().ploughing_n(0.229, locked.sinkage_m);
+  EXPECT_NEAR(-locked.drawbar_pull_n, expected_n, 0.03 * expected_n);
+}
+
+TEST(WheelSoil, on_rock_a_wheel_does_not_sink_and_pulls_by_friction) {
+  Soil rock{.name = "Rock",
+            .friction_rad = std::atan(0.7),
+            .density_kgpm3 = 2900,
+            .shear_modulus_x_m = 0.002,
+            .shear_modulus_y_m = 0.002,
+            .is_rigid = true};
+  Wheel wheel = lrv_wheel();
+  wheel.rolling_resistance = 0.02;
+  const WheelSoil on_rock(rock, wheel, g_moon_mps2);
+  const SingleWheelPoint spinning = single_wheel(on_rock, 100, 0.9, 0);
+  EXPECT_EQ(spinning.sinkage_m, 0);
+  EXPECT_NEAR(spinning.drawbar_pull_n, 100 * (0.7 - 0.02), 10);
+  const SingleWheelPoint level = single_wheel(on_rock, 100, 0, 0);
+  EXPECT_NEAR(level.drawbar_pull_n, -2, 1e-6);
+}
+
 TEST(WheelSoil, traction_never_passes_the_strength_of_the_soil) {
-  const Soil soil = test::soil();
-  const Wheel wheel = stiff_wheel();
+  const WheelSoil wheel_soil = lrv();
   WheelContactState state;
   WheelContactInput input = rolling(0);
-  input.rim_velocity_S_mps = {3, -4, 0};
+  input.hub_velocity_S_mps = {4, -4, 0};
   for (int i = 0; i < 1000; ++i) {
-    const WheelContactForces forces = contact_forces(soil, wheel, input, 1e-3, state);
-    const double limit_n =
-        traction_limit_n(soil, wheel, forces.load_n, contact_length_m(wheel, forces.sinkage_m));
-    EXPECT_LE(forces.at_contact_S_n.head<2>().norm(), limit_n * (1 + 1e-12));
+    const WheelContactForces forces = wheel_soil.forces(input, 1e-3, state);
+    EXPECT_LE(forces.traction_S_n.norm(), forces.traction_limit_n * (1 + 1e-12));
   }
 }
 
 TEST(WheelSoil, a_wheel_in_the_air_feels_nothing_and_forgets_the_soil) {
-  WheelContactState state{Vec3(0.1, 0, 0)};
+  WheelContactState state{Vec3(0.1, 0, 0), 0.001, 0.01};
   WheelContactInput input = rolling(0.5);
-  input.penetration_m = -0.01;
-  const WheelContactForces forces = contact_forces(test::soil(), stiff_wheel(), input, 1e-3, state);
-  EXPECT_EQ(forces.load_n, 0);
-  EXPECT_EQ(forces.at_contact_S_n, Vec3::Zero());
+  input.load_n = 0;
+  const WheelContactForces forces = lrv().forces(input, 1e-3, state);
+  EXPECT_EQ(forces.traction_S_n, Vec3::Zero());
+  EXPECT_EQ(forces.at_hub_S_n, Vec3::Zero());
   EXPECT_EQ(state.shear_S_m, Vec3::Zero());
+  EXPECT_EQ(state.sinkage_m, 0);
+}
+
+TEST(NormalLoad, pushes_and_never_pulls) {
+  const Wheel wheel{.normal_stiffness_npm = 1e4, .normal_damping_nspm = 100};
+  EXPECT_EQ(normal_load_n(wheel, -0.01, 1), 0);
+  EXPECT_DOUBLE_EQ(normal_load_n(wheel, 0.01, 0.1), 110);
+  EXPECT_EQ(normal_load_n(wheel, 0.001, -1), 0);
 }
 
 TEST(SlipRatio, follows_the_definition_driving_and_braking) {

@@ -1,0 +1,114 @@
+#include "vehicle/pressure_sinkage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lsos {
+
+BearingFactors bearing_factors(double friction_rad) {
+  if (friction_rad < 1e-6) return {1.5 * std::numbers::pi + 1, 1, 0};
+  const double t = std::tan(friction_rad);
+  const double c = std::cos(std::numbers::pi / 4 + friction_rad / 2);
+  BearingFactors f;
+  f.N_q = std::exp((1.5 * std::numbers::pi - friction_rad) * t) / (2 * c * c);
+  f.N_c = (f.N_q - 1) / t;
+  f.N_gamma = 2 * (f.N_q + 1) * t / (1 + 0.4 * std::sin(4 * friction_rad));
+  return f;
+}
+
+std::string soil_fault(const Soil& soil, double width_m) {
+  if (soil.is_rigid) return "";
+  if (!soil.has_bekker()) {
+    if (soil.cohesion_pa > 0 || soil.friction_rad > 0) return "";
+    return fmt::format("the soil {} has neither cohesion nor friction: it carries nothing",
+                       soil.name);
+  }
+  const double k_npm = soil.k_c + width_m * soil.k_phi;
+  if (k_npm > 0) return "";
+  return fmt::format(
+      "the soil {} cannot carry a wheel {} m wide: k_c + b k_phi is {:.4g}, must be above 0, which "
+      "takes a width of more than {:.4g} m",
+      soil.name, width_m, k_npm, -soil.k_c / soil.k_phi);
+}
+
+PressureSinkage::PressureSinkage(const Soil& soil, double radius_m, double width_m,
+                                 double gravity_mps2)
+    : soil_(soil),
+      diameter_m_(2 * radius_m),
+      width_m_(width_m),
+      unit_weight_npm3_(soil.density_kgpm3 * gravity_mps2),
+      k_npm_(soil.k_c + width_m * soil.k_phi),
+      factors_(bearing_factors(soil.friction_rad)) {
+  const double n = soil.n;
+  scale_ = 3 / ((3 - n) * k_npm_ * std::sqrt(diameter_m_));
+  exponent_ = 2 / (2 * n + 1);
+  resistance_per_root_ = 3 / ((3 - n) * (n + 1));
+}
+
+double PressureSinkage::contact_length_m(double sinkage_m) const {
+  const double z = std::min(sinkage_m, diameter_m_ / 2);
+  return std::sqrt(z * (diameter_m_ - z));
+}
+
+double PressureSinkage::terzaghi_pa(double sinkage_m) const {
+  const double B = std::min(width_m_, contact_length_m(sinkage_m));
+  return soil_.cohesion_pa * factors_.N_c + unit_weight_npm3_ * sinkage_m * factors_.N_q +
+         unit_weight_npm3_ * B * factors_.N_gamma / 2;
+}
+
+double PressureSinkage::load_n(double sinkage_m) const {
+  if (soil_.is_rigid || sinkage_m <= 0) return 0;
+  if (soil_.has_bekker()) return std::pow(sinkage_m, 1 / exponent_) / scale_;
+  return width_m_ * contact_length_m(sinkage_m) * terzaghi_pa(sinkage_m);
+}
+
+double PressureSinkage::static_sinkage_m(double load_n) const {
+  if (soil_.is_rigid || load_n <= 0) return 0;
+  const double deepest_m = diameter_m_ / 2;
+  if (soil_.has_bekker()) return std::min(std::pow(scale_ * load_n, exponent_), deepest_m);
+  // Newton's method in y = sqrt(z), in which the load is nearly a cubic with positive terms. Each
+  // term alone would have to reach deeper: the least of those depths is above the answer, and from
+  // there the iteration comes down.
+  const double bD = width_m_ * std::sqrt(diameter_m_);
+  const double by_c = load_n / (bD * soil_.cohesion_pa * factors_.N_c);
+  const double by_q = std::cbrt(load_n / (bD * unit_weight_npm3_ * factors_.N_q));
+  double y = std::min({by_c, by_q, std::sqrt(deepest_m)});
+  for (int i = 0; i < 20; ++i) {
+    const double z = y * y, off_n = this->load_n(z) - load_n;
+    const double higher_m = z * (1 + 1e-4);
+    const double slope = (this->load_n(higher_m) - off_n - load_n) / (std::sqrt(higher_m) - y);
+    const double next = std::clamp(y - off_n / slope, 0.5 * y, std::sqrt(deepest_m));
+    if (std::abs(next - y) < 1e-9 * y) return next * next;
+    y = next;
+  }
+  return y * y;
+}
+
+double PressureSinkage::rut_work_n(double sinkage_m) const {
+  if (soil_.is_rigid || sinkage_m <= 0) return 0;
+  const double z = sinkage_m;
+  if (soil_.has_bekker()) return k_npm_ * std::pow(z, soil_.n + 1) / (soil_.n + 1);
+  // The integral of min(b, l(z)): half a segment of the wheel's circle while l is below b.
+  const double R = diameter_m_ / 2;
+  const double b = width_m_;
+  const double wide_m = b < R ? R - std::sqrt(R * R - b * b) : R;  // where l reaches b
+  const double lower_m = std::min(z, wide_m);
+  const double segment_m2 =
+      (R * R * std::acos(1 - lower_m / R) - (R - lower_m) * contact_length_m(lower_m)) / 2;
+  const double B_dz_m2 = segment_m2 + std::min(b, R) * (z - lower_m);
+  return b * (soil_.cohesion_pa * factors_.N_c * z + unit_weight_npm3_ * factors_.N_q * z * z / 2 +
+              unit_weight_npm3_ * factors_.N_gamma * B_dz_m2 / 2);
+}
+
+double PressureSinkage::compaction_resistance_n(double sinkage_m, double load_n) const {
+  if (soil_.is_rigid || sinkage_m <= 0) return 0;
+  if (soil_.has_bekker()) {
+    return load_n * resistance_per_root_ * std::sqrt(sinkage_m / diameter_m_);
+  }
+  return load_n * rut_work_n(sinkage_m) / this->load_n(sinkage_m);
+}
+
+}  // namespace lsos

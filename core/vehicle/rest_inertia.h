@@ -1,0 +1,36 @@
+// How heavy a vehicle at rest is to the forces that act in its joints and at its wheels, with all
+// its other joints free.
+#pragma once
+
+#include <Eigen/Cholesky>
+
+#include "vehicle/vehicle_config.h"
+
+namespace lsos {
+
+class RestInertia {
+ public:
+  explicit RestInertia(const VehicleConfig& vehicle);
+
+  // kg or kg m2: force a unit of relative acceleration in a joint.
+  double of_joint(int link) const;
+  // kg m2: torque on both joints a unit of acceleration of their angles' sum.
+  double of_coupling(const JointCoupling& coupling) const;
+  // kg: force along a unit vector a unit of acceleration of a link's material at a point.
+  double of_point(int link, const Vec3& p_B_m, const Vec3& direction_B) const;
+
+ private:
+  using Matrix = Eigen::MatrixXd;
+  using Vector = Eigen::VectorXd;
+
+  // Velocity of a link's material at a point, and its angular velocity, as linear functions (3 x n)
+  // of the chassis' velocity at the origin, its angular velocity, and the joints' rates.
+  Matrix velocity(int link, const Vec3& p_B_m) const;
+  Matrix angular_velocity(int link) const;
+  double seen_along(const Vector& direction) const;
+
+  const VehicleConfig* vehicle_;
+  Eigen::LDLT<Matrix> mass_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,23 @@
+// A single-wheel test bed: one wheel, held at a load, slip and slip angle until nothing changes.
+// It turns the same wheel_soil.h that vehicles stand on.
+#pragma once
+
+#include "vehicle/wheel_soil.h"
+
+namespace lsos {
+
+struct SingleWheelPoint {
+  double slip = 0;            // -1..1: 1 - v/(r w) driving, r w/v - 1 braking; v: speed of travel
+  double slip_angle_rad = 0;  // of the travel from the heading, to the left positive
+  double drawbar_pull_n = 0;  // along the heading
+  double side_force_n = 0;    // on the wheel, to the left positive
+  double torque_n_m = 0;      // about the axle, driving positive
+  double sinkage_m = 0;
+  double traction_limit_n = 0;  // the soil's shear strength at that sinkage
+};
+
+// `slip` -1..1, `slip_angle_rad` -pi/2..pi/2.
+SingleWheelPoint single_wheel(const WheelSoil& wheel_soil, double load_n, double slip,
+                              double slip_angle_rad);
+
+}  // namespace lsos

@@ -1,0 +1,81 @@
+// `lsos-host rig`: the wheel-soil model on its own, for an engineer who wants to check it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "lua/catalog.h"
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+#include "lua/soil_file.h"
+#include "vehicle/single_wheel.h"
+
+namespace lsos {
+
+namespace {
+
+Soil find_soil(const std::string& name) {
+  if (name.ends_with(".lua") || std::filesystem::exists(name)) return read_soil_file(name);
+  return read_catalog("")->load_soil(name, {"--soil", 0});
+}
+
+void check(const RigOptions& options, Faults& faults) {
+  const auto need = [&](const char* option, double value, bool is_good, const char* allowed) {
+    if (!is_good) faults.error({}, fmt::format("{} {}: must be {}", option, value, allowed));
+  };
+  const auto above = [](double value) { return std::isfinite(value) && value > 0; };
+  need("--radius", options.radius_m, above(options.radius_m), "above 0 m");
+  need("--width", options.width_m, above(options.width_m), "above 0 m");
+  need("--load", options.load_n, above(options.load_n), "above 0 N");
+  need("--gravity", options.gravity_mps2, above(options.gravity_mps2), "above 0 m/s2");
+  const double h_m = options.grouser_height_m;
+  need("--grouser-height", h_m, h_m >= 0 && h_m < options.radius_m, "0 to the wheel's radius");
+  need("--grouser-count", options.grouser_count,
+       options.grouser_count > 0 || (h_m == 0 && options.grouser_count == 0),
+       "above 0 when there is a --grouser-height");
+  need("--interface-friction", options.interface_friction_ratio,
+       options.interface_friction_ratio > 0 && options.interface_friction_ratio <= 1,
+       "above 0, at most 1");
+  need("--slip-angle", options.slip_angle_deg, std::abs(options.slip_angle_deg) <= 90,
+       "-90..90 deg");
+  for (const double slip : options.slips) need("--slip", slip, std::abs(slip) <= 1, "-1..1");
+}
+
+}  // namespace
+
+int rig_command(const RigOptions& options) {
+  Faults faults;
+  check(options, faults);
+  faults.throw_if_errors();
+  const Soil soil = find_soil(options.soil);
+  Wheel wheel;
+  wheel.radius_m = options.radius_m;
+  wheel.width_m = options.width_m;
+  wheel.grouser_height_m = options.grouser_height_m;
+  wheel.grouser_count = options.grouser_count;
+  wheel.interface_friction_ratio = options.interface_friction_ratio;
+  wheel.normal_stiffness_npm = options.load_n / (0.01 * options.radius_m);
+  if (const std::string fault = soil_fault(soil, wheel.width_m); !fault.empty()) {
+    throw InputError({options.soil, 0}, fault);
+  }
+  const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
+  auto points = nlohmann::ordered_json::array();
+  for (const double slip : options.slips) {
+    const SingleWheelPoint point =
+        single_wheel(wheel_soil, options.load_n, slip, radians(options.slip_angle_deg));
+    points.push_back({{"slip", slip},
+                      {"slip_angle_deg", options.slip_angle_deg},
+                      {"load_n", options.load_n},
+                      {"drawbar_pull_n", point.drawbar_pull_n},
+                      {"side_force_n", point.side_force_n},
+                      {"torque_n_m", point.torque_n_m},
+                      {"sinkage_m", point.sinkage_m},
+                      {"traction_limit_n", point.traction_limit_n}});
+  }
+  fmt::print("{}\n", points.dump(2));
+  return 0;
+}
+
+}  // namespace lsos

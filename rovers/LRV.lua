@@ -1,0 +1,120 @@
+-- NASA's Lunar Roving Vehicle of Apollo 15 to 17 with two crew and their load: four wire-mesh
+-- wheels on double arms with torsion bars, steered in front and at the rear.
+--
+-- Each number says where it is from: (V) read in the source, (R) recalled, source not seen,
+-- (D) computed from those, (A) our assumption, which summary.json repeats.
+
+local lsos = require 'lsos'
+
+local gross_kg    = 697     -- V: Apollo 15, encyclopedia articles on the LRV
+local empty_kg    = 210     -- V: the same
+local astronaut_kg = 181.5  -- R: 363 kg for two in their suits
+local wheelbase_m = 2.3     -- V: the same articles; 7.5 feet in 'Apollo Moonships' p. 81
+local track_m     = 1.83    -- V: 6 feet between wheel centres, 'Apollo Moonships' p. 81
+local arm_kg      = 4       -- A: both arms of a wheel
+local knuckle_kg  = 9       -- A: with the traction drive
+local wheel_kg    = 5.5     -- R: 12 lb
+
+local modules = {}
+for axle, x_m in ipairs { wheelbase_m / 2, -wheelbase_m / 2 } do
+  for side, y_m in ipairs { track_m / 2, -track_m / 2 } do
+    modules[#modules + 1] = lsos.module {
+      name       = ({ 'front', 'rear' })[axle] .. ({ '_left', '_right' })[side],
+      position_m = lsos.vec3(x_m, y_m, 0),
+    }
+  end
+end
+
+local clearance_m = 0.356   -- V: 14 in loaded (17 in empty), web.mit.edu/12.000 (2004)
+local load_m      = lsos.vec3(0, 0, 0.85)  -- A: of crew and load together
+
+local chassis = lsos.chassis {
+  mass_kg          = gross_kg - #modules * (arm_kg + knuckle_kg + wheel_kg),  -- D: 623
+  size_m           = lsos.vec3(2.6, 1.4, 0.78),  -- A: between the wheels; D: height 1.14 m (V)
+  clearance_m      = clearance_m,
+  center_of_mass_m = lsos.vec3(0, 0, 0.75),      -- A: batteries low, crew high
+}
+
+local suspension = lsos.wishbone {
+  modules         = modules,
+  arm_mass_kg     = arm_kg,
+  knuckle_mass_kg = knuckle_kg,
+
+  spring = lsos.spring {
+    stiffness_npm = 2600,   -- D: 3 in (V) under 487 kg on the Moon, four wheels
+    damping_nspm  = 640,    -- A: half of critical with 156 kg a wheel (D)
+    travel_up_m   = 0.15,   -- A
+    travel_down_m = 0.15,   -- A
+  },
+
+  steering = lsos.steering {
+    angle_max_rad      = math.rad(50),  -- R: inner wheels 50 degrees, outer 22
+    rate_max_radps     = 0.32,          -- R: from stop to stop in 5.5 s
+    torque_max_n_m     = 120,           -- A: turns a standing wheel in soil
+    stiffness_n_m_prad = 5000,          -- A
+    damping_n_m_sprad  = 60,            -- A
+  },
+
+  wheel_offsets_m = { 0 },
+  wheel = lsos.wheel {
+    radius_m                 = 0.41,    -- V: 82 cm diameter, sservi.nasa.gov
+    width_m                  = 0.23,    -- V: 23 cm, the same
+    mass_kg                  = wheel_kg,
+    normal_stiffness_npm     = 5e4,     -- A: 6 mm under its lunar load; the mesh itself is softer
+    normal_damping_nspm      = 500,     -- A
+    tangential_damping_nspm  = 200,     -- A
+    interface_friction_ratio = 1,       -- A: mesh and chevrons shear soil on soil
+  },
+
+  drive = lsos.drive {
+    torque_max_n_m           = 120,   -- A: climbs 25 degrees of soft ground with a third to spare
+    power_max_w              = 186,   -- V: 0.25 hp, encyclopedia articles; at the wheel: A
+    no_load_speed_radps      = 13.1,  -- R: motor to 10,000 rpm; V: 80:1
+    efficiency               = 0.7,   -- A: motor and harmonic drive
+    servo_gain_n_m_sprad     = 60,
+    servo_integral_n_m_prad  = 60,
+    brake_torque_max_n_m     = 200,   -- A: holds any wheel that has grip
+    brake_stiffness_n_m_prad = 5000,
+    brake_damping_n_m_sprad  = 30,
+  },
+}
+
+return lsos.rover {
+  api  = 1,
+  name = 'LRV',
+  doc  = 'Lunar Roving Vehicle of Apollo 15: four wheels, front and rear steering, two crew.',
+
+  chassis    = chassis,
+  suspension = suspension,
+
+  configurations = {
+    lsos.configuration {
+      name               = 'OneCrew',
+      doc                = 'Without the right-hand astronaut.',
+      payload_mass_kg    = -astronaut_kg,
+      payload_position_m = lsos.vec3(0, -0.35, 0.85),  -- A: of the right seat
+    },
+    lsos.configuration {
+      name               = 'Empty',
+      doc                = 'Without crew and load.',
+      payload_mass_kg    = empty_kg - gross_kg,
+      payload_position_m = load_m,
+    },
+  },
+
+  step_s               = 0.005,
+  cruise_speed_mps     = 2.5,   -- A: 9 km/h
+  speed_max_mps        = 3.6,   -- V: 13 km/h by design, encyclopedia articles
+  acceleration_mps2    = 0.5,   -- A
+  turning_radius_min_m = 3.1,   -- V: 10 feet, 'Apollo Moonships' p. 81
+
+  assumptions = {
+    'LRV: 74 kg of wheels, arms and traction drives, the load at 0.85 m and the centre of mass at '
+      .. '0.75 m are assumed',
+    'LRV: wheels are rigid in soil with 50 kN/m along its normal and shear soil on soil; flexing '
+      .. 'of their mesh is left out',
+    'LRV: springs of 2.6 kN/m follow from the clearance loaded and empty; dampers at half of '
+      .. 'critical, 0.15 m of travel either way and steering servos are assumed',
+    'LRV: drives of 120 N m a wheel with an efficiency of 0.7 are assumed',
+  },
+}

@@ -1,0 +1,138 @@
+-- NASA's Mars Exploration Rover (Spirit, Opportunity): six wheels on rockers and bogies, the four
+-- at the corners steered.
+--
+-- Each number says where it is from: (V) read in the source, (R) recalled, source not seen,
+-- (D) computed from those, (A) our assumption, which summary.json repeats.
+
+local lsos = require 'lsos'
+
+local total_kg        = 180    -- V: encyclopedia articles on Spirit; 174 to 185 elsewhere
+local rocker_kg       = 5      -- A: of a side
+local bogie_kg        = 3      -- A: of a side
+local knuckle_kg      = 2.5    -- A: of a corner, with the steering motor
+local wheel_kg        = 1.5    -- A: with the drive motor
+local differential_kg = 3      -- A
+local half_base_m     = 0.705  -- R: wheelbase 1.41 m
+local pivot_m         = 0.45   -- A: height of the rockers' pivots
+
+local stations = {
+  lsos.station { name = 'front', position_m = lsos.vec3(half_base_m, 0.53, 0),  -- R: track 1.06 m
+                 is_steered = true },
+  lsos.station { name = 'middle', position_m = lsos.vec3(0, 0.61, 0),           -- R: track 1.22 m
+                 on = 'bogie' },
+  lsos.station { name = 'rear', position_m = lsos.vec3(-half_base_m, 0.53, 0),
+                 is_steered = true, on = 'bogie' },
+}
+
+local chassis = lsos.chassis {
+  mass_kg = total_kg - differential_kg - 2 * (rocker_kg + bogie_kg)  -- D: 142
+    - 4 * knuckle_kg - 6 * wheel_kg,
+  size_m           = lsos.vec3(0.8, 0.6, 0.4),  -- A: body without panels and mast
+  clearance_m      = 0.30,                      -- R
+  center_of_mass_m = lsos.vec3(0, 0, 0.5),      -- A: over the rockers' pivots
+}
+
+local suspension = lsos.rocker_bogie {
+  stations        = stations,
+  knuckle_mass_kg = knuckle_kg,
+
+  -- Wheels carry the same when the centre of mass is over the middle wheel and the bogie's pivot
+  -- halfway between its wheels.
+  rocker = lsos.rocker {
+    pivot_m                 = lsos.vec3(0, 0.40, pivot_m),  -- A
+    mass_kg                 = rocker_kg,
+    angle_max_rad           = 0.6,   -- A
+    stop_stiffness_n_m_prad = 4000,  -- A
+    stop_damping_n_m_sprad  = 100,   -- A
+    damping_n_m_sprad       = 5,     -- A
+  },
+  bogie = lsos.bogie {
+    pivot_m                 = lsos.vec3(-half_base_m / 2, 0.50, 0.25),  -- A
+    mass_kg                 = bogie_kg,
+    angle_max_rad           = 0.7,   -- A
+    stop_stiffness_n_m_prad = 2000,  -- A
+    stop_damping_n_m_sprad  = 40,    -- A
+    damping_n_m_sprad       = 2,     -- A
+  },
+  differential = lsos.differential {
+    kind               = 'gear',                   -- R: inside the body
+    position_m         = lsos.vec3(0, 0, pivot_m),
+    mass_kg            = differential_kg,
+    stiffness_n_m_prad = 10000,  -- A
+    damping_n_m_sprad  = 200,    -- A
+  },
+
+  steering = lsos.steering {
+    angle_max_rad      = math.rad(60),  -- A: turning on the spot takes 53 degrees (D)
+    rate_max_radps     = 0.1,           -- A
+    torque_max_n_m     = 35,            -- A
+    stiffness_n_m_prad = 300,           -- A
+    damping_n_m_sprad  = 2,             -- A
+  },
+
+  wheel = lsos.wheel {
+    radius_m                 = 0.125,  -- V: 0.25 m diameter, jpl.nasa.gov spotlight 2004-03-09
+    width_m                  = 0.16,   -- R
+    mass_kg                  = wheel_kg,
+    -- D: solid disc; A: about the axle three times that, for what the drive turns behind its gear
+    inertia_kgm2             = lsos.vec3(0.0091, 0.035, 0.0091),
+    normal_stiffness_npm     = 3e4,    -- A: 4 mm under its load on Mars
+    normal_damping_nspm      = 300,    -- A
+    tangential_damping_nspm  = 100,    -- A
+    grouser_height_m         = 0.006,  -- A: V only that it has cleats, encyclopedia articles
+    grouser_count            = 24,     -- A
+    interface_friction_ratio = 0.8,    -- A: bare metal between the cleats
+  },
+
+  drive = lsos.drive {
+    torque_max_n_m           = 30,    -- A: lifts a good part of the rover's weight
+    power_max_w              = 8,     -- A
+    no_load_speed_radps      = 0.55,  -- A: a third above the greatest speed
+    efficiency               = 0.5,   -- A: motor and three gears
+    servo_gain_n_m_sprad     = 4,
+    servo_integral_n_m_prad  = 30,
+    brake_torque_max_n_m     = 40,    -- A: gears hold the wheel
+    brake_stiffness_n_m_prad = 800,
+    brake_damping_n_m_sprad  = 4,
+  },
+}
+
+return lsos.rover {
+  api  = 1,
+  name = 'MER',
+  doc  = 'Mars Exploration Rover: six wheels on rockers and bogies, four steered.',
+
+  chassis    = chassis,
+  suspension = suspension,
+
+  configurations = {
+    lsos.configuration {
+      name          = 'RightFrontLocked',
+      doc           = 'Spirit from March 2006 on: the right front wheel does not turn.',  -- R
+      locked_wheels = { 'front_right_wheel' },
+    },
+    lsos.configuration {
+      name          = 'RightFrontAndRearLocked',
+      -- R
+      doc           = 'Spirit stuck at Troy, late 2009: the right rear wheel is lost as well.',
+      locked_wheels = { 'front_right_wheel', 'rear_right_wheel' },
+    },
+  },
+
+  step_s               = 0.005,
+  cruise_speed_mps     = 0.0375,  -- A: three quarters of the greatest
+  speed_max_mps        = 0.05,    -- V: encyclopedia articles on Spirit
+  acceleration_mps2    = 0.02,    -- A
+  can_turn_on_spot     = true,    -- V: encyclopedia articles on the rocker-bogie
+  turning_radius_min_m = 1.2,     -- A: within the steering's 60 degrees
+
+  assumptions = {
+    'MER: 180 kg, read as 174 to 185 kg in the sources; suspension of 38 kg with wheels, and a '
+      .. 'centre of mass at 0.5 m over the pivots are assumed',
+    'MER: pivots, stops, bearings and a differential of 10 kN m/rad are assumed',
+    'MER: 24 grousers of 6 mm, bare metal between them (interface friction 0.8) and 30 kN/m along '
+      .. 'the normal are assumed for the wheels',
+    'MER: drives of 30 N m a wheel, 0.55 rad/s without load and an efficiency of 0.5 are assumed, '
+      .. 'as are the steering servos',
+  },
+}

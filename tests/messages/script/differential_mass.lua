@@ -1,0 +1,4 @@
+-- expect: differential: mass_kg = 0: must be more than 0 kg
+-- as: rovers
+local lsos = require 'lsos'
+return lsos.differential { kind = 'bar', mass_kg = 0 }

@@ -1,0 +1,92 @@
+#include "physics/drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lua/mission_files.h"
+#include "mission/site.h"
+
+namespace lsos::test {
+
+namespace {
+
+const Catalog& catalog() {
+  static const auto shipped = read_catalog("");
+  return *shipped;
+}
+
+double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
+  double nearest_m = 1e9;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vec2 along = line[i + 1] - line[i];
+    const double t = std::clamp((p - line[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    nearest_m = std::min(nearest_m, (p - line[i] - t * along).norm());
+  }
+  return nearest_m;
+}
+
+FollowerPose pose_of(const VehicleReport& report) {
+  const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
+  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
+          left_S.dot(report.v_S_mps.head<2>())};
+}
+
+}  // namespace
+
+Soil shipped_soil(const std::string& name) { return catalog().load_soil(name); }
+RoverSpec shipped_rover(const std::string& name) { return catalog().load_rover(name); }
+
+std::unique_ptr<Ground> ground(const GroundAt& at) {
+  TerrainSpec spec;
+  spec.name = "Test";
+  spec.surface = at.surface;
+  spec.soil = shipped_soil(at.soil);
+  return ground_at(spec, *find_body(at.planet), start, 1);
+}
+
+VehicleConfig rover_on(const std::string& name, const Ground& ground, const std::string& planet,
+                       const std::string& configuration, double step_share) {
+  VehicleConfig config = make_vehicle(shipped_rover(name), configuration,
+                                      gravity_mps2(*find_body(planet), ground.site().origin()));
+  config.step = from_seconds(step_share * seconds(config.step));
+  return config;
+}
+
+DriveResult drive(const VehicleConfig& config, const Ground& ground,
+                  const std::vector<Vec2>& waypoints_S_m, double speed_mps) {
+  DriveResult result;
+  Vehicle vehicle(config, ground);
+  const Vec2& first = waypoints_S_m.front();
+  result.failure = vehicle.place(start, std::atan2(first.x(), first.y()));
+  if (!result.failure.empty()) return result;
+  const double before_j = vehicle.kinetic_j() + vehicle.potential_j();
+
+  Path3 path;
+  std::vector<Vec2> line{Vec2::Zero()};
+  for (const Vec2& p : waypoints_S_m) {
+    path.push_back({p.x(), p.y(), 0});
+    line.push_back(p);
+  }
+  FollowerLimits limits;
+  limits.speed_mps = speed_mps;
+  limits.acceleration_mps2 = config.acceleration_mps2;
+  limits.can_turn_on_spot = config.can_turn_on_spot;
+  limits.radius_min_m = config.turning_radius_min_m;
+  PathFollower follower(path, pose_of(vehicle.report()), limits);
+  VehicleReport report = vehicle.report();
+  while (follower.status() == PathFollower::Status::driving) {
+    vehicle.command(follower.update(pose_of(report), seconds(exchange_period)));
+    vehicle.advance(exchange_period);
+    report = vehicle.report();
+    result.worst_m = std::max(result.worst_m, distance_to_line_m(report.p_S_m.head<2>(), line));
+  }
+  result.failure = follower.reason();
+  result.end = report;
+  result.distance_m = vehicle.distance_m();
+  result.drive_j = vehicle.drive_j();
+  result.work = vehicle.work();
+  result.energy_change_j = vehicle.kinetic_j() + vehicle.potential_j() - before_j;
+  return result;
+}
+
+}  // namespace lsos::test

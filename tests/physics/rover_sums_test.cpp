@@ -1,0 +1,132 @@
+// Sums that must close for shipped rovers, and what they are known to be able to do.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/units.h"
+#include "physics/drive.h"
+
+namespace lsos::test {
+namespace {
+
+// Slopes to some 15 degrees: shallow craters on a plane that rises to the north by 3.
+const GroundAt hills{"Moon",
+                     CraterSurface{.base = {0, radians(3), radians(180)},
+                                   .diameter_min_m = 10,
+                                   .diameter_max_m = 80,
+                                   .exponent = 2,
+                                   .density_pm2 = 6e-4,
+                                   .depth_to_diameter = 0.06},
+                     "ApolloNominal"};
+const std::vector<Vec2> kilometre{{150, 250}, {400, 300}, {500, 550}, {700, 700}};
+
+class OverHills : public testing::TestWithParam<const char*> {};
+
+TEST_P(OverHills, motors_do_what_energy_changes_and_losses_say) {
+  const auto hilly = ground(hills);
+  const DriveResult result = drive(rover_on(GetParam(), *hilly, "Moon"), *hilly, kilometre, 2);
+  ASSERT_EQ(result.failure, "");
+  ASSERT_GT(result.distance_m, 1000);
+  const WorkDone& work = result.work;
+  EXPECT_GT(work.motors_j, 0);
+  EXPECT_LT(work.soil_j, 0);
+  EXPECT_LT(work.suspension_j, 0);
+  EXPECT_NEAR(work.sum_j(), result.energy_change_j, 0.01 * work.motors_j);
+  RecordProperty("motors_j", std::to_string(work.motors_j));
+  RecordProperty("off_j", std::to_string(work.sum_j() - result.energy_change_j));
+}
+
+TEST_P(OverHills, half_the_step_ends_at_the_same_place_with_the_same_energy) {
+  const auto hilly = ground(hills);
+  const DriveResult whole = drive(rover_on(GetParam(), *hilly, "Moon"), *hilly, kilometre, 2);
+  const DriveResult half =
+      drive(rover_on(GetParam(), *hilly, "Moon", "", 0.5), *hilly, kilometre, 2);
+  ASSERT_EQ(whole.failure + half.failure, "");
+  EXPECT_LT((whole.end.p_S_m - half.end.p_S_m).norm(), 0.2);
+  EXPECT_NEAR(whole.drive_j, half.drive_j, 0.01 * half.drive_j);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rovers, OverHills, testing::Values("SEV", "LRV"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+TEST(Mer, half_the_step_and_the_sums_over_hills) {
+  GroundAt martian{"Mars", hills.surface, "MMS"};
+  const auto hilly = ground(martian);
+  const std::vector<Vec2> path{{8, 12}, {30, 25}};
+  const DriveResult whole = drive(rover_on("MER", *hilly, "Mars"), *hilly, path, 0.05);
+  const DriveResult half = drive(rover_on("MER", *hilly, "Mars", "", 0.5), *hilly, path, 0.05);
+  ASSERT_EQ(whole.failure + half.failure, "");
+  EXPECT_LT((whole.end.p_S_m - half.end.p_S_m).norm(), 0.2);
+  EXPECT_NEAR(whole.drive_j, half.drive_j, 0.01 * half.drive_j);
+  EXPECT_NEAR(whole.work.sum_j(), whole.energy_change_j, 0.01 * whole.work.motors_j);
+}
+
+TEST(Lrv, needs_35_to_90_watt_hours_a_kilometre_on_level_regolith) {
+  const auto level = ground({"Moon", PlaneSurface{}, "ApolloNominal"});
+  const DriveResult result = drive(rover_on("LRV", *level, "Moon"), *level, {{0, 1000}}, 2.8);
+  ASSERT_EQ(result.failure, "");
+  const double wh_pkm = result.drive_j / 3600 / (result.distance_m / 1000);
+  RecordProperty("wh_pkm", std::to_string(wh_pkm));
+  EXPECT_GT(wh_pkm, 35);
+  EXPECT_LT(wh_pkm, 90);
+}
+
+// Driven straight up a plane for a minute from rest, after which it is steady.
+struct Climb {
+  double slip = 0, speed_mps = 0;
+};
+Climb climb(const char* rover, const char* planet, const char* soil, double slope_rad,
+            double speed_mps, double duration_s) {
+  const auto slope = ground({planet, PlaneSurface{0, slope_rad, radians(180)}, soil});
+  const VehicleConfig config = rover_on(rover, *slope, planet);
+  Vehicle vehicle(config, *slope);
+  if (!vehicle.place(start, 0).empty()) return {1, 0};  // it slides down at once
+  vehicle.command({speed_mps, 0, false});
+  for (double t = 0; t < duration_s; t += 0.1) vehicle.advance(exchange_period);
+  const VehicleReport report = vehicle.report();
+  const double uphill_mps = report.v_S_mps.y() / std::cos(slope_rad);
+  return {1 - uphill_mps / speed_mps, uphill_mps};
+}
+
+TEST(Lrv, climbs_20_degrees_but_not_35) {
+  EXPECT_GT(climb("LRV", "Moon", "ApolloNominal", radians(20), 1, 60).speed_mps, 0.3);
+  EXPECT_LE(climb("LRV", "Moon", "ApolloNominal", radians(35), 1, 60).speed_mps, 0.01);
+}
+
+TEST(Mer, slips_on_loose_dry_sand_as_in_tilt_bed_tests) {
+  std::string table;
+  double slip[6];
+  for (int i = 0; i < 6; ++i) {
+    slip[i] = climb("MER", "Mars", "DrySandLoose", radians(5.0 * i), 0.04, 120).slip;
+    table += std::to_string(5 * i) + " deg: " + std::to_string(slip[i]) + "\n";
+  }
+  SCOPED_TRACE(table);
+  RecordProperty("slip_by_slope", table);
+  for (int i = 1; i < 6; ++i) EXPECT_GE(slip[i], slip[i - 1] - 1e-3);
+  EXPECT_LT(slip[2], 0.25);
+  EXPECT_GT(std::max(slip[4], slip[5]), 0.8);
+  EXPECT_GT(slip[5], 0.8);
+}
+
+class Parked : public testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(Parked, on_20_degrees_does_not_move_in_two_hours_of_steps) {
+  const auto [rover, planet] = GetParam();
+  const auto slope = ground({planet, PlaneSurface{0, radians(20), radians(180)}, "ApolloNominal"});
+  Vehicle vehicle(rover_on(rover, *slope, planet), *slope);
+  ASSERT_EQ(vehicle.place(start, radians(30)), "");
+  const auto run = [&](double duration_s) {
+    for (double t = 0; t < duration_s; t += 0.1) vehicle.advance(exchange_period);
+    return vehicle.report().p_S_m;
+  };
+  const Vec3 after_10_minutes_S_m = run(600);
+  const Vec3 after_2_hours_S_m = run(6600);
+  EXPECT_LT((after_2_hours_S_m - after_10_minutes_S_m).norm(), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rovers, Parked,
+                         testing::Values(std::pair("LRV", "Moon"), std::pair("Husky", "Earth")),
+                         [](const auto& tested) { return std::string(tested.param.first); });
+
+}  // namespace
+}  // namespace lsos::test
