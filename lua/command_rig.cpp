@@ -16,6 +16,9 @@ namespace lsos {
 
 namespace {
 
+// Of a stiff metal wheel, a share of its radius; matters on ground that it hardly marks.
+constexpr double flattening = 0.01;
+
 Soil find_soil(const std::string& name) {
   if (name.ends_with(".lua") || std::filesystem::exists(name)) return read_soil_file(name);
   return read_catalog("")->load_soil(name, {"--soil", 0});
@@ -29,6 +32,9 @@ void check(const RigOptions& options, Faults& faults) {
   need("--radius", options.radius_m, above(options.radius_m), "above 0 m");
   need("--width", options.width_m, above(options.width_m), "above 0 m");
   need("--load", options.load_n, above(options.load_n), "above 0 N");
+  if (options.stiffness_npm) {
+    need("--stiffness", *options.stiffness_npm, above(*options.stiffness_npm), "above 0 N/m");
+  }
   need("--gravity", options.gravity_mps2, above(options.gravity_mps2), "above 0 m/s2");
   const double h_m = options.grouser_height_m;
   need("--grouser-height", h_m, h_m >= 0 && h_m < options.radius_m, "0 to the wheel's radius");
@@ -56,7 +62,8 @@ int rig_command(const RigOptions& options) {
   wheel.grouser_height_m = options.grouser_height_m;
   wheel.grouser_count = options.grouser_count;
   wheel.interface_friction_ratio = options.interface_friction_ratio;
-  wheel.normal_stiffness_npm = options.load_n / (0.01 * options.radius_m);
+  wheel.normal_stiffness_npm =
+      options.stiffness_npm.value_or(options.load_n / (flattening * options.radius_m));
   if (const std::string fault = soil_fault(soil, wheel.width_m); !fault.empty()) {
     throw InputError({options.soil, 0}, fault);
   }

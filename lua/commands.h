@@ -42,6 +42,7 @@ struct RigOptions {
   double grouser_height_m = 0;
   int grouser_count = 0;
   double interface_friction_ratio = 0.8;
+  std::optional<double> stiffness_npm;  // absent: the load flattens the wheel by 1 % of its radius
   double gravity_mps2 = 9.80665;
   std::vector<double> slips;
   double slip_angle_deg = 0;

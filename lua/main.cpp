@@ -104,6 +104,8 @@ int run_program(std::vector<std::string> arguments) {
   rig_command->add_option("--grouser-count", rig.grouser_count, "Round the whole rim");
   rig_command->add_option("--interface-friction", rig.interface_friction_ratio,
                           "Friction of soil on the rim over that in the soil, 0..1 (0.8)");
+  rig_command->add_option("--stiffness", rig.stiffness_npm,
+                          "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
   rig_command->add_option("--gravity", rig.gravity_mps2, "m/s2 (9.80665)");
   rig_command->add_flag("--json", is_json, "Its answer is JSON in any case");
 

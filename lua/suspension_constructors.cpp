@@ -57,6 +57,9 @@ void read_wheel(TableReader& t, WheelScript& script) {
            "Of wheel and ground, along the ground's normal.");
   t.number(required, "normal_damping_nspm", wheel.normal_damping_nspm, not_negative,
            "Along the ground's normal.");
+  wheel.tangential_stiffness_npm = wheel.normal_stiffness_npm;
+  t.number(optional, "tangential_stiffness_npm", wheel.tangential_stiffness_npm, positive,
+           "Of wheel and ground, along the ground (default: as along the normal).");
   t.number(required, "tangential_damping_nspm", wheel.tangential_damping_nspm, not_negative,
            "Along the ground.");
   t.number(optional, "grouser_height_m", wheel.grouser_height_m, not_negative,

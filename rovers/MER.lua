@@ -59,7 +59,7 @@ local suspension = lsos.rocker_bogie {
     position_m         = lsos.vec3(0, 0, pivot_m),
     mass_kg            = differential_kg,
     stiffness_n_m_prad = 10000,  -- A
-    damping_n_m_sprad  = 200,    -- A
+    damping_n_m_sprad  = 150,    -- A
   },
 
   steering = lsos.steering {
@@ -119,7 +119,7 @@ return lsos.rover {
     },
   },
 
-  step_s               = 0.005,
+  step_s               = 0.00625,
   cruise_speed_mps     = 0.0375,  -- A: three quarters of the greatest
   speed_max_mps        = 0.05,    -- V: encyclopedia articles on Spirit
   acceleration_mps2    = 0.02,    -- A

@@ -27,8 +27,23 @@ Simulation::Simulation(SimulationSetup setup)
     vehicles_[{rover.type, rover.configuration}] =
         make_vehicle(setup_.rover_specs.at(rover.type), rover.configuration, g_mps2);
   }
+  check_soil();
   build();
   place_rovers();
+}
+
+void Simulation::check_soil() const {
+  Faults faults;
+  for (const PlanRover& rover : setup_.plan.rovers) {
+    for (const LinkConfig& link : vehicles_.at({rover.type, rover.configuration}).links) {
+      if (!link.wheel) continue;
+      const std::string fault = soil_fault(ground_->soil(), link.wheel->width_m);
+      if (fault.empty()) continue;
+      faults.error(rover.place, fmt::format("Rover '{}': {}", rover.id, fault));
+      break;
+    }
+  }
+  faults.throw_if_errors();
 }
 
 Simulation::~Simulation() = default;

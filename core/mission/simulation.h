@@ -87,6 +87,7 @@ class Simulation : private EventSequence::Others {
     std::optional<SimTime> logged;  // its last sample
   };
 
+  void check_soil() const;
   void build();
   void place_rovers();
   void find_rovers_in_each_other(Faults& faults) const;

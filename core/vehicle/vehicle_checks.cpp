@@ -127,8 +127,13 @@ std::vector<std::string> stability_faults(const VehicleConfig& vehicle) {
                    link.inertia.mass_kg);
       check_damper(link.name, "wheel's normal damper", wheel->normal_damping_nspm,
                    at_contact(Vec3::UnitZ()));
+      const double along_ground = std::min(at_contact(Vec3::UnitX()), at_contact(Vec3::UnitY()));
+      if (std::isfinite(wheel->tangential_stiffness_npm)) {
+        check_spring(link.name, "wheel's tangential spring", wheel->tangential_stiffness_npm,
+                     along_ground);
+      }
       check_damper(link.name, "wheel's tangential damper", wheel->tangential_damping_nspm,
-                   std::min(at_contact(Vec3::UnitX()), at_contact(Vec3::UnitY())));
+                   along_ground);
     }
     if (link.steering) {
       check_spring(link.name, "steering servo", link.steering->stiffness_n_m_prad, joint);

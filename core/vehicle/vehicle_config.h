@@ -57,6 +57,8 @@ struct Wheel {
   double normal_stiffness_npm = 0;
   double normal_damping_nspm = 0;
   double tangential_damping_nspm = 0;
+  // Of wheel and contact along the ground. Soil that is stiffer than this hardly counts.
+  double tangential_stiffness_npm = std::numeric_limits<double>::infinity();
   double grouser_height_m = 0;
   int grouser_count = 0;
   // Friction between rim and soil over friction within the soil, tan(delta)/tan(phi), 0..1. Rough

@@ -15,6 +15,8 @@ constexpr double rolling_mobilised_m = 0.005;
 // Shear displacement in units of K beyond which the anchor is dragged along, at 98 % of the limit.
 constexpr double shear_displacements_max = 25;
 
+constexpr double sinkage_max_radii = 1.5;
+
 // Slip sinkage rises in proportion to u at first and to (1 + u_half a) in the end.
 constexpr double slip_sinkage_half = 2;
 
@@ -68,12 +70,88 @@ double WheelSoil::ploughing_n(double width_m, double depth_m) const {
          (0.5 * unit_weight_npm3_ * depth_m * wedge_ + 2 * soil_.cohesion_pa);
 }
 
-// On rock the contact is where the wheel is flattened.
+// On ground that a wheel hardly marks, the contact is where the wheel is flattened.
 double WheelSoil::contact_length_m(double sinkage_m, double load_n) const {
-  const double deep_m = soil_.is_rigid ? load_n / wheel_.normal_stiffness_npm
-                                       : sinkage_m + (shear_radius_m_ - wheel_.radius_m);
-  const double z = std::min(deep_m, shear_radius_m_);
+  const double k = wheel_.normal_stiffness_npm;
+  const double flattened_m = k > 0 ? load_n / k : 0;
+  const double sunk_m = soil_.is_rigid ? 0 : sinkage_m + (shear_radius_m_ - wheel_.radius_m);
+  const double z = std::min(std::max(sunk_m, flattened_m), shear_radius_m_);
   return std::sqrt(z * (2 * shear_radius_m_ - z));
+}
+
+// One step of one wheel, in the plane of the ground: along the wheel's heading and to its left.
+struct WheelSoil::Step {
+  double load_n = 0, static_sinkage_m = 0, length_m = 0;
+  double ahead_mps = 0, left_mps = 0;  // of the hub
+  double rim_mps = 0;                  // backwards, where soil is sheared
+  double curvature = 0;  // share by which the rim lags behind the hub, mean over the contact
+  Vec2 shear_m = Vec2::Zero(), shear_rate_mps = Vec2::Zero();
+  double limit_n = 0;  // H_max
+  Vec2 K_m = Vec2::Zero();
+  double shear_by_K = 0;
+  double built_up = 0;  // resistance to rolling, -1..1
+  double sinkage_m = 0;
+};
+
+Vec2 WheelSoil::shear_modulus_m(double limit_n) const {
+  const double wheel_m = limit_n / wheel_.tangential_stiffness_npm;
+  return {std::max(soil_.shear_modulus_x_m, wheel_m), std::max(soil_.shear_modulus_y_m, wheel_m)};
+}
+
+// Slip shears the soil; rolling brings fresh soil under the rim. In steady rolling the balance of
+// both leaves the mean displacement of the contact.
+void WheelSoil::shear(Step& step, const Vec2& before_m, double rolling_mps, double step_s) const {
+  const double rolled_mps = std::max(0.0, std::abs(rolling_mps) - still_mps);
+  const double fresh = 1 / (1 + 2 * rolled_mps * step_s / step.length_m);
+  const Vec2 slip_mps(step.ahead_mps * (1 - step.curvature) - step.rim_mps, step.left_mps);
+  step.shear_m = fresh * (before_m + step_s * slip_mps);
+  step.shear_by_K = length(step.shear_m.x() / step.K_m.x(), step.shear_m.y() / step.K_m.y());
+  if (step.shear_by_K > shear_displacements_max) {
+    step.shear_m *= shear_displacements_max / step.shear_by_K;
+    step.shear_by_K = shear_displacements_max;
+  }
+  step.shear_rate_mps = (step.shear_m - before_m) / step_s;
+}
+
+// What the rim's curvature shears in rolling without slip is part of the static sinkage.
+double WheelSoil::slip_sinkage_m(const Step& step) const {
+  const double u = length(2 * step.shear_m.x() / step.length_m + step.curvature * step.built_up,
+                          2 * step.shear_m.y() / step.length_m);
+  return std::min(
+      step.static_sinkage_m * (1 + soil_.slip_sinkage * u / (1 + u / slip_sinkage_half)),
+      sinkage_max_radii * wheel_.radius_m);
+}
+
+// Damping acts on the change of shear, so that steady slip has none of it.
+Vec2 WheelSoil::traction_n(const Step& step) const {
+  const double share_by_K = 2 * step.limit_n * mobilised_by_x(2 * step.shear_by_K);
+  const Vec2 stiffness_npm = share_by_K * step.K_m.cwiseInverse();
+  const Vec2 force_n = -stiffness_npm.cwiseProduct(step.shear_m) -
+                       wheel_.tangential_damping_nspm * step.shear_rate_mps;
+  const double most = force_n.norm();
+  return most > step.limit_n ? Vec2(force_n * (step.limit_n / most)) : force_n;
+}
+
+// Compaction, ploughing and the wheel's own flexing.
+Vec2 WheelSoil::resistance_n(const Step& step) const {
+  double against_n = wheel_.rolling_resistance * step.load_n, side_n = 0;
+  if (!soil_.is_rigid) {
+    against_n += pressure_.compaction_resistance_n(step.sinkage_m, step.load_n);
+    // It ploughs as much of its way as it does not roll, if it moves on into what it has built up.
+    const double onward = step.built_up < 0 ? -1 : 1;
+    const double travel_mps = length(step.ahead_mps, step.left_mps);
+    const double skid =
+        std::clamp((travel_mps - onward * step.rim_mps) / (travel_mps + skid_fade_mps), 0.0,
+                   std::clamp(onward * step.ahead_mps / skid_fade_mps, 0.0, 1.0));
+    if (skid > 0) against_n += skid * ploughing_n(wheel_.width_m, step.sinkage_m);
+    const double side_m = 2 * pressure_.contact_length_m(step.sinkage_m);
+    const double left_m = step.shear_m.y();
+    const double pushed = -std::expm1(-std::abs(left_m) / step.K_m.y());
+    side_n = -std::copysign(ploughing_n(side_m, step.sinkage_m) * pushed, left_m);
+  }
+  const double damping_n =
+      wheel_.tangential_damping_nspm * (1 - std::abs(step.built_up)) * step.ahead_mps;
+  return {-against_n * step.built_up - std::clamp(damping_n, -against_n, against_n), side_n};
 }
 
 WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step_s,
@@ -84,77 +162,33 @@ WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step
     state = {};
     return forces;
   }
-  const double load_n = input.load_n;
-  const Vec3& n = input.normal_S;
-  const Vec3 left_S = n.cross(input.heading_S);
-  const double static_m = pressure_.static_sinkage_m(load_n);
+  const Vec3& ahead_S = input.heading_S;
+  const Vec3 left_S = input.normal_S.cross(ahead_S);
+  const auto in_S = [&](const Vec2& v) -> Vec3 { return v.x() * ahead_S + v.y() * left_S; };
 
-  // Slip shears the soil; rolling brings fresh soil under the rim. In steady rolling the balance
-  // of both leaves the mean displacement of the contact.
-  const double before_m = std::max(state.sinkage_m, static_m);
-  const double length_m = contact_length_m(before_m, load_n);
-  const double ahead_mps = input.hub_velocity_S_mps.dot(input.heading_S);
-  const double left_mps = input.hub_velocity_S_mps.dot(left_S);
-  const double rim_mps = input.rolling_speed_mps * shear_radius_m_ / wheel_.radius_m;
-  const double curvature = 0.5 * (soil_.is_rigid ? 0 : before_m / shear_radius_m_);
-  const double slip_ahead_mps = ahead_mps * (1 - curvature) - rim_mps;
-  const double rolled_mps = std::max(0.0, std::abs(input.rolling_speed_mps) - still_mps);
-  const double fresh = 1 / (1 + 2 * rolled_mps * step_s / length_m);
-  const double before_ahead_m = state.shear_S_m.dot(input.heading_S);
-  const double before_left_m = state.shear_S_m.dot(left_S);
-  double j_ahead_m = fresh * (before_ahead_m + slip_ahead_mps * step_s);
-  double j_left_m = fresh * (before_left_m + left_mps * step_s);
-  double by_K = length(j_ahead_m / soil_.shear_modulus_x_m, j_left_m / soil_.shear_modulus_y_m);
-  if (by_K > shear_displacements_max) {
-    j_ahead_m *= shear_displacements_max / by_K;
-    j_left_m *= shear_displacements_max / by_K;
-    by_K = shear_displacements_max;
-  }
-  state.shear_S_m = j_ahead_m * input.heading_S + j_left_m * left_S;
+  Step step;
+  step.load_n = input.load_n;
+  step.static_sinkage_m = pressure_.static_sinkage_m(step.load_n);
+  const double before_m = std::max(state.sinkage_m, step.static_sinkage_m);
+  step.length_m = contact_length_m(before_m, step.load_n);
+  step.ahead_mps = input.hub_velocity_S_mps.dot(ahead_S);
+  step.left_mps = input.hub_velocity_S_mps.dot(left_S);
+  step.rim_mps = input.rolling_speed_mps * shear_radius_m_ / wheel_.radius_m;
+  if (!soil_.is_rigid) step.curvature = 0.5 * before_m / shear_radius_m_;
 
-  const double u = 2 * length(j_ahead_m, j_left_m) / length_m;
-  const double z = std::min(static_m * (1 + soil_.slip_sinkage * u / (1 + u / slip_sinkage_half)),
-                            1.5 * wheel_.radius_m);
-  state.sinkage_m = forces.sinkage_m = z;
+  forces.soil_shear_n = soil_shear_n(step.load_n, step.length_m);
+  forces.traction_limit_n = step.limit_n = interface_ * forces.soil_shear_n;
+  step.K_m = shear_modulus_m(step.limit_n);
+  shear(step, {state.shear_S_m.dot(ahead_S), state.shear_S_m.dot(left_S)}, input.rolling_speed_mps,
+        step_s);
+  state.shear_S_m = in_S(step.shear_m);
+  state.rolled_m = std::clamp(state.rolled_m + step.ahead_mps * step_s, -rolling_mobilised_m,
+                              rolling_mobilised_m);
+  step.built_up = state.rolled_m / rolling_mobilised_m;
+  state.sinkage_m = step.sinkage_m = forces.sinkage_m = slip_sinkage_m(step);
 
-  forces.soil_shear_n = soil_shear_n(load_n, length_m);
-  forces.traction_limit_n = interface_ * forces.soil_shear_n;
-  const double limit_n = forces.traction_limit_n;
-  const double share_by_K = 2 * limit_n * mobilised_by_x(2 * by_K);
-  // Damping acts on the change of shear, so that steady slip has none of it.
-  const double c = wheel_.tangential_damping_nspm;
-  double traction_ahead_n =
-      -share_by_K * j_ahead_m / soil_.shear_modulus_x_m - c * (j_ahead_m - before_ahead_m) / step_s;
-  double traction_left_n =
-      -share_by_K * j_left_m / soil_.shear_modulus_y_m - c * (j_left_m - before_left_m) / step_s;
-  const double traction_n = length(traction_ahead_n, traction_left_n);
-  if (traction_n > limit_n) {
-    traction_ahead_n *= limit_n / traction_n;
-    traction_left_n *= limit_n / traction_n;
-  }
-  forces.traction_S_n = traction_ahead_n * input.heading_S + traction_left_n * left_S;
-
-  // Resistance to rolling, built up over a short way and turned round with it.
-  state.rolled_m =
-      std::clamp(state.rolled_m + ahead_mps * step_s, -rolling_mobilised_m, rolling_mobilised_m);
-  const double built_up = state.rolled_m / rolling_mobilised_m;
-  // Only a wheel that moves on into what it has built up ploughs.
-  const double onward = built_up < 0 ? -1 : 1;
-  const double skid =
-      std::clamp(onward * (ahead_mps - rim_mps) / (std::abs(ahead_mps) + skid_fade_mps), 0.0,
-                 std::clamp(onward * ahead_mps / skid_fade_mps, 0.0, 1.0));
-  double against_n = wheel_.rolling_resistance * load_n;
-  double side_n = 0;
-  if (!soil_.is_rigid) {
-    against_n += pressure_.compaction_resistance_n(z, load_n);
-    if (skid > 0) against_n += skid * ploughing_n(wheel_.width_m, z);
-    const double pushed = -std::expm1(-std::abs(j_left_m) / soil_.shear_modulus_y_m);
-    side_n = -std::copysign(ploughing_n(2 * pressure_.contact_length_m(z), z) * pushed, j_left_m);
-  }
-  const double damping_n = c * (1 - std::abs(built_up)) * ahead_mps;
-  forces.at_hub_S_n =
-      (-against_n * built_up - std::clamp(damping_n, -against_n, against_n)) * input.heading_S +
-      side_n * left_S;
+  forces.traction_S_n = in_S(traction_n(step));
+  forces.at_hub_S_n = in_S(resistance_n(step));
   return forces;
 }
 

@@ -6,14 +6,16 @@
 // the length of the contact, j the mean displacement by which the soil under it is sheared:
 //
 //   Static sinkage z0 and compaction: the soil's one pressure law (pressure_sinkage.h).
-//   Slip sinkage: z = z0 (1 + a u / (1 + u/2)), u = 2 |j| / l. Measured sinkages of a small wheel
-//     in sand under slip, skid and slip angles fall on one curve over u, which is why shear, not
-//     slip, is the variable (fit to VALIDATION.md's data; a = Soil::slip_sinkage).
+//   Slip sinkage: z = z0 (1 + a u / (1 + u/2)), u = 2 |j - j0| / l, a = Soil::slip_sinkage, j0 the
+//     shear of rolling without slip. Measured sinkages of a small wheel in sand under slip, skid
+//     and slip angles fall on one curve over u, which is why shear, not slip, is the variable; the
+//     curve's form is a fit to them (VALIDATION.md).
 //   Shear strength: H_max = f (b l c (1 + 2 h/b) + W tan(phi) (1 + 0.64 (h/b) atan(b/h))), h the
 //     grousers' height (Bekker 1969 as in Li and Bingham's LTV paper); f is the interface friction
 //     ratio of the rim between grousers and 1 where they shear soil on soil.
 //   Mobilised share: 1 - (1 - exp(-x))/x with x = 2 |j|/K (Janosi and Hanamoto 1961, integrated
-//     along the contact as Wong did); K differs along and across the wheel.
+//     along the contact as Wong did); K differs along and across the wheel. Of soil and wheel in
+//     series the softer one is taken: K is at least H_max / tangential stiffness.
 //   Steady rolling: j = l/2 (r w - v (1 - z/(2R)))/(r w): Wong and Reece's j(theta), averaged over
 //     the contact. Its part without slip, from the rim's curvature, is why a driven wheel at zero
 //     slip nearly carries its own resistance.
@@ -78,6 +80,13 @@ class WheelSoil {
   const PressureSinkage& pressure() const { return pressure_; }
 
  private:
+  struct Step;
+
+  void shear(Step& step, const Vec2& before_m, double rolling_mps, double step_s) const;
+  Vec2 shear_modulus_m(double limit_n) const;
+  double slip_sinkage_m(const Step& step) const;
+  Vec2 traction_n(const Step& step) const;
+  Vec2 resistance_n(const Step& step) const;
   double contact_length_m(double sinkage_m, double load_n) const;
 
   Soil soil_;

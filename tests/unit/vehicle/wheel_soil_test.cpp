@@ -154,6 +154,24 @@ TEST(WheelSoil, on_rock_a_wheel_does_not_sink_and_pulls_by_friction) {
   EXPECT_NEAR(level.drawbar_pull_n, -2, 1e-6);
 }
 
+TEST(WheelSoil, on_ground_that_it_hardly_marks_a_wheel_pulls_almost_as_on_rock) {
+  Soil hardpan{.name = "Hardpan",
+               .cohesion_pa = 20e3,
+               .friction_rad = std::atan(0.7),
+               .density_kgpm3 = 1800,
+               .shear_modulus_x_m = 0.002,
+               .shear_modulus_y_m = 0.002};
+  Soil rock = hardpan;
+  rock.is_rigid = true;
+  rock.cohesion_pa = 0;
+  const SingleWheelPoint on_hardpan =
+      single_wheel({hardpan, lrv_wheel(), g_moon_mps2}, lrv_load_n, 0.2, 0);
+  const SingleWheelPoint on_rock =
+      single_wheel({rock, lrv_wheel(), g_moon_mps2}, lrv_load_n, 0.2, 0);
+  EXPECT_LT(on_hardpan.sinkage_m, 0.001);
+  EXPECT_GT(on_hardpan.drawbar_pull_n, 0.9 * on_rock.drawbar_pull_n);
+}
+
 TEST(WheelSoil, traction_never_passes_the_strength_of_the_soil) {
   const WheelSoil wheel_soil = lrv();
   WheelContactState state;

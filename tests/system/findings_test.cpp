@@ -1,0 +1,201 @@
+// What ends a drive: high-centring, rolling over, being stuck, another rover in the way; each with
+// a reason in the event and a row in `notes`. And what does not: standing on a slope for a week.
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "system/run_folder.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double moon_radius_m = 1737400;
+
+// Metres east and north of the Moon's 0,0.
+std::string place(double x_m, double y_m) {
+  const double deg_pm = 180 / std::numbers::pi / moon_radius_m;
+  return fmt::format("{:.9f},{:.9f}", x_m * deg_pm, y_m * deg_pm);
+}
+
+// A raster of the Moon round 0,0 at 0.5 m.
+void write_raster(const TempFolder& folder, const std::string& name, int cells,
+                  const std::function<double(double x_m, double y_m)>& height_m) {
+  const double half_m = cells * 0.25;
+  std::string text = fmt::format(
+      "ncols {0}\nnrows {0}\nxllcorner {1}\nyllcorner {1}\ncellsize 0.5\nNODATA_value -9999\n",
+      cells, -half_m);
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      text += fmt::format("{:.4f} ",
+                          height_m(-half_m + (column + 0.5) * 0.5, half_m - (row + 0.5) * 0.5));
+    }
+    text += "\n";
+  }
+  folder.write("terrain/" + name + ".asc", text);
+  folder.write("terrain/" + name + ".prj",
+               R"(PROJCS["Moon equirectangular",GEOGCS["Moon 2000",DATUM["D_Moon_2000",)"
+               R"(SPHEROID["Moon_2000_IAU_IAG",1737400.0,0.0]],PRIMEM["Greenwich",0],)"
+               R"(UNIT["Degree",0.0174532925199433]],PROJECTION["Equidistant_Cylindrical"],)"
+               R"(PARAMETER["False_Easting",0],PARAMETER["False_Northing",0],)"
+               R"(PARAMETER["Central_Meridian",0],PARAMETER["Standard_Parallel_1",0],)"
+               R"(UNIT["Meter",1]])");
+}
+
+void write_terrain(const TempFolder& folder, const std::string& name, const std::string& surface,
+                   const std::string& soil) {
+  folder.write("terrain/" + name + ".lua",
+               fmt::format("local lsos = require 'lsos'\nreturn lsos.terrain {{ api = 1, "
+                           "doc = 'Test.', surface = {}, soil = {} }}\n",
+                           surface, soil));
+}
+
+Mark rover(const std::string& type, const std::string& id, const std::string& coordinates,
+           const Fields& more = {}) {
+  Fields fields{{"RoverId", id}, {"RoverType", type}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return {"Rover", fields, point(coordinates)};
+}
+
+struct Ran {
+  Outcome outcome;
+  nlohmann::json summary;
+  std::filesystem::path log;
+
+  std::string event(const char* key, std::size_t i = 0) const { return summary["events"][i][key]; }
+};
+
+Ran run_plan(const TempFolder& folder, const std::vector<Mark>& marks) {
+  const std::string plan = folder.write("plan.kml", kml(marks));
+  Ran result{run({plan, "-o", folder / "run", "--quiet"}), {}, folder / "run" / "log.gpkg"};
+  EXPECT_EQ(result.outcome.err, "");
+  result.summary = summary(folder / "run");
+  return result;
+}
+
+Mark on(const std::string& terrain, const Fields& more = {}) {
+  Fields fields{{"Planet", "Moon"}, {"StartTime", "2026-01-01"}, {"Terrain", terrain}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return {"MissionInfo", fields, ""};
+}
+
+TEST(Findings, a_ridge_under_the_chassis_ends_the_drive) {
+  // Its crest is 0.5 m above a chord of the LRV's wheelbase, the chassis 0.36 m above its wheels.
+  const TempFolder folder;
+  write_raster(folder, "ridge", 100,
+               [](double x_m, double) { return std::max(0.0, 0.9 - std::abs(x_m) * 0.9 / 1.9); });
+  write_terrain(folder, "Ridge", "lsos.raster { file = 'ridge.asc' }", "'Rock'");
+  const Ran result =
+      run_plan(folder, {on("Ridge"), rover("LRV", "A", place(-10, 0)),
+                        event("Route", "A", 1, {{"Speed", "0.5"}}, point(place(10, 0)))});
+  EXPECT_EQ(result.outcome.exit_code, 1);
+  EXPECT_EQ(result.event("status"), "failed");
+  EXPECT_THAT(result.event("reason"), HasSubstr("high-centred: its chassis touches the ground"));
+  EXPECT_EQ(query(result.log, "select count(*) from notes where name = 'high_centred'"), "1");
+}
+
+TEST(Findings, a_bank_that_steepens_rolls_the_rover_over) {
+  const TempFolder folder;
+  write_raster(folder, "bank", 200, [](double x_m, double y_m) {
+    const double bank_rad = std::min(1.2, std::max(0.0, x_m + 20) * 0.022);
+    return y_m * std::tan(bank_rad);
+  });
+  write_terrain(folder, "Bank", "lsos.raster { file = 'bank.asc' }",
+                "lsos.soil { is_rigid = true, cohesion_pa = 0, friction_rad = 1.25, "
+                "density_kgpm3 = 2900, shear_modulus_x_m = 0.002 }");
+  const Ran result =
+      run_plan(folder, {on("Bank"), rover("SEV", "A", place(-30, 0)),
+                        event("Route", "A", 1, {{"Speed", "1"}}, point(place(40, 0)))});
+  EXPECT_EQ(result.outcome.exit_code, 1);
+  EXPECT_THAT(result.event("reason"), HasSubstr("rolled over (pitch"));
+  EXPECT_EQ(query(result.log, "select count(*) from notes where name = 'rollover'"), "1");
+  EXPECT_THAT(query(result.log, "select fields from notes where name = 'rollover'"),
+              HasSubstr("roll_rad"));
+}
+
+TEST(Findings, wheels_that_spin_without_progress_are_stuck) {
+  const TempFolder folder;
+  write_terrain(folder, "Hill",
+                "lsos.plane { slope_rad = math.rad(28), downslope_azimuth_rad = math.pi }",
+                "'ApolloLoose'");
+  const Ran result = run_plan(folder, {on("Hill"), rover("LRV", "A", place(0, 0)),
+                                       event("Route", "A", 1, {}, point(place(0, 30)))});
+  EXPECT_EQ(result.outcome.exit_code, 1);
+  EXPECT_THAT(result.event("reason"), HasSubstr("stuck: no progress in 60 s"));
+  const auto fields =
+      nlohmann::json::parse(query(result.log, "select fields from notes where name = 'stuck'"));
+  EXPECT_GT(fields["slip"], 0.9);
+  EXPECT_GT(fields["sinkage_m"], 0.02);
+}
+
+TEST(Findings, two_rovers_that_would_touch_stop_before) {
+  const TempFolder folder;
+  const Ran result = run_plan(
+      folder, {on("Flat", {{"LogInterval", "0.1 s"}}), rover("SEV", "A", place(-15, 0)),
+               rover("SEV", "B", place(15, 0.5)), event("Route", "A", 1, {}, point(place(15, 0))),
+               event("Route", "B", 1, {}, point(place(-15, 0)))});
+  EXPECT_EQ(result.outcome.exit_code, 1);
+  EXPECT_THAT(result.event("reason", 0), HasSubstr("would touch B, whose centre is"));
+  EXPECT_THAT(result.event("reason", 1), HasSubstr("would touch A, whose centre is"));
+  EXPECT_EQ(query(result.log, "select count(*) from notes where name = 'would_touch'"), "2");
+  // SEV is 5 m long over its wheels.
+  const double nearest_m = std::stod(
+      query(result.log,
+            "select min(b.x_m - a.x_m) from samples a join samples b on a.time_s = b.time_s and "
+            "a.rover_id = 'A' and b.rover_id = 'B'"));
+  EXPECT_GT(nearest_m, 5);
+  EXPECT_LT(nearest_m, 16);
+}
+
+TEST(Findings, rovers_may_leave_each_other_and_pass) {
+  const TempFolder folder;
+  const Ran result = run_plan(
+      folder, {on("Flat"), rover("SEV", "A", place(-20, 0)), rover("SEV", "B", place(20, 5)),
+               event("Route", "A", 1, {}, point(place(20, 0))),
+               event("Route", "B", 1, {}, point(place(-20, 5)))});
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.summary.dump(1);
+}
+
+TEST(Parked, for_seven_days_on_20_degrees_a_rover_stays_within_a_millimetre) {
+  for (const char* type : {"SEV", "LRV", "Husky"}) {
+    const TempFolder folder;
+    write_terrain(folder, "Slope20", "lsos.plane { slope_rad = math.rad(20) }", "'ApolloNominal'");
+    const Ran result = run_plan(folder, {on("Slope20", {{"ParkedLogInterval", "1 h"}}),
+                                         rover(type, "A", place(0, 0), {{"Heading", "30"}}),
+                                         event("Pause", "A", 1, {{"Duration", "7 d"}})});
+    ASSERT_EQ(result.outcome.exit_code, 0);
+    EXPECT_EQ(query(result.log, "select count(*) from samples"), "169");
+    for (const char* axis : {"x_m", "y_m", "z_m"}) {
+      const double moved_m = std::stod(
+          query(result.log, fmt::format("select max({0}) - min({0}) from samples", axis)));
+      EXPECT_LT(moved_m, 0.001) << type << " " << axis;
+    }
+  }
+}
+
+TEST(RoverConfig, decides_how_the_rover_starts) {
+  double drive_j[2];
+  for (const int i : {0, 1}) {
+    const TempFolder folder;
+    const Fields config = i == 0 ? Fields{} : Fields{{"RoverConfig", "Unloaded"}};
+    const Ran result = run_plan(folder, {on("Flat"), rover("SEV", "A", place(0, 0), config),
+                                         event("Route", "A", 1, {}, point(place(50, 0)))});
+    ASSERT_EQ(result.outcome.exit_code, 0);
+    drive_j[i] = std::stod(query(result.log, "select max(drive_j) from samples"));
+    EXPECT_THAT(result.summary["assumptions"].dump(),
+                HasSubstr("SEV: drive energy is multiplied by 1 (drive_calibration): not "
+                          "calibrated against field data"));
+  }
+  // 3000 kg instead of 4000 kg.
+  EXPECT_LT(drive_j[1], 0.85 * drive_j[0]);
+  EXPECT_GT(drive_j[1], 0.5 * drive_j[0]);
+}
+
+}  // namespace
+}  // namespace lsos::test

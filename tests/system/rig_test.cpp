@@ -1,0 +1,94 @@
+// The single-wheel test bed as an engineer calls it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "system/process.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+json rig(const Words& options) {
+  Words words{"rig", "--radius", "0.0625", "--width", "0.06", "--load", "24"};
+  words.insert(words.end(), options.begin(), options.end());
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST(Rig, answers_a_point_for_each_slip_with_the_fields_of_the_contract) {
+  const json points = rig({"--soil", "DrySand", "--slip", "-0.5,0,0.5"});
+  ASSERT_EQ(points.size(), 3u);
+  for (const json& point : points) {
+    for (const char* key : {"slip", "drawbar_pull_n", "side_force_n", "torque_n_m", "sinkage_m",
+                            "traction_limit_n"}) {
+      EXPECT_TRUE(point[key].is_number()) << key;
+    }
+    EXPECT_EQ(point["side_force_n"], 0);
+  }
+  EXPECT_EQ(points[0]["slip"], -0.5);
+  EXPECT_LT(points[0]["drawbar_pull_n"], points[1]["drawbar_pull_n"]);
+  EXPECT_LT(points[1]["drawbar_pull_n"], points[2]["drawbar_pull_n"]);
+  EXPECT_LT(points[1]["sinkage_m"], points[2]["sinkage_m"]);
+  EXPECT_LT(points[0]["torque_n_m"], 0);
+  EXPECT_GT(points[2]["torque_n_m"], 0);
+}
+
+TEST(Rig, pushes_back_a_wheel_that_slides_to_its_left) {
+  EXPECT_LT(rig({"--soil", "DrySand", "--slip", "0", "--slip-angle", "30"})[0]["side_force_n"], 0);
+  EXPECT_GT(rig({"--soil", "DrySand", "--slip", "0", "--slip-angle", "-30"})[0]["side_force_n"], 0);
+}
+
+TEST(Rig, grousers_pull_more_and_lower_gravity_bears_less) {
+  const auto pull = [](const Words& more) {
+    Words words{"--soil", "DrySand", "--slip", "0.5"};
+    words.insert(words.end(), more.begin(), more.end());
+    return rig(words)[0]["drawbar_pull_n"].get<double>();
+  };
+  EXPECT_GT(pull({"--grouser-height", "0.006", "--grouser-count", "15"}), pull({}) + 1);
+  const TempFolder folder;
+  const std::string sand =
+      folder.write("sand.lua",
+                   "return { cohesion_pa = 0, friction_rad = 0.55, density_kgpm3 = 1600, "
+                   "shear_modulus_x_m = 0.01, shear_modulus_y_m = 0.01 }");
+  const auto sinkage = [&](const char* gravity) {
+    return rig({"--soil", sand, "--slip", "0", "--gravity", gravity})[0]["sinkage_m"].get<double>();
+  };
+  // Terzaghi's law: soil that weighs less bears less.
+  EXPECT_GT(sinkage("1.62"), 2 * sinkage("9.80665"));
+}
+
+TEST(Rig, takes_a_table_or_what_lsos_soil_makes) {
+  const TempFolder folder;
+  const std::string keys =
+      "{ k_c = 990, k_phi = 1528430, n = 1.1, cohesion_pa = 1040, friction_rad = math.rad(28), "
+      "density_kgpm3 = 1600, shear_modulus_x_m = 0.015, shear_modulus_y_m = 0.015 }";
+  const std::string plain = folder.write("plain.lua", "return " + keys);
+  const std::string made =
+      folder.write("made.lua", "local lsos = require 'lsos'\nreturn lsos.soil " + keys);
+  const json by_name = rig({"--soil", "DrySand", "--slip", "0.3"});
+  EXPECT_EQ(rig({"--soil", plain, "--slip", "0.3"}), by_name);
+  EXPECT_EQ(rig({"--soil", made, "--slip", "0.3"}), by_name);
+}
+
+TEST(Rig, says_where_a_soil_file_is_wrong) {
+  const TempFolder folder;
+  const auto error = [&](const char* text) {
+    const Outcome outcome = run({"rig", "--soil", folder.write("soil.lua", text), "--radius", "0.1",
+                                 "--width", "0.1", "--load", "10", "--slip", "0"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(error("return { cohesion = 1 }"), HasSubstr("did you mean 'cohesion_pa'?"));
+  EXPECT_THAT(error("return 3"), HasSubstr("must return a soil, a table {...} or lsos.soil {...}"));
+  EXPECT_THAT(error("return {"), HasSubstr("soil.lua:1"));
+}
+
+}  // namespace
+}  // namespace lsos::test

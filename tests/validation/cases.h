@@ -1,0 +1,48 @@
+// The sets of measurements, each with the published soil that it was made in, what of that soil
+// may be fitted, and the fit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validation/fit.h"
+
+namespace lsos::validation {
+
+// What of a soil or rig is not fitted.
+struct Constant {
+  std::string name, value, why;
+};
+
+struct Case {
+  std::string name;  // short, for tables
+  Soil published;
+  std::vector<FitParameter> parameters;
+  std::vector<Constant> constants;
+  WheelTests tests;
+  std::vector<MeasuredPoint> straight;  // of tests: rolling straight, not locked; these are fitted
+  Fit fit;
+};
+
+// Each reads its measurements (which may throw, see wheel_data.h) and fits its soil.
+Case cmu_case(const std::string& folder);
+Case ding_case(const std::string& folder);
+Case kls_case(const std::string& folder);
+
+// Points of one slip angle, the locked wheel (slip -1) left out.
+std::vector<MeasuredPoint> rolling_at(const WheelTests& tests, double slip_angle_deg);
+// Those of several slip angles.
+std::vector<MeasuredPoint> rolling_at(const WheelTests& tests,
+                                      const std::vector<double>& slip_angles_deg);
+std::vector<MeasuredPoint> locked(const WheelTests& tests);
+
+// How the computed sinkage goes with slip, under the mean load of the straight points.
+struct SinkageGrowth {
+  double least_at_slip = 0;
+  double at_least_m = 0, at_zero_m = 0;
+  bool grows_driven = false;  // from slip 0 to 0.9
+  bool grows_braked = false;  // from slip 0 to -0.7
+};
+SinkageGrowth sinkage_growth(const Case& c);
+
+}  // namespace lsos::validation
