@@ -20,7 +20,7 @@ namespace {
 constexpr double flattening = 0.01;
 
 Soil find_soil(const std::string& name) {
-  if (name.ends_with(".lua") || std::filesystem::exists(name)) return read_soil_file(name);
+  if (name.ends_with(".lua") || std::filesystem::is_regular_file(name)) return read_soil_file(name);
   return read_catalog("")->load_soil(name, {"--soil", 0});
 }
 
@@ -64,9 +64,11 @@ int rig_command(const RigOptions& options) {
   wheel.interface_friction_ratio = options.interface_friction_ratio;
   wheel.normal_stiffness_npm =
       options.stiffness_npm.value_or(options.load_n / (flattening * options.radius_m));
-  if (const std::string fault = soil_fault(soil, wheel.width_m); !fault.empty()) {
+  if (const std::string fault = soil_fault(soil, wheel, 0, options.gravity_mps2); !fault.empty()) {
     throw InputError({options.soil, 0}, fault);
   }
+  const std::string overload = soil_fault(soil, wheel, options.load_n, options.gravity_mps2);
+  if (!overload.empty()) fmt::print(stderr, "{}: warning: {}\n", options.soil, overload);
   const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
   auto points = nlohmann::ordered_json::array();
   for (const double slip : options.slips) {

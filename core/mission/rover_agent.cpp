@@ -126,8 +126,9 @@ void RoverAgent::fail_drive(const std::string& finding, const std::string& reaso
   note(finding, fields_json);
 }
 
-Footprint RoverAgent::footprint() const {
-  return moved(footprint_at_rest_, report_.p_S_m.head<2>(), report_.yaw_rad, Vec2::Zero());
+Footprint RoverAgent::footprint(double ahead_s) const {
+  return moved(footprint_at_rest_, (report_.p_S_m + ahead_s * report_.v_S_mps).head<2>(),
+               report_.yaw_rad + ahead_s * report_.yaw_rate_radps, Vec2::Zero());
 }
 
 Footprint RoverAgent::swept_footprint() const {
@@ -168,6 +169,7 @@ void RoverAgent::look() {
     return;
   }
   report_ = report;
+  joints_ = vehicle_.joint_positions();
   view_.distance_m = vehicle_.distance_m();
   view_.drive_w = vehicle_.drive_w();
   view_.drive_j = vehicle_.drive_j();
@@ -314,11 +316,10 @@ SampleRow RoverAgent::sample(SimTime now, const std::string& event,
 
 std::vector<JointRow> RoverAgent::joints(SimTime now) const {
   std::vector<JointRow> rows;
-  const std::vector<double> positions = vehicle_.joint_positions();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
     const LinkConfig& link = vehicle_.config().links[i];
     JointRow row{now, rover_.id, link.name};
-    (link.joint == JointType::revolute ? row.angle_rad : row.extension_m) = positions[i];
+    (link.joint == JointType::revolute ? row.angle_rad : row.extension_m) = joints_[i];
     rows.push_back(row);
   }
   return rows;
@@ -326,8 +327,8 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(
-      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(report_)(view_
-                                                                                                                                                                 .distance_m)(
+      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
+                                                                                                                                                                                            .distance_m)(
       view_.drive_w)(view_.drive_j)(
       slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
   if (a.is_reading()) update_view();

@@ -40,10 +40,10 @@ class RoverAgent : public RoverPort {
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
 
-  // What it covers now, and stretched to where it could come to rest if it braked.
-  Footprint footprint() const;
+  // What it covers after so much more of its present motion, and stretched from where it is to
+  // where it could come to rest if it braked.
+  Footprint footprint(double ahead_s = 0) const;
   Footprint swept_footprint() const;
-  const Vec3& velocity_S_mps() const { return report_.v_S_mps; }
   // It would touch another: the drive ends.
   void end_drive_before(const std::string& other_id, double distance_m);
 
@@ -89,6 +89,7 @@ class RoverAgent : public RoverPort {
   Footprint footprint_at_rest_;
   RoverView view_;
   VehicleReport report_;
+  std::vector<double> joints_;  // m or rad, as report_ of the last good exchange
   std::optional<PathFollower> follower_;
   DriveCommand command_;
   bool has_new_command_ = false;

@@ -34,10 +34,15 @@ Simulation::Simulation(SimulationSetup setup)
 
 void Simulation::check_soil() const {
   Faults faults;
+  const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
   for (const PlanRover& rover : setup_.plan.rovers) {
-    for (const LinkConfig& link : vehicles_.at({rover.type, rover.configuration}).links) {
+    const VehicleConfig& vehicle = vehicles_.at({rover.type, rover.configuration});
+    const auto wheels = std::ranges::count_if(
+        vehicle.links, [](const LinkConfig& link) { return link.wheel.has_value(); });
+    const double load_n = vehicle.mass_kg() * g_mps2 / static_cast<double>(wheels);
+    for (const LinkConfig& link : vehicle.links) {
       if (!link.wheel) continue;
-      const std::string fault = soil_fault(ground_->soil(), link.wheel->width_m);
+      std::string fault = soil_fault(ground_->soil(), *link.wheel, load_n, g_mps2);
       if (fault.empty()) continue;
       faults.error(rover.place, fmt::format("Rover '{}': {}", rover.id, fault));
       break;
@@ -150,17 +155,23 @@ void Simulation::exchange() {
   }
 }
 
-// Ends the drive of a rover that could not stop before another. Those that move away may go.
+// Ends the drive of a rover that could not stop before another, or that would turn into it, by its
+// own motion. Those that move away may go.
 void Simulation::keep_apart() {
+  constexpr double turning_ahead_s = 1;
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
       RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
       if (a.is_parked() && b.is_parked()) continue;
-      const Vec3 between_m = b.view().p_S_m - a.view().p_S_m;
-      const bool is_closing = between_m.dot(a.velocity_S_mps() - b.velocity_S_mps()) > 0;
-      if (!is_closing || !overlap(a.swept_footprint(), b.swept_footprint())) continue;
-      a.end_drive_before(b.id(), between_m.norm());
-      b.end_drive_before(a.id(), between_m.norm());
+      if (!overlap(a.swept_footprint(), b.swept_footprint()) &&
+          !overlap(a.footprint(turning_ahead_s), b.footprint(turning_ahead_s))) {
+        continue;
+      }
+      const Footprint of_a = a.footprint(), of_b = b.footprint();
+      const double now_m = gap_m(of_a, of_b), apart_m = (of_b.center_S_m - of_a.center_S_m).norm();
+      const double period_s = seconds(exchange_period);
+      if (gap_m(a.footprint(period_s), of_b) < now_m) a.end_drive_before(b.id(), apart_m);
+      if (gap_m(of_a, b.footprint(period_s)) < now_m) b.end_drive_before(a.id(), apart_m);
     }
   }
 }

@@ -15,6 +15,9 @@ double bend_rad(const Vec2& in, const Vec2& out) {
   return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
 }
 
+// Wheels are steered into an arc over no more than this.
+constexpr double steering_way_m = 0.5;
+
 class LineBuilder {
  public:
   LineBuilder(const DrivingLimits& limits, const Vec2& start) : limits_(limits), at_(start) {}
@@ -23,10 +26,12 @@ class LineBuilder {
     const Vec2 way = point - at_;
     const double length_m = way.norm();
     if (length_m < 1e-9) return;
-    const double speed_mps =
-        curvature_1pm == 0 ? limits_.speed_mps
-                           : std::min(limits_.speed_mps,
-                                      std::sqrt(limits_.lateral_mps2 / std::abs(curvature_1pm)));
+    double speed_mps = limits_.speed_mps;
+    if (curvature_1pm != 0) {
+      const double radius_m = 1 / std::abs(curvature_1pm);
+      speed_mps = std::min({speed_mps, std::sqrt(limits_.lateral_mps2 * radius_m),
+                            steering_way_m * limits_.curvature_rate_1pms * radius_m});
+    }
     legs_.push_back({at_, way / length_m, length_m, along_m_, curvature_1pm, speed_mps, 0, false});
     along_m_ += length_m;
     at_ = point;

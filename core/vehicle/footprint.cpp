@@ -1,8 +1,8 @@
 #include "vehicle/footprint.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include "vehicle/drive_control.h"
 
@@ -43,12 +43,16 @@ Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, double yaw_rad,
   return f;
 }
 
-bool overlap(const Footprint& a, const Footprint& b) {
+double gap_m(const Footprint& a, const Footprint& b) {
   const Vec2 between_m = b.center_S_m - a.center_S_m;
-  const std::array axes{a.ahead_S, left_of(a.ahead_S), b.ahead_S, left_of(b.ahead_S)};
-  return std::ranges::all_of(axes, [&](const Vec2& axis) {
-    return std::abs(between_m.dot(axis)) <= reach_m(a, axis) + reach_m(b, axis);
-  });
+  double widest_m = -std::numeric_limits<double>::infinity();
+  for (const Vec2& axis : {a.ahead_S, left_of(a.ahead_S), b.ahead_S, left_of(b.ahead_S)}) {
+    widest_m =
+        std::max(widest_m, std::abs(between_m.dot(axis)) - reach_m(a, axis) - reach_m(b, axis));
+  }
+  return widest_m;
 }
+
+bool overlap(const Footprint& a, const Footprint& b) { return gap_m(a, b) <= 0; }
 
 }  // namespace lsos

@@ -20,7 +20,10 @@ Footprint footprint_at_rest(const VehicleConfig& vehicle);
 // That footprint moved to a pose, and stretched along `reach_S_m`: what it covers on its way.
 Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, double yaw_rad, const Vec2& reach_S_m);
 
-// Separating axes: touching counts.
+// How far apart they are along the axis that separates them best, m; less than 0 when they overlap.
+double gap_m(const Footprint& a, const Footprint& b);
+
+// Touching counts.
 bool overlap(const Footprint& a, const Footprint& b);
 
 }  // namespace lsos

@@ -10,8 +10,9 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_end_m = 0.02;       // a stop is reached this near to it
-constexpr double turn_begin_rad = 1.0;  // heading error that driving cannot mend
+constexpr double corner_offset_m = 0.1;  // leaves 0.2 m of the 0.3 m for following
+constexpr double at_end_m = 0.02;        // a stop is reached this near to it
+constexpr double turn_begin_rad = 1.0;   // heading error that driving cannot mend
 constexpr double turn_done_rad = 0.03;
 // Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
 // be driven in well more than that.
@@ -53,6 +54,8 @@ void PathFollower::lay_line() {
   limits.acceleration_mps2 = limits.lateral_mps2 = limits_.acceleration_mps2;
   limits.radius_min_m = limits_.radius_min_m;
   limits.can_turn_on_spot = limits_.can_turn_on_spot;
+  limits.corner_offset_m = corner_offset_m;
+  limits.curvature_rate_1pms = curvature_rate_1pms;
   line_ = driving_line(waypoints_S_m_, limits);
 }
 
@@ -158,7 +161,7 @@ double PathFollower::curvature_ahead_1pm(double to_end_m, double preview_m) cons
 DriveCommand PathFollower::turn(double heading_error_rad, const FollowerPose& pose) {
   command_mps_ = command_curvature_1pm_ = 0;
   // Come to rest first, then turn, slowing down towards the end.
-  if (pose.speed_mps > 5 * creep_mps) return {0, 0, false};
+  if (pose.speed_mps > 2 * creep_mps) return {0, 0, false};
   const double rate =
       std::clamp(-heading_error_rad, -limits_.turn_rate_radps, limits_.turn_rate_radps);
   const double slowest = 0.1 * limits_.turn_rate_radps;

@@ -1,7 +1,5 @@
 #include "vehicle/pressure_sinkage.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,21 +15,6 @@ BearingFactors bearing_factors(double friction_rad) {
   f.N_c = (f.N_q - 1) / t;
   f.N_gamma = 2 * (f.N_q + 1) * t / (1 + 0.4 * std::sin(4 * friction_rad));
   return f;
-}
-
-std::string soil_fault(const Soil& soil, double width_m) {
-  if (soil.is_rigid) return "";
-  if (!soil.has_bekker()) {
-    if (soil.cohesion_pa > 0 || soil.friction_rad > 0) return "";
-    return fmt::format("the soil {} has neither cohesion nor friction: it carries nothing",
-                       soil.name);
-  }
-  const double k_npm = soil.k_c + width_m * soil.k_phi;
-  if (k_npm > 0) return "";
-  return fmt::format(
-      "the soil {} cannot carry a wheel {} m wide: k_c + b k_phi is {:.4g}, must be above 0, which "
-      "takes a width of more than {:.4g} m",
-      soil.name, width_m, k_npm, -soil.k_c / soil.k_phi);
 }
 
 PressureSinkage::PressureSinkage(const Soil& soil, double radius_m, double width_m,

@@ -20,9 +20,6 @@ struct BearingFactors {
 };
 BearingFactors bearing_factors(double friction_rad);
 
-// Why a wheel of this width cannot stand on the soil ("k_c + b k_phi is not above 0 ..."), else "".
-std::string soil_fault(const Soil& soil, double width_m);
-
 // One wheel shape on one soil; what does not change from step to step is worked out once.
 class PressureSinkage {
  public:

@@ -41,7 +41,8 @@ struct WheelStation {
 };
 
 // What ties the rockers: a bar across the body with a link to each rocker, or gears on their
-// shafts. Both turn one rocker back as far as the other turns; here they differ in place and mass.
+// shafts. Both turn one rocker back as far as the other turns: the kind is for readers and
+// pictures.
 struct Differential {
   enum class Kind { bar, gear };
   Kind kind = Kind::bar;

@@ -137,6 +137,9 @@ std::vector<std::string> configuration_faults(const RoverSpec& spec,
     fault("payload_mass_kg: the chassis has no such mass at payload_position_m to take off");
   }
   for (const std::string& text : tipping_faults(spec, loaded)) fault(text);
+  if (faults.empty()) {
+    for (const std::string& text : stability_faults(loaded)) fault(text);
+  }
   return faults;
 }
 

@@ -1,5 +1,6 @@
 // A single-wheel test bed: one wheel, held at a load, slip and slip angle until nothing changes.
-// It turns the same wheel_soil.h that vehicles stand on.
+// It turns the same wheel_soil.h that vehicles stand on. Slip here is by the speed of travel, as
+// rigs report it; at slip angles the log's slip, along the heading, is another number.
 #pragma once
 
 #include "vehicle/wheel_soil.h"

@@ -14,6 +14,7 @@ namespace lsos {
 namespace {
 
 constexpr SimTime settle_least{1'000'000}, settle_longest{20'000'000};
+constexpr double underside_spacing_m = 0.5;  // a rock or crest between points is not felt
 constexpr double settled_mps = 1e-4;
 
 }  // namespace
@@ -36,9 +37,12 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
                       link.drive ? &*link.drive : nullptr,
                       WheelSoil(ground.soil(), *link.wheel, g_mps2)});
   }
-  for (const double x : {-0.5, 0.0, 0.5}) {
-    for (const double y : {-0.5, 0.0, 0.5}) {
-      underside_B_m_.push_back({x * config_.chassis_size_m.x(), y * config_.chassis_size_m.y(),
+  const Vec3& size_m = config_.chassis_size_m;
+  const double along = std::ceil(size_m.x() / underside_spacing_m);
+  const double across = std::ceil(size_m.y() / underside_spacing_m);
+  for (double i = 0; i <= along; ++i) {
+    for (double k = 0; k <= across; ++k) {
+      underside_B_m_.push_back({(i / along - 0.5) * size_m.x(), (k / across - 0.5) * size_m.y(),
                                 config_.chassis_clearance_m});
     }
   }
@@ -87,6 +91,14 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   R_SB.col(0) = R_SB.col(1).cross(R_SB.col(2));
   const double height_m = (plane.point - p_S_m).dot(plane.normal) / up.dot(plane.normal);
   bodies_.place(p_S_m + height_m * up, R_SB);
+  // Joints that do not begin at rest may have wheels below the ground.
+  double deepest_m = 0;
+  for (const WheelPart& part : parts_) {
+    const Vec3& hub_S_m = bodies_.motion(part.link).p_C_S_m;
+    deepest_m =
+        std::max(deepest_m, part.shape->radius_m - (hub_S_m - plane.point).dot(plane.normal));
+  }
+  bodies_.place(p_S_m + height_m * up + deepest_m * plane.normal, R_SB);
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     wheels_[i] = {};
     wheels_[i].brake_anchor_rad = bodies_.joint_position(parts_[i].link);
@@ -117,14 +129,23 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
 
 void Vehicle::command(const DriveCommand& command) {
   const bool begins_braking = command.is_braking && !command_.is_braking;
+  const bool stops_braking = !command.is_braking && command_.is_braking;
   command_ = command;
   if (command.is_braking) {
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
-      if (begins_braking)
+      if (begins_braking && parts_[i].mode != WheelMode::locked)
         wheels_[i].brake_anchor_rad = bodies_.joint_position(layout_.wheels[i].link);
       wheels_[i].spin_target_radps = wheels_[i].servo_integral_rad = 0;
     }
     return;
+  }
+  if (stops_braking) {
+    // The motors take over what the brakes held, so that the vehicle does not roll back.
+    for (std::size_t i = 0; i < wheels_.size(); ++i) {
+      const DriveMotor* motor = parts_[i].motor;
+      if (motor == nullptr || motor->servo_integral_n_m_prad <= 0) continue;
+      wheels_[i].servo_integral_rad = wheels_[i].torque_n_m / motor->servo_integral_n_m_prad;
+    }
   }
   std::vector<double> now_rad;
   for (const SteeringState& steering : steerings_) now_rad.push_back(steering.setpoint_rad);
@@ -152,15 +173,10 @@ void Vehicle::advance(SimTime period) {
 }
 
 void Vehicle::halt() {
-  command_ = {};
+  command({});
   bodies_.halt();
   drive_w_ = 0;
-  for (std::size_t i = 0; i < wheels_.size(); ++i) {
-    WheelState& wheel = wheels_[i];
-    wheel.brake_anchor_rad = bodies_.joint_position(layout_.wheels[i].link);
-    wheel.spin_target_radps = wheel.servo_integral_rad = 0;
-    wheel.slip = not_modelled;
-  }
+  for (WheelState& wheel : wheels_) wheel.slip = not_modelled;
 }
 
 VehicleReport Vehicle::report() {
@@ -184,21 +200,18 @@ VehicleReport Vehicle::report() {
   const GroundSample under = probe_.sample(report.p_S_m);
   report.elevation_m = under.elevation_m;
   report.speed_mps = speed_along_ground_mps();
+  report.yaw_rate_radps = bodies_.motion(Multibody::chassis).omega_S_radps.dot(up);
   report.is_chassis_on_ground = is_chassis_on_ground_;
 
   std::vector<Vec3> feet_S_m;
   double slip_sum = 0, sinkage_sum_m = 0;
-  int slipping = 0, touching = 0, driven = 0;
+  int slipping = 0, touching = 0;
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const Vec3& hub_S_m = bodies_.motion(layout_.wheels[i].link).p_C_S_m;
     const GroundSample ground = probe_.sample(hub_S_m);
     report.is_on_ground_data &= ground.is_ground();
     if (ground.is_ground()) feet_S_m.push_back(hub_S_m - ground.gap_m * site.up_S(hub_S_m));
     const WheelState& wheel = wheels_[i];
-    if (parts_[i].mode == WheelMode::driven && parts_[i].motor != nullptr) {
-      ++driven;
-      report.drive_share += std::abs(wheel.torque_n_m) / parts_[i].motor->torque_max_n_m;
-    }
     if (wheel.load_n <= 0) continue;
     ++touching;
     sinkage_sum_m += wheel.sinkage_m;
@@ -207,7 +220,6 @@ VehicleReport Vehicle::report() {
     slip_sum += wheel.slip;
     if (!(std::abs(report.slip_max) >= std::abs(wheel.slip))) report.slip_max = wheel.slip;
   }
-  if (driven > 0) report.drive_share /= driven;
   if (touching > 0) report.sinkage_m = sinkage_sum_m / touching;
   if (slipping > 0) report.slip = slip_sum / slipping;
   if (feet_S_m.size() >= 3) {

@@ -20,7 +20,8 @@ struct VehicleReport {
   Vec3 p_S_m = Vec3::Zero();  // reference point
   Vec3 v_S_mps = Vec3::Zero();
   double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
-  double yaw_rad = 0;               // counter-clockwise from the site's east, horizontal plane
+  double yaw_rad = 0;  // counter-clockwise from the site's east, horizontal plane
+  double yaw_rate_radps = 0;
   double speed_mps = 0;             // of the reference point along the ground
   double slope_rad = not_modelled;  // of the plane through the ground under the wheels
   double slip = not_modelled;       // mean over driven wheels in contact
@@ -29,12 +30,11 @@ struct VehicleReport {
   double elevation_m = not_modelled;  // of the ground under the reference point
   bool is_on_ground_data = true;      // the terrain is known under every wheel
   bool is_chassis_on_ground = false;  // it touched in the last period: high-centred
-  double drive_share = 0;  // of the most that its motors can do, on the mean of driven wheels
   bool is_finite = true;
 
   void archive(Archive& a) {
     a(p_S_m)(v_S_mps)(
-        heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(speed_mps)(slope_rad)(slip)(slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_chassis_on_ground)(drive_share)(is_finite);
+        heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(yaw_rate_radps)(speed_mps)(slope_rad)(slip)(slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_chassis_on_ground)(is_finite);
   }
 };
 
@@ -97,6 +97,7 @@ class Vehicle {
     WheelContactState contact;
     double spin_target_radps = 0;
     double servo_integral_rad = 0;  // accumulated speed error
+    double smooth_spin_radps = 0;   // what the motor's limits go by
     double brake_anchor_rad = 0;
     Vec3 normal_S = Vec3::UnitZ();  // of the ground where it touched last
     // Of the last step, for reports.
@@ -104,7 +105,7 @@ class Vehicle {
 
     void archive(Archive& a) {
       a(contact)(spin_target_radps)(
-          servo_integral_rad)(brake_anchor_rad)(normal_S)(load_n)(sinkage_m)(slip)(torque_n_m);
+          servo_integral_rad)(smooth_spin_radps)(brake_anchor_rad)(normal_S)(load_n)(sinkage_m)(slip)(torque_n_m);
     }
   };
   struct SteeringState {
@@ -132,6 +133,7 @@ class Vehicle {
                           WheelState& wheel) const;
   void apply_contacts(double step_s);
   void find_gravity();
+  double mean_sinkage_m() const;
   void find_chassis_near_ground();
   void apply_chassis_contact(double step_s);
   void find_fault();

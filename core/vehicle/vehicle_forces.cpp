@@ -20,6 +20,8 @@ constexpr double chassis_slide_mps = 0.01;  // friction is proportional to speed
 constexpr double chassis_near_m = 0.02;
 constexpr double chassis_approach = 0.5;
 
+constexpr double limit_smoothing_s = 0.2;  // of the speed that a motor's limits go by
+
 }  // namespace
 
 void Vehicle::step(double step_s) {
@@ -113,8 +115,12 @@ double Vehicle::brake_torque_n_m(const DriveMotor& motor, double angle_rad, doub
 // no load in the direction that it turns.
 double Vehicle::motor_torque_n_m(const DriveMotor& motor, double spin_radps, double step_s,
                                  WheelState& wheel) const {
+  // The line is steeper than the servo: followed step by step it would shake a light wheel. It is
+  // read at a smoothed speed, and what the speed departs from that is damped by the servo's gain.
+  wheel.smooth_spin_radps +=
+      (spin_radps - wheel.smooth_spin_radps) * std::min(1.0, step_s / limit_smoothing_s);
+  const double smooth_radps = wheel.smooth_spin_radps, speed_radps = std::abs(smooth_radps);
   const double error_radps = wheel.spin_target_radps - spin_radps;
-  const double speed_radps = std::abs(spin_radps);
   const double most_n_m =
       std::min(motor.torque_max_n_m, motor.power_max_w / std::max(speed_radps, 1e-6));
   const double driving_n_m = std::clamp(
@@ -122,10 +128,16 @@ double Vehicle::motor_torque_n_m(const DriveMotor& motor, double spin_radps, dou
   const double integral_rad = wheel.servo_integral_rad + error_radps * step_s;
   const double wanted_n_m =
       motor.servo_gain_n_m_sprad * error_radps + motor.servo_integral_n_m_prad * integral_rad;
-  const double torque_n_m = std::clamp(wanted_n_m, spin_radps < 0 ? -driving_n_m : -most_n_m,
-                                       spin_radps > 0 ? driving_n_m : most_n_m);
-  // At its limit the motor stops accumulating error that it could not act on.
-  if (torque_n_m == wanted_n_m) wheel.servo_integral_rad = integral_rad;
+  double torque_n_m = std::clamp(wanted_n_m, smooth_radps < 0 ? -driving_n_m : -most_n_m,
+                                 smooth_radps > 0 ? driving_n_m : most_n_m);
+  // At its limit the motor accumulates no error that it could not act on, only what unwinds it.
+  if (torque_n_m == wanted_n_m || (wanted_n_m - torque_n_m) * error_radps < 0) {
+    wheel.servo_integral_rad = integral_rad;
+  }
+  if (torque_n_m != wanted_n_m) {
+    torque_n_m = std::clamp(torque_n_m + motor.servo_gain_n_m_sprad * (smooth_radps - spin_radps),
+                            -motor.torque_max_n_m, motor.torque_max_n_m);
+  }
   return torque_n_m;
 }
 
@@ -196,25 +208,32 @@ void Vehicle::find_chassis_near_ground() {
   double speed_mps =
       chassis.v_C_S_mps.norm() + chassis.omega_S_radps.norm() * config_.chassis_size_m.norm() / 2;
   const double near_m = chassis_near_m + chassis_approach * speed_mps * seconds(exchange_period);
+  const double sunk_m = mean_sinkage_m();
   is_chassis_near_ground_ = false;
   for (const Vec3& p_B_m : underside_B_m_) {
     const GroundSample ground =
         probe_.sample(chassis.p_C_S_m + chassis.R_SL * (p_B_m - config_.p_BC_m));
-    if (ground.is_ground() && ground.gap_m < near_m) is_chassis_near_ground_ = true;
+    if (ground.is_ground() && ground.gap_m < near_m + sunk_m) is_chassis_near_ground_ = true;
   }
 }
 
-// Wheels that have sunk carry the chassis as much lower over the ground between them.
-void Vehicle::apply_chassis_contact(double step_s) {
-  double sinkage_sum_m = 0, touching = 0;
+// Of wheels in contact: so much lower they carry the chassis over the ground between them.
+double Vehicle::mean_sinkage_m() const {
+  double sum_m = 0, touching = 0;
   for (const WheelState& wheel : wheels_) {
-    sinkage_sum_m += wheel.sinkage_m;
+    sum_m += wheel.sinkage_m;
     if (wheel.load_n > 0) ++touching;
   }
-  const double sunk_m = touching > 0 ? sinkage_sum_m / touching : 0;
+  return touching > 0 ? sum_m / touching : 0;
+}
+
+void Vehicle::apply_chassis_contact(double step_s) {
+  const double sunk_m = mean_sinkage_m();
   const double mass_kg = config_.mass_kg();
   const LinkMotion& chassis = bodies_.motion(Multibody::chassis);
-  const double stiffness_npm = mass_kg * gravity_S_mps2_.norm() / chassis_sag_m;
+  // The points of one edge or so carry it all.
+  const double carrying = std::sqrt(static_cast<double>(underside_B_m_.size()));
+  const double stiffness_npm = mass_kg * gravity_S_mps2_.norm() / (chassis_sag_m * carrying);
   const double damping_nspm = std::sqrt(stiffness_npm * mass_kg) / 2;
   // Friction that would turn the motion round within a step is no friction.
   const double drag_max_nspm = mass_kg / (4 * static_cast<double>(underside_B_m_.size()) * step_s);

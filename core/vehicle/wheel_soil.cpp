@@ -1,5 +1,7 @@
 #include "vehicle/wheel_soil.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,12 +10,9 @@ namespace lsos {
 
 namespace {
 
-// The way over which resistance to rolling builds up, as the soil ahead of the wheel gives a
-// little before it flows. It also keeps a standing wheel from being pushed.
-constexpr double rolling_mobilised_m = 0.005;
-
-// Shear displacement in units of K beyond which the anchor is dragged along, at 98 % of the limit.
-constexpr double shear_displacements_max = 25;
+// Shear displacement beyond which the anchor is dragged along: in units of K, at 98 % of the limit,
+// or of the contact's length, when the wheel skids nine tenths of its way.
+constexpr double shear_displacements_max = 25, shear_lengths_max = 5;
 
 constexpr double sinkage_max_radii = 1.5;
 
@@ -22,9 +21,6 @@ constexpr double slip_sinkage_half = 2;
 
 // A wheel that turns slower than this stands: rounding must not roll a parked rover off its anchor.
 constexpr double still_mps = 1e-5;
-
-// Below this speed skidding cannot be told from standing.
-constexpr double skid_fade_mps = 1e-3;
 
 // std::hypot guards against overflow, which costs more than all the rest of a step.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -50,9 +46,9 @@ WheelSoil::WheelSoil(const Soil& soil, const Wheel& wheel, double gravity_mps2)
   }
   shear_radius_m_ = wheel.radius_m + cover_ * h;
   interface_ = soil.is_rigid ? 1 : wheel.interface_friction_ratio * (1 - cover_) + cover_;
-  const double sides = cover_ > 0 ? 0.64 * h / b * std::atan(b / h) : 0;
-  shear_per_area_pa_ = soil.cohesion_pa * (1 + (cover_ > 0 ? 2 * h / b : 0));
-  shear_per_load_ = std::tan(soil.friction_rad) * (1 + sides);
+  const double sides = h > 0 ? 0.64 * h / b * std::atan(b / h) : 0;
+  shear_per_area_pa_ = soil.cohesion_pa * (1 + cover_ * 2 * h / b);
+  shear_per_load_ = std::tan(soil.friction_rad) * (1 + cover_ * sides);
   wedge_ = wedge;
 }
 
@@ -89,7 +85,8 @@ struct WheelSoil::Step {
   double limit_n = 0;  // H_max
   Vec2 K_m = Vec2::Zero();
   double shear_by_K = 0;
-  double built_up = 0;  // resistance to rolling, -1..1
+  double built_up = 0;       // resistance to rolling, -1..1
+  Vec2 slip = Vec2::Zero();  // travel for each metre rolled, less one that rolls without slip
   double sinkage_m = 0;
 };
 
@@ -106,17 +103,17 @@ void WheelSoil::shear(Step& step, const Vec2& before_m, double rolling_mps, doub
   const Vec2 slip_mps(step.ahead_mps * (1 - step.curvature) - step.rim_mps, step.left_mps);
   step.shear_m = fresh * (before_m + step_s * slip_mps);
   step.shear_by_K = length(step.shear_m.x() / step.K_m.x(), step.shear_m.y() / step.K_m.y());
-  if (step.shear_by_K > shear_displacements_max) {
-    step.shear_m *= shear_displacements_max / step.shear_by_K;
-    step.shear_by_K = shear_displacements_max;
+  const double most =
+      std::max(shear_displacements_max, shear_lengths_max * step.length_m / step.K_m.minCoeff());
+  if (step.shear_by_K > most) {
+    step.shear_m *= most / step.shear_by_K;
+    step.shear_by_K = most;
   }
   step.shear_rate_mps = (step.shear_m - before_m) / step_s;
 }
 
-// What the rim's curvature shears in rolling without slip is part of the static sinkage.
 double WheelSoil::slip_sinkage_m(const Step& step) const {
-  const double u = length(2 * step.shear_m.x() / step.length_m + step.curvature * step.built_up,
-                          2 * step.shear_m.y() / step.length_m);
+  const double u = step.slip.norm();
   return std::min(
       step.static_sinkage_m * (1 + soil_.slip_sinkage * u / (1 + u / slip_sinkage_half)),
       sinkage_max_radii * wheel_.radius_m);
@@ -137,12 +134,11 @@ Vec2 WheelSoil::resistance_n(const Step& step) const {
   double against_n = wheel_.rolling_resistance * step.load_n, side_n = 0;
   if (!soil_.is_rigid) {
     against_n += pressure_.compaction_resistance_n(step.sinkage_m, step.load_n);
-    // It ploughs as much of its way as it does not roll, if it moves on into what it has built up.
+    // It ploughs as much of its way as it does not roll. How far it travels for each metre rolled
+    // is read from the shear, which is steady: speeds would make stiff dampers of slow wheels.
     const double onward = step.built_up < 0 ? -1 : 1;
-    const double travel_mps = length(step.ahead_mps, step.left_mps);
-    const double skid =
-        std::clamp((travel_mps - onward * step.rim_mps) / (travel_mps + skid_fade_mps), 0.0,
-                   std::clamp(onward * step.ahead_mps / skid_fade_mps, 0.0, 1.0));
+    const double travel = length(1 + onward * step.slip.x(), step.slip.y());
+    const double skid = std::max(0.0, 1 - 1 / std::max(travel, 1e-3));
     if (skid > 0) against_n += skid * ploughing_n(wheel_.width_m, step.sinkage_m);
     const double side_m = 2 * pressure_.contact_length_m(step.sinkage_m);
     const double left_m = step.shear_m.y();
@@ -174,7 +170,9 @@ WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step
   step.ahead_mps = input.hub_velocity_S_mps.dot(ahead_S);
   step.left_mps = input.hub_velocity_S_mps.dot(left_S);
   step.rim_mps = input.rolling_speed_mps * shear_radius_m_ / wheel_.radius_m;
-  if (!soil_.is_rigid) step.curvature = 0.5 * before_m / shear_radius_m_;
+  if (!soil_.is_rigid) {
+    step.curvature = 0.5 * (before_m + shear_radius_m_ - wheel_.radius_m) / shear_radius_m_;
+  }
 
   forces.soil_shear_n = soil_shear_n(step.load_n, step.length_m);
   forces.traction_limit_n = step.limit_n = interface_ * forces.soil_shear_n;
@@ -185,11 +183,36 @@ WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step
   state.rolled_m = std::clamp(state.rolled_m + step.ahead_mps * step_s, -rolling_mobilised_m,
                               rolling_mobilised_m);
   step.built_up = state.rolled_m / rolling_mobilised_m;
+  // What the rim's curvature shears in rolling without slip is part of the static sinkage.
+  step.slip = 2 / step.length_m * step.shear_m + Vec2(step.curvature * step.built_up, 0);
   state.sinkage_m = step.sinkage_m = forces.sinkage_m = slip_sinkage_m(step);
 
   forces.traction_S_n = in_S(traction_n(step));
   forces.at_hub_S_n = in_S(resistance_n(step));
   return forces;
+}
+
+std::string soil_fault(const Soil& soil, const Wheel& wheel, double load_n, double gravity_mps2) {
+  if (soil.is_rigid) return "";
+  const double width_m = wheel.width_m, k_npm = soil.k_c + width_m * soil.k_phi;
+  if (soil.has_bekker() && k_npm <= 0) {
+    return fmt::format(
+        "the soil {} cannot carry a wheel {} m wide: k_c + b k_phi is {:.4g}, must be above 0, "
+        "which takes a width of more than {:.4g} m",
+        soil.name, width_m, k_npm, -soil.k_c / soil.k_phi);
+  }
+  if (!soil.has_bekker() && soil.cohesion_pa <= 0 && soil.friction_rad <= 0) {
+    return fmt::format("the soil {} has neither cohesion nor friction: it carries nothing",
+                       soil.name);
+  }
+  const PressureSinkage law(soil, wheel.radius_m, width_m, gravity_mps2);
+  const double most_n = law.load_n(wheel.radius_m);
+  if (load_n < most_n) return "";
+  return fmt::format(
+      "the soil {} does not bear its wheels: with {:.4g} N each they sink to the axle, which "
+      "{:.4g} "
+      "N do",
+      soil.name, load_n, most_n);
 }
 
 double normal_load_n(const Wheel& wheel, double penetration_m, double closing_mps) {
@@ -201,6 +224,7 @@ double normal_load_n(const Wheel& wheel, double penetration_m, double closing_mp
 double slip_ratio(double hub_speed_mps, double rolling_speed_mps) {
   const double hub = std::abs(hub_speed_mps), rolling = std::abs(rolling_speed_mps);
   if (hub < 1e-3 && rolling < 1e-3) return not_modelled;
+  if (rolling == 0) return -1;  // locked, whichever way it slides
   const double along = hub_speed_mps * (rolling_speed_mps < 0 ? -1 : 1);  // seen by the rim
   if (rolling >= along) return std::max(-1.0, std::min(1.0, 1 - along / rolling));
   return rolling / along - 1;

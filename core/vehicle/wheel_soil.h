@@ -21,10 +21,15 @@
 //     slip nearly carries its own resistance.
 //   Grousers: between them soil turns with the wheel, so that shear, its arm and its length are
 //     those of the circle r + g h, where g, 0..1, is how much of the rim their wedges fill.
-//   Ploughing: passive earth pressure (Rankine 1857) on the rim's face b for the part of the way
-//     that the wheel skids instead of rolling, and on its side as it is pushed sideways; it comes
-//     on top of the shear strength. The wedge's two ends widen the face by half its length.
+//     Of the factors in Li and Bingham's formula N_g, for several grousers, is left out.
+//   Ploughing: passive earth pressure (Rankine 1857) on the rim's face b for the part of its way
+//     that the wheel does not roll, sideways travel included, and on its side, taken as the whole
+//     chord at full depth, as it is pushed sideways. It comes on top of the shear strength. The
+//     wedge's two ends widen the face by half its length. A wheel that rolls as far as it travels
+//     presses soil down and pushes none ahead: its compaction resistance is all.
 #pragma once
+
+#include <string>
 
 #include "base/archive.h"
 #include "base/vector.h"
@@ -32,6 +37,10 @@
 #include "vehicle/vehicle_config.h"
 
 namespace lsos {
+
+// The way over which resistance to rolling builds up, as the soil ahead of the wheel gives a
+// little before it flows. It also keeps a standing wheel from being pushed.
+inline constexpr double rolling_mobilised_m = 0.005;
 
 // What the contact remembers. This holds a parked rover on a slope without creeping.
 struct WheelContactState {
@@ -99,6 +108,10 @@ class WheelSoil {
   double shear_per_area_pa_ = 0, shear_per_load_ = 0;
   double wedge_ = 0;  // tan(pi/4 + phi/2): root of K_p, and the wedge's length over its depth
 };
+
+// Why such a wheel with this load cannot stand on the soil ("k_c + b k_phi is ..., must be above
+// 0", "it sinks to its axle"), else "".
+std::string soil_fault(const Soil& soil, const Wheel& wheel, double load_n, double gravity_mps2);
 
 // Force along the normal of the wheel's spring and damper, N, never pulling. `penetration_m` of
 // the rim into the surface along the normal, `closing_mps` its growth.

@@ -72,6 +72,12 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
   limits.acceleration_mps2 = config.acceleration_mps2;
   limits.can_turn_on_spot = config.can_turn_on_spot;
   limits.radius_min_m = config.turning_radius_min_m;
+  double reach_m = 0.6;
+  for (const auto& wheel : wheel_layout(config).wheels) {
+    reach_m = std::max(reach_m, wheel.p_B_m.norm());
+  }
+  limits.lookahead_min_m = reach_m;
+  limits.turn_rate_radps = 0.4 * std::min(config.cruise_speed_mps, 1.0) / reach_m;
   PathFollower follower(path, pose_of(vehicle.report()), limits);
   VehicleReport report = vehicle.report();
   while (follower.status() == PathFollower::Status::driving) {

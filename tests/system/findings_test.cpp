@@ -153,6 +153,40 @@ TEST(Findings, two_rovers_that_would_touch_stop_before) {
   EXPECT_LT(nearest_m, 16);
 }
 
+TEST(Findings, are_the_same_when_all_state_is_saved_and_read_at_each_exchange) {
+  const TempFolder folder;
+  write_terrain(folder, "Hill",
+                "lsos.plane { slope_rad = math.rad(28), downslope_azimuth_rad = math.pi }",
+                "'ApolloLoose'");
+  const std::string plan = folder.write(
+      "plan.kml", kml({on("Hill"), rover("LRV", "A", place(0, 0)), rover("LRV", "B", place(0, 8)),
+                       event("Route", "A", 1, {{"OnFailure", "skip"}}, point(place(0, 30))),
+                       event("Route", "B", 1, {{"OnFailure", "skip"}}, point(place(0, -10))),
+                       event("Pause", "B", 2, {{"Duration", "10 s"}})}));
+  std::string digests[2];
+  for (const int i : {0, 1}) {
+    const std::string out = folder / (i == 0 ? "plain" : "saved");
+    Words words{plan, "-o", out, "--quiet"};
+    if (i == 1) words.push_back("--save-every-exchange");
+    run(words);
+    digests[i] = summary(out)["log_sha256"];
+    EXPECT_NE(query(std::filesystem::path(out) / "log.gpkg", "select count(*) from notes"), "0");
+  }
+  EXPECT_EQ(digests[0], digests[1]);
+}
+
+TEST(Findings, a_rover_that_turns_on_the_spot_does_not_swing_into_another) {
+  // Side by side 5 m apart: SEV's corners reach 3.1 m when it turns.
+  const TempFolder folder;
+  const Ran result =
+      run_plan(folder, {on("Flat"), rover("SEV", "A", place(0, 0), {{"Heading", "0"}}),
+                        rover("SEV", "B", place(4.4, 0), {{"Heading", "0"}}),
+                        event("Route", "A", 1, {}, point(place(-30, -1))),
+                        event("Pause", "B", 1, {{"Duration", "10 s"}})});
+  EXPECT_EQ(result.outcome.exit_code, 1);
+  EXPECT_THAT(result.event("reason"), HasSubstr("would touch B"));
+}
+
 TEST(Findings, rovers_may_leave_each_other_and_pass) {
   const TempFolder folder;
   const Ran result = run_plan(
@@ -163,7 +197,7 @@ TEST(Findings, rovers_may_leave_each_other_and_pass) {
 }
 
 TEST(Parked, for_seven_days_on_20_degrees_a_rover_stays_within_a_millimetre) {
-  for (const char* type : {"SEV", "LRV", "Husky"}) {
+  for (const char* type : {"SEV", "LRV", "MER", "Husky"}) {
     const TempFolder folder;
     write_terrain(folder, "Slope20", "lsos.plane { slope_rad = math.rad(20) }", "'ApolloNominal'");
     const Ran result = run_plan(folder, {on("Slope20", {{"ParkedLogInterval", "1 h"}}),

@@ -32,6 +32,11 @@ TEST(Footprint, overlaps_by_its_corners_not_by_a_circle) {
   EXPECT_FALSE(overlap(at(0, 0, 0), at(5.62, 0, 45)));
 }
 
+TEST(Footprint, gap_is_the_distance_of_parallel_sides) {
+  EXPECT_NEAR(gap_m(at(0, 0, 0), at(7, 1, 0)), 2, 1e-12);
+  EXPECT_NEAR(gap_m(at(0, 0, 0), at(4, 0, 0)), -1, 1e-12);
+}
+
 TEST(Footprint, reaches_as_far_as_the_rover_needs_to_stop) {
   EXPECT_FALSE(overlap(at(0, 0, 0), at(9, 0, 0)));
   EXPECT_TRUE(overlap(at(0, 0, 0, {4.1, 0}), at(9, 0, 0)));

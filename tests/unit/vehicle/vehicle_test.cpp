@@ -217,6 +217,27 @@ TEST(Vehicle, a_motor_gives_no_more_than_its_line_from_stall_to_no_load) {
   EXPECT_GT(vehicle.report().speed_mps, 1.2);
 }
 
+TEST(Vehicle, starts_on_a_slope_without_rolling_back_and_without_running_away) {
+  // Brakes hold; the motors take over their torque, uphill too much of it, downhill too little.
+  for (const double heading : {0.0, 180.0}) {
+    const auto ground = test::moon(radians(15), radians(180));
+    Vehicle vehicle(test::rover(g), *ground);
+    ASSERT_EQ(vehicle.place(start, radians(heading)), "");
+    const double begin_m = vehicle.report().p_S_m.y();
+    double lowest_m = 0;
+    for (int i = 0; i < 200; ++i) {
+      vehicle.command({0.5, 0, false});
+      vehicle.advance(exchange_period);
+      lowest_m = std::min(lowest_m, vehicle.report().p_S_m.y() - begin_m);
+    }
+    const double spun_mps = 0.5 * vehicle.joint_positions()[2] / 20;
+    if (heading == 0) {
+      EXPECT_GT(lowest_m, -0.005);
+    }
+    EXPECT_NEAR(spun_mps, 0.5, 0.05) << heading;
+  }
+}
+
 TEST(Vehicle, drive_calibration_scales_the_electrical_energy_alone) {
   const auto ground = test::moon();
   double drive_j[2], motors_j[2];

@@ -121,6 +121,34 @@ TEST(WheelSoil, grousers_pull_more_the_higher_and_the_more_there_are) {
   }
 }
 
+TEST(WheelSoil, a_single_grouser_changes_little) {
+  Wheel wheel = lrv_wheel();
+  wheel.interface_friction_ratio = 0.8;
+  const auto pull_n = [&] {
+    const WheelSoil on_soil(test::soil(), wheel, g_moon_mps2);
+    return single_wheel(on_soil, lrv_load_n, 0.5, 0).drawbar_pull_n;
+  };
+  const double smooth_n = pull_n();
+  wheel.grouser_height_m = 0.01;
+  wheel.grouser_count = 1;
+  EXPECT_NEAR(pull_n(), smooth_n, 0.01 * lrv_load_n);
+}
+
+TEST(WheelSoil, forces_go_smoothly_to_a_wheel_that_only_spins) {
+  const SingleWheelPoint nearly = single_wheel(lrv(), lrv_load_n, 0.999, 0);
+  const SingleWheelPoint wholly = single_wheel(lrv(), lrv_load_n, 1, 0);
+  EXPECT_NEAR(nearly.drawbar_pull_n, wholly.drawbar_pull_n, 0.005 * lrv_load_n);
+}
+
+TEST(SoilFault, names_what_a_soil_cannot_carry) {
+  EXPECT_EQ(soil_fault(test::soil(), lrv_wheel(), lrv_load_n, g_moon_mps2), "");
+  EXPECT_THAT(soil_fault(test::soil(), lrv_wheel(), 1e6, g_moon_mps2),
+              testing::HasSubstr("does not bear its wheels: with 1e+06 N each"));
+  Soil water{.name = "Water", .density_kgpm3 = 1000};
+  EXPECT_THAT(soil_fault(water, lrv_wheel(), 1, g_moon_mps2),
+              testing::HasSubstr("neither cohesion nor friction"));
+}
+
 TEST(WheelSoil, ploughing_is_rankines_passive_pressure_on_a_wide_face) {
   // By hand: Kp = tan^2(45 + 35/2 deg) = 3.690; gamma = 1520 x 1.62 = 2462.4 N/m3; at 0.1 m deep
   // and 10 m wide 10 (2462.4 x 0.01 x 3.690 / 2 + 2 x 170 x 0.1 x 1.921) = 1107.4 N, and the
@@ -206,6 +234,7 @@ TEST(SlipRatio, follows_the_definition_driving_and_braking) {
   EXPECT_DOUBLE_EQ(slip_ratio(-0.8, -1), 0.2);
   EXPECT_DOUBLE_EQ(slip_ratio(1, 0.8), -0.2);
   EXPECT_DOUBLE_EQ(slip_ratio(1, 0), -1);
+  EXPECT_DOUBLE_EQ(slip_ratio(-1, 0), -1);
   EXPECT_DOUBLE_EQ(slip_ratio(0, 1), 1);
   EXPECT_TRUE(std::isnan(slip_ratio(0.0005, -0.0005)));
 }
