@@ -158,7 +158,7 @@ TEST(WheelSoil, ploughing_is_rankines_passive_pressure_on_a_wide_face) {
 
 TEST(WheelSoil, a_locked_wheel_is_dragged_against_shear_compaction_and_ploughing) {
   const SingleWheelPoint locked = single_wheel(lrv(), lrv_load_n, -1, 0);
-  const PressureSinkage& pressure = lrv().pressure();
+  const PressureSinkage pressure = lrv().pressure();
   const double expected_n = 0.98 * locked.traction_limit_n +
                             pressure.compaction_resistance_n(locked.sinkage_m, lrv_load_n) +
                             lrv().ploughing_n(0.229, locked.sinkage_m);
