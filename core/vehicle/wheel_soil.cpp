@@ -210,8 +210,7 @@ std::string soil_fault(const Soil& soil, const Wheel& wheel, double load_n, doub
   if (load_n < most_n) return "";
   return fmt::format(
       "the soil {} does not bear its wheels: with {:.4g} N each they sink to the axle, which "
-      "{:.4g} "
-      "N do",
+      "{:.4g} N do",
       soil.name, load_n, most_n);
 }
 

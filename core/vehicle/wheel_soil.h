@@ -10,9 +10,10 @@
 //     shear of rolling without slip. Measured sinkages of a small wheel in sand under slip, skid
 //     and slip angles fall on one curve over u, which is why shear, not slip, is the variable; the
 //     curve's form is a fit to them (VALIDATION.md).
-//   Shear strength: H_max = f (b l c (1 + 2 h/b) + W tan(phi) (1 + 0.64 (h/b) atan(b/h))), h the
-//     grousers' height (Bekker 1969 as in Li and Bingham's LTV paper); f is the interface friction
-//     ratio of the rim between grousers and 1 where they shear soil on soil.
+//   Shear strength: H_max = f (b l c (1 + 2 g h/b) + W tan(phi) (1 + 0.64 g (h/b) atan(b/h))), h
+//     the grousers' height (Bekker 1969 as in Li and Bingham's LTV paper; g, see below, is ours);
+//     f is the interface friction ratio of the rim between grousers and 1 where they shear soil on
+//     soil.
 //   Mobilised share: 1 - (1 - exp(-x))/x with x = 2 |j|/K (Janosi and Hanamoto 1961, integrated
 //     along the contact as Wong did); K differs along and across the wheel. Of soil and wheel in
 //     series the softer one is taken: K is at least H_max / tangential stiffness.

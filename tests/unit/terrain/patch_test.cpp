@@ -77,7 +77,7 @@ class RasterFits : public ::testing::TestWithParam<Fitted> {};
 TEST_P(RasterFits, meet_the_exact_projection) {
   const auto& [name, body, lon_deg, lat_deg] = GetParam();
   const std::string file = reference_file(name);
-  if (!exists(file)) GTEST_SKIP() << "no reference data";
+  if (!exists(file)) GTEST_SKIP() << "no reference data: " << file;
   const SitePlane plane(site_on(body, lon_deg, lat_deg));
   const auto grid = make_raster_grid({file, 1}, {}, plane);
   double largest_px = 0;
