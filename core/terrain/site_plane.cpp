@@ -8,73 +8,47 @@ namespace lsos {
 
 namespace {
 
-constexpr double cos_farthest = 0.5;  // 60 degrees: x and y then still change with place by 1/4
+constexpr double cos2_farthest = 0.25;  // 60 degrees: x and y then still change with place by 1/4
 
 }  // namespace
 
-SitePlane::SitePlane(const SiteFrame& site)
-    : site_(site), centre_to_site_S_m_(-site.p_S_m_from_fixed(Vec3::Zero())) {
-  const Body& body = site.body();
-  if (body.flattening == 0) {
-    // Exactly as SiteFrame has it, without the rounding of a rotation there and back.
-    centre_to_site_S_m_ = {0, 0, body.equatorial_radius_m + site.origin().height_m};
-  }
-  const Vec3 foot = centre_to_site_S_m_ - Vec3(0, 0, site.origin().height_m);
-  x_per_z_ = foot.x() / foot.z();
-  y_per_z_ = foot.y() / foot.z();
-  distance_m_ = centre_to_site_S_m_.z();
+SitePlane::SitePlane(const SiteFrame& site) : site_(site) {
+  const Vec3 foot_m = site.centre_to_site_S_m() - Vec3(0, 0, site.origin().height_m);
+  x_per_z_ = foot_m.x() / foot_m.z();
+  y_per_z_ = foot_m.y() / foot_m.z();
+  distance_m_ = site.centre_to_site_S_m().z();
 }
 
 Standing SitePlane::standing(const Vec3& p_S_m) const {
-  return site_.body().flattening == 0 ? standing_on_sphere(p_S_m) : standing_on_ellipsoid(p_S_m);
-}
-
-Standing SitePlane::standing_on_sphere(const Vec3& p_S_m) const {
   Standing result;
-  const Vec3 p = p_S_m + centre_to_site_S_m_;
-  const double r = p.norm();
-  if (!(p.z() > cos_farthest * r)) return result;
+  const Vertical vertical = site_.vertical(p_S_m);
+  const Vec3& up_S = result.up_S = vertical.up_S;
+  const double height_m = result.height_m = vertical.height_m;
+  const Vec3 foot_m = p_S_m + site_.centre_to_site_S_m() - height_m * up_S;
+  const double z_m = foot_m.z();
+  if (!(z_m > 0 && z_m * z_m > cos2_farthest * foot_m.squaredNorm())) return result;
   result.is_near = true;
-  result.radius_m = r;
-  // r - R without the digits that a difference of two radii loses: wheels would feel them.
-  const double R = site_.body().equatorial_radius_m, c = centre_to_site_S_m_.norm();
-  const double over_site_m = (p_S_m.squaredNorm() + 2 * p_S_m.dot(centre_to_site_S_m_)) / (r + c);
-  result.height_m = over_site_m + (c - R);
-  result.up_S = p * (1 / r);
-  const double per_z = 1 / p.z();
-  const double scale = distance_m_ * per_z;
-  result.at = {p.x() * scale, p.y() * scale};
-  result.grad_x_S = {scale, 0, -result.at.x_m * per_z};
-  result.grad_y_S = {0, scale, -result.at.y_m * per_z};
-  return result;
-}
+  const double per_z = 1 / z_m, scale = distance_m_ * per_z;
+  const double x_m = foot_m.x() * scale, y_m = foot_m.y() * scale;
+  result.at = {x_m - distance_m_ * x_per_z_, y_m - distance_m_ * y_per_z_};
 
-Standing SitePlane::standing_on_ellipsoid(const Vec3& p_S_m) const {
-  Standing result;
-  const Mat3& R_FS = site_.R_FS();
-  const Vertical vertical = lsos::vertical(site_.body(), site_.p_F_m(p_S_m));
-  result.up_S = R_FS.transpose() * vertical.up_F;
-  result.height_m = vertical.height_m;
-  const Vec3 foot = p_S_m + centre_to_site_S_m_ - vertical.height_m * result.up_S;
-  if (!(foot.z() > cos_farthest * foot.norm())) return result;
-  result.is_near = true;
-  const double x_per_z = foot.x() / foot.z();
-  const double y_per_z = foot.y() / foot.z();
-  result.at = {distance_m_ * (x_per_z - x_per_z_), distance_m_ * (y_per_z - y_per_z_)};
-
-  // The foot moves less than the point above it: by M/(M + h) northwards, N/(N + h) eastwards.
-  const Curvature radius = curvature(site_.body(), vertical.up_F.z());
-  result.radius_m = radius.normal_m + vertical.height_m;
-  const Vec3 east_S = site_.east_S(p_S_m);
-  const Vec3 north_S = result.up_S.cross(east_S);
-  const double north = radius.meridian_m / (radius.meridian_m + vertical.height_m);
-  const double east = radius.normal_m / (radius.normal_m + vertical.height_m);
-  const double scale = distance_m_ / foot.z();
-  const auto at_point = [&](const Vec3& at_foot) -> Vec3 {
-    return east * east_S.dot(at_foot) * east_S + north * north_S.dot(at_foot) * north_S;
+  // The foot moves less than the point above it: by R/(R + h). On an ellipsoid R is less along the
+  // meridian than across it, by e^2 cos^2 of the latitude.
+  const Body& body = site_.body();
+  const double sin_lat = site_.sin_latitude(up_S);
+  const double radius_m = curvature_radius_m(body, sin_lat);
+  result.radius_m = radius_m + height_m;
+  const double per_radius = 1 / result.radius_m;
+  const double e2 = body.flattening * (2 - body.flattening);
+  const double less = e2 * height_m * per_radius;
+  const double share = radius_m * per_radius + less * (1 - sin_lat * sin_lat) / 2;
+  const Vec3 north_S = site_.axis_S() - sin_lat * up_S;  // as long as the cosine of the latitude
+  const auto at_point = [&](const Vec3& at_foot_S) -> Vec3 {
+    const Vec3 level_S = at_foot_S - at_foot_S.dot(up_S) * up_S;
+    return share * level_S - less * at_foot_S.dot(north_S) * north_S;
   };
-  result.grad_x_S = at_point({scale, 0, -scale * x_per_z});
-  result.grad_y_S = at_point({0, scale, -scale * y_per_z});
+  result.grad_x_S = at_point({scale, 0, -x_m * per_z});
+  result.grad_y_S = at_point({0, scale, -y_m * per_z});
   return result;
 }
 

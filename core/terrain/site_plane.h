@@ -16,7 +16,7 @@ struct Standing {
   bool is_near = false;  // within 60 degrees of the site; all else holds only then
   PlanePoint at;         // of the point of the reference surface below it
   double height_m = 0;   // above the reference surface
-  double radius_m = 0;   // of curvature at the point: sphere's radius + height
+  double radius_m = 0;   // of curvature at the point: that of the reference surface + height
   Vec3 up_S;             // local vertical, unit
   // Gradients of x and y in space at the point. Along the vertical they fall as 1/radius_m.
   Vec3 grad_x_S;
@@ -38,11 +38,7 @@ class SitePlane {
   double distance_m() const { return distance_m_; }
 
  private:
-  Standing standing_on_sphere(const Vec3& p_S_m) const;
-  Standing standing_on_ellipsoid(const Vec3& p_S_m) const;
-
   SiteFrame site_;
-  Vec3 centre_to_site_S_m_;
   double distance_m_;
   // Of the site itself; zero on a sphere, where it lies straight above the centre.
   double x_per_z_ = 0;

@@ -10,7 +10,18 @@ namespace {
 
 btVector3 bt(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-Mat3 eigen(const btQuaternion& q) { return Quat(q.w(), q.x(), q.y(), q.z()).toRotationMatrix(); }
+// Of the inverse rotation: Bullet's turn from the parent or the world to the link.
+Mat3 inverse_rotation(const btQuaternion& q) {
+  return Quat(q.w(), -q.x(), -q.y(), -q.z()).toRotationMatrix();
+}
+// Written out, for Eigen calls a loop for it.
+Mat3 product(const Mat3& a, const Mat3& b) {
+  Mat3 c;
+  for (int i = 0; i < 3; ++i) {
+    c.col(i) = a.col(0) * b(0, i) + a.col(1) * b(1, i) + a.col(2) * b(2, i);
+  }
+  return c;
+}
 
 }  // namespace
 
@@ -158,14 +169,14 @@ void Multibody::update_motions() {
   const btMultiBody& body = impl_->body;
   LinkMotion& base = motions_[0];
   base.p_C_S_m = eigen(body.getBasePos());
-  base.R_SL = eigen(body.getWorldToBaseRot()).transpose();
+  base.R_SL = inverse_rotation(body.getWorldToBaseRot());
   base.v_C_S_mps = eigen(body.getBaseVel());
   base.omega_S_radps = eigen(body.getBaseOmega());
   for (int i = 0; i < body.getNumLinks(); ++i) {
     const btMultibodyLink& link = body.getLink(i);
     const LinkMotion& parent = motion(parents_[static_cast<std::size_t>(i)]);
     LinkMotion& motion = motions_[static_cast<std::size_t>(i + 1)];
-    motion.R_SL = parent.R_SL * eigen(link.m_cachedRotParentToThis).transpose();
+    motion.R_SL = product(parent.R_SL, inverse_rotation(link.m_cachedRotParentToThis));
     const Vec3 from_parent_S_m = motion.R_SL * eigen(link.m_cachedRVector);
     motion.p_C_S_m = parent.p_C_S_m + from_parent_S_m;
     // Joint axes in the link's frame: rotation, and motion of its centre of mass (see

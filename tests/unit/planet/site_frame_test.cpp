@@ -53,6 +53,25 @@ TEST(SiteFrame, goes_to_geodetic_coordinates_and_back) {
   }
 }
 
+TEST(SiteFrame, its_vertical_agrees_with_geodetic_coordinates) {
+  for (const Body& body : all_bodies()) {
+    const SiteFrame site = frame(body.name, -122.06, 37.4, 800);
+    for (double lat = -90; lat <= 90; lat += 7.5) {
+      for (const double height_m : {-10000.0, 0.0, 3000.0, 10000.0, 100000.0}) {
+        const Geodetic place = geodetic_from_degrees(-60, lat, height_m);
+        const Vec3 p = site.p_S_m(place);
+        const Vec3 up =
+            (site.p_S_m({place.lon_rad, place.lat_rad, height_m + 1e6}) - p).normalized();
+        const Vertical found = site.vertical(p);
+        const bool is_far = height_m > 10000;
+        EXPECT_NEAR(found.height_m, height_m, is_far ? 1e-7 : 1e-8) << body.name << lat;
+        EXPECT_LT((found.up_S - up).norm(), is_far ? 1e-7 : 1e-9) << body.name << lat;
+        EXPECT_NEAR(site.sin_latitude(found.up_S), std::sin(place.lat_rad), is_far ? 1e-7 : 1e-9);
+      }
+    }
+  }
+}
+
 TEST(SiteFrame, up_is_the_gradient_of_height) {
   for (const Body& body : all_bodies()) {
     const SiteFrame site = frame(body.name, -122.06, 37.4);
