@@ -1,31 +1,8 @@
 -- expect: rover: two configurations are named 'A'
 -- as: rovers
-local lsos = require 'lsos'
-local wheel = {
-  radius_m = 0.15, width_m = 0.1, mass_kg = 2, normal_stiffness_npm = 2e4,
-  normal_damping_nspm = 300, tangential_damping_nspm = 100,
+-- after: skid_rover.lua
+rover.configurations = {
+  lsos.configuration { name = 'A', doc = 'One.' },
+  lsos.configuration { name = 'A', doc = 'Another.' },
 }
-local drive = {
-  torque_max_n_m = 30, power_max_w = 50, efficiency = 0.5, servo_gain_n_m_sprad = 2,
-  servo_integral_n_m_prad = 10, brake_torque_max_n_m = 40, brake_stiffness_n_m_prad = 300,
-  brake_damping_n_m_sprad = 2,
-}
-local chassis = {
-  mass_kg = 120, size_m = lsos.vec3(0.8, 0.4, 0.4), clearance_m = 0.3,
-  center_of_mass_m = lsos.vec3(0, 0, 0.5),
-}
-local suspension = lsos.skid_steer {
-  stations = {
-    lsos.station { name = 'front', position_m = lsos.vec3(0.5, 0.5, 0) },
-    lsos.station { name = 'rear', position_m = lsos.vec3(-0.5, 0.5, 0) },
-  },
-  wheel = lsos.wheel(wheel), drive = lsos.drive(drive), turning_track_ratio = 1.5,
-}
-return lsos.rover {
-  api = 1, doc = 'Wrong.', chassis = lsos.chassis(chassis), suspension = suspension,
-  step_s = 0.005, cruise_speed_mps = 0.2, speed_max_mps = 0.3, acceleration_mps2 = 0.1,
-  configurations = {
-    lsos.configuration { name = 'A', doc = 'One.' },
-    lsos.configuration { name = 'A', doc = 'Another.' },
-  },
-}
+return lsos.rover(whole())

@@ -1,6 +1,6 @@
-// Each file of tests/messages/script is a script with a mistake. Its first line is the message that
-// must come ("-- expect: TEXT", a part of it), its second where it belongs ("-- as: rovers").
+// Each file of tests/messages/script is a script with a mistake; tests/README.md says how it looks.
 #include <algorithm>
+#include <sstream>
 
 #include "script_fixture.h"
 
@@ -10,14 +10,21 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path cases_folder = fs::path(LSOS_SOURCE_DIR) / "tests/messages/script";
+const fs::path parts_folder = cases_folder / "parts";
 
-std::vector<std::string> case_names() {
+std::vector<std::string> script_names(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(cases_folder)) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".lua") names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
   return names;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 std::string value_of(std::istream& in, const std::string& mark) {
@@ -32,25 +39,44 @@ ScriptKind kind_of(const std::string& folder) {
   return folder == "terrain" ? ScriptKind::terrain : ScriptKind::soil;
 }
 
+// What the scripts' reader says of this text as the file FOLDER/NAME.lua.
+std::string errors_of_script(const std::string& folder, const std::string& name,
+                             const std::string& text) {
+  ScriptDirectory directory;
+  directory.write(folder + "/" + name + ".lua", text);
+  const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}, {LSOS_SOURCE_DIR, ""}});
+  return errors_of(catalog, kind_of(folder), name);
+}
+
 class Message : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Message, is_as_expected) {
-  const fs::path file = cases_folder / (GetParam() + ".lua");
-  std::ifstream in(file);
+  const std::string text = text_of(cases_folder / (GetParam() + ".lua"));
+  std::istringstream in(text);
   const std::string expected = value_of(in, "-- expect: ");
   const std::string folder = value_of(in, "-- as: ");
+  const std::string part = value_of(in, "-- after: ");
   ASSERT_FALSE(expected.empty() || folder.empty()) << "the first two lines are wrong";
+  ASSERT_TRUE(part.empty() || fs::exists(parts_folder / part)) << "no part " << part;
 
-  ScriptDirectory directory;
-  fs::create_directories(fs::path(directory.path()) / folder);
-  fs::copy_file(file, fs::path(directory.path()) / folder / file.filename());
-  const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}, {LSOS_SOURCE_DIR, ""}});
-  const std::string errors = errors_of(catalog, kind_of(folder), GetParam());
+  const std::string before = part.empty() ? "" : text_of(parts_folder / part);
+  const std::string errors = errors_of_script(folder, GetParam(), before + text);
   EXPECT_THAT(errors, ::testing::HasSubstr(expected));
   EXPECT_THAT(errors, ::testing::StartsWith(folder + "/" + GetParam() + ".lua"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Script, Message, ::testing::ValuesIn(case_names()),
+INSTANTIATE_TEST_SUITE_P(Script, Message, ::testing::ValuesIn(script_names(cases_folder)),
+                         [](const auto& test) { return test.param; });
+
+// So that a case after it fails for its own mistake only.
+class MessagePart : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(MessagePart, is_right_by_itself) {
+  const std::string text = text_of(parts_folder / (GetParam() + ".lua"));
+  EXPECT_EQ(errors_of_script("rovers", GetParam(), text + "return lsos.rover(whole())\n"), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Script, MessagePart, ::testing::ValuesIn(script_names(parts_folder)),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
