@@ -23,6 +23,12 @@ struct Chassis {
 
 bool is_positive(const Vec3& v) { return v.minCoeff() > 0; }
 
+// A flat disc's moment about its axle is just the sum of the other two.
+bool is_at_most_the_others(double moment_kgm2, const Vec3& all_kgm2) {
+  constexpr double slack = 1e-9;
+  return moment_kgm2 <= (all_kgm2.sum() - moment_kgm2) * (1 + slack);
+}
+
 // Of a box with its mass spread evenly.
 Vec3 box_moments_kgm2(double mass_kg, const Vec3& size_m) {
   const Vec3 squares = size_m.cwiseProduct(size_m);
@@ -39,13 +45,11 @@ void read_chassis(TableReader& t, Chassis& chassis) {
   t.vec3(required, "center_of_mass_m", chassis.center_of_mass_m,
          "Forward, left, up from the ground centre of the wheelbase at rest.");
   std::optional<Vec3> moments_kgm2;
-  t.vec3(optional, "inertia_kgm2", moments_kgm2,
-         "Principal moments about its centre of mass (default: of the box, mass spread evenly).");
+  read_moments(
+      t, MomentsOf::body, moments_kgm2,
+      "Principal moments about its centre of mass (default: of the box, mass spread evenly).");
   if (chassis.size_m != Vec3::Zero() && !is_positive(chassis.size_m)) {
     t.fault("size_m: all three must be more than 0 m");
-  }
-  if (moments_kgm2 && !is_positive(*moments_kgm2)) {
-    t.fault("inertia_kgm2: all three must be more than 0 kg m2");
   }
   chassis.inertia.moments_kgm2 =
       moments_kgm2.value_or(box_moments_kgm2(chassis.inertia.mass_kg, chassis.size_m));
@@ -165,6 +169,25 @@ void read_rover(TableReader& t, RoverSpec& spec) {
 }
 
 }  // namespace
+
+void read_moments(TableReader& t, MomentsOf of, std::optional<Vec3>& moments_kgm2,
+                  const char* doc) {
+  t.vec3(optional, "inertia_kgm2", moments_kgm2, doc);
+  if (!moments_kgm2) return;
+  const Vec3& m = *moments_kgm2;
+  if (!is_positive(m)) {
+    t.fault("inertia_kgm2: all three must be more than 0 kg m2");
+    return;
+  }
+  const bool is_wheel = of == MomentsOf::wheel;
+  const bool is_axle_right = is_wheel || is_at_most_the_others(m.y(), m);
+  if (is_at_most_the_others(m.x(), m) && is_axle_right && is_at_most_the_others(m.z(), m)) return;
+  t.fault(
+      fmt::format("inertia_kgm2 = ({:.6g}, {:.6g}, {:.6g}): no {} has these: {} must be at most "
+                  "the sum of the other two",
+                  m.x(), m.y(), m.z(), is_wheel ? "wheel" : "body",
+                  is_wheel ? "the first and the last moment each" : "each moment"));
+}
 
 std::vector<Constructor> rover_constructors() {
   std::vector<Constructor> all{

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lua/constructors.h"
+#include "lua/rover_constructors.h"
 #include "vehicle/rover_spec.h"
 
 namespace lsos {
@@ -22,13 +23,6 @@ struct Spring {
   double stiffness_npm = 0, damping_nspm = 0;
   double travel_up_m = 0, travel_down_m = 0;
 };
-
-void read_moments(TableReader& t, std::optional<Vec3>& moments_kgm2, const char* doc) {
-  t.vec3(optional, "inertia_kgm2", moments_kgm2, doc);
-  if (moments_kgm2 && !(moments_kgm2->minCoeff() > 0)) {
-    t.fault("inertia_kgm2: all three must be more than 0 kg m2");
-  }
-}
 
 // A wheel's place on the ground at rest.
 void read_place(TableReader& t, Vec2& p_B_m, const char* doc) {
@@ -51,8 +45,9 @@ void read_wheel(TableReader& t, WheelScript& script) {
   t.number(required, "radius_m", wheel.radius_m, {0, 10, true}, "Of the rim, without grousers.");
   t.number(required, "width_m", wheel.width_m, {0, 10, true}, "Of the tread.");
   t.number(required, "mass_kg", script.mass_kg, positive, "Of one wheel.");
-  read_moments(t, script.moments_kgm2,
-               "Principal moments: forward, axle, up (default: of a solid disc).");
+  read_moments(t, MomentsOf::wheel, script.moments_kgm2,
+               "Principal moments: forward, axle, up; about the axle with what the drive turns "
+               "behind its gear (default: of a solid disc).");
   t.number(required, "normal_stiffness_npm", wheel.normal_stiffness_npm, positive,
            "Of wheel and ground, along the ground's normal.");
   t.number(required, "normal_damping_nspm", wheel.normal_damping_nspm, not_negative,
@@ -180,7 +175,7 @@ void read_swing_arm(TableReader& t, SwingArm& arm) {
   t.number(required, "mass_kg", arm.mass_kg, positive, "Of one, without knuckles and wheels.");
   t.vec3(optional, "center_of_mass_m", arm.p_B_center_m,
          "Of the left one at rest: forward, left, up (default: the middle of what it joins).");
-  read_moments(t, arm.moments_kgm2,
+  read_moments(t, MomentsOf::body, arm.moments_kgm2,
                "Principal moments about its centre of mass (default: of a box round what it "
                "joins).");
   t.number(required, "angle_max_rad", arm.angle_max_rad, {0, 1.5, true},

@@ -7,6 +7,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* sound_event =
     "local lsos = require 'lsos' return lsos.event { api = 1, doc = 'First.', "
@@ -141,6 +142,22 @@ TEST_F(ShippedScripts, terrains_have_their_soil_and_shape) {
   EXPECT_EQ(slope.soil.name, "ApolloNominal");
   EXPECT_TRUE(slope.is_synthetic);
   EXPECT_TRUE(std::holds_alternative<CraterSurface>(catalog.load_terrain("Craters").surface));
+}
+
+TEST(Inertia, flat_discs_and_geared_wheels_are_allowed) {
+  ScriptDirectory directory;
+  directory.write("rovers/Disc.lua",  // at the limit but for rounding
+                  "local lsos = require 'lsos' "
+                  "return lsos.bogie { inertia_kgm2 = lsos.vec3(0.21, 0.47, 0.68) }");
+  directory.write("rovers/Geared.lua",
+                  "local lsos = require 'lsos' "
+                  "return lsos.wheel { inertia_kgm2 = lsos.vec3(0.01, 0.04, 0.01) }");
+  const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}});
+  for (const char* name : {"Disc", "Geared"}) {
+    const std::string errors = errors_of(catalog, ScriptKind::rover, name);
+    EXPECT_THAT(errors, HasSubstr("'mass_kg' is missing"));
+    EXPECT_THAT(errors, Not(HasSubstr("inertia_kgm2")));
+  }
 }
 
 TEST(Terrain, raster_is_found_beside_its_script) {
