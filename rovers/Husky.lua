@@ -41,11 +41,11 @@ local suspension = lsos.skid_steer {
     power_max_w              = 100,  -- R: 400 W for four wheels
     no_load_speed_radps      = 9,    -- A: half as much again as at the greatest speed
     efficiency               = 0.6,  -- A: motor, gear and belt
-    servo_gain_n_m_sprad     = 5,
-    servo_integral_n_m_prad  = 20,
+    servo_gain_n_m_sprad     = 5,    -- A: 0.6 of what the step allows (D)
+    servo_integral_n_m_prad  = 20,   -- A: a lasting load is made up in 0.25 s
     brake_torque_max_n_m     = 60,   -- A
-    brake_stiffness_n_m_prad = 800,
-    brake_damping_n_m_sprad  = 4,
+    brake_stiffness_n_m_prad = 800,  -- A: gives 4 degrees under its torque
+    brake_damping_n_m_sprad  = 4,    -- A: 0.3 of critical
   },
 }
 
@@ -66,18 +66,18 @@ return lsos.rover {
   configurations = {
     lsos.configuration {
       name               = 'FullPayload',
-      doc                = 'With 75 kg on its top plate.',     -- R: data sheet
-      payload_mass_kg    = 75,
-      payload_position_m = lsos.vec3(0, 0, 0.5),               -- A
+      doc                = 'With 75 kg on its top plate.',
+      payload_mass_kg    = 75,                     -- R: data sheet
+      payload_position_m = lsos.vec3(0, 0, 0.5),   -- A
     },
   },
 
-  step_s               = 0.005,
-  cruise_speed_mps     = 0.7,   -- A
-  speed_max_mps        = 1.0,   -- V: max_velocity, control
-  acceleration_mps2    = 0.5,   -- A: far below the 3 m/s2 of control
-  can_turn_on_spot     = true,  -- D: skid steering
-  turning_radius_min_m = 0.5,   -- A
+  step_s               = 0.005,  -- D: omega x step is 0.81 along the ground, its stiffest mode
+  cruise_speed_mps     = 0.7,    -- A
+  speed_max_mps        = 1.0,    -- V: max_velocity, control
+  acceleration_mps2    = 0.5,    -- A: far below the 3 m/s2 of control
+  can_turn_on_spot     = true,   -- D: skid steering
+  turning_radius_min_m = 0.5,    -- A
 
   assumptions = {
     'Husky: 50 kg with four wheels of 2.6 kg; tyres of 40 kN/m that lose 2 % of their load in '
@@ -86,5 +86,7 @@ return lsos.rover {
       .. 'controller; soils differ',
     'Husky: drives of 50 N m and 100 W a wheel, 9 rad/s without load and an efficiency of 0.6 are '
       .. 'assumed',
+    'Husky: drive servos, brakes and their springs, a cruise speed of 0.7 m/s and an acceleration '
+      .. 'of 0.5 m/s2 are assumed',
   },
 }

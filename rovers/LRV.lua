@@ -55,7 +55,7 @@ local suspension = lsos.wishbone {
     damping_n_m_sprad  = 60,            -- A
   },
 
-  wheel_offsets_m = { 0 },
+  wheel_offsets_m = { 0 },   -- A: wheels on their steering axes
   wheel = lsos.wheel {
     radius_m                 = 0.41,    -- V: 82 cm diameter, sservi.nasa.gov
     width_m                  = 0.23,    -- V: 23 cm, the same
@@ -67,15 +67,18 @@ local suspension = lsos.wishbone {
   },
 
   drive = lsos.drive {
-    torque_max_n_m           = 120,   -- A: climbs 25 degrees of soft ground with a third to spare
+    -- A: at the rims more than its whole lunar weight, so that grip ends a climb and torque does
+    -- not; D: 20 degrees take 50 N m a wheel and 25 degrees 59, both with a tenth of its load lost
+    -- in the soil
+    torque_max_n_m           = 120,
     power_max_w              = 186,   -- V: 0.25 hp, encyclopedia articles; at the wheel: A
     no_load_speed_radps      = 13.1,  -- R: motor to 10,000 rpm; V: 80:1
     efficiency               = 0.7,   -- A: motor and harmonic drive
-    servo_gain_n_m_sprad     = 60,
-    servo_integral_n_m_prad  = 60,
+    servo_gain_n_m_sprad     = 60,    -- A: full torque at 2 rad/s too slow
+    servo_integral_n_m_prad  = 60,    -- A: a lasting load is made up in a second
     brake_torque_max_n_m     = 200,   -- A: holds any wheel that has grip
-    brake_stiffness_n_m_prad = 5000,
-    brake_damping_n_m_sprad  = 30,
+    brake_stiffness_n_m_prad = 5000,  -- A: gives 2 degrees under its torque
+    brake_damping_n_m_sprad  = 30,    -- A: 0.3 of critical
   },
 }
 
@@ -102,11 +105,11 @@ return lsos.rover {
     },
   },
 
-  step_s               = 0.005,
-  cruise_speed_mps     = 2.5,   -- A: 9 km/h
-  speed_max_mps        = 3.6,   -- V: 13 km/h by design, encyclopedia articles
-  acceleration_mps2    = 0.5,   -- A
-  turning_radius_min_m = 3.1,   -- V: 10 feet, 'Apollo Moonships' p. 81
+  step_s               = 0.005,  -- D: omega x step is 0.68 along the ground, its stiffest mode
+  cruise_speed_mps     = 2.5,    -- A: 9 km/h
+  speed_max_mps        = 3.6,    -- V: 13 km/h by design, encyclopedia articles
+  acceleration_mps2    = 0.5,    -- A
+  turning_radius_min_m = 3.1,    -- V: 10 feet, 'Apollo Moonships' p. 81
 
   assumptions = {
     'LRV: 74 kg of wheels, arms and traction drives, the load at 0.85 m and the centre of mass at '
@@ -116,5 +119,7 @@ return lsos.rover {
     'LRV: springs of 2.6 kN/m follow from the clearance loaded and empty; dampers at half of '
       .. 'critical, 0.15 m of travel either way and steering servos are assumed',
     'LRV: drives of 120 N m a wheel with an efficiency of 0.7 are assumed',
+    'LRV: drive servos, brakes and their springs, a cruise speed of 2.5 m/s and an acceleration of '
+      .. '0.5 m/s2 are assumed',
   },
 }

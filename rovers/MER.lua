@@ -20,7 +20,7 @@ local stations = {
                  is_steered = true },
   lsos.station { name = 'middle', position_m = lsos.vec3(0, 0.61, 0),           -- R: track 1.22 m
                  on = 'bogie' },
-  lsos.station { name = 'rear', position_m = lsos.vec3(-half_base_m, 0.53, 0),
+  lsos.station { name = 'rear', position_m = lsos.vec3(-half_base_m, 0.53, 0),  -- R: the same
                  is_steered = true, on = 'bogie' },
 }
 
@@ -85,15 +85,15 @@ local suspension = lsos.rocker_bogie {
   },
 
   drive = lsos.drive {
-    torque_max_n_m           = 30,    -- A: lifts a good part of the rover's weight
+    torque_max_n_m           = 30,    -- A: at the rims twice the rover's weight on Mars (D)
     power_max_w              = 8,     -- A
     no_load_speed_radps      = 0.55,  -- A: a third above the greatest speed
     efficiency               = 0.5,   -- A: motor and three gears
-    servo_gain_n_m_sprad     = 4,
-    servo_integral_n_m_prad  = 30,
+    servo_gain_n_m_sprad     = 4,     -- A: three quarters of what the step allows (D)
+    servo_integral_n_m_prad  = 30,    -- A: a lasting load is made up in 0.13 s
     brake_torque_max_n_m     = 40,    -- A: gears hold the wheel
-    brake_stiffness_n_m_prad = 800,
-    brake_damping_n_m_sprad  = 4,
+    brake_stiffness_n_m_prad = 800,   -- A: gives 3 degrees under its torque
+    brake_damping_n_m_sprad  = 4,     -- A: 0.4 of critical
   },
 }
 
@@ -119,12 +119,12 @@ return lsos.rover {
     },
   },
 
-  step_s               = 0.00625,
-  cruise_speed_mps     = 0.0375,  -- A: three quarters of the greatest
-  speed_max_mps        = 0.05,    -- V: encyclopedia articles on Spirit
-  acceleration_mps2    = 0.02,    -- A
-  can_turn_on_spot     = true,    -- V: encyclopedia articles on the rocker-bogie
-  turning_radius_min_m = 1.2,     -- A: within the steering's 60 degrees
+  step_s               = 0.00625,  -- D: omega x step is 0.96 for a middle wheel's brake
+  cruise_speed_mps     = 0.0375,   -- A: three quarters of the greatest
+  speed_max_mps        = 0.05,     -- V: encyclopedia articles on Spirit
+  acceleration_mps2    = 0.02,     -- A
+  can_turn_on_spot     = true,     -- V: encyclopedia articles on the rocker-bogie
+  turning_radius_min_m = 1.2,      -- A: within the steering's 60 degrees
 
   assumptions = {
     'MER: 180 kg, read as 174 to 185 kg in the sources; suspension of 38 kg with wheels, and a '
@@ -134,5 +134,7 @@ return lsos.rover {
       .. 'the normal are assumed for the wheels',
     'MER: drives of 30 N m a wheel, 0.55 rad/s without load and an efficiency of 0.5 are assumed, '
       .. 'as are the steering servos',
+    'MER: drive servos, brakes and their springs, a cruise speed of 0.0375 m/s and an acceleration '
+      .. 'of 0.02 m/s2 are assumed',
   },
 }

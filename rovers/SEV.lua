@@ -36,12 +36,11 @@ local suspension = lsos.wishbone {
   arm_mass_kg     = arm_kg,
   knuckle_mass_kg = knuckle_kg,
 
-  -- A: 0.7 Hz ride with 527 kg a module (D), at 0.7 of critical damping.
   spring = lsos.spring {
-    stiffness_npm = 1e4,
-    damping_nspm  = 3200,
-    travel_up_m   = 0.25,
-    travel_down_m = 0.25,
+    stiffness_npm = 1e4,    -- A: 0.7 Hz ride with 527 kg a module (D)
+    damping_nspm  = 3200,   -- A: 0.7 of critical
+    travel_up_m   = 0.25,   -- A
+    travel_down_m = 0.25,   -- A
   },
 
   steering = lsos.steering {
@@ -67,11 +66,11 @@ local suspension = lsos.wishbone {
     torque_max_n_m           = 730,    -- D: 4000 lbf in low gear (V: Chariot, 2007) on 12 wheels
     power_max_w              = 1500,   -- A
     efficiency               = 0.8,    -- A: motor and gear
-    servo_gain_n_m_sprad     = 300,
-    servo_integral_n_m_prad  = 300,
+    servo_gain_n_m_sprad     = 300,    -- A: full torque at 2.4 rad/s too slow
+    servo_integral_n_m_prad  = 300,    -- A: a lasting load is made up in a second
     brake_torque_max_n_m     = 1500,   -- A: holds twice what the motor gives
-    brake_stiffness_n_m_prad = 2e4,
-    brake_damping_n_m_sprad  = 200,
+    brake_stiffness_n_m_prad = 2e4,    -- A: gives 4 degrees under its torque
+    brake_damping_n_m_sprad  = 200,    -- A: 0.4 of critical
   },
 }
 
@@ -92,8 +91,8 @@ return lsos.rover {
     },
   },
 
-  step_s            = 0.010,
-  cruise_speed_mps  = 2.0,
+  step_s            = 0.010,  -- D: omega x step is 0.85 along the ground, its stiffest mode
+  cruise_speed_mps  = 2.0,    -- A: 7 km/h
   speed_max_mps     = 2.78,   -- V: 10 km/h in any direction, lunarsettlementindex.org quoting NASA
   acceleration_mps2 = 0.3,    -- A
   can_turn_on_spot  = true,   -- D: all modules steer
@@ -107,6 +106,8 @@ return lsos.rover {
       .. 'assumed',
     'SEV: motors of 1.5 kW a wheel with an efficiency of 0.8 are assumed; their torque is that of '
       .. 'the Chariot chassis in low gear',
+    'SEV: drive and steering servos, brakes and their springs, a cruise speed of 2 m/s and an '
+      .. 'acceleration of 0.3 m/s2 are assumed',
     'SEV: treads that shear soil on soil (interface friction 1) are assumed',
   },
 }

@@ -35,6 +35,31 @@ TEST(Scripts, say_what_they_are_for) {
   }
 }
 
+// Where a number is from stands behind it, or in the comment right above it.
+bool is_graded(const std::vector<std::string>& lines, std::size_t i) {
+  static const std::regex grade(R"(-- .*\b[VRDA]\b.*)"), comment(" *--.*");
+  if (std::regex_search(lines[i], grade)) return true;
+  while (i-- > 0 && std::regex_match(lines[i], comment)) {
+    if (std::regex_search(lines[i], grade)) return true;
+  }
+  return false;
+}
+
+TEST(Rovers, say_of_every_number_where_it_is_from) {
+  // radius_m = 0.4, size_m = lsos.vec3(1, 2, 3), local mass_kg = 5; not api = 1 and what is 0.
+  const std::regex number(R"( *(local )?(?!api )\w+ *= (lsos\.vec3|math\.rad|[-{0-9]).*[1-9].*)");
+  int numbers = 0;
+  for (const SourceFile& file : source_files({".lua"})) {
+    if (file.path.parent_path() != "rovers") continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      if (!std::regex_match(file.lines[i], number)) continue;
+      ++numbers;
+      EXPECT_TRUE(is_graded(file.lines, i)) << file.path << ": " << file.lines[i];
+    }
+  }
+  EXPECT_GT(numbers, 100);
+}
+
 TEST(Sources, start_with_a_comment_or_with_their_header) {
   for (const SourceFile& file : source_files({".cpp"})) {
     ASSERT_FALSE(file.lines.empty()) << file.path;
