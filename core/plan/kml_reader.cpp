@@ -204,6 +204,7 @@ const XMLElement& root_of(const tinyxml2::XMLDocument& document, const std::stri
 
 KmlSource parse_kml(std::string bytes, const std::string& file) {
   const KmlText text = kml_text(std::move(bytes), file);
+  check_markup(text);
   tinyxml2::XMLDocument document;
   document.Parse(text.utf8.data(), text.utf8.size());
   if (document.Error()) {

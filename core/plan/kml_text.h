@@ -22,6 +22,10 @@ std::string read_bytes(const std::string& file);
 // encodings. Throws InputError when there is no document or the bytes are not of their encoding.
 KmlText kml_text(std::string bytes, const std::string& file);
 
+// Throws InputError for markup that the parser would misread (entities of the document's own) or
+// need minutes for (thousands of attributes).
+void check_markup(const KmlText& text);
+
 // Parts of kml_text.
 bool is_zip(std::string_view bytes);
 KmlText unpack_kmz(const std::string& bytes, const std::string& file,

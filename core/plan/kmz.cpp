@@ -40,7 +40,10 @@ ZipArchive open_archive(const std::string& bytes, const std::string& file) {
     if (source != nullptr) zip_source_free(source);
     const std::string why = message(&error);
     zip_error_fini(&error);
-    throw InputError({file, 0}, fmt::format("cannot be unpacked: {}", why));
+    throw InputError({file, 0},
+                     fmt::format("cannot be unpacked: {}; it begins as a KMZ but is cut short or "
+                                 "damaged",
+                                 why));
   }
   zip_error_fini(&error);
   return ZipArchive(archive);

@@ -81,7 +81,9 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
                          std::vector<std::string>& defaults) {
   MissionInfo mission;
   if (missions.empty()) {
-    context.faults.error({context.source_file, 0}, "has no MissionInfo; exactly one is wanted");
+    context.faults.error({context.source_file, 0},
+                         "has no MissionInfo; exactly one is wanted: a Placemark with "
+                         "<SchemaData schemaUrl=\"#MissionInfo\">");
     return mission;
   }
   for (std::size_t i = 1; i < missions.size(); ++i) {

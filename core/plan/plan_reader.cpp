@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "plan/classify.h"
@@ -11,12 +13,33 @@ namespace lsos {
 
 namespace {
 
+bool has_nothing_of_ours(const Classified& found) {
+  return found.missions.empty() && found.rovers.empty() && found.assets.empty() &&
+         found.events.empty();
+}
+
+// Any map that is no plan: one answer instead of a list of all that it lacks.
+std::string no_plan(int count) {
+  const std::string seen =
+      count == 0 ? "no Placemark"
+                 : fmt::format("{} Placemark{}, none of them a MissionInfo, Rover, Asset or event",
+                               count, count == 1 ? "" : "s");
+  return fmt::format(
+      "is KML but no plan: it has {}; a plan has one with <SchemaData schemaUrl=\"#MissionInfo\">, "
+      "and one with \"#Rover\" for each rover",
+      seen);
+}
+
 Plan read_placemarks(const std::string& file, const KmlSource& source,
                      const Declarations& declarations, Faults& faults) {
   Plan plan;
   plan.file = file;
   const Classified ours = classify(source, declarations, faults);
   plan.decoration_count = ours.decoration_count;
+  if (has_nothing_of_ours(ours) && !faults.has_errors()) {
+    faults.error({source.file, 0}, no_plan(ours.decoration_count));
+    return plan;
+  }
 
   const ReadContext context{file, source.file, declarations, faults};
   plan.mission = read_mission(ours.missions, context, plan.defaults);

@@ -142,7 +142,9 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
                                    const ReadContext& context, IdLines& ids,
                                    std::vector<std::string>& defaults) {
   if (rovers.empty()) {
-    context.faults.error({context.source_file, 0}, "has no Rover; at least one is wanted");
+    context.faults.error({context.source_file, 0},
+                         "has no Rover; at least one is wanted: a Placemark with "
+                         "<SchemaData schemaUrl=\"#Rover\">");
   }
   std::vector<DraftRover> drafts;
   for (const OurPlacemark& ours : rovers) drafts.push_back(read_rover(ours, context, ids));
