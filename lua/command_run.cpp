@@ -65,12 +65,12 @@ int simulate(Simulation& simulation, bool is_quiet) {
   return stopped_by;
 }
 
-}  // namespace
-
 void ask_to_stop(int signal) {
   asked_to_stop = signal;
   std::signal(signal, SIG_DFL);  // who asks again does not want to wait
 }
+
+}  // namespace
 
 int run_command(const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -87,6 +87,9 @@ int run_command(const RunOptions& options) {
   // The last checks: whether the plan fits the terrain. Only then the old run may go.
   Simulation simulation(std::move(setup));
   const std::string plan_bytes = read_bytes(options.plan);  // it may lie in the folder itself
+  // Until here a signal may end it at once: there is nothing to write out.
+  std::signal(SIGINT, ask_to_stop);
+  std::signal(SIGTERM, ask_to_stop);
   folder.prepare();
   write_file(folder.file("plan.kml"), plan_bytes);
   LogWriter log(folder.file("log.gpkg"), std::string(files.plan.mission.planet->crs),

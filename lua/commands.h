@@ -51,7 +51,4 @@ int rig_command(const RigOptions& options);
 
 int overlay_command(const std::string& folder, bool is_json);
 
-// Asks a running `run` to stop, from a signal handler.
-void ask_to_stop(int signal);
-
 }  // namespace lsos

@@ -126,8 +126,6 @@ int run_program(std::vector<std::string> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGINT, lsos::ask_to_stop);
-  std::signal(SIGTERM, lsos::ask_to_stop);
   std::signal(SIGPIPE, SIG_IGN);
   // Beyond a file size limit a write must fail and be reported, not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "system/run_folder.h"
 
@@ -119,6 +121,24 @@ TEST(OutputFolder, is_named_after_the_plan_by_default) {
   const Outcome outcome = run({"plans/short.kml"}, {.folder = folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(fs::exists(folder / "out" / "short" / "summary.json"));
+}
+
+// A named pipe that nobody writes holds `check` in the middle of its reading.
+TEST(StoppedCheck, ends_at_once) {
+  const TempFolder folder;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string file = folder / ("pipe" + std::to_string(signal) + ".kml");
+    ASSERT_EQ(run_command({"mkfifo", file}).exit_code, 0);
+    Process process(program({"check", file}));
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ASSERT_TRUE(process.is_running()) << process.wait().out;
+    process.signal(signal);
+    for (int i = 0; i < 1000 && process.is_running(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    ASSERT_FALSE(process.is_running()) << "signal " << signal << " did not end it";
+    EXPECT_EQ(process.wait().exit_code, 128 + signal);
+  }
 }
 
 }  // namespace
