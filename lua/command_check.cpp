@@ -77,6 +77,7 @@ int check_command(const CheckOptions& options) {
       // The machine's `initialise`: rovers are put on the ground, nothing moves.
       const Simulation simulation(simulation_setup(files));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
+      files.faults.add(simulation.ground().advice());
     } catch (const InputError& error) {
       files.faults.add(error.faults());
     }

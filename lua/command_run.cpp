@@ -86,6 +86,10 @@ int run_command(const RunOptions& options) {
   setup.save_every_exchange = options.save_every_exchange;
   // The last checks: whether the plan fits the terrain. Only then the old run may go.
   Simulation simulation(std::move(setup));
+  for (const Fault& fault : simulation.ground().advice()) {
+    files.faults.add({fault});
+    if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
+  }
   const std::string plan_bytes = read_bytes(options.plan);  // it may lie in the folder itself
   // Until here a signal may end it at once: there is nothing to write out.
   std::signal(SIGINT, ask_to_stop);

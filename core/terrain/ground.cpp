@@ -60,6 +60,12 @@ std::string Ground::hash() const {
   return hash.hex();
 }
 
+std::vector<Fault> Ground::advice() const {
+  const std::string advice = impl_->grid->advice();
+  if (advice.empty()) return {};
+  return {{Severity::warning, impl_->spec.place, advice}};
+}
+
 std::optional<double> Ground::elevation_m(const Geodetic& place) const {
   const auto at = impl_->grid->coordinates(place);
   if (!at) return {};

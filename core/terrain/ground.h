@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/vector.h"
 #include "planet/site_frame.h"
@@ -49,6 +50,8 @@ class Ground {
   const Soil& soil() const;
   // SHA-256 of what makes this ground: script values and raster bytes' metadata and samples.
   std::string hash() const;
+  // Warnings about what makes it slow.
+  std::vector<Fault> advice() const;
 
  private:
   struct Impl;

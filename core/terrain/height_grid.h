@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "base/sha256.h"
 #include "terrain/height_tile.h"
@@ -42,6 +43,8 @@ class HeightGrid {
   virtual std::optional<GridCoordinates> coordinates(const Geodetic& place) const = 0;
   // All that decides the heights.
   virtual void add_to(Sha256& hash) const = 0;
+  // What would make it faster; "" for nothing.
+  virtual std::string advice() const { return {}; }
 
   const GridExtent& extent() const { return extent_; }
 

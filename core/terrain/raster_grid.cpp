@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "terrain/gdal_call.h"
 #include "terrain/height_grid.h"
+#include "terrain/raster_advice.h"
 #include "terrain/raster_hash.h"
 #include "terrain/raster_map.h"
 #include "terrain/raw_window.h"
@@ -18,7 +19,10 @@ namespace {
 
 void register_drivers() {
   static std::once_flag once;
-  std::call_once(once, [] { GDALAllRegister(); });
+  std::call_once(once, [] {
+    GDALAllRegister();
+    bound_block_cache();
+  });
 }
 
 std::unique_ptr<GDALDataset> opened(const RasterSurface& surface, const Place& place) {
@@ -92,6 +96,10 @@ class RasterGrid : public HeightGrid {
     const std::lock_guard lock(mutex_);
     hash.add(fmt::format("raster {} {} {}", map_.description(), scale_.scale, scale_.offset_m));
     add_samples(band_, hash);
+  }
+  std::string advice() const override {
+    const std::lock_guard lock(mutex_);
+    return raster_advice(band_, dataset_->GetDescription());
   }
 
  private:

@@ -8,8 +8,9 @@ class GDALRasterBand;
 namespace lsos {
 
 // Size, type, nodata value and samples, in the raster's own blocks. Of rasters with more than
-// 2^26 cells only every n-th block is read, n as small as keeps to that many: a hash that took
-// minutes would be switched off, and a changed raster differs in more than a few blocks.
+// 2^23 cells only that many are read, in blocks spread evenly, and the file's size counts too: a
+// hash that took minutes would be switched off, and a changed raster differs in more than a few
+// blocks.
 void add_samples(GDALRasterBand& band, Sha256& hash);
 
 }  // namespace lsos
