@@ -87,8 +87,11 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   const PlaneFit plane = fit_plane(feet_S_m, up);
   Mat3 R_SB;
   R_SB.col(2) = plane.normal;
-  R_SB.col(1) = plane.normal.cross(ahead).normalized();
-  R_SB.col(0) = R_SB.col(1).cross(R_SB.col(2));
+  // Raised or lowered only: dropped onto the plane along its normal, `ahead` would turn on a slope
+  // that falls to the side as well.
+  const double rise = -ahead.dot(plane.normal) / up.dot(plane.normal);
+  R_SB.col(0) = (ahead + rise * up).normalized();
+  R_SB.col(1) = R_SB.col(2).cross(R_SB.col(0));
   const double height_m = (plane.point - p_S_m).dot(plane.normal) / up.dot(plane.normal);
   bodies_.place(p_S_m + height_m * up, R_SB);
   // Joints that do not begin at rest may have wheels below the ground.

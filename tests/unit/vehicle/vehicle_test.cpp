@@ -32,6 +32,18 @@ TEST(Vehicle, stands_level_on_level_ground_at_its_ride_height) {
   EXPECT_NEAR(report.p_S_m.z(), -3840 * g / 12 / 1e5, 5e-4);
 }
 
+// Down to the north and seen from the side, so that it pitches and rolls at once.
+TEST(Vehicle, keeps_the_heading_that_was_asked_on_a_slope) {
+  const auto ground = test::moon(radians(15), 0);
+  Vehicle vehicle(test::rover(g), *ground);
+  for (const double heading_deg : {60.0, 120.0, 240.0, 300.0}) {
+    ASSERT_EQ(vehicle.place(start, radians(heading_deg)), "");
+    const VehicleReport report = vehicle.report();
+    EXPECT_NEAR(report.heading_rad, radians(heading_deg), radians(0.2));
+    EXPECT_GT(std::abs(report.pitch_rad * report.roll_rad), radians(1));
+  }
+}
+
 TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
   const auto ground = test::moon();
   Vehicle vehicle(test::rover(g), *ground);
