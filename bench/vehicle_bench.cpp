@@ -68,7 +68,7 @@ struct Scene {
     const lsos::Body& body = *lsos::find_body(of.planet);
     lsos::TerrainSpec spec;
     spec.name = "Hills";
-    spec.surface = lsos::RasterSurface{raster.file(), 1};
+    spec.layers = {lsos::RasterSurface{raster.file(), 1}};
     spec.soil = catalog->load_soil("ApolloNominal");
     ground = lsos::ground_at(spec, body, {}, 0);
     config = lsos::make_vehicle(catalog->load_rover(of.rover), "",

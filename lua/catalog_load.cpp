@@ -47,22 +47,32 @@ std::optional<T> load(LuaState& lua, const Script& script, const char* kind, Fau
   return value;
 }
 
-// Fills in the soil that is named, and makes a raster's path independent of where we are.
+// Fills in the soils that are named, and makes rasters' paths independent of where we are.
 void complete(TerrainScript& terrain, const Script& script,
               const std::map<std::string, Soil>& soils, Faults& faults) {
   TerrainSpec& spec = terrain.spec;
   spec.name = script.name;
-  if (auto* raster = std::get_if<RasterSurface>(&spec.surface)) {
-    const fs::path file = raster->file;
-    raster->file = (file.is_absolute() ? file : fs::path(script.folder) / file).string();
+  const auto locate = [&](RasterSurface& raster) {
+    const fs::path file = raster.file;
+    raster.file = (file.is_absolute() ? file : fs::path(script.folder) / file).string();
+  };
+  const auto chosen = [&](const SoilChoice& choice) {
+    if (choice.name.empty()) return choice.soil;
+    const auto soil = soils.find(choice.name);
+    if (soil != soils.end()) return soil->second;
+    faults.error(spec.place, fmt::format("terrain: no soil '{}'{}", choice.name,
+                                         did_you_mean(choice.name, names_of(soils))));
+    return Soil{};
+  };
+  for (Surface& layer : spec.layers) {
+    if (auto* raster = std::get_if<RasterSurface>(&layer)) locate(*raster);
   }
-  if (terrain.soil_name.empty()) return;
-  const auto soil = soils.find(terrain.soil_name);
-  if (soil != soils.end()) {
-    spec.soil = soil->second;
-  } else {
-    faults.error(spec.place, fmt::format("terrain: no soil '{}'{}", terrain.soil_name,
-                                         did_you_mean(terrain.soil_name, names_of(soils))));
+  spec.soil = chosen(terrain.soil);
+  if (terrain.rock_soil) spec.rock_soil = chosen(*terrain.rock_soil);
+  for (SoilPatchScript& patch : terrain.soil_patches) {
+    patch.patch.soil = chosen(patch.soil);
+    if (patch.patch.raster) locate(*patch.patch.raster);
+    spec.soil_patches.push_back(std::move(patch.patch));
   }
 }
 

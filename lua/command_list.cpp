@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "lua/commands.h"
 #include "lua/mission_files.h"
@@ -62,7 +63,8 @@ std::string field_text(const FieldDeclaration& field) {
 
 struct Listed {
   std::string name, doc;
-  std::vector<FieldDeclaration> fields;
+  std::vector<FieldDeclaration> fields = {};
+  std::optional<std::vector<RoverConfiguration>> configurations = {};  // of rovers
 };
 
 std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
@@ -73,15 +75,42 @@ std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
       all.push_back({name, event.doc, event.fields});
     }
   } else if (what == "rovers") {
-    for (const auto& [name, rover] : declarations.rover_types) all.push_back({name, rover.doc, {}});
+    for (const auto& [name, rover] : declarations.rover_types) {
+      all.push_back({name, rover.doc, {}, catalog.load_rover(name).configurations});
+    }
   } else if (what == "terrains") {
-    for (const std::string& name : declarations.terrains) all.push_back({name, "", {}});
+    for (const std::string& name : declarations.terrains) {
+      all.push_back({name, catalog.load_terrain(name).doc});
+    }
   } else {
     for (const Script& script : catalog.scripts()) {
-      if (script.kind == ScriptKind::soil) all.push_back({script.name, "", {}});
+      if (script.kind != ScriptKind::soil) continue;
+      if (!catalog.faults_of(script.kind, script.name).empty()) continue;
+      all.push_back({script.name, catalog.load_soil(script.name).doc});
     }
   }
   return all;
+}
+
+Json listed_json(const Listed& one) {
+  Json json{{"name", one.name}, {"doc", one.doc}, {"fields", Json::array()}};
+  for (const FieldDeclaration& field : one.fields) json["fields"].push_back(field_json(field));
+  if (!one.configurations) return json;
+  json["configurations"] = Json::array();
+  for (const RoverConfiguration& configuration : *one.configurations) {
+    json["configurations"].push_back({{"name", configuration.name}, {"doc", configuration.doc}});
+  }
+  return json;
+}
+
+std::string listed_text(const Listed& one) {
+  std::string text = fmt::format("{}{}{}\n", one.name, one.doc.empty() ? "" : ": ", one.doc);
+  for (const FieldDeclaration& field : one.fields) text += field_text(field);
+  if (!one.configurations) return text;
+  for (const RoverConfiguration& configuration : *one.configurations) {
+    text += fmt::format("  RoverConfig {}: {}\n", configuration.name, configuration.doc);
+  }
+  return text;
 }
 
 }  // namespace
@@ -101,13 +130,10 @@ int list_command(const ListOptions& options) {
   Json json = Json::array();
   for (const Listed& one : all) {
     if (options.is_json) {
-      Json fields = Json::array();
-      for (const FieldDeclaration& field : one.fields) fields.push_back(field_json(field));
-      json.push_back({{"name", one.name}, {"doc", one.doc}, {"fields", fields}});
-      continue;
+      json.push_back(listed_json(one));
+    } else {
+      fmt::print("{}", listed_text(one));
     }
-    fmt::print("{}{}{}\n", one.name, one.doc.empty() ? "" : ": ", one.doc);
-    for (const FieldDeclaration& field : one.fields) fmt::print("{}", field_text(field));
   }
   if (options.is_json) fmt::print("{}\n", json.dump(2));
   if (!options.is_json && options.what == "events" && options.name.empty()) {

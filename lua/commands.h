@@ -49,6 +49,26 @@ struct RigOptions {
 };
 int rig_command(const RigOptions& options);
 
+struct TerrainOptions {
+  std::string name;  // of a terrain script, or a raster
+  // Of a raster alone; a script says its own.
+  std::string band;  // its number or description
+  std::optional<double> nodata;
+  std::string unit;
+  std::optional<bool> is_radius;
+  std::string crs;
+
+  std::string planet;           // of a script without a raster; "": Moon
+  std::string site;             // "LON,LAT"; "": the first of `at`, or the window's centre
+  std::uint64_t seed = 0;       // of generated ground
+  std::vector<std::string> at;  // "LON,LAT"
+  std::string export_file;
+  std::string window;  // "LON0,LAT0,LON1,LAT1"
+  std::optional<double> resolution_m;
+  bool is_hillshade = false;
+};
+int terrain_command(const TerrainOptions& options);
+
 int overlay_command(const std::string& folder, bool is_json);
 
 }  // namespace lsos

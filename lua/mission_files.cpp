@@ -26,7 +26,7 @@ TerrainSpec terrain_of(const Plan& plan, const Catalog& catalog,
   TerrainSpec terrain;
   terrain.name = std::filesystem::path(plan.mission.terrain).filename();
   terrain.place = plan.mission.place;
-  terrain.surface = RasterSurface{plan.mission.terrain};
+  terrain.layers = {RasterSurface{plan.mission.terrain}};
   terrain.soil = default_soil(catalog);
   terrain.is_synthetic = false;
   assumptions.push_back(fmt::format("{}: the soil is {}; a terrain script can name another",

@@ -10,13 +10,15 @@ return lsos.terrain {
   api = 1,
   doc = 'Synthetic level ground with bowl craters of 3 to 60 m, of nominal lunar soil.',
 
-  surface = lsos.craters {
-    base              = lsos.plane {},
-    diameter_min_m    = 3,
-    diameter_max_m    = 60,
-    exponent          = 2,
-    density_pm2       = 9e-4,
-    depth_to_diameter = 0.08,
+  surface = lsos.plane {},
+  detail  = lsos.detail {
+    craters = lsos.craters {
+      diameter_min_m    = 3,
+      diameter_max_m    = 60,
+      exponent          = 2,
+      density_pm2       = 9e-4,
+      depth_to_diameter = 0.08,
+    },
   },
   soil = 'ApolloNominal',
 }

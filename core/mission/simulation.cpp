@@ -42,7 +42,10 @@ void Simulation::check_soil() const {
     const double load_n = vehicle.mass_kg() * g_mps2 / static_cast<double>(wheels);
     for (const LinkConfig& link : vehicle.links) {
       if (!link.wheel) continue;
-      std::string fault = soil_fault(ground_->soil(), *link.wheel, load_n, g_mps2);
+      std::string fault;
+      for (const Soil& soil : ground_->soils()) {
+        if (fault.empty()) fault = soil_fault(soil, *link.wheel, load_n, g_mps2);
+      }
       if (fault.empty()) continue;
       faults.error(rover.place, fmt::format("Rover '{}': {}", rover.id, fault));
       break;

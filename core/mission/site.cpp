@@ -9,6 +9,10 @@ namespace lsos {
 
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
                                   const Geodetic& start, std::uint64_t seed) {
+  if (!terrain.planet.empty() && terrain.planet != body.name) {
+    throw InputError(terrain.place, fmt::format("terrain {} lies on {}, the plan's Planet is {}",
+                                                terrain.name, terrain.planet, body.name));
+  }
   const SiteFrame datum(body, {start.lon_rad, start.lat_rad, 0});
   const std::optional<double> elevation_m = Ground(terrain, datum, seed).elevation_m(start);
   if (!elevation_m) {

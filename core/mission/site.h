@@ -11,7 +11,7 @@
 namespace lsos {
 
 // The ground in the east-north-up frame on its surface at `start`. Throws InputError, also when
-// there is no ground at `start`.
+// the terrain lies on another body or has no ground at `start`.
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
                                   const Geodetic& start, std::uint64_t seed);
 

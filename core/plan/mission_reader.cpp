@@ -48,6 +48,11 @@ void read_terrain(FieldReader& fields, const std::string& text, const ReadContex
     fields.error("Terrain", "its script is broken");
     return;
   }
+  // GDAL's virtual file systems: a raster inside an archive, with an absolute path.
+  if (text.starts_with("/vsi")) {
+    mission.terrain_is_raster = true;
+    return;
+  }
   const fs::path path = beside_plan(text, context);
   std::error_code error;
   if (fs::is_regular_file(path, error)) {

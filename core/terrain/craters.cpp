@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/random.h"
-
 namespace lsos {
 
 namespace {
-
-// Pike 1977 (Size-dependence in the shape of fresh impact craters on the Moon): simple craters have
-// depth 0.196 D and rim height 0.036 D. Older craters have both subdued; the ratio is kept.
-constexpr double rim_to_depth = 0.036 / 0.196;
 
 // The bowl is a parabola to this share of the radius and a rounded crest from there on.
 constexpr double bowl_share = 0.8;
@@ -20,66 +14,49 @@ constexpr double bowl_share = 0.8;
 // that a look at one place meets few cells, whatever the range of diameters.
 constexpr double cell_to_diameter = 4;
 
-// Knuth's method multiplies uniforms until they pass exp(-mean); in portions, so that the
-// exponential does not underflow.
-int poisson(double mean, RandomStream& random) {
-  int count = 0;
-  for (double rest = mean; rest > 0; rest -= 16) {
-    const double limit = std::exp(-std::min(rest, 16.0));
-    for (double product = random.uniform(); product > limit; product *= random.uniform()) ++count;
-  }
-  return count;
-}
+// A crater has lived when its depth is down to 0.04 of its diameter, a fifth of a fresh one's, and
+// it counts no more (Fassett and Thomson 2014). Diffusion lowers a smooth hollow by 1/(1 + t) in
+// its time; the narrower rim goes faster, here with the square: an assumption.
+constexpr double depth_lost_at_end = 4;
 
 struct Octave {
   int number;
   double diameter_low_m;
   double diameter_high_m;
-  double mean_pm2;  // craters with a diameter in this octave
+  double cumulative_low_pm2;
+  double cumulative_high_pm2;
 };
 
-double cumulative_pm2(const CraterSurface& s, double diameter_m) {
-  return s.density_pm2 * std::pow(diameter_m / s.diameter_min_m, -s.exponent);
-}
-
-std::vector<Octave> octaves(const CraterSurface& s) {
+std::vector<Octave> octaves(const CraterPopulation& p) {
   std::vector<Octave> result;
-  for (double low = s.diameter_min_m; low < s.diameter_max_m; low *= 2) {
-    const double high = std::min(2 * low, s.diameter_max_m);
-    result.push_back({static_cast<int>(result.size()), low, high,
-                      cumulative_pm2(s, low) - cumulative_pm2(s, high)});
+  for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2) {
+    const double high = std::min(2 * low, p.diameter_max_m);
+    result.push_back({static_cast<int>(result.size()), low, high, cumulative_pm2(p, low),
+                      cumulative_pm2(p, high)});
   }
   return result;
 }
 
-// The inverse of the cumulative power law between the octave's ends.
-double drawn_diameter_m(const CraterSurface& s, const Octave& octave, double share) {
-  const double low = std::pow(octave.diameter_low_m, -s.exponent);
-  const double high = std::pow(octave.diameter_high_m, -s.exponent);
-  return std::pow(low + share * (high - low), -1 / s.exponent);
+// The inverse of the power law through the octave's ends.
+double drawn_diameter_m(const Octave& o, double share) {
+  const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
+  const double exponent =
+      std::log(o.diameter_high_m / o.diameter_low_m) / std::log(ratio);  // of D by N
+  return o.diameter_low_m * std::pow(1 + share * (ratio - 1), exponent);
 }
 
-void add_cell(const CraterSurface& s, std::uint64_t seed, const Octave& octave, double cell_m,
-              std::int64_t column, std::int64_t row, std::vector<Crater>& craters) {
-  std::uint64_t key = mix_key(mix_key(seed, "craters"), static_cast<std::uint64_t>(octave.number));
-  key = mix_key(mix_key(key, static_cast<std::uint64_t>(column)), static_cast<std::uint64_t>(row));
-  RandomStream random(key);
-  for (int rest = poisson(octave.mean_pm2 * cell_m * cell_m, random); rest > 0; --rest) {
-    Crater crater;
-    crater.centre.x_m = (static_cast<double>(column) + random.uniform()) * cell_m;
-    crater.centre.y_m = (static_cast<double>(row) + random.uniform()) * cell_m;
-    crater.diameter_m = drawn_diameter_m(s, octave, random.uniform());
-    craters.push_back(crater);
-  }
+// How much of its life a crater of this size has behind it at most.
+double life_max(const CraterPopulation& p, double diameter_m) {
+  if (!p.age_gyr) return p.degradation.value_or(0);
+  const double filled =
+      crater_production_pm2(*p.age_gyr, diameter_m) / crater_equilibrium_pm2(diameter_m);
+  return p.degradation.value_or(1) * std::min(1.0, filled);
 }
 
 }  // namespace
 
-double crater_height_m(double distance_m, double diameter_m, double depth_to_diameter) {
-  const double r = distance_m / (diameter_m / 2);
+double crater_height_m(double r, double depth_m, double rim_m) {
   if (r >= crater_reach) return 0;
-  const double depth_m = depth_to_diameter * diameter_m;  // rim crest to floor
-  const double rim_m = rim_to_depth * depth_m;
   if (r <= bowl_share) return rim_m - depth_m + depth_m / bowl_share * r * r;
   if (r <= 1) return rim_m - depth_m / (1 - bowl_share) * (1 - r) * (1 - r);
   // Ejecta thin out as r^-3 (McGetchin et al. 1973). This polynomial follows that within a third of
@@ -89,27 +66,59 @@ double crater_height_m(double distance_m, double diameter_m, double depth_to_dia
   return rim_m * s2 * s2 * s * (6 - 5 * s);
 }
 
-std::vector<Crater> craters_touching(const CraterSurface& surface, std::uint64_t seed,
-                                     const PlanePoint& low, const PlanePoint& high) {
+double crater_production_pm2(double age_gyr, double diameter_m) {
+  constexpr double a[] = {0,        -3.557528, 0.781027,  1.021521,  -0.156012, -0.444058,
+                          0.019977, 0.086850,  -0.005874, -0.006809, 8.25e-4,   5.54e-5};
+  constexpr double smallest_m = 10, small_exponent = -3;
+  const double x = std::log10(std::max(diameter_m, smallest_m) / 1000);
+  double log_n = 0;
+  for (int j = 11; j >= 0; --j) log_n = log_n * x + a[j];
+  const double larger_than_1_km_pm2 =
+      1e-6 * (5.44e-14 * std::expm1(6.93 * age_gyr) + 8.38e-4 * age_gyr);
+  const double below = std::min(diameter_m / smallest_m, 1.0);
+  return larger_than_1_km_pm2 * std::pow(10.0, log_n) * std::pow(below, small_exponent);
+}
+
+double crater_equilibrium_pm2(double diameter_m) {
+  return std::pow(10.0, -1.1) / (diameter_m * diameter_m);
+}
+
+double cumulative_pm2(const CraterPopulation& p, double diameter_m) {
+  if (!p.age_gyr) return p.density_pm2 * std::pow(diameter_m / p.diameter_min_m, -p.exponent);
+  return std::min(crater_production_pm2(*p.age_gyr, diameter_m),
+                  crater_equilibrium_pm2(diameter_m));
+}
+
+std::vector<Crater> craters_touching(const CraterPopulation& population, std::uint64_t seed,
+                                     const PlaneRectangle& area, double diameter_low_m,
+                                     double diameter_high_m) {
   std::vector<Crater> craters;
-  for (const Octave& octave : octaves(surface)) {
-    const double reach_m = crater_reach * octave.diameter_high_m / 2;
-    const double cell_m = cell_to_diameter * octave.diameter_high_m;
-    const auto cell = [cell_m](double at_m) {
-      return static_cast<std::int64_t>(std::floor(at_m / cell_m));
-    };
-    for (std::int64_t row = cell(low.y_m - reach_m); row <= cell(high.y_m + reach_m); ++row) {
-      for (std::int64_t column = cell(low.x_m - reach_m); column <= cell(high.x_m + reach_m);
-           ++column) {
-        add_cell(surface, seed, octave, cell_m, column, row, craters);
-      }
+  for (const Octave& octave : octaves(population)) {
+    if (octave.diameter_high_m <= diameter_low_m || octave.diameter_low_m >= diameter_high_m) {
+      continue;
     }
+    const double reach_m = crater_reach * octave.diameter_high_m / 2;
+    const std::uint64_t key =
+        mix_key(mix_key(seed, "craters"), static_cast<std::uint64_t>(octave.number));
+    const PlaneRectangle around{{area.low.x_m - reach_m, area.low.y_m - reach_m},
+                                {area.high.x_m + reach_m, area.high.y_m + reach_m}};
+    visit_points(
+        key, octave.cumulative_low_pm2 - octave.cumulative_high_pm2,
+        cell_to_diameter * octave.diameter_high_m, around,
+        [&](const PlanePoint& at, RandomStream& random) {
+          const double diameter_m = drawn_diameter_m(octave, random.uniform());
+          const double lived = random.uniform();
+          if (diameter_m < diameter_low_m || diameter_m >= diameter_high_m) return;
+          const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);
+          const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);
+          const double touch_m = crater_reach * diameter_m / 2;
+          if (dx * dx + dy * dy >= touch_m * touch_m) return;
+          const double left =
+              1 / (1 + depth_lost_at_end * lived * life_max(population, diameter_m));
+          const double fresh_m = population.depth_to_diameter * diameter_m;
+          craters.push_back({at, diameter_m, fresh_m * left, rim_to_depth * fresh_m * left * left});
+        });
   }
-  std::erase_if(craters, [&](const Crater& crater) {
-    const double dx = crater.centre.x_m - std::clamp(crater.centre.x_m, low.x_m, high.x_m);
-    const double dy = crater.centre.y_m - std::clamp(crater.centre.y_m, low.y_m, high.y_m);
-    return std::hypot(dx, dy) >= crater_reach * crater.diameter_m / 2;
-  });
   return craters;
 }
 

@@ -1,10 +1,10 @@
-// Seeded bowl craters: where they are, and what they look like.
+// Craters: how many there are, how they wear, and what they look like.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "terrain/site_plane.h"
+#include "terrain/poisson_field.h"
 #include "terrain/terrain_spec.h"
 
 namespace lsos {
@@ -12,17 +12,35 @@ namespace lsos {
 struct Crater {
   PlanePoint centre;
   double diameter_m = 0;  // rim crest to rim crest
+  double depth_m = 0;     // rim crest to floor
+  double rim_m = 0;       // of the crest, above the ground around
 };
 
-// Height above the ground before the impact, at a distance from the centre: a parabolic bowl with
-// a rounded rim, outside it an ejecta blanket that ends at `crater_reach` radii. C1.
-double crater_height_m(double distance_m, double diameter_m, double depth_to_diameter);
+// Height above the ground before the impact, at a distance of r radii from the centre: a parabolic
+// bowl with a rounded rim, outside it an ejecta blanket that ends at `crater_reach` radii. C1.
+double crater_height_m(double r, double depth_m, double rim_m);
 
 inline constexpr double crater_reach = 3;  // crater radii
 
-// All craters whose centre or blanket may touch the rectangle, in a fixed order. The field is a
-// Poisson process: the same for the same seed, whichever rectangles are asked for.
-std::vector<Crater> craters_touching(const CraterSurface& surface, std::uint64_t seed,
-                                     const PlanePoint& low, const PlanePoint& high);
+// Rim of a fresh simple crater by its depth: 0.036 D to 0.196 D (Pike 1977, Size-dependence in the
+// shape of fresh impact craters on the Moon).
+inline constexpr double rim_to_depth = 0.036 / 0.196;
+
+// Craters larger than D that a lunar surface of that age has received, a m2: the production
+// function and chronology of Neukum, Ivanov and Hartmann 2001 from 10 m to 100 km; below 10 m
+// continued with the exponent -3, an assumption.
+double crater_production_pm2(double age_gyr, double diameter_m);
+
+// Craters larger than D that a surface can hold at most, a m2: 10^-1.1 D^-2 (Trask 1966).
+double crater_equilibrium_pm2(double diameter_m);
+
+// Craters larger than D of the population, a m2.
+double cumulative_pm2(const CraterPopulation& population, double diameter_m);
+
+// All craters with a diameter in [diameter_low_m, diameter_high_m) whose blanket may touch the
+// rectangle, in a fixed order.
+std::vector<Crater> craters_touching(const CraterPopulation& population, std::uint64_t seed,
+                                     const PlaneRectangle& area, double diameter_low_m = 0,
+                                     double diameter_high_m = 1e9);
 
 }  // namespace lsos

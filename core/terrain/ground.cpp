@@ -1,50 +1,122 @@
 #include "terrain/ground.h"
 
-#include <array>
-#include <cmath>
+#include <fmt/format.h>
 
-#include "terrain/height_grid.h"
-#include "terrain/key_cache.h"
+#include <cmath>
+#include <numbers>
+
+#include "terrain/blend.h"
+#include "terrain/layer.h"
+#include "terrain/soil_map.h"
 
 namespace lsos {
 
 namespace {
 
-std::unique_ptr<HeightGrid> make_grid(const TerrainSpec& spec, const SitePlane& plane,
-                                      std::uint64_t seed) {
-  if (const auto* surface = std::get_if<RasterSurface>(&spec.surface)) {
-    return make_raster_grid(*surface, spec.place, plane);
+// Detail is drawn on a map around the place that the finest layer lies at, so that it stays where
+// it is when the site moves. Layers wider than this have no such place: there it is the node of a
+// net of degrees next to the site.
+constexpr double local_rad = 0.35;
+constexpr double net_rad = 5 * std::numbers::pi / 180;
+
+// Cells larger than this get no detail: what lies in them is not a matter of wheels.
+constexpr double detail_cell_max_m = 1000;
+
+std::unique_ptr<HeightGrid> make_grid(const Surface& surface, const TerrainSpec& spec,
+                                      const SitePlane& plane, std::uint64_t seed) {
+  if (const auto* raster = std::get_if<RasterSurface>(&surface)) {
+    return make_raster_grid(*raster, spec.place, plane);
   }
-  if (const auto* surface = std::get_if<CraterSurface>(&spec.surface)) {
-    return make_generated_grid(*surface, plane, seed);
+  if (const auto* relief = std::get_if<ReliefSurface>(&surface)) {
+    const auto craters = spec.detail ? spec.detail->craters : std::nullopt;
+    return make_relief_grid(*relief, craters, seed, plane);
   }
-  return make_generated_grid(std::get<PlaneSurface>(spec.surface), plane);
+  return make_plane_grid(std::get<PlaneSurface>(surface), plane);
+}
+
+GridCoordinates centre(const GridExtent& extent) {
+  if (!std::isfinite(extent.u_low)) return {0, 0};
+  return {(extent.u_low + extent.u_high) / 2, (extent.v_low + extent.v_high) / 2};
+}
+
+// Mean side of a cell in the middle of the grid.
+double cell_m(const HeightGrid& grid, const Body& body) {
+  const GridCoordinates at = centre(grid.extent());
+  const auto middle = grid.place(at), right = grid.place({at.u + 1, at.v}),
+             below = grid.place({at.u, at.v + 1});
+  if (!middle || !right || !below) return detail_cell_max_m;
+  return std::sqrt(surface_distance_m(body, *middle, *right) *
+                   surface_distance_m(body, *middle, *below));
+}
+
+Stereographic detail_map(const Surface& finest, const HeightGrid& grid, const SitePlane& plane) {
+  const Body& body = plane.site().body();
+  const Geodetic& site = plane.site().origin();
+  if (const auto* relief = std::get_if<ReliefSurface>(&finest)) {
+    return {body, relief->lon_rad, relief->lat_rad};
+  }
+  if (std::holds_alternative<PlaneSurface>(finest)) return {body, site.lon_rad, site.lat_rad};
+  const GridExtent& extent = grid.extent();
+  const auto middle = grid.place(centre(extent));
+  const auto corner = grid.place({extent.u_low, extent.v_low});
+  if (middle && corner && !extent.goes_around() &&
+      surface_distance_m(body, *middle, *corner) < local_rad * body.equatorial_radius_m) {
+    return {body, middle->lon_rad, middle->lat_rad};
+  }
+  return {body, std::round(site.lon_rad / net_rad) * net_rad,
+          std::round(site.lat_rad / net_rad) * net_rad};
+}
+
+DetailSetting setting_of(const Surface& surface, double cell_m) {
+  DetailSetting setting;
+  setting.cell_m = cell_m;
+  setting.keeps_cells = std::holds_alternative<RasterSurface>(surface);
+  if (std::holds_alternative<ReliefSurface>(surface)) {
+    setting.crater_max_m = relief_crater_min_cells * cell_m;
+  }
+  return setting;
+}
+
+std::string text(const Detail& detail) {
+  std::string text = fmt::format("detail {}", detail.spacing_m);
+  if (const auto& c = detail.craters) {
+    text += fmt::format(" craters {} {} {} {} {} {} {}", c->diameter_min_m, c->diameter_max_m,
+                        c->age_gyr.value_or(-1), c->exponent, c->density_pm2, c->depth_to_diameter,
+                        c->degradation.value_or(-1));
+  }
+  if (const auto& r = detail.rocks) {
+    text += fmt::format(" rocks {} {} {} {}", r->cover, r->diameter_min_m, r->diameter_max_m,
+                        r->height_to_diameter);
+  }
+  if (const auto& r = detail.roughness) {
+    text += fmt::format(" roughness {} {} {}", r->deviation_m, r->hurst, r->longest_m);
+  }
+  return text;
 }
 
 }  // namespace
 
 struct Ground::Impl {
-  Impl(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed)
-      : spec(terrain), plane(site), grid(make_grid(spec, plane, seed)) {}
-
-  std::shared_ptr<const HeightTile> tile(const TileKey& key) {
-    return tiles.get(key, [this](const TileKey& wanted) { return grid->tile(wanted); });
-  }
-
-  // The coarsest good patch that holds the point, or the finest one where none is good.
-  std::shared_ptr<const Patch> patch(const PlanePoint& at) {
-    for (int level = 0;; ++level) {
-      auto found = patches.get(Patch::key_of(at, level),
-                               [this](const PatchKey& key) { return grid->patch(key); });
-      if (found->is_good() || level == Patch::finest_level) return found;
+  Impl(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed_of_plan)
+      : spec(terrain), seed(seed_of_plan), plane(site), soils(spec, plane) {
+    for (std::size_t k = 0; k < spec.layers.size(); ++k) {
+      layers.push_back(std::make_unique<Layer>(make_grid(spec.layers[k], spec, plane, seed),
+                                               k + 1 < spec.layers.size()));
+    }
+    if (!spec.detail) return;
+    const Stereographic map = detail_map(spec.layers.front(), layers.front()->grid(), plane);
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      const double side_m = cell_m(layers[k]->grid(), plane.site().body());
+      if (side_m > detail_cell_max_m) continue;
+      layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], side_m), seed);
     }
   }
 
   TerrainSpec spec;
+  std::uint64_t seed;
   SitePlane plane;
-  std::unique_ptr<HeightGrid> grid;
-  KeyCache<TileKey, HeightTile> tiles{2048};  // 36 kB each: up to 150 MB
-  KeyCache<PatchKey, Patch> patches{16384};   // 0.3 kB each
+  SoilMap soils;
+  std::vector<std::unique_ptr<Layer>> layers;
 };
 
 Ground::Ground(const TerrainSpec& spec, const SiteFrame& site, std::uint64_t seed)
@@ -52,55 +124,38 @@ Ground::Ground(const TerrainSpec& spec, const SiteFrame& site, std::uint64_t see
 Ground::~Ground() = default;
 
 const SiteFrame& Ground::site() const { return impl_->plane.site(); }
-const Soil& Ground::soil() const { return impl_->spec.soil; }
+const std::vector<Soil>& Ground::soils() const { return impl_->soils.soils(); }
 
 std::string Ground::hash() const {
   Sha256 hash;
-  impl_->grid->add_to(hash);
+  for (const auto& layer : impl_->layers) layer->grid().add_to(hash);
+  if (impl_->spec.detail) hash.add(fmt::format("{} {}", text(*impl_->spec.detail), impl_->seed));
+  impl_->soils.add_to(hash);
   return hash.hex();
 }
 
 std::vector<Fault> Ground::advice() const {
-  const std::string advice = impl_->grid->advice();
-  if (advice.empty()) return {};
-  return {{Severity::warning, impl_->spec.place, advice}};
+  std::vector<Fault> faults;
+  for (const auto& layer : impl_->layers) {
+    const std::string advice = layer->grid().advice();
+    if (!advice.empty()) faults.push_back({Severity::warning, impl_->spec.place, advice});
+  }
+  return faults;
 }
 
-std::optional<double> Ground::elevation_m(const Geodetic& place) const {
-  const auto at = impl_->grid->coordinates(place);
-  if (!at) return {};
-  double u = at->u;
-  if (!impl_->grid->extent().bring_inside(u, at->v)) return {};
-  const CellPoint cell(u, at->v);
-  const double height_m = surface_height(*impl_->tile(cell.tile()), cell).height_m;
-  return std::isnan(height_m) ? std::nullopt : std::optional(height_m);
+std::optional<double> Ground::elevation_m(const Geodetic& place, double resolution_m) const {
+  const auto sample = blended(impl_->layers.size(), [&](std::size_t k) {
+    return impl_->layers[k]->at(place, resolution_m);
+  });
+  return sample ? std::optional(sample->height_m) : std::nullopt;
 }
 
-// What was last used, by parity of the key: wheels on both sides of a border keep their own.
-// Shared pointers: the ground may drop a piece while this probe still uses it.
 struct Ground::Probe::Impl {
-  explicit Impl(Ground::Impl& of) : ground(of) {}
-
-  // Patches that are not split any further never overlap, so that the one last used answers for
-  // every point it holds.
-  const Patch& patch(const PlanePoint& at) {
-    if (last_patch != nullptr && last_patch->holds(at)) return *last_patch;
-    const PatchKey key = Patch::key_of(at, 0);
-    std::shared_ptr<const Patch>& kept = patches[2 * (key.row & 1) + (key.column & 1)];
-    if (!kept || !kept->holds(at)) kept = ground.patch(at);
-    last_patch = kept.get();
-    return *kept;
+  explicit Impl(Ground::Impl& of) : ground(of) {
+    for (const auto& layer : of.layers) layers.emplace_back(*layer);
   }
-  const HeightTile& tile(const TileKey& key) {
-    std::shared_ptr<const HeightTile>& kept = tiles[2 * (key.row & 1) + (key.column & 1)];
-    if (!kept || kept->key() != key) kept = ground.tile(key);
-    return *kept;
-  }
-
   Ground::Impl& ground;
-  std::array<std::shared_ptr<const Patch>, 4> patches;
-  std::array<std::shared_ptr<const HeightTile>, 4> tiles;
-  const Patch* last_patch = nullptr;  // one of them
+  std::vector<Layer::Probe> layers;
 };
 
 Ground::Probe::Probe(const Ground& ground) : impl_(std::make_unique<Impl>(*ground.impl_)) {}
@@ -112,32 +167,20 @@ GroundSample Ground::Probe::sample(const Vec3& p_S_m) {
   const Ground::Impl& ground = impl_->ground;
   const Standing standing = ground.plane.standing(p_S_m);
   if (!standing.is_near) return {};
-
-  const Patch& patch = impl_->patch(standing.at);
-  GridPoint at;
-  if (patch.is_good()) {
-    at = patch.at(standing.at);
-  } else if (const auto exact = ground.grid->exact(standing.at)) {
-    at = *exact;
-  } else {
-    return {};
-  }
-  if (!ground.grid->extent().bring_inside(at.u, at.v)) return {};
-  const CellPoint cell(at.u, at.v);
-  const SurfaceHeight surface = surface_height(impl_->tile(cell.tile()), cell);
-  if (std::isnan(surface.height_m)) return {};
+  const std::optional<LayerSample> surface = blended(
+      impl_->layers.size(), [&](std::size_t k) { return impl_->layers[k].sample(standing.at); });
+  if (!surface) return {};
 
   GroundSample sample;
-  sample.elevation_m = surface.height_m;
+  sample.elevation_m = surface->height_m;
   sample.up_S = standing.up_S;
-  sample.gap_m = standing.height_m - surface.height_m;
-  // The surface is where height(p) - surface(u(x, y), v(x, y)) is 0; its normal is that gradient.
-  // The gradients of x and y grow from the asked point down to the surface.
-  const double by_x = surface.by_u_m * at.u_by_x + surface.by_v_m * at.v_by_x;
-  const double by_y = surface.by_u_m * at.u_by_y + surface.by_v_m * at.v_by_y;
+  sample.gap_m = standing.height_m - surface->height_m;
+  sample.soil = surface->is_rock ? ground.soils.of_rock() : ground.soils.at(standing.at);
+  // The surface is where height(p) - surface(x, y) is 0; its normal is that gradient. The
+  // gradients of x and y grow from the asked point down to the surface.
   const double growth = standing.radius_m / (standing.radius_m - sample.gap_m);
-  const Vec3 gradient_S =
-      standing.up_S - growth * (by_x * standing.grad_x_S + by_y * standing.grad_y_S);
+  const Vec3 gradient_S = standing.up_S - growth * (surface->height_by_xy.x() * standing.grad_x_S +
+                                                    surface->height_by_xy.y() * standing.grad_y_S);
   sample.normal_S = gradient_S * (1 / std::sqrt(gradient_S.squaredNorm()));
   return sample;
 }

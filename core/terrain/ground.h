@@ -1,5 +1,6 @@
 // The ground as wheels feel it: a smooth height field (C1) over the curved body, asked for at
-// points of the site frame. Equal to the raster at its cell centres.
+// points of the site frame. Equal to the finest raster at its cell centres, but for rocks and where
+// a coarser layer takes over.
 #pragma once
 
 #include <memory>
@@ -20,6 +21,7 @@ struct GroundSample {
   double elevation_m = not_modelled;  // of the surface below it, above the reference surface
   Vec3 normal_S = Vec3::UnitZ();      // unit, outward
   Vec3 up_S = Vec3::UnitZ();          // unit, the local vertical
+  int soil = 0;                       // of Ground::soils()
   bool is_ground() const { return gap_m == gap_m; }
 };
 
@@ -46,8 +48,11 @@ class Ground {
   };
 
   // Of the surface at a place; nullopt where there is no ground. Slow; for set-up and logs.
-  std::optional<double> elevation_m(const Geodetic& place) const;
-  const Soil& soil() const;
+  // A look with a resolution leaves out the detail of layers whose cells are smaller than that:
+  // maps of large areas would wait for it and not show it.
+  std::optional<double> elevation_m(const Geodetic& place, double resolution_m = 0) const;
+  // The terrain's own comes first.
+  const std::vector<Soil>& soils() const;
   // SHA-256 of what makes this ground: script values and raster bytes' metadata and samples.
   std::string hash() const;
   // Warnings about what makes it slow.

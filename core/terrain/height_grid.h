@@ -22,8 +22,12 @@ struct GridExtent {
   double u_high = std::numeric_limits<double>::infinity();
   double v_low = -std::numeric_limits<double>::infinity();
   double v_high = std::numeric_limits<double>::infinity();
-  // Columns once around the body; u is brought into u_low..u_low + period. 0: not around.
+  // Columns once around the body, perhaps more than there are; u is brought into u_low..u_low +
+  // period. 0: the grid's columns do not lead around.
   double period = 0;
+
+  // The last column's edge is the first's.
+  bool goes_around() const { return period > 0 && u_high - u_low >= period; }
 
   // Brings u into the extent; false where (u, v) lies outside.
   bool bring_inside(double& u, double v) const {
@@ -41,6 +45,8 @@ class HeightGrid {
   virtual Patch patch(const PatchKey& key) const = 0;
   virtual std::optional<GridPoint> exact(const PlanePoint& at) const = 0;
   virtual std::optional<GridCoordinates> coordinates(const Geodetic& place) const = 0;
+  // The reverse, with height 0; nullopt where the grid lies beyond what is mapped.
+  virtual std::optional<Geodetic> place(const GridCoordinates& at) const = 0;
   // All that decides the heights.
   virtual void add_to(Sha256& hash) const = 0;
   // What would make it faster; "" for nothing.
@@ -52,11 +58,13 @@ class HeightGrid {
   GridExtent extent_;
 };
 
-// A plane, with or without craters. `plane` must outlive the grid.
-std::unique_ptr<HeightGrid> make_generated_grid(const PlaneSurface& surface,
-                                                const SitePlane& plane);
-std::unique_ptr<HeightGrid> make_generated_grid(const CraterSurface& surface,
-                                                const SitePlane& plane, std::uint64_t seed);
+// `plane` must outlive the grid.
+std::unique_ptr<HeightGrid> make_plane_grid(const PlaneSurface& surface, const SitePlane& plane);
+// Craters of so many cells or more belong to the relief; smaller ones to the detail upon it.
+inline constexpr double relief_crater_min_cells = 12;
+std::unique_ptr<HeightGrid> make_relief_grid(const ReliefSurface& surface,
+                                             const std::optional<CraterPopulation>& craters,
+                                             std::uint64_t seed, const SitePlane& plane);
 // Throws InputError at `place`: cannot be opened, has no such band, no CRS, or is on another body.
 std::unique_ptr<HeightGrid> make_raster_grid(const RasterSurface& surface, const Place& place,
                                              const SitePlane& plane);

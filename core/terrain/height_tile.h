@@ -34,6 +34,7 @@ class HeightTile {
   const double* row_m(int column, int row) const { return &height_m_[index(column, row)]; }
   double height_m(int column, int row) const { return height_m_[index(column, row)]; }
   void set_ground(int column, int row) { ground_.set(row * cells + column); }
+  void set_ground_everywhere() { ground_.set(); }
   bool is_ground(int column, int row) const { return ground_[row * cells + column]; }
 
  private:
@@ -48,9 +49,9 @@ class HeightTile {
 
 // Height of the surface and its derivatives by column and row; NaN where there is no ground.
 struct SurfaceHeight {
-  double height_m;
-  double by_u_m;
-  double by_v_m;
+  double height_m = 0;
+  double by_u_m = 0;
+  double by_v_m = 0;
 };
 
 // A point of the grid: its cell and the place within it, each in [0, 1).

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -13,21 +14,6 @@
 namespace lsos {
 
 namespace {
-
-// Rasters of one body use radii that differ a little (1737400 and 1738000 m); two bodies never
-// come this near to each other.
-constexpr double radius_tolerance = 0.005;
-
-bool is_of(const Body& body, double semi_major_m) {
-  return std::abs(semi_major_m / body.equatorial_radius_m - 1) < radius_tolerance;
-}
-
-std::string body_with(double semi_major_m) {
-  for (const Body& body : all_bodies()) {
-    if (is_of(body, semi_major_m)) return std::string(body.name);
-  }
-  return "another body";
-}
 
 bool is_cylindrical(const OGRSpatialReference& crs) {
   if (crs.IsGeographic()) return true;
@@ -48,6 +34,7 @@ struct RasterMap::Projection {
   OGRSpatialReference crs;
   OGRSpatialReference geographic;
   std::unique_ptr<OGRCoordinateTransformation> forward;
+  std::unique_ptr<OGRCoordinateTransformation> inverse;
   double degrees_per_rad = 180 / std::numbers::pi;
   double longitude_sign = 1;  // -1: the datum counts longitude westwards
   double prime_meridian_deg = 0;
@@ -78,42 +65,18 @@ struct RasterMap::Projection {
   }
 };
 
-RasterMap::RasterMap(GDALDataset& dataset, const Body& body, const Place& place,
-                     const std::string& file)
-    : projection_(std::make_unique<Projection>()), columns_(dataset.GetRasterXSize()) {
+RasterMap::RasterMap(const OGRSpatialReference& crs, const std::array<double, 6>& geotransform,
+                     int columns, const Body& body, const RasterName& name)
+    : geotransform_(geotransform), projection_(std::make_unique<Projection>()), columns_(columns) {
   const GdalSilence silence;
-  const auto refuse = [&](const std::string& why) {
-    throw InputError(place, fmt::format("raster '{}' {}", file, why));
-  };
-  const OGRSpatialReference* found = dataset.GetSpatialRef();
-  if (found == nullptr || found->IsEmpty()) {
-    refuse("has no coordinate reference system; one is needed to know where it lies");
-  }
+  LSOS_ASSERT(GDALInvGeoTransform(geotransform_.data(), inverse_.data()));
   Projection& projection = *projection_;
-  projection.crs = *found;
-  if (projection.crs.IsCompound()) projection.crs.StripVertical();
-  if (projection.crs.IsLocal() ||
-      (!projection.crs.IsProjected() && !projection.crs.IsGeographic())) {
-    refuse(
-        "has a coordinate reference system that is tied to no body; a projected or geographic "
-        "one is allowed");
-  }
-  OGRErr error = OGRERR_NONE;
-  const double semi_major_m = projection.crs.GetSemiMajor(&error);
-  if (error != OGRERR_NONE || !is_of(body, semi_major_m)) {
-    refuse(fmt::format("lies on {} (semi-major axis {} m), the site on {} ({} m)",
-                       body_with(semi_major_m), semi_major_m, body.name, body.equatorial_radius_m));
-  }
-  if (dataset.GetGeoTransform(geotransform_.data()) != CE_None ||
-      !GDALInvGeoTransform(geotransform_.data(), inverse_.data())) {
-    refuse("has no geotransform; one is needed to know where it lies");
-  }
-
+  projection.crs = crs;
   if (body.flattening != 0) {
     projection.geographic.importFromEPSG(4326);
   } else {
     const std::unique_ptr<OGRSpatialReference> own(projection.crs.CloneGeogCS());
-    if (own == nullptr) refuse("has a coordinate reference system without a geographic base");
+    if (own == nullptr) name.refuse("has a coordinate reference system without a geographic base");
     projection.geographic = *own;
     projection.prime_meridian_deg = own->GetPrimeMeridian();
     projection.degrees_per_rad = 1 / own->GetAngularUnits();
@@ -126,9 +89,10 @@ RasterMap::RasterMap(GDALDataset& dataset, const Body& body, const Place& place,
   projection.order_axes();
   projection.forward.reset(
       OGRCreateCoordinateTransformation(&projection.geographic, &projection.crs));
-  if (projection.forward == nullptr) {
-    refuse(fmt::format("has a coordinate reference system that PROJ cannot use: {}",
-                       GdalSilence::message()));
+  if (projection.forward != nullptr) projection.inverse.reset(projection.forward->GetInverse());
+  if (projection.inverse == nullptr) {
+    name.refuse(fmt::format("has a coordinate reference system that PROJ cannot use: {}",
+                            GdalSilence::message()));
   }
   find_period(columns_);
 }
@@ -173,6 +137,37 @@ std::optional<GridCoordinates> RasterMap::coordinates(const Geodetic& place) con
   // Geotransforms count from the corner of the first cell, we from its centre.
   return GridCoordinates{inverse_[0] + inverse_[1] * x + inverse_[2] * y - 0.5,
                          inverse_[3] + inverse_[4] * x + inverse_[5] * y - 0.5};
+}
+
+MapPoint RasterMap::map_point(const GridCoordinates& at) const {
+  const auto& g = geotransform_;
+  return {g[0] + g[1] * (at.u + 0.5) + g[2] * (at.v + 0.5),
+          g[3] + g[4] * (at.u + 0.5) + g[5] * (at.v + 0.5)};
+}
+
+const OGRSpatialReference& RasterMap::crs() const { return projection_->crs; }
+
+std::optional<Geodetic> RasterMap::place(const GridCoordinates& at) const {
+  const Projection& projection = *projection_;
+  auto [x, y] = map_point(at);
+  int success = FALSE;
+  {
+    const std::lock_guard lock(mutex_);
+    const GdalSilence silence;
+    projection.inverse->Transform(1, &x, &y, nullptr, &success);
+  }
+  if (!success || !std::isfinite(x) || !std::isfinite(y)) return {};
+  constexpr double right_angle_rad = std::numbers::pi / 2;
+  const double lon_rad =
+      projection.longitude_sign * (x + projection.prime_meridian_deg) / projection.degrees_per_rad;
+  double lat_rad = y / projection.degrees_per_rad;
+  // Cylindrical rasters may have rows beyond a pole, which some projections take for latitudes.
+  if (std::abs(lat_rad) > right_angle_rad + 1e-12) return {};
+  if (projection.centric_per_graphic_tan != 1) {
+    lat_rad = std::atan2(std::sin(lat_rad) * projection.centric_per_graphic_tan, std::cos(lat_rad));
+  }
+  return Geodetic{std::remainder(lon_rad, 2 * std::numbers::pi),
+                  std::clamp(lat_rad, -right_angle_rad, right_angle_rad), 0};
 }
 
 std::string RasterMap::description() const {

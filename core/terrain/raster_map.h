@@ -7,23 +7,37 @@
 #include <optional>
 #include <string>
 
-#include "base/error.h"
 #include "planet/body.h"
 #include "terrain/patch.h"
+#include "terrain/raster_name.h"
 
-class GDALDataset;
+class OGRSpatialReference;
 
 namespace lsos {
 
+// In the axes and units of a CRS: x is east or longitude.
+struct MapPoint {
+  double x = 0;
+  double y = 0;
+};
+
 class RasterMap {
  public:
-  // Throws InputError at `place`, naming `file`: no CRS, no geotransform, or another body's.
-  RasterMap(GDALDataset& dataset, const Body& body, const Place& place, const std::string& file);
+  // Refuses a CRS that PROJ cannot use.
+  RasterMap(const OGRSpatialReference& crs, const std::array<double, 6>& geotransform, int columns,
+            const Body& body, const RasterName& name);
   ~RasterMap();
 
   // Column and row, whole numbers at cell centres, perhaps outside the raster; nullopt where the
   // projection knows no such place. May be called from any thread.
   std::optional<GridCoordinates> coordinates(const Geodetic& place) const;
+  // The reverse, with height 0; nullopt beyond a pole and where the projection ends.
+  std::optional<Geodetic> place(const GridCoordinates& at) const;
+
+  // The same in coordinates of the CRS.
+  MapPoint map_point(const GridCoordinates& at) const;
+  const OGRSpatialReference& crs() const;
+  const std::array<double, 6>& geotransform() const { return geotransform_; }
 
   // Columns once around the body where the projection repeats itself along rows; else 0.
   double period_px() const { return period_px_; }

@@ -1,15 +1,9 @@
 #include "terrain/raw_window.h"
 
-#include <fmt/format.h>
-#include <gdal_priv.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "base/error.h"
-#include "terrain/gdal_call.h"
 
 namespace lsos {
 
@@ -24,17 +18,17 @@ constexpr int side = HeightTile::nodes + 2 * halo;
 // Nodes [first, first + side) of the raster, also beyond its edges.
 class RawWindow {
  public:
-  RawWindow(const TileKey& key, GDALRasterBand& band)
+  RawWindow(const TileKey& key, const Raster& raster)
       : first_column_(key.column * HeightTile::cells + HeightTile::first_node - halo),
         first_row_(key.row * HeightTile::cells + HeightTile::first_node - halo),
-        columns_(band.GetXSize()),
-        rows_(band.GetYSize()),
+        columns_(raster.columns()),
+        rows_(raster.rows()),
         height_m_(side * side, missing) {}
 
   double at(int i, int j) const { return height_m_[j * side + i]; }
 
   // Takes over what the raster has, `turns` whole widths east of where it lies.
-  void read(GDALRasterBand& band, const HeightScale& scale, std::int64_t turns) {
+  void read(const Raster& raster, std::int64_t turns) {
     const std::int64_t east = turns * columns_;
     const auto column_low = std::max<std::int64_t>(first_column_, east);
     const auto column_high = std::min<std::int64_t>(first_column_ + side, east + columns_);
@@ -44,39 +38,25 @@ class RawWindow {
     const int width = static_cast<int>(column_high - column_low);
     const int height = static_cast<int>(row_high - row_low);
 
-    std::vector<double> raw(width * height);
-    std::vector<GByte> mask(width * height, 255);
-    const GdalSilence silence;
-    const auto fetch = [&](GDALRasterBand& from, void* to, GDALDataType type) {
-      if (from.RasterIO(GF_Read, static_cast<int>(column_low - east), static_cast<int>(row_low),
-                        width, height, to, width, height, type, 0, 0, nullptr) != CE_None) {
-        throw InputError({band.GetDataset()->GetDescription(), 0},
-                         fmt::format("cannot be read: {}", GdalSilence::message()));
-      }
-    };
-    fetch(band, raw.data(), GDT_Float64);
-    if ((band.GetMaskFlags() & GMF_ALL_VALID) == 0) {
-      fetch(*band.GetMaskBand(), mask.data(), GDT_Byte);
-    }
+    const std::vector<double> heights_m = raster.heights_m(
+        {static_cast<int>(column_low - east), static_cast<int>(row_low), width, height});
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
-        const int k = row * width + column;
-        if (mask[k] == 0 || !std::isfinite(raw[k])) continue;
         const auto i = static_cast<int>(column_low - first_column_) + column;
         const auto j = static_cast<int>(row_low - first_row_) + row;
-        height_m_[j * side + i] = raw[k] * scale.scale + scale.offset_m;
+        height_m_[j * side + i] = heights_m[row * width + column];
       }
     }
   }
 
   // The same once for every turn that the window meets.
-  void read_around(GDALRasterBand& band, const HeightScale& scale) {
+  void read_around(const Raster& raster) {
     const auto turn_of = [this](std::int64_t column) {
       return (column - (column % columns_ + columns_) % columns_) / columns_;
     };
     const std::int64_t last = turn_of(first_column_ + side - 1);
     for (std::int64_t turns = turn_of(first_column_); turns <= last; ++turns) {
-      read(band, scale, turns);
+      read(raster, turns);
     }
   }
 
@@ -152,13 +132,12 @@ class RawWindow {
 
 }  // namespace
 
-HeightTile raster_tile(const TileKey& key, GDALRasterBand& band, const HeightScale& scale,
-                       bool goes_around) {
-  RawWindow window(key, band);
-  if (goes_around) {
-    window.read_around(band, scale);
+HeightTile raster_tile(const TileKey& key, const Raster& raster) {
+  RawWindow window(key, raster);
+  if (raster.goes_around()) {
+    window.read_around(raster);
   } else {
-    window.read(band, scale, 0);
+    window.read(raster, 0);
     window.continue_columns();
   }
   window.continue_rows();

@@ -8,10 +8,11 @@ namespace lsos {
 // How a soil bears pressure and shear. Its pressure-sinkage law is Bekker's (1969),
 // p = (k_c/b + k_phi) z^n, where k_phi is given, and Terzaghi's bearing capacity (1943) where not.
 struct Soil {
-  std::string name;
-  double k_c = 0;    // N/m^(n+1)
-  double k_phi = 0;  // N/m^(n+2); 0: no Bekker parameters are known, Terzaghi's law is used
-  double n = 1;      // 0.2..2
+  std::string name = {};
+  std::string doc = {};  // what it is and where its numbers are from; "": not said
+  double k_c = 0;        // N/m^(n+1)
+  double k_phi = 0;      // N/m^(n+2); 0: no Bekker parameters are known, Terzaghi's law is used
+  double n = 1;          // 0.2..2
   double cohesion_pa = 0;
   double friction_rad = 0;       // internal friction angle, 0..pi/2; on rock: of wheel and rock
   double density_kgpm3 = 0;      // bulk

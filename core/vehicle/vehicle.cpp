@@ -33,9 +33,11 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
   const double g_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
   for (const WheelLayout::WheelPlace& place : layout_.wheels) {
     const LinkConfig& link = config_.links[static_cast<std::size_t>(place.link)];
-    parts_.push_back({place.link, link.wheel_mode, &*link.wheel,
-                      link.drive ? &*link.drive : nullptr,
-                      WheelSoil(ground.soil(), *link.wheel, g_mps2)});
+    parts_.push_back(
+        {place.link, link.wheel_mode, &*link.wheel, link.drive ? &*link.drive : nullptr, {}});
+    for (const Soil& soil : ground.soils()) {
+      parts_.back().soils.emplace_back(soil, *link.wheel, g_mps2);
+    }
   }
   const Vec3& size_m = config_.chassis_size_m;
   const double along = std::ceil(size_m.x() / underside_spacing_m);

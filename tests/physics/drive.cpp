@@ -39,7 +39,8 @@ RoverSpec shipped_rover(const std::string& name) { return catalog().load_rover(n
 std::unique_ptr<Ground> ground(const GroundAt& at) {
   TerrainSpec spec;
   spec.name = "Test";
-  spec.surface = at.surface;
+  spec.layers = {at.surface};
+  spec.detail = at.detail;
   spec.soil = shipped_soil(at.soil);
   return ground_at(spec, *find_body(at.planet), start, 1);
 }

@@ -20,8 +20,9 @@ RoverSpec shipped_rover(const std::string& name);
 
 struct GroundAt {
   std::string planet;
-  decltype(TerrainSpec::surface) surface;
+  Surface surface;
   std::string soil;
+  std::optional<Detail> detail = std::nullopt;
 };
 std::unique_ptr<Ground> ground(const GroundAt& at);
 

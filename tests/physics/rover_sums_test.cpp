@@ -10,14 +10,16 @@ namespace lsos::test {
 namespace {
 
 // Slopes to some 15 degrees: shallow craters on a plane that rises to the north by 3.
-const GroundAt hills{"Moon",
-                     CraterSurface{.base = {0, radians(3), radians(180)},
-                                   .diameter_min_m = 10,
-                                   .diameter_max_m = 80,
-                                   .exponent = 2,
-                                   .density_pm2 = 6e-4,
-                                   .depth_to_diameter = 0.06},
-                     "ApolloNominal"};
+const GroundAt hills{"Moon", PlaneSurface{0, radians(3), radians(180)}, "ApolloNominal",
+                     Detail{.craters = CraterPopulation{.diameter_min_m = 10,
+                                                        .diameter_max_m = 80,
+                                                        .age_gyr = {},
+                                                        .exponent = 2,
+                                                        .density_pm2 = 6e-4,
+                                                        .depth_to_diameter = 0.06,
+                                                        .degradation = {}},
+                            .rocks = {},
+                            .roughness = {}}};
 const std::vector<Vec2> kilometre{{150, 250}, {400, 300}, {500, 550}, {700, 700}};
 
 class OverHills : public testing::TestWithParam<const char*> {};
@@ -50,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Rovers, OverHills, testing::Values("SEV", "LRV"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 TEST(Mer, half_the_step_and_the_sums_over_hills) {
-  GroundAt martian{"Mars", hills.surface, "MMS"};
+  GroundAt martian{"Mars", hills.surface, "MMS", hills.detail};
   const auto hilly = ground(martian);
   const std::vector<Vec2> path{{8, 12}, {30, 25}};
   const DriveResult whole = drive(rover_on("MER", *hilly, "Mars"), *hilly, path, 0.05);

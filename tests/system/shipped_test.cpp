@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include "system/plan_text.h"
@@ -33,21 +34,33 @@ TEST(ShippedPlan, completes) {
   }
 }
 
-// One SEV drives a short way; its route and terrain as given.
-Outcome drive(const TempFolder& folder, const std::string& terrain, const std::string& rover) {
+struct Start {
+  std::string planet = "Mars", from = "30,-40", to = "30.0003,-40.0001";
+};
+
+// A rover drives a short way.
+Outcome drive(const TempFolder& folder, const std::string& terrain, const std::string& rover,
+              const Start& start = {}) {
   const std::string plan = folder.write(
-      "plan.kml", kml({{"MissionInfo",
-                        {{"Planet", "Mars"}, {"StartTime", "2026-01-01"}, {"Terrain", terrain}},
-                        ""},
-                       {"Rover", {{"RoverId", "A"}, {"RoverType", rover}}, point("30,-40")},
-                       event("Route", "A", 1, {}, point("30.0003,-40.0001"))}));
+      "plan.kml",
+      kml({{"MissionInfo",
+            {{"Planet", start.planet}, {"StartTime", "2026-01-01"}, {"Terrain", terrain}},
+            ""},
+           {"Rover", {{"RoverId", "A"}, {"RoverType", rover}}, point(start.from)},
+           event("Route", "A", 1, {}, point(start.to))}));
   return run({plan, "-o", folder / "run", "--quiet"});
 }
 
-TEST(ShippedTerrain, carries_a_rover_on_any_body) {
+TEST(ShippedTerrain, carries_a_rover) {
+  // Terrains of a place are driven on there, the others anywhere.
+  const std::map<std::string, Start> places{
+      {"BlackPoint", {"Earth", "-111.47,35.67", "-111.4697,35.6701"}},
+      {"LunarSouthPole", {"Moon", "0,-89.5", "0,-89.4990"}}};
   for (const std::string& terrain : names("terrain", ".lua")) {
     const TempFolder folder;
-    const Outcome outcome = drive(folder, terrain, "SEV");
+    const auto place = places.find(terrain);
+    const Outcome outcome =
+        drive(folder, terrain, "SEV", place == places.end() ? Start{} : place->second);
     EXPECT_EQ(outcome.exit_code, 0) << terrain << "\n" << outcome.out << outcome.err;
     EXPECT_GT(summary(folder / "run")["rovers"]["A"]["distance_m"], 10) << terrain;
   }
@@ -64,7 +77,7 @@ TEST(ShippedRover, drives) {
 TEST(ShippedSoil, is_listed_and_can_be_named_by_a_terrain) {
   const std::string listed = run({"list", "soils"}).out;
   for (const std::string& soil : names("terrain/soils", ".lua")) {
-    EXPECT_NE(listed.find(soil), std::string::npos);
+    EXPECT_NE(listed.find(soil + ": "), std::string::npos) << soil << " without its doc";
     const TempFolder folder;
     folder.write(
         "terrain/Mine.lua",
@@ -74,6 +87,34 @@ TEST(ShippedSoil, is_listed_and_can_be_named_by_a_terrain) {
             soil + "' }\n");
     EXPECT_EQ(drive(folder, "Mine", "SEV").exit_code, 0) << soil;
   }
+}
+
+TEST(List, says_what_a_plan_can_name_and_what_that_is) {
+  EXPECT_EQ(run({"list", "rovers", "LRV"}).out,
+            "LRV: Lunar Roving Vehicle of Apollo 15: four wheels, front and rear steering, two "
+            "crew.\n"
+            "  RoverConfig OneCrew: Without the right-hand astronaut.\n"
+            "  RoverConfig Empty: Without crew and load.\n");
+  EXPECT_EQ(run({"list", "soils", "Rock"}).out, "Rock: Bare rock (assumed friction 0.7).\n");
+  EXPECT_EQ(run({"list", "terrains", "Flat"}).out, "Flat: Level ground of nominal lunar soil.\n");
+}
+
+TEST(List, gives_configurations_of_rovers_as_json) {
+  const auto sev = nlohmann::json::parse(run({"list", "rovers", "SEV", "--json"}).out).at(0);
+  EXPECT_EQ(sev.at("name"), "SEV");
+  EXPECT_EQ(sev.at("configurations"),
+            nlohmann::json::parse(R"([{"name": "Unloaded", "doc": "Without its payload."}])"));
+  const auto wait = nlohmann::json::parse(run({"list", "events", "Wait", "--json"}).out).at(0);
+  EXPECT_FALSE(wait.contains("configurations"));
+}
+
+TEST(List, leaves_out_what_cannot_be_used) {
+  const TempFolder folder;
+  folder.write("terrain/soils/Broken.lua", "-- No soil.\nreturn 1\n");
+  const Outcome outcome =
+      run({"list", "soils"}, {.environment = {"LSOS_PATH=" + folder.path().string()}});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out.find("Broken"), std::string::npos) << outcome.out;
 }
 
 TEST(FirstDrive, holds_its_line_within_half_a_metre) {

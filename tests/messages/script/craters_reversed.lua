@@ -1,4 +1,4 @@
 -- expect: craters: diameter_min_m is above diameter_max_m
 -- as: terrain
 local lsos = require 'lsos'
-return lsos.terrain { surface = lsos.craters { diameter_min_m = 100 } }
+return lsos.craters { diameter_min_m = 100 }

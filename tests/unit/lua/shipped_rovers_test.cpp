@@ -28,7 +28,7 @@ class ShippedRover : public ::testing::TestWithParam<Shipped> {
   // Falls to the south.
   std::unique_ptr<Ground> ground(double slope_rad) const {
     TerrainSpec spec;
-    spec.surface = PlaneSurface{0, slope_rad, radians(180)};
+    spec.layers = {PlaneSurface{0, slope_rad, radians(180)}};
     spec.soil = catalog_.load_soil(GetParam().soil);
     return std::make_unique<Ground>(spec, SiteFrame(body(), start), 0);
   }

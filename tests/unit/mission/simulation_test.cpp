@@ -71,7 +71,7 @@ TEST(Simulation, drives_a_rover_to_its_point) {
 
 TEST(Simulation, refuses_a_start_too_steep_to_stand_on) {
   Mission mission;
-  mission.setup_.terrain.surface = PlaneSurface{0, 0.7, 0};
+  mission.setup_.terrain.layers = {PlaneSurface{0, 0.7, 0}};
   mission.rover("A");
   mission.event("Hold", 1);
   try {

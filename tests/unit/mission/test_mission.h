@@ -71,7 +71,7 @@ class Mission {
     setup_.plan.mission.planet = find_body("Moon");
     setup_.plan.mission.start_time = *parse_utc("2026-01-01").value;
     setup_.terrain.name = "Test";
-    setup_.terrain.surface = PlaneSurface{};
+    setup_.terrain.layers = {PlaneSurface{}};
     setup_.terrain.soil = test::soil();
     setup_.make_host = make_host;
     RoverSpec spec;

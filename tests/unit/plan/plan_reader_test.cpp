@@ -82,6 +82,14 @@ TEST(PlanReader, a_raster_is_found_beside_the_plan) {
   EXPECT_EQ(plan.mission.terrain_as_written, name);
 }
 
+TEST(PlanReader, a_raster_inside_an_archive_is_left_to_gdal) {
+  std::string text = mission() + rover();
+  text.replace(text.find("Flat"), 4, "/vsizip//maps/rim.zip/rim.tif");
+  const Plan plan = good(text);
+  EXPECT_TRUE(plan.mission.terrain_is_raster);
+  EXPECT_EQ(plan.mission.terrain, "/vsizip//maps/rim.zip/rim.tif");
+}
+
 TEST(PlanReader, reads_rovers_in_byte_order_of_their_ids) {
   const Plan plan =
       good(mission() + rover("b") + rover("B") +

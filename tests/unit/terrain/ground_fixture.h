@@ -21,14 +21,14 @@ inline SiteFrame site_on(std::string_view body, double lon_deg, double lat_deg,
 
 inline TerrainSpec plane_terrain(double height_m, double slope_rad = 0, double azimuth_rad = 0) {
   TerrainSpec spec;
-  spec.surface = PlaneSurface{height_m, slope_rad, azimuth_rad};
+  spec.layers = {PlaneSurface{height_m, slope_rad, azimuth_rad}};
   return spec;
 }
 
 inline TerrainSpec raster_terrain(const std::string& file, int band = 1) {
   TerrainSpec spec;
   spec.place = {"terrain/x.lua", 3};
-  spec.surface = RasterSurface{file, band};
+  spec.layers = {RasterSurface{file, band}};
   return spec;
 }
 

@@ -84,7 +84,7 @@ TEST(Plane, hash_follows_its_values) {
 TEST(Plane, carries_its_soil) {
   TerrainSpec spec = plane_terrain(0);
   spec.soil.name = "LunarHighland";
-  EXPECT_EQ(Ground(spec, site_on("Moon", 0, 0), 0).soil().name, "LunarHighland");
+  EXPECT_EQ(Ground(spec, site_on("Moon", 0, 0), 0).soils().front().name, "LunarHighland");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ inline VehicleConfig rover(double gravity_mps2) {
 inline std::unique_ptr<Ground> moon(double slope_rad = 0, double downslope_azimuth_rad = 0) {
   TerrainSpec spec;
   spec.name = "Test";
-  spec.surface = PlaneSurface{0, slope_rad, downslope_azimuth_rad};
+  spec.layers = {PlaneSurface{0, slope_rad, downslope_azimuth_rad}};
   spec.soil = soil();
   return std::make_unique<Ground>(spec, SiteFrame(*find_body("Moon"), {0.1, 0.2, 0}), 0);
 }

@@ -1,0 +1,58 @@
+// Finer layers over coarser ones.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "terrain/layer.h"
+
+namespace lsos {
+
+// Each layer takes its weight of what the finer ones left.
+class Blend {
+ public:
+  // False when nothing is left for coarser layers.
+  bool add(const LayerSample& s) {
+    const double share = left_ * s.weight;
+    const Vec2 share_by_xy = left_by_xy_ * s.weight + left_ * s.weight_by_xy;
+    height_m_ += share * s.height_m;
+    by_xy_ += share_by_xy * s.height_m + share * s.height_by_xy;
+    if (s.is_rock && share > rock_share_) is_rock_ = true;
+    rock_share_ = std::max(rock_share_, share);
+    left_ -= share;
+    left_by_xy_ -= share_by_xy;
+    return left_ > 0;
+  }
+  bool is_ground() const { return left_ < 1; }
+  // Where the coarser layers have no ground, the finer ones stand for all of it.
+  LayerSample result() const {
+    const double per_sum = 1 / (1 - left_);
+    LayerSample s;
+    s.height_m = height_m_ * per_sum;
+    s.height_by_xy = (by_xy_ + s.height_m * left_by_xy_) * per_sum;
+    s.is_rock = is_rock_;
+    return s;
+  }
+
+ private:
+  double height_m_ = 0;
+  Vec2 by_xy_ = Vec2::Zero();
+  double left_ = 1;
+  Vec2 left_by_xy_ = Vec2::Zero();
+  bool is_rock_ = false;
+  double rock_share_ = 0;
+};
+
+// `sample(k)` is layer k's, fine to coarse.
+template <class SampleOf>
+std::optional<LayerSample> blended(std::size_t layers, const SampleOf& sample) {
+  if (layers == 1) return sample(0);
+  Blend blend;
+  for (std::size_t k = 0; k < layers; ++k) {
+    const std::optional<LayerSample> s = sample(k);
+    if (s && s->weight > 0 && !blend.add(*s)) break;
+  }
+  return blend.is_ground() ? std::optional(blend.result()) : std::nullopt;
+}
+
+}  // namespace lsos

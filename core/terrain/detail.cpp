@@ -1,0 +1,371 @@
+#include "terrain/detail.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "terrain/craters.h"
+#include "terrain/rocks.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr int cells = HeightTile::cells;
+constexpr int nodes = HeightTile::nodes;
+constexpr int first_node = HeightTile::first_node;
+
+// A power of two, so that cells and tiles end together; eight at least, for the correction of a
+// cell's mean needs room inside it; 512 at most: beyond, a cell takes too long to look through.
+int subdivision_for(double cell_m, double spacing_m) {
+  const double wanted = std::round(std::log2(cell_m / spacing_m));
+  return 1 << static_cast<int>(std::clamp(wanted, 3.0, 9.0));
+}
+
+NodeLattice nodes_of(const TileKey& key) {
+  return {key.column * cells + first_node, key.row * cells + first_node, 1};
+}
+
+// Integral of the Catmull-Rom cubics through equidistant nodes over the cell between nodes 0 and 1,
+// by the values at -1, 0, 1, 2.
+constexpr double integral_weights[] = {-1.0 / 24, 13.0 / 24, 13.0 / 24, -1.0 / 24};
+
+// Weight of each node in the integral over the cells [from, to) of one axis.
+std::array<double, nodes> axis_weights(int from, int to) {
+  std::array<double, nodes> weights{};
+  for (int cell = from; cell < to; ++cell) {
+    for (int k = 0; k < 4; ++k) weights[cell - 1 - first_node + k] += integral_weights[k];
+  }
+  return weights;
+}
+
+// Of the surface through the nodes over the square of cells from (column, row) on, in cells^2.
+double integral(const HeightTile& tile, int column, int row, int size) {
+  const auto by_column = axis_weights(column, column + size);
+  const auto by_row = axis_weights(row, row + size);
+  double sum = 0;
+  for (int j = row; j < row + size + 3; ++j) {
+    double line = 0;
+    for (int i = column; i < column + size + 3; ++i) {
+      line += by_column[i] * tile.height_m(i + first_node, j + first_node);
+    }
+    sum += by_row[j] * line;
+  }
+  return sum;
+}
+
+// A smooth ring within a cell of `size` nodes a side: zero at its centre, at its edge and at the
+// nodes next to the edge, so that the surface beyond the edge does not feel it.
+double ring(int size, std::int64_t i, std::int64_t j) {
+  const double half = size / 2.0, inner = half - 1;
+  const double s = (static_cast<double>(i) - half) / inner;
+  const double t = (static_cast<double>(j) - half) / inner;
+  if (std::abs(s) >= 1 || std::abs(t) >= 1) return 0;
+  const double gs = 1 - s * s, gt = 1 - t * t;
+  return gs * gs * gt * gt * (s * s + t * t);
+}
+
+std::array<double, 4> catmull_rom(double t) {
+  const double t2 = t * t, t3 = t2 * t;
+  return {0.5 * (2 * t2 - t3 - t), 0.5 * (3 * t3 - 5 * t2) + 1, 0.5 * (4 * t2 - 3 * t3 + t),
+          0.5 * (t3 - t2)};
+}
+
+double ring_mean(int size) {
+  double sum = 0;
+  for (int j = 0; j < size; ++j) {
+    for (int i = 0; i < size; ++i) sum += ring(size, i, j);
+  }
+  return sum / size / size;
+}
+
+}  // namespace
+
+void RockTile::add(const PlacedRock& rock) { rocks_.push_back(rock); }
+
+void RockTile::finish() {
+  std::array<std::vector<std::uint32_t>, squares * squares> lists;
+  const auto square = [](double at) {
+    return std::clamp(static_cast<int>(std::floor(at / square_cells)), 0, squares - 1);
+  };
+  for (std::uint32_t k = 0; k < rocks_.size(); ++k) {
+    const PlacedRock& r = rocks_[k];
+    if (r.U + r.half_U < 0 || r.U - r.half_U > cells) continue;
+    if (r.V + r.half_V < 0 || r.V - r.half_V > cells) continue;
+    for (int j = square(r.V - r.half_V); j <= square(r.V + r.half_V); ++j) {
+      for (int i = square(r.U - r.half_U); i <= square(r.U + r.half_U); ++i) {
+        lists[j * squares + i].push_back(k);
+      }
+    }
+  }
+  for (std::size_t k = 0; k < lists.size(); ++k) {
+    in_square_.insert(in_square_.end(), lists[k].begin(), lists[k].end());
+    first_[k + 1] = static_cast<std::uint32_t>(in_square_.size());
+  }
+}
+
+SurfaceHeight RockTile::at(const CellPoint& at) const {
+  SurfaceHeight sum{0, 0, 0};
+  if (rocks_.empty()) return sum;
+  const int i = static_cast<int>(at.column & (cells - 1));
+  const int j = static_cast<int>(at.row & (cells - 1));
+  const double U = i + at.along_u, V = j + at.along_v;
+  const int square = j / square_cells * squares + i / square_cells;
+  for (std::uint32_t k = first_[square]; k < first_[square + 1]; ++k) {
+    const PlacedRock& r = rocks_[in_square_[k]];
+    const double dU = U - r.U, dV = V - r.V;
+    const double by_U = r.a * dU + r.b * dV, by_V = r.b * dU + r.c * dV;
+    const double q = by_U * dU + by_V * dV;
+    if (q >= 1) continue;
+    const RockShape shape = rock_shape(q);
+    sum.height_m += r.height_m * shape.height;
+    sum.by_u_m += 2 * r.height_m * shape.by_q * by_U;
+    sum.by_v_m += 2 * r.height_m * shape.by_q * by_V;
+  }
+  return sum;
+}
+
+DetailField::DetailField(const Detail& detail, const HeightGrid& grid, const Stereographic& map,
+                         const DetailSetting& setting, std::uint64_t seed)
+    : detail_(detail),
+      grid_(grid),
+      map_(map),
+      setting_(setting),
+      seed_(seed),
+      subdivision_(subdivision_for(setting.cell_m, detail.spacing_m)),
+      period_(grid.extent().goes_around() ? std::llround(grid.extent().period) * subdivision_ : 0),
+      exact_{[this](const PlanePoint& at) { return grid_.coordinates(map_.place(at)); },
+             grid.extent().period},
+      patches_([this](const PatchKey& key) { return Patch(key, exact_); }) {
+  if (detail_.roughness) {
+    Roughness roughness = *detail_.roughness;
+    // Longer waves are the grid's own.
+    if (setting_.keeps_cells)
+      roughness.longest_m = std::min(roughness.longest_m, 2 * setting.cell_m);
+    roughness_.emplace(roughness, seed, spacing_m(), period_);
+  }
+}
+
+// Of all that may reach the nodes, on the map of landforms.
+PlaneRectangle DetailField::rectangle(const NodeLattice& at) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  PlaneRectangle box{{infinite, infinite}, {-infinite, -infinite}};
+  const double reach = static_cast<double>((nodes - 1) * at.stride) / 4;
+  for (int j = 0; j <= 4; ++j) {
+    for (int i = 0; i <= 4; ++i) {
+      const double U = static_cast<double>(at.column) + i * reach;
+      const double V = static_cast<double>(at.row) + j * reach;
+      const auto place = grid_.place({U / subdivision_ - 0.5, V / subdivision_ - 0.5});
+      if (!place) continue;
+      const PlanePoint p = map_.at(*place);
+      box.low = {std::min(box.low.x_m, p.x_m), std::min(box.low.y_m, p.y_m)};
+      box.high = {std::max(box.high.x_m, p.x_m), std::max(box.high.y_m, p.y_m)};
+    }
+  }
+  if (box.low.x_m > box.high.x_m) return {};
+  // Between the points looked at, the edge may bulge.
+  const double margin_m = 0.05 * std::max(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m);
+  box.low = {box.low.x_m - margin_m, box.low.y_m - margin_m};
+  box.high = {box.high.x_m + margin_m, box.high.y_m + margin_m};
+  return box;
+}
+
+std::optional<GridPoint> DetailField::grid_point(const PlanePoint& at) const {
+  const auto patch = patches_.patch(at);
+  return patch->is_good() ? std::optional(patch->at(at)) : exact_grid_point(exact_, at);
+}
+
+// The same column, counted next to the tile where the grid goes around.
+double DetailField::near_tile(double U, const NodeLattice& at) const {
+  if (period_ == 0) return U;
+  const double centre = static_cast<double>(at.column + nodes / 2 * at.stride);
+  const auto period = static_cast<double>(period_);
+  return U - period * std::round((U - centre) / period);
+}
+
+void DetailField::add_craters(HeightTile& tile, const NodeLattice& at) const {
+  double largest_m = setting_.crater_max_m;
+  if (setting_.keeps_cells) largest_m = std::min(largest_m, 2 * setting_.cell_m);
+  const auto stride = static_cast<double>(at.stride);
+  for (const Crater& crater :
+       craters_touching(*detail_.craters, seed_, rectangle(at), 0, largest_m)) {
+    const auto centre = grid_point(crater.centre);
+    if (!centre) continue;
+    const double N = subdivision_;
+    // Nodes of the tile, from its first.
+    const double U = (near_tile(fine(centre->u), at) - static_cast<double>(at.column)) / stride;
+    const double V = (fine(centre->v) - static_cast<double>(at.row)) / stride;
+    const double radius_m = crater.diameter_m / 2, reach_m = crater_reach * radius_m;
+    const double half_U = reach_m * N / stride * std::hypot(centre->u_by_x, centre->u_by_y);
+    const double half_V = reach_m * N / stride * std::hypot(centre->v_by_x, centre->v_by_y);
+    const int i_low = static_cast<int>(std::max(0.0, std::ceil(U - half_U)));
+    const int i_high = static_cast<int>(std::min(nodes - 1.0, std::floor(U + half_U)));
+    const int j_low = static_cast<int>(std::max(0.0, std::ceil(V - half_V)));
+    const int j_high = static_cast<int>(std::min(nodes - 1.0, std::floor(V + half_V)));
+    // From nodes to radii.
+    const double det = centre->u_by_x * centre->v_by_y - centre->u_by_y * centre->v_by_x;
+    const double k = stride / (det * N * radius_m);
+    const double x_by_U = k * centre->v_by_y, x_by_V = -k * centre->u_by_y;
+    const double y_by_U = -k * centre->v_by_x, y_by_V = k * centre->u_by_x;
+    for (int j = j_low; j <= j_high; ++j) {
+      double* row_m = &tile.height_m(first_node, j + first_node);
+      for (int i = i_low; i <= i_high; ++i) {
+        const double x = x_by_U * (i - U) + x_by_V * (j - V);
+        const double y = y_by_U * (i - U) + y_by_V * (j - V);
+        const double r2 = x * x + y * y;
+        if (r2 >= crater_reach * crater_reach) continue;
+        row_m[i] += crater_height_m(std::sqrt(r2), crater.depth_m, crater.rim_m);
+      }
+    }
+  }
+}
+
+void DetailField::add_rocks(RockTile& tile, const NodeLattice& at) const {
+  for (const Rock& rock : rocks_touching(*detail_.rocks, seed_, rectangle(at))) {
+    const auto centre = grid_point(rock.centre);
+    if (!centre) continue;
+    const double N = subdivision_, radius_m = rock.diameter_m / 2;
+    RockTile::PlacedRock placed;
+    placed.U = near_tile(fine(centre->u), at) - static_cast<double>(at.column - first_node);
+    placed.V = fine(centre->v) - static_cast<double>(at.row - first_node);
+    const double det = centre->u_by_x * centre->v_by_y - centre->u_by_y * centre->v_by_x;
+    const double k = 1 / (det * N * radius_m);
+    const double x_by_U = k * centre->v_by_y, x_by_V = -k * centre->u_by_y;
+    const double y_by_U = -k * centre->v_by_x, y_by_V = k * centre->u_by_x;
+    placed.a = x_by_U * x_by_U + y_by_U * y_by_U;
+    placed.b = x_by_U * x_by_V + y_by_U * y_by_V;
+    placed.c = x_by_V * x_by_V + y_by_V * y_by_V;
+    placed.height_m = rock.height_m;
+    placed.half_U = radius_m * N * std::hypot(centre->u_by_x, centre->u_by_y);
+    placed.half_V = radius_m * N * std::hypot(centre->v_by_x, centre->v_by_y);
+    tile.add(placed);
+  }
+  tile.finish();
+}
+
+HeightTile DetailField::raw(const TileKey& key, const NodeLattice& at) const {
+  HeightTile tile(key);
+  tile.set_ground_everywhere();
+  if (roughness_) roughness_->add_to(tile, at);
+  if (detail_.craters) add_craters(tile, at);
+  return tile;
+}
+
+namespace {
+
+// Where the nodes of one axis fall among the grid's nodes: the first of four that the cubic through
+// them takes, counted from `low`, and its weights.
+struct CentreAxis {
+  CentreAxis(std::int64_t first, int subdivision) {
+    const double per_node = 1.0 / subdivision;
+    for (int k = 0; k < nodes; ++k) {
+      const CellPoint cell(static_cast<double>(first + k) * per_node - 0.5, 0);
+      if (k == 0) low = cell.column - 1;
+      start[k] = static_cast<int>(cell.column - 1 - low);
+      weights[k] = catmull_rom(cell.along_u);
+    }
+    count = start[nodes - 1] + 4;
+  }
+  std::int64_t low = 0;
+  int count = 0;
+  std::array<int, nodes> start{};
+  std::array<std::array<double, 4>, nodes> weights{};
+};
+
+}  // namespace
+
+// The raw heights less a smooth surface through them at the grid's nodes.
+HeightTile DetailField::zero_at_centres(const TileKey& key) const {
+  const NodeLattice at = nodes_of(key);
+  HeightTile tile = raw(key, at);
+  const CentreAxis columns(at.column, subdivision_), rows(at.row, subdivision_);
+  std::shared_ptr<const HeightTile> kept;
+  const auto centre_m = [&](std::int64_t column, std::int64_t row) {
+    const TileKey wanted{column >> CellPoint::tile_bits, row >> CellPoint::tile_bits};
+    if (!kept || kept->key() != wanted)
+      kept = centres_.get(wanted, [this](const TileKey& of) {
+        const std::int64_t N = subdivision_;
+        return raw(of, {(of.column * cells + first_node) * N + N / 2,
+                        (of.row * cells + first_node) * N + N / 2, N});
+      });
+    return kept->height_m(static_cast<int>(column & (cells - 1)),
+                          static_cast<int>(row & (cells - 1)));
+  };
+  std::vector<double> values(static_cast<std::size_t>(columns.count));
+  std::vector<std::array<double, nodes>> lines(static_cast<std::size_t>(rows.count));
+  for (int j = 0; j < rows.count; ++j) {
+    for (int i = 0; i < columns.count; ++i) {
+      values[static_cast<std::size_t>(i)] = centre_m(columns.low + i, rows.low + j);
+    }
+    for (int k = 0; k < nodes; ++k) {
+      const double* v = &values[static_cast<std::size_t>(columns.start[k])];
+      const auto& w = columns.weights[k];
+      lines[static_cast<std::size_t>(j)][k] =
+          w[0] * v[0] + w[1] * v[1] + (w[2] * v[2] + w[3] * v[3]);
+    }
+  }
+  for (int k = 0; k < nodes; ++k) {
+    const auto* line = &lines[static_cast<std::size_t>(rows.start[k])];
+    const auto& w = rows.weights[k];
+    double* row_m = &tile.height_m(first_node, k + first_node);
+    for (int i = 0; i < nodes; ++i) {
+      row_m[i] -= w[0] * line[0][i] + w[1] * line[1][i] + (w[2] * line[2][i] + w[3] * line[3][i]);
+    }
+  }
+  return tile;
+}
+
+// Over a cell of the grid that is larger than a tile.
+double DetailField::mean_of_cell_m(const TileKey& cell) const {
+  return *means_.get(cell, [this](const TileKey& wanted) {
+    const int across = subdivision_ / cells;
+    double sum = 0;
+    for (int j = 0; j < across; ++j) {
+      for (int i = 0; i < across; ++i) {
+        const TileKey key{wanted.column * across + i, wanted.row * across + j};
+        sum += integral(zero_at_centres(key), 0, 0, cells);
+      }
+    }
+    return sum / subdivision_ / subdivision_;
+  });
+}
+
+void DetailField::correct_means(HeightTile& tile) const {
+  const int N = subdivision_;
+  const int size = std::min(N, cells);  // of a cell's part in this tile
+  const double per_ring = 1 / ring_mean(N);
+  const HeightTile before = tile;
+  for (int row = 0; row < cells; row += size) {
+    for (int column = 0; column < cells; column += size) {
+      const std::int64_t U = tile.key().column * cells + column;
+      const std::int64_t V = tile.key().row * cells + row;
+      const TileKey cell{U >> std::countr_zero(static_cast<unsigned>(N)),
+                         V >> std::countr_zero(static_cast<unsigned>(N))};
+      const double mean_m =
+          N <= cells ? integral(before, column, row, N) / N / N : mean_of_cell_m(cell);
+      // Nodes next to the part belong to it where the cell goes on beyond the tile.
+      for (int j = -1; j <= size + 1; ++j) {
+        for (int i = -1; i <= size + 1; ++i) {
+          if (N <= cells && (i < 0 || j < 0 || i >= size || j >= size)) continue;
+          const double share = ring(N, U + i - cell.column * N, V + j - cell.row * N);
+          if (share == 0) continue;
+          tile.height_m(column + i, row + j) -= mean_m * per_ring * share;
+        }
+      }
+    }
+  }
+}
+
+DetailTile DetailField::tile(const TileKey& key) const {
+  DetailTile tile(key);
+  if (setting_.keeps_cells) {
+    tile.heights = zero_at_centres(key);
+    correct_means(tile.heights);
+  } else {
+    tile.heights = raw(key, nodes_of(key));
+  }
+  if (detail_.rocks) add_rocks(tile.rocks, nodes_of(key));
+  return tile;
+}
+
+}  // namespace lsos

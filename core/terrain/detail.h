@@ -1,0 +1,98 @@
+// What lies below the resolution of a height grid: craters, rocks and roughness on a finer grid
+// of its own, `subdivision` nodes a cell. The finer grid's node (U, V) is the grid's point
+// u = U / subdivision - 1/2, so that cells' centres are nodes and cells' edges too.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "terrain/height_grid.h"
+#include "terrain/patch_map.h"
+#include "terrain/poisson_field.h"
+#include "terrain/roughness.h"
+#include "terrain/stereographic.h"
+
+namespace lsos {
+
+// Rocks of a tile, in the finer grid's coordinates relative to the tile's first node.
+class RockTile {
+ public:
+  struct PlacedRock {
+    double U = 0, V = 0;
+    // (distance / radius)^2 = a dU^2 + 2 b dU dV + c dV^2
+    double a = 0, b = 0, c = 0;
+    double height_m = 0;
+    double half_U = 0, half_V = 0;  // of the rectangle around it
+  };
+  void add(const PlacedRock& rock);
+  // Sorts the rocks by place; once, after the last one.
+  void finish();
+
+  // Height of all rocks at a point of the tile, and derivatives by U and V. Zero beside them.
+  SurfaceHeight at(const CellPoint& at) const;
+
+ private:
+  static constexpr int squares = 8;  // a side
+  static constexpr int square_cells = HeightTile::cells / squares;
+  std::vector<PlacedRock> rocks_;
+  std::array<std::uint32_t, squares * squares + 1> first_{};
+  std::vector<std::uint32_t> in_square_;
+};
+
+struct DetailTile {
+  explicit DetailTile(const TileKey& key) : heights(key) {}
+  HeightTile heights;
+  RockTile rocks;
+  const TileKey& key() const { return heights.key(); }
+};
+
+// How the detail goes with the grid below it.
+struct DetailSetting {
+  double cell_m = 1;          // of the grid
+  bool keeps_cells = false;   // zero at cells' centres and in the mean of each cell
+  double crater_max_m = 1e9;  // larger ones are the grid's own
+};
+
+class DetailField {
+ public:
+  // `grid` must outlive the field.
+  DetailField(const Detail& detail, const HeightGrid& grid, const Stereographic& map,
+              const DetailSetting& setting, std::uint64_t seed);
+
+  int subdivision() const { return subdivision_; }
+  double spacing_m() const { return setting_.cell_m / subdivision_; }
+  // A pure function of the key. Any thread.
+  DetailTile tile(const TileKey& key) const;
+
+  // The finer grid's coordinates of a point of the grid.
+  double fine(double u) const { return (u + 0.5) * subdivision_; }
+
+ private:
+  PlaneRectangle rectangle(const NodeLattice& at) const;
+  std::optional<GridPoint> grid_point(const PlanePoint& at) const;
+  double near_tile(double U, const NodeLattice& at) const;
+  void add_craters(HeightTile& tile, const NodeLattice& at) const;
+  void add_rocks(RockTile& tile, const NodeLattice& at) const;
+  HeightTile raw(const TileKey& key, const NodeLattice& at) const;
+  HeightTile zero_at_centres(const TileKey& key) const;
+  double mean_of_cell_m(const TileKey& cell) const;
+  void correct_means(HeightTile& tile) const;
+
+  Detail detail_;
+  const HeightGrid& grid_;
+  Stereographic map_;
+  DetailSetting setting_;
+  std::uint64_t seed_;
+  int subdivision_;
+  std::int64_t period_ = 0;  // of the finer grid, nodes; 0: does not go around
+  std::optional<RoughnessField> roughness_;
+  ExactMap exact_;
+  mutable PatchMap patches_;
+  mutable KeyCache<TileKey, HeightTile> centres_{64};
+  mutable KeyCache<TileKey, double> means_{4096};  // of cells of more than a tile
+};
+
+}  // namespace lsos

@@ -1,0 +1,55 @@
+// A band of heights: its samples, which of them are missing, and what the others mean.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "terrain/raster_blocks.h"
+
+class GDALRasterBand;
+
+namespace lsos {
+
+// height = sample * scale + offset_m
+struct HeightScale {
+  double scale = 1;
+  double offset_m = 0;
+};
+
+// What a band holds, as far as was looked.
+struct SampleRange {
+  std::int64_t count = 0;  // samples that are not missing
+  double low = 0;          // of those, as they are written
+  double high = 0;
+  double second_low = 0;  // the lowest above `low`
+  bool is_whole = false;  // every sample was looked at
+};
+
+class HeightBand {
+ public:
+  // `nodata`: the sample that stands for none, in place of what the file and custom say.
+  HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata)
+      : band_(&band), scale_(scale), nodata_(nodata) {}
+
+  GDALRasterBand& band() const { return *band_; }
+  const HeightScale& scale() const { return scale_; }
+  std::optional<double> nodata() const { return nodata_; }
+  bool is_floating_point() const;
+
+  // Samples as they are written, row by row; NaN where they are missing.
+  std::vector<double> samples(const RasterBlock& window) const;
+  // Their heights. Heights beyond the limit are missing too.
+  std::vector<double> heights_m(const RasterBlock& window, double limit_m) const;
+  // Looks at all samples of a small raster and at a spread of blocks of a large one.
+  SampleRange range() const;
+
+ private:
+  bool is_missing(double sample) const;
+
+  GDALRasterBand* band_;
+  HeightScale scale_;
+  std::optional<double> nodata_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,116 @@
+#include "terrain/raster_export.h"
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "terrain/gdal_call.h"
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& file) {
+  const std::string why = GdalSilence::message();
+  throw InputError({file, 0}, fmt::format("cannot be written: {}", why.empty() ? "no space" : why));
+}
+
+GDALDriver& driver(const char* name) {
+  GDALAllRegister();
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName(name);
+  if (found == nullptr) {
+    throw InputError({}, fmt::format("this GDAL has no driver {}; 3.1 or newer has it", name));
+  }
+  return *found;
+}
+
+GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
+                               const std::function<double(const Geodetic&)>& height_m) {
+  GDALDatasetUniquePtr dataset(
+      driver("MEM").Create("", grid.columns, grid.rows, 1, GDT_Float32, nullptr));
+  if (!dataset) refuse("the map");
+  OGRSpatialReference crs;
+  crs.importFromWkt(grid.crs.c_str());
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  dataset->SetSpatialRef(&crs);
+  dataset->SetGeoTransform(const_cast<double*>(grid.geotransform.data()));
+  GDALRasterBand& band = *dataset->GetRasterBand(1);
+  constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+  band.SetNoDataValue(missing);
+  band.SetUnitType("m");
+  band.SetDescription("height");
+  const RasterMap map = grid.map(body);
+  std::vector<float> line(grid.columns);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const auto place = map.place({static_cast<double>(column), static_cast<double>(row)});
+      line[column] = place ? static_cast<float>(height_m(*place)) : missing;
+    }
+    if (band.RasterIO(GF_Write, 0, row, grid.columns, 1, line.data(), grid.columns, 1, GDT_Float32,
+                      0, 0, nullptr) != CE_None) {
+      refuse("the map");
+    }
+  }
+  return dataset;
+}
+
+// gdaldem's, with metres a unit of the map where that is degrees.
+GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
+  CPLStringList words;
+  for (const char* word : {"-of", "MEM", "-compute_edges"}) words.AddString(word);
+  if (heights.GetSpatialRef()->IsGeographic()) {
+    words.AddString("-s");
+    words.AddString(fmt::format("{}", body.equatorial_radius_m * std::numbers::pi / 180).c_str());
+  }
+  const std::unique_ptr<GDALDEMProcessingOptions, void (*)(GDALDEMProcessingOptions*)> options(
+      GDALDEMProcessingOptionsNew(words.List(), nullptr), GDALDEMProcessingOptionsFree);
+  int misused = FALSE;
+  GDALDatasetUniquePtr shade(GDALDataset::FromHandle(GDALDEMProcessing(
+      "", GDALDataset::ToHandle(&heights), "hillshade", nullptr, options.get(), &misused)));
+  if (!shade) refuse("the hillshade");
+  shade->GetRasterBand(1)->SetDescription("hillshade");
+  return shade;
+}
+
+}  // namespace
+
+void write_raster(const RasterExport& to, const MapGrid& grid, const Body& body,
+                  const std::function<double(const Geodetic&)>& height_m) {
+  GDALDatasetUniquePtr dataset = in_memory(grid, body, height_m);
+  const GdalSilence silence;
+  if (to.is_hillshade) dataset = hillshade(*dataset, body);
+  CPLStringList options;
+  options.SetNameValue("COMPRESS", "DEFLATE");
+  options.SetNameValue("PREDICTOR", "YES");
+  options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
+  const std::string unfinished = to.file + ".part";
+  CPLErrorReset();
+  GDALDatasetUniquePtr copy(driver("COG").CreateCopy(unfinished.c_str(), dataset.get(), FALSE,
+                                                     options.List(), nullptr, nullptr));
+  const bool is_made = copy != nullptr;
+  copy.reset();
+  std::error_code error;
+  if (!is_made || CPLGetLastErrorType() >= CE_Failure) {
+    fs::remove(unfinished, error);
+    refuse(to.file);
+  }
+  fs::rename(unfinished, to.file, error);
+  if (error) {
+    const std::string why = error.message();
+    fs::remove(unfinished, error);
+    throw InputError({to.file, 0}, fmt::format("cannot be written: {}", why));
+  }
+}
+
+}  // namespace lsos

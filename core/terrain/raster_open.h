@@ -1,0 +1,29 @@
+// Opening a raster: the file, its band, its CRS and geotransform, and what its samples mean.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "terrain/height_band.h"
+#include "terrain/raster_name.h"
+#include "terrain/raster_surface.h"
+
+#include "planet/body.h"
+
+class GDALDataset;
+class OGRSpatialReference;
+
+namespace lsos {
+
+// All of these refuse, by InputError, what cannot serve as heights of a known place.
+std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const RasterName& name);
+GDALRasterBand& chosen_band(GDALDataset& dataset, const RasterSurface& surface,
+                            const RasterName& name);
+// Without a vertical part; x is east or longitude.
+OGRSpatialReference crs_of(GDALDataset& dataset, const RasterSurface& surface,
+                           const RasterName& name);
+std::array<double, 6> geotransform_of(GDALDataset& dataset, const RasterName& name);
+HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
+                      const RasterName& name);
+
+}  // namespace lsos

@@ -1,0 +1,20 @@
+// What a user says of a raster: which file, and what its own metadata leaves open.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace lsos {
+
+// A raster that GDAL opens. What is absent is taken from the file.
+struct RasterSurface {
+  std::string file;
+  std::variant<int, std::string> band = 1;  // its number from 1, or its description
+  std::optional<double> nodata = {};        // the one sample that stands for none
+  std::string unit = {};                    // of length: "m", "ft", "km", ...
+  std::optional<bool> is_radius = {};       // samples are distances from the body's centre
+  std::string crs = {};                     // anything that GDAL reads as one
+};
+
+}  // namespace lsos

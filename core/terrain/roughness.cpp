@@ -1,0 +1,127 @@
+#include "terrain/roughness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr int nodes = HeightTile::nodes;
+
+// Normal to the eye and to second moments: four 16-bit uniforms, mean 0, variance 1.
+double normal(std::uint64_t key, std::int64_t column, std::int64_t row) {
+  // Two rounds of multiplication and shift mix a lattice point as well as needed, and are cheaper
+  // than two mix_key.
+  std::uint64_t z = key + static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15u +
+                    static_cast<std::uint64_t>(row) * 0xd1b54a32d192ed03u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  const auto sum =
+      static_cast<double>((z & 0xffff) + ((z >> 16) & 0xffff) + ((z >> 32) & 0xffff) + (z >> 48));
+  constexpr double mean = 2 * 65535.0, deviation = 37837.22;  // 65536 sqrt(4/12)
+  return (sum - mean) * (1 / deviation);
+}
+
+std::array<double, 4> b_spline(double t) {
+  const double s = 1 - t, t2 = t * t, t3 = t2 * t;
+  return {s * s * s / 6, (4 - 6 * t2 + 3 * t3) / 6, (1 + 3 * t + 3 * t2 - 3 * t3) / 6, t3 / 6};
+}
+
+// Autocorrelation of one axis of the waves at a lag in lattice spacings, averaged over where in the
+// lattice it is taken: the B-spline of order 7, by its recurrence.
+double b_spline_at(int order, double x) {  // centred, support [-order/2, order/2]
+  if (order == 1) return x >= -0.5 && x < 0.5 ? 1 : 0;
+  const double half = order / 2.0;
+  return ((half + x) * b_spline_at(order - 1, x + 0.5) +
+          (half - x) * b_spline_at(order - 1, x - 0.5)) /
+         (order - 1);
+}
+
+// Mean square difference of heights `lag` spacings apart along an axis, of waves with amplitude 1.
+double structure(double lag) {
+  const double at_zero = b_spline_at(8, 0);
+  return 2 * at_zero * (at_zero - b_spline_at(8, lag));
+}
+
+// Where the nodes of one axis fall on a lattice: its points in use, and for each node the first of
+// four among them and their weights.
+struct Axis {
+  Axis(std::int64_t first, std::int64_t stride, int spacing_log2) {
+    const std::int64_t mask = (std::int64_t{1} << spacing_log2) - 1;
+    const double per_spacing = 1.0 / static_cast<double>(mask + 1);
+    for (int k = 0; k < nodes; ++k) {
+      const std::int64_t node = first + k * stride;
+      const std::int64_t low = (node >> spacing_log2) - 1;
+      for (std::int64_t i = low; i < low + 4; ++i) {
+        if (points.empty() || i > points.back()) points.push_back(i);
+      }
+      start[k] = static_cast<int>(std::ranges::lower_bound(points, low) - points.begin());
+      weights[k] = b_spline(static_cast<double>(node & mask) * per_spacing);
+    }
+  }
+  std::vector<std::int64_t> points;
+  std::array<int, nodes> start{};
+  std::array<std::array<double, 4>, nodes> weights{};
+};
+
+}  // namespace
+
+RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed, double spacing_m,
+                               std::int64_t period)
+    : period_(period) {
+  // From waves as long as two nodes: below, the grid cannot hold them.
+  const int last =
+      std::max(0, static_cast<int>(std::floor(std::log2(roughness.longest_m / (2 * spacing_m)))));
+  // Amplitudes in the ratio 2^hurst an octave; the lag at which the deviation is made exact lies
+  // within the range of waves.
+  const double lag_m = std::clamp(1.0, 2 * spacing_m, std::ldexp(spacing_m, last));
+  double sum = 0;
+  for (int k = 0; k <= last; ++k) {
+    const double amplitude = std::exp2(roughness.hurst * k);
+    sum += amplitude * amplitude * structure(lag_m / std::ldexp(spacing_m, k));
+    octaves_.push_back(
+        {mix_key(mix_key(seed, "roughness"), static_cast<std::uint64_t>(k)), k, amplitude});
+  }
+  const double wanted_m = roughness.deviation_m * std::pow(lag_m, roughness.hurst);
+  for (Octave& octave : octaves_) octave.amplitude_m *= wanted_m / std::sqrt(sum);
+}
+
+void RoughnessField::add_to(HeightTile& tile, const NodeLattice& at) const {
+  for (const Octave& octave : octaves_) add_octave(octave, tile, at);
+}
+
+void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
+                                const NodeLattice& at) const {
+  const std::int64_t period = period_ >> octave.spacing_log2;
+  const Axis columns(at.column, at.stride, octave.spacing_log2);
+  const Axis rows(at.row, at.stride, octave.spacing_log2);
+  // Along rows first: one line of nodes for each lattice row in use.
+  std::vector<double> values(columns.points.size());
+  std::vector<std::array<double, nodes>> lines(rows.points.size());
+  for (std::size_t j = 0; j < rows.points.size(); ++j) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::int64_t around = columns.points[i];
+      const std::int64_t column = period > 0 ? (around % period + period) % period : around;
+      values[i] = octave.amplitude_m * normal(octave.key, column, rows.points[j]);
+    }
+    for (int k = 0; k < nodes; ++k) {
+      const double* v = &values[static_cast<std::size_t>(columns.start[k])];
+      const auto& w = columns.weights[k];
+      lines[j][k] = w[0] * v[0] + w[1] * v[1] + (w[2] * v[2] + w[3] * v[3]);
+    }
+  }
+  for (int k = 0; k < nodes; ++k) {
+    const auto* line = &lines[static_cast<std::size_t>(rows.start[k])];
+    const auto& w = rows.weights[k];
+    double* row_m = &tile.height_m(HeightTile::first_node, k + HeightTile::first_node);
+    for (int i = 0; i < nodes; ++i) {
+      row_m[i] += w[0] * line[0][i] + w[1] * line[1][i] + (w[2] * line[2][i] + w[3] * line[3][i]);
+    }
+  }
+}
+
+}  // namespace lsos

@@ -1,0 +1,34 @@
+// Which soil lies where.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "terrain/height_grid.h"
+#include "terrain/key_cache.h"
+#include "terrain/patch_map.h"
+#include "terrain/poisson_field.h"
+#include "terrain/site_plane.h"
+
+namespace lsos {
+
+class SoilMap {
+ public:
+  // Throws InputError: a raster of soils cannot be used. `plane` must outlive the map.
+  SoilMap(const TerrainSpec& spec, const SitePlane& plane);
+  ~SoilMap();
+
+  // The terrain's own, those of its patches in order, and that of rocks.
+  const std::vector<Soil>& soils() const { return soils_; }
+  int of_rock() const { return static_cast<int>(soils_.size()) - 1; }
+  // Number of the soil at a point of the site plane. Any thread.
+  int at(const PlanePoint& at) const;
+  void add_to(Sha256& hash) const;
+
+ private:
+  struct Region;
+  std::vector<Soil> soils_;
+  std::vector<std::unique_ptr<Region>> regions_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,210 @@
+// `lsos-host terrain`: the ground on its own, for an engineer who wants to check it or map it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "lua/places.h"
+#include "lua/terrain_source.h"
+#include "mission/site.h"
+#include "terrain/ground.h"
+#include "terrain/raster_export.h"
+#include "terrain/raster_layers.h"
+
+namespace lsos {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Question {
+  std::vector<Geodetic> places;
+  std::optional<Geodetic> site;
+  std::optional<MapWindow> window;
+};
+
+void read_window(const TerrainOptions& options, Question& question, Faults& faults) {
+  const auto n = option_numbers("--window", options.window, 4,
+                                "LON0,LAT0,LON1,LAT1 (west, south, east, north)", faults);
+  if (!n) return;
+  const MapWindow window{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
+  const auto is_lon = [](double lon_deg) { return lon_deg >= -180 && lon_deg <= 360; };
+  const bool is_ordered = std::abs(window.south_deg) <= 90 && std::abs(window.north_deg) <= 90 &&
+                          window.south_deg < window.north_deg;
+  if (!is_lon(window.west_deg) || !is_lon(window.east_deg) || !is_ordered ||
+      window.width_deg() <= 0 || window.width_deg() > 360) {
+    faults.error({}, fmt::format("--window {}: west, south, east, north: longitudes of -180..360, "
+                                 "at most 360 apart, and latitudes of -90..90 deg, the southern "
+                                 "first, are allowed",
+                                 options.window));
+    return;
+  }
+  question.window = window;
+}
+
+void check_export(const TerrainOptions& options, Faults& faults) {
+  const bool is_export = !options.export_file.empty();
+  const auto needs_export = [&](const char* option, bool is_given) {
+    if (is_given && !is_export) {
+      faults.error({}, fmt::format("{}: says how to export; --export OUT.tif is missing", option));
+    }
+  };
+  needs_export("--window", !options.window.empty());
+  needs_export("--resolution", options.resolution_m.has_value());
+  needs_export("--hillshade", options.is_hillshade);
+  if (!is_export && options.at.empty()) {
+    faults.error({}, "terrain: nothing is asked; --at LON,LAT or --export OUT.tif is wanted");
+  }
+  if (options.resolution_m &&
+      !(std::isfinite(*options.resolution_m) && *options.resolution_m > 0)) {
+    faults.error({}, fmt::format("--resolution {}: must be above 0 m", *options.resolution_m));
+  }
+  if (options.resolution_m && options.window.empty()) {
+    faults.error({}, "--resolution: a --window LON0,LAT0,LON1,LAT1 is missing");
+  }
+}
+
+// All that is wrong at once.
+Question question_of(const TerrainOptions& options) {
+  Faults faults;
+  Question question;
+  for (const std::string& text : options.at) {
+    if (const auto place = option_place("--at", text, faults)) question.places.push_back(*place);
+  }
+  if (!options.site.empty()) question.site = option_place("--site", options.site, faults);
+  if (!options.window.empty()) read_window(options, question, faults);
+  check_export(options, faults);
+  faults.throw_if_errors();
+  if (!question.site && !question.places.empty()) question.site = question.places.front();
+  if (!question.site && question.window) question.site = question.window->centre();
+  return question;
+}
+
+// On its surface at the site, as a run has it; on the reference surface where there is none.
+std::unique_ptr<Ground> placed(const TerrainSource& source, const Geodetic& site,
+                               std::uint64_t seed) {
+  const SiteFrame datum(*source.body, {site.lon_rad, site.lat_rad, 0});
+  auto ground = std::make_unique<Ground>(source.spec, datum, seed);
+  if (!ground->elevation_m(site)) return ground;
+  return ground_at(source.spec, *source.body, site, seed);
+}
+
+template <class T>
+ordered_json or_null(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json degrees_or_null(const std::optional<double>& angle_rad) {
+  return angle_rad ? ordered_json(degrees(*angle_rad)) : ordered_json(nullptr);
+}
+
+// What wheels feel: height, and the normal as east, north, up of the place.
+void add_ground(const Ground& ground, const Geodetic& place, ordered_json& fields) {
+  fields["height_m"] = nullptr;
+  fields["normal"] = nullptr;
+  fields["surface_slope_deg"] = nullptr;
+  const std::optional<double> height_m = ground.elevation_m(place);
+  if (!height_m) return;
+  fields["height_m"] = *height_m;
+  const SiteFrame& site = ground.site();
+  const Vec3 p_S_m = site.p_S_m({place.lon_rad, place.lat_rad, *height_m});
+  const GroundSample sample = Ground::Probe(ground).sample(p_S_m);
+  if (!sample.is_ground()) return;
+  const double east = sample.normal_S.dot(site.east_S(p_S_m));
+  const double north = sample.normal_S.dot(site.north_S(p_S_m));
+  const double up = sample.normal_S.dot(site.up_S(p_S_m));
+  fields["normal"] = {east, north, up};
+  fields["surface_slope_deg"] = degrees(std::atan2(std::hypot(east, north), up));
+}
+
+ordered_json point_of(const TerrainSource& source, const Ground& ground, const Geodetic& place) {
+  // As they were asked, without the digits of a turn into radians and back.
+  const auto plain = [](double angle_deg) { return std::round(angle_deg * 1e12) / 1e12; };
+  ordered_json fields{{"lon_deg", plain(lon_deg(place))}, {"lat_deg", plain(lat_deg(place))}};
+  std::optional<RasterPoint> raster;
+  // The finest raster that has a height there; without one, what the finest says of the place.
+  for (const auto& reader : source.readers) {
+    const auto point = reader->at(place);
+    if (!raster || (point && point->height_m)) raster = point;
+    if (raster && raster->height_m) break;
+  }
+  const RasterPoint found = raster.value_or(RasterPoint{});
+  fields["raster_height_m"] = or_null(found.height_m);
+  add_ground(ground, place, fields);
+  fields["slope_deg"] = degrees_or_null(found.slope_rad);
+  fields["aspect_deg"] = degrees_or_null(found.aspect_rad);
+  fields["aspect_grid_deg"] = degrees_or_null(found.aspect_grid_rad);
+  if (source.is_script) {
+    const Vec3 p_S_m = ground.site().p_S_m({place.lon_rad, place.lat_rad, 0});
+    fields["x"] = p_S_m.x();
+    fields["y"] = p_S_m.y();
+  } else {
+    fields["x"] = raster ? ordered_json(raster->map.x) : ordered_json(nullptr);
+    fields["y"] = raster ? ordered_json(raster->map.y) : ordered_json(nullptr);
+  }
+  fields["crs_unit"] = source.is_script ? "m" : source.reader()->crs_unit();
+  fields["body"] = source.body->name;
+  return fields;
+}
+
+ordered_json exported(const TerrainSource& source, const Ground& ground, const Question& question,
+                      const TerrainOptions& options) {
+  MapGrid grid;
+  const bool is_own_grid = !options.resolution_m;
+  if (!is_own_grid) {
+    grid = grid_of_window(*source.body, *question.window, *options.resolution_m);
+  } else {
+    const std::string file = rasters_of(source.spec).front().file;
+    grid = grid_of_raster(source.reader()->raster(), question.window, {source.spec.place, file});
+  }
+  // Beside missing samples there is no ground, but the raster's own cells have their samples.
+  write_raster({options.export_file, options.is_hillshade}, grid, *source.body,
+               [&](const Geodetic& place) {
+                 std::optional<double> height_m =
+                     ground.elevation_m(place, options.resolution_m.value_or(0));
+                 if (!height_m && is_own_grid) {
+                   if (const auto point = source.reader()->at(place)) height_m = point->height_m;
+                 }
+                 return height_m.value_or(std::numeric_limits<double>::quiet_NaN());
+               });
+  return {{"file", options.export_file}, {"columns", grid.columns}, {"rows", grid.rows}};
+}
+
+}  // namespace
+
+int terrain_command(const TerrainOptions& options) {
+  Question question = question_of(options);
+  const TerrainSource source = terrain_source(options);
+  const bool is_export = !options.export_file.empty();
+  if (is_export && source.reader() == nullptr && (!question.window || !options.resolution_m)) {
+    throw InputError({}, fmt::format("the terrain '{}' has no raster whose grid could be taken: "
+                                     "--window LON0,LAT0,LON1,LAT1 and --resolution M are wanted",
+                                     options.name));
+  }
+  if (!question.site) {
+    const Raster& raster = source.reader()->raster();
+    question.site =
+        raster.map().place({raster.columns() / 2.0, raster.rows() / 2.0}).value_or(Geodetic{});
+  }
+  const std::unique_ptr<Ground> ground = placed(source, *question.site, options.seed);
+  auto points = ordered_json::array();
+  for (const Geodetic& place : question.places) {
+    // Beyond the reach of the site's tangent plane there is a site of its own.
+    const double away_rad =
+        surface_distance_m(*source.body, place, *question.site) / source.body->equatorial_radius_m;
+    constexpr double reach_rad = 0.9;
+    const bool is_near = away_rad < reach_rad;
+    points.push_back(is_near ? point_of(source, *ground, place)
+                             : point_of(source, *placed(source, place, options.seed), place));
+  }
+  if (is_export) {
+    const ordered_json file = exported(source, *ground, question, options);
+    if (question.places.empty()) points.push_back(file);
+  }
+  fmt::print("{}\n", points.dump(2));
+  return 0;
+}
+
+}  // namespace lsos

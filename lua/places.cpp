@@ -1,0 +1,46 @@
+#include "lua/places.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/units.h"
+
+namespace lsos {
+
+std::optional<std::vector<double>> option_numbers(const std::string& option,
+                                                  const std::string& text, std::size_t count,
+                                                  const std::string& form, Faults& faults) {
+  std::vector<double> numbers;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = parse_quantity(text.substr(begin, end - begin), *find_unit("deg"));
+    if (!number) break;
+    numbers.push_back(degrees(*number.value));
+    begin = end + 1;
+  }
+  if (begin <= text.size() || numbers.size() != count) {
+    faults.error({}, fmt::format("{} {}: {} is wanted, in degrees", option, text, form));
+    return {};
+  }
+  return numbers;
+}
+
+std::optional<Geodetic> option_place(const std::string& option, const std::string& text,
+                                     Faults& faults) {
+  const auto numbers = option_numbers(option, text, 2, "LON,LAT", faults);
+  if (!numbers) return {};
+  const double lon_deg = (*numbers)[0];
+  const double lat_deg = (*numbers)[1];
+  if (lon_deg >= -180 && lon_deg <= 360 && std::abs(lat_deg) <= 90) {
+    return geodetic_from_degrees(lon_deg, lat_deg);
+  }
+  const bool is_swapped = std::abs(lon_deg) <= 90 && lat_deg >= -180 && lat_deg <= 360;
+  faults.error({}, fmt::format("{} {}: a longitude of -180..360 and a latitude of -90..90 deg are "
+                               "allowed{}",
+                               option, text, is_swapped ? "; longitude comes first" : ""));
+  return {};
+}
+
+}  // namespace lsos

@@ -1,0 +1,22 @@
+// Places and windows as options of instruments give them, in degrees.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "planet/body.h"
+
+namespace lsos {
+
+// The numbers of "1.5,-2,..."; a fault names the option where there are not `count` of them.
+std::optional<std::vector<double>> option_numbers(const std::string& option,
+                                                  const std::string& text, std::size_t count,
+                                                  const std::string& form, Faults& faults);
+
+// "LON,LAT": longitude -180..360, latitude -90..90.
+std::optional<Geodetic> option_place(const std::string& option, const std::string& text,
+                                     Faults& faults);
+
+}  // namespace lsos

@@ -1,0 +1,92 @@
+#include "lua/terrain_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/units.h"
+#include "lua/mission_files.h"
+#include "terrain/raster_layers.h"
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+RasterSurface surface_of(const TerrainOptions& options) {
+  RasterSurface surface;
+  surface.file = options.name;
+  if (const auto number = parse_integer(options.band)) {
+    surface.band = static_cast<int>(std::clamp<std::int64_t>(*number.value, 0, 1'000'000));
+  } else if (!options.band.empty()) {
+    surface.band = options.band;
+  }
+  surface.nodata = options.nodata;
+  surface.unit = options.unit;
+  surface.is_radius = options.is_radius;
+  surface.crs = options.crs;
+  return surface;
+}
+
+void refuse_raster_options(const TerrainOptions& options) {
+  const std::pair<const char*, bool> given[] = {{"--band", !options.band.empty()},
+                                                {"--nodata", options.nodata.has_value()},
+                                                {"--unit", !options.unit.empty()},
+                                                {"--radius", options.is_radius.has_value()},
+                                                {"--crs", !options.crs.empty()}};
+  Faults faults;
+  for (const auto& [option, is_given] : given) {
+    if (!is_given) continue;
+    faults.error({}, fmt::format("{}: is for a raster; the terrain script '{}' says in its "
+                                 "lsos.raster how its own is read",
+                                 option, options.name));
+  }
+  faults.throw_if_errors();
+}
+
+const Body* planet_of(const std::string& name) {
+  if (name.empty()) return nullptr;
+  if (const Body* body = find_body(name)) return body;
+  std::vector<std::string> names;
+  for (const Body& body : all_bodies()) names.emplace_back(body.name);
+  throw InputError({}, fmt::format("--planet {}: {} are allowed{}", name, fmt::join(names, ", "),
+                                   did_you_mean(name, names)));
+}
+
+// What is no script's name is a raster when there is such a file, or when it looks like one: GDAL
+// also opens names that are no files.
+bool is_raster_name(const std::string& name) {
+  std::error_code ignored;
+  return fs::exists(name, ignored) || name.find_first_of("/.:") != std::string::npos;
+}
+
+}  // namespace
+
+TerrainSource terrain_source(const TerrainOptions& options) {
+  TerrainSource source;
+  const Body* planet = planet_of(options.planet);
+  const auto catalog = read_catalog("");
+  const auto& names = catalog->declarations().terrains;
+  const bool is_broken = !catalog->faults_of(ScriptKind::terrain, options.name).empty();
+  source.is_script = is_broken || std::ranges::count(names, options.name) > 0;
+  if (!source.is_script && is_raster_name(options.name)) {
+    source.spec.name = fs::path(options.name).filename();
+    source.spec.layers = {surface_of(options)};
+    source.spec.is_synthetic = false;
+  } else {
+    source.spec = catalog->load_terrain(options.name, {});
+    refuse_raster_options(options);
+  }
+  if (planet == nullptr && !source.spec.planet.empty()) planet = find_body(source.spec.planet);
+  for (const RasterSurface& raster : rasters_of(source.spec)) {
+    source.readers.push_back(std::make_unique<RasterReader>(raster, source.spec.place, planet));
+  }
+  source.body = planet != nullptr            ? planet
+                : source.reader() != nullptr ? &source.reader()->own_body()
+                                             : find_body("Moon");
+  return source;
+}
+
+}  // namespace lsos

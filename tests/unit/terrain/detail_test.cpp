@@ -1,0 +1,286 @@
+// Rocks, roughness and craters below a raster's resolution, and layers over layers.
+#include "terrain/rocks.h"
+#include "terrain/roughness.h"
+
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "ground_fixture.h"
+#include "terrain/detail.h"
+
+namespace lsos {
+namespace {
+
+// Golombek and Rapp 1997, figure of cumulative covered area: for 10 % of cover about 3.5 % by rocks
+// larger than 0.3 m and about 0.4 % by those larger than 1 m.
+TEST(Rocks, cover_as_much_as_published) {
+  RockPopulation p;
+  p.cover = 0.1;
+  EXPECT_NEAR(rock_cover(p, 0.3), 0.037, 0.003);
+  EXPECT_NEAR(rock_cover(p, 1), 0.0037, 0.0005);
+  const PlaneRectangle area{{0, 0}, {200, 200}};
+  p.diameter_min_m = 0.2;
+  const auto rocks = rocks_touching(p, 3, area);
+  for (const double larger_m : {0.2, 0.4, 0.8}) {
+    double covered_m2 = 0, count = 0;
+    for (const Rock& r : rocks) {
+      if (r.diameter_m <= larger_m) continue;
+      covered_m2 += std::numbers::pi / 4 * r.diameter_m * r.diameter_m;
+      ++count;
+    }
+    EXPECT_NEAR(covered_m2 / 4e4 / rock_cover(p, larger_m), 1, 0.03 + 4 / std::sqrt(count));
+    EXPECT_NEAR(count / 4e4, rocks_pm2(p, larger_m), 4 * std::sqrt(count) / 4e4);
+  }
+}
+
+// Heights of a block of nodes as tiles give them.
+std::vector<std::vector<double>> heights(const RoughnessField& field, int tiles) {
+  std::vector<std::vector<double>> result(64 * tiles, std::vector<double>(64 * tiles));
+  for (int row = 0; row < tiles; ++row) {
+    for (int column = 0; column < tiles; ++column) {
+      HeightTile tile({column, row});
+      field.add_to(tile, {column * 64 - 1, row * 64 - 1, 1});
+      for (int j = 0; j < 64; ++j) {
+        for (int i = 0; i < 64; ++i) result[row * 64 + j][column * 64 + i] = tile.height_m(i, j);
+      }
+    }
+  }
+  return result;
+}
+
+TEST(Roughness, deviates_as_the_power_of_the_distance) {
+  for (const double hurst : {0.5, 0.7, 0.9}) {
+    const RoughnessField field({0.02, hurst, 64}, 9, 0.25);
+    const auto h = heights(field, 16);
+    const int side = static_cast<int>(h.size());
+    // Shepard et al. 2001: RMS deviation nu(L) = nu_0 L^H.
+    for (const int lag : {2, 4, 8, 16}) {  // to a sixteenth of the longest wave
+      double sum = 0;
+      int count = 0;
+      for (int j = 0; j < side; ++j) {
+        for (int i = 0; i + lag < side; ++i, ++count) {
+          sum += (h[j][i + lag] - h[j][i]) * (h[j][i + lag] - h[j][i]);
+        }
+      }
+      const double expected = 0.02 * std::pow(0.25 * lag, hurst);
+      EXPECT_NEAR(std::sqrt(sum / count) / expected, 1, lag == 4 ? 0.03 : 0.15)
+          << hurst << " " << lag;
+    }
+  }
+}
+
+TEST(Roughness, of_a_node_does_not_depend_on_the_tile_or_the_stride) {
+  const RoughnessField field({0.02, 0.7, 32}, 9, 0.25);
+  const auto h = heights(field, 4);
+  HeightTile coarse({0, 0});
+  field.add_to(coarse, {4 - 8, 4 - 8, 8});
+  HeightTile right({1, 0});
+  field.add_to(right, {63, -1, 1});
+  for (int k = 0; k < 20; ++k) EXPECT_NEAR(coarse.height_m(k, k), h[4 + 8 * k][4 + 8 * k], 1e-15);
+  for (int k = 0; k < 64; ++k) EXPECT_EQ(right.height_m(-1, k), h[k][63]);
+  const RoughnessField around({0.02, 0.7, 32}, 9, 0.25, 256);
+  HeightTile first({0, 0}), again({4, 0});
+  around.add_to(first, {-1, -1, 1});
+  around.add_to(again, {255, -1, 1});
+  for (int k = 0; k < 64; ++k) EXPECT_EQ(first.height_m(k, k), again.height_m(k, k));
+}
+
+std::vector<std::vector<double>> hills(int columns, int rows) {
+  return rows_of(columns, rows, [](int column, int row) {
+    return 20 * std::sin(column * 0.21) + 15 * std::cos(row * 0.17);
+  });
+}
+
+Detail all_detail(bool with_rocks) {
+  Detail detail;
+  detail.craters.emplace();
+  detail.craters->age_gyr = 3.9;
+  detail.craters->diameter_min_m = 1;
+  detail.craters->diameter_max_m = 200;
+  detail.roughness = Roughness{0.03, 0.7, 16};
+  if (with_rocks) detail.rocks = RockPopulation{0.05, 0.3, 3, 0.5};
+  return detail;
+}
+
+struct Case {
+  const char* name;
+  double cell_m;
+};
+
+class EnhancedRaster : public ::testing::TestWithParam<Case> {
+ protected:
+  TerrainSpec spec(bool is_enhanced, bool with_rocks = false) {
+    const double cell_m = GetParam().cell_m;
+    const TextRaster raster{
+        "+proj=stere +lat_0=-90 +R=1737400 +units=m",
+        "100000," + std::to_string(cell_m) + ",0,50000,0," + std::to_string(-cell_m), "",
+        hills(60, 60)};
+    TerrainSpec spec = raster_terrain(raster.write("hills"));
+    if (is_enhanced) spec.detail = all_detail(with_rocks);
+    return spec;
+  }
+  SiteFrame site() const {
+    // The middle of the raster.
+    const double half_m = 30 * GetParam().cell_m;
+    const double x = 100000 + half_m, y = 50000 - half_m;
+    const double lat_deg =
+        -90 + 2 * std::atan(std::hypot(x, y) / (2 * 1737400)) * 180 / std::numbers::pi;
+    return site_on("Moon", std::atan2(x, y) * 180 / std::numbers::pi, lat_deg);
+  }
+  // The cell's centre, and points of it in shares of its side.
+  Geodetic place(double column, double row) const {
+    const double x = 100000 + (column + 0.5) * GetParam().cell_m;
+    const double y = 50000 - (row + 0.5) * GetParam().cell_m;
+    const double lat_rad = -std::numbers::pi / 2 + 2 * std::atan(std::hypot(x, y) / (2 * 1737400));
+    return {std::atan2(x, y), lat_rad, 0};
+  }
+};
+
+TEST_P(EnhancedRaster, is_the_raster_at_cell_centres_and_in_the_mean_of_each_cell) {
+  const Ground plain(spec(false), site(), 4), enhanced(spec(true), site(), 4);
+  double rms = 0;
+  for (int column = 20; column < 23; ++column) {
+    for (int row = 17; row < 20; ++row) {
+      EXPECT_NEAR(*enhanced.elevation_m(place(column, row)), *plain.elevation_m(place(column, row)),
+                  1e-7);
+      double sum = 0;
+      constexpr int side = 256;  // the finer grid's cells are cut in four at least
+      for (int j = 0; j < side; ++j) {
+        for (int i = 0; i < side; ++i) {
+          const Geodetic at = place(column - 0.5 + (i + 0.5) / side, row - 0.5 + (j + 0.5) / side);
+          const double added_m = *enhanced.elevation_m(at) - *plain.elevation_m(at);
+          sum += added_m;
+          rms += added_m * added_m;
+        }
+      }
+      EXPECT_NEAR(sum / side / side, 0, 1e-5) << column << " " << row;
+    }
+  }
+  rms = std::sqrt(rms / 9 / 256 / 256);
+  EXPECT_GT(rms, 0.02);  // and yet there is something
+}
+
+TEST_P(EnhancedRaster, has_normals_that_are_its_gradients) {
+  const Ground ground(spec(true, true), site(), 4);
+  Ground::Probe probe(ground);
+  for (double x = -150; x < 150; x += 7.3) {
+    const double far = x * GetParam().cell_m / 20;
+    const Vec3 p = on_surface(ground, probe, {far, 0.6 * far + 3, 0});
+    EXPECT_LT((probe.sample(p).normal_S - normal_by_differences(probe, p, 1e-5)).norm(), 2e-4) << x;
+  }
+}
+
+TEST_P(EnhancedRaster, has_the_same_bits_whichever_tile_is_asked_first) {
+  const Ground one(spec(true, true), site(), 4), two(spec(true, true), site(), 4);
+  constexpr int count = 500;
+  std::vector<double> forward(count), backward(count);
+  const double step = GetParam().cell_m / 20;
+  const auto point = [&](int k) { return Vec3(step * (k - 250), step * 0.7 * (k - 200), 0); };
+  std::thread thread([&] {
+    Ground::Probe probe(two);
+    for (int k = count - 1; k >= 0; --k) backward[k] = probe.sample(point(k)).gap_m;
+  });
+  Ground::Probe probe(one);
+  for (int k = 0; k < count; ++k) forward[k] = probe.sample(point(k)).gap_m;
+  thread.join();
+  EXPECT_EQ(forward, backward);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cells, EnhancedRaster,
+                         ::testing::Values(Case{"two_metres", 2}, Case{"twenty_metres", 20},
+                                           Case{"forty_metres", 40}),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Detail, stays_where_it_is_when_the_site_moves) {
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-300,5,0,300,0,-5", "",
+                          hills(120, 120)};
+  TerrainSpec spec = raster_terrain(raster.write("hills"));
+  spec.detail = all_detail(true);
+  const Ground here(spec, site_on("Moon", 0, 0), 4), there(spec, site_on("Moon", 0.005, -0.004), 4);
+  for (double lon_deg = -0.004; lon_deg < 0.004; lon_deg += 0.0003) {
+    const Geodetic at = geodetic_from_degrees(lon_deg, 0.6 * lon_deg);
+    EXPECT_NEAR(*here.elevation_m(at), *there.elevation_m(at), 1e-6);
+  }
+}
+
+TEST(Detail, has_rocks_that_the_sample_knows_of) {
+  TerrainSpec spec = plane_terrain(0);
+  spec.detail = Detail{.craters = {}, .rocks = RockPopulation{0.1, 0.4, 2, 0.5}, .roughness = {}};
+  const Ground ground(spec, site_on("Moon", 10, 0), 4);
+  Ground::Probe probe(ground);
+  int on_rock = 0, all = 0;
+  for (double x = -40; x < 40; x += 0.31) {
+    for (double y = -40; y < 40; y += 0.29, ++all) {
+      const GroundSample s = probe.sample({x, y, 0});
+      const bool is_rock = s.soil == static_cast<int>(ground.soils().size()) - 1;
+      EXPECT_EQ(is_rock, s.elevation_m > 0);
+      on_rock += is_rock;
+    }
+  }
+  RockPopulation p = *spec.detail->rocks;
+  EXPECT_NEAR(static_cast<double>(on_rock) / all, rock_cover(p, 0.4), 0.006);
+}
+
+TEST(Layers, blend_without_a_step) {
+  const TextRaster fine{
+      "+proj=eqc +R=1737400 +units=m", "-100,2,0,100,0,-2", "",
+      rows_of(100, 100, [](int column, int row) { return 50 + 0.3 * column + 0.1 * row; })};
+  const TextRaster coarse{"+proj=eqc +R=1737400 +units=m", "-1000,20,0,1000,0,-20", "",
+                          rows_of(100, 100, [](int column, int) { return 40 + 0.5 * column; })};
+  TerrainSpec spec = raster_terrain(fine.write("fine"));
+  spec.layers.emplace_back(RasterSurface{coarse.write("coarse"), 1});
+  const SiteFrame site = site_on("Moon", 0, 0);
+  const Ground both(spec, site, 0), only_fine(raster_terrain(fine.write("fine")), site, 0),
+      only_coarse(raster_terrain(coarse.write("coarse")), site, 0);
+  Ground::Probe probe(both), fine_probe(only_fine), coarse_probe(only_coarse);
+  // In the middle the fine one, outside the coarse one, and in between no step and no kink.
+  EXPECT_EQ(probe.sample({3, 5, 0}).elevation_m, fine_probe.sample({3, 5, 0}).elevation_m);
+  EXPECT_EQ(probe.sample({130, 5, 0}).elevation_m, coarse_probe.sample({130, 5, 0}).elevation_m);
+  double before_m = probe.sample({20, 5, 0}).elevation_m, slope_before = 0;
+  for (double x = 20.05; x < 140; x += 0.05) {
+    const double height_m = probe.sample({x, 5, 0}).elevation_m;
+    const double slope = (height_m - before_m) / 0.05;
+    EXPECT_LT(std::abs(slope), 3) << x;
+    if (x > 20.06) {
+      EXPECT_LT(std::abs(slope - slope_before), 0.02) << x;
+    }
+    before_m = height_m;
+    slope_before = slope;
+    const Vec3 p{x, 5, 0};
+    EXPECT_LT((probe.sample(p).normal_S - normal_by_differences(probe, p, 1e-3)).norm(), 1e-4) << x;
+  }
+  EXPECT_FALSE(probe.sample({1200, 5, 0}).is_ground());
+}
+
+TEST(Soils, lie_where_the_script_says) {
+  TerrainSpec spec = plane_terrain(0);
+  spec.soil.name = "own";
+  SoilPatch square;
+  square.soil.name = "sand";
+  square.lon_lat_deg = {{0, 0}, {0.01, 0}, {0.01, 0.01}, {0, 0.01}};
+  const TextRaster classes{"+proj=longlat +R=1737400",
+                           "-0.02,0.01,0,0.02,0,-0.01",
+                           "",
+                           {{1, 2, 1, 2}, {1, 2, 1, 2}, {3, 3, 3, 3}, {1, 1, 1, 1}}};
+  SoilPatch by_class;
+  by_class.soil.name = "clay";
+  by_class.raster = RasterSurface{classes.write("classes"), 1};
+  by_class.values = {2, 3};
+  spec.soil_patches = {square, by_class};
+  const Ground ground(spec, site_on("Moon", 0, 0), 0);
+  Ground::Probe probe(ground);
+  const auto soil_at = [&](double lon_deg, double lat_deg) {
+    const Vec3 p = ground.site().p_S_m(geodetic_from_degrees(lon_deg, lat_deg, 1));
+    return ground.soils()[static_cast<std::size_t>(probe.sample(p).soil)].name;
+  };
+  EXPECT_EQ(soil_at(0.005, 0.005), "sand");
+  EXPECT_EQ(soil_at(0.015, 0.005), "clay");
+  EXPECT_EQ(soil_at(-0.005, -0.005), "clay");
+  EXPECT_EQ(soil_at(-0.005, -0.015), "own");
+  EXPECT_EQ(soil_at(0.0001, -0.0101), "own");
+  EXPECT_EQ(soil_at(0.5, 0.5), "own");
+}
+
+}  // namespace
+}  // namespace lsos
