@@ -120,7 +120,7 @@ class Vehicle {
     WheelMode mode = WheelMode::driven;
     const Wheel* shape = nullptr;
     const DriveMotor* motor = nullptr;  // nullptr: a wheel without one
-    std::vector<WheelSoil> soils;           // by the ground's number
+    std::vector<WheelSoil> soils;       // by the ground's number
   };
 
   void step(double step_s);

@@ -188,7 +188,8 @@ void Vehicle::apply_contacts(double step_s) {
     input.heading_S = axle.cross(normal).normalized();
     input.hub_velocity_S_mps = hub.v_C_S_mps - hub.v_C_S_mps.dot(normal) * normal;
     input.rolling_speed_mps = part.shape->radius_m * bodies_.joint_velocity(part.link);
-    const WheelContactForces forces = part.soils[static_cast<std::size_t>(ground.soil)].forces(input, step_s, wheel.contact);
+    const WheelContactForces forces =
+        part.soils[static_cast<std::size_t>(ground.soil)].forces(input, step_s, wheel.contact);
     if (input.load_n <= 0) continue;
     wheel.load_n = input.load_n;
     wheel.sinkage_m = forces.sinkage_m;

@@ -136,7 +136,8 @@ TEST_F(ShippedScripts, soils_have_their_published_numbers) {
 }
 
 TEST_F(ShippedScripts, terrains_have_their_soil_and_shape) {
-  EXPECT_THAT(catalog.declarations().terrains, ElementsAre("BlackPoint", "Craters", "Flat", "LunarSouthPole", "Slope"));
+  EXPECT_THAT(catalog.declarations().terrains,
+              ElementsAre("BlackPoint", "Craters", "Flat", "LunarSouthPole", "Slope"));
   const TerrainSpec slope = catalog.load_terrain("Slope");
   EXPECT_NEAR(std::get<PlaneSurface>(slope.layers.front()).slope_rad, 0.17453292519943295, 1e-15);
   EXPECT_EQ(slope.soil.name, "ApolloNominal");
@@ -169,7 +170,8 @@ TEST(Terrain, raster_is_found_beside_its_script) {
                   "shear_modulus_x_m = 0.02 } }");
   const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}});
   const TerrainSpec rim = catalog.load_terrain("Rim");
-  EXPECT_EQ(std::get<RasterSurface>(rim.layers.front()).file, directory.path() + "/terrain/rim.tif");
+  EXPECT_EQ(std::get<RasterSurface>(rim.layers.front()).file,
+            directory.path() + "/terrain/rim.tif");
   EXPECT_EQ(std::get<int>(std::get<RasterSurface>(rim.layers.front()).band), 2);
   EXPECT_FALSE(rim.is_synthetic);
   EXPECT_EQ(rim.soil.k_phi, 2);
