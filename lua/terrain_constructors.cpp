@@ -54,7 +54,7 @@ void read_relief(TableReader& t, ReliefSurface& relief) {
 }
 
 void read_craters(TableReader& t, CraterPopulation& craters) {
-  t.number(optional, "diameter_min_m", craters.diameter_min_m, positive, "Smallest (default 3).");
+  t.number(optional, "diameter_min_m", craters.diameter_min_m, {0.1, 1e5}, "Smallest (default 3).");
   t.number(optional, "diameter_max_m", craters.diameter_max_m, positive, "Largest (default 60).");
   t.number(optional, "age_gyr", craters.age_gyr, {0, 4.5},
            "Age of the surface: numbers as such a lunar surface has, at most those in equilibrium. "
@@ -70,6 +70,12 @@ void read_craters(TableReader& t, CraterPopulation& craters) {
            "an age, 0 without).");
   if (craters.diameter_min_m > craters.diameter_max_m) {
     t.fault("diameter_min_m is above diameter_max_m");
+  }
+  // Ten times what a surface holds in equilibrium.
+  const double most_pm2 = 0.8 / (craters.diameter_min_m * craters.diameter_min_m);
+  if (!craters.age_gyr && craters.density_pm2 > most_pm2) {
+    t.fault(fmt::format("density_pm2 = {}: at most {:.3g} craters of {} m have room",
+                        craters.density_pm2, most_pm2, craters.diameter_min_m));
   }
 }
 

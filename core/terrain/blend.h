@@ -17,19 +17,21 @@ class Blend {
     const Vec2 share_by_xy = left_by_xy_ * s.weight + left_ * s.weight_by_xy;
     height_m_ += share * s.height_m;
     by_xy_ += share_by_xy * s.height_m + share * s.height_by_xy;
-    if (s.is_rock && share > rock_share_) is_rock_ = true;
-    rock_share_ = std::max(rock_share_, share);
+    if (share > largest_share_) is_rock_ = s.is_rock;
+    largest_share_ = std::max(largest_share_, share);
+    sum_ += share;
+    sum_by_xy_ += share_by_xy;
     left_ -= share;
     left_by_xy_ -= share_by_xy;
     return left_ > 0;
   }
-  bool is_ground() const { return left_ < 1; }
+  bool is_ground() const { return sum_ > 0; }
   // Where the coarser layers have no ground, the finer ones stand for all of it.
   LayerSample result() const {
-    const double per_sum = 1 / (1 - left_);
+    const double per_sum = 1 / sum_;
     LayerSample s;
     s.height_m = height_m_ * per_sum;
-    s.height_by_xy = (by_xy_ + s.height_m * left_by_xy_) * per_sum;
+    s.height_by_xy = (by_xy_ - s.height_m * sum_by_xy_) * per_sum;
     s.is_rock = is_rock_;
     return s;
   }
@@ -40,7 +42,9 @@ class Blend {
   double left_ = 1;
   Vec2 left_by_xy_ = Vec2::Zero();
   bool is_rock_ = false;
-  double rock_share_ = 0;
+  double largest_share_ = 0;
+  double sum_ = 0;  // of the shares; 1 - left_, without its cancellation
+  Vec2 sum_by_xy_ = Vec2::Zero();
 };
 
 // `sample(k)` is layer k's, fine to coarse.

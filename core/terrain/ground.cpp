@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "terrain/blend.h"
@@ -22,6 +23,23 @@ constexpr double net_rad = 5 * std::numbers::pi / 180;
 // Cells larger than this get no detail: what lies in them is not a matter of wheels.
 constexpr double detail_cell_max_m = 1000;
 
+// Beyond, the map of landforms would stretch them.
+constexpr double relief_reach_rad = std::numbers::pi / 6;
+
+void check_reach(const ReliefSurface& relief, const TerrainSpec& spec, const SiteFrame& site) {
+  const Body& body = site.body();
+  const Geodetic middle{relief.lon_rad, relief.lat_rad, 0};
+  if (surface_distance_m(body, site.origin(), middle) <=
+      relief_reach_rad * body.equatorial_radius_m) {
+    return;
+  }
+  throw InputError(spec.place,
+                   fmt::format("terrain {} has no ground at {:.4f},{:.4f}: it reaches 30 degrees "
+                               "around {:.4f},{:.4f}",
+                               spec.name, lon_deg(site.origin()), lat_deg(site.origin()),
+                               lon_deg(middle), lat_deg(middle)));
+}
+
 std::unique_ptr<HeightGrid> make_grid(const Surface& surface, const TerrainSpec& spec,
                                       const SitePlane& plane, std::uint64_t seed) {
   if (const auto* raster = std::get_if<RasterSurface>(&surface)) {
@@ -29,6 +47,7 @@ std::unique_ptr<HeightGrid> make_grid(const Surface& surface, const TerrainSpec&
   }
   if (const auto* relief = std::get_if<ReliefSurface>(&surface)) {
     const auto craters = spec.detail ? spec.detail->craters : std::nullopt;
+    check_reach(*relief, spec, plane.site());
     return make_relief_grid(*relief, craters, seed, plane);
   }
   return make_plane_grid(std::get<PlaneSurface>(surface), plane);
@@ -44,7 +63,7 @@ double cell_m(const HeightGrid& grid, const Body& body) {
   const GridCoordinates at = centre(grid.extent());
   const auto middle = grid.place(at), right = grid.place({at.u + 1, at.v}),
              below = grid.place({at.u, at.v + 1});
-  if (!middle || !right || !below) return detail_cell_max_m;
+  if (!middle || !right || !below) return std::numeric_limits<double>::infinity();
   return std::sqrt(surface_distance_m(body, *middle, *right) *
                    surface_distance_m(body, *middle, *below));
 }
@@ -60,7 +79,8 @@ Stereographic detail_map(const Surface& finest, const HeightGrid& grid, const Si
   const auto middle = grid.place(centre(extent));
   const auto corner = grid.place({extent.u_low, extent.v_low});
   if (middle && corner && !extent.goes_around() &&
-      surface_distance_m(body, *middle, *corner) < local_rad * body.equatorial_radius_m) {
+      surface_distance_m(body, *middle, *corner) < local_rad * body.equatorial_radius_m &&
+      surface_distance_m(body, *middle, site) < 2 * local_rad * body.equatorial_radius_m) {
     return {body, middle->lon_rad, middle->lat_rad};
   }
   return {body, std::round(site.lon_rad / net_rad) * net_rad,
@@ -78,7 +98,7 @@ DetailSetting setting_of(const Surface& surface, double cell_m) {
 }
 
 std::string text(const Detail& detail) {
-  std::string text = fmt::format("detail {}", detail.spacing_m);
+  std::string text = fmt::format("\ndetail {}", detail.spacing_m);
   if (const auto& c = detail.craters) {
     text += fmt::format(" craters {} {} {} {} {} {} {}", c->diameter_min_m, c->diameter_max_m,
                         c->age_gyr.value_or(-1), c->exponent, c->density_pm2, c->depth_to_diameter,
@@ -107,7 +127,7 @@ struct Ground::Impl {
     const Stereographic map = detail_map(spec.layers.front(), layers.front()->grid(), plane);
     for (std::size_t k = 0; k < layers.size(); ++k) {
       const double side_m = cell_m(layers[k]->grid(), plane.site().body());
-      if (side_m > detail_cell_max_m) continue;
+      if (!(side_m <= detail_cell_max_m)) continue;
       layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], side_m), seed);
     }
   }

@@ -70,7 +70,7 @@ class ReliefGrid : public HeightGrid {
     hash.add(fmt::format("relief {} {} {} {} {}", surface_.lon_rad, surface_.lat_rad,
                          surface_.height_m, surface_.spacing_m, seed_));
     for (const Landform& f : surface_.landforms) {
-      hash.add(fmt::format("{} {} {} {} {}", f.lon_rad, f.lat_rad, f.diameter_m, f.depth_m,
+      hash.add(fmt::format("\n{} {} {} {} {}", f.lon_rad, f.lat_rad, f.diameter_m, f.depth_m,
                            f.rim_height_m));
     }
   }

@@ -74,11 +74,12 @@ RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed, d
                                std::int64_t period)
     : period_(period) {
   // From waves as long as two nodes: below, the grid cannot hold them.
-  const int last =
-      std::max(0, static_cast<int>(std::floor(std::log2(roughness.longest_m / (2 * spacing_m)))));
+  // A cell's side is known to some digits only: the count of octaves must not hang on the last.
+  const double octaves = std::log2(roughness.longest_m / (2 * spacing_m)) + 0.01;
+  const int last = std::max(0, static_cast<int>(std::floor(octaves)));
   // Amplitudes in the ratio 2^hurst an octave; the lag at which the deviation is made exact lies
   // within the range of waves.
-  const double lag_m = std::clamp(1.0, 2 * spacing_m, std::ldexp(spacing_m, last));
+  const double lag_m = std::max(2 * spacing_m, std::min(1.0, std::ldexp(spacing_m, last)));
   double sum = 0;
   for (int k = 0; k <= last; ++k) {
     const double amplitude = std::exp2(roughness.hurst * k);

@@ -79,7 +79,15 @@ SoilMap::SoilMap(const TerrainSpec& spec, const SitePlane& plane) : soils_{spec.
           std::make_unique<PatchMap>([raster](const PatchKey& key) { return raster->patch(key); });
     }
     for (const auto& [lon_deg, lat_deg] : patch.lon_lat_deg) {
-      const PlanePoint at = plane.at(geodetic_from_degrees(lon_deg, lat_deg));
+      const Standing standing =
+          plane.standing(plane.site().p_S_m(geodetic_from_degrees(lon_deg, lat_deg)));
+      if (!standing.is_near) {
+        throw InputError(spec.place,
+                         fmt::format("the corner {},{} of a soil patch lies more than 60 degrees "
+                                     "from the site; a smaller patch is wanted",
+                                     lon_deg, lat_deg));
+      }
+      const PlanePoint& at = standing.at;
       if (region->corners.empty()) region->box = {at, at};
       region->corners.push_back(at);
       PlaneRectangle& box = region->box;
@@ -102,14 +110,14 @@ int SoilMap::at(const PlanePoint& at) const {
 
 void SoilMap::add_to(Sha256& hash) const {
   for (const Soil& s : soils_) {
-    hash.add(fmt::format("soil {} {} {} {} {} {} {} {} {} {} {}", s.name, s.is_rigid, s.k_c,
+    hash.add(fmt::format("\nsoil {} {} {} {} {} {} {} {} {} {} {}", s.name, s.is_rigid, s.k_c,
                          s.k_phi, s.n, s.cohesion_pa, s.friction_rad, s.density_kgpm3,
                          s.shear_modulus_x_m, s.shear_modulus_y_m, s.slip_sinkage));
   }
   for (const auto& region : regions_) {
-    for (const PlanePoint& p : region->corners) hash.add(fmt::format("{} {}", p.x_m, p.y_m));
+    for (const PlanePoint& p : region->corners) hash.add(fmt::format("\n{} {}", p.x_m, p.y_m));
     if (region->raster != nullptr) region->raster->add_to(hash);
-    for (const double value : region->values) hash.add(fmt::format("{}", value));
+    for (const double value : region->values) hash.add(fmt::format("\n{}", value));
   }
 }
 

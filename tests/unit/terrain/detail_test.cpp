@@ -253,6 +253,31 @@ TEST(Layers, blend_without_a_step) {
   EXPECT_FALSE(probe.sample({1200, 5, 0}).is_ground());
 }
 
+// A cell's side is found by distances, whose last digits differ from site to site.
+TEST(Roughness, has_as_many_waves_whatever_the_last_digit_of_the_spacing) {
+  HeightTile low({3, 5}), high({3, 5});
+  RoughnessField({0.02, 0.7, 16}, 9, 0.25 * (1 - 1e-9)).add_to(low, {200, 300, 1});
+  RoughnessField({0.02, 0.7, 16}, 9, 0.25 * (1 + 1e-9)).add_to(high, {200, 300, 1});
+  for (int k = 0; k < 64; ++k) EXPECT_NEAR(low.height_m(k, k), high.height_m(k, k), 1e-8);
+}
+
+TEST(Relief, has_no_ground_on_the_other_side) {
+  TerrainSpec spec;
+  ReliefSurface relief;
+  relief.lat_rad = -1.5;
+  spec.layers = {relief};
+  EXPECT_NO_THROW(Ground(spec, site_on("Moon", 20, -80), 0));
+  EXPECT_THROW(Ground(spec, site_on("Moon", 20, 80), 0), InputError);
+}
+
+TEST(Soils, refuse_a_corner_out_of_reach) {
+  TerrainSpec spec = plane_terrain(0);
+  SoilPatch patch;
+  patch.lon_lat_deg = {{0, 0}, {80, 0}, {0, 10}};
+  spec.soil_patches = {patch};
+  EXPECT_THROW(Ground(spec, site_on("Moon", 0, 0), 0), InputError);
+}
+
 TEST(Soils, lie_where_the_script_says) {
   TerrainSpec spec = plane_terrain(0);
   spec.soil.name = "own";
