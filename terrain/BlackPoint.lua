@@ -1,8 +1,7 @@
 -- The kind of ground of the field tests at Black Point, Arizona: a lava flow that ends in a low
 -- cliff over a plain with washes. Synthetic: no map of the place is in it.
 --
--- The flow is 5 km across and stands 40 m over the plain (assumptions after the published accounts
--- of the tests, which speak of a basalt flow with steep flanks, cinder and sandy washes).
+-- All shapes and sizes are assumptions: a flow 5 km across and 40 m over the plain, with washes.
 
 local lsos = require 'lsos'
 

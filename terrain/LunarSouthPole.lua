@@ -41,7 +41,7 @@ return lsos.terrain {
     lat_deg  = -90,
     height_m = 0,
     landforms = {
-      crater('Shackleton',   129.78, -89.67, 20.92, 4.2),  -- R; V: 21 km, 4.2 km deep (Zuber 2012)
+      crater('Shackleton',   129.78, -89.67, 20.92, 4.2),  -- R; V: 21 km, 4.2 km deep, encyclopedia
       crater('de Gerlache',  -88.34, -88.48, 32.71),       -- R
       crater('Sverdrup',    -152.17, -88.32, 32.80),       -- R
       crater('Slater',       111.29, -88.08, 25.10),       -- R

@@ -10,7 +10,7 @@ namespace lsos {
 namespace {
 
 // Share of the diameter that the floor takes: 0.19 D^1.25 km in complex craters (Pike 1980), which
-// makes bowls of small ones; at most two thirds, which he finds in the largest.
+// makes bowls of small ones; two thirds at most, an assumption.
 double floor_share(double diameter_m) {
   return std::min(0.19 * std::pow(diameter_m / 1000, 0.25), 0.66);
 }

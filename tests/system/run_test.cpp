@@ -136,7 +136,7 @@ TEST_F(ShortDrive, leaves_an_overlay_that_is_valid_kml) {
   const char* data = std::getenv("LSOS_REFERENCE_DATA");
   const fs::path schema =
       (data ? fs::path(data) : repository() / ".." / "shared" / "data") / "kml" / "xsd";
-  if (!fs::exists(schema)) GTEST_SKIP() << "no KML schema in " << schema;
+  if (!fs::exists(schema)) GTEST_SKIP() << "no reference data: " << schema << " is absent";
   const Outcome outcome = run_command(
       {"xmllint", "--nonet", "--noout", "--schema", "ogckml22.xsd", run_ / "overlay.kml"},
       {.folder = schema, .environment = {"XML_CATALOG_FILES=catalog.xml"}});

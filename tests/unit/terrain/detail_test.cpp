@@ -12,8 +12,7 @@
 namespace lsos {
 namespace {
 
-// Golombek and Rapp 1997, figure of cumulative covered area: for 10 % of cover about 3.5 % by rocks
-// larger than 0.3 m and about 0.4 % by those larger than 1 m.
+// The formula by hand, and the rocks drawn against it. No measured field of rocks is at hand.
 TEST(Rocks, cover_as_much_as_published) {
   RockPopulation p;
   p.cover = 0.1;
