@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "record/log.h"
+#include "support/reference_data.h"
 #include "system/plan_text.h"
 #include "system/run_folder.h"
 
@@ -25,11 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr double mars_radius_m = 3396190;  // the sphere of the raster, IAU 2000
 constexpr double deg = std::numbers::pi / 180;
-
-fs::path reference_file(const char* name) {
-  const char* folder = std::getenv("LSOS_REFERENCE_DATA");
-  return fs::path(folder != nullptr ? folder : LSOS_SOURCE_DIR "/../shared/data") / name;
-}
 
 // One localisation. Yaw is the heading, clockwise from north: the rover's x axis is forward and its
 // z axis down. Longitude and latitude are planetocentric: easting and northing are those times the
@@ -214,10 +210,8 @@ std::map<std::string, SampleRow> placed(const std::vector<Stand>& stands, const 
 class Curiosity : public ::testing::Test {
  protected:
   void SetUp() override {
-    for (const fs::path& file :
-         {reference_file("traverses/MSL_Waypoints_sol3_1782.csv"), raster_file}) {
-      if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
-    }
+    LSOS_NEEDS_REFERENCE("traverses/MSL_Waypoints_sol3_1782.csv");
+    LSOS_NEEDS_REFERENCE("dem/mars/gale_hirise_1m_missionDEM.tif");
   }
 
   std::vector<Stand> stands_on(const Raster& raster) const {

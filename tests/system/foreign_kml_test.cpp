@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "support/reference_data.h"
 #include "system/process.h"
 #include "system/temp_folder.h"
 
@@ -27,14 +28,9 @@ using ::testing::HasSubstr;
 // The files are small; the rest is for a machine that is busy.
 constexpr std::chrono::seconds limit{10};
 
-fs::path reference_folder() {
-  const char* set = std::getenv("LSOS_REFERENCE_DATA");
-  return fs::path(set != nullptr ? set : LSOS_SOURCE_DIR "/../shared/data") / "kml";
-}
-
 std::vector<fs::path> foreign_files() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(reference_folder())) {
+  for (const auto& entry : fs::recursive_directory_iterator(reference_file("kml"))) {
     const std::string extension = entry.path().extension();
     if (!entry.is_regular_file()) continue;
     if (extension == ".kml" || extension == ".kmz" || extension == ".xml") {
@@ -106,9 +102,7 @@ void expect_answer(const std::optional<Outcome>& outcome, const std::string& see
 }
 
 TEST(ForeignKml, is_answered_by_what_it_is) {
-  if (!fs::is_directory(reference_folder())) {
-    GTEST_SKIP() << "no reference data: " << reference_folder() << " is absent";
-  }
+  LSOS_NEEDS_REFERENCE("kml");
   std::map<Kind, int> seen;
   for (const fs::path& file : foreign_files()) {
     SCOPED_TRACE(file);
@@ -123,9 +117,7 @@ TEST(ForeignKml, is_answered_by_what_it_is) {
 }
 
 TEST(ForeignKml, is_answered_by_what_it_is_in_a_kmz) {
-  if (!fs::is_directory(reference_folder())) {
-    GTEST_SKIP() << "no reference data: " << reference_folder() << " is absent";
-  }
+  LSOS_NEEDS_REFERENCE("kml");
   const TempFolder folder;
   int count = 0;
   for (const fs::path& file : foreign_files()) {

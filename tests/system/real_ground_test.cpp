@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "record/log.h"
+#include "support/reference_data.h"
 #include "system/plan_text.h"
 #include "system/run_folder.h"
 
@@ -18,11 +19,7 @@ namespace {
 
 constexpr double moon_radius_m = 1737400;
 
-std::filesystem::path raster_file() {
-  const char* folder = std::getenv("LSOS_REFERENCE_DATA");
-  return std::filesystem::path(folder != nullptr ? folder : LSOS_SOURCE_DIR "/../shared/data") /
-         "dem/moon/nobile_rim2_ldem_6_cut_1m.tif";
-}
+constexpr char raster_name[] = "dem/moon/nobile_rim2_ldem_6_cut_1m.tif";
 
 // The raster is in the south polar stereographic projection of a sphere (Snyder 1987, eq. 21-1):
 // x = 2 R tan(c/2) sin(lon), y = 2 R tan(c/2) cos(lon), c the angle from the pole.
@@ -58,26 +55,25 @@ class Raster {
 };
 
 TEST(RealGround, is_driven_for_half_a_kilometre_at_the_height_of_the_raster) {
-  if (!std::filesystem::exists(raster_file())) {
-    GTEST_SKIP() << "no reference data: " << raster_file() << " is absent";
-  }
+  LSOS_NEEDS_REFERENCE(raster_name);
   const TempFolder folder;
   const std::string track = lon_lat(158850, 95350) + " " + lon_lat(159000, 95200) + " " +
                             lon_lat(159200, 95150) + " " + lon_lat(159350, 94950) + " " +
                             lon_lat(159450, 94850);
-  const std::string plan = folder.write(
-      "nobile.kml",
-      kml({{"MissionInfo",
-            {{"Planet", "Moon"}, {"StartTime", "2026-01-01"}, {"Terrain", raster_file()}},
-            ""},
-           sev("A", lon_lat(158850, 95350)),
-           event("Route", "A", 1, {{"Speed", "8 km/h"}}, line(track))}));
+  const std::string plan =
+      folder.write("nobile.kml", kml({{"MissionInfo",
+                                       {{"Planet", "Moon"},
+                                        {"StartTime", "2026-01-01"},
+                                        {"Terrain", reference_file(raster_name)}},
+                                       ""},
+                                      sev("A", lon_lat(158850, 95350)),
+                                      event("Route", "A", 1, {{"Speed", "8 km/h"}}, line(track))}));
   const Outcome outcome = run({plan, "-o", folder / "run", "--quiet"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_GT(summary(folder / "run")["rovers"]["A"]["distance_m"], 500);
 
   GDALAllRegister();
-  const Raster raster(raster_file());
+  const Raster raster(reference_file(raster_name));
   double worst_m = 0, lowest_m = 1e9, highest_m = -1e9;
   for (const SampleRow& row : LogReader(folder / "run" / "log.gpkg").samples()) {
     worst_m = std::max(worst_m, std::abs(row.elevation_m - raster.height_m(row.place)));

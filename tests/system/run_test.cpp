@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/reference_data.h"
 #include "system/run_folder.h"
 #include "system/source_files.h"
 
@@ -133,10 +134,8 @@ TEST_F(ShortDrive, leaves_a_log_that_gdal_reads) {
 }
 
 TEST_F(ShortDrive, leaves_an_overlay_that_is_valid_kml) {
-  const char* data = std::getenv("LSOS_REFERENCE_DATA");
-  const fs::path schema =
-      (data ? fs::path(data) : repository() / ".." / "shared" / "data") / "kml" / "xsd";
-  if (!fs::exists(schema)) GTEST_SKIP() << "no reference data: " << schema << " is absent";
+  LSOS_NEEDS_REFERENCE("kml/xsd");
+  const fs::path schema = reference_file("kml/xsd");
   const Outcome outcome = run_command(
       {"xmllint", "--nonet", "--noout", "--schema", "ogckml22.xsd", run_ / "overlay.kml"},
       {.folder = schema, .environment = {"XML_CATALOG_FILES=catalog.xml"}});

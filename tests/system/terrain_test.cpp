@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/reference_data.h"
 #include "system/process.h"
 #include "system/temp_folder.h"
 
@@ -21,11 +22,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 constexpr double pi = 3.14159265358979323846;
-
-std::string reference(const std::string& name) {
-  const char* folder = std::getenv("LSOS_REFERENCE_DATA");
-  return std::string(folder != nullptr ? folder : LSOS_SOURCE_DIR "/../shared/data") + "/" + name;
-}
 
 json terrain(const Words& arguments, const Surroundings& where = {}) {
   Words words{"terrain"};
@@ -116,8 +112,8 @@ TEST(Terrain, answers_with_the_fields_of_the_contract) {
 }
 
 TEST(Terrain, of_a_raster_is_what_stands_in_it) {
-  const std::string file = reference("dem/moon/nobile_rim2_ldem_6_cut_1m.tif");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/moon/nobile_rim2_ldem_6_cut_1m.tif");
+  const std::string file = reference_file("dem/moon/nobile_rim2_ldem_6_cut_1m.tif");
   // A row of gdal_truth_points.csv, at a cell's centre.
   const json point = terrain({file, "--at", "58.962023979,-83.897678800"})[0];
   EXPECT_NEAR(point["raster_height_m"].get<double>(), 1008.5296, 1e-3);
@@ -129,8 +125,8 @@ TEST(Terrain, of_a_raster_is_what_stands_in_it) {
 }
 
 TEST(Terrain, reads_a_raster_inside_an_archive) {
-  const std::string file = reference("dem/formats/N10W110.hgt.zip");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/formats/N10W110.hgt.zip");
+  const std::string file = reference_file("dem/formats/N10W110.hgt.zip");
   const json points =
       terrain({"/vsizip/" + file + "/N10W110.hgt", "--at", "-109.5,10.5", "--at", "-120,0"});
   EXPECT_EQ(points[0]["raster_height_m"], 0);
@@ -141,8 +137,8 @@ TEST(Terrain, reads_a_raster_inside_an_archive) {
 }
 
 TEST(Terrain, options_say_what_the_raster_leaves_open) {
-  const std::string file = reference("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
+  const std::string file = reference_file("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
   const auto height_m = [&](const Words& more) {
     Words words{file, "--at", "-46.765479998,25.047665159"};
     words.insert(words.end(), more.begin(), more.end());
@@ -158,8 +154,8 @@ TEST(Terrain, options_say_what_the_raster_leaves_open) {
 }
 
 TEST(Terrain, exports_a_raster_on_its_own_grid_as_gdal_reads_it) {
-  const std::string file = reference("dem/earth/ames_roverscape_0p5m_UTM10.tif");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/earth/ames_roverscape_0p5m_UTM10.tif");
+  const std::string file = reference_file("dem/earth/ames_roverscape_0p5m_UTM10.tif");
   const TempFolder folder;
   const std::string out = folder / "out.tif";
   terrain({file, "--export", out});
@@ -192,8 +188,8 @@ TEST(Terrain, exports_a_cloud_optimised_file_and_nothing_beside_it) {
 }
 
 TEST(Terrain, exports_windows_through_the_pole_and_across_the_antimeridian) {
-  const std::string file = reference("dem/moon/LDEM_4.LBL");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/moon/LDEM_4.LBL");
+  const std::string file = reference_file("dem/moon/LDEM_4.LBL");
   const TempFolder folder;
   for (const char* window :
        {"-180,-90,180,-85", "100,84,-100,90", "179,-1,-179,1", "170,-20,190,-10", "-5,58,5,61"}) {
@@ -216,8 +212,8 @@ TEST(Terrain, exports_windows_through_the_pole_and_across_the_antimeridian) {
 }
 
 TEST(Terrain, exports_to_a_map_of_earth) {
-  const std::string file = reference("dem/formats/gdal_n43.dt0");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/formats/gdal_n43.dt0");
+  const std::string file = reference_file("dem/formats/gdal_n43.dt0");
   const TempFolder folder;
   terrain({file, "--window", "-79.7,43.2,-79.5,43.4", "--resolution", "200", "--export",
            folder / "out.tif"});
@@ -268,8 +264,8 @@ TEST(Terrain, that_cannot_be_written_leaves_nothing) {
 }
 
 TEST(Terrain, of_a_script_reads_its_raster_as_the_script_says) {
-  const std::string file = reference("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
-  if (!fs::exists(file)) GTEST_SKIP() << "no reference data: " << file << " is absent";
+  LSOS_NEEDS_REFERENCE("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
+  const std::string file = reference_file("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
   const TempFolder folder;
   folder.write("terrain/Plateau.lua",
                "local lsos = require 'lsos'\n"

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "support/reference_data.h"
 #include "validation/report.h"
 
 namespace lsos::validation {
@@ -19,9 +20,7 @@ class Validation : public ::testing::Test {
   static void SetUpTestSuite() {
     if (std::filesystem::is_directory(data_folder())) cases_ = fit_all(data_folder());
   }
-  void SetUp() override {
-    if (!cases_) GTEST_SKIP() << "no measurements in " << data_folder();
-  }
+  void SetUp() override { LSOS_NEEDS_REFERENCE("terramech"); }
 
   static Errors straight(const Case& c) { return errors_of(c, c.fit.soil, c.straight); }
 

@@ -9,6 +9,7 @@
 
 #include "plan/kml_text.h"
 #include "plan_fixture.h"
+#include "support/reference_data.h"
 
 namespace lsos {
 namespace {
@@ -214,10 +215,8 @@ TEST(KmlReader, files_that_cannot_be_read_are_refused) {
 }
 
 TEST(KmlReader, every_reference_file_is_read_or_refused) {
-  const char* set = std::getenv("LSOS_REFERENCE_DATA");
-  const fs::path folder =
-      fs::path(set != nullptr ? set : LSOS_SOURCE_DIR "/../shared/data") / "kml";
-  if (!fs::is_directory(folder)) GTEST_SKIP() << "no reference data in " << folder;
+  LSOS_NEEDS_REFERENCE("kml");
+  const fs::path folder = reference_file("kml");
   int read = 0;
   int refused = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

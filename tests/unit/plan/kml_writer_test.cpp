@@ -7,6 +7,7 @@
 
 #include "plan/kml_reader.h"
 #include "plan_fixture.h"
+#include "support/reference_data.h"
 
 namespace lsos {
 namespace {
@@ -64,10 +65,8 @@ KmlDocument example() {
 }
 
 TEST(KmlWriter, writes_what_the_ogc_schema_allows) {
-  const char* set = std::getenv("LSOS_REFERENCE_DATA");
-  const fs::path xsd =
-      fs::path(set != nullptr ? set : LSOS_SOURCE_DIR "/../shared/data") / "kml" / "xsd";
-  if (!fs::exists(xsd)) GTEST_SKIP() << "no schema in " << xsd;
+  LSOS_NEEDS_REFERENCE("kml/xsd");
+  const fs::path xsd = reference_file("kml/xsd");
   if (std::system("xmllint --version >/dev/null 2>&1") != 0) FAIL() << "no xmllint";
   const auto is_valid = [&](const std::string& kml) {
     const std::string file = test::write_file(kml);

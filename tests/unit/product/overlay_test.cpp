@@ -8,6 +8,7 @@
 
 #include "product/files.h"
 #include "product/rover_track.h"
+#include "support/reference_data.h"
 #include "unit/record/log_fixture.h"
 
 namespace lsos {
@@ -127,11 +128,8 @@ TEST(Overlay, has_at_most_2000_samples_a_rover) {
 }
 
 TEST(Overlay, is_valid_against_the_schema_of_kml) {
-  const char* data = std::getenv("LSOS_REFERENCE_DATA");
-  const std::string schema =
-      std::string(data != nullptr ? data : LSOS_SOURCE_DIR "/../shared/data") +
-      "/kml/xsd/ogckml22.xsd";
-  if (!read_file(schema)) GTEST_SKIP() << "no reference data: " << schema;
+  LSOS_NEEDS_REFERENCE("kml/xsd/ogckml22.xsd");
+  const std::string schema = reference_file("kml/xsd/ogckml22.xsd");
   if (!has_program("xmllint")) FAIL() << "no xmllint here";
   const TestFolder folder;
   overlay_of(folder, 5);

@@ -1,7 +1,6 @@
 // What the terrain tests share: sites, rasters written as text, and a normal found without ours.
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include <gmock/gmock.h>
 
+#include "support/reference_data.h"
 #include "terrain/ground.h"
 
 namespace lsos {
@@ -31,13 +31,6 @@ inline TerrainSpec raster_terrain(const std::string& file, int band = 1) {
   spec.layers = {RasterSurface{file, band}};
   return spec;
 }
-
-inline std::string reference_file(const std::string& path) {
-  const char* folder = std::getenv("LSOS_REFERENCE_DATA");
-  return std::string(folder != nullptr ? folder : LSOS_SOURCE_DIR "/../shared/data") + "/" + path;
-}
-
-inline bool exists(const std::string& path) { return std::filesystem::exists(path); }
 
 // A raster as an ESRI ASCII grid with a GDAL virtual raster on top, which gives it any CRS,
 // geotransform and band description. Rows are written from the top. Answers the VRT's path.

@@ -28,11 +28,7 @@ std::vector<TruthPoint> truth_points(const std::string& raster) {
 
 class Nobile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    if (!exists(reference_file(nobile))) {
-      GTEST_SKIP() << "no reference data: " << reference_file(nobile);
-    }
-  }
+  void SetUp() override { LSOS_NEEDS_REFERENCE(nobile); }
   SiteFrame site = site_on("Moon", 59.173891517, -83.892032334, 1026);
   TerrainSpec spec = raster_terrain(reference_file(nobile));
 };
@@ -162,9 +158,7 @@ class OtherRasters : public ::testing::TestWithParam<OtherRaster> {};
 
 TEST_P(OtherRasters, lie_where_gdal_says) {
   const auto& [name, body, tolerance_m] = GetParam();
-  if (!exists(reference_file(name))) {
-    GTEST_SKIP() << "no reference data: " << reference_file(name);
-  }
+  LSOS_NEEDS_REFERENCE(name);
   const std::vector<TruthPoint> points = truth_points(name);
   ASSERT_FALSE(points.empty());
   const SiteFrame site = site_on(body, points[1].lon_deg, points[1].lat_deg);

@@ -123,13 +123,11 @@ void expect_no_cliff(const std::string& file, const Read& expected) {
 }
 
 TEST(ReferenceRasters, are_read_right_or_refused_with_a_reason) {
-  if (!exists(reference_file("dem"))) {
-    GTEST_SKIP() << "no reference data: " << reference_file("dem");
-  }
+  LSOS_NEEDS_REFERENCE("dem");
   for (const auto& [name, answer] : expected()) {
     SCOPED_TRACE(name);
     const std::string file = reference_file("dem/" + name);
-    ASSERT_TRUE(exists(file));
+    ASSERT_TRUE(std::filesystem::exists(file));
     try {
       expect_read(file, answer.read);
       EXPECT_EQ(answer.refusal, "");
@@ -144,8 +142,8 @@ TEST(ReferenceRasters, are_read_right_or_refused_with_a_reason) {
 
 TEST(ReferenceRasters, are_all_of_the_folder) {
   namespace fs = std::filesystem;
+  LSOS_NEEDS_REFERENCE("dem");
   const fs::path folder = reference_file("dem");
-  if (!fs::exists(folder)) GTEST_SKIP() << "no reference data: " << folder;
   std::vector<std::string> missing;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string name = fs::relative(entry.path(), folder);
@@ -156,8 +154,8 @@ TEST(ReferenceRasters, are_all_of_the_folder) {
 }
 
 TEST(ReferenceRasters, open_once_what_was_asked_for_is_said) {
+  LSOS_NEEDS_REFERENCE("dem/formats/gdal_usgsdem/4619old_truncated.dem");
   const std::string file = reference_file("dem/formats/gdal_usgsdem/4619old_truncated.dem");
-  if (!exists(file)) GTEST_SKIP() << "no reference data: " << file;
   RasterSurface surface{file};
   surface.nodata = -32000;
   const RasterReader reader(surface, {});
