@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <nlohmann/json.hpp>
 
 #include "system/process.h"
 #include "system/run_folder.h"
@@ -92,11 +93,11 @@ TEST_P(Readme, shows_commands_that_work) {
 
 INSTANTIATE_TEST_SUITE_P(Documents, Readme, ::testing::ValuesIn(readmes()), test_name);
 
-// The first fenced block of that language in README.md.
-std::string shown_block(const std::string& language) {
+// The first fenced block of that language.
+std::string shown_block(const std::string& language, const std::string& file = "README.md") {
   std::string block;
   bool is_in_block = false;
-  for (const std::string& line : read_lines(repository() / "README.md")) {
+  for (const std::string& line : read_lines(repository() / file)) {
     if (is_in_block && line == "```") break;
     if (is_in_block) block += line + "\n";
     if (line == "```" + language) is_in_block = true;
@@ -115,6 +116,28 @@ TEST(FirstEvent, of_the_readme_works_beside_a_plan_without_building) {
   const fs::path log = folder / "run" / "log.gpkg";
   EXPECT_EQ(query(log, "select name from notes where sequence = 25"), "beacon");
   EXPECT_EQ(query(log, "select status from events where type = 'Beacon'"), "completed");
+}
+
+TEST(TerrainReadme, shows_a_terrain_of_rasters_that_works) {
+  const TempFolder folder;
+  folder.write("terrain/Nested.lua", shown_block("lua", "terrain/README.md"));
+  const auto write = [&](const char* name, const char* window, const char* resolution_m) {
+    const Outcome outcome = run({"terrain", "Craters", "--window", window, "--resolution",
+                                 resolution_m, "--export", folder / "terrain" / name});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  };
+  write("site_1m.tif", "10,-80,10.02,-79.997", "1");
+  write("pole_20m.tif", "9.8,-80.03,10.2,-79.97", "20");
+  const Outcome outcome =
+      run({"terrain", "Nested", "--at", "10.01,-79.9985", "--at", "10.1,-79.98"},
+          {.environment = {"LSOS_PATH=" + folder.path().string()}});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto points = nlohmann::json::parse(outcome.out);
+  for (const auto& point : points) {
+    // The detail adds some decimetres to what the rasters know.
+    EXPECT_NEAR(point["height_m"].get<double>(), point["raster_height_m"].get<double>(), 2);
+    EXPECT_NE(point["height_m"], point["raster_height_m"]);
+  }
 }
 
 TEST(ReadmePicture, can_be_drawn_from_a_run) {
