@@ -85,7 +85,7 @@ void make(benchmark::State& state, bool is_over_raster) {
   const SitePlane plane(site);
   const auto grid =
       is_over_raster ? make_raster_grid({hill_raster()}, {}, plane) : make_plane_grid({}, plane);
-  const DetailSetting setting{is_over_raster ? 2.0 : 16.0, is_over_raster, 1e9};
+  const DetailSetting setting{is_over_raster ? 2.0 : 16.0, 1, is_over_raster, 1e9};
   const DetailField field(detail(false), *grid, Stereographic(site.body(), 0, 0), setting, 1);
   std::int64_t k = 0;
   for (auto _ : state) {

@@ -54,7 +54,7 @@ std::optional<LayerSample> blended(std::size_t layers, const SampleOf& sample) {
   Blend blend;
   for (std::size_t k = 0; k < layers; ++k) {
     const std::optional<LayerSample> s = sample(k);
-    if (s && s->weight > 0 && !blend.add(*s)) break;
+    if (s && !blend.add(*s)) break;
   }
   return blend.is_ground() ? std::optional(blend.result()) : std::nullopt;
 }

@@ -7,9 +7,6 @@ namespace lsos {
 
 namespace {
 
-// The bowl is a parabola to this share of the radius and a rounded crest from there on.
-constexpr double bowl_share = 0.8;
-
 // Diameters are drawn octave by octave, each on its own grid of cells of this many diameters, so
 // that a look at one place meets few cells, whatever the range of diameters.
 constexpr double cell_to_diameter = 4;
@@ -25,25 +22,9 @@ struct Octave {
   double diameter_high_m;
   double cumulative_low_pm2;
   double cumulative_high_pm2;
+  double exponent = 0;   // of D by N, of the power law through the octave's ends
+  bool is_full = false;  // craters of all its sizes wear out
 };
-
-std::vector<Octave> octaves(const CraterPopulation& p) {
-  std::vector<Octave> result;
-  for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2) {
-    const double high = std::min(2 * low, p.diameter_max_m);
-    result.push_back({static_cast<int>(result.size()), low, high, cumulative_pm2(p, low),
-                      cumulative_pm2(p, high)});
-  }
-  return result;
-}
-
-// The inverse of the power law through the octave's ends.
-double drawn_diameter_m(const Octave& o, double share) {
-  const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
-  const double exponent =
-      std::log(o.diameter_high_m / o.diameter_low_m) / std::log(ratio);  // of D by N
-  return o.diameter_low_m * std::pow(1 + share * (ratio - 1), exponent);
-}
 
 // How much of its life a crater of this size has behind it at most.
 double life_max(const CraterPopulation& p, double diameter_m) {
@@ -53,18 +34,29 @@ double life_max(const CraterPopulation& p, double diameter_m) {
   return p.degradation.value_or(1) * std::min(1.0, filled);
 }
 
-}  // namespace
-
-double crater_height_m(double r, double depth_m, double rim_m) {
-  if (r >= crater_reach) return 0;
-  if (r <= bowl_share) return rim_m - depth_m + depth_m / bowl_share * r * r;
-  if (r <= 1) return rim_m - depth_m / (1 - bowl_share) * (1 - r) * (1 - r);
-  // Ejecta thin out as r^-3 (McGetchin et al. 1973). This polynomial follows that within a third of
-  // the rim height, is level at the crest and ends smoothly.
-  const double s = (crater_reach - r) / (crater_reach - 1);
-  const double s2 = s * s;
-  return rim_m * s2 * s2 * s * (6 - 5 * s);
+std::vector<Octave> octaves(const CraterPopulation& p) {
+  std::vector<Octave> result;
+  for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2) {
+    const double high = std::min(2 * low, p.diameter_max_m);
+    Octave octave{static_cast<int>(result.size()), low, high, cumulative_pm2(p, low),
+                  cumulative_pm2(p, high)};
+    const double ratio = octave.cumulative_high_pm2 / octave.cumulative_low_pm2;
+    octave.exponent = std::log(high / low) / std::log(ratio);
+    // The share of equilibrium that is reached falls with the size.
+    octave.is_full =
+        p.age_gyr && crater_production_pm2(*p.age_gyr, high) >= crater_equilibrium_pm2(high);
+    result.push_back(octave);
+  }
+  return result;
 }
+
+// The inverse of the power law through the octave's ends.
+double drawn_diameter_m(const Octave& o, double share) {
+  const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
+  return o.diameter_low_m * std::pow(1 + share * (ratio - 1), o.exponent);
+}
+
+}  // namespace
 
 double crater_production_pm2(double age_gyr, double diameter_m) {
   constexpr double a[] = {0,        -3.557528, 0.781027,  1.021521,  -0.156012, -0.444058,
@@ -113,8 +105,9 @@ std::vector<Crater> craters_touching(const CraterPopulation& population, std::ui
           const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);
           const double touch_m = crater_reach * diameter_m / 2;
           if (dx * dx + dy * dy >= touch_m * touch_m) return;
-          const double left =
-              1 / (1 + depth_lost_at_end * lived * life_max(population, diameter_m));
+          const double most = octave.is_full ? population.degradation.value_or(1)
+                                             : life_max(population, diameter_m);
+          const double left = 1 / (1 + depth_lost_at_end * lived * most);
           const double fresh_m = population.depth_to_diameter * diameter_m;
           craters.push_back({at, diameter_m, fresh_m * left, rim_to_depth * fresh_m * left * left});
         });

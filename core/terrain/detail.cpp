@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
-#include "terrain/craters.h"
 #include "terrain/rocks.h"
 
 namespace lsos {
@@ -23,7 +24,9 @@ int subdivision_for(double cell_m, double spacing_m) {
 }
 
 NodeLattice nodes_of(const TileKey& key) {
-  return {key.column * cells + first_node, key.row * cells + first_node, 1};
+  const std::int64_t stride = std::int64_t{1} << key.level;
+  return {(key.column * cells + first_node) * stride, (key.row * cells + first_node) * stride,
+          stride, key.level};
 }
 
 // Integral of the Catmull-Rom cubics through equidistant nodes over the cell between nodes 0 and 1,
@@ -142,8 +145,14 @@ DetailField::DetailField(const Detail& detail, const HeightGrid& grid, const Ste
     // Longer waves are the grid's own.
     if (setting_.keeps_cells)
       roughness.longest_m = std::min(roughness.longest_m, 2 * setting.cell_m);
-    roughness_.emplace(roughness, seed, spacing_m(), period_);
+    roughness_.emplace(roughness, seed, RoughGrid{spacing_m(), setting_.height_to_width, period_});
   }
+}
+
+// Of a point of the finer grid, on the map of landforms.
+std::optional<PlanePoint> DetailField::map_point(double U, double V) const {
+  const auto place = grid_.place({U / subdivision_ - 0.5, V / subdivision_ - 0.5});
+  return place ? std::optional(map_.at(*place)) : std::nullopt;
 }
 
 // Of all that may reach the nodes, on the map of landforms.
@@ -151,20 +160,21 @@ PlaneRectangle DetailField::rectangle(const NodeLattice& at) const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   PlaneRectangle box{{infinite, infinite}, {-infinite, -infinite}};
   const double reach = static_cast<double>((nodes - 1) * at.stride) / 4;
+  bool is_cut = false;
   for (int j = 0; j <= 4; ++j) {
     for (int i = 0; i <= 4; ++i) {
-      const double U = static_cast<double>(at.column) + i * reach;
-      const double V = static_cast<double>(at.row) + j * reach;
-      const auto place = grid_.place({U / subdivision_ - 0.5, V / subdivision_ - 0.5});
-      if (!place) continue;
-      const PlanePoint p = map_.at(*place);
-      box.low = {std::min(box.low.x_m, p.x_m), std::min(box.low.y_m, p.y_m)};
-      box.high = {std::max(box.high.x_m, p.x_m), std::max(box.high.y_m, p.y_m)};
+      const auto p = map_point(static_cast<double>(at.column) + i * reach,
+                               static_cast<double>(at.row) + j * reach);
+      is_cut |= !p;
+      if (!p) continue;
+      box.low = {std::min(box.low.x_m, p->x_m), std::min(box.low.y_m, p->y_m)};
+      box.high = {std::max(box.high.x_m, p->x_m), std::max(box.high.y_m, p->y_m)};
     }
   }
   if (box.low.x_m > box.high.x_m) return {};
-  // Between the points looked at, the edge may bulge.
-  const double margin_m = 0.05 * std::max(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m);
+  // Between the points looked at, the edge may bulge; at the map's end one more may just miss it.
+  double margin_m = 0.05 * std::max(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m);
+  if (is_cut) margin_m += reach * spacing_m() * std::numbers::sqrt2;
   box.low = {box.low.x_m - margin_m, box.low.y_m - margin_m};
   box.high = {box.high.x_m + margin_m, box.high.y_m + margin_m};
   return box;
@@ -183,12 +193,43 @@ double DetailField::near_tile(double U, const NodeLattice& at) const {
   return U - period * std::round((U - centre) / period);
 }
 
+double DetailField::largest_crater_m() const {
+  const double largest_m = std::min(detail_.craters->diameter_max_m, setting_.crater_max_m);
+  return setting_.keeps_cells ? std::min(largest_m, 2 * setting_.cell_m) : largest_m;
+}
+
+std::vector<Crater> DetailField::craters(const NodeLattice& at) const {
+  const double largest_m = largest_crater_m();
+  // A smaller one is a stray node or none.
+  const double smallest_m = 2 * std::ldexp(spacing_m(), at.level);
+  const auto touching = [&](const PlaneRectangle& area) {
+    return craters_touching(*detail_.craters, seed_, area, smallest_m, largest_m);
+  };
+  constexpr std::int64_t near = 64;
+  if (at.stride <= near << at.level) return touching(rectangle(at));
+  // Between nodes far apart lie very many that touch none of them.
+  std::vector<Crater> found;
+  for (int j = 0; j < nodes; ++j) {
+    for (int i = 0; i < nodes; ++i) {
+      const auto node = map_point(static_cast<double>(at.column + i * at.stride),
+                                  static_cast<double>(at.row + j * at.stride));
+      if (!node) continue;
+      const auto here = touching({*node, *node});
+      found.insert(found.end(), here.begin(), here.end());
+    }
+  }
+  const auto key = [](const Crater& c) {
+    return std::tuple(c.diameter_m, c.centre.x_m, c.centre.y_m);
+  };
+  std::ranges::sort(found, {}, key);
+  const auto rest = std::ranges::unique(found, {}, key);
+  found.erase(rest.begin(), rest.end());
+  return found;
+}
+
 void DetailField::add_craters(HeightTile& tile, const NodeLattice& at) const {
-  double largest_m = setting_.crater_max_m;
-  if (setting_.keeps_cells) largest_m = std::min(largest_m, 2 * setting_.cell_m);
   const auto stride = static_cast<double>(at.stride);
-  for (const Crater& crater :
-       craters_touching(*detail_.craters, seed_, rectangle(at), 0, largest_m)) {
+  for (const Crater& crater : craters(at)) {
     const auto centre = grid_point(crater.centre);
     if (!centre) continue;
     const double N = subdivision_;
@@ -196,10 +237,7 @@ void DetailField::add_craters(HeightTile& tile, const NodeLattice& at) const {
     const double U = (near_tile(fine(centre->u), at) - static_cast<double>(at.column)) / stride;
     const double V = (fine(centre->v) - static_cast<double>(at.row)) / stride;
     const double radius_m = crater.diameter_m / 2, reach_m = crater_reach * radius_m;
-    const double half_U = reach_m * N / stride * std::hypot(centre->u_by_x, centre->u_by_y);
     const double half_V = reach_m * N / stride * std::hypot(centre->v_by_x, centre->v_by_y);
-    const int i_low = static_cast<int>(std::max(0.0, std::ceil(U - half_U)));
-    const int i_high = static_cast<int>(std::min(nodes - 1.0, std::floor(U + half_U)));
     const int j_low = static_cast<int>(std::max(0.0, std::ceil(V - half_V)));
     const int j_high = static_cast<int>(std::min(nodes - 1.0, std::floor(V + half_V)));
     // From nodes to radii.
@@ -207,27 +245,38 @@ void DetailField::add_craters(HeightTile& tile, const NodeLattice& at) const {
     const double k = stride / (det * N * radius_m);
     const double x_by_U = k * centre->v_by_y, x_by_V = -k * centre->u_by_y;
     const double y_by_U = -k * centre->v_by_x, y_by_V = k * centre->u_by_x;
+    // The part of a row within reach, about the point of the row that is nearest to the centre.
+    const double growth = x_by_U * x_by_U + y_by_U * y_by_U;
     for (int j = j_low; j <= j_high; ++j) {
       double* row_m = &tile.height_m(first_node, j + first_node);
+      const double x_V = x_by_V * (j - V), y_V = y_by_V * (j - V);
+      const double nearest = U - (x_by_U * x_V + y_by_U * y_V) / growth;
+      const double across = x_by_U * y_V - y_by_U * x_V;
+      const double left = crater_reach * crater_reach - across * across / growth;
+      if (left <= 0) continue;
+      const double half = std::sqrt(left / growth);
+      const int i_low = static_cast<int>(std::max(0.0, std::ceil(nearest - half)));
+      const int i_high = static_cast<int>(std::min(nodes - 1.0, std::floor(nearest + half)));
       for (int i = i_low; i <= i_high; ++i) {
-        const double x = x_by_U * (i - U) + x_by_V * (j - V);
-        const double y = y_by_U * (i - U) + y_by_V * (j - V);
-        const double r2 = x * x + y * y;
-        if (r2 >= crater_reach * crater_reach) continue;
-        row_m[i] += crater_height_m(std::sqrt(r2), crater.depth_m, crater.rim_m);
+        const double x = x_by_U * (i - U) + x_V;
+        const double y = y_by_U * (i - U) + y_V;
+        row_m[i] += crater_height_m(std::sqrt(x * x + y * y), crater.depth_m, crater.rim_m);
       }
     }
   }
 }
 
 void DetailField::add_rocks(RockTile& tile, const NodeLattice& at) const {
-  for (const Rock& rock : rocks_touching(*detail_.rocks, seed_, rectangle(at))) {
+  const double smallest_m = at.level == 0 ? 0 : 2 * std::ldexp(spacing_m(), at.level);
+  for (const Rock& rock : rocks_touching(*detail_.rocks, seed_, rectangle(at), smallest_m)) {
     const auto centre = grid_point(rock.centre);
     if (!centre) continue;
-    const double N = subdivision_, radius_m = rock.diameter_m / 2;
+    const double N = subdivision_ / static_cast<double>(at.stride), radius_m = rock.diameter_m / 2;
     RockTile::PlacedRock placed;
-    placed.U = near_tile(fine(centre->u), at) - static_cast<double>(at.column - first_node);
-    placed.V = fine(centre->v) - static_cast<double>(at.row - first_node);
+    const auto stride = static_cast<double>(at.stride);
+    placed.U =
+        (near_tile(fine(centre->u), at) - static_cast<double>(at.column)) / stride + first_node;
+    placed.V = (fine(centre->v) - static_cast<double>(at.row)) / stride + first_node;
     const double det = centre->u_by_x * centre->v_by_y - centre->u_by_y * centre->v_by_x;
     const double k = 1 / (det * N * radius_m);
     const double x_by_U = k * centre->v_by_y, x_by_V = -k * centre->u_by_y;
@@ -256,10 +305,10 @@ namespace {
 // Where the nodes of one axis fall among the grid's nodes: the first of four that the cubic through
 // them takes, counted from `low`, and its weights.
 struct CentreAxis {
-  CentreAxis(std::int64_t first, int subdivision) {
+  CentreAxis(std::int64_t first, std::int64_t stride, int subdivision) {
     const double per_node = 1.0 / subdivision;
     for (int k = 0; k < nodes; ++k) {
-      const CellPoint cell(static_cast<double>(first + k) * per_node - 0.5, 0);
+      const CellPoint cell(static_cast<double>(first + k * stride) * per_node - 0.5, 0);
       if (k == 0) low = cell.column - 1;
       start[k] = static_cast<int>(cell.column - 1 - low);
       weights[k] = catmull_rom(cell.along_u);
@@ -278,15 +327,16 @@ struct CentreAxis {
 HeightTile DetailField::zero_at_centres(const TileKey& key) const {
   const NodeLattice at = nodes_of(key);
   HeightTile tile = raw(key, at);
-  const CentreAxis columns(at.column, subdivision_), rows(at.row, subdivision_);
+  const CentreAxis columns(at.column, at.stride, subdivision_);
+  const CentreAxis rows(at.row, at.stride, subdivision_);
   std::shared_ptr<const HeightTile> kept;
   const auto centre_m = [&](std::int64_t column, std::int64_t row) {
-    const TileKey wanted{column >> CellPoint::tile_bits, row >> CellPoint::tile_bits};
+    const TileKey wanted{column >> CellPoint::tile_bits, row >> CellPoint::tile_bits, key.level};
     if (!kept || kept->key() != wanted)
       kept = centres_.get(wanted, [this](const TileKey& of) {
         const std::int64_t N = subdivision_;
         return raw(of, {(of.column * cells + first_node) * N + N / 2,
-                        (of.row * cells + first_node) * N + N / 2, N});
+                        (of.row * cells + first_node) * N + N / 2, N, of.level});
       });
     return kept->height_m(static_cast<int>(column & (cells - 1)),
                           static_cast<int>(row & (cells - 1)));
@@ -356,11 +406,19 @@ void DetailField::correct_means(HeightTile& tile) const {
   }
 }
 
+double DetailField::largest_m() const {
+  double largest_m = 0;
+  if (detail_.craters) largest_m = largest_crater_m();
+  if (detail_.rocks) largest_m = std::max(largest_m, detail_.rocks->diameter_max_m);
+  if (detail_.roughness) largest_m = std::max(largest_m, detail_.roughness->longest_m);
+  return setting_.keeps_cells ? std::min(largest_m, 2 * setting_.cell_m) : largest_m;
+}
+
 DetailTile DetailField::tile(const TileKey& key) const {
   DetailTile tile(key);
   if (setting_.keeps_cells) {
     tile.heights = zero_at_centres(key);
-    correct_means(tile.heights);
+    if (key.level == 0) correct_means(tile.heights);
   } else {
     tile.heights = raw(key, nodes_of(key));
   }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "terrain/craters.h"
 #include "terrain/height_grid.h"
 #include "terrain/patch_map.h"
 #include "terrain/poisson_field.h"
@@ -30,6 +31,9 @@ class RockTile {
   void add(const PlacedRock& rock);
   // Sorts the rocks by place; once, after the last one.
   void finish();
+  std::size_t bytes() const {
+    return rocks_.capacity() * sizeof(PlacedRock) + in_square_.capacity() * sizeof(std::uint32_t);
+  }
 
   // Height of all rocks at a point of the tile, and derivatives by U and V. Zero beside them.
   SurfaceHeight at(const CellPoint& at) const;
@@ -47,13 +51,15 @@ struct DetailTile {
   HeightTile heights;
   RockTile rocks;
   const TileKey& key() const { return heights.key(); }
+  std::size_t bytes() const { return sizeof(*this) + rocks.bytes(); }
 };
 
 // How the detail goes with the grid below it.
 struct DetailSetting {
-  double cell_m = 1;          // of the grid
-  bool keeps_cells = false;   // zero at cells' centres and in the mean of each cell
-  double crater_max_m = 1e9;  // larger ones are the grid's own
+  double cell_m = 1;           // mean side of the grid's cells
+  double height_to_width = 1;  // of those
+  bool keeps_cells = false;    // zero at cells' centres and in the mean of each cell
+  double crater_max_m = 1e9;   // larger ones are the grid's own
 };
 
 class DetailField {
@@ -64,16 +70,22 @@ class DetailField {
 
   int subdivision() const { return subdivision_; }
   double spacing_m() const { return setting_.cell_m / subdivision_; }
-  // A pure function of the key. Any thread.
+  // A pure function of the key. Any thread. On a level above 0 every 2^level-th node, without what
+  // is too small for those and without the correction of means: for looks from afar.
   DetailTile tile(const TileKey& key) const;
-
-  // The finer grid's coordinates of a point of the grid.
-  double fine(double u) const { return (u + 0.5) * subdivision_; }
+  static constexpr int coarsest_level = 20;
+  // Of what it holds: a look at what is larger finds nothing.
+  double largest_m() const;
 
  private:
+  // The finer grid's coordinates of a point of the grid.
+  double fine(double u) const { return (u + 0.5) * subdivision_; }
+  std::optional<PlanePoint> map_point(double U, double V) const;
   PlaneRectangle rectangle(const NodeLattice& at) const;
   std::optional<GridPoint> grid_point(const PlanePoint& at) const;
   double near_tile(double U, const NodeLattice& at) const;
+  double largest_crater_m() const;
+  std::vector<Crater> craters(const NodeLattice& at) const;
   void add_craters(HeightTile& tile, const NodeLattice& at) const;
   void add_rocks(RockTile& tile, const NodeLattice& at) const;
   HeightTile raw(const TileKey& key, const NodeLattice& at) const;
@@ -91,8 +103,8 @@ class DetailField {
   std::optional<RoughnessField> roughness_;
   ExactMap exact_;
   mutable PatchMap patches_;
-  mutable KeyCache<TileKey, HeightTile> centres_{64};
-  mutable KeyCache<TileKey, double> means_{4096};  // of cells of more than a tile
+  mutable KeyCache<TileKey, HeightTile> centres_{megabytes(3)};
+  mutable KeyCache<TileKey, double> means_{megabytes(1)};  // of cells of more than a tile
 };
 
 }  // namespace lsos

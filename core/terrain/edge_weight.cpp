@@ -42,7 +42,7 @@ WeightTile edge_weights(const TileKey& key, int fade_cells, const GridExtent& ex
   bool is_whole = true;
   for (int dj = -1; dj <= 1; ++dj) {
     for (int di = -1; di <= 1; ++di) {
-      const auto from = tile({key.column + di, key.row + dj});
+      const auto from = tile({key.column + di, key.row + dj, key.level});
       for (int j = std::max(-halo, dj * cells); j < std::min(cells + halo, (dj + 1) * cells); ++j) {
         for (int i = std::max(-halo, di * cells); i < std::min(cells + halo, (di + 1) * cells);
              ++i) {

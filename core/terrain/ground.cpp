@@ -53,19 +53,35 @@ std::unique_ptr<HeightGrid> make_grid(const Surface& surface, const TerrainSpec&
   return make_plane_grid(std::get<PlaneSurface>(surface), plane);
 }
 
+void check_room_to_fade(const GridExtent& extent, const TerrainSpec& spec) {
+  const double columns = extent.u_high - extent.u_low, rows = extent.v_high - extent.v_low;
+  constexpr double least = 2 * Layer::fade_cells_min;
+  if (columns >= least && rows >= least) return;
+  throw InputError(
+      spec.place,
+      fmt::format("terrain {}: a raster of {} x {} cells is too small to lie on coarser "
+                  "layers; it fades at its edge: at least {} x {} are wanted",
+                  spec.name, columns, rows, least, least));
+}
+
 GridCoordinates centre(const GridExtent& extent) {
   if (!std::isfinite(extent.u_low)) return {0, 0};
   return {(extent.u_low + extent.u_high) / 2, (extent.v_low + extent.v_high) / 2};
 }
 
-// Mean side of a cell in the middle of the grid.
-double cell_m(const HeightGrid& grid, const Body& body) {
+// Of a cell in the middle of the grid.
+struct CellSides {
+  double along_row_m = std::numeric_limits<double>::infinity();
+  double along_column_m = std::numeric_limits<double>::infinity();
+  double mean_m() const { return std::sqrt(along_row_m * along_column_m); }
+};
+
+CellSides cell_sides(const HeightGrid& grid, const Body& body) {
   const GridCoordinates at = centre(grid.extent());
   const auto middle = grid.place(at), right = grid.place({at.u + 1, at.v}),
              below = grid.place({at.u, at.v + 1});
-  if (!middle || !right || !below) return std::numeric_limits<double>::infinity();
-  return std::sqrt(surface_distance_m(body, *middle, *right) *
-                   surface_distance_m(body, *middle, *below));
+  if (!middle || !right || !below) return {};
+  return {surface_distance_m(body, *middle, *right), surface_distance_m(body, *middle, *below)};
 }
 
 Stereographic detail_map(const Surface& finest, const HeightGrid& grid, const SitePlane& plane) {
@@ -87,12 +103,13 @@ Stereographic detail_map(const Surface& finest, const HeightGrid& grid, const Si
           std::round(site.lat_rad / net_rad) * net_rad};
 }
 
-DetailSetting setting_of(const Surface& surface, double cell_m) {
+DetailSetting setting_of(const Surface& surface, const CellSides& sides) {
   DetailSetting setting;
-  setting.cell_m = cell_m;
+  setting.cell_m = sides.mean_m();
+  setting.height_to_width = sides.along_column_m / sides.along_row_m;
   setting.keeps_cells = std::holds_alternative<RasterSurface>(surface);
   if (std::holds_alternative<ReliefSurface>(surface)) {
-    setting.crater_max_m = relief_crater_min_cells * cell_m;
+    setting.crater_max_m = relief_crater_min_cells * setting.cell_m;
   }
   return setting;
 }
@@ -120,15 +137,17 @@ struct Ground::Impl {
   Impl(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed_of_plan)
       : spec(terrain), seed(seed_of_plan), plane(site), soils(spec, plane) {
     for (std::size_t k = 0; k < spec.layers.size(); ++k) {
-      layers.push_back(std::make_unique<Layer>(make_grid(spec.layers[k], spec, plane, seed),
-                                               k + 1 < spec.layers.size()));
+      std::unique_ptr<HeightGrid> grid = make_grid(spec.layers[k], spec, plane, seed);
+      if (k + 1 < spec.layers.size()) check_room_to_fade(grid->extent(), spec);
+      const double side_m = cell_sides(*grid, plane.site().body()).mean_m();
+      layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, spec.layers.size() > 1));
     }
     if (!spec.detail) return;
     const Stereographic map = detail_map(spec.layers.front(), layers.front()->grid(), plane);
     for (std::size_t k = 0; k < layers.size(); ++k) {
-      const double side_m = cell_m(layers[k]->grid(), plane.site().body());
-      if (!(side_m <= detail_cell_max_m)) continue;
-      layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], side_m), seed);
+      if (!(layers[k]->cell_m() <= detail_cell_max_m)) continue;
+      const CellSides sides = cell_sides(layers[k]->grid(), plane.site().body());
+      layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
     }
   }
 
@@ -165,20 +184,22 @@ std::vector<Fault> Ground::advice() const {
 
 std::optional<double> Ground::elevation_m(const Geodetic& place, double resolution_m) const {
   const auto sample = blended(impl_->layers.size(), [&](std::size_t k) {
-    return impl_->layers[k]->at(place, resolution_m);
+    Layer& layer = *impl_->layers[k];
+    return Layer::Probe(layer, layer.look(resolution_m)).sample(place);
   });
   return sample ? std::optional(sample->height_m) : std::nullopt;
 }
 
 struct Ground::Probe::Impl {
-  explicit Impl(Ground::Impl& of) : ground(of) {
-    for (const auto& layer : of.layers) layers.emplace_back(*layer);
+  Impl(Ground::Impl& of, double resolution_m) : ground(of) {
+    for (const auto& layer : of.layers) layers.emplace_back(*layer, layer->look(resolution_m));
   }
   Ground::Impl& ground;
   std::vector<Layer::Probe> layers;
 };
 
-Ground::Probe::Probe(const Ground& ground) : impl_(std::make_unique<Impl>(*ground.impl_)) {}
+Ground::Probe::Probe(const Ground& ground, double resolution_m)
+    : impl_(std::make_unique<Impl>(*ground.impl_, resolution_m)) {}
 Ground::Probe::~Probe() = default;
 Ground::Probe::Probe(Probe&&) noexcept = default;
 Ground::Probe& Ground::Probe::operator=(Probe&&) noexcept = default;

@@ -36,7 +36,8 @@ class Ground {
   // Remembers the tile last used. One a thread; results never depend on it.
   class Probe {
    public:
-    explicit Probe(const Ground& ground);
+    // `resolution_m`: as in elevation_m().
+    explicit Probe(const Ground& ground, double resolution_m = 0);
     ~Probe();
     Probe(Probe&&) noexcept;
     Probe& operator=(Probe&&) noexcept;
@@ -48,8 +49,9 @@ class Ground {
   };
 
   // Of the surface at a place; nullopt where there is no ground. Slow; for set-up and logs.
-  // A look with a resolution leaves out the detail of layers whose cells are smaller than that:
-  // maps of large areas would wait for it and not show it.
+  // A look with a resolution leaves out what is much smaller: each layer is taken at the coarsest
+  // level whose cells are not above that, detail at a sixteenth of it. Maps of large areas would
+  // wait for it and not show it.
   std::optional<double> elevation_m(const Geodetic& place, double resolution_m = 0) const;
   // The terrain's own comes first.
   const std::vector<Soil>& soils() const;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "base/error.h"
 #include "terrain/gdal_call.h"
@@ -19,10 +20,10 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 // ever written as -32767 or -32768 by chance.
 constexpr double lowest_ground_m = -9500;
 
-void fetch(GDALRasterBand& from, const RasterBlock& at, void* to, GDALDataType type) {
+void fetch(GDALRasterBand& from, const RasterBlock& at, int level, void* to, GDALDataType type) {
   const GdalSilence silence;
-  if (from.RasterIO(GF_Read, at.column, at.row, at.columns, at.rows, to, at.columns, at.rows, type,
-                    0, 0, nullptr) != CE_None) {
+  if (from.RasterIO(GF_Read, at.column << level, at.row << level, at.columns << level,
+                    at.rows << level, to, at.columns, at.rows, type, 0, 0, nullptr) != CE_None) {
     throw InputError({from.GetDataset()->GetDescription(), 0},
                      fmt::format("cannot be read: {}", GdalSilence::message()));
   }
@@ -35,6 +36,8 @@ void fetch(GDALRasterBand& from, const RasterBlock& at, void* to, GDALDataType t
 // 16-bit samples these are always marks; as wider ones only where they would be impossible heights.
 bool HeightBand::is_missing(double sample) const {
   if (!std::isfinite(sample) || sample <= -3e38) return true;
+  // Of ISIS's five special values in 16 bits GDAL declares one.
+  if (is_isis_ && band_->GetRasterDataType() == GDT_Int16 && sample <= -32764) return true;
   if (nodata_) {
     return sample == *nodata_ || (band_->GetRasterDataType() == GDT_Float32 &&
                                   sample == static_cast<double>(static_cast<float>(*nodata_)));
@@ -43,20 +46,27 @@ bool HeightBand::is_missing(double sample) const {
   return band_->GetRasterDataType() == GDT_Int16 || sample * scale_.scale < lowest_ground_m;
 }
 
+HeightBand::HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata)
+    : band_(&band), scale_(scale), nodata_(nodata) {
+  GDALDataset* dataset = band.GetDataset();
+  GDALDriver* driver = dataset != nullptr ? dataset->GetDriver() : nullptr;
+  is_isis_ = driver != nullptr && std::string_view(driver->GetDescription()).starts_with("ISIS");
+}
+
 bool HeightBand::is_floating_point() const {
   return GDALDataTypeIsFloating(band_->GetRasterDataType()) != 0;
 }
 
-std::vector<double> HeightBand::samples(const RasterBlock& window) const {
+std::vector<double> HeightBand::samples(const RasterBlock& window, int level) const {
   std::vector<double> samples(static_cast<std::size_t>(window.columns) * window.rows);
-  fetch(*band_, window, samples.data(), GDT_Float64);
+  fetch(*band_, window, level, samples.data(), GDT_Float64);
   const int flags = band_->GetMaskFlags();
   const bool is_mask_wanted =
       (flags & GMF_ALL_VALID) == 0 && ((flags & GMF_NODATA) == 0 || !nodata_);
   std::vector<GByte> mask;
   if (is_mask_wanted) {
     mask.resize(samples.size());
-    fetch(*band_->GetMaskBand(), window, mask.data(), GDT_Byte);
+    fetch(*band_->GetMaskBand(), window, level, mask.data(), GDT_Byte);
   }
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if ((is_mask_wanted && mask[k] == 0) || is_missing(samples[k])) samples[k] = missing;
@@ -64,8 +74,9 @@ std::vector<double> HeightBand::samples(const RasterBlock& window) const {
   return samples;
 }
 
-std::vector<double> HeightBand::heights_m(const RasterBlock& window, double limit_m) const {
-  std::vector<double> heights_m = samples(window);
+std::vector<double> HeightBand::heights_m(const RasterBlock& window, double limit_m,
+                                          int level) const {
+  std::vector<double> heights_m = samples(window, level);
   for (double& value : heights_m) {
     value = value * scale_.scale + scale_.offset_m;
     if (std::abs(value) > limit_m) value = missing;

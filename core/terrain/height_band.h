@@ -29,18 +29,19 @@ struct SampleRange {
 class HeightBand {
  public:
   // `nodata`: the sample that stands for none, in place of what the file and custom say.
-  HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata)
-      : band_(&band), scale_(scale), nodata_(nodata) {}
+  HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata);
 
   GDALRasterBand& band() const { return *band_; }
   const HeightScale& scale() const { return scale_; }
   std::optional<double> nodata() const { return nodata_; }
   bool is_floating_point() const;
 
-  // Samples as they are written, row by row; NaN where they are missing.
-  std::vector<double> samples(const RasterBlock& window) const;
+  // Samples as they are written, row by row; NaN where they are missing. On a level above 0 the
+  // window counts 2^level columns and rows as one, and GDAL takes one sample for them, from an
+  // overview where there is one.
+  std::vector<double> samples(const RasterBlock& window, int level = 0) const;
   // Their heights. Heights beyond the limit are missing too.
-  std::vector<double> heights_m(const RasterBlock& window, double limit_m) const;
+  std::vector<double> heights_m(const RasterBlock& window, double limit_m, int level = 0) const;
   // Looks at all samples of a small raster and at a spread of blocks of a large one.
   SampleRange range() const;
 
@@ -50,6 +51,7 @@ class HeightBand {
   GDALRasterBand* band_;
   HeightScale scale_;
   std::optional<double> nodata_;
+  bool is_isis_ = false;  // read by GDAL's driver of that format
 };
 
 }  // namespace lsos

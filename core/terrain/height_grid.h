@@ -36,11 +36,22 @@ struct GridExtent {
   }
 };
 
+// A grid coordinate counted in the cells of a level, whose first one holds the grid's first
+// 2^level; and back.
+inline double on_level(double u, int level) {
+  return level == 0 ? u : std::ldexp(u + 0.5, -level) - 0.5;
+}
+inline double from_level(double u, int level) {
+  return level == 0 ? u : std::ldexp(u + 0.5, level) - 0.5;
+}
+
 class HeightGrid {
  public:
   virtual ~HeightGrid() = default;
 
+  // `key.level` up to coarsest_level().
   virtual HeightTile tile(const TileKey& key) const = 0;
+  virtual int coarsest_level() const = 0;
   // The map on that square; not good where the square is too large.
   virtual Patch patch(const PatchKey& key) const = 0;
   virtual std::optional<GridPoint> exact(const PlanePoint& at) const = 0;

@@ -8,10 +8,12 @@
 
 namespace lsos {
 
-// Which tile of a grid: cells [64 column, 64 column + 64) x [64 row, 64 row + 64).
+// Which tile of a grid: cells [64 column, 64 column + 64) x [64 row, 64 row + 64). On a level above
+// 0 these are cells of 2^level of the grid's own a side, for looks from afar.
 struct TileKey {
   std::int64_t column = 0;
   std::int64_t row = 0;
+  int level = 0;
 
   auto operator<=>(const TileKey&) const = default;
 };

@@ -7,12 +7,15 @@
 
 namespace lsos {
 
-// Keeps between `capacity` and twice that many of the values last asked for. Shared pointers:
-// a value may be dropped here while a reader on another thread still works with it.
+constexpr std::size_t megabytes(std::size_t count) { return count << 20; }
+
+// Keeps between `capacity_bytes` and twice that of the values last asked for. Shared pointers: a
+// value may be dropped here while a reader on another thread still works with it. A value that owns
+// memory says how much with bytes().
 template <class Key, class Value>
 class KeyCache {
  public:
-  explicit KeyCache(std::size_t capacity) : capacity_(capacity) {}
+  explicit KeyCache(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
   // `make(key)` is called under the cache's lock, so it may use what is not thread-safe; it must
   // give the same value for the same key at any time.
@@ -26,16 +29,28 @@ class KeyCache {
     } else {
       value = std::make_shared<const Value>(make(key));
     }
-    if (young_.size() >= capacity_) {
+    if (young_bytes_ >= capacity_bytes_) {
       old_ = std::move(young_);
       young_.clear();
+      young_bytes_ = 0;
     }
+    young_bytes_ += bytes(*value);
     young_.emplace(key, value);
     return value;
   }
 
  private:
-  std::size_t capacity_;
+  static std::size_t bytes(const Value& value) {
+    constexpr std::size_t node = 64;  // of the map, and the pointer's counts
+    if constexpr (requires { value.bytes(); }) {
+      return node + value.bytes();
+    } else {
+      return node + sizeof(Value);
+    }
+  }
+
+  std::size_t capacity_bytes_;
+  std::size_t young_bytes_ = 0;
   std::mutex mutex_;
   std::map<Key, std::shared_ptr<const Value>> young_;
   std::map<Key, std::shared_ptr<const Value>> old_;

@@ -38,34 +38,49 @@ class LastTiles {
   std::array<std::shared_ptr<const Tile>, 4> kept_;
 };
 
+// How closely ground is looked at.
+struct Look {
+  int level = 0;  // of the grid
+  bool has_detail = true;
+  int detail_level = 0;
+};
+
 class Layer {
  public:
-  // `fades`: a coarser layer lies below.
-  Layer(std::unique_ptr<HeightGrid> grid, bool fades);
+  // A layer that fades needs twice that across.
+  static constexpr int fade_cells_min = 4;
+
+  // `cell_m`: mean side of the grid's cells; infinite where that is not known. `fades`: it is one
+  // of several, which hand over at their edges and holes.
+  Layer(std::unique_ptr<HeightGrid> grid, double cell_m, bool fades);
 
   const HeightGrid& grid() const { return *grid_; }
+  double cell_m() const { return cell_m_; }
   void add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
                   std::uint64_t seed);
-
-  // Of the surface at a place; nullopt where this layer has no ground. Without detail where the
-  // resolution is coarser than the grid's cells.
-  std::optional<LayerSample> at(const Geodetic& place, double resolution_m);
+  // The coarsest look that still shows what is as large as the resolution; 0: all there is.
+  Look look(double resolution_m) const;
 
   class Probe {
    public:
-    explicit Probe(Layer& layer) : layer_(&layer) {}
+    explicit Probe(Layer& layer, const Look& look) : layer_(&layer), look_(look) {}
+    // Of the surface; nullopt where this layer has no ground.
     std::optional<LayerSample> sample(const PlanePoint& at);
+    std::optional<LayerSample> sample(const Geodetic& place);
 
    private:
     const Patch& patch(const PlanePoint& at);
+    std::optional<LayerSample> at_grid(GridPoint at);
+    void add_detail(const GridPoint& at, SurfaceHeight& surface, LayerSample& sample);
+    void set_weight(const TileKey& key, const CellPoint& cell, const GridPoint& at,
+                    LayerSample& sample);
     Layer* layer_;
+    Look look_;
     std::array<std::shared_ptr<const Patch>, 4> patches_;
     const Patch* last_patch_ = nullptr;  // one of them
     LastTiles<HeightTile> tiles_;
     LastTiles<DetailTile> details_;
     LastTiles<WeightTile> weights_;
-    friend class Layer;
-    std::optional<LayerSample> at_grid(GridPoint at, bool has_detail = true);
   };
 
  private:
@@ -74,13 +89,14 @@ class Layer {
   std::shared_ptr<const WeightTile> weight_tile(const TileKey& key);
 
   std::unique_ptr<HeightGrid> grid_;
-  int fade_cells_ = 0;
+  double cell_m_;
+  bool fades_;
   std::unique_ptr<DetailField> detail_;
-  double cell_m_ = 0;  // of the grid; known when there is detail
   PatchMap patches_;
-  KeyCache<TileKey, HeightTile> tiles_{2048};    // 36 kB each: up to 150 MB
-  KeyCache<TileKey, DetailTile> details_{2048};  // as large
-  KeyCache<TileKey, WeightTile> weights_{512};
+  // A tile takes 36 kB, with dense rocks on wide cells some MB.
+  KeyCache<TileKey, HeightTile> tiles_{megabytes(75)};
+  KeyCache<TileKey, DetailTile> details_{megabytes(75)};
+  KeyCache<TileKey, WeightTile> weights_{megabytes(20)};
 };
 
 }  // namespace lsos

@@ -24,7 +24,7 @@ class PatchMap {
 
  private:
   Make make_;
-  KeyCache<PatchKey, Patch> patches_{16384};  // 0.3 kB each
+  KeyCache<PatchKey, Patch> patches_{megabytes(6)};
 };
 
 }  // namespace lsos

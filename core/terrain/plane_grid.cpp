@@ -29,14 +29,15 @@ class PlaneGrid : public HeightGrid {
     const int last = HeightTile::first_node + HeightTile::nodes;
     for (int row = HeightTile::first_node; row < last; ++row) {
       for (int column = HeightTile::first_node; column < last; ++column) {
-        const auto u = static_cast<double>(key.column * HeightTile::cells + column);
-        const auto v = static_cast<double>(key.row * HeightTile::cells + row);
+        const double u = node(key.column * HeightTile::cells + column, key.level);
+        const double v = node(key.row * HeightTile::cells + row, key.level);
         tile.height_m(column, row) = surface_.height_m + (by_u_m_ * u + by_v_m_ * v);
       }
     }
     tile.set_ground_everywhere();
     return tile;
   }
+  int coarsest_level() const override { return 16; }
   Patch patch(const PatchKey&) const override { return Patch::scaling(spacing_m); }
   std::optional<GridPoint> exact(const PlanePoint& at) const override {
     return Patch::scaling(spacing_m).at(at);
@@ -56,6 +57,10 @@ class PlaneGrid : public HeightGrid {
   }
 
  private:
+  static double node(std::int64_t number, int level) {
+    return from_level(static_cast<double>(number), level);
+  }
+
   PlaneSurface surface_;
   const SitePlane& plane_;
   double by_u_m_;

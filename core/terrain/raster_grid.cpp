@@ -1,6 +1,8 @@
 // Ground from a raster that GDAL opens.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <mutex>
 
 #include "terrain/height_grid.h"
@@ -29,6 +31,13 @@ class RasterGrid : public HeightGrid {
   HeightTile tile(const TileKey& key) const override {
     const std::lock_guard lock(mutex_);
     return raster_tile(key, raster_);
+  }
+  // A few nodes remain; where the raster goes around, as many on each side of its seam.
+  int coarsest_level() const override {
+    const auto sixteenths = static_cast<unsigned>(std::min(raster_.columns(), raster_.rows()) / 16);
+    const int level = sixteenths == 0 ? 0 : std::bit_width(sixteenths) - 1;
+    if (!raster_.goes_around()) return level;
+    return std::min(level, std::countr_zero(static_cast<unsigned>(raster_.columns())));
   }
   Patch patch(const PatchKey& key) const override { return Patch(key, exact_); }
   std::optional<GridPoint> exact(const PlanePoint& at) const override {

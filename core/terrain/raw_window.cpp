@@ -15,14 +15,15 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr int halo = 4;
 constexpr int side = HeightTile::nodes + 2 * halo;
 
-// Nodes [first, first + side) of the raster, also beyond its edges.
+// Nodes [first, first + side) of a level of the raster, also beyond its edges.
 class RawWindow {
  public:
   RawWindow(const TileKey& key, const Raster& raster)
       : first_column_(key.column * HeightTile::cells + HeightTile::first_node - halo),
         first_row_(key.row * HeightTile::cells + HeightTile::first_node - halo),
-        columns_(raster.columns()),
-        rows_(raster.rows()),
+        level_(key.level),
+        columns_(raster.columns() >> level_),
+        rows_(raster.rows() >> level_),
         height_m_(side * side, missing) {}
 
   double at(int i, int j) const { return height_m_[j * side + i]; }
@@ -39,7 +40,7 @@ class RawWindow {
     const int height = static_cast<int>(row_high - row_low);
 
     const std::vector<double> heights_m = raster.heights_m(
-        {static_cast<int>(column_low - east), static_cast<int>(row_low), width, height});
+        {static_cast<int>(column_low - east), static_cast<int>(row_low), width, height}, level_);
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
         const auto i = static_cast<int>(column_low - first_column_) + column;
@@ -125,12 +126,36 @@ class RawWindow {
 
   std::int64_t first_column_;
   std::int64_t first_row_;
+  int level_;
   std::int64_t columns_;
   std::int64_t rows_;
   std::vector<double> height_m_;
 };
 
+constexpr int to_window = halo - HeightTile::first_node;
+
+void set_nodes(const RawWindow& window, HeightTile& tile) {
+  const int last = HeightTile::first_node + HeightTile::nodes;
+  for (int row = HeightTile::first_node; row < last; ++row) {
+    for (int column = HeightTile::first_node; column < last; ++column) {
+      tile.height_m(column, row) = window.at(column + to_window, row + to_window);
+    }
+  }
+}
+
 }  // namespace
+
+HeightTile raw_tile(const TileKey& key, const Raster& raster) {
+  RawWindow window(key, raster);
+  if (raster.goes_around()) {
+    window.read_around(raster);
+  } else {
+    window.read(raster, 0);
+  }
+  HeightTile tile(key);
+  set_nodes(window, tile);
+  return tile;
+}
 
 HeightTile raster_tile(const TileKey& key, const Raster& raster) {
   RawWindow window(key, raster);
@@ -143,7 +168,6 @@ HeightTile raster_tile(const TileKey& key, const Raster& raster) {
   window.continue_rows();
 
   HeightTile tile(key);
-  constexpr int to_window = halo - HeightTile::first_node;
   for (int row = 0; row < HeightTile::cells; ++row) {
     for (int column = 0; column < HeightTile::cells; ++column) {
       const int i = column + to_window;
@@ -155,12 +179,7 @@ HeightTile raster_tile(const TileKey& key, const Raster& raster) {
   }
   window.fill_holes();
   window.fill_holes();
-  const int last = HeightTile::first_node + HeightTile::nodes;
-  for (int row = HeightTile::first_node; row < last; ++row) {
-    for (int column = HeightTile::first_node; column < last; ++column) {
-      tile.height_m(column, row) = window.at(column + to_window, row + to_window);
-    }
-  }
+  set_nodes(window, tile);
   return tile;
 }
 

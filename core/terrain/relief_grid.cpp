@@ -38,23 +38,18 @@ class ReliefGrid : public HeightGrid {
   HeightTile tile(const TileKey& key) const override {
     HeightTile tile(key);
     tile.set_ground_everywhere();
-    const std::vector<Crater> craters = craters_of(key);
     const std::vector<std::size_t> landforms = landforms_of(key);
     const int last = HeightTile::first_node + HeightTile::nodes;
     for (int row = HeightTile::first_node; row < last; ++row) {
       for (int column = HeightTile::first_node; column < last; ++column) {
-        const PlanePoint at = node(key, column, row);
-        double height_m = surface_.height_m + landforms_m(landforms, map_.direction(at));
-        for (const Crater& crater : craters) {
-          const double dx = at.x_m - crater.centre.x_m, dy = at.y_m - crater.centre.y_m;
-          height_m += crater_height_m(std::sqrt(dx * dx + dy * dy) / (crater.diameter_m / 2),
-                                      crater.depth_m, crater.rim_m);
-        }
-        tile.height_m(column, row) = height_m;
+        const Vec3 up = map_.direction(node(key, column, row));
+        tile.height_m(column, row) = surface_.height_m + landforms_m(landforms, up);
       }
     }
+    for (const Crater& crater : craters_of(key)) add(crater, tile);
     return tile;
   }
+  int coarsest_level() const override { return 12; }
   Patch patch(const PatchKey& key) const override { return Patch(key, exact_); }
   std::optional<GridPoint> exact(const PlanePoint& at) const override {
     return exact_grid_point(exact_, at);
@@ -77,8 +72,10 @@ class ReliefGrid : public HeightGrid {
 
  private:
   PlanePoint node(const TileKey& key, int column, int row) const {
-    return {static_cast<double>(key.column * HeightTile::cells + column) * surface_.spacing_m,
-            static_cast<double>(key.row * HeightTile::cells + row) * surface_.spacing_m};
+    const auto at_m = [&](std::int64_t number) {
+      return from_level(static_cast<double>(number), key.level) * surface_.spacing_m;
+    };
+    return {at_m(key.column * HeightTile::cells + column), at_m(key.row * HeightTile::cells + row)};
   }
   std::vector<Crater> craters_of(const TileKey& key) const {
     if (!craters_) return {};
@@ -86,7 +83,28 @@ class ReliefGrid : public HeightGrid {
     return craters_touching(
         *craters_, seed_,
         {node(key, HeightTile::first_node, HeightTile::first_node), node(key, last, last)},
-        relief_crater_min_cells * surface_.spacing_m);
+        // From afar, those that the coarser nodes can show.
+        surface_.spacing_m * std::max(relief_crater_min_cells, std::ldexp(3.0, key.level)));
+  }
+  void add(const Crater& crater, HeightTile& tile) const {
+    const double reach_m = crater_reach * crater.diameter_m / 2;
+    const double spacing_m = std::ldexp(surface_.spacing_m, tile.key().level);
+    const PlanePoint first = node(tile.key(), HeightTile::first_node, HeightTile::first_node);
+    const auto number = [&](double from_first_m) {
+      const double counted = std::clamp(from_first_m / spacing_m, 0.0, HeightTile::nodes - 1.0);
+      return HeightTile::first_node + static_cast<int>(counted);
+    };
+    const int row_high = number(crater.centre.y_m + reach_m - first.y_m);
+    const int column_high = number(crater.centre.x_m + reach_m - first.x_m);
+    for (int row = number(crater.centre.y_m - reach_m - first.y_m); row <= row_high; ++row) {
+      for (int column = number(crater.centre.x_m - reach_m - first.x_m); column <= column_high;
+           ++column) {
+        const PlanePoint at = node(tile.key(), column, row);
+        const double dx = at.x_m - crater.centre.x_m, dy = at.y_m - crater.centre.y_m;
+        tile.height_m(column, row) += crater_height_m(
+            std::sqrt(dx * dx + dy * dy) / (crater.diameter_m / 2), crater.depth_m, crater.rim_m);
+      }
+    }
   }
   // Those that reach into the tile.
   std::vector<std::size_t> landforms_of(const TileKey& key) const {

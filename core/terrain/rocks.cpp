@@ -57,11 +57,12 @@ double rocks_pm2(const RockPopulation& p, double diameter_m) {
 }
 
 std::vector<Rock> rocks_touching(const RockPopulation& p, std::uint64_t seed,
-                                 const PlaneRectangle& area) {
+                                 const PlaneRectangle& area, double diameter_low_m) {
   std::vector<Rock> rocks;
   std::uint64_t octave = 0;
   for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2, ++octave) {
     const double high = std::min(2 * low, p.diameter_max_m);
+    if (high <= diameter_low_m) continue;
     const std::uint64_t key = mix_key(mix_key(seed, "rocks"), octave);
     const double reach_m = high / 2;
     const PlaneRectangle around{{area.low.x_m - reach_m, area.low.y_m - reach_m},
@@ -69,6 +70,7 @@ std::vector<Rock> rocks_touching(const RockPopulation& p, std::uint64_t seed,
     visit_points(key, number_pm2(p, low, high), cell_to_diameter * high, around,
                  [&](const PlanePoint& at, RandomStream& random) {
                    const double diameter_m = drawn_diameter_m(p, low, high, random);
+                   if (diameter_m < diameter_low_m) return;
                    const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);
                    const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);
                    if (dx * dx + dy * dy >= diameter_m * diameter_m / 4) return;

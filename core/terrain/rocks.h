@@ -32,8 +32,8 @@ inline RockShape rock_shape(double q) {
   return {f * f, -4 * q * f};
 }
 
-// All rocks that touch the rectangle, in a fixed order.
+// All rocks not smaller than that which touch the rectangle, in a fixed order.
 std::vector<Rock> rocks_touching(const RockPopulation& population, std::uint64_t seed,
-                                 const PlaneRectangle& area);
+                                 const PlaneRectangle& area, double diameter_low_m = 0);
 
 }  // namespace lsos

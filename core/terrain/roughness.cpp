@@ -1,6 +1,7 @@
 #include "terrain/roughness.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/random.h"
@@ -70,13 +71,22 @@ struct Axis {
 
 }  // namespace
 
-RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed, double spacing_m,
-                               std::int64_t period)
-    : period_(period) {
+RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed,
+                               const RoughGrid& grid)
+    : period_(grid.period) {
+  const int stretch_log2 = static_cast<int>(std::lround(std::log2(grid.height_to_width)));
+  along_row_log2_ = std::max(0, stretch_log2);
+  along_column_log2_ = std::max(0, -stretch_log2);
+  const double spacing_m = grid.spacing_m * std::exp2(std::abs(stretch_log2) / 2.0);
   // From waves as long as two nodes: below, the grid cannot hold them.
   // A cell's side is known to some digits only: the count of octaves must not hang on the last.
   const double octaves = std::log2(roughness.longest_m / (2 * spacing_m)) + 0.01;
-  const int last = std::max(0, static_cast<int>(std::floor(octaves)));
+  int last = std::max(0, static_cast<int>(std::floor(octaves)));
+  if (period_ > 0) {
+    const int whole = std::countr_zero(static_cast<std::uint64_t>(period_));
+    along_row_log2_ = std::min(along_row_log2_, whole);
+    last = std::min(last, whole - along_row_log2_);
+  }
   // Amplitudes in the ratio 2^hurst an octave; the lag at which the deviation is made exact lies
   // within the range of waves.
   const double lag_m = std::max(2 * spacing_m, std::min(1.0, std::ldexp(spacing_m, last)));
@@ -92,14 +102,17 @@ RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed, d
 }
 
 void RoughnessField::add_to(HeightTile& tile, const NodeLattice& at) const {
-  for (const Octave& octave : octaves_) add_octave(octave, tile, at);
+  for (const Octave& octave : octaves_) {
+    if (octave.k >= at.level) add_octave(octave, tile, at);
+  }
 }
 
 void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
                                 const NodeLattice& at) const {
-  const std::int64_t period = period_ >> octave.spacing_log2;
-  const Axis columns(at.column, at.stride, octave.spacing_log2);
-  const Axis rows(at.row, at.stride, octave.spacing_log2);
+  const int column_log2 = octave.k + along_row_log2_;
+  const std::int64_t period = period_ >> column_log2;
+  const Axis columns(at.column, at.stride, column_log2);
+  const Axis rows(at.row, at.stride, octave.k + along_column_log2_);
   // Along rows first: one line of nodes for each lattice row in use.
   std::vector<double> values(columns.points.size());
   std::vector<std::array<double, nodes>> lines(rows.points.size());

@@ -11,35 +11,45 @@
 
 namespace lsos {
 
-// Every `stride`-th node of the grid from (column, row) on.
+// Every `stride`-th node of the grid from (column, row) on. What is smaller than 2^level nodes does
+// not count.
 struct NodeLattice {
   std::int64_t column = 0;
   std::int64_t row = 0;
   std::int64_t stride = 1;
+  int level = 0;
+};
+
+// The grid that a surface stands on.
+struct RoughGrid {
+  double spacing_m = 1;        // mean, of the nodes along rows and columns
+  double height_to_width = 1;  // of the cells; the waves are round to a factor of sqrt 2 even so
+  // Where the grid goes around the body after so many nodes, so does the surface; the longest wave
+  // must then divide it. 0: it does not.
+  std::int64_t period = 0;
 };
 
 class RoughnessField {
  public:
-  // `spacing_m` of the grid's nodes. Where the grid goes around the body after `period` nodes, so
-  // does the surface; the longest wave must then divide it.
-  RoughnessField(const Roughness& roughness, std::uint64_t seed, double spacing_m,
-                 std::int64_t period = 0);
+  RoughnessField(const Roughness& roughness, std::uint64_t seed, const RoughGrid& grid);
 
   // Adds the surface to all nodes of the tile, which lie on `at`. The height of a node does not
   // depend on the tile or the stride that it is asked with, but for rounding.
   void add_to(HeightTile& tile, const NodeLattice& at) const;
 
  private:
-  // Normal random numbers on every `spacing`-th node, smoothed by cubic B-splines.
+  // Normal random numbers on every 2^k-th node, smoothed by cubic B-splines.
   struct Octave {
     std::uint64_t key;
-    int spacing_log2;  // nodes
+    int k;
     double amplitude_m;
   };
   void add_octave(const Octave& octave, HeightTile& tile, const NodeLattice& at) const;
 
   std::vector<Octave> octaves_;
   std::int64_t period_;
+  int along_row_log2_ = 0;  // so many times more nodes along rows
+  int along_column_log2_ = 0;
 };
 
 }  // namespace lsos

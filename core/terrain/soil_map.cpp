@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "terrain/raster.h"
+#include "terrain/raw_window.h"
+
 namespace lsos {
 
 namespace {
@@ -31,7 +34,8 @@ struct SoilMap::Region {
   std::unique_ptr<HeightGrid> raster;
   std::unique_ptr<PatchMap> patches;
   std::vector<double> values;
-  mutable KeyCache<TileKey, HeightTile> tiles{256};
+  std::unique_ptr<Raster> samples;  // of the same raster; read under the lock of `tiles`
+  mutable KeyCache<TileKey, HeightTile> tiles{megabytes(10)};
 
   bool holds(const PlanePoint& at) const {
     return raster != nullptr ? raster_holds(at) : polygon_holds(at);
@@ -60,7 +64,7 @@ struct SoilMap::Region {
     // The cell that the point lies in is the node next to it.
     const CellPoint cell(u + 0.5, point->v + 0.5);
     const auto tile =
-        tiles.get(cell.tile(), [this](const TileKey& key) { return raster->tile(key); });
+        tiles.get(cell.tile(), [this](const TileKey& key) { return raw_tile(key, *samples); });
     const double value = tile->height_m(static_cast<int>(cell.column & (HeightTile::cells - 1)),
                                         static_cast<int>(cell.row & (HeightTile::cells - 1)));
     return std::ranges::find(values, value) != values.end();
@@ -74,6 +78,7 @@ SoilMap::SoilMap(const TerrainSpec& spec, const SitePlane& plane) : soils_{spec.
     region->values = patch.values;
     if (patch.raster) {
       region->raster = make_raster_grid(*patch.raster, spec.place, plane);
+      region->samples = std::make_unique<Raster>(*patch.raster, spec.place, &plane.site().body());
       const HeightGrid* raster = region->raster.get();
       region->patches =
           std::make_unique<PatchMap>([raster](const PatchKey& key) { return raster->patch(key); });

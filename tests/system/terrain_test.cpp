@@ -187,6 +187,15 @@ TEST(Terrain, exports_a_cloud_optimised_file_and_nothing_beside_it) {
   expect_agreement(map, {"Craters", "--seed", "7", "--site", "10.01,20.01"}, 1e-3);
 }
 
+// Detail much smaller than a cell is left out.
+TEST(Terrain, exports_coarsely_what_is_large) {
+  const TempFolder folder;
+  terrain({"LunarSouthPole", "--window", "0,-88.05,5,-88", "--resolution", "20", "--export",
+           folder / "out.tif"});
+  Map map(folder / "out.tif");
+  expect_agreement(map, {"LunarSouthPole", "--site", "2.5,-88.025"}, 0.5);
+}
+
 TEST(Terrain, exports_windows_through_the_pole_and_across_the_antimeridian) {
   LSOS_NEEDS_REFERENCE("dem/moon/LDEM_4.LBL");
   const std::string file = reference_file("dem/moon/LDEM_4.LBL");

@@ -1,4 +1,4 @@
-// Rocks, roughness and craters below a raster's resolution, and layers over layers.
+// Rocks, roughness and craters below a raster's resolution.
 #include "terrain/rocks.h"
 #include "terrain/roughness.h"
 
@@ -50,7 +50,7 @@ std::vector<std::vector<double>> heights(const RoughnessField& field, int tiles)
 
 TEST(Roughness, deviates_as_the_power_of_the_distance) {
   for (const double hurst : {0.5, 0.7, 0.9}) {
-    const RoughnessField field({0.02, hurst, 64}, 9, 0.25);
+    const RoughnessField field({0.02, hurst, 64}, 9, {0.25});
     const auto h = heights(field, 16);
     const int side = static_cast<int>(h.size());
     // Shepard et al. 2001: RMS deviation nu(L) = nu_0 L^H.
@@ -70,7 +70,7 @@ TEST(Roughness, deviates_as_the_power_of_the_distance) {
 }
 
 TEST(Roughness, of_a_node_does_not_depend_on_the_tile_or_the_stride) {
-  const RoughnessField field({0.02, 0.7, 32}, 9, 0.25);
+  const RoughnessField field({0.02, 0.7, 32}, 9, {0.25});
   const auto h = heights(field, 4);
   HeightTile coarse({0, 0});
   field.add_to(coarse, {4 - 8, 4 - 8, 8});
@@ -78,7 +78,7 @@ TEST(Roughness, of_a_node_does_not_depend_on_the_tile_or_the_stride) {
   field.add_to(right, {63, -1, 1});
   for (int k = 0; k < 20; ++k) EXPECT_NEAR(coarse.height_m(k, k), h[4 + 8 * k][4 + 8 * k], 1e-15);
   for (int k = 0; k < 64; ++k) EXPECT_EQ(right.height_m(-1, k), h[k][63]);
-  const RoughnessField around({0.02, 0.7, 32}, 9, 0.25, 256);
+  const RoughnessField around({0.02, 0.7, 32}, 9, {0.25, 1, 256});
   HeightTile first({0, 0}), again({4, 0});
   around.add_to(first, {-1, -1, 1});
   around.add_to(again, {255, -1, 1});
@@ -221,42 +221,11 @@ TEST(Detail, has_rocks_that_the_sample_knows_of) {
   EXPECT_NEAR(static_cast<double>(on_rock) / all, rock_cover(p, 0.4), 0.006);
 }
 
-TEST(Layers, blend_without_a_step) {
-  const TextRaster fine{
-      "+proj=eqc +R=1737400 +units=m", "-100,2,0,100,0,-2", "",
-      rows_of(100, 100, [](int column, int row) { return 50 + 0.3 * column + 0.1 * row; })};
-  const TextRaster coarse{"+proj=eqc +R=1737400 +units=m", "-1000,20,0,1000,0,-20", "",
-                          rows_of(100, 100, [](int column, int) { return 40 + 0.5 * column; })};
-  TerrainSpec spec = raster_terrain(fine.write("fine"));
-  spec.layers.emplace_back(RasterSurface{coarse.write("coarse"), 1});
-  const SiteFrame site = site_on("Moon", 0, 0);
-  const Ground both(spec, site, 0), only_fine(raster_terrain(fine.write("fine")), site, 0),
-      only_coarse(raster_terrain(coarse.write("coarse")), site, 0);
-  Ground::Probe probe(both), fine_probe(only_fine), coarse_probe(only_coarse);
-  // In the middle the fine one, outside the coarse one, and in between no step and no kink.
-  EXPECT_EQ(probe.sample({3, 5, 0}).elevation_m, fine_probe.sample({3, 5, 0}).elevation_m);
-  EXPECT_EQ(probe.sample({130, 5, 0}).elevation_m, coarse_probe.sample({130, 5, 0}).elevation_m);
-  double before_m = probe.sample({20, 5, 0}).elevation_m, slope_before = 0;
-  for (double x = 20.05; x < 140; x += 0.05) {
-    const double height_m = probe.sample({x, 5, 0}).elevation_m;
-    const double slope = (height_m - before_m) / 0.05;
-    EXPECT_LT(std::abs(slope), 3) << x;
-    if (x > 20.06) {
-      EXPECT_LT(std::abs(slope - slope_before), 0.02) << x;
-    }
-    before_m = height_m;
-    slope_before = slope;
-    const Vec3 p{x, 5, 0};
-    EXPECT_LT((probe.sample(p).normal_S - normal_by_differences(probe, p, 1e-3)).norm(), 1e-4) << x;
-  }
-  EXPECT_FALSE(probe.sample({1200, 5, 0}).is_ground());
-}
-
 // A cell's side is found by distances, whose last digits differ from site to site.
 TEST(Roughness, has_as_many_waves_whatever_the_last_digit_of_the_spacing) {
   HeightTile low({3, 5}), high({3, 5});
-  RoughnessField({0.02, 0.7, 16}, 9, 0.25 * (1 - 1e-9)).add_to(low, {200, 300, 1});
-  RoughnessField({0.02, 0.7, 16}, 9, 0.25 * (1 + 1e-9)).add_to(high, {200, 300, 1});
+  RoughnessField({0.02, 0.7, 16}, 9, {0.25 * (1 - 1e-9)}).add_to(low, {200, 300, 1});
+  RoughnessField({0.02, 0.7, 16}, 9, {0.25 * (1 + 1e-9)}).add_to(high, {200, 300, 1});
   for (int k = 0; k < 64; ++k) EXPECT_NEAR(low.height_m(k, k), high.height_m(k, k), 1e-8);
 }
 
@@ -269,41 +238,25 @@ TEST(Relief, has_no_ground_on_the_other_side) {
   EXPECT_THROW(Ground(spec, site_on("Moon", 20, 80), 0), InputError);
 }
 
-TEST(Soils, refuse_a_corner_out_of_reach) {
-  TerrainSpec spec = plane_terrain(0);
-  SoilPatch patch;
-  patch.lon_lat_deg = {{0, 0}, {80, 0}, {0, 10}};
-  spec.soil_patches = {patch};
-  EXPECT_THROW(Ground(spec, site_on("Moon", 0, 0), 0), InputError);
-}
-
-TEST(Soils, lie_where_the_script_says) {
-  TerrainSpec spec = plane_terrain(0);
-  spec.soil.name = "own";
-  SoilPatch square;
-  square.soil.name = "sand";
-  square.lon_lat_deg = {{0, 0}, {0.01, 0}, {0.01, 0.01}, {0, 0.01}};
-  const TextRaster classes{"+proj=longlat +R=1737400",
-                           "-0.02,0.01,0,0.02,0,-0.01",
-                           "",
-                           {{1, 2, 1, 2}, {1, 2, 1, 2}, {3, 3, 3, 3}, {1, 1, 1, 1}}};
-  SoilPatch by_class;
-  by_class.soil.name = "clay";
-  by_class.raster = RasterSurface{classes.write("classes"), 1};
-  by_class.values = {2, 3};
-  spec.soil_patches = {square, by_class};
-  const Ground ground(spec, site_on("Moon", 0, 0), 0);
+// The middle of a raster of latitudes 55 to 65: a cell is half as wide as high.
+TEST(Roughness, is_as_rough_to_the_east_as_to_the_north_off_the_equator) {
+  const double deg = 0.0001;
+  const TextRaster raster{"+proj=longlat +R=1737400", "10,0.0001,0,60.003,0,-0.0001", "",
+                          rows_of(60, 60, [](int, int) { return 0; })};
+  TerrainSpec spec = raster_terrain(raster.write("level"));
+  spec.detail = Detail{.craters = {}, .rocks = {}, .roughness = Roughness{0.05, 0.7, 6}};
+  const double lon_deg = 10 + 30 * deg, lat_deg = 60;
+  const Ground ground(spec, site_on("Moon", lon_deg, lat_deg), 4);
   Ground::Probe probe(ground);
-  const auto soil_at = [&](double lon_deg, double lat_deg) {
-    const Vec3 p = ground.site().p_S_m(geodetic_from_degrees(lon_deg, lat_deg, 1));
-    return ground.soils()[static_cast<std::size_t>(probe.sample(p).soil)].name;
-  };
-  EXPECT_EQ(soil_at(0.005, 0.005), "sand");
-  EXPECT_EQ(soil_at(0.015, 0.005), "clay");
-  EXPECT_EQ(soil_at(-0.005, -0.005), "clay");
-  EXPECT_EQ(soil_at(-0.005, -0.015), "own");
-  EXPECT_EQ(soil_at(0.0001, -0.0101), "own");
-  EXPECT_EQ(soil_at(0.5, 0.5), "own");
+  double east = 0, north = 0;
+  for (double x = -30; x < 30; x += 0.37) {
+    for (double y = -60; y < 60; y += 0.41) {
+      const double here_m = probe.sample({x, y, 0}).elevation_m;
+      east += std::pow(probe.sample({x + 0.5, y, 0}).elevation_m - here_m, 2);
+      north += std::pow(probe.sample({x, y + 0.5, 0}).elevation_m - here_m, 2);
+    }
+  }
+  EXPECT_NEAR(std::sqrt(east / north), 1, 0.1);
 }
 
 }  // namespace
