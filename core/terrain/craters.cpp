@@ -42,9 +42,12 @@ std::vector<Octave> octaves(const CraterPopulation& p) {
                   cumulative_pm2(p, high)};
     const double ratio = octave.cumulative_high_pm2 / octave.cumulative_low_pm2;
     octave.exponent = std::log(high / low) / std::log(ratio);
-    // The share of equilibrium that is reached falls with the size.
-    octave.is_full =
-        p.age_gyr && crater_production_pm2(*p.age_gyr, high) >= crater_equilibrium_pm2(high);
+    // Within an octave the share of equilibrium that is reached rises or falls throughout.
+    const auto is_full = [&](double diameter_m) {
+      return p.age_gyr &&
+             crater_production_pm2(*p.age_gyr, diameter_m) >= crater_equilibrium_pm2(diameter_m);
+    };
+    octave.is_full = is_full(low) && is_full(high);
     result.push_back(octave);
   }
   return result;

@@ -174,7 +174,10 @@ PlaneRectangle DetailField::rectangle(const NodeLattice& at) const {
   if (box.low.x_m > box.high.x_m) return {};
   // Between the points looked at, the edge may bulge; at the map's end one more may just miss it.
   double margin_m = 0.05 * std::max(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m);
-  if (is_cut) margin_m += reach * spacing_m() * std::numbers::sqrt2;
+  if (is_cut) {
+    const double stretch = std::max(setting_.height_to_width, 1 / setting_.height_to_width);
+    margin_m += reach * spacing_m() * std::sqrt(2 * stretch);
+  }
   box.low = {box.low.x_m - margin_m, box.low.y_m - margin_m};
   box.high = {box.high.x_m + margin_m, box.high.y_m + margin_m};
   return box;
@@ -407,11 +410,10 @@ void DetailField::correct_means(HeightTile& tile) const {
 }
 
 double DetailField::largest_m() const {
-  double largest_m = 0;
-  if (detail_.craters) largest_m = largest_crater_m();
-  if (detail_.rocks) largest_m = std::max(largest_m, detail_.rocks->diameter_max_m);
-  if (detail_.roughness) largest_m = std::max(largest_m, detail_.roughness->longest_m);
-  return setting_.keeps_cells ? std::min(largest_m, 2 * setting_.cell_m) : largest_m;
+  double largest_m = detail_.roughness ? detail_.roughness->longest_m : 0;
+  if (setting_.keeps_cells) largest_m = std::min(largest_m, 2 * setting_.cell_m);
+  if (detail_.craters) largest_m = std::max(largest_m, largest_crater_m());
+  return detail_.rocks ? std::max(largest_m, detail_.rocks->diameter_max_m) : largest_m;
 }
 
 DetailTile DetailField::tile(const TileKey& key) const {

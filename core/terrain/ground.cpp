@@ -138,9 +138,9 @@ struct Ground::Impl {
       : spec(terrain), seed(seed_of_plan), plane(site), soils(spec, plane) {
     for (std::size_t k = 0; k < spec.layers.size(); ++k) {
       std::unique_ptr<HeightGrid> grid = make_grid(spec.layers[k], spec, plane, seed);
-      if (k + 1 < spec.layers.size()) check_room_to_fade(grid->extent(), spec);
+      if (place_of(k) == LayerPlace::above) check_room_to_fade(grid->extent(), spec);
       const double side_m = cell_sides(*grid, plane.site().body()).mean_m();
-      layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, spec.layers.size() > 1));
+      layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, place_of(k)));
     }
     if (!spec.detail) return;
     const Stereographic map = detail_map(spec.layers.front(), layers.front()->grid(), plane);
@@ -149,6 +149,11 @@ struct Ground::Impl {
       const CellSides sides = cell_sides(layers[k]->grid(), plane.site().body());
       layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
     }
+  }
+
+  LayerPlace place_of(std::size_t layer) const {
+    if (spec.layers.size() == 1) return LayerPlace::alone;
+    return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
   }
 
   TerrainSpec spec;

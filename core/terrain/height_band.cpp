@@ -20,13 +20,35 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 // ever written as -32767 or -32768 by chance.
 constexpr double lowest_ground_m = -9500;
 
-void fetch(GDALRasterBand& from, const RasterBlock& at, int level, void* to, GDALDataType type) {
+void fetch(GDALRasterBand& from, const RasterBlock& at, void* to, GDALDataType type) {
   const GdalSilence silence;
-  if (from.RasterIO(GF_Read, at.column << level, at.row << level, at.columns << level,
-                    at.rows << level, to, at.columns, at.rows, type, 0, 0, nullptr) != CE_None) {
+  if (from.RasterIO(GF_Read, at.column, at.row, at.columns, at.rows, to, at.columns, at.rows, type,
+                    0, 0, nullptr) != CE_None) {
     throw InputError({from.GetDataset()->GetDescription(), 0},
                      fmt::format("cannot be read: {}", GdalSilence::message()));
   }
+}
+
+// One of each square of 2^level samples. GDAL's own choice would depend on the window.
+template <class Sample>
+std::vector<Sample> thinned(GDALRasterBand& from, const RasterBlock& window, int level,
+                            GDALDataType type) {
+  std::vector<Sample> samples(static_cast<std::size_t>(window.columns) * window.rows);
+  if (level == 0) {
+    fetch(from, window, samples.data(), type);
+    return samples;
+  }
+  const int half = 1 << (level - 1);
+  std::vector<Sample> row(static_cast<std::size_t>(window.columns) << level);
+  for (int j = 0; j < window.rows; ++j) {
+    const int number = ((window.row + j) << level) + half;
+    fetch(from, {window.column << level, number, window.columns << level, 1}, row.data(), type);
+    for (int i = 0; i < window.columns; ++i) {
+      samples[static_cast<std::size_t>(j) * window.columns + i] =
+          row[(static_cast<std::size_t>(i) << level) + half];
+    }
+  }
+  return samples;
 }
 
 }  // namespace
@@ -57,17 +79,36 @@ bool HeightBand::is_floating_point() const {
   return GDALDataTypeIsFloating(band_->GetRasterDataType()) != 0;
 }
 
+std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
+  int is_declared = FALSE;
+  const double declared = band_->GetNoDataValue(&is_declared);
+  const bool is_masked = (band_->GetMaskFlags() & GMF_ALL_VALID) == 0;
+  const bool may_hold_marks = band_->GetRasterDataType() == GDT_Int16 || nodata_;
+  const bool is_averaged_right =
+      is_declared != 0 ? !nodata_ || *nodata_ == declared : is_masked || !may_hold_marks;
+  std::pair<GDALRasterBand*, int> found{band_, 0};
+  if (!is_averaged_right) return found;
+  const auto coarser = [](int size, int by) { return ((size - 1) >> by) + 1; };
+  for (int k = 0; k < band_->GetOverviewCount(); ++k) {
+    GDALRasterBand* band = band_->GetOverview(k);
+    if (band == nullptr) continue;
+    for (int of = found.second + 1; of <= level; ++of) {
+      const bool is_of_level = band->GetXSize() == coarser(band_->GetXSize(), of) &&
+                               band->GetYSize() == coarser(band_->GetYSize(), of);
+      if (is_of_level) found = {band, of};
+    }
+  }
+  return found;
+}
+
 std::vector<double> HeightBand::samples(const RasterBlock& window, int level) const {
-  std::vector<double> samples(static_cast<std::size_t>(window.columns) * window.rows);
-  fetch(*band_, window, level, samples.data(), GDT_Float64);
+  const auto [from, done] = overview(level);
+  std::vector<double> samples = thinned<double>(*from, window, level - done, GDT_Float64);
   const int flags = band_->GetMaskFlags();
   const bool is_mask_wanted =
       (flags & GMF_ALL_VALID) == 0 && ((flags & GMF_NODATA) == 0 || !nodata_);
   std::vector<GByte> mask;
-  if (is_mask_wanted) {
-    mask.resize(samples.size());
-    fetch(*band_->GetMaskBand(), window, level, mask.data(), GDT_Byte);
-  }
+  if (is_mask_wanted) mask = thinned<GByte>(*from->GetMaskBand(), window, level - done, GDT_Byte);
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if ((is_mask_wanted && mask[k] == 0) || is_missing(samples[k])) samples[k] = missing;
   }

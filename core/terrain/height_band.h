@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "terrain/raster_blocks.h"
@@ -37,8 +38,8 @@ class HeightBand {
   bool is_floating_point() const;
 
   // Samples as they are written, row by row; NaN where they are missing. On a level above 0 the
-  // window counts 2^level columns and rows as one, and GDAL takes one sample for them, from an
-  // overview where there is one.
+  // window counts 2^level columns and rows as one, for which one sample stands: of the overview
+  // with as many, else the one next to their middle.
   std::vector<double> samples(const RasterBlock& window, int level = 0) const;
   // Their heights. Heights beyond the limit are missing too.
   std::vector<double> heights_m(const RasterBlock& window, double limit_m, int level = 0) const;
@@ -47,6 +48,9 @@ class HeightBand {
 
  private:
   bool is_missing(double sample) const;
+  // The coarsest overview that is not beyond the level, and its own level. They may have averaged
+  // what only we know to be missing; then there is none.
+  std::pair<GDALRasterBand*, int> overview(int level) const;
 
   GDALRasterBand* band_;
   HeightScale scale_;

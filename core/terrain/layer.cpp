@@ -10,9 +10,14 @@ namespace {
 // A layer hands over within so many of its cells, or a quarter of a small raster.
 constexpr int fade_cells_max = 32;
 
-// Weight of a layer that has faded: where no other has ground, it goes on to its very end. Of
-// layers 100 m apart in height it leaves a step of 0.1 um.
+// Weight of a layer that has faded: where no other has ground, it goes on to its very end.
 constexpr double trace = 1e-9;
+// Of the last one more: where a finer one ends near its end, it takes over within a few of the
+// finer one's cells; at its holes it leaves a step of a thousandth of what the two differ by.
+constexpr double last_trace = 1e-3;
+
+// A last layer smaller than this would be nothing but its edge.
+constexpr double last_fading_cells_min = 16;
 
 double cells_across(const GridExtent& extent) {
   return std::min(extent.goes_around() ? 1e9 : extent.u_high - extent.u_low,
@@ -24,6 +29,12 @@ int fade_cells(const GridExtent& extent) {
       std::clamp(cells_across(extent) / 4, double{Layer::fade_cells_min}, double{fade_cells_max}));
 }
 
+bool is_fading(const GridExtent& extent, LayerPlace place) {
+  if (place == LayerPlace::alone) return false;
+  const double across = cells_across(extent);
+  return std::isfinite(across) && (place == LayerPlace::above || across >= last_fading_cells_min);
+}
+
 GridExtent extent_on(const GridExtent& extent, int level) {
   return {on_level(extent.u_low, level), on_level(extent.u_high, level),
           on_level(extent.v_low, level), on_level(extent.v_high, level),
@@ -32,17 +43,18 @@ GridExtent extent_on(const GridExtent& extent, int level) {
 
 // The coarsest level whose cells are not above the resolution.
 int level_for(double resolution_m, double cell_m, int coarsest) {
-  if (!(resolution_m >= 2 * cell_m)) return 0;
+  if (!(resolution_m > cell_m)) return 0;
   // A resolution of just so many cells is meant, whatever their last digits.
   return std::min(coarsest, static_cast<int>(std::log2(resolution_m / cell_m) + 0.01));
 }
 
 }  // namespace
 
-Layer::Layer(std::unique_ptr<HeightGrid> grid, double cell_m, bool fades)
+Layer::Layer(std::unique_ptr<HeightGrid> grid, double cell_m, LayerPlace place)
     : grid_(std::move(grid)),
       cell_m_(cell_m),
-      fades_(fades),
+      fades_(is_fading(grid_->extent(), place)),
+      trace_(place == LayerPlace::last ? last_trace : trace),
       patches_([this](const PatchKey& key) { return grid_->patch(key); }) {}
 
 void Layer::add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
@@ -155,8 +167,8 @@ void Layer::Probe::set_weight(const TileKey& key, const CellPoint& cell, const G
   const SurfaceHeight weight = smooth_weight(weights, cell);
   sample.weight = weight.height_m;
   sample.weight_by_xy = std::ldexp(1.0, -look_.level) * gradient(weight, at);
-  if (sample.weight < trace) {
-    sample.weight = trace;
+  if (sample.weight < layer_->trace_) {
+    sample.weight = layer_->trace_;
     sample.weight_by_xy = Vec2::Zero();
   }
 }

@@ -38,6 +38,9 @@ class LastTiles {
   std::array<std::shared_ptr<const Tile>, 4> kept_;
 };
 
+// Layers of several hand over to each other at their edges and holes.
+enum class LayerPlace { alone, above, last };
+
 // How closely ground is looked at.
 struct Look {
   int level = 0;  // of the grid
@@ -50,9 +53,8 @@ class Layer {
   // A layer that fades needs twice that across.
   static constexpr int fade_cells_min = 4;
 
-  // `cell_m`: mean side of the grid's cells; infinite where that is not known. `fades`: it is one
-  // of several, which hand over at their edges and holes.
-  Layer(std::unique_ptr<HeightGrid> grid, double cell_m, bool fades);
+  // `cell_m`: mean side of the grid's cells; infinite where that is not known.
+  Layer(std::unique_ptr<HeightGrid> grid, double cell_m, LayerPlace place);
 
   const HeightGrid& grid() const { return *grid_; }
   double cell_m() const { return cell_m_; }
@@ -91,6 +93,7 @@ class Layer {
   std::unique_ptr<HeightGrid> grid_;
   double cell_m_;
   bool fades_;
+  double trace_;  // least weight
   std::unique_ptr<DetailField> detail_;
   PatchMap patches_;
   // A tile takes 36 kB, with dense rocks on wide cells some MB.

@@ -83,8 +83,8 @@ class ReliefGrid : public HeightGrid {
     return craters_touching(
         *craters_, seed_,
         {node(key, HeightTile::first_node, HeightTile::first_node), node(key, last, last)},
-        // From afar, those that the coarser nodes can show.
-        surface_.spacing_m * std::max(relief_crater_min_cells, std::ldexp(3.0, key.level)));
+        // From afar, those that are as large as a cell there.
+        surface_.spacing_m * std::max(relief_crater_min_cells, std::ldexp(1.0, key.level)));
   }
   void add(const Crater& crater, HeightTile& tile) const {
     const double reach_m = crater_reach * crater.diameter_m / 2;

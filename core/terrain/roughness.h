@@ -24,8 +24,8 @@ struct NodeLattice {
 struct RoughGrid {
   double spacing_m = 1;        // mean, of the nodes along rows and columns
   double height_to_width = 1;  // of the cells; the waves are round to a factor of sqrt 2 even so
-  // Where the grid goes around the body after so many nodes, so does the surface; the longest wave
-  // must then divide it. 0: it does not.
+  // Where the grid goes around the body after so many nodes, so does the surface, whose waves then
+  // divide it. 0: it does not.
   std::int64_t period = 0;
 };
 

@@ -20,10 +20,14 @@ inline std::filesystem::path reference_file(const std::filesystem::path& name) {
 }  // namespace lsos
 
 // Skips the test where there are no reference data at all. Where they are, but this file or folder
-// is not among them, the test fails: what is lost must not go unnoticed.
+// is not among them, or where LSOS_REFERENCE_DATA names no folder, the test fails: what is lost
+// must not go unnoticed.
 #define LSOS_NEEDS_REFERENCE(name)                                                 \
   do {                                                                             \
     if (!std::filesystem::is_directory(lsos::reference_folder())) {                \
+      if (std::getenv("LSOS_REFERENCE_DATA") != nullptr) {                         \
+        FAIL() << "LSOS_REFERENCE_DATA names no folder";                           \
+      }                                                                            \
       GTEST_SKIP() << "no reference data: " << lsos::reference_folder()            \
                    << " is absent (LSOS_REFERENCE_DATA names another)";            \
     }                                                                              \

@@ -238,7 +238,7 @@ TEST(Relief, has_no_ground_on_the_other_side) {
   EXPECT_THROW(Ground(spec, site_on("Moon", 20, 80), 0), InputError);
 }
 
-// The middle of a raster of latitudes 55 to 65: a cell is half as wide as high.
+// At a latitude of 60 degrees a cell is half as wide as high.
 TEST(Roughness, is_as_rough_to_the_east_as_to_the_north_off_the_equator) {
   const double deg = 0.0001;
   const TextRaster raster{"+proj=longlat +R=1737400", "10,0.0001,0,60.003,0,-0.0001", "",

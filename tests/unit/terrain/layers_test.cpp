@@ -62,6 +62,39 @@ TEST(Layers, end_without_a_step_where_the_last_has_a_hole) {
   EXPECT_NEAR(probe.sample({-399, 5, 0}).elevation_m, 40, 1e-9);
 }
 
+// Both end at the same box: near it the fine one is let go within a few of its cells.
+TEST(Layers, end_without_a_step_where_both_end) {
+  const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-100,2,0,100,0,-2", "",
+                        rows_of(100, 100, [](int, int) { return 50; })};
+  const TextRaster coarse{"+proj=eqc +R=1737400 +units=m", "-100,10,0,100,0,-10", "",
+                          rows_of(20, 20, [](int, int) { return 40; })};
+  TerrainSpec spec = raster_terrain(fine.write("fine"));
+  spec.layers.emplace_back(RasterSurface{coarse.write("coarse"), 1});
+  const Ground ground(spec, site_on("Moon", 0, 0), 0);
+  Ground::Probe probe(ground);
+  double before_m = 50;
+  for (double x = 0; x < 99.9; x += 0.02) {
+    const double height_m = probe.sample({x, 5, 0}).elevation_m;
+    ASSERT_LT(std::abs(height_m - before_m), 0.1) << x;
+    ASSERT_LT(height_m, 50.001);
+    ASSERT_GT(height_m, 39.999);
+    before_m = height_m;
+  }
+}
+
+TEST(Layers, go_on_as_the_last_one_however_small_that_is) {
+  const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-20,2,0,20,0,-2", "",
+                        rows_of(20, 20, [](int, int) { return 50; })};
+  const TextRaster coarse{"+proj=eqc +R=1737400 +units=m", "-60,20,0,60,0,-20", "",
+                          rows_of(6, 6, [](int, int) { return 40; })};
+  TerrainSpec spec = raster_terrain(fine.write("fine"));
+  spec.layers.emplace_back(RasterSurface{coarse.write("coarse"), 1});
+  const Ground ground(spec, site_on("Moon", 0, 0), 0);
+  Ground::Probe probe(ground);
+  EXPECT_NEAR(probe.sample({0, 0, 0}).elevation_m, 50, 1e-6);
+  EXPECT_NEAR(probe.sample({40, 0, 0}).elevation_m, 40, 1e-6);
+}
+
 TEST(Layers, refuse_a_raster_too_small_to_fade) {
   const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-10,2,0,10,0,-2", "",
                         rows_of(7, 10, [](int, int) { return 50; })};

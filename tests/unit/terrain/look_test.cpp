@@ -1,4 +1,7 @@
 // Looks from afar: what is much smaller than the resolution is left out, the rest stays.
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -48,17 +51,95 @@ TEST(Look, at_a_raster_keeps_what_is_larger_than_the_resolution) {
   EXPECT_EQ(*ground.elevation_m(place, 2), *ground.elevation_m(place));
 }
 
+// The same globe cut at 180 degrees and at 0, with waves of 30 degrees.
 TEST(Look, goes_around_the_body) {
-  const TextRaster raster{"+proj=longlat +R=1737400", "-180,1,0,90,0,-1", "",
-                          rows_of(360, 180, [](int column, int) {
-                            return 1000 * std::sin(column * std::numbers::pi / 180);
-                          })};
-  const Ground ground(raster_terrain(raster.write("globe")), site_on("Moon", 180, 0), 0);
-  const double cell_m = 1737400 * std::numbers::pi / 180;
+  const auto globe = [](const char* name, int first_lon_deg) {
+    const TextRaster raster{"+proj=longlat +R=1737400",
+                            std::to_string(first_lon_deg) + ",1,0,90,0,-1", "",
+                            rows_of(360, 180, [&](int column, int) {
+                              const double lon_deg = first_lon_deg + column;
+                              return 1000 * std::cos(12 * lon_deg * std::numbers::pi / 180);
+                            })};
+    return raster_terrain(raster.write(name));
+  };
+  const SiteFrame site = site_on("Moon", 180, 0);
+  const Ground ground(globe("globe", -180), site, 0), turned(globe("turned", 0), site, 0);
+  const double resolution_m = 4 * 1737400 * std::numbers::pi / 180;
   for (double lon_deg = 170; lon_deg < 190; lon_deg += 0.37) {
     const Geodetic place = geodetic_from_degrees(lon_deg, 3);
-    // Half a degree beside the middle of four, at 17.5 m a degree.
-    EXPECT_NEAR(*ground.elevation_m(place, 4 * cell_m), *ground.elevation_m(place), 10) << lon_deg;
+    const double height_m = *ground.elevation_m(place, resolution_m);
+    EXPECT_NEAR(height_m, *turned.elevation_m(place, resolution_m), 1e-6) << lon_deg;
+    // One sample stands half a degree beside the middle of four, at 209 m a degree.
+    EXPECT_NEAR(height_m, *ground.elevation_m(place), 160) << lon_deg;
+  }
+}
+
+// An odd number of columns and an overview that halves it: the tiles of a level agree on the nodes
+// that they share, and the ground is where it is without the overview.
+TEST(Look, through_overviews_has_no_seam) {
+  const int size = 1201;
+  const auto height = [](double column, double row) { return 0.3 * column - 0.2 * row; };
+  const std::string file = ::testing::TempDir() + "lsos_look_overviews.tif";
+  GDALAllRegister();
+  const auto write = [&](bool has_overviews) {
+    GDALDatasetUniquePtr dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        file.c_str(), size, size, 1, GDT_Float32, nullptr));
+    double transform[] = {-1201, 2, 0, 1201, 0, -2};
+    dataset->SetGeoTransform(transform);
+    OGRSpatialReference crs;
+    crs.importFromProj4("+proj=eqc +R=1737400 +units=m");
+    dataset->SetSpatialRef(&crs);
+    std::vector<float> row(size);
+    for (int j = 0; j < size; ++j) {
+      for (int i = 0; i < size; ++i) row[i] = static_cast<float>(height(i, j));
+      EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, j, size, 1, row.data(), size, 1,
+                                                    GDT_Float32, 0, 0),
+                CE_None);
+    }
+    const int factors[] = {2, 4, 8};
+    if (has_overviews) {
+      EXPECT_EQ(dataset->BuildOverviews("AVERAGE", 3, factors, 0, nullptr, nullptr, nullptr),
+                CE_None);
+    }
+  };
+  for (const bool has_overviews : {false, true}) {
+    write(has_overviews);
+    const Ground ground(raster_terrain(file), site_on("Moon", 0, 0), 0);
+    for (const double resolution_m : {4.0, 8.0, 16.0, 32.0}) {
+      Ground::Probe far(ground, resolution_m), close(ground);
+      double before_m = 0;
+      for (double x = -1100; x < 1100; x += 0.5) {
+        const double apart_m =
+            far.sample({x, 3, 0}).elevation_m - close.sample({x, 3, 0}).elevation_m;
+        // At most half a level's cell aside: 16 m on a slope of 0.18.
+        EXPECT_LT(std::abs(apart_m), 0.1 * resolution_m) << resolution_m << " " << x;
+        if (x > -1100) {
+          ASSERT_NEAR(apart_m, before_m, 0.005) << resolution_m << " " << x;
+        }
+        before_m = apart_m;
+      }
+    }
+  }
+}
+
+// As large as the resolution, a crater is there; wherever grid and detail share the work.
+TEST(Look, at_a_relief_has_all_that_is_as_large_as_the_resolution) {
+  TerrainSpec spec;
+  ReliefSurface relief;
+  relief.spacing_m = 16;
+  spec.layers = {relief};
+  spec.detail.emplace();
+  spec.detail->craters.emplace();
+  spec.detail->craters->exponent = 2;
+  spec.detail->craters->density_pm2 = 2e-5;
+  spec.detail->craters->depth_to_diameter = 0.2;
+  for (const double diameter_m : {180.0, 250.0, 380.0}) {
+    spec.detail->craters->diameter_min_m = diameter_m;
+    spec.detail->craters->diameter_max_m = 1.01 * diameter_m;
+    const Ground ground(spec, site_on("Moon", 0, 0), 7);
+    const Difference d = difference(ground, 150, 10000);
+    EXPECT_GT(d.relief_m, 0.5);
+    EXPECT_LT(d.rms_m, 0.6 * d.relief_m) << diameter_m;
   }
 }
 
@@ -97,20 +178,25 @@ TEST(Look, at_detail_leaves_out_what_is_small) {
   }
 }
 
-// Raster cells of 1 km over small craters and dense rocks: what lies between the nodes looked at is
-// not made, or this would take gigabytes.
+// Wide cells over small craters and dense rocks: what lies between the nodes looked at is not made,
+// or this would take gigabytes and hours.
 TEST(Look, at_wide_cells_with_small_craters_ends) {
-  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-8000,1000,0,8000,0,-1000", "",
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-7200,900,0,7200,0,-900", "",
                           rows_of(16, 16, [](int column, int) { return 10.0 * column; })};
-  TerrainSpec spec = raster_terrain(raster.write("wide"));
+  const TerrainSpec bare = raster_terrain(raster.write("wide"));
+  TerrainSpec spec = bare;
   spec.detail.emplace();
   spec.detail->craters.emplace();
   spec.detail->craters->age_gyr = 3.9;
   spec.detail->craters->diameter_min_m = 0.5;
   spec.detail->craters->diameter_max_m = 3000;
-  const Ground ground(spec, site_on("Moon", 0, 0), 7);
-  Ground::Probe probe(ground, 100);
-  EXPECT_TRUE(probe.sample({0, 0, 0}).is_ground());
+  spec.detail->rocks = RockPopulation{0.1, 0.1, 4, 0.5};
+  const SiteFrame site = site_on("Moon", 0, 0);
+  const Ground ground(spec, site, 7), plain(bare, site, 7);
+  Ground::Probe probe(ground, 100), plain_probe(plain, 100);
+  EXPECT_GT(
+      std::abs(probe.sample({0, 0, 0}).elevation_m - plain_probe.sample({0, 0, 0}).elevation_m),
+      0.01);
 }
 
 struct Heavy {
