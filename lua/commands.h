@@ -69,6 +69,13 @@ struct TerrainOptions {
 };
 int terrain_command(const TerrainOptions& options);
 
+struct SunOptions {
+  std::string planet;
+  std::string site;             // "LON,LAT[,HEIGHT]"
+  std::vector<std::string> at;  // UTC
+};
+int sun_command(const SunOptions& options);
+
 int overlay_command(const std::string& folder, bool is_json);
 
 }  // namespace lsos

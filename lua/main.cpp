@@ -14,11 +14,11 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run", "check", "fsm", "list", "overlay", "rig", "terrain"};
+const std::vector<std::string> built{"run",     "check", "fsm", "list",
+                                     "overlay", "rig",   "sun", "terrain"};
 // Named in the manual, not there yet.
-const std::vector<std::string> unbuilt{"repl",   "test",   "resume", "report",  "compare",
-                                       "schema", "import", "export", "picture", "sun",
-                                       "sight",  "light",  "new"};
+const std::vector<std::string> unbuilt{"repl",   "test",   "resume",  "report", "compare", "schema",
+                                       "import", "export", "picture", "sight",  "light",   "new"};
 
 // `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
 // told which one was meant.
@@ -65,6 +65,17 @@ CLI::App* add_terrain(CLI::App& app, lsos::TerrainOptions& terrain, bool& is_jso
   command->add_option("--resolution", terrain.resolution_m,
                       "Cell size of the export, m (the finest raster's own grid)");
   command->add_flag("--hillshade", terrain.is_hillshade, "Export a hillshade, not heights");
+  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  return command;
+}
+
+CLI::App* add_sun(CLI::App& app, lsos::SunOptions& sun, bool& is_json) {
+  CLI::App* command = app.add_subcommand("sun", "Sun and Earth in the sky of a place");
+  command->add_option("--planet", sun.planet, "Moon, Mars or Earth")->required();
+  command->add_option("--site", sun.site, "LON,LAT[,HEIGHT] in degrees and m")->required();
+  command->add_option("--at", sun.at, "UTC, one or several: 2026-07-01T00:00:00Z,...")
+      ->required()
+      ->delimiter(',');
   command->add_flag("--json", is_json, "Its answer is JSON in any case");
   return command;
 }
@@ -141,6 +152,9 @@ int run_program(std::vector<std::string> arguments) {
   lsos::TerrainOptions terrain;
   CLI::App* terrain_command = add_terrain(app, terrain, is_json);
 
+  lsos::SunOptions sun;
+  CLI::App* sun_command = add_sun(app, sun, is_json);
+
   try {
     std::ranges::reverse(arguments);  // as CLI11 takes them
     app.parse(arguments);
@@ -152,6 +166,7 @@ int run_program(std::vector<std::string> arguments) {
   if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan, is_json);
   if (rig_command->parsed()) return lsos::rig_command(rig);
   if (terrain_command->parsed()) return lsos::terrain_command(terrain);
+  if (sun_command->parsed()) return lsos::sun_command(sun);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, is_json);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/units.h"
@@ -41,6 +42,29 @@ std::optional<Geodetic> option_place(const std::string& option, const std::strin
                                "allowed{}",
                                option, text, is_swapped ? "; longitude comes first" : ""));
   return {};
+}
+
+std::optional<Geodetic> option_site(const std::string& option, const std::string& text,
+                                    Faults& faults) {
+  if (std::ranges::count(text, ',') < 2) return option_place(option, text, faults);
+  const std::size_t last = text.rfind(',');
+  auto site = option_place(option, text.substr(0, last), faults);
+  const auto height = parse_quantity(text.substr(last + 1), *find_unit("m"));
+  if (!height) {
+    faults.error({}, fmt::format("{} {}: the height after LON,LAT: {}", option, text, height.why));
+    return {};
+  }
+  if (site) site->height_m = *height.value;
+  return site;
+}
+
+const Body* option_body(const std::string& option, const std::string& name, Faults& faults) {
+  if (const Body* body = find_body(name)) return body;
+  std::vector<std::string> names;
+  for (const Body& body : all_bodies()) names.emplace_back(body.name);
+  faults.error({}, fmt::format("{} {}: {} are allowed{}", option, name, fmt::join(names, ", "),
+                               did_you_mean(name, names)));
+  return nullptr;
 }
 
 }  // namespace lsos

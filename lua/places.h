@@ -19,4 +19,11 @@ std::optional<std::vector<double>> option_numbers(const std::string& option,
 std::optional<Geodetic> option_place(const std::string& option, const std::string& text,
                                      Faults& faults);
 
+// "LON,LAT[,HEIGHT]": the height in m, or a length with a unit.
+std::optional<Geodetic> option_site(const std::string& option, const std::string& text,
+                                    Faults& faults);
+
+// Moon, Mars or Earth.
+const Body* option_body(const std::string& option, const std::string& name, Faults& faults);
+
 }  // namespace lsos

@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "lua/mission_files.h"
+#include "lua/places.h"
 #include "terrain/raster_layers.h"
 
 namespace lsos {
@@ -46,15 +47,6 @@ void refuse_raster_options(const TerrainOptions& options) {
   faults.throw_if_errors();
 }
 
-const Body* planet_of(const std::string& name) {
-  if (name.empty()) return nullptr;
-  if (const Body* body = find_body(name)) return body;
-  std::vector<std::string> names;
-  for (const Body& body : all_bodies()) names.emplace_back(body.name);
-  throw InputError({}, fmt::format("--planet {}: {} are allowed{}", name, fmt::join(names, ", "),
-                                   did_you_mean(name, names)));
-}
-
 // What is no script's name is a raster when there is such a file, or when it looks like one: GDAL
 // also opens names that are no files.
 bool is_raster_name(const std::string& name) {
@@ -66,7 +58,10 @@ bool is_raster_name(const std::string& name) {
 
 TerrainSource terrain_source(const TerrainOptions& options) {
   TerrainSource source;
-  const Body* planet = planet_of(options.planet);
+  Faults faults;
+  const Body* planet =
+      options.planet.empty() ? nullptr : option_body("--planet", options.planet, faults);
+  faults.throw_if_errors();
   const auto catalog = read_catalog("");
   const auto& names = catalog->declarations().terrains;
   const bool is_broken = !catalog->faults_of(ScriptKind::terrain, options.name).empty();

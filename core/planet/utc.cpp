@@ -223,6 +223,12 @@ Parsed<Instant> parse_utc(std::string_view text) {
   return {result, ""};
 }
 
+double utc_days(Instant instant) {
+  const UtcLabel label = utc_label(instant);
+  const auto of_day_us = static_cast<double>(std::min(label.of_day_us, day_us));
+  return static_cast<double>((label.day - epoch).count()) + of_day_us / static_cast<double>(day_us);
+}
+
 std::string format_utc(Instant instant) {
   const UtcLabel label = utc_label(instant + SimTime{500});
   const std::chrono::year_month_day date{label.day};

@@ -27,6 +27,10 @@ inline SimTime operator-(Instant later, Instant earlier) {
 // Without a zone it is UTC. Second 60 is accepted in a leap second only. 1960..2100.
 Parsed<Instant> parse_utc(std::string_view text);
 
+// Days of UTC since 2000-01-01T00:00, of 86400 s each: what a clock shows, which waits at midnight
+// through a leap second.
+double utc_days(Instant instant);
+
 // "2026-07-01T12:00:00.000Z": rounded to the nearest millisecond.
 std::string format_utc(Instant instant);
 

@@ -1,0 +1,73 @@
+#include "planet/ephemeris.h"
+
+#include <erfa.h>
+#include <erfam.h>
+
+#include "base/error.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double day_s = 86400;
+constexpr double tt_minus_tai_s = 32.184;
+
+BarycentricState state_of(const double pv_au[2][3]) {
+  return {Vec3(pv_au[0][0], pv_au[0][1], pv_au[0][2]) * ERFA_DAU,
+          Vec3(pv_au[1][0], pv_au[1][1], pv_au[1][2]) * (ERFA_DAU / day_s)};
+}
+
+BarycentricState operator+(const BarycentricState& a, const BarycentricState& b) {
+  return {a.p_I_m + b.p_I_m, a.v_I_mps + b.v_I_mps};
+}
+BarycentricState operator-(const BarycentricState& a, const BarycentricState& b) {
+  return {a.p_I_m - b.p_I_m, a.v_I_mps - b.v_I_mps};
+}
+
+}  // namespace
+
+double tt_days(Instant at) {
+  return (static_cast<double>(at.tai_us) * 1e-6 + tt_minus_tai_s) / day_s - 0.5;
+}
+
+BarycentricState barycentric_state(CelestialBody body, Instant at) {
+  const double days = tt_days(at);
+  double heliocentric[2][3], barycentric[2][3];
+  // 1: outside 1900..2100, where it goes on with less accuracy.
+  LSOS_ASSERT(eraEpv00(ERFA_DJ00, days, heliocentric, barycentric) >= 0);
+  const BarycentricState earth = state_of(barycentric);
+  switch (body) {
+    case CelestialBody::earth:
+      return earth;
+    case CelestialBody::sun:
+      return earth - state_of(heliocentric);
+    case CelestialBody::moon: {
+      double geocentric[2][3];
+      eraMoon98(ERFA_DJ00, days, geocentric);
+      return earth + state_of(geocentric);
+    }
+    case CelestialBody::mars: {
+      constexpr int mars = 4;
+      double pv[2][3];
+      LSOS_ASSERT(eraPlan94(ERFA_DJ00, days, mars, pv) >= 0);
+      return earth - state_of(heliocentric) + state_of(pv);
+    }
+  }
+  return earth;
+}
+
+double disc_radius_m(CelestialBody body) {
+  switch (body) {
+    case CelestialBody::sun:
+      return 695700e3;
+    case CelestialBody::earth:
+      return 6371e3;
+    case CelestialBody::moon:
+      return 1737.4e3;
+    case CelestialBody::mars:
+      return 3389.5e3;
+  }
+  return 0;
+}
+
+}  // namespace lsos

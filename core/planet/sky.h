@@ -1,0 +1,52 @@
+// What is seen in the sky of a place: Sun and Earth, where, how large, how far.
+#pragma once
+
+#include <optional>
+
+#include "planet/ephemeris.h"
+#include "planet/site_frame.h"
+
+namespace lsos {
+
+// As a camera at a point of the body sees it: light time, aberration and the Sun's bending of light
+// counted, no air.
+struct Sighting {
+  Vec3 direction_F = Vec3::UnitX();  // unit
+  // The way that light came from the body's centre: about the Sun, but between Moon and Earth about
+  // Earth, where neither has moved much meanwhile.
+  double distance_m = 0;
+  double disc_rad = 0;  // angular radius
+};
+// `p_F_m`: the point, in axes fixed to `on`.
+Sighting sighting(const Body& on, const Vec3& p_F_m, CelestialBody target, Instant at);
+
+// Share of a disc that another one covers. Angular radii and separation of the centres, rad.
+double covered_share(double disc_rad, double cover_rad, double separation_rad);
+
+// Where something is in a place's sky. Azimuth 0..2 pi, clockwise from true north; elevation of the
+// disc's centre above the plane across the local vertical.
+struct SkyPosition {
+  double azimuth_rad = 0;
+  double elevation_rad = 0;
+};
+SkyPosition sky_position(const Body& on, const Geodetic& place, const Vec3& direction_F);
+
+// How much air raises what is seen at that elevation, rad: Saemundsson 1986 (a fit to Bennett 1982,
+// 0.07' where he is right to 0.1') at the pressure and temperature of the standard atmosphere at
+// that height; below -1 deg falling to 0 at the nadir, an assumption.
+double refraction_rad(double elevation_rad, double height_m);
+
+// Of the place's sky at a moment; what does not apply is absent.
+struct Sky {
+  SkyPosition sun;
+  double sun_distance_m = 0;
+  double sun_disc_rad = 0;                  // angular radius
+  std::optional<double> sun_refracted_rad;  // elevation, on Earth
+  Geodetic sub_solar;                       // where the Sun stands in the zenith; height 0
+  std::optional<double> eclipsed;           // share of the disc that Earth covers, on the Moon
+  std::optional<SkyPosition> earth;         // not on Earth
+  std::optional<double> earth_distance_m;
+};
+Sky sky(const Body& on, const Geodetic& place, Instant at);
+
+}  // namespace lsos
