@@ -1,0 +1,99 @@
+#include "view/gpu.h"
+
+#include <epoxy/egl.h>
+#include <epoxy/gl.h>
+
+#include <array>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+
+namespace lsos {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw InputError({},
+                   "cannot draw without a screen: " + why +
+                       "; apt-get install libegl1 libgl1-mesa-dri gives a renderer in software");
+}
+
+template <class Function>
+Function egl_function(const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+// GPUs first, as their drivers list them; Mesa without a device last.
+std::vector<EGLDisplay> displays(GpuChoice choice) {
+  std::vector<EGLDisplay> found;
+  const auto get = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+  if (get == nullptr) refuse("EGL is older than its platform extension");
+  if (choice == GpuChoice::any) {
+    const auto query = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    std::array<EGLDeviceEXT, 16> devices{};
+    EGLint count = 0;
+    if (query != nullptr) query(static_cast<EGLint>(devices.size()), devices.data(), &count);
+    for (EGLint k = 0; k < count; ++k) {
+      found.push_back(get(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(k)], nullptr));
+    }
+  }
+  found.push_back(get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+  return found;
+}
+
+EGLContext context_on(EGLDisplay display) {
+  // The default, a window, finds none.
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                           EGL_NONE};
+  EGLConfig config = nullptr;
+  EGLint count = 0;
+  eglBindAPI(EGL_OPENGL_API);
+  eglChooseConfig(display, wanted, &config, 1, &count);
+  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                            3,
+                            EGL_CONTEXT_MINOR_VERSION,
+                            3,
+                            EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                            EGL_NONE};
+  return eglCreateContext(display, count > 0 ? config : nullptr, EGL_NO_CONTEXT, version);
+}
+
+GpuChoice chosen(GpuChoice choice) {
+  const char* set = std::getenv("LSOS_GPU");
+  return set != nullptr && std::string_view(set) == "software" ? GpuChoice::software : choice;
+}
+
+}  // namespace
+
+struct Gpu::Handles {
+  EGLDisplay display = EGL_NO_DISPLAY;
+  EGLContext context = EGL_NO_CONTEXT;
+};
+
+Gpu::Gpu(GpuChoice choice) : handles_(std::make_unique<Handles>()) {
+  if (!epoxy_has_egl()) refuse("there is no libEGL");
+  for (const EGLDisplay display : displays(chosen(choice))) {
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) continue;
+    const EGLContext context = context_on(display);
+    if (context == EGL_NO_CONTEXT) continue;
+    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+      eglDestroyContext(display, context);
+      continue;
+    }
+    *handles_ = {display, context};
+    name_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return;
+  }
+  refuse("no device draws with OpenGL 3.3");
+}
+
+Gpu::~Gpu() {
+  if (handles_->context == EGL_NO_CONTEXT) return;
+  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(handles_->display, handles_->context);
+}
+
+}  // namespace lsos

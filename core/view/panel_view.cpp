@@ -1,0 +1,182 @@
+#include "view/panel_view.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace lsos {
+
+namespace {
+
+// A tile of the picture a direction.
+constexpr int tile_px = 64;
+constexpr int tiles_across = 8;
+static_assert(tiles_across * tiles_across == PanelView::directions_max);
+constexpr int size_px = tile_px * tiles_across;
+
+// In radii of the light's cosine: below, the panel is seen from its edge.
+constexpr double cosine_min = 1e-4;
+constexpr float surface_m = 1e-3F;
+
+// Column k of a direction's matrix: panel coordinates (-1..1 across it; metres towards the light).
+constexpr const char* vertex_shader = R"(#version 330 core
+uniform mat3 to_panel[64];
+uniform float surface_m;
+layout(location = 0) in vec3 p_m;
+const float across = 8.0;
+out float gl_ClipDistance[5];
+void main() {
+  vec3 c = to_panel[gl_InstanceID] * p_m;
+  gl_ClipDistance[0] = 1.0 - c.x;
+  gl_ClipDistance[1] = 1.0 + c.x;
+  gl_ClipDistance[2] = 1.0 - c.y;
+  gl_ClipDistance[3] = 1.0 + c.y;
+  gl_ClipDistance[4] = c.z - surface_m;
+  vec2 tile = vec2(float(gl_InstanceID % 8), float(gl_InstanceID / 8));
+  gl_Position = vec4((2.0 * tile + 1.0 + c.xy) / across - 1.0, 0.0, 1.0);
+}
+)";
+constexpr const char* fragment_shader = R"(#version 330 core
+out vec4 colour;
+void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
+)";
+
+GLuint shader(GLenum kind, const char* text) {
+  const GLuint id = glCreateShader(kind);
+  glShaderSource(id, 1, &text, nullptr);
+  glCompileShader(id);
+  GLint is_good = 0;
+  glGetShaderiv(id, GL_COMPILE_STATUS, &is_good);
+  LSOS_ASSERT(is_good != 0);
+  return id;
+}
+
+}  // namespace
+
+struct PanelView::Pipeline {
+  GLuint program = 0, framebuffer = 0, picture = 0, arrays = 0, vertices = 0, triangles = 0;
+  GLint to_panel = 0;
+  std::vector<GLubyte> pixels = std::vector<GLubyte>(std::size_t{size_px} * size_px);
+
+  Pipeline() {
+    program = glCreateProgram();
+    for (const GLuint part :
+         {shader(GL_VERTEX_SHADER, vertex_shader), shader(GL_FRAGMENT_SHADER, fragment_shader)}) {
+      glAttachShader(program, part);
+      glDeleteShader(part);
+    }
+    glLinkProgram(program);
+    GLint is_good = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &is_good);
+    LSOS_ASSERT(is_good != 0);
+    to_panel = glGetUniformLocation(program, "to_panel");
+    glUseProgram(program);
+    glUniform1f(glGetUniformLocation(program, "surface_m"), surface_m);
+
+    glGenRenderbuffers(1, &picture);
+    glBindRenderbuffer(GL_RENDERBUFFER, picture);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size_px, size_px);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, picture);
+    LSOS_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+
+    glGenVertexArrays(1, &arrays);
+    glBindVertexArray(arrays);
+    glGenBuffers(1, &vertices);
+    glGenBuffers(1, &triangles);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  }
+  ~Pipeline() {
+    glDeleteProgram(program);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(1, &picture);
+    glDeleteVertexArrays(1, &arrays);
+    glDeleteBuffers(1, &vertices);
+    glDeleteBuffers(1, &triangles);
+  }
+  Pipeline(const Pipeline&) = delete;
+  Pipeline& operator=(const Pipeline&) = delete;
+
+  void bind() const {
+    glUseProgram(program);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindVertexArray(arrays);
+    glViewport(0, 0, size_px, size_px);
+    for (int k = 0; k < 5; ++k) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(k));
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+  }
+};
+
+PanelView::PanelView(const Gpu&) : pipeline_(std::make_unique<Pipeline>()) {}
+PanelView::~PanelView() = default;
+
+std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh& occluders,
+                                              std::span<const Vec3> directions) {
+  LSOS_ASSERT(directions.size() <= directions_max);
+  std::vector<double> shares(directions.size(), 0.0);
+  const Vec3 normal = panel.normal();
+  // Only directions from the front get a tile.
+  std::vector<std::size_t> drawn;
+  std::vector<float> matrices;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    if (directions[k].dot(normal) < cosine_min) continue;
+    Mat3 from_panel;
+    from_panel << panel.half_u_m, panel.half_v_m, directions[k];
+    const Mat3 to_panel = from_panel.inverse();
+    for (int j = 0; j < 9; ++j) matrices.push_back(static_cast<float>(to_panel(j % 3, j / 3)));
+    drawn.push_back(k);
+  }
+  if (drawn.empty()) return shares;
+  if (occluders.triangles.empty()) {
+    for (const std::size_t k : drawn) shares[k] = 1;
+    return shares;
+  }
+
+  Pipeline& gl = *pipeline_;
+  gl.bind();
+  glUniformMatrix3fv(gl.to_panel, static_cast<GLsizei>(drawn.size()), GL_FALSE, matrices.data());
+  std::vector<std::array<float, 3>> vertices(occluders.vertices.size());
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    for (int j = 0; j < 3; ++j) {
+      vertices[k][static_cast<std::size_t>(j)] = static_cast<float>(
+          occluders.vertices[k][static_cast<std::size_t>(j)] - panel.centre_m[j]);
+    }
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, gl.vertices);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof vertices[0]),
+               vertices.data(), GL_STREAM_DRAW);
+  const auto& triangles = occluders.triangles;
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+               static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]), triangles.data(),
+               GL_STREAM_DRAW);
+
+  // The panel is all of each tile.
+  glClearColor(0, 1, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles.size()), GL_UNSIGNED_INT,
+                          nullptr, static_cast<GLsizei>(drawn.size()));
+  const int rows = (static_cast<int>(drawn.size()) + tiles_across - 1) / tiles_across;
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size_px, rows * tile_px, GL_GREEN, GL_UNSIGNED_BYTE, gl.pixels.data());
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    const auto column = static_cast<int>(k) % tiles_across * tile_px;
+    const auto row = static_cast<int>(k) / tiles_across * tile_px;
+    int green = 0;
+    for (int j = 0; j < tile_px; ++j) {
+      const GLubyte* line = &gl.pixels[static_cast<std::size_t>(row + j) * size_px + column];
+      green += static_cast<int>(std::count(line, line + tile_px, 255));
+    }
+    shares[drawn[k]] = static_cast<double>(green) / (tile_px * tile_px);
+  }
+  return shares;
+}
+
+}  // namespace lsos

@@ -1,0 +1,23 @@
+// The Sun is a disc: directions that stand for it.
+#pragma once
+
+#include <vector>
+
+#include "base/vector.h"
+
+namespace lsos {
+
+struct DiscSample {
+  Vec3 direction = Vec3::UnitZ();  // unit
+  double weight = 0;               // all together 1
+};
+
+enum class LimbDarkening { none, quadratic };
+
+// `count` places on a disc of that angular radius about a direction, each for an equal part of it,
+// on a sunflower's spiral (Vogel 1979). Quadratic limb darkening: I = 1 - 0.47 (1 - m) - 0.23 (1 -
+// m)^2, m the cosine at the Sun's surface, about 550 nm (Allen 1973).
+std::vector<DiscSample> disc_samples(const Vec3& direction, double radius_rad, int count,
+                                     LimbDarkening darkening = LimbDarkening::none);
+
+}  // namespace lsos
