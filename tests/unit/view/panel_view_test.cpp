@@ -139,7 +139,8 @@ TEST_F(PanelInView, is_the_same_alone_and_among_many_directions) {
 }
 
 // A straight edge moves across the Sun: the light follows the area of the disc's segment. The panel
-// is small, so that each direction is seen or not: 64 of them miss by 64^(-3/4) of the disc at most.
+// is small, so that each direction is seen or not: 64 of them miss by 64^(-3/4) of the disc at
+// most.
 TEST_F(PanelInView, has_a_penumbra_behind_a_ridge) {
   const double radius_rad = 0.2666 * deg, far_m = 20000, elevation_rad = 1.5 * deg;
   const PanelFace panel{{0, 0, 1}, {0, 0.05, 0}, {0, 0, 0.05}};

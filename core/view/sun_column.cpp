@@ -1,0 +1,152 @@
+#include "view/sun_column.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace lsos {
+
+namespace {
+
+// Rows that are looked at first, in the middle of the strip.
+constexpr double first_rows_m = 0.5, first_share = 0.01;
+// Rows that are drawn, and how many nodes they have.
+constexpr double drawn_rows_m = 0.2, drawn_share = 0.004;
+constexpr int nodes_across = 13;
+// Between the rows first looked at the ground may rise by so much of their distance.
+constexpr double rise_max = 1.2;
+constexpr double farthest_m = 400e3;
+
+// The highest ground above the reference surface: rays above it meet none.
+double highest_m(const Body& body) {
+  if (body.name == "Moon") return 10800;
+  if (body.name == "Mars") return 21300;
+  return 8900;
+}
+
+double next_row_m(double at_m, double least_m, double share) {
+  return at_m + std::max(least_m, share * at_m);
+}
+
+// Heights of the strip in its own axes: x towards the Sun, y across, z up at the eye.
+class Strip {
+ public:
+  Strip(const Ground& ground, const SunColumn& column) : ground_(ground), column_(column) {
+    const Vec3 up_S = ground.site().up_S(column.eye_S_m);
+    const double sine = column.sun_S.dot(up_S);
+    const Vec3 level_S = column.sun_S - sine * up_S;
+    const Vec3 along_S = level_S.norm() > 1e-9 ? level_S.normalized() : up_S.unitOrthogonal();
+    axes_S_ << along_S, up_S.cross(along_S), up_S;
+    elevation_rad_ = std::atan2(sine, level_S.norm());
+    const auto start = node(0, 0);
+    last_height_m_ = start ? ground.site().height_m(column.eye_S_m + axes_S_ * *start) : 0;
+  }
+
+  const Mat3& axes_S() const { return axes_S_; }
+  double half_width_m(double x_m) const {
+    return column_.reach_m + 1.1 * x_m * std::tan(column_.disc_rad);
+  }
+  // The lowest ray to the Sun from anything that is lit.
+  double lowest_ray_m(double x_m) const {
+    const double lowest_rad = elevation_rad_ - column_.disc_rad;
+    return x_m * std::tan(std::clamp(lowest_rad, -1.5, 1.5)) - column_.reach_m;
+  }
+  // Where even the highest ground of the body lies under all rays.
+  bool is_beyond(double x_m) const {
+    const Body& body = ground_.site().body();
+    const double drop_m = x_m * x_m / (2 * body.equatorial_radius_m);
+    const double eye_m = ground_.site().height_m(column_.eye_S_m);
+    return lowest_ray_m(x_m) + drop_m > highest_m(body) - eye_m;
+  }
+  // The ground there, in the strip's axes. Beyond its end the last height that was found.
+  Vec3 point(double x_m, double y_m) {
+    if (const auto found = node(x_m, y_m)) {
+      last_height_m_ = ground_.site().height_m(column_.eye_S_m + axes_S_ * *found);
+      return *found;
+    }
+    const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+    const Vertical at = ground_.site().vertical(p_S_m);
+    return axes_S_.transpose() *
+           (p_S_m - (at.height_m - last_height_m_) * at.up_S - column_.eye_S_m);
+  }
+
+ private:
+  std::optional<Vec3> node(double x_m, double y_m) {
+    const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+    const GroundSample sample = probe(x_m).sample(p_S_m);
+    if (!sample.is_ground()) return {};
+    return axes_S_.transpose() * (p_S_m - sample.gap_m * sample.up_S - column_.eye_S_m);
+  }
+  // One for each octave of distance.
+  Ground::Probe& probe(double x_m) {
+    const double share_m = drawn_share * x_m;
+    const int octave = share_m < drawn_rows_m ? 0 : 1 + std::ilogb(share_m / drawn_rows_m);
+    const auto found = probes_.find(octave);
+    if (found != probes_.end()) return found->second;
+    const double resolution_m = octave == 0 ? 0 : std::ldexp(drawn_rows_m, octave - 1);
+    return probes_.emplace(octave, Ground::Probe(ground_, resolution_m)).first->second;
+  }
+
+  const Ground& ground_;
+  const SunColumn& column_;
+  Mat3 axes_S_;
+  double elevation_rad_ = 0;
+  double last_height_m_ = 0;
+  std::map<int, Ground::Probe> probes_;
+};
+
+// Adds a row of nodes across the strip; joined to the last row when that is the one before.
+class StripMesh {
+ public:
+  explicit StripMesh(Strip& strip) : strip_(strip) {}
+
+  void add_row(double x_m, bool is_joined) {
+    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    for (int k = 0; k < nodes_across; ++k) {
+      const double y_m = strip_.half_width_m(x_m) * (2.0 * k / (nodes_across - 1) - 1);
+      const Vec3 p = strip_.axes_S() * strip_.point(x_m, y_m);
+      mesh_.vertices.push_back(
+          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+    }
+    if (!is_joined) return;
+    for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
+      mesh_.triangles.push_back({k, k + 1, k + nodes_across});
+      mesh_.triangles.push_back({k + 1, k + nodes_across + 1, k + nodes_across});
+    }
+  }
+  Mesh take() { return std::move(mesh_); }
+
+ private:
+  Strip& strip_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
+  Strip strip(ground, column);
+  StripMesh mesh(strip);
+  bool is_open = false;  // the last row drawn is where this stretch begins
+  double x_m = 0;
+  while (x_m < farthest_m && !strip.is_beyond(x_m)) {
+    const double next_m = next_row_m(x_m, first_rows_m, first_share);
+    const double height_m = std::max(strip.point(x_m, 0).z(), strip.point(next_m, 0).z());
+    const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m));
+    if (height_m + rise_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m))) {
+      is_open = false;
+      x_m = next_m;
+      continue;
+    }
+    if (!is_open) mesh.add_row(x_m, false);
+    is_open = true;
+    for (double at_m = x_m; at_m < next_m;) {
+      at_m = std::min(next_m, next_row_m(at_m, drawn_rows_m, drawn_share));
+      mesh.add_row(at_m, true);
+    }
+    x_m = next_m;
+  }
+  return mesh.take();
+}
+
+}  // namespace lsos

@@ -1,0 +1,157 @@
+// Ground in front of the Sun, against rays marched over the ground.
+#include "view/sun_column.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "view/panel_view.h"
+#include "view/sun_disc.h"
+
+namespace lsos {
+namespace {
+
+constexpr double deg = std::numbers::pi / 180;
+
+TerrainSpec cratered() {
+  TerrainSpec spec;
+  ReliefSurface relief;
+  relief.lat_rad = -85 * deg;
+  relief.landforms = {{"bowl", 0, -84.8 * deg, 8000, 1500, 300},
+                      {"hill", 0.3, -84.4 * deg, 9000, 0, 1200}};
+  spec.layers = {relief};
+  spec.detail.emplace();
+  spec.detail->craters.emplace();
+  spec.detail->craters->age_gyr = 3.8;
+  spec.detail->craters->diameter_min_m = 2;
+  spec.detail->craters->diameter_max_m = 3000;
+  return spec;
+}
+
+double share_by_drawing(PanelView& view, const Ground& ground, const PanelFace& panel,
+                        const std::vector<DiscSample>& samples, const Vec3& sun_S,
+                        double disc_rad) {
+  const double reach_m = panel.half_u_m.norm() + panel.half_v_m.norm();
+  const Mesh mesh = ground_mesh(ground, {panel.centre_m, reach_m, sun_S, disc_rad});
+  PanelFace about = panel;
+  about.centre_m = Vec3::Zero();
+  std::vector<Vec3> directions;
+  for (const DiscSample& s : samples) directions.push_back(s.direction);
+  const auto shares = view.visible_shares(about, mesh, directions);
+  double seen = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) seen += samples[k].weight * shares[k];
+  return seen;
+}
+
+// The ground near by as it is, far away without what is small.
+struct Probes {
+  explicit Probes(const Ground& ground) : near(ground), middle(ground, 8), far(ground, 100) {}
+  Ground::Probe near, middle, far;
+};
+
+// Steps of a 500th of the way, or a part of what the ray is above the ground.
+bool is_lit(Probes& probes, const Vec3& from_S_m, const Vec3& towards) {
+  for (double way_m = 0.05; way_m < 150e3;) {
+    Ground::Probe& probe = way_m < 100 ? probes.near : way_m < 3000 ? probes.middle : probes.far;
+    const GroundSample ground = probe.sample(from_S_m + way_m * towards);
+    if (!ground.is_ground() || ground.gap_m > 12000) return true;
+    if (ground.gap_m < 0) return false;
+    way_m += std::max({0.05, 0.002 * way_m, 0.3 * ground.gap_m});
+  }
+  return true;
+}
+
+Vec3 direction(double azimuth_rad, double elevation_rad) {
+  return {std::cos(elevation_rad) * std::sin(azimuth_rad),
+          std::cos(elevation_rad) * std::cos(azimuth_rad), std::sin(elevation_rad)};
+}
+
+// Where the sky begins.
+double horizon_rad(const Ground& ground, const Vec3& from_S_m, double azimuth_rad) {
+  Probes probes(ground);
+  double low = -0.1, high = 1;
+  while (high - low > 1e-4) {
+    const double middle = (low + high) / 2;
+    (is_lit(probes, from_S_m, direction(azimuth_rad, middle)) ? high : low) = middle;
+  }
+  return high;
+}
+
+double share_by_marching(const Ground& ground, const PanelFace& panel,
+                         const std::vector<DiscSample>& samples) {
+  Probes probes(ground);
+  constexpr int side = 6;
+  double seen = 0;
+  for (const DiscSample& s : samples) {
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        const double a = (2 * i + 1.0) / side - 1, b = (2 * j + 1.0) / side - 1;
+        const Vec3 from = panel.centre_m + a * panel.half_u_m + b * panel.half_v_m;
+        if (is_lit(probes, from, s.direction)) seen += s.weight / (side * side);
+      }
+    }
+  }
+  return seen;
+}
+
+TEST(SunColumn, hides_what_marched_rays_do_not_reach) {
+  const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(2, -85.05));
+  const Ground ground(cratered(), site, 3);
+  const Gpu gpu;
+  PanelView view(gpu);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double disc_rad = 0.2666 * deg;
+  double sum = 0, worst = 0;
+  int partly = 0;
+  constexpr int count = 20;
+  for (int k = 0; k < count; ++k) {
+    Ground::Probe probe(ground);
+    const Vec3 place(1500 * (unit(random) - 0.5), 1500 * (unit(random) - 0.5), 0);
+    const GroundSample under = probe.sample(place);
+    const double azimuth = 2 * std::numbers::pi * unit(random);
+    // Upright, towards the Sun, 2 m above the ground; the disc about the horizon.
+    PanelFace panel;
+    panel.centre_m = place - (under.gap_m - 2) * under.up_S;
+    const double above_rad = (3 * unit(random) - 1.5) * disc_rad;
+    const Vec3 sun = direction(azimuth, horizon_rad(ground, panel.centre_m, azimuth) + above_rad);
+    panel.half_u_m = 0.7 * Vec3::UnitZ().cross(sun).normalized();
+    panel.half_v_m = 0.5 * Vec3::UnitZ();
+    const auto samples = disc_samples(sun, disc_rad, 16);
+    const double drawn = share_by_drawing(view, ground, panel, samples, sun, disc_rad);
+    const double marched = share_by_marching(ground, panel, samples);
+    sum += std::abs(drawn - marched);
+    worst = std::max(worst, std::abs(drawn - marched));
+    partly += marched > 0.02 && marched < 0.98;
+  }
+  std::printf("mean %.4f, worst %.4f; %d of %d partly lit\n", sum / count, worst, partly, count);
+  EXPECT_LT(sum / count, 0.01);
+  EXPECT_LT(worst, 0.03);
+  EXPECT_GT(partly, 10);
+}
+
+// On a bare sphere the Sun sets where the horizon is: at a height h, sqrt(2 h / R) under the level.
+TEST(SunColumn, has_the_horizon_of_a_sphere) {
+  TerrainSpec spec;
+  spec.layers = {PlaneSurface{}};
+  ReliefSurface level;
+  spec.layers = {level};
+  const SiteFrame site(*find_body("Moon"), {0, 0, 0});
+  const Ground ground(spec, site, 0);
+  const Gpu gpu;
+  PanelView view(gpu);
+  const double height_m = 50, dip_rad = std::sqrt(2 * height_m / 1737400);
+  PanelFace panel{{0, 0, height_m}, {0, 0.01, 0}, {0, 0, 0.01}};
+  for (const double above : {-0.1, -0.02, 0.02, 0.1}) {
+    const double elevation = -dip_rad * (1 - above);
+    const Vec3 sun(std::cos(elevation), 0, std::sin(elevation));
+    const auto samples = disc_samples(sun, 1e-7, 1);
+    EXPECT_EQ(share_by_drawing(view, ground, panel, samples, sun, 1e-7), above > 0 ? 1 : 0)
+        << above;
+  }
+}
+
+}  // namespace
+}  // namespace lsos
