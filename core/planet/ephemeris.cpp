@@ -35,7 +35,7 @@ BarycentricState barycentric_state(CelestialBody body, Instant at) {
   double heliocentric[2][3], barycentric[2][3];
   // 1: outside 1900..2100, where it goes on with less accuracy.
   LSOS_ASSERT(eraEpv00(ERFA_DJ00, days, heliocentric, barycentric) >= 0);
-  const BarycentricState earth = state_of(barycentric);
+  BarycentricState earth = state_of(barycentric);
   switch (body) {
     case CelestialBody::earth:
       return earth;

@@ -129,7 +129,8 @@ std::string read_zone(Reader& in, Fields& out) {
   const auto minutes = has_minutes ? in.number(2) : std::optional<int>(0);
   if (!hours || !minutes) return "a zone is written as '+02:00'";
   if (*hours > 14 || *minutes > 59) return "zones from -14:00 to +14:00 are allowed";
-  out.zone_us = (*hours * 60 + *minutes) * 60 * second_us * (sign == '-' ? -1 : 1);
+  const int size_min = *hours * 60 + *minutes;
+  out.zone_us = 60 * second_us * (sign == '-' ? -size_min : size_min);
   return "";
 }
 
