@@ -105,21 +105,30 @@ class StripMesh {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (int k = 0; k < nodes_across; ++k) {
       const double y_m = strip_.half_width_m(x_m) * (2.0 * k / (nodes_across - 1) - 1);
-      const Vec3 p = strip_.axes_S() * strip_.point(x_m, y_m);
+      const Vec3 at = strip_.point(x_m, y_m);
+      is_low_.push_back(at.z() < strip_.lowest_ray_m(at.x()));
+      const Vec3 p = strip_.axes_S() * at;
       mesh_.vertices.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     }
     if (!is_joined) return;
     for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
-      mesh_.triangles.push_back({k, k + 1, k + nodes_across});
-      mesh_.triangles.push_back({k + 1, k + nodes_across + 1, k + nodes_across});
+      add_triangle({k, k + 1, k + nodes_across});
+      add_triangle({k + 1, k + nodes_across + 1, k + nodes_across});
     }
   }
   Mesh take() { return std::move(mesh_); }
 
  private:
+  // The lowest rays lie in a plane: what has all corners under it meets none.
+  void add_triangle(const std::array<std::uint32_t, 3>& corners) {
+    if (is_low_[corners[0]] && is_low_[corners[1]] && is_low_[corners[2]]) return;
+    mesh_.triangles.push_back(corners);
+  }
+
   Strip& strip_;
   Mesh mesh_;
+  std::vector<bool> is_low_;  // of each vertex
 };
 
 }  // namespace
