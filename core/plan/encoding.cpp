@@ -52,8 +52,12 @@ Encoding encoding_of(std::string_view bytes) {
   return {declared, 0};
 }
 
+// What iconv_open answers when it cannot.
+const iconv_t no_converter = reinterpret_cast<iconv_t>(-1);  // NOLINT(performance-no-int-to-ptr)
+
 struct CloseConverter {
-  using pointer = iconv_t;
+  // std::unique_ptr looks for this name.
+  using pointer = iconv_t;  // NOLINT(readability-identifier-naming)
   void operator()(iconv_t converter) const { iconv_close(converter); }
 };
 
@@ -71,9 +75,8 @@ std::string to_utf8(std::string bytes, const std::string& file) {
   };
   // iconv takes options after a slash, which are not for a document to choose.
   const bool is_name = std::ranges::all_of(encoding.name, is_name_character);
-  const iconv_t opened =
-      is_name ? iconv_open("UTF-8", encoding.name.c_str()) : reinterpret_cast<iconv_t>(-1);
-  if (opened == reinterpret_cast<iconv_t>(-1)) {
+  const iconv_t opened = is_name ? iconv_open("UTF-8", encoding.name.c_str()) : no_converter;
+  if (opened == no_converter) {
     throw InputError({file, 1},
                      fmt::format("declares the encoding '{}', which is not known; UTF-8, UTF-16, "
                                  "ISO-8859-1 and windows-1252 are among those that are",

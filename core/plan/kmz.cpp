@@ -56,7 +56,7 @@ std::string document_name(zip_t* archive) {
   for (zip_int64_t i = 0; i < count; ++i) {
     const char* entry = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
     if (entry == nullptr) continue;
-    const std::string name = entry;
+    std::string name = entry;
     std::string lower = name;
     std::ranges::transform(lower, lower.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

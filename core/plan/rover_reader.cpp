@@ -147,6 +147,7 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
                          "<SchemaData schemaUrl=\"#Rover\">");
   }
   std::vector<DraftRover> drafts;
+  drafts.reserve(rovers.size());
   for (const OurPlacemark& ours : rovers) drafts.push_back(read_rover(ours, context, ids));
   std::ranges::stable_sort(drafts, {}, [](const DraftRover& d) { return d.rover.id; });
   std::vector<PlanRover> result;

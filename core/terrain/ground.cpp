@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "planet/vertical_cells.h"
 #include "terrain/blend.h"
 #include "terrain/layer.h"
 #include "terrain/soil_map.h"
@@ -196,10 +197,19 @@ std::optional<double> Ground::elevation_m(const Geodetic& place, double resoluti
 }
 
 struct Ground::Probe::Impl {
-  Impl(Ground::Impl& of, double resolution_m) : ground(of) {
+  Impl(Ground::Impl& of, double resolution_m)
+      : ground(of), is_close(resolution_m == 0), verticals(of.plane.site()) {
     for (const auto& layer : of.layers) layers.emplace_back(*layer, layer->look(resolution_m));
   }
+  // Close looks come one beside the other; looks from afar would make a cell each.
+  Standing standing(const Vec3& p_S_m) {
+    return is_close ? ground.plane.standing(p_S_m, verticals.at(p_S_m))
+                    : ground.plane.standing(p_S_m);
+  }
+
   Ground::Impl& ground;
+  bool is_close;
+  VerticalCells verticals;
   std::vector<Layer::Probe> layers;
 };
 
@@ -211,7 +221,7 @@ Ground::Probe& Ground::Probe::operator=(Probe&&) noexcept = default;
 
 GroundSample Ground::Probe::sample(const Vec3& p_S_m) {
   const Ground::Impl& ground = impl_->ground;
-  const Standing standing = ground.plane.standing(p_S_m);
+  const Standing standing = impl_->standing(p_S_m);
   if (!standing.is_near) return {};
   const std::optional<LayerSample> surface = blended(
       impl_->layers.size(), [&](std::size_t k) { return impl_->layers[k].sample(standing.at); });

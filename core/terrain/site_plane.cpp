@@ -20,8 +20,11 @@ SitePlane::SitePlane(const SiteFrame& site) : site_(site) {
 }
 
 Standing SitePlane::standing(const Vec3& p_S_m) const {
+  return standing(p_S_m, site_.vertical(p_S_m));
+}
+
+Standing SitePlane::standing(const Vec3& p_S_m, const Vertical& vertical) const {
   Standing result;
-  const Vertical vertical = site_.vertical(p_S_m);
   const Vec3& up_S = result.up_S = vertical.up_S;
   const double height_m = result.height_m = vertical.height_m;
   const Vec3 foot_m = p_S_m + site_.centre_to_site_S_m() - height_m * up_S;

@@ -30,6 +30,8 @@ class SitePlane {
   const SiteFrame& site() const { return site_; }
 
   Standing standing(const Vec3& p_S_m) const;
+  // The same where the vertical there is known.
+  Standing standing(const Vec3& p_S_m, const Vertical& vertical) const;
   // The place on the reference surface that projects to (x, y), and the reverse; the reverse must
   // lie within 60 degrees of the site.
   Geodetic place(const PlanePoint& at) const;

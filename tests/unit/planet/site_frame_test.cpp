@@ -1,4 +1,5 @@
 #include "planet/site_frame.h"
+#include "planet/vertical_cells.h"
 
 #include <gmock/gmock.h>
 
@@ -109,6 +110,24 @@ TEST(SiteFrame, gravity_on_earth_is_along_the_ellipsoid_normal) {
   const Vec3 p(0, 20000, 100);
   EXPECT_LT((site.gravity_S_mps2(p).normalized() + site.up_S(p)).norm(), 1e-12);
   EXPECT_NEAR(site.gravity_S_mps2(p).norm(), gravity_mps2(site.body(), site.geodetic(p)), 1e-9);
+}
+
+TEST(VerticalCells, are_the_vertical_to_a_nanometre) {
+  for (const char* name : {"Moon", "Mars", "Earth"}) {
+    const SiteFrame site(*find_body(name), geodetic_from_degrees(20, 47, 300));
+    VerticalCells cells(site);
+    double worst_m = 0, worst_rad = 0;
+    for (int k = 0; k < 20000; ++k) {
+      // All over 40 km, and back to where it was.
+      const double x = 20e3 * std::sin(0.7 * k), y = 20e3 * std::cos(1.3 * k);
+      const Vec3 p(x, y, -(x * x + y * y) / 4e6 + 50 * std::sin(0.1 * k));
+      const Vertical here = cells.at(p), exact = site.vertical(p);
+      worst_m = std::max(worst_m, std::abs(here.height_m - exact.height_m));
+      worst_rad = std::max(worst_rad, (here.up_S - exact.up_S).norm());
+    }
+    EXPECT_LT(worst_m, 1e-9) << name;
+    EXPECT_LT(worst_rad, 1e-10) << name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#include "planet/vertical_cells.h"
+
+namespace lsos {
+
+VerticalCells::Cell VerticalCells::made(const Key& key) const {
+  // Differences over so far lose neither digits nor, on a body, the slope's own change.
+  constexpr double step_m = 1000;
+  Cell cell;
+  cell.key = key;
+  cell.centre_S_m = side_m * (Vec3(static_cast<double>(key.x), static_cast<double>(key.y),
+                                   static_cast<double>(key.z)) +
+                              Vec3::Constant(0.5));
+  cell.vertical = site_->vertical(cell.centre_S_m);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 aside_m = step_m * Vec3::Unit(i);
+    cell.turn_1pm.col(i) =
+        (site_->up_S(cell.centre_S_m + aside_m) - site_->up_S(cell.centre_S_m - aside_m)) /
+        (2 * step_m);
+  }
+  return cell;
+}
+
+}  // namespace lsos

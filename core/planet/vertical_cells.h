@@ -1,0 +1,61 @@
+// The local vertical by its series in cells of the site frame: what wheels ask for, millions of
+// times.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "planet/site_frame.h"
+
+namespace lsos {
+
+// Remembers the cells last used. One a thread; results never depend on it.
+class VerticalCells {
+ public:
+  explicit VerticalCells(const SiteFrame& site) : site_(&site) {}
+
+  // As SiteFrame::vertical(), within 1e-9 m and 1e-10 rad of it (on the Moon; else less).
+  Vertical at(const Vec3& p_S_m) {
+    const Cell& cell = cell_of(p_S_m);
+    const Vec3 away_m = p_S_m - cell.centre_S_m;
+    const Vec3 turn = cell.turn_1pm * away_m;
+    Vertical result;
+    // To second order; shortened by the length that the turn adds.
+    result.up_S = cell.vertical.up_S * (1 - 0.5 * turn.squaredNorm()) + turn;
+    result.height_m =
+        cell.vertical.height_m + cell.vertical.up_S.dot(away_m) + 0.5 * away_m.dot(turn);
+    return result;
+  }
+
+ private:
+  static constexpr double side_m = 16;
+  struct Key {
+    std::int64_t x = INT64_MIN, y = 0, z = 0;
+    bool operator==(const Key&) const = default;
+  };
+  struct Cell {
+    Key key;
+    Vec3 centre_S_m;
+    Vertical vertical;  // there
+    Mat3 turn_1pm;      // of up, by place
+  };
+
+  const Cell& cell_of(const Vec3& p_S_m) {
+    const Key key{number(p_S_m.x()), number(p_S_m.y()), number(p_S_m.z())};
+    Cell& cell = cells_[static_cast<std::size_t>(4 * (key.x & 1) + 2 * (key.y & 1) + (key.z & 1))];
+    if (cell.key != key) cell = made(key);
+    return cell;
+  }
+  static std::int64_t number(double at_m) {
+    const double cells = at_m / side_m;
+    const auto truncated = static_cast<std::int64_t>(cells);
+    return truncated - (static_cast<double>(truncated) > cells);
+  }
+  Cell made(const Key& key) const;
+
+  const SiteFrame* site_;
+  std::array<Cell, 8> cells_;  // one for each parity: wheels on both sides of a border keep theirs
+};
+
+}  // namespace lsos
