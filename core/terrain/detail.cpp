@@ -97,7 +97,7 @@ void RockTile::finish() {
     if (r.V + r.half_V < 0 || r.V - r.half_V > cells) continue;
     for (int j = square(r.V - r.half_V); j <= square(r.V + r.half_V); ++j) {
       for (int i = square(r.U - r.half_U); i <= square(r.U + r.half_U); ++i) {
-        lists[j * squares + i].push_back(k);
+        lists[static_cast<std::size_t>(j * squares + i)].push_back(k);
       }
     }
   }
@@ -116,9 +116,9 @@ SurfaceHeight RockTile::at(const CellPoint& at) const {
   const int square = j / square_cells * squares + i / square_cells;
   for (std::uint32_t k = first_[square]; k < first_[square + 1]; ++k) {
     const PlacedRock& r = rocks_[in_square_[k]];
-    const double dU = U - r.U, dV = V - r.V;
-    const double by_U = r.a * dU + r.b * dV, by_V = r.b * dU + r.c * dV;
-    const double q = by_U * dU + by_V * dV;
+    const double away_U = U - r.U, away_V = V - r.V;
+    const double by_U = r.a * away_U + r.b * away_V, by_V = r.b * away_U + r.c * away_V;
+    const double q = by_U * away_U + by_V * away_V;
     if (q >= 1) continue;
     const RockShape shape = rock_shape(q);
     sum.height_m += r.height_m * shape.height;
@@ -191,7 +191,8 @@ std::optional<GridPoint> DetailField::grid_point(const PlanePoint& at) const {
 // The same column, counted next to the tile where the grid goes around.
 double DetailField::near_tile(double U, const NodeLattice& at) const {
   if (period_ == 0) return U;
-  const double centre = static_cast<double>(at.column + nodes / 2 * at.stride);
+  const std::int64_t middle = nodes / 2;
+  const auto centre = static_cast<double>(at.column + middle * at.stride);
   const auto period = static_cast<double>(period_);
   return U - period * std::round((U - centre) / period);
 }
@@ -225,8 +226,8 @@ std::vector<Crater> DetailField::craters(const NodeLattice& at) const {
     return std::tuple(c.diameter_m, c.centre.x_m, c.centre.y_m);
   };
   std::ranges::sort(found, {}, key);
-  const auto rest = std::ranges::unique(found, {}, key);
-  found.erase(rest.begin(), rest.end());
+  const auto is_same = [&](const Crater& a, const Crater& b) { return key(a) == key(b); };
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   return found;
 }
 

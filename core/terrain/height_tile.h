@@ -35,13 +35,17 @@ class HeightTile {
   // Four nodes of a row from this one on.
   const double* row_m(int column, int row) const { return &height_m_[index(column, row)]; }
   double height_m(int column, int row) const { return height_m_[index(column, row)]; }
-  void set_ground(int column, int row) { ground_.set(row * cells + column); }
+  void set_ground(int column, int row) { ground_.set(cell(column, row)); }
   void set_ground_everywhere() { ground_.set(); }
-  bool is_ground(int column, int row) const { return ground_[row * cells + column]; }
+  bool is_ground(int column, int row) const { return ground_[cell(column, row)]; }
 
  private:
   static std::size_t index(int column, int row) {
     return static_cast<std::size_t>((row - first_node) * nodes + (column - first_node));
+  }
+
+  static std::size_t cell(int column, int row) {
+    return static_cast<std::size_t>(row * cells + column);
   }
 
   TileKey key_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "system/process.h"
 #include "system/run_folder.h"
@@ -47,21 +48,30 @@ Words shown_commands(const fs::path& file) {
   return commands;
 }
 
-// README.md, and what else shows commands.
-std::vector<std::string> readmes() {
-  std::vector<std::string> files = {"README.md"};
+// All of ours that are written in Markdown.
+std::vector<fs::path> documents() {
+  std::vector<fs::path> files;
   for (const auto& folder : fs::directory_iterator(repository())) {
     const std::string name = folder.path().filename();
-    if (!folder.is_directory() || name.starts_with('.') || name == "build" || name == "out") {
-      continue;
-    }
+    if (name.starts_with('.') || name == "build" || name == "out") continue;
+    if (folder.path().extension() == ".md") files.push_back(name);
+    if (!folder.is_directory()) continue;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() == ".md" && !shown_commands(entry.path()).empty()) {
+      if (entry.path().extension() == ".md") {
         files.push_back(fs::relative(entry.path(), repository()));
       }
     }
   }
   std::ranges::sort(files);
+  return files;
+}
+
+// Those that show commands.
+std::vector<std::string> readmes() {
+  std::vector<std::string> files;
+  for (const fs::path& file : documents()) {
+    if (!shown_commands(repository() / file).empty()) files.push_back(file);
+  }
   return files;
 }
 
@@ -92,6 +102,22 @@ TEST_P(Readme, shows_commands_that_work) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, Readme, ::testing::ValuesIn(readmes()), test_name);
+
+// Links to files of ours, "](docs/picture.png)" and the like.
+TEST(Documents, link_to_what_is_there) {
+  const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+  int count = 0;
+  for (const fs::path& file : documents()) {
+    const std::string text = read_text(repository() / file);
+    for (auto at = std::sregex_iterator(text.begin(), text.end(), link);
+         at != std::sregex_iterator(); ++at) {
+      ++count;
+      const fs::path target = (repository() / file).parent_path() / (*at)[1].str();
+      EXPECT_TRUE(fs::exists(target)) << file << " links to " << (*at)[1];
+    }
+  }
+  EXPECT_GT(count, 10);
+}
 
 // The first fenced block of that language.
 std::string shown_block(const std::string& language, const std::string& file = "README.md") {
