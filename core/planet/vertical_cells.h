@@ -15,7 +15,7 @@ class VerticalCells {
  public:
   explicit VerticalCells(const SiteFrame& site) : site_(&site) {}
 
-  // As SiteFrame::vertical(), within 1e-9 m and 1e-10 rad of it (on the Moon; else less).
+  // As SiteFrame::vertical(), within 2e-10 m and 2e-11 rad of it.
   Vertical at(const Vec3& p_S_m) {
     const Cell& cell = cell_of(p_S_m);
     const Vec3 away_m = p_S_m - cell.centre_S_m;
@@ -29,7 +29,7 @@ class VerticalCells {
   }
 
  private:
-  static constexpr double side_m = 16;
+  static constexpr double side_m = 8;
   struct Key {
     std::int64_t x = INT64_MIN, y = 0, z = 0;
     bool operator==(const Key&) const = default;
