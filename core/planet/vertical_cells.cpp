@@ -3,8 +3,8 @@
 namespace lsos {
 
 VerticalCells::Cell VerticalCells::made(const Key& key) const {
-  // Differences over so far lose neither digits nor, on a body, the slope's own change.
-  constexpr double step_m = 1000;
+  // Differences over so far lose no digits that count, and the turn is even over it to 1e-11.
+  constexpr double step_m = 10;
   Cell cell;
   cell.key = key;
   cell.centre_S_m = side_m * (Vec3(static_cast<double>(key.x), static_cast<double>(key.y),
@@ -17,6 +17,7 @@ VerticalCells::Cell VerticalCells::made(const Key& key) const {
         (site_->up_S(cell.centre_S_m + aside_m) - site_->up_S(cell.centre_S_m - aside_m)) /
         (2 * step_m);
   }
+  cell.curvature_1pm = cell.turn_1pm.trace() / 2;
   return cell;
 }
 

@@ -15,16 +15,17 @@ class VerticalCells {
  public:
   explicit VerticalCells(const SiteFrame& site) : site_(&site) {}
 
-  // As SiteFrame::vertical(), within 2e-10 m and 2e-11 rad of it.
+  // As SiteFrame::vertical(), within 2e-10 m and 5e-15 rad of it.
   Vertical at(const Vec3& p_S_m) {
     const Cell& cell = cell_of(p_S_m);
     const Vec3 away_m = p_S_m - cell.centre_S_m;
-    const Vec3 turn = cell.turn_1pm * away_m;
+    const double rise_m = cell.vertical.up_S.dot(away_m);
+    // Higher up the vertical turns more slowly.
+    const Vec3 turn = (1 - rise_m * cell.curvature_1pm) * (cell.turn_1pm * away_m);
     Vertical result;
     // To second order; shortened by the length that the turn adds.
     result.up_S = cell.vertical.up_S * (1 - 0.5 * turn.squaredNorm()) + turn;
-    result.height_m =
-        cell.vertical.height_m + cell.vertical.up_S.dot(away_m) + 0.5 * away_m.dot(turn);
+    result.height_m = cell.vertical.height_m + rise_m + 0.5 * away_m.dot(turn);
     return result;
   }
 
@@ -37,8 +38,9 @@ class VerticalCells {
   struct Cell {
     Key key;
     Vec3 centre_S_m;
-    Vertical vertical;  // there
-    Mat3 turn_1pm;      // of up, by place
+    Vertical vertical;     // there
+    Mat3 turn_1pm;         // of up, by place
+    double curvature_1pm;  // mean, of the surface through the centre
   };
 
   const Cell& cell_of(const Vec3& p_S_m) {

@@ -126,7 +126,7 @@ TEST(VerticalCells, are_the_vertical_to_a_nanometre) {
       worst_rad = std::max(worst_rad, (here.up_S - exact.up_S).norm());
     }
     EXPECT_LT(worst_m, 2e-10) << name;
-    EXPECT_LT(worst_rad, 2e-11) << name;
+    EXPECT_LT(worst_rad, 5e-15) << name;
   }
 }
 
