@@ -36,7 +36,8 @@ void look(benchmark::State& state, int directions) {
   lsos::PanelView view(gpu);
   const lsos::Mesh mesh = rover();
   std::vector<Vec3> towards;
-  for (const auto& s : lsos::disc_samples(sun, disc_rad, directions)) towards.push_back(s.direction);
+  for (const auto& s : lsos::disc_samples(sun, disc_rad, directions))
+    towards.push_back(s.direction);
   for (auto _ : state) benchmark::DoNotOptimize(view.visible_shares(panel, mesh, towards));
   state.SetLabel(gpu.name());
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
