@@ -17,6 +17,9 @@ class VerticalCells {
 
   // As SiteFrame::vertical(), within 2e-10 m and 5e-15 rad of it.
   Vertical at(const Vec3& p_S_m) {
+    // Dynamics that break down ask from anywhere, also with NaN; no cell has a number there.
+    constexpr double farthest_m = 1e9;
+    if (!(p_S_m.squaredNorm() < farthest_m * farthest_m)) return site_->vertical(p_S_m);
     const Cell& cell = cell_of(p_S_m);
     const Vec3 away_m = p_S_m - cell.centre_S_m;
     const double rise_m = cell.vertical.up_S.dot(away_m);

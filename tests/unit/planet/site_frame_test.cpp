@@ -125,6 +125,10 @@ TEST(VerticalCells, are_the_vertical_to_a_nanometre) {
       worst_m = std::max(worst_m, std::abs(here.height_m - exact.height_m));
       worst_rad = std::max(worst_rad, (here.up_S - exact.up_S).norm());
     }
+    // Where no cell has a number.
+    const Vec3 away = Vec3(-1e300, 3, 4);
+    EXPECT_EQ(std::isnan(cells.at(away).height_m), std::isnan(site.vertical(away).height_m));
+    EXPECT_TRUE(std::isnan(cells.at(Vec3::Constant(NAN)).height_m));
     EXPECT_LT(worst_m, 2e-10) << name;
     EXPECT_LT(worst_rad, 5e-15) << name;
   }
