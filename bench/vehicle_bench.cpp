@@ -71,7 +71,7 @@ struct Scene {
     spec.layers = {lsos::RasterSurface{raster.file(), 1}};
     spec.soil = catalog->load_soil("ApolloNominal");
     ground = lsos::ground_at(spec, body, {}, 0);
-    config = lsos::make_vehicle(catalog->load_rover(of.rover), "",
+    config = lsos::make_vehicle(catalog->load_rover(of.rover).spec, "",
                                 lsos::gravity_mps2(body, ground->site().origin()));
   }
   HillRaster raster;

@@ -15,6 +15,7 @@ return lsos.event {
   schema = 'Pause',
   doc    = 'Stand still for a given time.',
 
+  goes_on_without_power = true,
   params = {
     duration_s = lsos.duration { kml = 'Duration', required = true, doc = 'How long to stay.' },
   },

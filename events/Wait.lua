@@ -15,6 +15,7 @@ return lsos.event {
   schema = 'Wait',
   doc    = 'Stand still until a given moment.',
 
+  goes_on_without_power = true,
   params = {
     until_s = lsos.utc { kml = 'Until', required = true, doc = 'The moment to wait for, in UTC.' },
   },

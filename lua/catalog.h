@@ -8,11 +8,13 @@
 
 #include "base/error.h"
 #include "lua/script.h"
+#include "mission/rover_model.h"
 #include "plan/declaration.h"
 #include "terrain/terrain_spec.h"
-#include "vehicle/rover_spec.h"
 
 namespace lsos {
+
+class LuaState;
 
 class Catalog {
  public:
@@ -32,7 +34,8 @@ class Catalog {
 
   // What a script says. Throws InputError: its faults if it is broken; or, at `asked_at`, that
   // there is no such script, with the nearest name.
-  RoverSpec load_rover(const std::string& name, const Place& asked_at = {}) const;
+  RoverModel load_rover(const std::string& name, const Place& asked_at = {}) const;
+  AssetModel load_asset(const std::string& name, const Place& asked_at = {}) const;
   TerrainSpec load_terrain(const std::string& name, const Place& asked_at = {}) const;
   Soil load_soil(const std::string& name, const Place& asked_at = {}) const;
 
@@ -43,6 +46,7 @@ class Catalog {
   using Key = std::pair<ScriptKind, std::string>;
 
   void load_all();
+  void load_rover_script(LuaState& lua, const Script& script, Faults& faults);
   void add_broken(const Script& script, const Faults& faults);
   template <class T>
   const T& find(const std::map<std::string, T>& things, ScriptKind kind, const std::string& name,
@@ -52,7 +56,8 @@ class Catalog {
   Declarations declarations_;
   Faults faults_;
   std::map<Key, std::vector<Fault>> broken_;
-  std::map<std::string, RoverSpec> rovers_;
+  std::map<std::string, RoverModel> rovers_;
+  std::map<std::string, AssetModel> assets_;
   std::map<std::string, TerrainSpec> terrains_;
   std::map<std::string, Soil> soils_;
 };

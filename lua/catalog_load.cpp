@@ -76,9 +76,25 @@ void complete(TerrainScript& terrain, const Script& script,
   }
 }
 
+// Shapes that move with a part that there is not.
+std::vector<std::string> shape_faults(const RoverModel& model) {
+  std::vector<std::string> links;
+  for (const LinkConfig& link : make_vehicle(model.spec, "", 1).links) links.push_back(link.name);
+  std::vector<std::string> faults;
+  for (const Shape& shape : model.shapes) {
+    if (shape.part.empty() || std::ranges::find(links, shape.part) != links.end()) continue;
+    faults.push_back(fmt::format("shapes: part = '{}': there is no such link{}; links are {}",
+                                 shape.part, did_you_mean(shape.part, links),
+                                 fmt::join(links, ", ")));
+  }
+  return faults;
+}
+
 // Wheels are alike, so that what is wrong with one is said a dozen times: three will do.
-void check_vehicle(const RoverSpec& rover, Faults& faults) {
-  const std::vector<std::string> found = vehicle_faults(rover);
+void check_vehicle(const RoverModel& model, Faults& faults) {
+  const RoverSpec& rover = model.spec;
+  std::vector<std::string> found = vehicle_faults(rover);
+  if (found.empty()) found = shape_faults(model);
   constexpr std::size_t shown_max = 3;
   for (std::size_t i = 0; i < std::min(found.size(), shown_max); ++i) {
     faults.error(rover.place, "rover: " + found[i]);
@@ -106,6 +122,30 @@ void Catalog::add_broken(const Script& script, const Faults& faults) {
   }
 }
 
+// A script in rovers/ makes a rover or an asset.
+void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& faults) {
+  lua.run([&](lua_State* L) {
+    if (!run_script(L, script, faults)) return;
+    const Made* made = to_made(L, -1);
+    if (made != nullptr && made->kind == asset_kind) {
+      auto asset = std::any_cast<AssetModel>(made->value);
+      declarations_.rover_types[script.name] = {asset.doc, true, {}};
+      assets_[script.name] = std::move(asset);
+    } else if (made != nullptr && made->kind == rover_kind) {
+      auto rover = std::any_cast<RoverModel>(made->value);
+      check_vehicle(rover, faults);
+      if (faults.has_errors()) return;
+      declarations_.rover_types[script.name] = {rover.spec.doc, false,
+                                                configurations_of(rover.spec)};
+      rovers_[script.name] = std::move(rover);
+    } else {
+      faults.error({script.file, 0},
+                   fmt::format("must return lsos.rover {{...}} or lsos.asset {{...}}, found {}",
+                               describe(L, -1)));
+    }
+  });
+}
+
 // Soils come before terrains in scripts_, as terrains name them.
 void Catalog::load_all() {
   EventLibrary library;
@@ -117,12 +157,7 @@ void Catalog::load_all() {
         library.load(script, event_faults[script.name]);
         break;
       case ScriptKind::rover:
-        if (auto rover = load<RoverSpec>(library.lua(), script, rover_kind, faults)) {
-          check_vehicle(*rover, faults);
-          if (faults.has_errors()) break;
-          declarations_.rover_types[script.name] = {rover->doc, false, configurations_of(*rover)};
-          rovers_[script.name] = std::move(*rover);
-        }
+        load_rover_script(library.lua(), script, faults);
         break;
       case ScriptKind::soil:
         if (auto soil = load<Soil>(library.lua(), script, soil_kind, faults)) {
@@ -168,8 +203,12 @@ const T& Catalog::find(const std::map<std::string, T>& things, ScriptKind kind,
                                          did_you_mean(name, names_of(things))));
 }
 
-RoverSpec Catalog::load_rover(const std::string& name, const Place& asked_at) const {
+RoverModel Catalog::load_rover(const std::string& name, const Place& asked_at) const {
   return find(rovers_, ScriptKind::rover, name, asked_at);
+}
+
+AssetModel Catalog::load_asset(const std::string& name, const Place& asked_at) const {
+  return find(assets_, ScriptKind::rover, name, asked_at);
 }
 
 TerrainSpec Catalog::load_terrain(const std::string& name, const Place& asked_at) const {

@@ -76,7 +76,8 @@ std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
     }
   } else if (what == "rovers") {
     for (const auto& [name, rover] : declarations.rover_types) {
-      all.push_back({name, rover.doc, {}, catalog.load_rover(name).configurations});
+      all.push_back({name, rover.doc});
+      if (!rover.is_asset) all.back().configurations = catalog.load_rover(name).spec.configurations;
     }
   } else if (what == "terrains") {
     for (const std::string& name : declarations.terrains) {

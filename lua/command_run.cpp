@@ -36,6 +36,11 @@ RunSummary summarise(const Simulation& simulation, const MissionFiles& files, do
     rover.elevation_gain_m = result.elevation_gain_m;
     rover.max_slope_rad = result.slope_max_rad;
     rover.max_slip = result.slip_max;
+    rover.energy_start_j = result.energy_start_j;
+    rover.energy_end_j = result.energy_end_j;
+    rover.energy_used_j = result.energy_used_j;
+    rover.solar_j = result.solar_j;
+    if (!result.resources.empty()) rover.resources = result.resources;
   }
   for (const Fault& fault : files.faults.sorted()) summary.warnings.push_back(to_string(fault));
   for (const std::string& warning : simulation.warnings()) summary.warnings.push_back(warning);
@@ -90,6 +95,9 @@ int run_command(const RunOptions& options) {
     files.faults.add({fault});
     if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
   }
+  if (!options.is_quiet && !simulation.renderer().empty()) {
+    fmt::print(stderr, "light is drawn by {}\n", simulation.renderer());
+  }
   const std::string plan_bytes = read_bytes(options.plan);  // it may lie in the folder itself
   // Until here a signal may end it at once: there is nothing to write out.
   std::signal(SIGINT, ask_to_stop);
@@ -98,7 +106,7 @@ int run_command(const RunOptions& options) {
   write_file(folder.file("plan.kml"), plan_bytes);
   LogWriter log(folder.file("log.gpkg"), std::string(files.plan.mission.planet->crs),
                 files.plan.mission.start_time);
-  log.write_run(run_values(files, simulation.ground()));
+  log.write_run(run_values(files, simulation));
   simulation.set_log(&log);
   const int stopped_by = simulate(simulation, options.is_quiet);
   log.finish();

@@ -25,25 +25,6 @@ struct Question {
   std::optional<MapWindow> window;
 };
 
-void read_window(const TerrainOptions& options, Question& question, Faults& faults) {
-  const auto n = option_numbers("--window", options.window, 4,
-                                "LON0,LAT0,LON1,LAT1 (west, south, east, north)", faults);
-  if (!n) return;
-  const MapWindow window{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
-  const auto is_lon = [](double lon_deg) { return lon_deg >= -180 && lon_deg <= 360; };
-  const bool is_ordered = std::abs(window.south_deg) <= 90 && std::abs(window.north_deg) <= 90 &&
-                          window.south_deg < window.north_deg;
-  if (!is_lon(window.west_deg) || !is_lon(window.east_deg) || !is_ordered ||
-      window.width_deg() <= 0 || window.width_deg() > 360) {
-    faults.error({}, fmt::format("--window {}: west, south, east, north: longitudes of -180..360, "
-                                 "at most 360 apart, and latitudes of -90..90 deg, the southern "
-                                 "first, are allowed",
-                                 options.window));
-    return;
-  }
-  question.window = window;
-}
-
 void check_export(const TerrainOptions& options, Faults& faults) {
   const bool is_export = !options.export_file.empty();
   const auto needs_export = [&](const char* option, bool is_given) {
@@ -74,21 +55,12 @@ Question question_of(const TerrainOptions& options) {
     if (const auto place = option_place("--at", text, faults)) question.places.push_back(*place);
   }
   if (!options.site.empty()) question.site = option_place("--site", options.site, faults);
-  if (!options.window.empty()) read_window(options, question, faults);
+  if (!options.window.empty()) question.window = option_window(options.window, faults);
   check_export(options, faults);
   faults.throw_if_errors();
   if (!question.site && !question.places.empty()) question.site = question.places.front();
   if (!question.site && question.window) question.site = question.window->centre();
   return question;
-}
-
-// On its surface at the site, as a run has it; on the reference surface where there is none.
-std::unique_ptr<Ground> placed(const TerrainSource& source, const Geodetic& site,
-                               std::uint64_t seed) {
-  const SiteFrame datum(*source.body, {site.lon_rad, site.lat_rad, 0});
-  auto ground = std::make_unique<Ground>(source.spec, datum, seed);
-  if (!ground->elevation_m(site)) return ground;
-  return ground_at(source.spec, *source.body, site, seed);
 }
 
 template <class T>
@@ -151,14 +123,8 @@ ordered_json point_of(const TerrainSource& source, const Ground& ground, const G
 
 ordered_json exported(const TerrainSource& source, const Ground& ground, const Question& question,
                       const TerrainOptions& options) {
-  MapGrid grid;
   const bool is_own_grid = !options.resolution_m;
-  if (!is_own_grid) {
-    grid = grid_of_window(*source.body, *question.window, *options.resolution_m);
-  } else {
-    const std::string file = rasters_of(source.spec).front().file;
-    grid = grid_of_raster(source.reader()->raster(), question.window, {source.spec.place, file});
-  }
+  const MapGrid grid = map_grid(source, question.window, options.resolution_m);
   // Beside missing samples there is no ground, but the raster's own cells have their samples.
   write_raster({options.export_file, options.is_hillshade}, grid, *source.body,
                [&](const Geodetic& place) {
@@ -178,17 +144,9 @@ int terrain_command(const TerrainOptions& options) {
   Question question = question_of(options);
   const TerrainSource source = terrain_source(options);
   const bool is_export = !options.export_file.empty();
-  if (is_export && source.reader() == nullptr && (!question.window || !options.resolution_m)) {
-    throw InputError({}, fmt::format("the terrain '{}' has no raster whose grid could be taken: "
-                                     "--window LON0,LAT0,LON1,LAT1 and --resolution M are wanted",
-                                     options.name));
-  }
-  if (!question.site) {
-    const Raster& raster = source.reader()->raster();
-    question.site =
-        raster.map().place({raster.columns() / 2.0, raster.rows() / 2.0}).value_or(Geodetic{});
-  }
-  const std::unique_ptr<Ground> ground = placed(source, *question.site, options.seed);
+  if (is_export) check_grid(source, question.window, options.resolution_m);
+  if (!question.site) question.site = middle(source);
+  const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.seed);
   auto points = ordered_json::array();
   for (const Geodetic& place : question.places) {
     // Beyond the reach of the site's tangent plane there is a site of its own.
@@ -197,7 +155,7 @@ int terrain_command(const TerrainOptions& options) {
     constexpr double reach_rad = 0.9;
     const bool is_near = away_rad < reach_rad;
     points.push_back(is_near ? point_of(source, *ground, place)
-                             : point_of(source, *placed(source, place, options.seed), place));
+                             : point_of(source, *ground_of(source, place, options.seed), place));
   }
   if (is_export) {
     const ordered_json file = exported(source, *ground, question, options);

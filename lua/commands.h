@@ -69,6 +69,14 @@ struct TerrainOptions {
 };
 int terrain_command(const TerrainOptions& options);
 
+struct LightOptions {
+  TerrainOptions terrain;  // of these name, raster, planet, site, seed, window, resolution
+  std::string at;          // UTC
+  std::string file;        // OUT.tif
+  int threads = 1;
+};
+int light_command(const LightOptions& options);
+
 struct SunOptions {
   std::string planet;
   std::string site;             // "LON,LAT[,HEIGHT]"

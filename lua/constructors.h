@@ -21,7 +21,10 @@ struct Constructor {
 std::vector<Constructor> field_constructors();
 std::vector<Constructor> event_constructors();
 std::vector<Constructor> rover_constructors();
-std::vector<Constructor> suspension_constructors();  // among rover_constructors
+// Among rover_constructors.
+std::vector<Constructor> suspension_constructors();
+std::vector<Constructor> power_constructors();
+std::vector<Constructor> asset_constructors();
 std::vector<Constructor> terrain_constructors();
 
 // The name of the constructor that runs, and a reader of its one argument.

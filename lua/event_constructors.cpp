@@ -187,6 +187,8 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
   read_geometry(t, event);
   t.boolean(optional, "drives", event.drives,
             "A Point in the plan means: drive there (default false).");
+  t.boolean(optional, "goes_on_without_power", event.goes_on_without_power,
+            "It starts and goes on also when the battery is empty (default false).");
   t.text(optional, "start", event.start_phase, "The first phase; may be left out if there is one.");
   read_phases(t, event, functions);
   read_on_abort(t, functions);

@@ -14,11 +14,11 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run",     "check", "fsm", "list",
+const std::vector<std::string> built{"run",     "check", "fsm", "light",  "list",
                                      "overlay", "rig",   "sun", "terrain"};
 // Named in the manual, not there yet.
 const std::vector<std::string> unbuilt{"repl",   "test",   "resume",  "report", "compare", "schema",
-                                       "import", "export", "picture", "sight",  "light",   "new"};
+                                       "import", "export", "picture", "sight",  "new"};
 
 // `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
 // told which one was meant.
@@ -40,31 +40,48 @@ void insert_run(std::vector<std::string>& arguments) {
                                    lsos::did_you_mean(first, known)));
 }
 
+// Which terrain, and which part of it.
+void add_ground(CLI::App& command, lsos::TerrainOptions& terrain) {
+  command.add_option("NAME", terrain.name, "A terrain script by name, or a raster")->required();
+  command.add_option("--band", terrain.band, "Of the raster: a number from 1, or a description");
+  command.add_option("--nodata", terrain.nodata, "The sample that stands for none");
+  command.add_option("--unit", terrain.unit, "Of its samples: m, km, dm, cm, mm, ft, us-ft");
+  command.add_flag_callback(
+      "--radius", [&] { terrain.is_radius = true; }, "Its samples are radii (as their size says)");
+  command.add_flag_callback(
+      "--no-radius", [&] { terrain.is_radius = false; }, "Its samples are no radii");
+  command.add_option("--crs", terrain.crs, "In place of the raster's own: IAU_2015:30135, ...");
+  command.add_option("--planet", terrain.planet, "Of a script (its raster's, else Moon)");
+  command.add_option("--site", terrain.site,
+                     "LON,LAT where x, y and generated ground begin (the first --at, or the "
+                     "window's centre)");
+  command.add_option("--seed", terrain.seed, "Of generated ground (0)");
+  command.add_option("--window", terrain.window,
+                     "LON0,LAT0,LON1,LAT1 of the map (all of the finest raster)");
+  command.add_option("--resolution", terrain.resolution_m,
+                     "Cell size of the map, m (the finest raster's own grid)");
+}
+
 CLI::App* add_terrain(CLI::App& app, lsos::TerrainOptions& terrain, bool& is_json) {
   CLI::App* command = app.add_subcommand(
       "terrain", "The ground at given places, as a raster has it and as wheels feel it");
-  command->add_option("NAME", terrain.name, "A terrain script by name, or a raster")->required();
+  add_ground(*command, terrain);
   command->add_option("--at", terrain.at, "LON,LAT in degrees; may come more than once")
       ->allow_extra_args(false);
-  command->add_option("--band", terrain.band, "Of the raster: a number from 1, or a description");
-  command->add_option("--nodata", terrain.nodata, "The sample that stands for none");
-  command->add_option("--unit", terrain.unit, "Of its samples: m, km, dm, cm, mm, ft, us-ft");
-  command->add_flag_callback(
-      "--radius", [&] { terrain.is_radius = true; }, "Its samples are radii (as their size says)");
-  command->add_flag_callback(
-      "--no-radius", [&] { terrain.is_radius = false; }, "Its samples are no radii");
-  command->add_option("--crs", terrain.crs, "In place of the raster's own: IAU_2015:30135, ...");
-  command->add_option("--planet", terrain.planet, "Of a script (its raster's, else Moon)");
-  command->add_option("--site", terrain.site,
-                      "LON,LAT where x, y and generated ground begin (the first --at, or the "
-                      "window's centre)");
-  command->add_option("--seed", terrain.seed, "Of generated ground (0)");
   command->add_option("--export", terrain.export_file, "Write heights as a GeoTIFF");
-  command->add_option("--window", terrain.window,
-                      "LON0,LAT0,LON1,LAT1 of the export (all of the finest raster)");
-  command->add_option("--resolution", terrain.resolution_m,
-                      "Cell size of the export, m (the finest raster's own grid)");
   command->add_flag("--hillshade", terrain.is_hillshade, "Export a hillshade, not heights");
+  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  return command;
+}
+
+CLI::App* add_light(CLI::App& app, lsos::LightOptions& light, bool& is_json) {
+  CLI::App* command =
+      app.add_subcommand("light", "A map of how much of the Sun the ground sees at a time");
+  add_ground(*command, light.terrain);
+  command->add_option("--at", light.at, "UTC: 2026-07-01T00:00:00Z")->required();
+  command->add_option("-o,--output", light.file, "The GeoTIFF to write")->required();
+  command->add_option("--threads", light.threads, "Threads that work on it")
+      ->check(CLI::Range(1, 256));
   command->add_flag("--json", is_json, "Its answer is JSON in any case");
   return command;
 }
@@ -152,6 +169,9 @@ int run_program(std::vector<std::string> arguments) {
   lsos::TerrainOptions terrain;
   CLI::App* terrain_command = add_terrain(app, terrain, is_json);
 
+  lsos::LightOptions light;
+  CLI::App* light_command = add_light(app, light, is_json);
+
   lsos::SunOptions sun;
   CLI::App* sun_command = add_sun(app, sun, is_json);
 
@@ -166,6 +186,7 @@ int run_program(std::vector<std::string> arguments) {
   if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan, is_json);
   if (rig_command->parsed()) return lsos::rig_command(rig);
   if (terrain_command->parsed()) return lsos::terrain_command(terrain);
+  if (light_command->parsed()) return lsos::light_command(light);
   if (sun_command->parsed()) return lsos::sun_command(sun);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, is_json);

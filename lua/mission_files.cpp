@@ -72,7 +72,12 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   };
   for (const PlanRover& rover : files.plan.rovers) {
     collect([&] {
-      files.rover_specs.insert({rover.type, files.catalog->load_rover(rover.type, rover.place)});
+      files.rover_models.insert({rover.type, files.catalog->load_rover(rover.type, rover.place)});
+    });
+  }
+  for (const PlanAsset& asset : files.plan.assets) {
+    collect([&] {
+      files.asset_models.insert({asset.type, files.catalog->load_asset(asset.type, asset.place)});
     });
   }
   collect([&] { files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions); });
@@ -82,13 +87,15 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 SimulationSetup simulation_setup(const MissionFiles& files) {
   SimulationSetup setup;
   setup.plan = files.plan;
-  setup.rover_specs = files.rover_specs;
+  setup.rover_models = files.rover_models;
+  setup.asset_models = files.asset_models;
   setup.terrain = files.terrain;
   setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
   return setup;
 }
 
-std::map<std::string, std::string> run_values(const MissionFiles& files, const Ground& ground) {
+std::map<std::string, std::string> run_values(const MissionFiles& files,
+                                              const Simulation& simulation) {
   const MissionInfo& mission = files.plan.mission;
   std::map<std::string, std::string> values{
       {"program", "lsos-host"},
@@ -100,9 +107,10 @@ std::map<std::string, std::string> run_values(const MissionFiles& files, const G
       {"log_interval_s", fmt::format("{}", seconds(mission.log_interval))},
       {"parked_log_interval_s", fmt::format("{}", seconds(mission.parked_log_interval))},
       {"terrain", files.terrain.name},
-      {"terrain_sha256", ground.hash()},
+      {"terrain_sha256", simulation.ground().hash()},
       {"soil", files.terrain.soil.name},
   };
+  if (!simulation.renderer().empty()) values["renderer"] = simulation.renderer();
   std::set<std::string> events, rovers;
   // With the events that their phases are.
   std::vector<std::string> types;
@@ -117,6 +125,7 @@ std::map<std::string, std::string> run_values(const MissionFiles& files, const G
     }
   }
   for (const PlanRover& rover : files.plan.rovers) rovers.insert(rover.type);
+  for (const PlanAsset& asset : files.plan.assets) rovers.insert(asset.type);
   for (const Script& script : files.catalog->scripts()) {
     const bool is_used =
         (script.kind == ScriptKind::event && events.contains(script.name)) ||

@@ -16,7 +16,8 @@ namespace lsos {
 struct MissionFiles {
   std::shared_ptr<const Catalog> catalog;  // shared: each rebuilt script host reads it
   Plan plan;
-  std::map<std::string, RoverSpec> rover_specs;  // by RoverType
+  std::map<std::string, RoverModel> rover_models;  // by RoverType
+  std::map<std::string, AssetModel> asset_models;  // by AssetType
   TerrainSpec terrain;
   std::vector<std::string> assumptions;
   Faults faults;  // warnings too
@@ -32,6 +33,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 SimulationSetup simulation_setup(const MissionFiles& files);
 
 // The layer `run`: what the run was made of, nothing that differs between two equal runs.
-std::map<std::string, std::string> run_values(const MissionFiles& files, const Ground& ground);
+std::map<std::string, std::string> run_values(const MissionFiles& files,
+                                              const Simulation& simulation);
 
 }  // namespace lsos

@@ -58,6 +58,25 @@ std::optional<Geodetic> option_site(const std::string& option, const std::string
   return site;
 }
 
+std::optional<MapWindow> option_window(const std::string& text, Faults& faults) {
+  const auto n =
+      option_numbers("--window", text, 4, "LON0,LAT0,LON1,LAT1 (west, south, east, north)", faults);
+  if (!n) return {};
+  const MapWindow window{(*n)[0], (*n)[1], (*n)[2], (*n)[3]};
+  const auto is_lon = [](double lon_deg) { return lon_deg >= -180 && lon_deg <= 360; };
+  const bool is_ordered = std::abs(window.south_deg) <= 90 && std::abs(window.north_deg) <= 90 &&
+                          window.south_deg < window.north_deg;
+  if (is_lon(window.west_deg) && is_lon(window.east_deg) && is_ordered && window.width_deg() > 0 &&
+      window.width_deg() <= 360) {
+    return window;
+  }
+  faults.error({}, fmt::format("--window {}: west, south, east, north: longitudes of -180..360, "
+                               "at most 360 apart, and latitudes of -90..90 deg, the southern "
+                               "first, are allowed",
+                               text));
+  return {};
+}
+
 const Body* option_body(const std::string& option, const std::string& name, Faults& faults) {
   if (const Body* body = find_body(name)) return body;
   std::vector<std::string> names;

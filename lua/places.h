@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "planet/body.h"
+#include "terrain/map_grid.h"
 
 namespace lsos {
 
@@ -22,6 +23,9 @@ std::optional<Geodetic> option_place(const std::string& option, const std::strin
 // "LON,LAT[,HEIGHT]": the height in m, or a length with a unit.
 std::optional<Geodetic> option_site(const std::string& option, const std::string& text,
                                     Faults& faults);
+
+// "LON0,LAT0,LON1,LAT1" of --window: west, south, east, north.
+std::optional<MapWindow> option_window(const std::string& text, Faults& faults);
 
 // Moon, Mars or Earth.
 const Body* option_body(const std::string& option, const std::string& name, Faults& faults);

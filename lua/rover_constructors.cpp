@@ -8,7 +8,8 @@
 
 #include "base/sim_time.h"
 #include "lua/constructors.h"
-#include "vehicle/rover_spec.h"
+#include "lua/power_constructors.h"
+#include "mission/rover_model.h"
 
 namespace lsos {
 
@@ -124,7 +125,8 @@ void read_step(TableReader& t, VehicleConfig& vehicle) {
   }
 }
 
-void read_rover(TableReader& t, RoverSpec& spec) {
+void read_rover(TableReader& t, RoverModel& model) {
+  RoverSpec& spec = model.spec;
   std::string name;
   Chassis chassis;
   VehicleConfig& vehicle = spec.vehicle;
@@ -150,6 +152,8 @@ void read_rover(TableReader& t, RoverSpec& spec) {
            "Electrical drive power is multiplied by this to match measurements (default 1).");
   t.text(optional, "drive_calibration_source", vehicle.drive_calibration_source,
          "The measurements; required unless drive_calibration is 1.");
+  read_power(t, model.power);
+  read_shapes(t, model.shapes);
   t.texts(optional, "assumptions", vehicle.assumptions,
           "Sentences about numbers that have no source; they go into summary.json.");
   if (vehicle.cruise_speed_mps > vehicle.speed_max_mps) {
@@ -191,11 +195,13 @@ void read_moments(TableReader& t, MomentsOf of, std::optional<Vec3>& moments_kgm
 
 std::vector<Constructor> rover_constructors() {
   std::vector<Constructor> all{
-      constructor<RoverSpec, read_rover>(rover_kind, "What a script in rovers/ returns."),
+      constructor<RoverModel, read_rover>(rover_kind, "What a script in rovers/ returns."),
       constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
       constructor<RoverConfiguration, read_configuration>(
           "configuration", "How a rover may stand and be loaded at the start.")};
-  std::ranges::move(suspension_constructors(), std::back_inserter(all));
+  for (auto&& more : {suspension_constructors(), power_constructors(), asset_constructors()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
   return all;
 }
 

@@ -1,4 +1,4 @@
-// What lsos.rover makes is a RoverSpec. What its parts share.
+// What lsos.rover makes is a RoverModel, what lsos.asset makes an AssetModel. What parts share.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,7 @@
 namespace lsos {
 
 inline constexpr const char* rover_kind = "rover";
+inline constexpr const char* asset_kind = "asset";
 
 // A wheel's moment about its axle may hold what the drive turns behind its gear, which counts by
 // the gear's ratio squared; then it is more than the other two together.

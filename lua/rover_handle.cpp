@@ -43,6 +43,41 @@ int drive(lua_State* L) {
   return 1;
 }
 
+int battery(lua_State* L) {
+  const EventCall& call = call_of(L);
+  if (call.phase.rover.power().view().has_battery) {
+    push_handle(L, battery_handle_type(), call.instance);
+  } else {
+    lua_pushnil(L);
+  }
+  return 1;
+}
+
+int panels(lua_State* L) {
+  push_handle(L, panels_handle_type(), call_of(L).instance);
+  return 1;
+}
+
+int work(lua_State* L) {
+  const double power_w = luaL_checknumber(L, 2);
+  if (!(power_w >= 0)) throw std::runtime_error("rover:work wants a power of 0 W or more");
+  call_of(L).phase.rover.power().set_work(power_w);
+  return 0;
+}
+
+int resource(lua_State* L) {
+  const auto amount = call_of(L).phase.rover.power().resource(luaL_checkstring(L, 2));
+  push_quantity(L, amount.value_or(not_modelled));
+  return 1;
+}
+
+int use(lua_State* L) {
+  const double amount = luaL_checknumber(L, 3);
+  if (!(amount >= 0)) throw std::runtime_error("rover:use wants an amount of 0 or more");
+  lua_pushboolean(L, call_of(L).phase.rover.power().use(luaL_checkstring(L, 2), amount));
+  return 1;
+}
+
 FollowSettings check_settings(lua_State* L, int argument) {
   FollowSettings settings;
   if (lua_isnoneornil(L, argument)) return settings;
@@ -134,11 +169,18 @@ const HandleType& rover_handle_type() {
        {"drive_j", quantity<&V::drive_j>, "number", "Its integral since the mission's start."},
        {"cruise_speed_mps", quantity<&V::cruise_speed_mps>, "number", "The type's usual speed."},
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
-       {"drive", drive, "rover.drive", "What became of the last rover:follow."}},
+       {"drive", drive, "rover.drive", "What became of the last rover:follow."},
+       {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
+       {"panels", panels, "rover.panels", "Its solar panels."}},
       {{"follow", guard<follow>,
         "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival."},
        {"brake", guard<brake>, "rover:brake()", "Stops and holds."},
+       {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends."},
+       {"resource", guard<resource>, "rover:resource(name)",
+        "What is left of it; nil when the rover carries none."},
+       {"use", guard<use>, "rover:use(name, amount)",
+        "Takes it; false, and nothing is taken, when there is not so much."},
        {"distance_to_m", guard<distance_to_m>, "rover:distance_to_m(point)",
         "Straight distance from the reference point."}}};
   return type;

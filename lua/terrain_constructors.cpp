@@ -246,6 +246,8 @@ void read_terrain(TableReader& t, TerrainScript& terrain) {
   }
   terrain.rock_soil =
       read_soil_choice(t, optional, "rock_soil", "Of rocks (default bare rock with friction 0.7).");
+  t.number(optional, "optical_depth", terrain.spec.optical_depth, not_negative,
+           "Of dust in the air, straight up (default 0.5 on Mars, else none).");
   t.list(optional, "soil_patches", "soil_patch", terrain.soil_patches,
          "Ground of other soils; the first that holds a place decides.");
 }

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "lua/mission_files.h"
 #include "lua/places.h"
+#include "mission/site.h"
 #include "terrain/raster_layers.h"
 
 namespace lsos {
@@ -82,6 +83,34 @@ TerrainSource terrain_source(const TerrainOptions& options) {
                 : source.reader() != nullptr ? &source.reader()->own_body()
                                              : find_body("Moon");
   return source;
+}
+
+std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& site,
+                                  std::uint64_t seed) {
+  const SiteFrame datum(*source.body, {site.lon_rad, site.lat_rad, 0});
+  auto ground = std::make_unique<Ground>(source.spec, datum, seed);
+  if (!ground->elevation_m(site)) return ground;
+  return ground_at(source.spec, *source.body, site, seed);
+}
+
+Geodetic middle(const TerrainSource& source) {
+  const Raster& raster = source.reader()->raster();
+  return raster.map().place({raster.columns() / 2.0, raster.rows() / 2.0}).value_or(Geodetic{});
+}
+
+MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
+                 const std::optional<double>& resolution_m) {
+  if (resolution_m) return grid_of_window(*source.body, *window, *resolution_m);
+  const std::string file = rasters_of(source.spec).front().file;
+  return grid_of_raster(source.reader()->raster(), window, {source.spec.place, file});
+}
+
+void check_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
+                const std::optional<double>& resolution_m) {
+  if (source.reader() != nullptr || (window && resolution_m)) return;
+  throw InputError({}, fmt::format("the terrain '{}' has no raster whose grid could be taken: "
+                                   "--window LON0,LAT0,LON1,LAT1 and --resolution M are wanted",
+                                   source.spec.name));
 }
 
 }  // namespace lsos

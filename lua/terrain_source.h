@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "lua/commands.h"
+#include "terrain/ground.h"
+#include "terrain/map_grid.h"
 #include "terrain/raster_reader.h"
 #include "terrain/terrain_spec.h"
 
@@ -22,5 +24,19 @@ struct TerrainSource {
 
 // Throws InputError: no such script or raster, options that do not fit it, an unknown planet.
 TerrainSource terrain_source(const TerrainOptions& options);
+
+// Its ground about a site: on its surface there, as a run has it; on the reference surface where
+// there is none.
+std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& site,
+                                  std::uint64_t seed);
+// Of its finest raster.
+Geodetic middle(const TerrainSource& source);
+
+// The grid of a map: of the window at that resolution, or of the finest raster.
+MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
+                 const std::optional<double>& resolution_m);
+// Throws InputError: without a raster there is none, and both options are wanted.
+void check_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
+                const std::optional<double>& resolution_m);
 
 }  // namespace lsos

@@ -7,6 +7,11 @@
 -- A200 user manual of 2011.
 
 local lsos = require 'lsos'
+local vec = lsos.vec3
+
+local function box(size_m, position_m, colour)
+  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
+end
 
 local total_kg    = 50      -- R: maker's data sheet
 local wheel_kg    = 2.637   -- V: model
@@ -15,8 +20,8 @@ local track_m     = 0.555   -- V: manual p. 9 (model: 0.5708)
 local body_kg     = total_kg - 4 * wheel_kg  -- D: 39.5
 
 local stations = {
-  lsos.station { name = 'front', position_m = lsos.vec3(wheelbase_m / 2, track_m / 2, 0) },
-  lsos.station { name = 'rear', position_m = lsos.vec3(-wheelbase_m / 2, track_m / 2, 0) },
+  lsos.station { name = 'front', position_m = vec(wheelbase_m / 2, track_m / 2, 0) },
+  lsos.station { name = 'rear', position_m = vec(-wheelbase_m / 2, track_m / 2, 0) },
 }
 
 local suspension = lsos.skid_steer {
@@ -28,7 +33,7 @@ local suspension = lsos.skid_steer {
     radius_m                 = 0.165,   -- V: model
     width_m                  = 0.114,   -- V: model
     mass_kg                  = wheel_kg,
-    inertia_kgm2             = lsos.vec3(0.0247, 0.0441, 0.0247),  -- V: model
+    inertia_kgm2             = vec(0.0247, 0.0441, 0.0247),  -- V: model
     normal_stiffness_npm     = 4e4,     -- A: 3 mm under its load on Earth
     normal_damping_nspm      = 400,     -- A
     tangential_damping_nspm  = 100,     -- A
@@ -56,10 +61,10 @@ return lsos.rover {
 
   chassis = lsos.chassis {
     mass_kg          = body_kg,
-    size_m           = lsos.vec3(0.99, 0.44, 0.26),  -- R: 0.99 x 0.67 x 0.39 m; D: between wheels
+    size_m           = vec(0.99, 0.44, 0.26),  -- R: 0.99 x 0.67 x 0.39 m; D: between wheels
     clearance_m      = 0.13,                         -- R: data sheet
-    center_of_mass_m = lsos.vec3(0, 0, 0.194),       -- V: model, 0.062 m above its bottom plate
-    inertia_kgm2     = body_kg / 46.03 * lsos.vec3(0.602, 1.739, 2.030),  -- V: model; D: scaled
+    center_of_mass_m = vec(0, 0, 0.194),       -- V: model, 0.062 m above its bottom plate
+    inertia_kgm2     = body_kg / 46.03 * vec(0.602, 1.739, 2.030),  -- V: model; D: scaled
   },
   suspension = suspension,
 
@@ -68,7 +73,7 @@ return lsos.rover {
       name               = 'FullPayload',
       doc                = 'With 75 kg on its top plate.',
       payload_mass_kg    = 75,                     -- R: data sheet
-      payload_position_m = lsos.vec3(0, 0, 0.5),   -- A
+      payload_position_m = vec(0, 0, 0.5),   -- A
     },
   },
 
@@ -79,7 +84,18 @@ return lsos.rover {
   can_turn_on_spot     = true,   -- D: skid steering
   turning_radius_min_m = 0.5,    -- A
 
+  battery = lsos.battery {
+    capacity_j           = 24 * 20 * 3600,  -- R: 24 V, 20 A h
+    discharge_efficiency = 0.9,             -- A: lead and acid
+  },
+  loads = { lsos.load { name = 'computer', power_w = 30 } },  -- A
+  shapes = {
+    box(vec(0.9, 0.42, 0.2), vec(0, 0, 0.24), '#e0b820'),
+    box(vec(0.7, 0.4, 0.06), vec(0, 0, 0.37), '#303030'),
+  },
+
   assumptions = {
+    'Husky: a battery of 480 W h with an efficiency of 0.9 and 30 W for its computer are assumed',
     'Husky: 50 kg with four wheels of 2.6 kg; tyres of 40 kN/m that lose 2 % of their load in '
       .. 'flexing and shear soil on soil are assumed',
     'Husky: it turns as if its track were 1.875 times as wide, the value of its maker\'s '

@@ -5,6 +5,17 @@
 -- (D) computed from those, (A) our assumption, which summary.json repeats.
 
 local lsos = require 'lsos'
+local vec = lsos.vec3
+
+local function box(size_m, position_m, colour)
+  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
+end
+
+local function tube(radius_m, length_m, axis, position_m, colour)
+  return lsos.shape {
+    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
+  }
+end
 
 local gross_kg    = 697     -- V: Apollo 15, encyclopedia articles on the LRV
 local empty_kg    = 210     -- V: the same
@@ -20,19 +31,19 @@ for axle, x_m in ipairs { wheelbase_m / 2, -wheelbase_m / 2 } do
   for side, y_m in ipairs { track_m / 2, -track_m / 2 } do
     modules[#modules + 1] = lsos.module {
       name       = ({ 'front', 'rear' })[axle] .. ({ '_left', '_right' })[side],
-      position_m = lsos.vec3(x_m, y_m, 0),
+      position_m = vec(x_m, y_m, 0),
     }
   end
 end
 
 local clearance_m = 0.356   -- V: 14 in loaded (17 in empty), web.mit.edu/12.000 (2004)
-local load_m      = lsos.vec3(0, 0, 0.85)  -- A: of crew and load together
+local load_m      = vec(0, 0, 0.85)  -- A: of crew and load together
 
 local chassis = lsos.chassis {
   mass_kg          = gross_kg - #modules * (arm_kg + knuckle_kg + wheel_kg),  -- D: 623
-  size_m           = lsos.vec3(2.6, 1.4, 0.78),  -- A: between the wheels; D: height 1.14 m (V)
+  size_m           = vec(2.6, 1.4, 0.78),  -- A: between the wheels; D: height 1.14 m (V)
   clearance_m      = clearance_m,
-  center_of_mass_m = lsos.vec3(0, 0, 0.75),      -- A: batteries low, crew high
+  center_of_mass_m = vec(0, 0, 0.75),      -- A: batteries low, crew high
 }
 
 local suspension = lsos.wishbone {
@@ -95,7 +106,7 @@ return lsos.rover {
       name               = 'OneCrew',
       doc                = 'Without the right-hand astronaut.',
       payload_mass_kg    = -astronaut_kg,
-      payload_position_m = lsos.vec3(0, -0.35, 0.85),  -- A: of the right seat
+      payload_position_m = vec(0, -0.35, 0.85),  -- A: of the right seat
     },
     lsos.configuration {
       name               = 'Empty',
@@ -111,7 +122,28 @@ return lsos.rover {
   acceleration_mps2    = 0.5,    -- A
   turning_radius_min_m = 3.1,    -- V: 10 feet, 'Apollo Moonships' p. 81
 
+  battery = lsos.battery {
+    capacity_j           = 242 * 36 * 3600,  -- V: 242 A h (Apollo 16 Mission Report); R: 36 V
+    discharge_efficiency = 0.95,             -- A
+  },
+  loads = {
+    lsos.load { name = 'communications', power_w = 60 },  -- A: LCRU and camera
+    lsos.load { name = 'navigation', power_w = 20 },      -- A
+  },
+  shapes = {
+    box(vec(3.0, 1.0, 0.06), vec(0, 0, 0.5), '#b0a070'),
+    box(vec(0.45, 0.45, 0.08), vec(-0.1, 0.35, 0.75), '#d8d0b0'),
+    box(vec(0.45, 0.45, 0.08), vec(-0.1, -0.35, 0.75), '#d8d0b0'),
+    box(vec(0.08, 0.45, 0.55), vec(-0.35, 0.35, 1.0), '#d8d0b0'),
+    box(vec(0.08, 0.45, 0.55), vec(-0.35, -0.35, 1.0), '#d8d0b0'),
+    box(vec(0.5, 0.8, 0.35), vec(1.2, 0, 0.75), '#e8e8e0'),
+    box(vec(0.5, 1.0, 0.6), vec(-1.2, 0, 0.9), '#c8c8c0'),
+    tube(0.02, 1.2, nil, vec(1.35, 0.35, 1.4), '#a0a0a0'),
+    tube(0.48, 0.05, vec(0.3, 0, 1), vec(1.35, 0.35, 2.05), '#c0a860'),
+  },
+
   assumptions = {
+    'LRV: a battery efficiency of 0.95 and 80 W for communications and navigation are assumed',
     'LRV: 74 kg of wheels, arms and traction drives, the load at 0.85 m and the centre of mass at '
       .. '0.75 m are assumed',
     'LRV: wheels are rigid in soil with 50 kN/m along its normal and shear soil on soil; flexing '

@@ -5,6 +5,17 @@
 -- (D) computed from those, (A) our assumption, which summary.json repeats.
 
 local lsos = require 'lsos'
+local vec = lsos.vec3
+
+local function box(size_m, position_m, colour)
+  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
+end
+
+local function tube(radius_m, length_m, axis, position_m, colour)
+  return lsos.shape {
+    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
+  }
+end
 
 local total_kg        = 180    -- V: encyclopedia articles on Spirit; 174 to 185 elsewhere
 local rocker_kg       = 5      -- A: of a side
@@ -16,20 +27,20 @@ local half_base_m     = 0.705  -- R: wheelbase 1.41 m
 local pivot_m         = 0.45   -- A: height of the rockers' pivots
 
 local stations = {
-  lsos.station { name = 'front', position_m = lsos.vec3(half_base_m, 0.53, 0),  -- R: track 1.06 m
+  lsos.station { name = 'front', position_m = vec(half_base_m, 0.53, 0),  -- R: track 1.06 m
                  is_steered = true },
-  lsos.station { name = 'middle', position_m = lsos.vec3(0, 0.61, 0),           -- R: track 1.22 m
+  lsos.station { name = 'middle', position_m = vec(0, 0.61, 0),           -- R: track 1.22 m
                  on = 'bogie' },
-  lsos.station { name = 'rear', position_m = lsos.vec3(-half_base_m, 0.53, 0),  -- R: the same
+  lsos.station { name = 'rear', position_m = vec(-half_base_m, 0.53, 0),  -- R: the same
                  is_steered = true, on = 'bogie' },
 }
 
 local chassis = lsos.chassis {
   mass_kg = total_kg - differential_kg - 2 * (rocker_kg + bogie_kg)  -- D: 142
     - 4 * knuckle_kg - 6 * wheel_kg,
-  size_m           = lsos.vec3(0.8, 0.6, 0.4),  -- A: body without panels and mast
+  size_m           = vec(0.8, 0.6, 0.4),  -- A: body without panels and mast
   clearance_m      = 0.30,                      -- R
-  center_of_mass_m = lsos.vec3(0, 0, 0.5),      -- A: over the rockers' pivots
+  center_of_mass_m = vec(0, 0, 0.5),      -- A: over the rockers' pivots
 }
 
 local suspension = lsos.rocker_bogie {
@@ -39,7 +50,7 @@ local suspension = lsos.rocker_bogie {
   -- Wheels carry the same when the centre of mass is over the middle wheel and the bogie's pivot
   -- halfway between its wheels.
   rocker = lsos.rocker {
-    pivot_m                 = lsos.vec3(0, 0.40, pivot_m),  -- A
+    pivot_m                 = vec(0, 0.40, pivot_m),  -- A
     mass_kg                 = rocker_kg,
     angle_max_rad           = 0.6,   -- A
     stop_stiffness_n_m_prad = 4000,  -- A
@@ -47,7 +58,7 @@ local suspension = lsos.rocker_bogie {
     damping_n_m_sprad       = 5,     -- A
   },
   bogie = lsos.bogie {
-    pivot_m                 = lsos.vec3(-half_base_m / 2, 0.50, 0.25),  -- A
+    pivot_m                 = vec(-half_base_m / 2, 0.50, 0.25),  -- A
     mass_kg                 = bogie_kg,
     angle_max_rad           = 0.7,   -- A
     stop_stiffness_n_m_prad = 2000,  -- A
@@ -56,7 +67,7 @@ local suspension = lsos.rocker_bogie {
   },
   differential = lsos.differential {
     kind               = 'gear',                   -- R: inside the body
-    position_m         = lsos.vec3(0, 0, pivot_m),
+    position_m         = vec(0, 0, pivot_m),
     mass_kg            = differential_kg,
     stiffness_n_m_prad = 10000,  -- A
     damping_n_m_sprad  = 150,    -- A
@@ -75,7 +86,7 @@ local suspension = lsos.rocker_bogie {
     width_m                  = 0.16,   -- R
     mass_kg                  = wheel_kg,
     -- D: solid disc; A: about the axle three times that, for what the drive turns behind its gear
-    inertia_kgm2             = lsos.vec3(0.0091, 0.035, 0.0091),
+    inertia_kgm2             = vec(0.0091, 0.035, 0.0091),
     normal_stiffness_npm     = 3e4,    -- A: 4 mm under its load on Mars
     normal_damping_nspm      = 300,    -- A
     tangential_damping_nspm  = 100,    -- A
@@ -96,6 +107,18 @@ local suspension = lsos.rocker_bogie {
     brake_damping_n_m_sprad  = 4,     -- A: 0.4 of critical
   },
 }
+
+-- R: 1.3 m2 of triple-junction cells; A: laid out as a deck and two wings
+local function panel(name, position_m, length_m)
+  return lsos.panel {
+    name       = name,
+    position_m = position_m,
+    length_m   = length_m,
+    width_m    = 0.6,   -- A
+    efficiency = 0.27,  -- R
+    factor     = 0.85,  -- A: packing, wiring and conversion
+  }
+end
 
 return lsos.rover {
   api  = 1,
@@ -126,7 +149,34 @@ return lsos.rover {
   can_turn_on_spot     = true,     -- V: encyclopedia articles on the rocker-bogie
   turning_radius_min_m = 1.2,      -- A: within the steering's 60 degrees
 
+  battery = lsos.battery {
+    capacity_j           = 2 * 8 * 28 * 3600,  -- R: two batteries of 8 A h at 28 V
+    charge_efficiency    = 0.95,               -- A
+    discharge_efficiency = 0.95,               -- A
+    reserve              = 0.2,                -- A
+  },
+  panels = {
+    panel('Deck', vec(0, 0, 0.62), 0.9),
+    panel('Left', vec(-0.1, 0.6, 0.62), 0.62),
+    panel('Right', vec(-0.1, -0.6, 0.62), 0.62),
+  },
+  loads = {
+    lsos.load { name = 'avionics', power_w = 20 },                 -- A
+    lsos.load { name = 'heaters', power_w = 10, when = 'dark' },   -- A
+  },
+  shapes = {
+    box(vec(0.7, 0.5, 0.25), vec(0, 0, 0.46), '#c8a040'),
+    box(vec(0.9, 0.6, 0.02), vec(0, 0, 0.605), '#202848'),
+    box(vec(0.62, 0.6, 0.02), vec(-0.1, 0.6, 0.605), '#202848'),
+    box(vec(0.62, 0.6, 0.02), vec(-0.1, -0.6, 0.605), '#202848'),
+    tube(0.04, 0.75, nil, vec(0.42, 0.15, 1.0), '#d0d0d0'),
+    box(vec(0.12, 0.3, 0.14), vec(0.42, 0.15, 1.43), '#d0d0d0'),
+    tube(0.14, 0.03, vec(-0.3, 0, 1), vec(0.1, -0.22, 0.85), '#b0b0b0'),
+  },
+
   assumptions = {
+    'MER: batteries of 8 A h at 28 V with 0.95 either way, a reserve of 20 %, panels of 1.28 m2 '
+      .. 'with 0.27 x 0.85, 20 W of avionics and 10 W of heaters in the dark are assumed',
     'MER: 180 kg, read as 174 to 185 kg in the sources; suspension of 38 kg with wheels, and a '
       .. 'centre of mass at 0.5 m over the pivots are assumed',
     'MER: pivots, stops, bearings and a differential of 10 kN m/rad are assumed',

@@ -5,6 +5,17 @@
 -- (D) computed from those, (A) our assumption, which summary.json repeats.
 
 local lsos = require 'lsos'
+local vec = lsos.vec3
+
+local function box(size_m, position_m, colour)
+  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
+end
+
+local function tube(radius_m, length_m, axis, position_m, colour)
+  return lsos.shape {
+    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
+  }
+end
 
 local payload_kg   = 1000                -- R: NASA SEV fact sheet
 local total_kg     = 3000 + payload_kg   -- V: 3000 kg, NASA lunar science LER page
@@ -19,16 +30,16 @@ for axle, x_m in ipairs { wheelbase_m / 2, 0, -wheelbase_m / 2 } do
   for side, y_m in ipairs { track_m / 2, -track_m / 2 } do
     modules[#modules + 1] = lsos.module {
       name       = ({ 'front', 'middle', 'rear' })[axle] .. ({ '_left', '_right' })[side],
-      position_m = lsos.vec3(x_m, y_m, 0),
+      position_m = vec(x_m, y_m, 0),
     }
   end
 end
 
 local chassis = lsos.chassis {
   mass_kg          = total_kg - #modules * (arm_kg + knuckle_kg + 2 * wheel_kg),  -- D: 3160
-  size_m           = lsos.vec3(4.5, 2.0, 2.4),  -- V: length 4.5; A: width between the wheels
+  size_m           = vec(4.5, 2.0, 2.4),  -- V: length 4.5; A: width between the wheels
   clearance_m      = 0.6,                       -- D: height 3 m (V) less the box
-  center_of_mass_m = lsos.vec3(0, 0, 1.3),      -- A: batteries below the floor
+  center_of_mass_m = vec(0, 0, 1.3),      -- A: batteries below the floor
 }
 
 local suspension = lsos.wishbone {
@@ -74,6 +85,46 @@ local suspension = lsos.wishbone {
   },
 }
 
+local battery = lsos.battery {
+  capacity_j           = 40 * 3.6e6,  -- A: 40 kWh, 320 kg at 125 Wh/kg (V: autoblog 2009-09)
+  charge_efficiency    = 0.96,        -- A
+  discharge_efficiency = 0.96,        -- A
+  reserve              = 0.1,         -- A
+}
+
+local panel = lsos.panel {
+  name          = 'Roof',
+  position_m    = vec(-0.6, 0, 4.2),  -- A: on a mast over the cabin
+  length_m      = 2.0,                      -- A
+  width_m       = 4.0,                      -- A
+  efficiency    = 0.29,                     -- A: triple-junction cells
+  factor        = 0.9,                      -- A: packing, wiring and conversion
+  azimuth_min_rad   = -math.pi,             -- A: turns all round and tips to the horizon
+  azimuth_max_rad   = math.pi,
+  elevation_min_rad = 0,
+  elevation_max_rad = math.pi / 2,
+  rate_radps    = math.rad(1),              -- A
+  motor_w       = 50,                       -- A
+  stowable      = true,
+  deploy_s      = 300,                      -- A
+  deploy_w      = 100,                      -- A
+}
+
+local white, grey, dark, gold = '#e8e8e4', '#9a9a98', '#30343a', '#c8a040'
+local shapes = {
+  box(vec(4.6, 1.6, 0.25), vec(0, 0, 0.75), grey),
+  box(vec(2.6, 1.9, 1.9), vec(0.2, 0, 1.95), white),
+  box(vec(0.9, 1.7, 1.5), vec(1.85, 0, 1.85), white),
+  box(vec(0.1, 1.5, 0.6), vec(2.32, 0, 2.15), dark),
+  box(vec(0.8, 0.06, 0.6), vec(1.8, 0.87, 2.15), dark),
+  box(vec(0.8, 0.06, 0.6), vec(1.8, -0.87, 2.15), dark),
+  box(vec(0.8, 1.7, 0.2), vec(-1.5, 0, 1.0), grey),
+  box(vec(0.35, 0.6, 1.5), vec(-1.3, 0.45, 1.9), gold),
+  box(vec(0.35, 0.6, 1.5), vec(-1.3, -0.45, 1.9), gold),
+  tube(0.05, 1.2, nil, vec(-0.6, 0, 3.5), grey),
+  tube(0.02, 0.8, nil, vec(0.9, 0.7, 3.3), grey),
+}
+
 return lsos.rover {
   api  = 1,
   name = 'SEV',
@@ -87,7 +138,7 @@ return lsos.rover {
       name               = 'Unloaded',
       doc                = 'Without its payload.',
       payload_mass_kg    = -payload_kg,
-      payload_position_m = lsos.vec3(0, 0, 1.3),  -- A: at the centre of mass
+      payload_position_m = vec(0, 0, 1.3),  -- A: at the centre of mass
     },
   },
 
@@ -98,7 +149,23 @@ return lsos.rover {
   can_turn_on_spot  = true,   -- D: all modules steer
   can_crab          = true,   -- V: in any direction, the same
 
+  battery = battery,
+  panels  = { panel },
+  loads   = {
+    lsos.load { name = 'cabin', power_w = 500 },                  -- A: air, avionics, cooling
+    lsos.load { name = 'radio', power_w = 50 },                   -- A
+    lsos.load { name = 'heaters', power_w = 300, when = 'dark' }, -- A
+  },
+  resources = {
+    -- A: oxygen for two over 14 days at 0.84 kg a day
+    lsos.resource { name = 'oxygen', unit = 'kg', amount = 24 },  -- A
+    lsos.resource { name = 'sample bags', unit = 'bags', amount = 100 },  -- A
+  },
+  shapes = shapes,
+
   assumptions = {
+    'SEV: a battery of 40 kWh with 0.96 either way, a reserve of 10 %, a panel of 8 m2 on a mast '
+      .. 'with 0.29 x 0.9, loads of 550 W and 300 W of heaters in the dark are assumed',
     'SEV: 4000 kg in all, read as 3000 kg of vehicle and 1000 kg of payload; sources disagree',
     'SEV: wheel modules of 140 kg (arm 40, knuckle 40, two wheels of 30), track 3 m and centre of '
       .. 'mass at 1.3 m are assumed',

@@ -38,8 +38,10 @@ Path3 geometry_S_m(const PlanGeometry& geometry, const Ground& ground) {
 }
 
 void EventRecord::archive(Archive& a) {
-  a(status)(reason)(ready)(start)(end)(distance_start_m)(distance_m)(place.lon_rad)(place.lat_rad)(
-      place.height_m)(is_prevented)(is_written);
+  a(status)(reason)(
+      ready)(start)(end)(distance_start_m)(distance_m)(used_start_j)(energy_used_j)(solar_start_j)(solar_j)(place
+                                                                                                                .lon_rad)(
+      place.lat_rad)(place.height_m)(is_prevented)(is_written);
 }
 
 EventSequence::EventSequence(const RoverMachine& machine, const MissionInfo& mission,
@@ -58,7 +60,7 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
     if (!has_turn_ && !take_turn(now, agent)) return;
     if (!running_) {
       std::string impossible;
-      if (may_start(now, others, impossible)) {
+      if (may_start(now, agent, others, impossible)) {
         start(now, agent, host);
         changes = 0;
       } else if (impossible.empty()) {
@@ -99,6 +101,7 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
 }
 
 std::string EventSequence::hindrance(const RoverAgent& agent) const {
+  if (is_powerless(agent)) return "the battery is empty";
   const bool drives = agent.drive().status != DriveState::Status::none;
   return !agent.fault().empty() && (drives || agent.is_broken()) ? agent.fault() : "";
 }
@@ -122,7 +125,14 @@ bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
   return true;
 }
 
-bool EventSequence::may_start(SimTime now, const Others& others, std::string& impossible) {
+// Waiting and recharging go on without charge.
+bool EventSequence::is_powerless(const RoverAgent& agent) const {
+  return agent.power().waits_for_reserve() &&
+         !machine_.events[index_].declaration.goes_on_without_power;
+}
+
+bool EventSequence::may_start(SimTime now, const RoverAgent& agent, const Others& others,
+                              std::string& impossible) {
   // The order of rovers within one exchange must not matter: an end counts from the next one.
   waits_for_others_ = false;
   bool is_late = false;
@@ -143,6 +153,8 @@ bool EventSequence::may_start(SimTime now, const Others& others, std::string& im
     waits_for_others_ = !is_late;
     return false;
   }
+  waits_for_charge_ = is_powerless(agent);
+  if (waits_for_charge_) return false;
   return !event().start_time || *event().start_time - mission_.start_time <= now;
 }
 
@@ -150,6 +162,8 @@ void EventSequence::start(SimTime now, const RoverAgent& agent, ScriptHost& host
   current().status = EventStatus::running;
   current().start = now;
   current().distance_start_m = agent.view().distance_m;
+  current().used_start_j = agent.energy_used_j();
+  current().solar_start_j = agent.solar_j();
   current().place = agent.place_now();
   changed(index_);
   const EventMachine& machine = machine_.events[index_];
@@ -173,7 +187,7 @@ void EventSequence::abort(SimTime now, RoverAgent& agent, ScriptHost& host) {
 
 void EventSequence::end(EventStatus status, const std::string& reason, SimTime now,
                         RoverAgent& agent) {
-  agent.brake();  // whatever its script left under way
+  agent.release();  // whatever its script left under way
   EventRecord& record = current();
   if (running_) {
     for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));
@@ -184,7 +198,11 @@ void EventSequence::end(EventStatus status, const std::string& reason, SimTime n
   if (record.reason != reason) warnings_.push_back(reason);
   record.end = now;
   record.place = agent.place_now();
-  if (record.start) record.distance_m = agent.view().distance_m - record.distance_start_m;
+  if (record.start) {
+    record.distance_m = agent.view().distance_m - record.distance_start_m;
+    record.energy_used_j = agent.energy_used_j() - record.used_start_j;
+    record.solar_j = agent.solar_j() - record.solar_start_j;
+  }
   changed(index_);
   has_turn_ = false;
   running_.reset();
@@ -258,7 +276,7 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
     return wake;
   }
   // What StartAfter names wakes it when it ends; its StartTime is known.
-  if (waits_for_others_) return std::nullopt;
+  if (waits_for_others_ || waits_for_charge_) return std::nullopt;
   if (!has_turn_ || !event().start_time) return next;
   return std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
 }
@@ -291,6 +309,8 @@ EventRow EventSequence::row(std::size_t index) const {
   // An end without a start or a reason to have ended stands only inside (see after_failure).
   if (record.status != EventStatus::not_started) row.end = record.end;
   row.distance_m = record.distance_m;
+  row.energy_used_j = record.energy_used_j;
+  row.solar_j = record.solar_j;
   if (record.ready) row.place = record.place;
   return row;
 }
@@ -315,7 +335,8 @@ std::vector<PhaseRow> EventSequence::take_phases() {
 std::vector<std::string> EventSequence::take_warnings() { return std::exchange(warnings_, {}); }
 
 void EventSequence::archive(Archive& a, ScriptHost& host) {
-  a.tag("events")(records_)(index_)(has_turn_)(waits_for_others_)(is_finished_)(aborts_mission_);
+  a.tag("events")(records_)(
+      index_)(has_turn_)(waits_for_others_)(waits_for_charge_)(is_finished_)(aborts_mission_);
   bool is_running = running_.has_value();
   a(is_running);
   if (a.is_reading() && is_running) running_.emplace();

@@ -19,6 +19,8 @@ struct EventRecord {
   std::string reason;
   std::optional<SimTime> ready, start, end;
   double distance_start_m = 0, distance_m = not_modelled;
+  double used_start_j = not_modelled, energy_used_j = not_modelled;
+  double solar_start_j = not_modelled, solar_j = not_modelled;
   Geodetic place;             // of the rover when it started, then ended
   bool is_prevented = false;  // will not start because of a failure
   bool is_written = true;     // nothing new for the log
@@ -75,10 +77,12 @@ class EventSequence {
   const PlanEvent& event() const { return machine_.events[index_].event; }
 
   bool take_turn(SimTime now, const RoverAgent& agent);
-  bool may_start(SimTime now, const Others& others, std::string& impossible);
+  bool may_start(SimTime now, const RoverAgent& agent, const Others& others,
+                 std::string& impossible);
   void start(SimTime now, const RoverAgent& agent, ScriptHost& host);
   // Why the running event cannot go on, whatever its script wants; "" when it can.
   std::string hindrance(const RoverAgent& agent) const;
+  bool is_powerless(const RoverAgent& agent) const;
   bool is_timed_out(SimTime now) const;
   void abort(SimTime now, RoverAgent& agent, ScriptHost& host);
   void end(EventStatus status, const std::string& reason, SimTime now, RoverAgent& agent);
@@ -95,6 +99,7 @@ class EventSequence {
   std::size_t index_ = 0;
   bool has_turn_ = false;          // events_[index_] is waiting or running
   bool waits_for_others_ = false;  // for the end of a StartAfter
+  bool waits_for_charge_ = false;  // the battery was empty
   bool is_finished_ = false;
   std::optional<RunningEvent> running_;
   std::string aborts_mission_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "mission/note_json.h"
 
 namespace lsos {
 
@@ -20,17 +21,6 @@ constexpr double gain_hysteresis_m = 0.5;  // smaller rises than this are noise
 constexpr double lookahead_least_m = 0.6;  // of path following, for small rovers
 constexpr double turn_rate_share = 0.4;    // wheels' share of cruise speed when turning on the spot
 
-// Numbers and texts in the fields of a note.
-std::string json(double value) { return std::isnan(value) ? "null" : fmt::format("{:.6g}", value); }
-std::string json(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 FollowerPose pose_of(const VehicleReport& report) {
   const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
   return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
@@ -39,11 +29,14 @@ FollowerPose pose_of(const VehicleReport& report) {
 
 }  // namespace
 
-RoverAgent::RoverAgent(const PlanRover& rover, const VehicleConfig& config, const Ground& ground)
+RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const VehicleConfig& config,
+                       const Ground& ground, std::span<const PowerSource> sources)
     : rover_(rover),
       ground_(&ground),
       vehicle_(config, ground),
-      footprint_at_rest_(footprint_at_rest(config)) {
+      footprint_at_rest_(footprint_at_rest(config)),
+      shape_(model.shapes, config),
+      power_(model.power, rover.initial_charge, sources) {
   view_.id = rover.id;
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
@@ -77,9 +70,9 @@ void RoverAgent::observe() {
   command_ = follower_->update(pose_of(report_), seconds(exchange_period));
   has_new_command_ = true;
   if (follower_->status() == PathFollower::Status::failed && follower_->is_stuck()) {
-    note("stuck",
-         fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
-                     json(follower_->remaining_m()), json(report_.sinkage_m), json(report_.slip)));
+    note("stuck", fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
+                              note_json(follower_->remaining_m()), note_json(report_.sinkage_m),
+                              note_json(report_.slip)));
   }
 }
 
@@ -101,8 +94,8 @@ void RoverAgent::find_faults() {
   } else if (std::hypot(report_.pitch_rad, report_.roll_rad) > rolled_over_rad) {
     fault_ = fmt::format("rolled over (pitch {:.0f} deg, roll {:.0f} deg)",
                          degrees(report_.pitch_rad), degrees(report_.roll_rad));
-    note("rollover", fmt::format(R"({{"pitch_rad":{},"roll_rad":{}}})", json(report_.pitch_rad),
-                                 json(report_.roll_rad)));
+    note("rollover", fmt::format(R"({{"pitch_rad":{},"roll_rad":{}}})",
+                                 note_json(report_.pitch_rad), note_json(report_.roll_rad)));
   }
 }
 
@@ -114,7 +107,7 @@ void RoverAgent::find_hindrances() {
     fail_drive("high_centred",
                fmt::format("high-centred: its chassis touches the ground, {:.1f} m before the end",
                            follower_->remaining_m()),
-               fmt::format(R"({{"remaining_m":{}}})", json(follower_->remaining_m())));
+               fmt::format(R"({{"remaining_m":{}}})", note_json(follower_->remaining_m())));
   }
 }
 
@@ -140,9 +133,10 @@ Footprint RoverAgent::swept_footprint() const {
 
 void RoverAgent::end_drive_before(const std::string& other_id, double distance_m) {
   if (!is_driving()) return;
-  fail_drive("would_touch",
-             fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m),
-             fmt::format(R"({{"distance_m":{},"other":{}}})", json(distance_m), json(other_id)));
+  fail_drive(
+      "would_touch",
+      fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m),
+      fmt::format(R"({{"distance_m":{},"other":{}}})", note_json(distance_m), note_json(other_id)));
 }
 
 void RoverAgent::control() {
@@ -155,7 +149,7 @@ void RoverAgent::control() {
   const bool rests = command_.is_braking && !is_driving() && report_.speed_mps < at_rest_mps;
   exchanges_at_rest_ = rests ? exchanges_at_rest_ + 1 : 0;
   if (exchanges_at_rest_ >= exchanges_until_parked || !fault_.empty()) {
-    is_parked_ = true;
+    is_parked_ = has_motion_ended_ = true;
     exchanges_at_rest_ = 0;
     vehicle_.halt();
     if (!is_broken_) look();
@@ -280,6 +274,11 @@ void RoverAgent::brake() {
   has_new_command_ = true;
 }
 
+void RoverAgent::release() {
+  brake();
+  power_.release();
+}
+
 void RoverAgent::note(const std::string& name, const std::string& fields_json) {
   notes_.push_back({noting_sequence_, name, fields_json});
 }
@@ -309,6 +308,7 @@ SampleRow RoverAgent::sample(SimTime now, const std::string& event,
   row.sinkage_m = report_.sinkage_m;
   row.drive_w = view_.drive_w;
   row.drive_j = view_.drive_j;
+  power_.fill(row);
   row.event = event;
   row.phase = phase;
   return row;
@@ -327,8 +327,8 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(
-      vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
-                                                                                                                                                                                            .distance_m)(
+      power_)(has_motion_ended_)(is_shedding_)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
+                                                                                                                                                                                                                                     .distance_m)(
       view_.drive_w)(view_.drive_j)(
       slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
   if (a.is_reading()) update_view();

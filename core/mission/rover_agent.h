@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "mission/body_shape.h"
+#include "mission/rover_model.h"
 #include "mission/rover_port.h"
+#include "mission/rover_power.h"
 #include "plan/plan.h"
 #include "record/rows.h"
 #include "vehicle/footprint.h"
@@ -15,6 +18,9 @@
 
 namespace lsos {
 
+// What goes on near a rover at an exchange.
+enum class Motion { none, goes_on, has_ended };
+
 class RoverAgent : public RoverPort {
  public:
   struct Note {
@@ -22,7 +28,9 @@ class RoverAgent : public RoverPort {
     std::string name, fields_json;
   };
 
-  RoverAgent(const PlanRover& rover, const VehicleConfig& config, const Ground& ground);
+  // `config`: the model's vehicle with links. `ground` and `sources` must outlive it.
+  RoverAgent(const PlanRover& rover, const RoverModel& model, const VehicleConfig& config,
+             const Ground& ground, std::span<const PowerSource> sources);
 
   // Stands the rover at its start. Throws InputError when the terrain is not known there.
   void place(double default_heading_rad);
@@ -37,6 +45,9 @@ class RoverAgent : public RoverPort {
   void advance();
   // At an exchange, before scripts run: looks at the vehicle and at the line it follows.
   void observe();
+  // At an exchange, after observe(): brings the energy balance up to now. A rover whose battery is
+  // empty stops.
+  void count_energy(SimTime now);
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
 
@@ -47,12 +58,31 @@ class RoverAgent : public RoverPort {
   // It would touch another: the drive ends.
   void end_drive_before(const std::string& other_id, double distance_m);
 
+  // The Sun is to be looked at again: it has moved so far; or the rover or something near it moves,
+  // at whole multiples of two seconds; or motion has just ended.
+  bool is_sun_due(SimTime now, Motion near) const;
+  // When, though nothing else happens; absent: never.
+  std::optional<SimTime> sun_wake(SimTime now) const;
+  // What the look was of; it holds until the next.
+  void set_sun(const SunValue& value);
+  const BodyShape& shape() const { return shape_; }
+  std::vector<PartPose> part_poses() const { return vehicle_.part_poses(); }
+  // What flows from now on.
+  void settle_energy();
+
   const RoverView& view() const override { return view_; }
+  RoverPower& power() override { return power_; }
+  const RoverPower& power() const { return power_; }
+  // Load, drive and loss since the start, and what panels gave; NaN without a battery.
+  double energy_used_j() const;
+  double solar_j() const;
   DriveState drive() const override;
   // How much of the line that it follows lies behind, 0..1; 0 when it follows none.
   double drive_share() const;
   void follow(const Path3& path_S_m, const FollowSettings& settings) override;
   void brake() override;
+  // The event has ended: stops whatever it left under way.
+  void release();
   void note(const std::string& name, const std::string& fields_json) override;
 
   // Notes that follow are of this event.
@@ -64,6 +94,8 @@ class RoverAgent : public RoverPort {
   Geodetic place_now() const;
   SampleRow sample(SimTime now, const std::string& event, const std::string& phase) const;
   std::vector<JointRow> joints(SimTime now) const;
+  std::vector<PanelRow> panels(SimTime now) const;
+  std::vector<ResourceRow> resources(SimTime now) const;
 
   // Extremes over all exchanges.
   double slip_max() const { return slip_max_; }
@@ -87,6 +119,10 @@ class RoverAgent : public RoverPort {
   const Ground* ground_;
   Vehicle vehicle_;
   Footprint footprint_at_rest_;
+  BodyShape shape_;
+  RoverPower power_;
+  bool has_motion_ended_ = false;  // since the last look at the Sun
+  bool is_shedding_ = false;
   RoverView view_;
   VehicleReport report_;
   std::vector<double> joints_;  // m or rad, as report_ of the last good exchange

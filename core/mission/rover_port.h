@@ -7,6 +7,7 @@
 
 #include "base/sim_time.h"
 #include "base/vector.h"
+#include "mission/power_port.h"
 
 namespace lsos {
 
@@ -49,6 +50,7 @@ class RoverPort {
   virtual void follow(const Path3& path_S_m, const FollowSettings& settings) = 0;
   // Stop and hold.
   virtual void brake() = 0;
+  virtual PowerPort& power() = 0;
   // A row in `notes`. `fields_json`: an object with sorted keys.
   virtual void note(const std::string& name, const std::string& fields_json) = 0;
 };

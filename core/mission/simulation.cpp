@@ -25,11 +25,13 @@ Simulation::Simulation(SimulationSetup setup)
   const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
   for (const PlanRover& rover : setup_.plan.rovers) {
     vehicles_[{rover.type, rover.configuration}] =
-        make_vehicle(setup_.rover_specs.at(rover.type), rover.configuration, g_mps2);
+        make_vehicle(setup_.rover_models.at(rover.type).spec, rover.configuration, g_mps2);
   }
   check_soil();
+  stand_assets();
   build();
   place_rovers();
+  make_light();
 }
 
 void Simulation::check_soil() const {
@@ -62,11 +64,13 @@ void Simulation::build() {
   machine_ = synthesise(setup_.plan, host_->declarations());
   for (const RoverMachine& rover : machine_.rovers) {
     rovers_.push_back(
-        {std::make_unique<RoverAgent>(
-             rover.rover, vehicles_.at({rover.rover.type, rover.rover.configuration}), *ground_),
+        {std::make_unique<RoverAgent>(rover.rover, setup_.rover_models.at(rover.rover.type),
+                                      vehicles_.at({rover.rover.type, rover.rover.configuration}),
+                                      *ground_, sources_),
          EventSequence(rover, machine_.mission, *ground_),
          SimTime{},
-         {}});
+         {},
+         true});
   }
 }
 
@@ -107,6 +111,7 @@ void Simulation::advance() {
     stop("MaxDuration is over");
     return;
   }
+  LSOS_ASSERT(next > now_);
   std::vector<RoverAgent*> active;
   for (Rover& rover : rovers_) {
     if (!rover.agent->is_parked()) active.push_back(rover.agent.get());
@@ -119,12 +124,18 @@ void Simulation::advance() {
 
 SimTime Simulation::next_time() {
   std::optional<SimTime> wake, next;
+  bool may_wake = false;
+  const auto earlier = [](std::optional<SimTime>& first, std::optional<SimTime> other) {
+    if (other && (!first || *other < *first)) first = other;
+  };
   for (const Rover& rover : rovers_) {
     if (!rover.agent->is_parked()) return now_ + exchange_period;
-    if (rover.wake && (!wake || *rover.wake < *wake)) wake = rover.wake;
-    if (!next || next_sample(rover) < *next) next = next_sample(rover);
+    may_wake |= rover.wake || rover.agent->power().waits_for_reserve();
+    earlier(wake, rover.wake);
+    earlier(wake, quiet_wake(rover));
+    earlier(next, next_sample(rover));
   }
-  if (!wake) {
+  if (!may_wake || !wake) {
     // Every rover waits for another: the plan's own circles are found before, what is left is a
     // script that waits for what does not come. Nothing will happen before the end of time.
     return setup_.plan.mission.max_duration + exchange_period;
@@ -133,7 +144,13 @@ SimTime Simulation::next_time() {
 }
 
 void Simulation::exchange() {
-  for (Rover& rover : rovers_) rover.agent->observe();
+  for (Rover& rover : rovers_) {
+    rover.was_parked = rover.agent->is_parked();
+    rover.agent->observe();
+    rover.agent->count_energy(now_);
+    const bool may_go_on = rover.agent->power().has_reserve_changed();
+    if (may_go_on && !rover.sequence.is_finished()) rover.wake = now_;
+  }
   keep_apart();
   run_scripts();
   for (Rover& rover : rovers_) rover.agent->control();
@@ -144,6 +161,9 @@ void Simulation::exchange() {
          true);
     break;
   }
+  if (light_) watch_the_sun();
+  share_power();
+  for (Rover& rover : rovers_) rover.agent->settle_energy();
   // Rovers that still roll come to rest first, so that the last rows say where they are.
   is_finished_ =
       is_finished_ || std::ranges::all_of(rovers_, [&](const Rover& rover) {
@@ -243,6 +263,8 @@ void Simulation::log_rows() {
 void Simulation::log_sample(Rover& rover) {
   log_->write(rover.agent->sample(now_, rover.sequence.event_label(), rover.sequence.phase()));
   for (const JointRow& row : rover.agent->joints(now_)) log_->write(row);
+  for (const PanelRow& row : rover.agent->panels(now_)) log_->write(row);
+  for (const ResourceRow& row : rover.agent->resources(now_)) log_->write(row);
   rover.logged = now_;
 }
 
@@ -304,7 +326,9 @@ std::vector<RoverResult> Simulation::results() const {
   std::vector<RoverResult> results;
   for (const Rover& rover : rovers_) {
     const RoverAgent& agent = *rover.agent;
-    RoverResult result{agent.id(), agent.view().distance_m};
+    RoverResult result;
+    result.id = agent.id();
+    result.distance_m = agent.view().distance_m;
     for (const EventRecord& record : rover.sequence.records()) {
       if (record.ready && record.end) {
         result.duration_s = std::max(result.duration_s, seconds(*record.end));
@@ -314,6 +338,13 @@ std::vector<RoverResult> Simulation::results() const {
     result.elevation_gain_m = agent.elevation_gain_m();
     result.slope_max_rad = agent.slope_max_rad();
     result.slip_max = agent.slip_max();
+    if (agent.power().has_battery()) {
+      result.energy_start_j = agent.power().energy_at_start_j();
+      result.energy_end_j = agent.power().account().energy_j;
+      result.energy_used_j = agent.energy_used_j();
+      result.solar_j = agent.solar_j();
+    }
+    result.resources = agent.power().resources();
     results.push_back(result);
   }
   return results;
@@ -340,6 +371,7 @@ std::vector<std::string> Simulation::assumptions() const {
 std::string Simulation::save() {
   Archive a = Archive::writer();
   a.tag("simulation")(now_)(is_finished_)(warnings_);
+  for (StandingAsset& asset : assets_) a(asset.sun);
   for (Rover& rover : rovers_) {
     a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);
@@ -350,6 +382,7 @@ std::string Simulation::save() {
 void Simulation::restore(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
   a.tag("simulation")(now_)(is_finished_)(warnings_);
+  for (StandingAsset& asset : assets_) a(asset.sun);
   for (Rover& rover : rovers_) {
     a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);

@@ -15,18 +15,21 @@
 #include <vector>
 
 #include "mission/event_sequence.h"
+#include "mission/light.h"
 #include "mission/machine.h"
 #include "mission/rover_agent.h"
+#include "mission/rover_model.h"
 #include "mission/script_host.h"
+#include "mission/standing_asset.h"
 #include "mission/worker_pool.h"
 #include "record/log.h"
-#include "vehicle/rover_spec.h"
 
 namespace lsos {
 
 struct SimulationSetup {
   Plan plan;
-  std::map<std::string, RoverSpec> rover_specs;  // by RoverType
+  std::map<std::string, RoverModel> rover_models;  // by RoverType
+  std::map<std::string, AssetModel> asset_models;  // by AssetType
   TerrainSpec terrain;
   std::function<std::unique_ptr<ScriptHost>()> make_host;
   int threads = 1;
@@ -42,6 +45,9 @@ struct RoverResult {
   double drive_s = 0;
   double elevation_gain_m = 0;
   double slope_max_rad = not_modelled, slip_max = not_modelled;
+  double energy_start_j = not_modelled, energy_end_j = not_modelled;
+  double energy_used_j = not_modelled, solar_j = not_modelled;
+  std::map<std::string, double> resources = {};
 };
 
 class Simulation : private EventSequence::Others {
@@ -66,6 +72,8 @@ class Simulation : private EventSequence::Others {
   SimTime now() const { return now_; }
   const Plan& plan() const { return setup_.plan; }
   const Ground& ground() const { return *ground_; }
+  // What draws the light on panels; "" when nothing asks for it.
+  std::string renderer() const { return light_ ? light_->renderer() : ""; }
 
   std::vector<EventRow> events() const;
   std::vector<RoverResult> results() const;
@@ -83,11 +91,13 @@ class Simulation : private EventSequence::Others {
   struct Rover {
     std::unique_ptr<RoverAgent> agent;
     EventSequence sequence;
-    std::optional<SimTime> wake;    // when it must be called though it is parked
+    std::optional<SimTime> wake;    // when its scripts must be called though it is parked
     std::optional<SimTime> logged;  // its last sample
+    bool was_parked = true;         // when this exchange began; not saved
   };
 
   void check_soil() const;
+  void stand_assets();
   void build();
   void place_rovers();
   void find_rovers_in_each_other(Faults& faults) const;
@@ -95,6 +105,13 @@ class Simulation : private EventSequence::Others {
   void keep_apart();
   void run_scripts();
   void take_warnings(Rover& rover);
+  // The light, and who gives power to whom (simulation_light.cpp).
+  void make_light();
+  void watch_the_sun();
+  void share_power();
+  Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;
+  Mesh solids_near(const Vec3& eye_S_m, const std::string& except_id) const;
+  std::optional<SimTime> quiet_wake(const Rover& rover) const;
   void log_rows();
   void log_sample(Rover& rover);
   SimTime next_time();
@@ -110,6 +127,10 @@ class Simulation : private EventSequence::Others {
   // By RoverType and RoverConfig, with links.
   std::map<std::pair<std::string, std::string>, VehicleConfig> vehicles_;
   std::unique_ptr<ScriptHost> host_;
+  std::vector<PowerSource> sources_;
+  std::vector<StandingAsset> assets_;
+  std::unique_ptr<Light> light_;
+  double optical_depth_ = 0;
   std::vector<Rover> rovers_;
   WorkerPool pool_;
   SimTime now_{};

@@ -43,6 +43,7 @@ struct EventDeclaration {
   std::vector<FieldDeclaration> fields;  // without the common ones (common_event_fields)
   std::vector<GeometryKind> geometries;  // allowed; `none` among them: may have no geometry
   bool drives = false;                   // a Point means: drive there from where the rover is
+  bool goes_on_without_power = false;    // also when the rover's battery is empty
   std::string start_phase;
   struct Phase {
     std::string name;

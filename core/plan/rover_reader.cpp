@@ -161,16 +161,7 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
 std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
                                    const ReadContext& context, IdLines& ids) {
   std::vector<PlanAsset> result;
-  const bool has_types = !type_names(context.declarations, true).empty();
-  for (const OurPlacemark& ours : assets) {
-    if (has_types) {
-      result.push_back(read_asset(ours, context, ids));
-    } else {
-      const Subject subject = subject_of(ours, "AssetId", context);
-      context.faults.error(
-          subject.place, fmt::format("{}: assets are not simulated by this version", subject.name));
-    }
-  }
+  for (const OurPlacemark& ours : assets) result.push_back(read_asset(ours, context, ids));
   std::ranges::stable_sort(result, {}, &PlanAsset::id);
   return result;
 }

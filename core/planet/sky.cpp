@@ -68,6 +68,16 @@ double covered_share(double disc_rad, double cover_rad, double separation_rad) {
   return area / (std::numbers::pi * r * r);
 }
 
+namespace {
+
+double share_covered_by(const Sighting& cover, const Sighting& disc) {
+  const double apart_rad = std::atan2(disc.direction_F.cross(cover.direction_F).norm(),
+                                      disc.direction_F.dot(cover.direction_F));
+  return covered_share(disc.disc_rad, cover.disc_rad, apart_rad);
+}
+
+}  // namespace
+
 SkyPosition sky_position(const Body& on, const Geodetic& place, const Vec3& direction_F) {
   const SiteFrame site(on, place);
   const Vec3 direction_S = site.R_FS().transpose() * direction_F;
@@ -90,6 +100,10 @@ double refraction_rad(double elevation_rad, double height_m) {
   return bent_deg * left * std::numbers::pi / 180;
 }
 
+double eclipsed_share(const Body& moon, const Vec3& p_F_m, const Sighting& sun, Instant at) {
+  return share_covered_by(sighting(moon, p_F_m, CelestialBody::earth, at), sun);
+}
+
 Sky sky(const Body& on, const Geodetic& place, Instant at) {
   const Vec3 point_F_m = p_F_m(on, place);
   const Sighting sun = sighting(on, point_F_m, CelestialBody::sun, at);
@@ -110,11 +124,7 @@ Sky sky(const Body& on, const Geodetic& place, Instant at) {
   const Sighting earth = sighting(on, point_F_m, CelestialBody::earth, at);
   result.earth = sky_position(on, place, earth.direction_F);
   result.earth_distance_m = earth.distance_m;
-  if (celestial(on) == CelestialBody::moon) {
-    const double apart_rad = std::atan2(sun.direction_F.cross(earth.direction_F).norm(),
-                                        sun.direction_F.dot(earth.direction_F));
-    result.eclipsed = covered_share(sun.disc_rad, earth.disc_rad, apart_rad);
-  }
+  if (celestial(on) == CelestialBody::moon) result.eclipsed = share_covered_by(earth, sun);
   return result;
 }
 

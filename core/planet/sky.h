@@ -23,6 +23,9 @@ Sighting sighting(const Body& on, const Vec3& p_F_m, CelestialBody target, Insta
 // Share of a disc that another one covers. Angular radii and separation of the centres, rad.
 double covered_share(double disc_rad, double cover_rad, double separation_rad);
 
+// The same of the Sun that Earth covers, seen from a point of the Moon.
+double eclipsed_share(const Body& moon, const Vec3& p_F_m, const Sighting& sun, Instant at);
+
 // Where something is in a place's sky. Azimuth 0..2 pi, clockwise from true north; elevation of the
 // disc's centre above the plane across the local vertical.
 struct SkyPosition {

@@ -21,6 +21,8 @@ struct PowerDemand {
   double external_w = 0;
   double load_w = 0;
   double drive_w = 0;
+
+  bool operator==(const PowerDemand&) const = default;
 };
 
 // What flows, W: energy_rate_w = solar_w + external_w - load_w - drive_w - loss_w. Solar power

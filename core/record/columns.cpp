@@ -179,6 +179,34 @@ std::span<const Column<JointRow>> columns<JointRow>() {
 }
 
 template <>
+std::span<const Column<PanelRow>> columns<PanelRow>() {
+  using R = PanelRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),
+      text<&R::rover_id>("rover_id"),
+      text<&R::panel>("panel"),
+      real<&R::sun_fraction>("sun_fraction"),
+      real<&R::incidence>("incidence"),
+      real<&R::power_w>("power_w"),
+      real<&R::azimuth_rad>("azimuth_rad"),
+      real<&R::elevation_rad>("elevation_rad"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<ResourceRow>> columns<ResourceRow>() {
+  using R = ResourceRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),
+      text<&R::rover_id>("rover_id"),
+      text<&R::resource>("resource"),
+      real<&R::amount>("amount"),
+  };
+  return table;
+}
+
+template <>
 std::span<const Column<EventRow>> columns<EventRow>() {
   using R = EventRow;
   static const Column<R> table[] = {

@@ -44,6 +44,10 @@ std::span<const Column<SampleRow>> columns<SampleRow>();
 template <>
 std::span<const Column<JointRow>> columns<JointRow>();
 template <>
+std::span<const Column<PanelRow>> columns<PanelRow>();
+template <>
+std::span<const Column<ResourceRow>> columns<ResourceRow>();
+template <>
 std::span<const Column<EventRow>> columns<EventRow>();
 template <>
 std::span<const Column<PhaseRow>> columns<PhaseRow>();

@@ -39,6 +39,8 @@ class LogWriter {
 
   void write(const SampleRow& row);
   void write(const JointRow& row);
+  void write(const PanelRow& row);
+  void write(const ResourceRow& row);
   void write(const EventRow& row);  // updates the row of the same rover and sequence
   void write(const PhaseRow& row);
   void write(const NoteRow& row);
@@ -67,6 +69,8 @@ class LogReader {
 
   std::vector<SampleRow> samples() const;
   std::vector<JointRow> joints() const;
+  std::vector<PanelRow> panels() const;
+  std::vector<ResourceRow> resources() const;
   std::vector<EventRow> events() const;
   std::vector<PhaseRow> phases() const;
   std::vector<NoteRow> notes() const;

@@ -140,6 +140,8 @@ LogReader::~LogReader() = default;
 
 std::vector<SampleRow> LogReader::samples() const { return impl_->rows<SampleRow>(); }
 std::vector<JointRow> LogReader::joints() const { return impl_->rows<JointRow>(); }
+std::vector<PanelRow> LogReader::panels() const { return impl_->rows<PanelRow>(); }
+std::vector<ResourceRow> LogReader::resources() const { return impl_->rows<ResourceRow>(); }
 std::vector<EventRow> LogReader::events() const { return impl_->rows<EventRow>(); }
 std::vector<PhaseRow> LogReader::phases() const { return impl_->rows<PhaseRow>(); }
 std::vector<NoteRow> LogReader::notes() const { return impl_->rows<NoteRow>(); }

@@ -64,6 +64,8 @@ struct LogWriter::Impl {
   gpkg::Dataset dataset;
   RowLayer<SampleRow> samples;
   RowLayer<JointRow> joints;
+  RowLayer<PanelRow> panels;
+  RowLayer<ResourceRow> resources;
   RowLayer<EventRow> events;
   RowLayer<PhaseRow> phases;
   RowLayer<NoteRow> notes;
@@ -97,6 +99,8 @@ struct LogWriter::Impl {
   void release_features() {
     samples = {};
     joints = {};
+    panels = {};
+    resources = {};
     events = {};
     phases = {};
     notes = {};
@@ -113,6 +117,8 @@ struct LogWriter::Impl {
     }
     open_layer(samples);
     open_layer(joints);
+    open_layer(panels);
+    open_layer(resources);
     open_layer(events);
     open_layer(phases);
     open_layer(notes);
@@ -197,6 +203,8 @@ LogWriter::~LogWriter() {
 
 void LogWriter::write(const SampleRow& row) { impl_->append(impl_->samples, row); }
 void LogWriter::write(const JointRow& row) { impl_->append(impl_->joints, row); }
+void LogWriter::write(const PanelRow& row) { impl_->append(impl_->panels, row); }
+void LogWriter::write(const ResourceRow& row) { impl_->append(impl_->resources, row); }
 void LogWriter::write(const PhaseRow& row) { impl_->append(impl_->phases, row); }
 void LogWriter::write(const NoteRow& row) { impl_->append(impl_->notes, row); }
 

@@ -40,6 +40,25 @@ struct JointRow {
   double extension_m = not_modelled;  // of a prismatic joint
 };
 
+// Layer `panels`: what the Sun did for one panel.
+struct PanelRow {
+  SimTime time{};
+  std::string rover_id;
+  std::string panel;
+  double sun_fraction = not_modelled;
+  double incidence = not_modelled;                                  // the same times the cosine
+  double power_w = not_modelled;                                    // before curtailment
+  double azimuth_rad = not_modelled, elevation_rad = not_modelled;  // that it faces; NaN: stowed
+};
+
+// Layer `resources`.
+struct ResourceRow {
+  SimTime time{};
+  std::string rover_id;
+  std::string resource;
+  double amount = 0;
+};
+
 enum class EventStatus {
   not_started,
   waiting,

@@ -41,11 +41,12 @@ class HeightTile {
 
  private:
   static std::size_t index(int column, int row) {
-    return static_cast<std::size_t>((row - first_node) * nodes + (column - first_node));
+    return static_cast<std::size_t>(row - first_node) * nodes +
+           static_cast<std::size_t>(column - first_node);
   }
 
   static std::size_t cell(int column, int row) {
-    return static_cast<std::size_t>(row * cells + column);
+    return static_cast<std::size_t>(row) * cells + static_cast<std::size_t>(column);
   }
 
   TileKey key_;

@@ -36,30 +36,37 @@ GDALDriver& driver(const char* name) {
 }
 
 GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
-                               const std::function<double(const Geodetic&)>& height_m) {
+                               const std::vector<MapBand>& bands, const MapRow& values) {
+  const int count = static_cast<int>(bands.size());
   GDALDatasetUniquePtr dataset(
-      driver("MEM").Create("", grid.columns, grid.rows, 1, GDT_Float32, nullptr));
+      driver("MEM").Create("", grid.columns, grid.rows, count, GDT_Float32, nullptr));
   if (!dataset) refuse("the map");
   OGRSpatialReference crs;
   crs.importFromWkt(grid.crs.c_str());
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   dataset->SetSpatialRef(&crs);
   dataset->SetGeoTransform(const_cast<double*>(grid.geotransform.data()));
-  GDALRasterBand& band = *dataset->GetRasterBand(1);
-  constexpr float missing = std::numeric_limits<float>::quiet_NaN();
-  band.SetNoDataValue(missing);
-  band.SetUnitType("m");
-  band.SetDescription("height");
+  for (int k = 0; k < count; ++k) {
+    GDALRasterBand& band = *dataset->GetRasterBand(k + 1);
+    band.SetNoDataValue(std::numeric_limits<float>::quiet_NaN());
+    band.SetUnitType(bands[static_cast<std::size_t>(k)].unit.c_str());
+    band.SetDescription(bands[static_cast<std::size_t>(k)].name.c_str());
+  }
   const RasterMap map = grid.map(body);
-  std::vector<float> line(grid.columns);
+  std::vector<std::optional<Geodetic>> places(grid.columns);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
-      const auto place = map.place({static_cast<double>(column), static_cast<double>(row)});
-      line[column] = place ? static_cast<float>(height_m(*place)) : missing;
+      places[column] = map.place({static_cast<double>(column), static_cast<double>(row)});
     }
-    if (band.RasterIO(GF_Write, 0, row, grid.columns, 1, line.data(), grid.columns, 1, GDT_Float32,
-                      0, 0, nullptr) != CE_None) {
-      refuse("the map");
+    const std::vector<double> found = values(places);
+    const std::vector<float> lines(found.begin(), found.end());
+    for (int k = 0; k < count; ++k) {
+      auto* line = const_cast<float*>(&lines[static_cast<std::size_t>(k) * places.size()]);
+      if (dataset->GetRasterBand(k + 1)->RasterIO(GF_Write, 0, row, grid.columns, 1, line,
+                                                  grid.columns, 1, GDT_Float32, 0, 0,
+                                                  nullptr) != CE_None) {
+        refuse("the map");
+      }
     }
   }
   return dataset;
@@ -83,34 +90,53 @@ GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   return shade;
 }
 
-}  // namespace
-
-void write_raster(const RasterExport& to, const MapGrid& grid, const Body& body,
-                  const std::function<double(const Geodetic&)>& height_m) {
-  GDALDatasetUniquePtr dataset = in_memory(grid, body, height_m);
-  const GdalSilence silence;
-  if (to.is_hillshade) dataset = hillshade(*dataset, body);
+// Under another name until it is whole.
+void write_cog(GDALDataset& dataset, const std::string& file) {
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");
   options.SetNameValue("PREDICTOR", "YES");
   options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
-  const std::string unfinished = to.file + ".part";
+  const std::string unfinished = file + ".part";
   CPLErrorReset();
-  GDALDatasetUniquePtr copy(driver("COG").CreateCopy(unfinished.c_str(), dataset.get(), FALSE,
+  GDALDatasetUniquePtr copy(driver("COG").CreateCopy(unfinished.c_str(), &dataset, FALSE,
                                                      options.List(), nullptr, nullptr));
   const bool is_made = copy != nullptr;
   copy.reset();
   std::error_code error;
   if (!is_made || CPLGetLastErrorType() >= CE_Failure) {
     fs::remove(unfinished, error);
-    refuse(to.file);
+    refuse(file);
   }
-  fs::rename(unfinished, to.file, error);
+  fs::rename(unfinished, file, error);
   if (error) {
     const std::string why = error.message();
     fs::remove(unfinished, error);
-    throw InputError({to.file, 0}, fmt::format("cannot be written: {}", why));
+    throw InputError({file, 0}, fmt::format("cannot be written: {}", why));
   }
+}
+
+}  // namespace
+
+void write_map(const std::string& file, const MapGrid& grid, const Body& body,
+               const std::vector<MapBand>& bands, const MapRow& values) {
+  const GDALDatasetUniquePtr dataset = in_memory(grid, body, bands, values);
+  const GdalSilence silence;
+  write_cog(*dataset, file);
+}
+
+void write_raster(const RasterExport& to, const MapGrid& grid, const Body& body,
+                  const std::function<double(const Geodetic&)>& height_m) {
+  const MapRow heights_m = [&](std::span<const std::optional<Geodetic>> places) {
+    std::vector<double> values;
+    for (const auto& place : places) {
+      values.push_back(place ? height_m(*place) : std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+  };
+  GDALDatasetUniquePtr dataset = in_memory(grid, body, {{"height", "m"}}, heights_m);
+  const GdalSilence silence;
+  if (to.is_hillshade) dataset = hillshade(*dataset, body);
+  write_cog(*dataset, to.file);
 }
 
 }  // namespace lsos

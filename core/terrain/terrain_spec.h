@@ -98,6 +98,7 @@ struct TerrainSpec {
   Soil soil;
   std::vector<SoilPatch> soil_patches;  // the first that holds a place decides
   std::optional<Soil> rock_soil;        // of rocks; default: a rigid one
+  std::optional<double> optical_depth;  // of dust in the air, straight up
   bool is_synthetic = true;
 };
 

@@ -25,6 +25,7 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
       probe_(ground),
       bodies_(config),
       layout_(wheel_layout(config)),
+      centres_B_m_(centres_at_rest_B_m(config)),
       wheels_(layout_.wheels.size()),
       steerings_(layout_.steerings.size()) {
   for (std::size_t i = 0; i < config_.links.size(); ++i) {
@@ -232,6 +233,15 @@ VehicleReport Vehicle::report() {
     report.slope_rad = std::atan2(normal_S.cross(up).norm(), normal_S.dot(up));
   }
   return report;
+}
+
+std::vector<PartPose> Vehicle::part_poses() const {
+  std::vector<PartPose> poses;
+  for (std::size_t i = 0; i < centres_B_m_.size(); ++i) {
+    const LinkMotion& part = bodies_.motion(static_cast<int>(i) - 1);
+    poses.push_back({part.p_C_S_m - part.R_SL * centres_B_m_[i], part.R_SL});
+  }
+  return poses;
 }
 
 std::vector<double> Vehicle::joint_positions() const {

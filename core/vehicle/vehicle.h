@@ -10,6 +10,7 @@
 #include "terrain/ground.h"
 #include "vehicle/drive_control.h"
 #include "vehicle/multibody.h"
+#include "vehicle/part_pose.h"
 #include "vehicle/wheel_soil.h"
 
 namespace lsos {
@@ -78,6 +79,8 @@ class Vehicle {
   void halt();
 
   VehicleReport report();
+  // Of the chassis, then of each link.
+  std::vector<PartPose> part_poses() const;
   // Position (m or rad) of each joint, in order of config().links.
   std::vector<double> joint_positions() const;
   const WorkDone& work() const { return work_; }
@@ -146,6 +149,7 @@ class Vehicle {
   Ground::Probe probe_;
   Multibody bodies_;
   WheelLayout layout_;
+  std::vector<Vec3> centres_B_m_;  // centres_at_rest_B_m
   std::vector<int> spring_links_;
   std::vector<WheelPart> parts_;          // by layout_.wheels
   std::vector<Vec3> underside_B_m_;       // points of the chassis that may touch the ground

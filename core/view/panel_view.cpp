@@ -115,6 +115,17 @@ struct PanelView::Pipeline {
   }
 };
 
+Mesh face_mesh(const PanelFace& face) {
+  Mesh mesh;
+  for (const auto& [u, v] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    const Vec3 p = face.centre_m + u * face.half_u_m + v * face.half_v_m;
+    mesh.vertices.push_back(
+        {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+  }
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
 PanelView::PanelView(const Gpu&) : pipeline_(std::make_unique<Pipeline>()) {}
 PanelView::~PanelView() = default;
 

@@ -22,6 +22,9 @@ struct PanelFace {
   double area_m2() const { return 4 * half_u_m.cross(half_v_m).norm(); }
 };
 
+// It as what shades others: two triangles.
+Mesh face_mesh(const PanelFace& face);
+
 class PanelView {
  public:
   static constexpr int directions_max = 64;

@@ -5,6 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "view/highest_ground.h"
+
 namespace lsos {
 
 namespace {
@@ -17,13 +19,6 @@ constexpr int nodes_across = 13;
 // Between the rows first looked at the ground may rise by so much of their distance.
 constexpr double rise_max = 1.2;
 constexpr double farthest_m = 400e3;
-
-// The highest ground above the reference surface: rays above it meet none.
-double highest_m(const Body& body) {
-  if (body.name == "Moon") return 10800;
-  if (body.name == "Mars") return 21300;
-  return 8900;
-}
 
 double next_row_m(double at_m, double least_m, double share) {
   return at_m + std::max(least_m, share * at_m);
@@ -57,7 +52,7 @@ class Strip {
     const Body& body = ground_.site().body();
     const double drop_m = x_m * x_m / (2 * body.equatorial_radius_m);
     const double eye_m = ground_.site().height_m(column_.eye_S_m);
-    return lowest_ray_m(x_m) + drop_m > highest_m(body) - eye_m;
+    return lowest_ray_m(x_m) + drop_m > highest_ground_m(body) - eye_m;
   }
   // The ground there, in the strip's axes. Beyond its end the last height that was found.
   Vec3 point(double x_m, double y_m) {

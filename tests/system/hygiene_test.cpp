@@ -47,7 +47,8 @@ bool is_graded(const std::vector<std::string>& lines, std::size_t i) {
 
 TEST(Rovers, say_of_every_number_where_it_is_from) {
   // radius_m = 0.4, size_m = lsos.vec3(1, 2, 3), local mass_kg = 5; not api = 1 and what is 0.
-  const std::regex number(R"( *(local )?(?!api )\w+ *= (lsos\.vec3|math\.rad|[-{0-9]).*[1-9].*)");
+  const std::regex number(
+      R"( *(local )?(?!api )\w+ *= (vec\(|lsos\.vec3|math\.rad|[-{0-9]).*[1-9].*)");
   int numbers = 0;
   for (const SourceFile& file : source_files({".lua"})) {
     if (file.path.parent_path() != "rovers") continue;

@@ -66,12 +66,35 @@ TEST(ShippedTerrain, carries_a_rover) {
   }
 }
 
+bool is_asset(const std::string& name) {
+  return read_text(repository() / "rovers" / (name + ".lua")).find("lsos.asset {") !=
+         std::string::npos;
+}
+
 TEST(ShippedRover, drives) {
   for (const std::string& rover : names("rovers", ".lua")) {
+    if (is_asset(rover)) continue;
     const TempFolder folder;
     const Outcome outcome = drive(folder, "Flat", rover);
     EXPECT_EQ(outcome.exit_code, 0) << rover << "\n" << outcome.out << outcome.err;
   }
+}
+
+TEST(ShippedAsset, stands_beside_a_rover) {
+  int assets = 0;
+  for (const std::string& name : names("rovers", ".lua")) {
+    if (!is_asset(name)) continue;
+    ++assets;
+    const TempFolder folder;
+    const std::string plan = folder.write(
+        "plan.kml", kml({mission(),
+                         sev("A", "30,10"),
+                         {"Asset", {{"AssetId", "B"}, {"AssetType", name}}, point("30.001,10")},
+                         event("Pause", "A", 1, {{"Duration", "10"}})}));
+    const Outcome outcome = run({plan, "-o", folder / "run", "--quiet"});
+    EXPECT_EQ(outcome.exit_code, 0) << name << "\n" << outcome.out << outcome.err;
+  }
+  EXPECT_EQ(assets, 3);
 }
 
 TEST(ShippedSoil, is_listed_and_can_be_named_by_a_terrain) {

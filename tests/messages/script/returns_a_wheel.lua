@@ -1,4 +1,4 @@
--- expect: must return lsos.rover {...}, found a wheel
+-- expect: must return lsos.rover {...} or lsos.asset {...}, found a wheel
 -- as: rovers
 local lsos = require 'lsos'
 return lsos.wheel {

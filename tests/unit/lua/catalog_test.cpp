@@ -108,7 +108,7 @@ TEST_F(ShippedScripts, unknown_name_is_an_error_with_the_nearest) {
 }
 
 TEST_F(ShippedScripts, sev_has_its_published_size) {
-  const RoverSpec sev = catalog.load_rover("SEV");
+  const RoverSpec sev = catalog.load_rover("SEV").spec;
   const Wishbone& suspension = std::get<Wishbone>(sev.suspension);
   ASSERT_EQ(suspension.modules.size(), 6u);
   EXPECT_EQ(suspension.modules[0].name, "front_left");

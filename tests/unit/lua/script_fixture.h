@@ -14,6 +14,7 @@
 #include "lua/catalog.h"
 #include "lua/host.h"
 #include "lua/script_folders.h"
+#include "mission/rover_power.h"
 
 namespace lsos {
 
@@ -24,6 +25,7 @@ class RecordingRover : public RoverPort {
   std::vector<std::string> calls;  // "brake", "follow 2 points", "note NAME JSON"
   Path3 path;
   FollowSettings settings;
+  RoverPower energy{{}, 1, {}};
 
   const RoverView& view() const override { return rover; }
   DriveState drive() const override { return drive_state; }
@@ -32,6 +34,7 @@ class RecordingRover : public RoverPort {
     settings = with;
     calls.push_back("follow " + std::to_string(path.size()) + " points");
   }
+  RoverPower& power() override { return energy; }
   void brake() override { calls.push_back("brake"); }
   void note(const std::string& name, const std::string& fields_json) override {
     calls.push_back("note " + name + " " + fields_json);

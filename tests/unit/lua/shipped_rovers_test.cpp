@@ -34,7 +34,7 @@ class ShippedRover : public ::testing::TestWithParam<Shipped> {
   }
   const Body& body() const { return *find_body(GetParam().body); }
   double g_mps2() const { return gravity_mps2(body(), start); }
-  RoverSpec spec() const { return catalog_.load_rover(GetParam().name); }
+  RoverSpec spec() const { return catalog_.load_rover(GetParam().name).spec; }
   VehicleConfig vehicle(const std::string& configuration = "") const {
     return make_vehicle(spec(), configuration, g_mps2());
   }

@@ -29,6 +29,10 @@ class MockHost : public ScriptHost {
   }
   void set_drives(const std::string& type) { declarations_.events[type].drives = true; }
 
+  void set_goes_on_without_power(const std::string& type) {
+    declarations_.events[type].goes_on_without_power = true;
+  }
+
   const Declarations& declarations() const override { return declarations_; }
   ScriptInstance begin(const std::string& type, const EventArguments& arguments) override {
     instances_[++last_] = {type, arguments, 0};

@@ -15,7 +15,7 @@ inline double number(const MockInstance& instance, const std::string& key) {
 
 // Hold: sleeps `duration_s`. Drive: follows its line. Twice: two Holds, one after the other.
 // Break: fails after `duration_s`. Leave: drives off and ends. Poll: stays for three calls. Spin:
-// goes round for ever.
+// goes round for ever. Work: uses power for `duration_s`.
 inline std::unique_ptr<ScriptHost> make_host() {
   auto host = std::make_unique<MockHost>();
   host->add("Hold", "begin", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
@@ -25,6 +25,13 @@ inline std::unique_ptr<ScriptHost> make_host() {
   host->add("Hold", "hold", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
     if (seconds(c.now) >= i.state) return Done{};
     return SleepUntil{from_seconds(i.state)};
+  });
+  host->set_goes_on_without_power("Hold");
+  host->add("Work", "only", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
+    c.rover.power().set_work(number(i, "power_w"));
+    const SimTime end = c.event_start + from_seconds(number(i, "duration_s"));
+    if (c.now >= end) return Done{};
+    return SleepUntil{end};
   });
   host->add("Break", "only", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
     if (c.now - c.event_start >= from_seconds(number(i, "duration_s"))) return Fail{"it broke"};
@@ -78,7 +85,7 @@ class Mission {
     spec.vehicle = test::rover(1.6);
     spec.vehicle.links.clear();
     spec.suspension = test::suspension();
-    setup_.rover_specs["Test"] = spec;
+    setup_.rover_models["Test"].spec = spec;
   }
 
   Mission& rover(const std::string& id) {

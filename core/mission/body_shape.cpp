@@ -1,0 +1,71 @@
+#include "mission/body_shape.h"
+
+#include <algorithm>
+
+namespace lsos {
+
+namespace {
+
+constexpr int wheel_sides = 16;
+
+Mesh mesh_of(const Shape& shape) {
+  if (shape.kind == Shape::Kind::box) return box_mesh(shape.size_m);
+  return cylinder_mesh(shape.size_m.x() / 2, shape.size_m.z());
+}
+
+// Turns z onto an axis.
+Mat3 towards(const Vec3& axis) {
+  return Quat::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+}
+
+}  // namespace
+
+BodyShape::BodyShape(const std::vector<Shape>& shapes) : parts_(1) {
+  for (const Shape& shape : shapes) add(shape, 0);
+}
+
+BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehicle)
+    : parts_(vehicle.links.size() + 1) {
+  for (const Shape& shape : shapes) {
+    std::size_t part = 0;
+    for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+      if (vehicle.links[i].name == shape.part) part = i + 1;
+    }
+    add(shape, part);
+  }
+  if (shapes.empty()) {
+    Shape box;
+    box.size_m = vehicle.chassis_size_m;
+    box.p_B_m = {0, 0, vehicle.chassis_clearance_m + box.size_m.z() / 2};
+    add(box, 0);
+  }
+  const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    const LinkConfig& link = vehicle.links[i];
+    if (!link.wheel) continue;
+    add_part(i + 1, cylinder_mesh(link.wheel->radius_m, link.wheel->width_m, wheel_sides),
+             towards(link.axis), centres_B_m[i + 1]);
+  }
+}
+
+void BodyShape::add(const Shape& shape, std::size_t part) {
+  add_part(part, mesh_of(shape), shape.R_BL, shape.p_B_m);
+}
+
+void BodyShape::add_part(std::size_t part, const Mesh& mesh, const Mat3& R, const Vec3& p_B_m) {
+  append(parts_[part], mesh, R, p_B_m);
+  for (const auto& vertex : mesh.vertices) {
+    const Vec3 at_B_m = p_B_m + R * Vec3(vertex[0], vertex[1], vertex[2]);
+    reach_m_ = std::max(reach_m_, at_B_m.norm());
+    top_m_ = std::max(top_m_, at_B_m.z());
+  }
+}
+
+void BodyShape::append_to(Mesh& mesh, const std::vector<PartPose>& poses,
+                          const Vec3& eye_S_m) const {
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    append(mesh, parts_[i], poses[i].R_SB, poses[i].p_S_m - eye_S_m);
+  }
+}
+
+}  // namespace lsos

@@ -1,0 +1,110 @@
+// The part of a rover that has to do with energy and light.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mission/note_json.h"
+#include "mission/rover_agent.h"
+#include "mission/sun_watch.h"
+
+namespace lsos {
+
+void RoverAgent::count_energy(SimTime now) {
+  power_.begin(now, view_.p_S_m, view_.drive_w, is_parked_);
+  if (!power_.has_reserve_changed() || !power_.waits_for_reserve()) return;
+  noting_sequence_ = 0;
+  note("battery_empty", fmt::format(R"({{"shed_w":{}}})", note_json(power_.shed_w())));
+  if (is_driving()) {
+    drive_failure_ = "the battery is empty";
+    command_ = {};
+    has_new_command_ = true;
+  }
+}
+
+void RoverAgent::settle_energy() {
+  power_.settle(is_parked_);
+  const double shed_w = power_.shed_w();
+  if ((shed_w > 0) == is_shedding_) return;
+  is_shedding_ = shed_w > 0;
+  noting_sequence_ = 0;
+  if (is_shedding_) {
+    note("loads_shed", fmt::format(R"({{"shed_w":{}}})", note_json(shed_w)));
+  } else {
+    note("loads_restored", "{}");
+  }
+}
+
+bool RoverAgent::is_sun_due(SimTime now, Motion near) const {
+  if (!power_.needs_sun()) return false;
+  const std::optional<SunValue>& sun = power_.sun();
+  if (!sun || now >= sun->time + sun_interval(ground_->site().body())) return true;
+  if (near == Motion::has_ended) return true;
+  const bool moves = !is_parked_ || near == Motion::goes_on || power_.is_panel_turning();
+  if (moves && now > sun->time && now % moving_sun_period == SimTime{}) return true;
+  const std::optional<SimTime> motion_end = power_.panels().last_end(now);
+  return has_motion_ended_ || power_.has_panel_command() || (motion_end && *motion_end > sun->time);
+}
+
+std::optional<SimTime> RoverAgent::sun_wake(SimTime now) const {
+  const std::optional<SunValue>& sun = power_.sun();
+  if (!power_.needs_sun() || !sun) return {};
+  // Panels on their way are looked at when they arrive, which is among the power's wakes.
+  if (power_.is_panel_turning()) return (now / moving_sun_period + 1) * moving_sun_period;
+  return round_up_to_exchange(sun->time + sun_interval(ground_->site().body()));
+}
+
+void RoverAgent::set_sun(const SunValue& value) {
+  power_.set_sun(value);
+  power_.clear_panel_command();
+  has_motion_ended_ = false;
+}
+
+double RoverAgent::energy_used_j() const {
+  if (!power_.has_battery()) return not_modelled;
+  const EnergyAccount account = power_.account();
+  return account.load_j + account.drive_j + account.loss_j;
+}
+
+double RoverAgent::solar_j() const {
+  return power_.has_battery() ? power_.account().solar_j : not_modelled;
+}
+
+std::vector<PanelRow> RoverAgent::panels(SimTime now) const {
+  std::vector<PanelRow> rows;
+  const std::optional<SunValue>& sun = power_.sun();
+  const PanelArray& panels = power_.panels();
+  const Mat3 R_SB = power_.panels().specs().empty() ? Mat3::Identity() : part_poses()[0].R_SB;
+  for (std::size_t i = 0; i < panels.specs().size(); ++i) {
+    PanelRow row{.time = now, .rover_id = rover_.id, .panel = panels.specs()[i].name};
+    if (sun) {
+      const SunValue::Panel& lit = sun->panels[i];
+      row.sun_fraction = lit.sun_fraction;
+      row.incidence = lit.sun_fraction * std::max(0.0, lit.cosine);
+      row.power_w = lit.power_w;
+    }
+    if (panels.is_up(i, now)) {
+      const SiteFrame& site = ground_->site();
+      const Vec3 normal_S = R_SB * panels.pose_at(i, now).normal_B();
+      const double east = normal_S.dot(site.east_S(report_.p_S_m));
+      const double north = normal_S.dot(site.north_S(report_.p_S_m));
+      const double azimuth_rad = std::atan2(east, north);
+      row.azimuth_rad = azimuth_rad < 0 ? azimuth_rad + 2 * std::numbers::pi : azimuth_rad;
+      row.elevation_rad =
+          std::atan2(normal_S.dot(site.up_S(report_.p_S_m)), std::hypot(east, north));
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<ResourceRow> RoverAgent::resources(SimTime now) const {
+  std::vector<ResourceRow> rows;
+  for (const auto& [name, amount] : power_.resources()) {
+    rows.push_back({now, rover_.id, name, amount});
+  }
+  return rows;
+}
+
+}  // namespace lsos

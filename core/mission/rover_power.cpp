@@ -1,0 +1,274 @@
+#include "mission/rover_power.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/error.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double plug_reach_m = 20;
+
+}  // namespace
+
+RoverPower::RoverPower(const PowerSpec& spec, double initial_charge,
+                       std::span<const PowerSource> sources)
+    : spec_(spec), sources_(sources), panels_(spec.panels) {
+  if (spec_.battery) {
+    at_start_.energy_j = energy_at_start_j_ = initial_charge * spec_.battery->capacity_j;
+  }
+  for (const ResourceSpec& resource : spec_.resources) resources_[resource.name] = resource.amount;
+}
+
+bool RoverPower::needs_sun() const {
+  return !spec_.panels.empty() || std::ranges::any_of(spec_.loads, [](const LoadSpec& load) {
+    return load.when == LoadState::dark;
+  });
+}
+
+void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked) {
+  now_ = now;
+  p_S_m_ = p_S_m;
+  has_reserve_changed_ = false;
+  if (!has_battery()) return;
+  if (!is_parked) {
+    demand_.drive_w = drive_w;
+    begin_segment();
+  }
+  const double energy_j = account().energy_j;
+  const bool is_empty = energy_j <= 0 && flows().shed_w > 0;
+  const bool is_above = energy_j > spec_.battery->reserve * spec_.battery->capacity_j;
+  const bool waits = waits_for_reserve_ ? !is_above : is_empty;
+  has_reserve_changed_ = waits != waits_for_reserve_;
+  waits_for_reserve_ = waits;
+}
+
+void RoverPower::begin_segment() {
+  at_start_ = account();
+  start_ = now_;
+}
+
+PowerDemand RoverPower::demand_now(bool is_parked) const {
+  PowerDemand demand;
+  bool is_dark = false;
+  if (sun_) {
+    is_dark = sun_->is_dark;
+    for (const SunValue::Panel& panel : sun_->panels) demand.solar_available_w += panel.power_w;
+  }
+  demand.external_w = supply_w_ + given_w_;
+  demand.load_w = load_w(spec_.loads, {is_dark, is_parked}) + work_w_ + panels_.motors_w(now_);
+  demand.drive_w = is_parked ? 0 : demand_.drive_w;
+  return demand;
+}
+
+void RoverPower::settle(bool is_parked) {
+  if (!has_battery()) return;
+  const PowerDemand demand = demand_now(is_parked);
+  if (demand == demand_) return;
+  begin_segment();
+  demand_ = demand;
+}
+
+EnergyAccount RoverPower::account() const {
+  if (!has_battery()) return at_start_;
+  return after(*spec_.battery, at_start_, demand_, seconds(now_ - start_));
+}
+
+PowerFlows RoverPower::flows() const {
+  return power_flows(*spec_.battery, account().energy_j, demand_);
+}
+
+double RoverPower::shed_w() const { return has_battery() ? flows().shed_w : 0; }
+
+double RoverPower::time_to_energy_s(double energy_j) const {
+  const double now_j = account().energy_j, rate_w = flows().energy_rate_w;
+  const double away_j = energy_j - now_j;
+  if (away_j == 0) return 0;
+  return rate_w != 0 && away_j / rate_w > 0 ? away_j / rate_w
+                                            : std::numeric_limits<double>::infinity();
+}
+
+std::optional<SimTime> RoverPower::wake() const {
+  std::optional<SimTime> wake = panels_.next_end(now_);
+  if (!has_battery()) return wake;
+  constexpr double longest_s = 1e9;  // beyond any mission
+  const auto at = [&](double in_s) {
+    if (!(in_s < longest_s)) return;
+    const SimTime then =
+        std::max(now_ + exchange_period, round_up_to_exchange(now_ + from_seconds(in_s)));
+    wake = std::min(wake.value_or(then), then);
+  };
+  const PowerFlows now = flows();
+  if (now.energy_rate_w < 0) at(time_to_energy_s(0));
+  if (waits_for_reserve_ && now.energy_rate_w > 0) {
+    // A little above it.
+    at(time_to_energy_s(spec_.battery->reserve * spec_.battery->capacity_j) +
+       seconds(exchange_period));
+  }
+  return wake;
+}
+
+void RoverPower::release() {
+  supply_w_ = work_w_ = asked_w_ = given_w_ = 0;
+  plugged_into_.clear();
+}
+
+void RoverPower::fill(SampleRow& row) const {
+  if (sun_ && !spec_.panels.empty()) {
+    double area_m2 = 0;
+    row.sun_fraction = row.incidence = 0;
+    for (std::size_t i = 0; i < spec_.panels.size(); ++i) {
+      const double panel_m2 = spec_.panels[i].area_m2();
+      const SunValue::Panel& panel = sun_->panels[i];
+      area_m2 += panel_m2;
+      row.sun_fraction += panel.sun_fraction * panel_m2;
+      row.incidence += panel.sun_fraction * std::max(0.0, panel.cosine) * panel_m2;
+    }
+    row.sun_fraction /= area_m2;
+    row.incidence /= area_m2;
+  }
+  if (!has_battery()) return;
+  EnergyAccount account = this->account();
+  // Nothing has flowed at the start; a level that a script sets then shows from the next row on.
+  if (now_ == SimTime{}) account = EnergyAccount{.energy_j = energy_at_start_j_};
+  const PowerFlows flows = this->flows();
+  row.energy_j = account.energy_j;
+  row.charge = account.energy_j / spec_.battery->capacity_j;
+  row.energy_rate_w = flows.energy_rate_w;
+  row.solar_w = flows.solar_w;
+  row.solar_available_w = demand_.solar_available_w;
+  row.external_w = flows.external_w;
+  row.load_w = flows.load_w;
+  row.drive_w = flows.drive_w;
+  row.loss_w = flows.loss_w;
+  row.solar_j = account.solar_j;
+  row.external_j = account.external_j;
+  row.load_j = account.load_j;
+  row.drive_j = account.drive_j;
+  row.loss_j = account.loss_j;
+}
+
+PowerView RoverPower::view() const {
+  SampleRow row;
+  fill(row);
+  PowerView view;
+  view.has_battery = has_battery();
+  view.energy_j = row.energy_j;
+  if (has_battery()) view.capacity_j = spec_.battery->capacity_j;
+  view.charge = row.charge;
+  view.energy_rate_w = row.energy_rate_w;
+  view.solar_w = row.solar_w;
+  view.external_w = row.external_w;
+  view.load_w = row.load_w;
+  view.sun_fraction = row.sun_fraction;
+  view.incidence = row.incidence;
+  return view;
+}
+
+double RoverPower::time_to_charge_s(double charge) const {
+  if (!has_battery()) return std::numeric_limits<double>::infinity();
+  return time_to_energy_s(charge * spec_.battery->capacity_j);
+}
+
+void RoverPower::set_energy(double energy_j) {
+  if (!has_battery()) throw std::runtime_error("the rover has no battery");
+  begin_segment();
+  at_start_ = with_energy(at_start_, std::clamp(energy_j, 0.0, spec_.battery->capacity_j));
+}
+
+std::string RoverPower::plug_into(const std::string& asset_id, std::optional<double> power_w) {
+  const auto source = std::ranges::find(sources_, asset_id, &PowerSource::asset_id);
+  if (source == sources_.end()) {
+    return fmt::format("there is no asset '{}' with power to give", asset_id);
+  }
+  const double away_m = (source->p_S_m - p_S_m_).norm();
+  if (away_m > plug_reach_m) {
+    return fmt::format("'{}' is {:.1f} m away, farther than the {:.0f} m of a cable", asset_id,
+                       away_m, plug_reach_m);
+  }
+  plugged_into_ = asset_id;
+  asked_w_ = power_w.value_or(std::numeric_limits<double>::infinity());
+  return "";
+}
+
+std::optional<double> RoverPower::resource(const std::string& name) const {
+  const auto found = resources_.find(name);
+  return found == resources_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool RoverPower::use(const std::string& name, double amount) {
+  const auto found = resources_.find(name);
+  if (found == resources_.end() || found->second < amount) return false;
+  found->second -= amount;
+  return true;
+}
+
+std::vector<std::size_t> RoverPower::panels_named(const std::string& name) const {
+  std::vector<std::size_t> found;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < spec_.panels.size(); ++i) {
+    names.push_back(spec_.panels[i].name);
+    if (name.empty() || names.back() == name) found.push_back(i);
+  }
+  if (names.empty()) throw std::runtime_error("the rover has no solar panels");
+  if (found.empty()) {
+    throw std::runtime_error(fmt::format("the rover has no panel '{}'{}; it has {}", name,
+                                         did_you_mean(name, names), fmt::join(names, ", ")));
+  }
+  return found;
+}
+
+double RoverPower::deploy_panel(const std::string& name, bool up,
+                                std::optional<double> duration_s) {
+  double takes_s = 0;
+  bool is_any = false;
+  for (const std::size_t i : panels_named(name)) {
+    if (!spec_.panels[i].is_stowable) {
+      if (name.empty()) continue;
+      throw std::runtime_error(fmt::format("the panel '{}' cannot be stowed", name));
+    }
+    is_any = true;
+    takes_s = std::max(takes_s, panels_.deploy(i, up, duration_s, now_));
+  }
+  if (!is_any) throw std::runtime_error("none of the rover's panels can be stowed");
+  has_panel_command_ = true;
+  return takes_s;
+}
+
+void RoverPower::steer_panel(const std::string& name, const Steering& steering) {
+  bool is_any = false;
+  for (const std::size_t i : panels_named(name)) {
+    const PanelSpec& panel = spec_.panels[i];
+    const std::string why = !panel.can_turn()         ? "does not turn"
+                            : panels_.is_stowed(i)    ? "is stowed: it cannot be steered"
+                            : !panels_.is_up(i, now_) ? "is on its way up: it cannot be steered yet"
+                                                      : "";
+    if (!why.empty() && !name.empty()) {
+      throw std::runtime_error(fmt::format("the panel '{}' {}", panel.name, why));
+    }
+    if (!why.empty()) continue;
+    is_any = true;
+    panels_.steer(i, steering);
+  }
+  if (!is_any) throw std::runtime_error("none of the rover's panels can be steered now");
+  has_panel_command_ = true;
+}
+
+void RoverPower::archive(Archive& a) {
+  a.tag("power")(panels_)(now_)(p_S_m_)(start_);
+  for (double* value :
+       {&at_start_.energy_j, &at_start_.solar_j, &at_start_.external_j, &at_start_.load_j,
+        &at_start_.drive_j, &at_start_.loss_j, &demand_.solar_available_w, &demand_.external_w,
+        &demand_.load_w, &demand_.drive_w}) {
+    a(*value);
+  }
+  a(sun_)(supply_w_)(
+      work_w_)(plugged_into_)(asked_w_)(given_w_)(waits_for_reserve_)(has_reserve_changed_)(has_panel_command_)(resources_);
+}
+
+}  // namespace lsos

@@ -1,0 +1,124 @@
+// One rover's energy over time: its battery, what flows, and the sunlight that its panels were last
+// seen to get.
+//
+// Powers are constant between changes, so that what the battery holds at any time follows in closed
+// form from the last change. A rover that drives changes at each exchange.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mission/power_port.h"
+#include "plan/plan.h"
+#include "power/power_spec.h"
+#include "record/rows.h"
+
+namespace lsos {
+
+// An asset that has power to give, as rovers know it.
+struct PowerSource {
+  std::string asset_id;
+  Vec3 p_S_m = Vec3::Zero();
+};
+
+// What the Sun did for the panels when it was last looked at; held until it is looked at again.
+struct SunValue {
+  struct Panel {
+    double sun_fraction = 0, cosine = 0, power_w = 0;
+
+    void archive(Archive& a) { a(sun_fraction)(cosine)(power_w); }
+  };
+  SimTime time{};
+  bool is_dark = false;  // no sunlight falls on the rover
+  std::vector<Panel> panels;
+
+  void archive(Archive& a) { a(time)(is_dark)(panels); }
+};
+
+class RoverPower : public PowerPort {
+ public:
+  // `sources` must outlive it.
+  RoverPower(const PowerSpec& spec, double initial_charge, std::span<const PowerSource> sources);
+
+  bool has_battery() const { return spec_.battery.has_value(); }
+  // Something of it depends on the Sun.
+  bool needs_sun() const;
+  PanelArray& panels() { return panels_; }
+  const PanelArray& panels() const { return panels_; }
+  const std::optional<SunValue>& sun() const { return sun_; }
+  void set_sun(const SunValue& value) { sun_ = value; }
+
+  // At the beginning of an exchange: time has come so far, and wheel motors have used so much since
+  // the last one (a rover that is parked: 0). Finds whether the battery is empty.
+  void begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked);
+  // At its end: what flows from now on.
+  void settle(bool is_parked);
+  // What the asset gives of what was asked of it.
+  const std::string& plugged_into() const { return plugged_into_; }
+  double asked_of_asset_w() const { return asked_w_; }
+  void set_given(double power_w) { given_w_ = power_w; }
+
+  // The battery was empty, and its charge has not risen above the reserve since.
+  bool waits_for_reserve() const { return waits_for_reserve_; }
+  // That has changed at this exchange.
+  bool has_reserve_changed() const { return has_reserve_changed_; }
+  double shed_w() const;  // asked for, and not given
+  // When a parked rover's battery gets empty, reaches its reserve, or a panel's motion ends.
+  std::optional<SimTime> wake() const;
+
+  double energy_at_start_j() const { return energy_at_start_j_; }
+  EnergyAccount account() const;
+  PowerFlows flows() const;
+  double solar_available_w() const { return demand_.solar_available_w; }
+  const std::map<std::string, double>& resources() const { return resources_; }
+  // The event has ended: what it supplied and used.
+  void release();
+  // The numbers of a row.
+  void fill(SampleRow& row) const;
+
+  PowerView view() const override;
+  double time_to_charge_s(double charge) const override;
+  void set_energy(double energy_j) override;
+  void set_supply(double power_w) override { supply_w_ = power_w; }
+  void set_work(double power_w) override { work_w_ = power_w; }
+  std::string plug_into(const std::string& asset_id, std::optional<double> power_w) override;
+  std::optional<double> resource(const std::string& name) const override;
+  bool use(const std::string& name, double amount) override;
+  double deploy_panel(const std::string& panel, bool up, std::optional<double> duration_s) override;
+  void steer_panel(const std::string& panel, const Steering& steering) override;
+  bool is_panel_turning() const override { return panels_.is_turning(now_); }
+  // Panels were told something since the last look at the Sun.
+  bool has_panel_command() const { return has_panel_command_; }
+  void clear_panel_command() { has_panel_command_ = false; }
+
+  void archive(Archive& a);
+
+ private:
+  void begin_segment();
+  PowerDemand demand_now(bool is_parked) const;
+  std::vector<std::size_t> panels_named(const std::string& name) const;
+  double time_to_energy_s(double energy_j) const;
+
+  PowerSpec spec_;
+  std::span<const PowerSource> sources_;
+  PanelArray panels_;
+  SimTime now_{};
+  Vec3 p_S_m_ = Vec3::Zero();
+  // The present segment.
+  SimTime start_{};
+  EnergyAccount at_start_;
+  PowerDemand demand_;
+  double energy_at_start_j_ = 0;  // of the mission; not saved, the plan says it
+
+  std::optional<SunValue> sun_;
+  double supply_w_ = 0, work_w_ = 0;
+  std::string plugged_into_;
+  double asked_w_ = 0, given_w_ = 0;
+  bool waits_for_reserve_ = false, has_reserve_changed_ = false;
+  bool has_panel_command_ = false;
+  std::map<std::string, double> resources_;
+};
+
+}  // namespace lsos

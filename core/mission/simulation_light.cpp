@@ -1,0 +1,131 @@
+// The part of a mission that has to do with assets, light and the power that they give.
+#include <algorithm>
+#include <cmath>
+
+#include "mission/simulation.h"
+#include "mission/sun_watch.h"
+
+namespace lsos {
+
+namespace {
+
+// Of dust on Mars, when the terrain script gives none; said among the assumptions.
+constexpr double mars_optical_depth = 0.5;
+
+}  // namespace
+
+void Simulation::stand_assets() {
+  Faults faults;
+  for (const PlanAsset& asset : setup_.plan.assets) {
+    try {
+      assets_.push_back(stand(asset, setup_.asset_models.at(asset.type), *ground_));
+    } catch (const InputError& error) {
+      faults.add(error.faults());
+      continue;
+    }
+    if (assets_.back().gives_power()) sources_.push_back({asset.id, assets_.back().pose.p_S_m});
+  }
+  faults.throw_if_errors();
+}
+
+void Simulation::make_light() {
+  const bool is_wanted =
+      std::ranges::any_of(rovers_, [](const Rover& r) { return r.agent->power().needs_sun(); }) ||
+      std::ranges::any_of(assets_, [](const StandingAsset& a) { return !a.model.panels.empty(); });
+  if (!is_wanted) return;
+  light_ = std::make_unique<Light>(*ground_);
+  const bool is_mars = ground_->site().body().name == "Mars";
+  optical_depth_ = setup_.terrain.optical_depth.value_or(is_mars ? mars_optical_depth : 0);
+}
+
+Motion Simulation::motion_near(const Vec3& p_S_m, const RoverAgent* except) const {
+  Motion motion = Motion::none;
+  for (const Rover& rover : rovers_) {
+    if (rover.agent.get() == except || rover.was_parked) continue;
+    if ((rover.agent->view().p_S_m - p_S_m).norm() > shading_reach_m) continue;
+    motion = std::max(motion, rover.agent->is_parked() ? Motion::has_ended : Motion::goes_on);
+  }
+  return motion;
+}
+
+// About `eye_S_m`, site axes.
+Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id) const {
+  Mesh mesh;
+  const auto is_near = [&](const Vec3& p_S_m) {
+    return (p_S_m - eye_S_m).norm() < shading_reach_m;
+  };
+  for (const Rover& rover : rovers_) {
+    if (rover.agent->id() == except_id || !is_near(rover.agent->view().p_S_m)) continue;
+    append_solids(mesh, *rover.agent, eye_S_m, now_);
+  }
+  for (const StandingAsset& asset : assets_) {
+    if (asset.plan.id == except_id || !is_near(asset.pose.p_S_m)) continue;
+    asset.shape.append_to(mesh, {asset.pose}, eye_S_m);
+  }
+  return mesh;
+}
+
+void Simulation::watch_the_sun() {
+  const Instant utc = setup_.plan.mission.start_time + now_;
+  const bool is_whole = now_ % moving_sun_period == SimTime{};
+  for (Rover& rover : rovers_) {
+    RoverAgent& agent = *rover.agent;
+    const Vec3& p_S_m = agent.view().p_S_m;
+    if (!agent.is_sun_due(now_, motion_near(p_S_m, &agent))) continue;
+    const Sunlight sun = sunlight(ground_->site().body(), agent.place_now(), utc, optical_depth_);
+    if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now_);
+    // Panels on their way are looked at when they arrive.
+    if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
+    agent.set_sun(look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id()), sun, now_));
+  }
+}
+
+void Simulation::share_power() {
+  const Instant utc = setup_.plan.mission.start_time + now_;
+  for (StandingAsset& asset : assets_) {
+    const auto takes = [&](const Rover& rover) {
+      return rover.agent->power().plugged_into() == asset.plan.id;
+    };
+    if (std::ranges::none_of(rovers_, takes)) {
+      asset.sun.reset();
+      continue;
+    }
+    const Vec3& p_S_m = asset.pose.p_S_m;
+    if (!asset.model.panels.empty()) {
+      const Motion motion = motion_near(p_S_m, nullptr);
+      const bool is_due = !asset.sun ||
+                          now_ >= asset.sun->time + sun_interval(ground_->site().body()) ||
+                          motion == Motion::has_ended ||
+                          (motion == Motion::goes_on && now_ % moving_sun_period == SimTime{});
+      if (is_due) {
+        const Geodetic place = ground_->site().geodetic(p_S_m);
+        asset.sun = look_at_sun(*light_, *ground_, asset, solids_near(p_S_m, asset.plan.id),
+                                sunlight(ground_->site().body(), place, utc, optical_depth_), now_);
+      }
+    }
+    double left_w = asset.supply_w();
+    for (Rover& rover : rovers_) {
+      if (!takes(rover)) continue;
+      const double given_w = std::min(left_w, rover.agent->power().asked_of_asset_w());
+      rover.agent->power().set_given(given_w);
+      left_w -= given_w;
+    }
+  }
+}
+
+// When something happens to a parked rover that its scripts do not wait for.
+std::optional<SimTime> Simulation::quiet_wake(const Rover& rover) const {
+  std::optional<SimTime> wake = rover.agent->power().wake();
+  const auto at = [&](std::optional<SimTime> time) {
+    if (time) wake = std::min(wake.value_or(*time), *time);
+  };
+  if (light_) at(rover.agent->sun_wake(now_));
+  for (const StandingAsset& asset : assets_) {
+    if (!asset.sun || rover.agent->power().plugged_into() != asset.plan.id) continue;
+    at(round_up_to_exchange(asset.sun->time + sun_interval(ground_->site().body())));
+  }
+  if (wake) wake = std::max(*wake, now_ + exchange_period);
+  return wake;
+}
+
+}  // namespace lsos

@@ -1,0 +1,32 @@
+#include "mission/standing_asset.h"
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace lsos {
+
+double StandingAsset::supply_w() const {
+  double sum_w = model.supply_w;
+  if (sun) {
+    for (const SunValue::Panel& panel : sun->panels) sum_w += panel.power_w;
+  }
+  return sum_w;
+}
+
+StandingAsset stand(const PlanAsset& asset, const AssetModel& model, const Ground& ground) {
+  const auto elevation_m = ground.elevation_m(asset.position);
+  if (!elevation_m) {
+    throw InputError(asset.place,
+                     fmt::format("Asset '{}': the terrain is not known there", asset.id));
+  }
+  const SiteFrame& site = ground.site();
+  PartPose pose;
+  pose.p_S_m = site.p_S_m({asset.position.lon_rad, asset.position.lat_rad, *elevation_m});
+  pose.R_SB.col(0) = site.north_S(pose.p_S_m);
+  pose.R_SB.col(2) = site.up_S(pose.p_S_m);
+  pose.R_SB.col(1) = pose.R_SB.col(2).cross(pose.R_SB.col(0));
+  return {asset, model, BodyShape(model.shapes), pose, {}};
+}
+
+}  // namespace lsos

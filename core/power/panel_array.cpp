@@ -1,0 +1,124 @@
+#include "power/panel_array.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lsos {
+
+namespace {
+
+// Smaller turns are not worth the motor.
+constexpr double turn_least_rad = 1e-4;
+
+// Angles about the ground, as a direction in frame B.
+Vec3 direction_B(const PanelAngles& angles, const PanelSurroundings& around) {
+  const Vec3 east_B = around.north_B.cross(around.up_B);
+  return std::cos(angles.elevation_rad) * (std::cos(angles.azimuth_rad) * around.north_B +
+                                           std::sin(angles.azimuth_rad) * east_B) +
+         std::sin(angles.elevation_rad) * around.up_B;
+}
+
+}  // namespace
+
+PanelArray::PanelArray(const std::vector<PanelSpec>& panels) : specs_(panels) {
+  for (const PanelSpec& panel : specs_) {
+    State state;
+    state.goes_up = !panel.is_stowed;
+    state.from = state.to = state.steering.angles = panel.rest;
+    states_.push_back(state);
+  }
+}
+
+bool PanelArray::is_up(std::size_t panel, SimTime now) const {
+  return states_[panel].goes_up && now >= states_[panel].ready;
+}
+
+PanelAngles PanelArray::angles(std::size_t panel, SimTime now) const {
+  const State& state = states_[panel];
+  if (now >= state.turn_end) return state.to;
+  return turned(specs_[panel], state.from, state.to, seconds(now - state.turn_start));
+}
+
+PanelPose PanelArray::pose_at(std::size_t panel, SimTime now) const {
+  return pose(specs_[panel], angles(panel, now));
+}
+
+double PanelArray::deploy(std::size_t panel, bool up, std::optional<double> duration_s,
+                          SimTime now) {
+  State& state = states_[panel];
+  if (state.goes_up == up) return now >= state.ready ? 0 : seconds(state.ready - now);
+  const SimTime takes =
+      round_up_to_exchange(from_seconds(duration_s.value_or(specs_[panel].deploy_s)));
+  state.goes_up = up;
+  state.ready = now + takes;
+  // It is folded away as it lies at rest, and comes out so.
+  state.from = state.to = specs_[panel].rest;
+  state.turn_start = state.turn_end = now;
+  return seconds(takes);
+}
+
+void PanelArray::steer(std::size_t panel, const Steering& steering) {
+  states_[panel].steering = steering;
+}
+
+void PanelArray::aim(const PanelSurroundings& around, SimTime now) {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    State& state = states_[i];
+    const PanelSpec& spec = specs_[i];
+    if (!is_up(i, now) || !spec.can_turn()) continue;
+    const PanelAngles at = angles(i, now);
+    PanelAngles to = state.to;
+    switch (state.steering.mode) {
+      case SteerMode::fixed:
+        to = limited(spec, state.steering.angles);
+        break;
+      case SteerMode::point:
+        to = facing(spec, at, direction_B(state.steering.angles, around));
+        break;
+      case SteerMode::track:
+        if (around.is_sun_up) to = facing(spec, at, around.sun_B);
+        break;
+    }
+    const double takes_s = turn_s(spec, at, to);
+    if (takes_s * spec.rate_radps < turn_least_rad) continue;
+    state.from = at;
+    state.to = to;
+    state.turn_start = now;
+    state.turn_end = now + round_up_to_exchange(from_seconds(takes_s));
+  }
+}
+
+bool PanelArray::is_turning(SimTime now) const {
+  return std::ranges::any_of(states_, [&](const State& state) { return now < state.turn_end; });
+}
+
+std::optional<SimTime> PanelArray::next_end(SimTime now) const {
+  std::optional<SimTime> next;
+  for (const State& state : states_) {
+    for (const SimTime end : {state.turn_end, state.ready}) {
+      if (end > now) next = std::min(next.value_or(end), end);
+    }
+  }
+  return next;
+}
+
+std::optional<SimTime> PanelArray::last_end(SimTime now) const {
+  std::optional<SimTime> last;
+  for (const State& state : states_) {
+    for (const SimTime end : {state.turn_end, state.ready}) {
+      if (end <= now) last = std::max(last.value_or(end), end);
+    }
+  }
+  return last;
+}
+
+double PanelArray::motors_w(SimTime now) const {
+  double sum_w = 0;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (now < states_[i].turn_end) sum_w += specs_[i].motor_w;
+    if (now < states_[i].ready) sum_w += specs_[i].deploy_w;
+  }
+  return sum_w;
+}
+
+}  // namespace lsos

@@ -1,0 +1,21 @@
+// Where the parts of a vehicle are, for all that is fixed to one of them.
+#pragma once
+
+#include <vector>
+
+#include "vehicle/vehicle_config.h"
+
+namespace lsos {
+
+// Carries what is fixed to a part from frame B, as it is at rest, to where it is now.
+struct PartPose {
+  Vec3 p_S_m = Vec3::Zero();
+  Mat3 R_SB = Mat3::Identity();
+
+  Vec3 point_S_m(const Vec3& p_B_m) const { return p_S_m + R_SB * p_B_m; }
+};
+
+// Centres of mass at rest with all joints at 0, frame B: the chassis first, then each link.
+std::vector<Vec3> centres_at_rest_B_m(const VehicleConfig& config);
+
+}  // namespace lsos

@@ -1,0 +1,41 @@
+// The Sun on the ground itself: how much of its disc a place sees over the terrain around it. By
+// marching over the height field, for maps; panels are looked at by rendering (panel_view.h).
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "terrain/ground.h"
+
+namespace lsos {
+
+struct GroundLight {
+  double sun_fraction = 0;  // of the disc, 0..1
+  double incidence = 0;  // cosine between the ground's normal and the disc's middle; below 0: away
+};
+
+// One a thread; results never depend on what was asked before.
+class GroundLightProbe {
+ public:
+  // `resolution_m`: of the map that is made; what is much smaller is left out.
+  GroundLightProbe(const Ground& ground, double resolution_m);
+
+  // `sun_S`: unit, to the middle of the disc of that angular radius. Absent where there is no
+  // ground.
+  std::optional<GroundLight> at(const Geodetic& place, const Vec3& sun_S, double disc_rad);
+
+ private:
+  // The highest elevation of ground in a direction along the surface, rad.
+  double horizon_rad(const Vec3& eye_S_m, const Vec3& up_S, const Vec3& along_S, double lowest_rad,
+                     double highest_rad);
+  // The elevation under which the ground at that distance is seen; absent: there is none.
+  std::optional<double> elevation_rad(const Vec3& eye_S_m, const Vec3& up_S, const Vec3& along_S,
+                                      double distance_m);
+  Ground::Probe& probe(double distance_m);
+
+  const Ground* ground_;
+  double resolution_m_;
+  std::map<int, Ground::Probe> probes_;  // by octave of distance
+};
+
+}  // namespace lsos

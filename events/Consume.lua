@@ -1,0 +1,45 @@
+-- Use energy, or something that the rover carries.
+
+local lsos = require 'lsos'
+
+local function start(ev, rover)
+  local p = ev.params
+  rover:brake()
+  if p.amount and not p.resource then return lsos.fail('Amount without Resource: of what?') end
+  if p.resource then
+    local left = rover:resource(p.resource)
+    if not left then return lsos.fail("%s carries no '%s'", rover.id, p.resource) end
+    if not p.amount then return lsos.fail('Resource without Amount: how much?') end
+    if not rover:use(p.resource, p.amount) then
+      return lsos.fail('%s has only %g of %s, %g are wanted', rover.id, left, p.resource, p.amount)
+    end
+  end
+  if p.power_w then rover:work(p.power_w) end
+  if not p.duration_s then return lsos.done end
+  return 'consume'
+end
+
+local function consume(ev, _)
+  local left_s = ev.params.duration_s - ev.phase_elapsed_s
+  if left_s <= 0 then return lsos.done end
+  return lsos.sleep(left_s)
+end
+
+return lsos.event {
+  api    = 1,
+  schema = 'Consume',
+  doc    = 'Use energy, or something that the rover carries.',
+
+  params = {
+    power_w    = lsos.number { kml = 'Power', unit = 'W', min = 0, doc = 'While it lasts.' },
+    duration_s = lsos.duration { kml = 'Duration', doc = 'How long it lasts.' },
+    resource   = lsos.text { kml = 'Resource', doc = 'One that the rover type declares.' },
+    amount     = lsos.number {
+      kml = 'Amount', unit = '1', min = 0,
+      doc = 'Taken at once, in its unit.',
+    },
+  },
+
+  start  = 'start',
+  phases = { start = start, consume = consume },
+}

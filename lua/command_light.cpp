@@ -1,0 +1,104 @@
+// `lsos-host light`: a map of how much of the Sun the ground sees, and how steeply.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "lua/commands.h"
+#include "lua/places.h"
+#include "lua/terrain_source.h"
+#include "mission/worker_pool.h"
+#include "planet/sunlight.h"
+#include "terrain/raster_export.h"
+#include "view/ground_light.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+struct Question {
+  Instant at;
+  std::optional<Geodetic> site;
+  std::optional<MapWindow> window;
+};
+
+Question question_of(const LightOptions& options) {
+  Faults faults;
+  Question question;
+  const TerrainOptions& terrain = options.terrain;
+  const Parsed<Instant> at = parse_utc(options.at);
+  if (!at) faults.error({}, fmt::format("--at {}: {}", options.at, at.why));
+  question.at = at.value.value_or(Instant{});
+  if (!terrain.site.empty()) question.site = option_place("--site", terrain.site, faults);
+  if (!terrain.window.empty()) question.window = option_window(terrain.window, faults);
+  if (terrain.resolution_m &&
+      !(std::isfinite(*terrain.resolution_m) && *terrain.resolution_m > 0)) {
+    faults.error({}, fmt::format("--resolution {}: must be above 0 m", *terrain.resolution_m));
+  }
+  if (terrain.resolution_m && terrain.window.empty()) {
+    faults.error({}, "--resolution: a --window LON0,LAT0,LON1,LAT1 is missing");
+  }
+  faults.throw_if_errors();
+  return question;
+}
+
+// About as long as a cell's side.
+double cell_m(const MapGrid& grid, const Body& body) {
+  const RasterMap map = grid.map(body);
+  const double column = grid.columns / 2.0, row = grid.rows / 2.0;
+  const auto here = map.place({column, row}), next = map.place({column + 1, row});
+  return here && next ? std::max(0.1, surface_distance_m(body, *here, *next)) : 1;
+}
+
+}  // namespace
+
+int light_command(const LightOptions& options) {
+  Question question = question_of(options);
+  const TerrainSource source = terrain_source(options.terrain);
+  check_grid(source, question.window, options.terrain.resolution_m);
+  if (!question.site) question.site = question.window ? question.window->centre() : middle(source);
+  const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.terrain.seed);
+  const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m);
+  const double resolution_m = cell_m(grid, *source.body);
+
+  WorkerPool pool(options.threads);
+  std::vector<GroundLightProbe> probes;  // one a part of a row, so one a thread
+  const auto parts = static_cast<std::size_t>(options.threads);
+  for (std::size_t k = 0; k < parts; ++k) probes.emplace_back(*ground, resolution_m);
+  double lit = 0, cells = 0;
+  const MapRow row = [&](std::span<const std::optional<Geodetic>> places) {
+    std::vector<double> values(2 * places.size(), missing);
+    pool.for_each(parts, [&](std::size_t part) {
+      for (std::size_t k = part; k < places.size(); k += parts) {
+        if (!places[k]) continue;
+        const Sunlight sun = sunlight(*source.body, *places[k], question.at, 0);
+        const Vec3 p_S_m = ground->site().p_S_m(*places[k]);
+        const auto found =
+            probes[part].at(*places[k], direction_S(ground->site(), p_S_m, sun.seen), sun.disc_rad);
+        if (!found) continue;
+        values[k] = found->sun_fraction * (1 - sun.eclipsed);
+        values[places.size() + k] = found->incidence;
+      }
+    });
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (std::isnan(values[k])) continue;
+      ++cells;
+      lit += values[k];
+    }
+    return values;
+  };
+  write_map(options.file, grid, *source.body,
+            {{"share of the Sun's disc seen", ""}, {"cosine of incidence", ""}}, row);
+  const nlohmann::ordered_json answer{
+      {"file", options.file},      {"columns", grid.columns},
+      {"rows", grid.rows},         {"utc", format_utc(question.at)},
+      {"body", source.body->name}, {"mean_sun_fraction", cells > 0 ? lit / cells : missing}};
+  fmt::print("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
+  return 0;
+}
+
+}  // namespace lsos

@@ -1,0 +1,152 @@
+// `rover.battery` and `rover.panels`: a rover's energy, and what scripts may do with it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "lua/handle.h"
+#include "lua/reader.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+namespace {
+
+PowerPort& battery_of(lua_State* L) {
+  return handle_call(L, battery_handle_type()).phase.rover.power();
+}
+PowerPort& panels_of(lua_State* L) {
+  return handle_call(L, panels_handle_type()).phase.rover.power();
+}
+
+template <auto Member>
+int of_battery(lua_State* L) {
+  push_quantity(L, battery_of(L).view().*Member);
+  return 1;
+}
+
+template <auto Member>
+int of_panels(lua_State* L) {
+  push_quantity(L, panels_of(L).view().*Member);
+  return 1;
+}
+
+double check_not_negative(lua_State* L, int argument, const char* what) {
+  const double value = luaL_checknumber(L, argument);
+  if (!(value >= 0)) throw std::runtime_error(fmt::format("{}: {} is below 0", what, value));
+  return value;
+}
+
+int time_to_charge_s(lua_State* L) {
+  const double time_s = battery_of(L).time_to_charge_s(luaL_checknumber(L, 2));
+  push_quantity(L, std::isfinite(time_s) ? time_s : not_modelled);
+  return 1;
+}
+
+int set_energy(lua_State* L) {
+  battery_of(L).set_energy(check_not_negative(L, 2, "battery:set_energy"));
+  return 0;
+}
+
+int supply(lua_State* L) {
+  battery_of(L).set_supply(check_not_negative(L, 2, "battery:supply"));
+  return 0;
+}
+
+int plug_into(lua_State* L) {
+  std::optional<double> power_w;
+  if (!lua_isnoneornil(L, 3)) power_w = check_not_negative(L, 3, "battery:plug_into");
+  const std::string why = battery_of(L).plug_into(luaL_checkstring(L, 2), power_w);
+  lua_pushboolean(L, why.empty());
+  if (why.empty()) return 1;
+  lua_pushlstring(L, why.data(), why.size());
+  return 2;
+}
+
+std::string panel_name(lua_State* L) { return luaL_optstring(L, 2, ""); }
+
+template <bool up>
+int deploy(lua_State* L) {
+  std::optional<double> duration_s;
+  if (!lua_isnoneornil(L, 3)) duration_s = check_not_negative(L, 3, "panels:deploy");
+  lua_pushnumber(L, panels_of(L).deploy_panel(panel_name(L), up, duration_s));
+  return 1;
+}
+
+int steer(lua_State* L) {
+  PowerPort& power = panels_of(L);
+  luaL_checktype(L, 3, LUA_TTABLE);
+  Faults faults;
+  TableReader t(L, 3, "panels:steer", {}, faults);
+  Steering steering;
+  std::string mode;
+  t.text(required, "mode", mode, "'track', 'point' or 'fixed'.");
+  t.number(optional, "azimuth_rad", steering.angles.azimuth_rad, any_number,
+           "Clockwise from true north (point) or from the nose (fixed).");
+  t.number(optional, "elevation_rad", steering.angles.elevation_rad, any_number,
+           "Above the horizon (point) or the deck (fixed).");
+  t.finish();
+  constexpr std::array names{"fixed", "point", "track"};
+  const auto found = std::ranges::find(names, mode);
+  if (found == names.end()) {
+    t.fault(fmt::format("mode = '{}': 'track', 'point' or 'fixed' is wanted", mode));
+  }
+  faults.throw_if_errors();
+  steering.mode = static_cast<SteerMode>(found - names.begin());
+  power.steer_panel(panel_name(L), steering);
+  return 0;
+}
+
+int is_turning(lua_State* L) {
+  lua_pushboolean(L, panels_of(L).is_panel_turning());
+  return 1;
+}
+
+}  // namespace
+
+const HandleType& battery_handle_type() {
+  using V = PowerView;
+  static const HandleType type{
+      "rover.battery",
+      "What the rover's battery holds, and what flows.",
+      {{"energy_j", of_battery<&V::energy_j>, "number", "What it holds."},
+       {"capacity_j", of_battery<&V::capacity_j>, "number", "When full."},
+       {"charge", of_battery<&V::charge>, "number", "Their ratio, 0 to 1."},
+       {"energy_rate_w", of_battery<&V::energy_rate_w>, "number", "Into it; negative: out of it."},
+       {"solar_w", of_battery<&V::solar_w>, "number", "From the panels, as far as it is used."},
+       {"external_w", of_battery<&V::external_w>, "number", "From outside."},
+       {"load_w", of_battery<&V::load_w>, "number", "Used by all but the wheel motors."}},
+      {{"time_to_charge_s", guard<time_to_charge_s>, "battery:time_to_charge_s(charge)",
+        "Until it holds that share, with what flows now; nil when it will not."},
+       {"set_energy", guard<set_energy>, "battery:set_energy(energy_j)",
+        "Sets what it holds, at most its capacity."},
+       {"supply", guard<supply>, "battery:supply(power_w)",
+        "Power from outside until the event ends."},
+       {"plug_into", guard<plug_into>, "battery:plug_into(asset_id, power_w)",
+        "Power from an asset within 20 m until the event ends, at most so much (default all that "
+        "it "
+        "has). Answers true, or false and why not."}}};
+  return type;
+}
+
+const HandleType& panels_handle_type() {
+  using V = PowerView;
+  static const HandleType type{
+      "rover.panels",
+      "The rover's solar panels.",
+      {{"sun_fraction", of_panels<&V::sun_fraction>, "number",
+        "Share of their area that sees the Sun; nil without panels."},
+       {"incidence", of_panels<&V::incidence>, "number", "The same times the cosine of incidence."},
+       {"is_turning", is_turning, "boolean", "One of them is on its way."}},
+      {{"deploy", guard<deploy<true>>, "panels:deploy(name, duration_s)",
+        "Puts up the panel of that name (nil: all). Answers how long that takes, s."},
+       {"stow", guard<deploy<false>>, "panels:stow(name, duration_s)", "Folds it away; the same."},
+       {"steer", guard<steer>, "panels:steer(name, { mode = , azimuth_rad = , elevation_rad = })",
+        "Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, "
+        "'fixed' angles about the rover."}}};
+  return type;
+}
+
+}  // namespace lsos

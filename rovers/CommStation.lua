@@ -1,0 +1,36 @@
+-- A relay station: a mast with an antenna.
+--
+-- (A): our assumption, which summary.json repeats.
+
+local lsos = require 'lsos'
+local vec = lsos.vec3
+
+local function box(size_m, position_m, colour)
+  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
+end
+
+local function tube(radius_m, length_m, axis, position_m, colour)
+  return lsos.shape {
+    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
+  }
+end
+
+local grey, gold = '#9a9a98', '#c8a040'
+
+return lsos.asset {
+  api  = 1,
+  name = 'CommStation',
+  doc  = 'A relay station: an antenna on a mast, powered by a panel of its own.',
+
+  antenna_height_m = 10,  -- A
+
+  shapes = {
+    box(vec(1.5, 1.5, 0.8), vec(0, 0, 0.4), gold),
+    tube(0.08, 9, nil, vec(0, 0, 5.3), grey),
+    tube(0.6, 0.1, vec(1, 0, 0.5), vec(0.2, 0, 9.9), grey),
+  },
+
+  assumptions = {
+    'CommStation: an antenna at 10 m is assumed',
+  },
+}

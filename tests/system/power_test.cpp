@@ -1,0 +1,278 @@
+// Energy and light through the whole program: plan, scripts, rendering, log.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "record/log.h"
+#include "system/run_folder.h"
+
+namespace lsos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+// A run of a plan; keeps its folder.
+struct PlanRun {
+  explicit PlanRun(const std::vector<Mark>& plan, const Words& options = {}) {
+    Words words{"run", folder.write("plan.kml", kml(plan)), "-o", folder / "run", "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    outcome = test::run(words);
+  }
+  std::vector<SampleRow> samples() const { return log().samples(); }
+  LogReader log() const { return LogReader(folder / "run" / "log.gpkg"); }
+  json summary() const { return test::summary(folder / "run"); }
+
+  TempFolder folder;
+  Outcome outcome;
+};
+
+// 30 degrees east at the equator: the Sun stands high on 2026-01-01 (79 deg).
+constexpr const char* in_sunshine = "30,10";
+
+Mark rover(const std::string& type, const Fields& more = {}, const std::string& at = in_sunshine) {
+  Fields fields{{"RoverId", "R"}, {"RoverType", type}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return {"Rover", fields, point(at)};
+}
+
+Mark on_craters(const Fields& more = {}) {
+  Fields fields{{"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "Craters"}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return {"MissionInfo", fields, ""};
+}
+
+Mark asset(const std::string& id, const std::string& type, const std::string& at) {
+  return {"Asset", {{"AssetId", id}, {"AssetType", type}}, point(at)};
+}
+
+// What the contract promises of every row.
+void expect_closed(const std::vector<SampleRow>& rows) {
+  ASSERT_FALSE(rows.empty());
+  const double start_j = rows.front().energy_j;
+  for (const SampleRow& row : rows) {
+    const double flowed_j = row.solar_j + row.external_j - row.load_j - row.drive_j - row.loss_j;
+    const double throughput_j =
+        std::abs(row.solar_j) + std::abs(row.external_j) + row.load_j + row.drive_j + row.loss_j;
+    EXPECT_NEAR(row.energy_j - start_j, flowed_j, 1e-9 * throughput_j + 1e-9);
+    EXPECT_NEAR(row.energy_rate_w,
+                row.solar_w + row.external_w - row.load_w - row.drive_w - row.loss_w, 1e-9 * 1e4);
+    EXPECT_GE(row.charge, 0);
+    EXPECT_LE(row.charge, 1);
+  }
+}
+
+TEST(Power, closes_in_every_row_driving_and_parked) {
+  const PlanRun run({on_craters({{"LogInterval", "1"}}), rover("SEV", {{"InitialCharge", "0.7"}}),
+                     event("SteerSP", "R", 1), event("Route", "R", 2, {}, point("30.003,10")),
+                     event("Pause", "R", 3, {{"Duration", "1 h"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  expect_closed(run.samples());
+  EXPECT_GT(run.samples().back().drive_j, 1e4);
+  EXPECT_GT(run.samples().back().solar_j, 1e5);
+}
+
+// Power of the panel against the sky's own numbers: all of it in sunshine, flat on the roof.
+TEST(Power, of_a_panel_in_the_open_is_area_cosine_efficiency_and_sunshine) {
+  const PlanRun run({mission(), rover("SEV"), event("Pause", "R", 1, {{"Duration", "10"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const SampleRow row = run.samples().front();
+  EXPECT_EQ(row.sun_fraction, 1);
+  // lsos-host sun: elevation 78.38 deg, distance 147.3e9 m.
+  const json sun = json::parse(
+      test::run({"sun", "--planet", "Moon", "--site", in_sunshine, "--at", "2026-01-01T00:00:00Z"})
+          .out)[0];
+  const double cosine = std::sin(sun["elevation_deg"].get<double>() * 3.14159265358979 / 180);
+  const double au = sun["distance_m"].get<double>() / 149597870700;
+  EXPECT_NEAR(row.incidence, cosine, 1e-3);  // the springs of the rover give a little
+  EXPECT_NEAR(row.solar_available_w, 8 * 0.29 * 0.9 * 1361 / au / au * cosine, 3);
+  EXPECT_LT(row.solar_w, row.solar_available_w);  // the battery is full
+}
+
+TEST(Power, does_not_depend_on_how_often_it_is_logged) {
+  const auto last = [](const std::string& interval) {
+    const PlanRun run({on_craters({{"LogInterval", interval}, {"ParkedLogInterval", interval}}),
+                       rover("SEV", {{"InitialCharge", "0.5"}}), event("SteerSP", "R", 1),
+                       event("Route", "R", 2, {}, point("30.001,10")),
+                       event("Pause", "R", 3, {{"Duration", "20 min"}})});
+    return run.samples().back();
+  };
+  const SampleRow often = last("0.7"), seldom = last("50");
+  EXPECT_EQ(often.energy_j, seldom.energy_j);
+  EXPECT_EQ(often.solar_j, seldom.solar_j);
+  EXPECT_EQ(often.load_j, seldom.load_j);
+}
+
+TEST(Power, with_panels_and_an_array_repeats_and_survives_being_saved) {
+  const std::vector<Mark> plan{
+      on_craters(),
+      rover("SEV", {{"InitialCharge", "0.5"}}),
+      asset("Array", "SolarArray", "30.0004,10"),
+      {"Rover", {{"RoverId", "S"}, {"RoverType", "SEV"}}, point("30.0007,10.0005")},
+      event("SteerSP", "R", 1),
+      event("Recharge", "R", 2, {{"From", "Array"}, {"Duration", "60"}}),
+      event("Route", "S", 1, {}, point("30.0008,10.0001")),
+      event("StowSP", "S", 2)};
+  const std::string digest = digest_of(TempFolder(), plan);
+  EXPECT_EQ(digest_of(TempFolder(), plan, {"--threads", "2"}), digest);
+  EXPECT_EQ(digest_of(TempFolder(), plan, {"--save-every-exchange"}), digest);
+}
+
+TEST(Recharge, sets_a_level_at_once) {
+  const PlanRun run({mission(), rover("LRV"), event("Recharge", "R", 1, {{"EnergyLevel", "25%"}}),
+                     event("Pause", "R", 2, {{"Duration", "10"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  expect_closed(run.samples());
+  const std::vector<SampleRow> rows = run.samples();
+  EXPECT_EQ(rows.front().charge, 1);  // what the mission starts with
+  EXPECT_NEAR(rows[1].charge, 0.25, 1e-4);
+  EXPECT_NEAR(rows[1].external_j, -0.75 * 242 * 36 * 3600, 1);
+}
+
+TEST(Recharge, flows_at_a_rate_until_the_charge_is_reached) {
+  const PlanRun run({mission(), rover("LRV", {{"InitialCharge", "0.5"}}),
+                     event("Recharge", "R", 1, {{"EnergyRate", "1 kW"}, {"UntilCharge", "0.6"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  expect_closed(run.samples());
+  // 0.1 of 242 A h x 36 V, at 1000 W less 80 W of loads.
+  const double wanted_s = 0.1 * 242 * 36 * 3600 / 920;
+  EXPECT_NEAR(run.summary()["events"][0]["end_s"].get<double>(), wanted_s, 0.2);
+  EXPECT_NEAR(run.samples().back().charge, 0.6, 1e-5);
+}
+
+TEST(Recharge, takes_what_an_asset_nearby_can_give) {
+  const PlanRun run(
+      {mission(), rover("LRV", {{"InitialCharge", "0.5"}}), asset("Home", "Habitat", "30.0005,10"),
+       event("Recharge", "R", 1, {{"From", "Home"}, {"Duration", "100"}, {"EnergyRate", "300 W"}}),
+       event("Recharge", "R", 2, {{"From", "Home"}, {"Duration", "100"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const auto rows = run.samples();
+  EXPECT_NEAR(rows.back().external_j, 300 * 100 + 5000 * 100, 1);
+}
+
+TEST(Recharge, from_too_far_or_from_nothing_says_so) {
+  const PlanRun far({mission(), rover("LRV"), asset("Home", "Habitat", "30.002,10"),
+                     event("Recharge", "R", 1, {{"From", "Home"}, {"Duration", "100"}})});
+  EXPECT_THAT(far.summary()["events"][0]["reason"].get<std::string>(), HasSubstr("'Home' is 59."));
+  const PlanRun mast({mission(), rover("LRV"), asset("Mast", "CommStation", "30.0002,10"),
+                      event("Recharge", "R", 1, {{"From", "Mast"}, {"Duration", "100"}})});
+  EXPECT_THAT(mast.summary()["events"][0]["reason"].get<std::string>(),
+              HasSubstr("no asset 'Mast' with power to give"));
+}
+
+// The array's power by the second way: its area, efficiency and the Sun's irradiance, as nothing
+// stands in its way and it faces the Sun.
+TEST(Recharge, from_a_solar_array_is_sunshine) {
+  const PlanRun run({mission(), rover("LRV", {{"InitialCharge", "0.5"}}),
+                     asset("Array", "SolarArray", "30.0005,10"),
+                     event("Recharge", "R", 1, {{"From", "Array"}, {"Duration", "100"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const double au = 0.98333;  // at perihelion, 2026-01-03, less the Moon's way
+  EXPECT_NEAR(run.samples().back().external_j / 100, 30 * 0.29 * 0.9 * 1361 / au / au, 60);
+}
+
+TEST(Recharge, waits_for_the_sun) {
+  const PlanRun run({mission({{"ParkedLogInterval", "60"}}),
+                     rover("SEV", {{"InitialCharge", "0.5"}}), event("SteerSP", "R", 1),
+                     event("Recharge", "R", 2, {{"UntilCharge", "0.51"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  expect_closed(run.samples());
+  EXPECT_NEAR(run.samples().back().charge, 0.51, 1e-5);
+  EXPECT_EQ(run.samples().back().external_j, 0);
+}
+
+TEST(Panels, that_are_stowed_give_nothing_and_cannot_be_steered) {
+  const PlanRun run({mission(), rover("SEV"), event("StowSP", "R", 1, {{"Duration", "30"}}),
+                     event("Pause", "R", 2, {{"Duration", "10"}}),
+                     event("SteerSP", "R", 3, {{"OnFailure", "skip"}, {"Panel", "Roof"}}),
+                     event("DeploySP", "R", 4), event("Pause", "R", 5, {{"Duration", "10"}})});
+  const json events = run.summary()["events"];
+  EXPECT_EQ(events[0]["end_s"].get<double>(), 30);
+  EXPECT_THAT(events[2]["reason"].get<std::string>(), HasSubstr("'Roof' is stowed"));
+  EXPECT_NEAR(events[3]["end_s"].get<double>() - events[3]["start_s"].get<double>(), 300, 0.11);
+  const auto rows = run.samples();
+  EXPECT_GT(rows.front().load_w, 0);
+  EXPECT_EQ(rows[18].solar_available_w, 0);  // 36 s
+  EXPECT_GT(rows.back().solar_available_w, 2000);
+  EXPECT_TRUE(std::isnan(run.log().panels()[18].azimuth_rad));
+}
+
+TEST(Panels, that_track_face_the_sun_as_the_rover_drives) {
+  const PlanRun run({on_craters(), rover("SEV"), event("SteerSP", "R", 1),
+                     event("Route", "R", 2, {}, line("30,10 30.001,10 30.001,10.001"))});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  double mean = 0, count = 0;
+  for (const PanelRow& row : run.log().panels()) {
+    if (seconds(row.time) < 80 || row.sun_fraction < 0.9) continue;
+    mean += row.incidence / row.sun_fraction;
+    ++count;
+  }
+  ASSERT_GT(count, 20);
+  EXPECT_GT(mean / count, 0.95);  // in the bend it comes after, at a degree a second
+}
+
+TEST(Panels, that_point_look_where_they_are_told) {
+  const PlanRun run(
+      {mission(), rover("SEV", {{"Heading", "70"}}),
+       event("SteerSP", "R", 1, {{"Mode", "point"}, {"Azimuth", "135"}, {"Elevation", "30"}}),
+       event("Pause", "R", 2, {{"Duration", "10"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const PanelRow row = run.log().panels().back();
+  EXPECT_NEAR(row.azimuth_rad * 180 / 3.14159265, 135, 0.1);
+  EXPECT_NEAR(row.elevation_rad * 180 / 3.14159265, 30, 0.1);
+}
+
+TEST(Consume, uses_energy_and_resources_until_they_are_gone) {
+  const PlanRun run({mission(), rover("SEV"),
+                     event("Consume", "R", 1, {{"Power", "2 kW"}, {"Duration", "60"}}),
+                     event("Consume", "R", 2, {{"Resource", "oxygen"}, {"Amount", "20"}}),
+                     event("Consume", "R", 3, {{"Resource", "oxygen"}, {"Amount", "5"}})});
+  EXPECT_EQ(run.outcome.exit_code, 1);
+  const json summary = run.summary();
+  EXPECT_NEAR(summary["rovers"]["R"]["resources"]["oxygen"].get<double>(), 4, 1e-12);
+  EXPECT_THAT(summary["events"][2]["reason"].get<std::string>(),
+              HasSubstr("R has only 4 of oxygen, 5 are wanted"));
+  EXPECT_NEAR(run.samples()[0].load_w, 550 + 2000, 1e-9);
+}
+
+// A night of the Moon: the battery runs down, loads are shed, and in the morning it comes back.
+TEST(Power, comes_back_after_a_lunar_night) {
+  const PlanRun run({mission({{"ParkedLogInterval", "1 h"}}), rover("SEV", {}, "120,0"),
+                     event("Pause", "R", 1, {{"Duration", "18 d"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const auto rows = run.samples();
+  expect_closed(rows);
+  double least = 1;
+  for (const SampleRow& row : rows) least = std::min(least, row.charge);
+  EXPECT_EQ(least, 0);
+  EXPECT_GT(rows.back().charge, 0.5);
+  std::vector<std::string> notes;
+  for (const NoteRow& note : run.log().notes()) notes.push_back(note.name);
+  EXPECT_THAT(notes, ::testing::ElementsAre("battery_empty", "loads_shed", "loads_restored"));
+}
+
+// Two rovers in line with the Sun, 5 degrees high in the east: the low one behind stands in the
+// other's shadow.
+TEST(Power, is_taken_by_another_rovers_shadow) {
+  const auto fraction = [](const std::string& other) {
+    std::vector<Mark> plan{mission(), rover("MER", {{"Heading", "0"}}, "-52.5,0"),
+                           event("Pause", "R", 1, {{"Duration", "5"}})};
+    if (!other.empty()) {
+      plan.push_back(
+          {"Rover", {{"RoverId", "X"}, {"RoverType", "SEV"}, {"Heading", "0"}}, point(other)});
+    }
+    double last = -1;
+    for (const SampleRow& row : PlanRun(plan).samples()) {
+      if (row.rover_id == "R") last = row.sun_fraction;
+    }
+    return last;
+  };
+  const double alone = fraction("");
+  EXPECT_GT(alone, 0.8);                       // its mast and antenna shade it
+  EXPECT_LT(fraction("-52.49973,0"), 0.2);     // 8 m to the east
+  EXPECT_EQ(fraction("-52.5006,0"), alone);    // to the west
+  EXPECT_EQ(fraction("-52.5,0.0006"), alone);  // to the north
+}
+
+}  // namespace
+}  // namespace lsos::test

@@ -1,0 +1,130 @@
+// A rover's energy over a mission, without light: what it holds follows from what flowed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test_mission.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+BatterySpec battery(double capacity_j) {
+  BatterySpec battery;
+  battery.capacity_j = capacity_j;
+  battery.discharge_efficiency = 0.8;
+  battery.reserve = 0.2;
+  return battery;
+}
+
+class Energy : public ::testing::Test {
+ protected:
+  Energy() {
+    mission.rover("A");
+    power().battery = battery(1e6);
+    power().loads = {{"housekeeping", 100, LoadState::always}};
+  }
+  PowerSpec& power() { return mission.setup_.rover_models["Test"].power; }
+  RoverResult result() const { return mission.simulation_->results().front(); }
+
+  Mission mission;
+};
+
+TEST_F(Energy, of_a_parked_rover_falls_as_its_loads_say) {
+  mission.event("Hold", 3600);
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::completed);
+  // 100 W at the bus for an hour, and the loss in giving it.
+  EXPECT_NEAR(result().energy_start_j - result().energy_end_j, 100 * 3600 / 0.8, 1e-6);
+  EXPECT_NEAR(result().energy_used_j, 100 * 3600 / 0.8, 1e-6);
+  EXPECT_NEAR(events[0].energy_used_j, 100 * 3600 / 0.8, 1e-6);
+  EXPECT_LT(mission.exchanges, 20);  // it leapt
+}
+
+TEST_F(Energy, of_work_is_added_while_its_event_runs) {
+  PlanEvent& work = mission.event("Work", 600);
+  work.params["power_w"] = 400.0;
+  mission.event("Hold", 600);
+  const auto events = mission.run();
+  EXPECT_NEAR(events[0].energy_used_j, 500 * 600 / 0.8, 1e-6);
+  EXPECT_NEAR(events[1].energy_used_j, 100 * 600 / 0.8, 1e-6);
+}
+
+TEST_F(Energy, of_a_drive_is_what_its_motors_took) {
+  power().loads.clear();
+  mission.drive(20);
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::completed);
+  EXPECT_GT(result().energy_used_j, 100);
+  EXPECT_NEAR(result().energy_start_j - result().energy_end_j, result().energy_used_j, 1e-6);
+}
+
+TEST_F(Energy, counts_from_the_plans_initial_charge) {
+  mission.setup_.plan.rovers[0].initial_charge = 0.25;
+  mission.event("Hold", 1);
+  mission.run();
+  EXPECT_DOUBLE_EQ(result().energy_start_j, 0.25e6);
+}
+
+// 1e6 J x 0.8 / 100 W = 8000 s.
+TEST_F(Energy, that_is_used_up_lets_waiting_go_on) {
+  mission.event("Hold", 20000);
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::completed);
+  EXPECT_EQ(result().energy_end_j, 0);
+  EXPECT_NEAR(result().energy_used_j, 1e6, 1e-6);
+}
+
+TEST_F(Energy, that_is_used_up_ends_work_then_and_there) {
+  mission.event("Work", 20000).params["power_w"] = 0.0;
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_EQ(events[0].reason, "the battery is empty");
+  EXPECT_NEAR(seconds(*events[0].end), 8000, 0.2);
+}
+
+TEST_F(Energy, that_is_used_up_stops_a_drive) {
+  power().battery = battery(3e4);
+  power().loads = {{"lamp", 500, LoadState::driving}};
+  mission.drive(200);
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_EQ(events[0].reason, "the battery is empty");
+  EXPECT_LT(mission.simulation_->results()[0].distance_m, 150);
+  EXPECT_GT(mission.simulation_->results()[0].distance_m, 5);
+}
+
+// After a failure that is skipped, work waits for the reserve; what needs no power does not.
+TEST_F(Energy, above_the_reserve_is_wanted_to_go_on) {
+  PlanEvent& first = mission.event("Work", 20000);
+  first.params["power_w"] = 0.0;
+  first.on_failure = OnFailure::skip;
+  mission.event("Hold", 100);
+  mission.event("Work", 10).params["power_w"] = 0.0;
+  mission.setup_.plan.mission.max_duration = SimTime{10'000'000'000};
+  const auto events = mission.run();
+  EXPECT_EQ(events[1].status, EventStatus::completed);
+  EXPECT_EQ(events[2].status, EventStatus::not_started);
+  EXPECT_EQ(events[2].reason, "MaxDuration is over");
+}
+
+TEST_F(Energy, is_the_same_when_all_state_is_saved_at_each_exchange) {
+  const auto end_j = [&](bool is_saving) {
+    Mission again;
+    again.rover("A");
+    PowerSpec& spec = again.setup_.rover_models["Test"].power;
+    spec = power();
+    spec.resources = {{"oxygen", "kg", 3}};
+    again.setup_.save_every_exchange = is_saving;
+    again.drive(5);
+    again.event("Work", 30).params["power_w"] = 50.0;
+    again.run();
+    return again.simulation_->results()[0].energy_end_j;
+  };
+  EXPECT_EQ(end_j(true), end_j(false));
+}
+
+}  // namespace
+}  // namespace lsos::test
