@@ -78,11 +78,12 @@ double GroundLightProbe::horizon_rad(const Vec3& eye_S_m, const Vec3& up_S, cons
 }
 
 std::optional<GroundLight> GroundLightProbe::at(const Geodetic& place, const Vec3& sun_S,
-                                                double disc_rad) {
+                                                double disc_rad, double height_m) {
   const SiteFrame& site = ground_->site();
   const GroundSample ground = probe(0).sample(site.p_S_m({place.lon_rad, place.lat_rad, 0}));
   if (!ground.is_ground()) return {};
-  const Vec3 eye_S_m = site.p_S_m({place.lon_rad, place.lat_rad, ground.elevation_m + eye_m});
+  const Vec3 eye_S_m =
+      site.p_S_m({place.lon_rad, place.lat_rad, ground.elevation_m + height_m + eye_m});
   const Vec3 up_S = site.up_S(eye_S_m);
   GroundLight light;
   light.incidence = ground.normal_S.dot(sun_S);

@@ -21,8 +21,9 @@ class GroundLightProbe {
   GroundLightProbe(const Ground& ground, double resolution_m);
 
   // `sun_S`: unit, to the middle of the disc of that angular radius. Absent where there is no
-  // ground.
-  std::optional<GroundLight> at(const Geodetic& place, const Vec3& sun_S, double disc_rad);
+  // ground. `height_m`: of the eye above it.
+  std::optional<GroundLight> at(const Geodetic& place, const Vec3& sun_S, double disc_rad,
+                                double height_m = 0);
 
  private:
   // The highest elevation of ground in a direction along the surface, rad.

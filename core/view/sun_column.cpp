@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -41,6 +42,20 @@ class Strip {
   const Mat3& axes_S() const { return axes_S_; }
   double half_width_m(double x_m) const {
     return column_.reach_m + 1.1 * x_m * std::tan(column_.disc_rad);
+  }
+  // How steeply a point is seen from all that is lit: at most, and at least; x above the reach.
+  double steepest(const Vec3& at) const {
+    return (at.z() + column_.reach_m) /
+           (at.z() + column_.reach_m > 0 ? at.x() - column_.reach_m : at.x() + column_.reach_m);
+  }
+  double flattest(const Vec3& at) const {
+    return (at.z() - column_.reach_m) /
+           (at.z() - column_.reach_m > 0 ? at.x() + column_.reach_m : at.x() - column_.reach_m);
+  }
+  bool is_past_reach(double x_m) const { return x_m > 2 * column_.reach_m; }
+  // Ground that is seen more steeply than this hides all of the disc.
+  double top_ray() const {
+    return std::tan(std::clamp(elevation_rad_ + column_.disc_rad, -1.5, 1.5));
   }
   // The lowest ray to the Sun from anything that is lit.
   double lowest_ray_m(double x_m) const {
@@ -98,20 +113,31 @@ class StripMesh {
 
   void add_row(double x_m, bool is_joined) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    double lowest = strip_.is_past_reach(x_m) ? std::numeric_limits<double>::infinity()
+                                              : -std::numeric_limits<double>::infinity();
     for (int k = 0; k < nodes_across; ++k) {
       const double y_m = strip_.half_width_m(x_m) * (2.0 * k / (nodes_across - 1) - 1);
       const Vec3 at = strip_.point(x_m, y_m);
-      is_low_.push_back(at.z() < strip_.lowest_ray_m(at.x()));
+      const bool is_hidden = strip_.is_past_reach(x_m) && strip_.steepest(at) < ridge_;
+      is_low_.push_back(at.z() < strip_.lowest_ray_m(at.x()) || is_hidden);
+      if (strip_.is_past_reach(x_m)) lowest = std::min(lowest, strip_.flattest(at));
       const Vec3 p = strip_.axes_S() * at;
       mesh_.vertices.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     }
-    if (!is_joined) return;
+    if (!is_joined) {
+      last_lowest_ = lowest;
+      return;
+    }
     for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
       add_triangle({k, k + 1, k + nodes_across});
       add_triangle({k + 1, k + nodes_across + 1, k + nodes_across});
     }
+    // Drawn between two rows, the ground hides at least what the lower one does.
+    ridge_ = std::max(ridge_, lowest);
+    last_lowest_ = lowest;
   }
+  double ridge() const { return ridge_; }
   Mesh take() { return std::move(mesh_); }
 
  private:
@@ -123,7 +149,11 @@ class StripMesh {
 
   Strip& strip_;
   Mesh mesh_;
-  std::vector<bool> is_low_;  // of each vertex
+  std::vector<bool> is_low_;  // of each vertex: below all rays, or behind the ridge
+  // How steeply, at the least, ground that is drawn is seen all across the strip; it hides what is
+  // lower behind it.
+  double ridge_ = -std::numeric_limits<double>::infinity();
+  double last_lowest_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
@@ -133,11 +163,15 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   StripMesh mesh(strip);
   bool is_open = false;  // the last row drawn is where this stretch begins
   double x_m = 0;
-  while (x_m < farthest_m && !strip.is_beyond(x_m)) {
+  while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
     const double next_m = next_row_m(x_m, first_rows_m, first_share);
     const double height_m = std::max(strip.point(x_m, 0).z(), strip.point(next_m, 0).z());
     const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m));
-    if (height_m + rise_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m))) {
+    const double highest_m = height_m + rise_m;
+    const bool is_hidden =
+        strip.is_past_reach(x_m) &&
+        strip.steepest({highest_m > 0 ? x_m : next_m, 0, highest_m}) < mesh.ridge();
+    if (is_hidden || highest_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m))) {
       is_open = false;
       x_m = next_m;
       continue;

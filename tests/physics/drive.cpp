@@ -34,6 +34,7 @@ FollowerPose pose_of(const VehicleReport& report) {
 }  // namespace
 
 Soil shipped_soil(const std::string& name) { return catalog().load_soil(name); }
+TerrainSpec shipped_terrain(const std::string& name) { return catalog().load_terrain(name); }
 RoverSpec shipped_rover(const std::string& name) { return catalog().load_rover(name).spec; }
 
 std::unique_ptr<Ground> ground(const GroundAt& at) {

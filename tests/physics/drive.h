@@ -17,6 +17,7 @@ inline const Geodetic start{0.1, 0.2, 0};
 
 Soil shipped_soil(const std::string& name);
 RoverSpec shipped_rover(const std::string& name);
+TerrainSpec shipped_terrain(const std::string& name);
 
 struct GroundAt {
   std::string planet;
