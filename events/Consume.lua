@@ -2,14 +2,21 @@
 
 local lsos = require 'lsos'
 
+local function check(p)
+  if p.amount and not p.resource then return 'Amount without Resource: of what?' end
+  if p.resource and not p.amount then return 'Resource without Amount: how much?' end
+  if p.power_w and not p.duration_s then return 'Power without Duration: for how long?' end
+  if not (p.power_w or p.resource) then
+    return 'nothing is used: Power and Duration, or Resource and Amount, are wanted'
+  end
+end
+
 local function start(ev, rover)
   local p = ev.params
   rover:brake()
-  if p.amount and not p.resource then return lsos.fail('Amount without Resource: of what?') end
   if p.resource then
     local left = rover:resource(p.resource)
     if not left then return lsos.fail("%s carries no '%s'", rover.id, p.resource) end
-    if not p.amount then return lsos.fail('Resource without Amount: how much?') end
     if not rover:use(p.resource, p.amount) then
       return lsos.fail('%s has only %g of %s, %g are wanted', rover.id, left, p.resource, p.amount)
     end
@@ -40,6 +47,7 @@ return lsos.event {
     },
   },
 
+  check  = check,
   start  = 'start',
   phases = { start = start, consume = consume },
 }

@@ -14,21 +14,26 @@ local function level_j(text, capacity_j)
   return energy and energy * kwh
 end
 
+local function check(p)
+  if p.energy_level and not level_j(p.energy_level, 1) then
+    return ("EnergyLevel = '%s': kWh or a percentage is wanted, as in 12 or 80%%")
+      :format(p.energy_level)
+  end
+  if (p.energy_rate_w or p.from) and not (p.duration_s or p.until_charge) then
+    return (p.from and 'From' or 'EnergyRate')
+      .. ' without Duration or UntilCharge: when should it end?'
+  end
+  if not (p.energy_level or p.duration_s or p.until_charge) then
+    return 'nothing is asked: EnergyLevel, Duration or UntilCharge is wanted'
+  end
+end
+
 local function start(ev, rover)
   local p, battery = ev.params, rover.battery
   rover:brake()
   if not battery then return lsos.fail('%s has no battery', rover.id) end
   if p.energy_level then
-    local wanted_j = level_j(p.energy_level, battery.capacity_j)
-    if not wanted_j then
-      return lsos.fail("EnergyLevel = '%s': kWh or a percentage is wanted, as in 12 or 80%%",
-        p.energy_level)
-    end
-    battery:set_energy(wanted_j)
-  end
-  if (p.energy_rate_w or p.from) and not (p.duration_s or p.until_charge) then
-    return lsos.fail('%s without Duration or UntilCharge: when should it end?',
-      p.from and 'From' or 'EnergyRate')
+    battery:set_energy(level_j(p.energy_level, battery.capacity_j))
   end
   if not (p.duration_s or p.until_charge) then return lsos.done end
   if p.from then
@@ -77,6 +82,7 @@ return lsos.event {
     },
   },
 
+  check  = check,
   start  = 'start',
   phases = { start = start, charge = charge },
 }

@@ -2,11 +2,14 @@
 
 local lsos = require 'lsos'
 
+local function check(p)
+  if p.mode ~= 'track' and not (p.azimuth_rad and p.elevation_rad) then
+    return ('Mode = %s wants both Azimuth and Elevation'):format(p.mode)
+  end
+end
+
 local function start(ev, rover)
   local p = ev.params
-  if p.mode ~= 'track' and not (p.azimuth_rad and p.elevation_rad) then
-    return lsos.fail('Mode = %s wants both Azimuth and Elevation', p.mode)
-  end
   rover:brake()
   rover.panels:steer(p.panel, {
     mode          = p.mode,
@@ -42,6 +45,7 @@ return lsos.event {
     },
   },
 
+  check  = check,
   start  = 'start',
   phases = { start = start, turn = turn },
 }

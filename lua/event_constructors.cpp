@@ -168,14 +168,14 @@ void check_phases(TableReader& t, EventDeclaration& event) {
   });
 }
 
-void read_on_abort(TableReader& t, int functions) {
-  if (!t.take(optional, "on_abort", "function(ev, rover)",
-              "Called once when the event is ended from outside."))
-    return;
+// Copies a function that may be missing to the table at `functions`.
+void read_function(TableReader& t, const char* key, const char* type, const char* doc,
+                   int functions) {
+  if (!t.take(optional, key, type, doc)) return;
   if (!lua_isnil(t.L(), -1) && !lua_isfunction(t.L(), -1)) {
-    t.fault(fmt::format("on_abort: a function is wanted, found {}", describe(t.L(), -1)));
+    t.fault(fmt::format("{}: a function is wanted, found {}", key, describe(t.L(), -1)));
   }
-  lua_setfield(t.L(), functions, "on_abort");
+  lua_setfield(t.L(), functions, key);
 }
 
 void read_event(TableReader& t, EventDeclaration& event, int functions) {
@@ -191,7 +191,12 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
             "It starts and goes on also when the battery is empty (default false).");
   t.text(optional, "start", event.start_phase, "The first phase; may be left out if there is one.");
   read_phases(t, event, functions);
-  read_on_abort(t, functions);
+  read_function(t, "check", "function(params)",
+                "Called for each event of a plan before anything runs: what is wrong with its "
+                "parameters together, as a text, or nil.",
+                functions);
+  read_function(t, "on_abort", "function(ev, rover)",
+                "Called once when the event is ended from outside.", functions);
   t.finish();
   if (!schema.empty() && schema != event.name) {
     t.fault(fmt::format("schema = '{}': must be '{}', the name of the file", schema, event.name));

@@ -8,6 +8,7 @@
 #include "lua/arguments.h"
 #include "lua/event_library.h"
 #include "lua/handle.h"
+#include "lua/made.h"
 #include "lua/value.h"
 
 namespace lsos {
@@ -148,6 +149,27 @@ LuaHost::LuaHost(const Catalog& catalog, const Limits& limits)
 LuaHost::~LuaHost() = default;
 
 const Declarations& LuaHost::declarations() const { return impl_->declarations; }
+
+std::string LuaHost::fault_of(const std::string& type, const EventArguments& arguments,
+                              Instant mission_start) {
+  const EventScript& script = impl_->library.events().at(type);
+  std::string fault;
+  impl_->library.lua().run([&](lua_State* L) {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
+    if (lua_getfield(L, -1, "check") != LUA_TFUNCTION) return;
+    push_params(L, script.declaration, arguments, mission_start);
+    if (const auto failure = call_script(L, 1, 1)) {
+      throw ScriptError(fmt::format("{}: check: {}", script.file, failure->message));
+    }
+    if (lua_isnil(L, -1)) return;
+    if (lua_type(L, -1) != LUA_TSTRING) {
+      throw ScriptError(fmt::format("{}: check: a text or nil is wanted, found {}", script.file,
+                                    describe(L, -1)));
+    }
+    fault = lua_tostring(L, -1);
+  });
+  return fault;
+}
 
 ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arguments) {
   const auto found = impl_->library.events().find(type);

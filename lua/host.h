@@ -17,6 +17,11 @@ class LuaHost : public ScriptHost {
   explicit LuaHost(const Catalog& catalog, const Limits& limits = {});
   ~LuaHost() override;
 
+  // What an event's `check` says of its parameters; "" when all is well or it has none. Throws
+  // ScriptError.
+  std::string fault_of(const std::string& type, const EventArguments& arguments,
+                       Instant mission_start);
+
   const Declarations& declarations() const override;
   ScriptInstance begin(const std::string& type, const EventArguments& arguments) override;
   PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,

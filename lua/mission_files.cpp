@@ -46,6 +46,22 @@ void add_script_warnings(const Catalog& catalog, Faults& faults) {
   }
 }
 
+// What the scripts of events say of their parameters.
+void check_events(const Plan& plan, const Catalog& catalog, Faults& faults) {
+  LuaHost host(catalog);
+  for (const PlanEvent& event : plan.events) {
+    try {
+      const std::string fault =
+          host.fault_of(event.type, {event.params, {}}, plan.mission.start_time);
+      if (fault.empty()) continue;
+      faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, fault));
+    } catch (const ScriptError& error) {
+      faults.error(event.place,
+                   fmt::format("{} '{}': {}", event.type, event.label, error.what()));
+    }
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
@@ -63,6 +79,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   add_script_warnings(*files.catalog, files.faults);
   if (seed) files.plan.mission.seed = *seed;
   if (files.faults.has_errors()) return files;
+  check_events(files.plan, *files.catalog, files.faults);
   const auto collect = [&](auto load) {
     try {
       load();
