@@ -1,0 +1,7 @@
+-- expect: event: check: a function is wanted, found a number
+-- as: events
+local lsos = require 'lsos'
+return lsos.event {
+  api = 1, doc = 'Nothing.', check = 1,
+  phases = { only = function() return lsos.done end },
+}

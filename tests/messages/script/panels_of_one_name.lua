@@ -1,0 +1,7 @@
+-- expect: asset: panels: 'A' is the name of two
+-- as: rovers
+local lsos = require 'lsos'
+return lsos.asset {
+  api = 1, doc = 'A thing.',
+  panels = { lsos.panel { name = 'A', position_m = lsos.vec3(0, 0, 1), length_m = 1, width_m = 1, efficiency = 0.3 }, lsos.panel { name = 'A', position_m = lsos.vec3(0, 0, 1), length_m = 1, width_m = 1, efficiency = 0.3 } },
+}

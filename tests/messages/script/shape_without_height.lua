@@ -1,0 +1,7 @@
+-- expect: shape: size_m: all three must be more than 0 m
+-- as: rovers
+local lsos = require 'lsos'
+return lsos.asset {
+  api = 1, doc = 'A thing.',
+  shapes = { lsos.shape { position_m = lsos.vec3(0, 0, 1), size_m = lsos.vec3(1, 1, 0) } },
+}
