@@ -84,6 +84,16 @@ struct SunOptions {
 };
 int sun_command(const SunOptions& options);
 
+struct PictureOptions {
+  std::string folder;  // of a run
+  std::string at;      // UTC, or a time from the start
+  std::string from = "sun";
+  std::string rover;  // "": the first
+  std::string file;   // X.png
+  int size_px = 800;
+};
+int picture_command(const PictureOptions& options);
+
 int overlay_command(const std::string& folder, bool is_json);
 
 }  // namespace lsos

@@ -14,11 +14,11 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run",     "check", "fsm", "light",  "list",
-                                     "overlay", "rig",   "sun", "terrain"};
+const std::vector<std::string> built{"run",     "check",   "fsm", "light", "list",
+                                     "overlay", "picture", "rig", "sun",   "terrain"};
 // Named in the manual, not there yet.
-const std::vector<std::string> unbuilt{"repl",   "test",   "resume",  "report", "compare", "schema",
-                                       "import", "export", "picture", "sight",  "new"};
+const std::vector<std::string> unbuilt{"repl",   "test",   "resume", "report", "compare",
+                                       "schema", "import", "export", "sight",  "new"};
 
 // `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
 // told which one was meant.
@@ -82,6 +82,21 @@ CLI::App* add_light(CLI::App& app, lsos::LightOptions& light, bool& is_json) {
   command->add_option("-o,--output", light.file, "The GeoTIFF to write")->required();
   command->add_option("--threads", light.threads, "Threads that work on it")
       ->check(CLI::Range(1, 256));
+  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  return command;
+}
+
+CLI::App* add_picture(CLI::App& app, lsos::PictureOptions& picture, bool& is_json) {
+  CLI::App* command =
+      app.add_subcommand("picture", "A rover of a run as the Sun saw it, its panels green");
+  command->add_option("DIR", picture.folder, "Folder of a run")->required();
+  command->add_option("--at", picture.at, "UTC, or a time from the start: 90, 2 h")->required();
+  command->add_option("--from", picture.from, "sun (others are not built yet)")
+      ->check(CLI::IsMember({"sun"}));
+  command->add_option("--rover", picture.rover, "RoverId (the first)");
+  command->add_option("--size", picture.size_px, "Of the picture's sides, pixels (800)")
+      ->check(CLI::Range(64, 4096));
+  command->add_option("-o,--output", picture.file, "The PNG to write")->required();
   command->add_flag("--json", is_json, "Its answer is JSON in any case");
   return command;
 }
@@ -172,6 +187,9 @@ int run_program(std::vector<std::string> arguments) {
   lsos::LightOptions light;
   CLI::App* light_command = add_light(app, light, is_json);
 
+  lsos::PictureOptions picture;
+  CLI::App* picture_command = add_picture(app, picture, is_json);
+
   lsos::SunOptions sun;
   CLI::App* sun_command = add_sun(app, sun, is_json);
 
@@ -186,6 +204,7 @@ int run_program(std::vector<std::string> arguments) {
   if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan, is_json);
   if (rig_command->parsed()) return lsos::rig_command(rig);
   if (terrain_command->parsed()) return lsos::terrain_command(terrain);
+  if (picture_command->parsed()) return lsos::picture_command(picture);
   if (light_command->parsed()) return lsos::light_command(light);
   if (sun_command->parsed()) return lsos::sun_command(sun);
   if (list_command->parsed()) return lsos::list_command(list);

@@ -56,8 +56,7 @@ void check_events(const Plan& plan, const Catalog& catalog, Faults& faults) {
       if (fault.empty()) continue;
       faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, fault));
     } catch (const ScriptError& error) {
-      faults.error(event.place,
-                   fmt::format("{} '{}': {}", event.type, event.label, error.what()));
+      faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, error.what()));
     }
   }
 }

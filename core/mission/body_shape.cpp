@@ -7,6 +7,7 @@ namespace lsos {
 namespace {
 
 constexpr int wheel_sides = 16;
+const Vec3 wheel_colour(0.35, 0.35, 0.37);
 
 Mesh mesh_of(const Shape& shape) {
   if (shape.kind == Shape::Kind::box) return box_mesh(shape.size_m);
@@ -20,12 +21,11 @@ Mat3 towards(const Vec3& axis) {
 
 }  // namespace
 
-BodyShape::BodyShape(const std::vector<Shape>& shapes) : parts_(1) {
+BodyShape::BodyShape(const std::vector<Shape>& shapes) {
   for (const Shape& shape : shapes) add(shape, 0);
 }
 
-BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehicle)
-    : parts_(vehicle.links.size() + 1) {
+BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehicle) {
   for (const Shape& shape : shapes) {
     std::size_t part = 0;
     for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
@@ -43,17 +43,19 @@ BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehi
   for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
     const LinkConfig& link = vehicle.links[i];
     if (!link.wheel) continue;
-    add_part(i + 1, cylinder_mesh(link.wheel->radius_m, link.wheel->width_m, wheel_sides),
-             towards(link.axis), centres_B_m[i + 1]);
+    add_piece(i + 1, cylinder_mesh(link.wheel->radius_m, link.wheel->width_m, wheel_sides),
+              towards(link.axis), centres_B_m[i + 1], wheel_colour);
   }
 }
 
 void BodyShape::add(const Shape& shape, std::size_t part) {
-  add_part(part, mesh_of(shape), shape.R_BL, shape.p_B_m);
+  add_piece(part, mesh_of(shape), shape.R_BL, shape.p_B_m, shape.colour);
 }
 
-void BodyShape::add_part(std::size_t part, const Mesh& mesh, const Mat3& R, const Vec3& p_B_m) {
-  append(parts_[part], mesh, R, p_B_m);
+void BodyShape::add_piece(std::size_t part, const Mesh& mesh, const Mat3& R, const Vec3& p_B_m,
+                          const Vec3& colour) {
+  pieces_.push_back({part, {}, colour});
+  append(pieces_.back().mesh, mesh, R, p_B_m);
   for (const auto& vertex : mesh.vertices) {
     const Vec3 at_B_m = p_B_m + R * Vec3(vertex[0], vertex[1], vertex[2]);
     reach_m_ = std::max(reach_m_, at_B_m.norm());
@@ -63,9 +65,21 @@ void BodyShape::add_part(std::size_t part, const Mesh& mesh, const Mat3& R, cons
 
 void BodyShape::append_to(Mesh& mesh, const std::vector<PartPose>& poses,
                           const Vec3& eye_S_m) const {
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    append(mesh, parts_[i], poses[i].R_SB, poses[i].p_S_m - eye_S_m);
+  for (const Piece& piece : pieces_) {
+    const PartPose& pose = poses[piece.part];
+    append(mesh, piece.mesh, pose.R_SB, pose.p_S_m - eye_S_m);
   }
+}
+
+std::vector<BodyShape::Solid> BodyShape::solids(const std::vector<PartPose>& poses,
+                                                const Vec3& eye_S_m) const {
+  std::vector<Solid> solids;
+  for (const Piece& piece : pieces_) {
+    const PartPose& pose = poses[piece.part];
+    solids.push_back({{}, piece.colour});
+    append(solids.back().mesh, piece.mesh, pose.R_SB, pose.p_S_m - eye_S_m);
+  }
+  return solids;
 }
 
 }  // namespace lsos

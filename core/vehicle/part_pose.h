@@ -18,4 +18,8 @@ struct PartPose {
 // Centres of mass at rest with all joints at 0, frame B: the chassis first, then each link.
 std::vector<Vec3> centres_at_rest_B_m(const VehicleConfig& config);
 
+// Of the chassis, then of each link, for joints that stand so (m or rad, in order of the links).
+std::vector<PartPose> part_poses(const VehicleConfig& config, const PartPose& chassis,
+                                 const std::vector<double>& joints);
+
 }  // namespace lsos

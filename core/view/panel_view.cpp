@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "view/program.h"
 
 namespace lsos {
 
@@ -44,37 +45,18 @@ out vec4 colour;
 void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
 
-GLuint shader(GLenum kind, const char* text) {
-  const GLuint id = glCreateShader(kind);
-  glShaderSource(id, 1, &text, nullptr);
-  glCompileShader(id);
-  GLint is_good = 0;
-  glGetShaderiv(id, GL_COMPILE_STATUS, &is_good);
-  LSOS_ASSERT(is_good != 0);
-  return id;
-}
-
 }  // namespace
 
 struct PanelView::Pipeline {
-  GLuint program = 0, framebuffer = 0, picture = 0, arrays = 0, vertices = 0, triangles = 0;
+  Program program{vertex_shader, fragment_shader};
+  GLuint framebuffer = 0, picture = 0, arrays = 0, vertices = 0, triangles = 0;
   GLint to_panel = 0;
   std::vector<GLubyte> pixels = std::vector<GLubyte>(std::size_t{size_px} * size_px);
 
   Pipeline() {
-    program = glCreateProgram();
-    for (const GLuint part :
-         {shader(GL_VERTEX_SHADER, vertex_shader), shader(GL_FRAGMENT_SHADER, fragment_shader)}) {
-      glAttachShader(program, part);
-      glDeleteShader(part);
-    }
-    glLinkProgram(program);
-    GLint is_good = 0;
-    glGetProgramiv(program, GL_LINK_STATUS, &is_good);
-    LSOS_ASSERT(is_good != 0);
-    to_panel = glGetUniformLocation(program, "to_panel");
-    glUseProgram(program);
-    glUniform1f(glGetUniformLocation(program, "surface_m"), surface_m);
+    to_panel = program.uniform("to_panel");
+    glUseProgram(program.id());
+    glUniform1f(program.uniform("surface_m"), surface_m);
 
     glGenRenderbuffers(1, &picture);
     glBindRenderbuffer(GL_RENDERBUFFER, picture);
@@ -94,7 +76,6 @@ struct PanelView::Pipeline {
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
   }
   ~Pipeline() {
-    glDeleteProgram(program);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteRenderbuffers(1, &picture);
     glDeleteVertexArrays(1, &arrays);
@@ -105,7 +86,7 @@ struct PanelView::Pipeline {
   Pipeline& operator=(const Pipeline&) = delete;
 
   void bind() const {
-    glUseProgram(program);
+    glUseProgram(program.id());
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glBindVertexArray(arrays);
     glViewport(0, 0, size_px, size_px);

@@ -34,6 +34,7 @@ const std::vector<Library>& libraries() {
       {std::regex("tinyxml2\\.h"), {"plan"}},
       {std::regex("zip(conf)?\\.h"), {"plan"}},
       {std::regex("(EGL|GL|GLES[23]|epoxy)/.*"), {"view"}},
+      {std::regex("png.h"), {"product"}},
       {std::regex("png\\.h"), {"view"}},
       {std::regex("ompl/.*"), {"route"}},
       {std::regex("CLI/.*"), {"lua"}},

@@ -1,0 +1,25 @@
+#include "product/png.h"
+
+#include <png.h>
+
+#include "base/error.h"
+#include "product/files.h"
+
+namespace lsos {
+
+void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = 0;
+  LSOS_ASSERT(png_image_write_to_memory(&image, nullptr, &size, 0, rgb.data(), 0, nullptr) != 0);
+  std::string bytes(size, '\0');
+  LSOS_ASSERT(png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) !=
+              0);
+  bytes.resize(size);
+  write_file(file, bytes);
+}
+
+}  // namespace lsos
