@@ -75,7 +75,8 @@ struct Scene {
 };
 
 Scene scene_of(const MissionFiles& files, const Ground& ground,
-               const std::vector<LoggedRover>& rovers, const LoggedRover& middle) {
+               const std::vector<LoggedRover>& rovers, const LoggedRover& middle,
+               const Vec3& sun_S) {
   const SiteFrame& site = ground.site();
   const Vec3& eye_S_m = middle.sample.p_S_m;
   const double g_mps2 = gravity_mps2(site.body(), site.origin());
@@ -114,6 +115,9 @@ Scene scene_of(const MissionFiles& files, const Ground& ground,
     for (const auto& solid : asset.shape.solids({asset.pose}, eye_S_m)) {
       add(solid.mesh, solid.colour, false);
     }
+    for (const PanelFace& face : asset.panel_faces(eye_S_m, sun_S)) {
+      add(face_mesh(face), panel_back, false);
+    }
   }
   return scene;
 }
@@ -130,13 +134,12 @@ int picture_command(const PictureOptions& options) {
       ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start, mission.seed);
   const std::vector<LoggedRover> rovers = rovers_at(log, time);
   const LoggedRover& rover = chosen(rovers, options.rover);
-  Scene scene = scene_of(files, *ground, rovers, rover);
-
   const SiteFrame& site = ground->site();
   const Vec3& eye_S_m = rover.sample.p_S_m;
   const Instant utc = log.start() + rover.sample.time;
   const Sunlight sun = sunlight(site.body(), rover.sample.place, utc, 0);
   const Vec3 sun_S = direction_S(site, eye_S_m, sun.seen);
+  Scene scene = scene_of(files, *ground, rovers, rover, sun_S);
   const Vec3 up_S = site.up_S(eye_S_m);
   const Vec3 across =
       up_S.cross(sun_S).norm() > 1e-6 ? up_S.cross(sun_S).normalized() : site.east_S(eye_S_m);
@@ -148,7 +151,7 @@ int picture_command(const PictureOptions& options) {
   frame.size_px = options.size_px;
   const double wide_m = neighbours_reaches * scene.reach_m;
   // What may stand before the Sun, and the ground about the rover.
-  const double patch_m = 3 * scene.reach_m;
+  const double patch_m = 8 * scene.reach_m;
   scene.solids.push_back({ground_mesh(*ground, {eye_S_m, wide_m, sun_S, 0}), ground_grey, false});
   scene.solids.push_back({ground_patch(*ground, eye_S_m, patch_m, 160), ground_grey, false});
   for (const PanelFace& face : scene.panels) {

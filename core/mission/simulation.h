@@ -110,7 +110,7 @@ class Simulation : private EventSequence::Others {
   void watch_the_sun();
   void share_power();
   Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;
-  Mesh solids_near(const Vec3& eye_S_m, const std::string& except_id) const;
+  Mesh solids_near(const Vec3& eye_S_m, const std::string& except_id, const Sunlight& sun) const;
   std::optional<SimTime> quiet_wake(const Rover& rover) const;
   void log_rows();
   void log_sample(Rover& rover);

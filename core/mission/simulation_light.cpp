@@ -49,7 +49,9 @@ Motion Simulation::motion_near(const Vec3& p_S_m, const RoverAgent* except) cons
 }
 
 // About `eye_S_m`, site axes.
-Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id) const {
+Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id,
+                             const Sunlight& sun) const {
+  const Vec3 sun_S = direction_S(ground_->site(), eye_S_m, sun.seen);
   Mesh mesh;
   const auto is_near = [&](const Vec3& p_S_m) {
     return (p_S_m - eye_S_m).norm() < shading_reach_m;
@@ -61,6 +63,9 @@ Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id) 
   for (const StandingAsset& asset : assets_) {
     if (asset.plan.id == except_id || !is_near(asset.pose.p_S_m)) continue;
     asset.shape.append_to(mesh, {asset.pose}, eye_S_m);
+    for (const PanelFace& face : asset.panel_faces(eye_S_m, sun_S)) {
+      append(mesh, face_mesh(face), Mat3::Identity(), Vec3::Zero());
+    }
   }
   return mesh;
 }
@@ -76,7 +81,8 @@ void Simulation::watch_the_sun() {
     if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now_);
     // Panels on their way are looked at when they arrive.
     if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
-    agent.set_sun(look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id()), sun, now_));
+    agent.set_sun(
+        look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id(), sun), sun, now_));
   }
 }
 
@@ -98,9 +104,10 @@ void Simulation::share_power() {
                           motion == Motion::has_ended ||
                           (motion == Motion::goes_on && now_ % moving_sun_period == SimTime{});
       if (is_due) {
-        const Geodetic place = ground_->site().geodetic(p_S_m);
-        asset.sun = look_at_sun(*light_, *ground_, asset, solids_near(p_S_m, asset.plan.id),
-                                sunlight(ground_->site().body(), place, utc, optical_depth_), now_);
+        const Sunlight sun =
+            sunlight(ground_->site().body(), ground_->site().geodetic(p_S_m), utc, optical_depth_);
+        asset.sun = look_at_sun(*light_, *ground_, asset, solids_near(p_S_m, asset.plan.id, sun),
+                                sun, now_);
       }
     }
     double left_w = asset.supply_w();

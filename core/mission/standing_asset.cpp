@@ -6,6 +6,17 @@
 
 namespace lsos {
 
+std::vector<PanelFace> StandingAsset::panel_faces(const Vec3& eye_S_m, const Vec3& sun_S) const {
+  std::vector<PanelFace> faces;
+  for (const PanelSpec& panel : model.panels) {
+    const PanelPose at =
+        lsos::pose(panel, facing(panel, panel.rest, pose.R_SB.transpose() * sun_S));
+    faces.push_back(
+        {pose.point_S_m(at.p_B_m) - eye_S_m, pose.R_SB * at.half_u_B_m, pose.R_SB * at.half_v_B_m});
+  }
+  return faces;
+}
+
 double StandingAsset::supply_w() const {
   double sum_w = model.supply_w;
   if (sun) {

@@ -7,6 +7,7 @@
 #include "mission/rover_model.h"
 #include "mission/rover_power.h"
 #include "terrain/ground.h"
+#include "view/panel_view.h"
 
 namespace lsos {
 
@@ -17,6 +18,8 @@ struct StandingAsset {
   PartPose pose;                // upright, looking north
   std::optional<SunValue> sun;  // of its panels, while a rover takes power
 
+  // Its panels about `eye_S_m`, site axes: those that turn face the Sun.
+  std::vector<PanelFace> panel_faces(const Vec3& eye_S_m, const Vec3& sun_S) const;
   // W, to be had now.
   double supply_w() const;
   bool gives_power() const { return model.supply_w > 0 || !model.panels.empty(); }

@@ -98,14 +98,9 @@ SunValue look_at_sun(Light& light, const Ground& ground, const StandingAsset& as
                      const Mesh& others, const Sunlight& sun, SimTime now) {
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = asset.pose.p_S_m;
-  const Mat3& R_SB = asset.pose.R_SB;
   const Vec3 sun_S = direction_S(site, p_S_m, sun.seen);
-  LitScene scene{p_S_m, {}, others};
+  LitScene scene{p_S_m, asset.panel_faces(p_S_m, sun_S), others};
   asset.shape.append_to(scene.near, {asset.pose}, p_S_m);
-  for (const PanelSpec& panel : asset.model.panels) {
-    const PanelAngles angles = facing(panel, panel.rest, R_SB.transpose() * sun_S);
-    scene.faces.push_back(face_of(pose(panel, angles), R_SB));
-  }
   const std::vector<double> fractions = light.sun_fractions(scene, sun);
   SunValue value{now, false, {}};
   for (std::size_t k = 0; k < scene.faces.size(); ++k) {
