@@ -38,10 +38,11 @@ std::string placemark(const std::string& schema,
   return text + "</SchemaData></ExtendedData>" + geometry + "</Placemark>\n";
 }
 
-std::string plan(const std::string& terrain, const std::string& events) {
+std::string plan(const std::string& terrain, const std::string& events,
+                 const std::string& planet = "Moon") {
   return "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>\n" +
          placemark("MissionInfo",
-                   {{"Planet", "Moon"},
+                   {{"Planet", planet},
                     {"StartTime", "2026-07-30T12:00:00Z"},
                     {"Terrain", terrain},
                     {"ParkedLogInterval", "60 s"}},
@@ -96,14 +97,23 @@ void sev_drives(benchmark::State& state, const std::string& terrain) {
 BENCHMARK_CAPTURE(sev_drives, flat, "Flat")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sev_drives, craters, "Craters")->Unit(benchmark::kMillisecond);
 
-void sev_parked_for_a_day(benchmark::State& state, bool is_logged) {
+// One panel and a battery; the Sun looked at each 354 s (Moon) or minute.
+void sev_parked_for_a_day(benchmark::State& state, const std::string& planet,
+                          const std::string& terrain, bool is_logged) {
   simulate(state,
-           plan("Flat",
-                placemark("Pause", {{"RoverId", "A"}, {"Sequence", "1"}, {"Duration", "1 d"}}, "")),
+           plan(terrain,
+                placemark("Pause", {{"RoverId", "A"}, {"Sequence", "1"}, {"Duration", "1 d"}}, ""),
+                planet),
            1e9, is_logged);
 }
-BENCHMARK_CAPTURE(sev_parked_for_a_day, without_log, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sev_parked_for_a_day, logged_each_minute, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_parked_for_a_day, moon_without_log, "Moon", "Flat", false)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_parked_for_a_day, moon, "Moon", "Flat", true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_parked_for_a_day, moon_craters, "Moon", "Craters", true)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_parked_for_a_day, mars, "Mars", "Flat", true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sev_parked_for_a_day, earth, "Earth", "Flat", true)
+    ->Unit(benchmark::kMillisecond);
 
 void read_plan_of_placemarks(benchmark::State& state) {
   std::string events;

@@ -360,6 +360,7 @@ std::vector<std::string> Simulation::assumptions() const {
       }
     }
   }
+  add_light_assumptions(assumptions);
   if (setup_.terrain.is_synthetic) {
     assumptions.push_back(
         fmt::format("{}: the terrain is synthetic and laid out from the start of the first rover",

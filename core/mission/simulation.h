@@ -107,6 +107,7 @@ class Simulation : private EventSequence::Others {
   void take_warnings(Rover& rover);
   // The light, and who gives power to whom (simulation_light.cpp).
   void make_light();
+  void add_light_assumptions(std::vector<std::string>& assumptions) const;
   void watch_the_sun();
   void share_power();
   Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;

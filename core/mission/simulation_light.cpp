@@ -1,4 +1,6 @@
 // The part of a mission that has to do with assets, light and the power that they give.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +38,26 @@ void Simulation::make_light() {
   light_ = std::make_unique<Light>(*ground_);
   const bool is_mars = ground_->site().body().name == "Mars";
   optical_depth_ = setup_.terrain.optical_depth.value_or(is_mars ? mars_optical_depth : 0);
+}
+
+void Simulation::add_light_assumptions(std::vector<std::string>& assumptions) const {
+  for (const auto& [type, model] : setup_.asset_models) {
+    assumptions.insert(assumptions.end(), model.assumptions.begin(), model.assumptions.end());
+  }
+  if (!light_) return;
+  const Body& body = ground_->site().body();
+  if (body.name == "Mars" && !setup_.terrain.optical_depth) {
+    assumptions.push_back(
+        fmt::format("Mars: dust with an optical depth of {} is assumed; a terrain script's "
+                    "optical_depth says another",
+                    mars_optical_depth));
+  }
+  if (body.name == "Earth") {
+    assumptions.push_back("Earth: a clear sky is assumed, 0.7^(air mass^0.678) of direct light");
+  }
+  assumptions.push_back(
+      "light: panels use the Sun's direct light alone, not what air or ground "
+      "scatter");
 }
 
 Motion Simulation::motion_near(const Vec3& p_S_m, const RoverAgent* except) const {

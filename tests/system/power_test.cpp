@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "record/log.h"
 #include "system/run_folder.h"
@@ -249,6 +250,37 @@ TEST(Power, comes_back_after_a_lunar_night) {
   std::vector<std::string> notes;
   for (const NoteRow& note : run.log().notes()) notes.push_back(note.name);
   EXPECT_THAT(notes, ::testing::ElementsAre("battery_empty", "loads_shed", "loads_restored"));
+}
+
+// A machine without any driver that draws: the run does not begin.
+TEST(Power, without_anything_that_draws_says_what_to_install) {
+  const TempFolder folder;
+  const std::string plan = folder.write(
+      "plan.kml", kml({mission(), rover("SEV"), event("Pause", "R", 1, {{"Duration", "5"}})}));
+  const Outcome outcome =
+      run({plan, "-o", folder / "run", "--quiet"},
+          {.environment = {"__EGL_VENDOR_LIBRARY_FILENAMES=" + (folder / "none.json").string()}});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("cannot draw without a screen"));
+  EXPECT_THAT(outcome.err, HasSubstr("apt-get install libegl1 libgl1-mesa-dri"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "run"));
+}
+
+// What draws is said and logged, and the air's assumptions among the others.
+TEST(Power, says_what_drew_and_what_was_assumed) {
+  const TempFolder folder;
+  const std::string plan = folder.write(
+      "plan.kml", kml({{"MissionInfo",
+                        {{"Planet", "Mars"}, {"StartTime", "2026-01-01"}, {"Terrain", "Flat"}},
+                        ""},
+                       {"Rover", {{"RoverId", "R"}, {"RoverType", "MER"}}, point("137,-4")},
+                       event("Pause", "R", 1, {{"Duration", "5"}})}));
+  const Outcome outcome = run({plan, "-o", folder / "run"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string renderer = LogReader(folder / "run" / "log.gpkg").run().at("renderer");
+  EXPECT_THAT(outcome.err, HasSubstr("light is drawn by " + renderer));
+  EXPECT_THAT(summary(folder / "run")["assumptions"].dump(),
+              HasSubstr("dust with an optical depth of 0.5 is assumed"));
 }
 
 // Two rovers in line with the Sun, 5 degrees high in the east: the low one behind stands in the
