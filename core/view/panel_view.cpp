@@ -45,6 +45,35 @@ out vec4 colour;
 void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
 
+// Sides of the view that a point lies beyond, seen from each direction.
+enum Beyond : unsigned { right = 1, left = 2, over = 4, under = 8, behind = 16 };
+
+// Without triangles that lie beyond one side of the view whichever direction they are seen from.
+// Most of a rover lies so; what is left is drawn, and decides.
+std::vector<std::array<std::uint32_t, 3>> triangles_in_view(const PanelFace& panel,
+                                                            const Mesh& mesh,
+                                                            const std::vector<Mat3>& to_panel) {
+  constexpr double side = 1.001;  // more than single precision rounds
+  const Vec3 normal = panel.normal();
+  std::vector<unsigned> beyond;
+  for (const auto& vertex : mesh.vertices) {
+    const Vec3 p_m = Vec3(vertex[0], vertex[1], vertex[2]) - panel.centre_m;
+    unsigned sides = right | left | over | under;
+    for (const Mat3& m : to_panel) {
+      const double x = m.row(0).dot(p_m), y = m.row(1).dot(p_m);
+      sides &= (x > side ? right : 0U) | (x < -side ? left : 0U) | (y > side ? over : 0U) |
+               (y < -side ? under : 0U);
+      if (sides == 0) break;
+    }
+    beyond.push_back(sides | (normal.dot(p_m) < 0 ? behind : 0U));
+  }
+  std::vector<std::array<std::uint32_t, 3>> kept;
+  for (const auto& t : mesh.triangles) {
+    if ((beyond[t[0]] & beyond[t[1]] & beyond[t[2]]) == 0) kept.push_back(t);
+  }
+  return kept;
+}
+
 }  // namespace
 
 struct PanelView::Pipeline {
@@ -116,18 +145,23 @@ std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh
   std::vector<double> shares(directions.size(), 0.0);
   const Vec3 normal = panel.normal();
   // Only directions from the front get a tile.
-  std::vector<std::size_t> drawn;
   std::vector<float> matrices;
+  std::vector<Mat3> to_panel;
+  std::vector<std::size_t> drawn;
   for (std::size_t k = 0; k < directions.size(); ++k) {
     if (directions[k].dot(normal) < cosine_min) continue;
     Mat3 from_panel;
     from_panel << panel.half_u_m, panel.half_v_m, directions[k];
-    const Mat3 to_panel = from_panel.inverse();
-    for (int j = 0; j < 9; ++j) matrices.push_back(static_cast<float>(to_panel(j % 3, j / 3)));
+    to_panel.push_back(from_panel.inverse());
+    for (int j = 0; j < 9; ++j) {
+      matrices.push_back(static_cast<float>(to_panel.back()(j % 3, j / 3)));
+    }
     drawn.push_back(k);
   }
   if (drawn.empty()) return shares;
-  if (occluders.triangles.empty()) {
+  const std::vector<std::array<std::uint32_t, 3>> triangles =
+      triangles_in_view(panel, occluders, to_panel);
+  if (triangles.empty()) {
     for (const std::size_t k : drawn) shares[k] = 1;
     return shares;
   }
@@ -145,7 +179,6 @@ std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh
   glBindBuffer(GL_ARRAY_BUFFER, gl.vertices);
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof vertices[0]),
                vertices.data(), GL_STREAM_DRAW);
-  const auto& triangles = occluders.triangles;
   glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]), triangles.data(),
                GL_STREAM_DRAW);
