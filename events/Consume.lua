@@ -21,6 +21,7 @@ local function start(ev, rover)
       return lsos.fail('%s has only %g of %s, %g are wanted', rover.id, left, p.resource, p.amount)
     end
   end
+  if p.power_w and not rover.battery then return lsos.fail('%s has no battery', rover.id) end
   if p.power_w then rover:work(p.power_w) end
   if not p.duration_s then return lsos.done end
   return 'consume'

@@ -2,16 +2,16 @@
 
 local lsos = require 'lsos'
 
-local kwh = 3.6e6
+local joules = { J = 1, kJ = 1e3, MJ = 1e6, Wh = 3600, kWh = 3.6e6, MWh = 3.6e9 }
 
--- '12 kWh' or '80%': joules.
+-- '12 kWh', '12' (kWh) or '80%': joules; nil when it is none.
 local function level_j(text, capacity_j)
-  local percent = text:match('^%s*([%d.]+)%s*%%%s*$')
-  if percent and tonumber(percent) and tonumber(percent) <= 100 then
-    return tonumber(percent) / 100 * capacity_j
-  end
-  local energy = tonumber(text:match('^%s*([%d.]+)%s*$') or text:match('^%s*([%d.]+)%s*kWh%s*$'))
-  return energy and energy * kwh
+  local number, unit = text:match('^%s*([%d.]+)%s*([%a%%]*)%s*$')
+  number = tonumber(number)
+  if not number then return nil end
+  if unit == '%' then return number <= 100 and number / 100 * capacity_j or nil end
+  local factor = unit == '' and joules.kWh or joules[unit]
+  return factor and number * factor
 end
 
 local function check(p)
@@ -45,15 +45,12 @@ local function start(ev, rover)
   return 'charge'
 end
 
--- What flows follows the Sun, so it is looked at again each minute.
 local function charge(ev, rover)
   local p, battery = ev.params, rover.battery
-  local left_s = p.duration_s and p.duration_s - ev.phase_elapsed_s or math.huge
-  if left_s <= 0 then return lsos.done end
-  if not p.until_charge then return lsos.sleep(left_s) end
-  if battery.charge >= p.until_charge then return lsos.done end
-  local charged_s = battery:time_to_charge_s(p.until_charge) or math.huge
-  return lsos.sleep(math.min(60, left_s, charged_s))
+  local left_s = (p.duration_s or math.huge) - ev.phase_elapsed_s
+  if left_s <= 0 or p.until_charge and battery.charge >= p.until_charge then return lsos.done end
+  if p.until_charge then battery:await_charge(p.until_charge) end
+  return lsos.sleep(math.min(left_s, 86400))
 end
 
 return lsos.event {

@@ -19,9 +19,10 @@ local function start(ev, rover)
   return 'turn'
 end
 
-local function turn(ev, rover)
-  if ev.phase_elapsed_s > 0 and not rover.panels.is_turning then return lsos.done end
-  return lsos.sleep(0.1)
+local function turn(_, rover)
+  local left_s = rover.panels.turn_left_s
+  if left_s <= 0 then return lsos.done end
+  return lsos.sleep(left_s)
 end
 
 return lsos.event {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
@@ -11,6 +12,7 @@
 #include "mission/logged_rover.h"
 #include "mission/site.h"
 #include "mission/standing_asset.h"
+#include "product/files.h"
 #include "product/png.h"
 #include "record/log.h"
 #include "view/ground_patch.h"
@@ -55,6 +57,23 @@ std::vector<LoggedRover> rovers_at(const LogReader& log, SimTime time) {
   std::vector<LoggedRover> found;
   for (auto& [id, rover] : rovers) found.push_back(std::move(rover));
   return found;
+}
+
+// Scripts and rasters may lie beside the plan that was run; the seed may have been an option.
+MissionFiles mission_of(const std::string& folder, const std::map<std::string, std::string>& run) {
+  std::string plan_file = folder + "/plan.kml";
+  const auto summary =
+      nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
+  if (summary.is_object() && summary.contains("plan")) {
+    const std::string original = summary["plan"].get<std::string>();
+    if (std::filesystem::is_regular_file(original)) plan_file = original;
+  }
+  const std::uint64_t seed = std::stoull(run.at("seed"));
+  MissionFiles files = read_mission(plan_file, seed);
+  if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
+  files = read_mission(folder + "/plan.kml", seed);
+  files.faults.throw_if_errors();
+  return files;
 }
 
 const LoggedRover& chosen(const std::vector<LoggedRover>& rovers, const std::string& id) {
@@ -126,8 +145,7 @@ Scene scene_of(const MissionFiles& files, const Ground& ground,
 
 int picture_command(const PictureOptions& options) {
   const LogReader log(options.folder + "/log.gpkg");
-  const MissionFiles files = read_mission(options.folder + "/plan.kml");
-  files.faults.throw_if_errors();
+  const MissionFiles files = mission_of(options.folder, log.run());
   const MissionInfo& mission = files.plan.mission;
   const SimTime time = time_of(options.at, log.start());
   const std::unique_ptr<Ground> ground =

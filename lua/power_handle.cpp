@@ -45,6 +45,11 @@ int time_to_charge_s(lua_State* L) {
   return 1;
 }
 
+int await_charge(lua_State* L) {
+  battery_of(L).await_charge(luaL_checknumber(L, 2));
+  return 0;
+}
+
 int set_energy(lua_State* L) {
   battery_of(L).set_energy(check_not_negative(L, 2, "battery:set_energy"));
   return 0;
@@ -99,8 +104,8 @@ int steer(lua_State* L) {
   return 0;
 }
 
-int is_turning(lua_State* L) {
-  lua_pushboolean(L, panels_of(L).is_panel_turning());
+int turn_left_s(lua_State* L) {
+  lua_pushnumber(L, panels_of(L).panel_turn_left_s());
   return 1;
 }
 
@@ -120,6 +125,9 @@ const HandleType& battery_handle_type() {
        {"load_w", of_battery<&V::load_w>, "number", "Used by all but the wheel motors."}},
       {{"time_to_charge_s", guard<time_to_charge_s>, "battery:time_to_charge_s(charge)",
         "Until it holds that share, with what flows now; nil when it will not."},
+       {"await_charge", guard<await_charge>, "battery:await_charge(charge)",
+        "The phase is called when it holds that share, however long it sleeps; until the event "
+        "ends."},
        {"set_energy", guard<set_energy>, "battery:set_energy(energy_j)",
         "Sets what it holds, at most its capacity."},
        {"supply", guard<supply>, "battery:supply(power_w)",
@@ -139,7 +147,8 @@ const HandleType& panels_handle_type() {
       {{"sun_fraction", of_panels<&V::sun_fraction>, "number",
         "Share of their area that sees the Sun; nil without panels."},
        {"incidence", of_panels<&V::incidence>, "number", "The same times the cosine of incidence."},
-       {"is_turning", is_turning, "boolean", "One of them is on its way."}},
+       {"turn_left_s", turn_left_s, "number",
+        "Until all have arrived where they turn; 0: none turns."}},
       {{"deploy", guard<deploy<true>>, "panels:deploy(name, duration_s)",
         "Puts up the panel of that name (nil: all). Answers how long that takes, s."},
        {"stow", guard<deploy<false>>, "panels:stow(name, duration_s)", "Folds it away; the same."},

@@ -27,6 +27,10 @@ class PowerPort {
   // With what flows now; infinite when it will not be reached so.
   virtual double time_to_charge_s(double charge) const = 0;
 
+  // Calls the running phase when the charge is reached, however long it sleeps; until the event
+  // ends.
+  virtual void await_charge(double charge) = 0;
+
   // Sets what the battery holds, at most its capacity; counts as external.
   virtual void set_energy(double energy_j) = 0;
   // Until the event ends: external power, W, and what its work uses, W.
@@ -46,7 +50,8 @@ class PowerPort {
   virtual double deploy_panel(const std::string& panel, bool up,
                               std::optional<double> duration_s) = 0;
   virtual void steer_panel(const std::string& panel, const Steering& steering) = 0;
-  virtual bool is_panel_turning() const = 0;
+  // Until the last panel that turns has arrived, s; 0: none turns.
+  virtual double panel_turn_left_s() const = 0;
 };
 
 }  // namespace lsos

@@ -34,7 +34,7 @@ bool RoverPower::needs_sun() const {
 void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked) {
   now_ = now;
   p_S_m_ = p_S_m;
-  has_reserve_changed_ = false;
+  has_reserve_changed_ = has_reached_charge_ = false;
   if (!has_battery()) return;
   if (!is_parked) {
     demand_.drive_w = drive_w;
@@ -46,6 +46,8 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
   const bool waits = waits_for_reserve_ ? !is_above : is_empty;
   has_reserve_changed_ = waits != waits_for_reserve_;
   waits_for_reserve_ = waits;
+  has_reached_charge_ = charge_awaited_ && energy_j >= *charge_awaited_ * spec_.battery->capacity_j;
+  if (has_reached_charge_) charge_awaited_.reset();
 }
 
 void RoverPower::begin_segment() {
@@ -69,7 +71,8 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
 void RoverPower::settle(bool is_parked) {
   if (!has_battery()) return;
   const PowerDemand demand = demand_now(is_parked);
-  if (demand == demand_) return;
+  // A rover that drives begins one at each exchange: what its motors took is told afterwards.
+  if (is_parked && demand == demand_) return;
   begin_segment();
   demand_ = demand;
 }
@@ -105,10 +108,10 @@ std::optional<SimTime> RoverPower::wake() const {
   };
   const PowerFlows now = flows();
   if (now.energy_rate_w < 0) at(time_to_energy_s(0));
+  if (!waits_for_reserve_ && now.shed_w > 0 && account().energy_j <= 0) at(0);
+  if (charge_awaited_) at(time_to_charge_s(*charge_awaited_));
   if (waits_for_reserve_ && now.energy_rate_w > 0) {
-    // A little above it.
-    at(time_to_energy_s(spec_.battery->reserve * spec_.battery->capacity_j) +
-       seconds(exchange_period));
+    at(time_to_energy_s(spec_.battery->reserve * spec_.battery->capacity_j));
   }
   return wake;
 }
@@ -116,6 +119,7 @@ std::optional<SimTime> RoverPower::wake() const {
 void RoverPower::release() {
   supply_w_ = work_w_ = asked_w_ = given_w_ = 0;
   plugged_into_.clear();
+  charge_awaited_.reset();
 }
 
 void RoverPower::fill(SampleRow& row) const {
@@ -158,9 +162,11 @@ PowerView RoverPower::view() const {
   fill(row);
   PowerView view;
   view.has_battery = has_battery();
-  view.energy_j = row.energy_j;
-  if (has_battery()) view.capacity_j = spec_.battery->capacity_j;
-  view.charge = row.charge;
+  if (has_battery()) {
+    view.capacity_j = spec_.battery->capacity_j;
+    view.energy_j = account().energy_j;  // also at the start what scripts have set
+    view.charge = view.energy_j / view.capacity_j;
+  }
   view.energy_rate_w = row.energy_rate_w;
   view.solar_w = row.solar_w;
   view.external_w = row.external_w;
@@ -168,6 +174,12 @@ PowerView RoverPower::view() const {
   view.sun_fraction = row.sun_fraction;
   view.incidence = row.incidence;
   return view;
+}
+
+double RoverPower::panel_turn_left_s() const {
+  const std::optional<SimTime> end = panels_.turn_end(now_);
+  if (end) return seconds(*end - now_);
+  return has_panel_command_ ? seconds(exchange_period) : 0;  // it begins to turn after the scripts
 }
 
 double RoverPower::time_to_charge_s(double charge) const {
@@ -268,7 +280,7 @@ void RoverPower::archive(Archive& a) {
     a(*value);
   }
   a(sun_)(supply_w_)(
-      work_w_)(plugged_into_)(asked_w_)(given_w_)(waits_for_reserve_)(has_reserve_changed_)(has_panel_command_)(resources_);
+      work_w_)(plugged_into_)(asked_w_)(given_w_)(waits_for_reserve_)(has_reserve_changed_)(charge_awaited_)(has_reached_charge_)(has_panel_command_)(resources_);
 }
 
 }  // namespace lsos

@@ -88,7 +88,11 @@ class RoverPower : public PowerPort {
   bool use(const std::string& name, double amount) override;
   double deploy_panel(const std::string& panel, bool up, std::optional<double> duration_s) override;
   void steer_panel(const std::string& panel, const Steering& steering) override;
-  bool is_panel_turning() const override { return panels_.is_turning(now_); }
+  double panel_turn_left_s() const override;
+  void await_charge(double charge) override { charge_awaited_ = charge; }
+  // That has been reached at this exchange.
+  bool has_reached_charge() const { return has_reached_charge_; }
+  bool is_panel_turning() const { return panels_.is_turning(now_); }
   // Panels were told something since the last look at the Sun.
   bool has_panel_command() const { return has_panel_command_; }
   void clear_panel_command() { has_panel_command_ = false; }
@@ -118,6 +122,8 @@ class RoverPower : public PowerPort {
   double asked_w_ = 0, given_w_ = 0;
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
   bool has_panel_command_ = false;
+  std::optional<double> charge_awaited_;
+  bool has_reached_charge_ = false;
   std::map<std::string, double> resources_;
 };
 

@@ -24,7 +24,7 @@ bool RunningEvent::is_due(SimTime now, const RoverAgent& agent) const {
     case Wake::next_exchange:
       return true;
     case Wake::at_time:
-      return now >= wake_at_;
+      return now >= wake_at_ || agent.power().has_reached_charge();
     case Wake::arrival:
       return agent.drive().status != DriveState::Status::driving;
   }

@@ -108,6 +108,7 @@ void Simulation::advance() {
   if (next > setup_.plan.mission.max_duration) {
     // The last exchange within it.
     now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
+    for (Rover& rover : rovers_) rover.agent->count_energy(now_);
     stop("MaxDuration is over");
     return;
   }
@@ -148,8 +149,9 @@ void Simulation::exchange() {
     rover.was_parked = rover.agent->is_parked();
     rover.agent->observe();
     rover.agent->count_energy(now_);
-    const bool may_go_on = rover.agent->power().has_reserve_changed();
-    if (may_go_on && !rover.sequence.is_finished()) rover.wake = now_;
+    const RoverPower& power = rover.agent->power();
+    const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
+    if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
   keep_apart();
   run_scripts();

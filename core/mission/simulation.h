@@ -94,6 +94,7 @@ class Simulation : private EventSequence::Others {
     std::optional<SimTime> wake;    // when its scripts must be called though it is parked
     std::optional<SimTime> logged;  // its last sample
     bool was_parked = true;         // when this exchange began; not saved
+    Motion motion = Motion::none;   // of it or its panels at this exchange; not saved
   };
 
   void check_soil() const;
@@ -110,6 +111,7 @@ class Simulation : private EventSequence::Others {
   void add_light_assumptions(std::vector<std::string>& assumptions) const;
   void watch_the_sun();
   void share_power();
+  Motion motion_of(const Rover& rover) const;
   Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;
   Mesh solids_near(const Vec3& eye_S_m, const std::string& except_id, const Sunlight& sun) const;
   std::optional<SimTime> quiet_wake(const Rover& rover) const;

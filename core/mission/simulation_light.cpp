@@ -60,12 +60,20 @@ void Simulation::add_light_assumptions(std::vector<std::string>& assumptions) co
       "scatter");
 }
 
+Motion Simulation::motion_of(const Rover& rover) const {
+  const RoverPower& power = rover.agent->power();
+  if (!rover.agent->is_parked() || power.is_panel_turning()) return Motion::goes_on;
+  const bool has_panel_moved =
+      power.has_panel_command() || power.panels().last_end(now_) == std::optional(now_);
+  return !rover.was_parked || has_panel_moved ? Motion::has_ended : Motion::none;
+}
+
 Motion Simulation::motion_near(const Vec3& p_S_m, const RoverAgent* except) const {
   Motion motion = Motion::none;
   for (const Rover& rover : rovers_) {
-    if (rover.agent.get() == except || rover.was_parked) continue;
+    if (rover.agent.get() == except) continue;
     if ((rover.agent->view().p_S_m - p_S_m).norm() > shading_reach_m) continue;
-    motion = std::max(motion, rover.agent->is_parked() ? Motion::has_ended : Motion::goes_on);
+    motion = std::max(motion, rover.motion);
   }
   return motion;
 }
@@ -95,6 +103,8 @@ Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id,
 void Simulation::watch_the_sun() {
   const Instant utc = setup_.plan.mission.start_time + now_;
   const bool is_whole = now_ % moving_sun_period == SimTime{};
+  // Of all before any is looked at: who comes first must not matter.
+  for (Rover& rover : rovers_) rover.motion = motion_of(rover);
   for (Rover& rover : rovers_) {
     RoverAgent& agent = *rover.agent;
     const Vec3& p_S_m = agent.view().p_S_m;

@@ -46,6 +46,7 @@ PanelPose PanelArray::pose_at(std::size_t panel, SimTime now) const {
 double PanelArray::deploy(std::size_t panel, bool up, std::optional<double> duration_s,
                           SimTime now) {
   State& state = states_[panel];
+  state.steering = {SteerMode::fixed, specs_[panel].rest};  // what it followed is over
   if (state.goes_up == up) return now >= state.ready ? 0 : seconds(state.ready - now);
   const SimTime takes =
       round_up_to_exchange(from_seconds(duration_s.value_or(specs_[panel].deploy_s)));
@@ -100,6 +101,14 @@ std::optional<SimTime> PanelArray::next_end(SimTime now) const {
     }
   }
   return next;
+}
+
+std::optional<SimTime> PanelArray::turn_end(SimTime now) const {
+  std::optional<SimTime> last;
+  for (const State& state : states_) {
+    if (state.turn_end > now) last = std::max(last.value_or(now), state.turn_end);
+  }
+  return last;
 }
 
 std::optional<SimTime> PanelArray::last_end(SimTime now) const {

@@ -48,7 +48,9 @@ class PanelArray {
   bool is_turning(SimTime now) const;  // any of them
   // When the next motion ends, at an exchange; absent when nothing moves.
   std::optional<SimTime> next_end(SimTime now) const;
-  // When the last one ended.
+  // When the last of those that turn arrives; absent when none turns.
+  std::optional<SimTime> turn_end(SimTime now) const;
+  // When the last motion ended.
   std::optional<SimTime> last_end(SimTime now) const;
   double motors_w(SimTime now) const;
 

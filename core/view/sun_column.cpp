@@ -169,8 +169,8 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
     const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m));
     const double highest_m = height_m + rise_m;
     const bool is_hidden =
-        strip.is_past_reach(x_m) &&
-        strip.steepest({highest_m > 0 ? x_m : next_m, 0, highest_m}) < mesh.ridge();
+        strip.is_past_reach(x_m) && std::max(strip.steepest({x_m, 0, highest_m}),
+                                             strip.steepest({next_m, 0, highest_m})) < mesh.ridge();
     if (is_hidden || highest_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m))) {
       is_open = false;
       x_m = next_m;

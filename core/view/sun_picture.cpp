@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double depth_half_m = 500;  // nearer and farther things are cut off
+constexpr double depth_half_m = 500;  // beyond, what is nearest is no longer told
 
 constexpr const char* vertex_shader = R"(#version 330 core
 uniform mat4 to_picture;
@@ -109,6 +109,7 @@ Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFram
   glViewport(0, 0, frame.size_px, frame.size_px);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
+  glEnable(GL_DEPTH_CLAMP);  // a ridge far away hides too
   glDisable(GL_CULL_FACE);
   for (GLenum k = 0; k < 5; ++k) glDisable(GL_CLIP_DISTANCE0 + k);
   glClearColor(0, 0, 0, 1);
@@ -123,6 +124,7 @@ Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFram
     glUniform1i(program.uniform("is_emissive"), solid.is_emissive ? 1 : 0);
     draw_mesh(solid.mesh);
   }
+  glDisable(GL_DEPTH_CLAMP);
   Picture picture{frame.size_px, {}};
   const auto row = static_cast<std::size_t>(3 * frame.size_px);
   std::vector<std::uint8_t> from_below(row * static_cast<std::size_t>(frame.size_px));

@@ -141,6 +141,30 @@ TEST(Recharge, flows_at_a_rate_until_the_charge_is_reached) {
   EXPECT_NEAR(run.samples().back().charge, 0.6, 1e-5);
 }
 
+// 0.01 of 242 A h x 36 V at 50 kW is 6 s: it ends then, whatever flowed before.
+TEST(Recharge, ends_at_the_charge_that_was_asked) {
+  const PlanRun run(
+      {mission(), rover("LRV", {{"InitialCharge", "0.5"}}),
+       event("Recharge", "R", 1, {{"EnergyRate", "50 kW"}, {"UntilCharge", "0.51"}}),
+       event("Recharge", "R", 2,
+             {{"EnergyLevel", "1 kWh"}, {"EnergyRate", "50 kW"}, {"UntilCharge", "0.2"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const json events = run.summary()["events"];
+  EXPECT_NEAR(events[0]["end_s"].get<double>(), 0.01 * 242 * 36 * 3600 / 49920, 0.1);
+  // From 1 kWh to 0.2 of 8.712 kWh.
+  const double wanted_s = (0.2 * 242 * 36 * 3600 - 3.6e6) / 49920;
+  EXPECT_NEAR(events[1]["end_s"].get<double>() - events[1]["start_s"].get<double>(), wanted_s, 0.1);
+}
+
+TEST(Recharge, at_the_start_goes_on_from_the_level_that_it_set) {
+  const PlanRun run(
+      {mission(), rover("LRV"),
+       event("Recharge", "R", 1,
+             {{"EnergyLevel", "20%"}, {"EnergyRate", "10 kW"}, {"UntilCharge", "0.3"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  EXPECT_NEAR(run.samples().back().charge, 0.3, 1e-4);
+}
+
 TEST(Recharge, takes_what_an_asset_nearby_can_give) {
   const PlanRun run(
       {mission(), rover("LRV", {{"InitialCharge", "0.5"}}), asset("Home", "Habitat", "30.0005,10"),
@@ -196,6 +220,8 @@ TEST(Panels, that_are_stowed_give_nothing_and_cannot_be_steered) {
   EXPECT_EQ(rows[18].solar_available_w, 0);  // 36 s
   EXPECT_GT(rows.back().solar_available_w, 2000);
   EXPECT_TRUE(std::isnan(run.log().panels()[18].azimuth_rad));
+  // What it followed before it was folded away is over.
+  EXPECT_NEAR(run.log().panels().back().elevation_rad, 3.14159265 / 2, 0.01);
 }
 
 TEST(Panels, that_track_face_the_sun_as_the_rover_drives) {

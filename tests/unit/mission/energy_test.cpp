@@ -61,6 +61,37 @@ TEST_F(Energy, of_a_drive_is_what_its_motors_took) {
   EXPECT_NEAR(result().energy_start_j - result().energy_end_j, result().energy_used_j, 1e-6);
 }
 
+// A long stand before a drive: its first period is a period long, not as long as the stand.
+TEST_F(Energy, of_a_drive_after_a_stand_is_no_other) {
+  power().loads.clear();
+  mission.drive(20);
+  mission.run();
+  const double at_once_j = result().energy_used_j;
+  Mission again;
+  again.rover("A");
+  again.setup_.rover_models["Test"].power = power();
+  again.event("Hold", 3600.1);
+  again.drive(20);
+  again.run();
+  EXPECT_NEAR(again.simulation_->results()[0].energy_used_j, at_once_j, 1e-3 * at_once_j);
+}
+
+// The last exchange before MaxDuration, though nothing happens there.
+TEST_F(Energy, at_the_end_of_time_is_of_that_time) {
+  mission.event("Hold", 1e6);
+  mission.setup_.plan.mission.max_duration = SimTime{1'000'000'000};
+  mission.run();
+  EXPECT_NEAR(result().energy_used_j, 100 * 1000 / 0.8, 1e-6);
+}
+
+TEST_F(Energy, that_was_never_there_fails_work_at_once) {
+  mission.setup_.plan.rovers[0].initial_charge = 0;
+  mission.event("Work", 3600).params["power_w"] = 10.0;
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_LE(seconds(*events[0].end), 0.1);
+}
+
 TEST_F(Energy, counts_from_the_plans_initial_charge) {
   mission.setup_.plan.rovers[0].initial_charge = 0.25;
   mission.event("Hold", 1);
