@@ -161,11 +161,12 @@ class StripMesh {
 Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   Strip strip(ground, column);
   StripMesh mesh(strip);
-  bool is_open = false;  // the last row drawn is where this stretch begins
-  double x_m = 0;
+  bool is_open = false;                         // the last row drawn is where this stretch begins
+  double x_m = 0, z_m = strip.point(0, 0).z();  // of the middle line
   while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
     const double next_m = next_row_m(x_m, first_rows_m, first_share);
-    const double height_m = std::max(strip.point(x_m, 0).z(), strip.point(next_m, 0).z());
+    const double next_z_m = strip.point(next_m, 0).z(), height_m = std::max(z_m, next_z_m);
+    z_m = next_z_m;
     const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m));
     const double highest_m = height_m + rise_m;
     const bool is_hidden =
