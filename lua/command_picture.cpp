@@ -148,6 +148,11 @@ int picture_command(const PictureOptions& options) {
   const MissionFiles files = mission_of(options.folder, log.run());
   const MissionInfo& mission = files.plan.mission;
   const SimTime time = time_of(options.at, log.start());
+  if (time < SimTime{} || time > log.last_sample_time()) {
+    throw InputError(
+        {}, fmt::format("--at {}: the run is from {} to {}", options.at, format_utc(log.start()),
+                        format_utc(log.start() + log.last_sample_time())));
+  }
   const std::unique_ptr<Ground> ground =
       ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start, mission.seed);
   const std::vector<LoggedRover> rovers = rovers_at(log, time);
