@@ -125,17 +125,13 @@ class StripMesh {
       mesh_.vertices.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
     }
-    if (!is_joined) {
-      last_lowest_ = lowest;
-      return;
-    }
+    if (!is_joined) return;
     for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
       add_triangle({k, k + 1, k + nodes_across});
       add_triangle({k + 1, k + nodes_across + 1, k + nodes_across});
     }
     // Drawn between two rows, the ground hides at least what the lower one does.
     ridge_ = std::max(ridge_, lowest);
-    last_lowest_ = lowest;
   }
   double ridge() const { return ridge_; }
   Mesh take() { return std::move(mesh_); }
@@ -153,7 +149,6 @@ class StripMesh {
   // How steeply, at the least, ground that is drawn is seen all across the strip; it hides what is
   // lower behind it.
   double ridge_ = -std::numeric_limits<double>::infinity();
-  double last_lowest_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
