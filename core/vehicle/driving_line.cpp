@@ -26,34 +26,38 @@ class LineBuilder {
     const Vec2 way = point - at_;
     const double length_m = way.norm();
     if (length_m < 1e-9) return;
-    double speed_mps = limits_.speed_mps;
-    if (curvature_1pm != 0) {
-      const double radius_m = 1 / std::abs(curvature_1pm);
-      speed_mps = std::min({speed_mps, std::sqrt(limits_.lateral_mps2 * radius_m),
-                            steering_way_m * limits_.curvature_rate_1pms * radius_m});
-    }
-    legs_.push_back({at_, way / length_m, length_m, along_m_, curvature_1pm, speed_mps, 0, false});
+    const double speed_mps =
+        curvature_1pm == 0 ? limits_.speed_mps : arc_speed_mps(1 / std::abs(curvature_1pm));
+    legs_.push_back({at_, way / length_m, length_m, along_m_, curvature_1pm, speed_mps,
+                     limits_.speed_mps, false});
     along_m_ += length_m;
     at_ = point;
   }
 
-  // Goes on to the corner by an arc that touches both its sides, or to its very point and stops.
+  // Goes on to the corner by an arc that touches both its sides, or to its very point: there a
+  // rover that can turn on the spot stops; another slows down and swings round as tightly as it
+  // can.
   void round_corner(const Vec2& corner, const Vec2& next) {
     const Vec2 in = (corner - at_).normalized(), out = (next - corner).normalized();
     const double bend = bend_rad(in, out), half = std::abs(bend) / 2;
     if (2 * half < straight_rad) return go_to(corner, 0);
     // An arc of radius R passes R (1/cos - 1) inside the corner and begins R tan before it; half
     // of the shorter side is its, the rest belongs to the next corner.
-    const double room_m = std::min((corner - at_).norm(), 0.5 * (next - corner).norm());
-    double radius_m =
-        std::min(limits_.corner_offset_m / (1 / std::cos(half) - 1), room_m / std::tan(half));
-    if (!limits_.can_turn_on_spot) radius_m = std::max(radius_m, limits_.radius_min_m);
+    const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
+    double radius_m = std::min(limits_.corner_offset_m / (1 / std::cos(half) - 1),
+                               std::min(before_m, 0.5 * after_m) / std::tan(half));
     if (radius_m < limits_.radius_min_m) {
-      go_to(corner, 0);
-      if (!legs_.empty()) legs_.back().ends_in_stop = true;
-      return;
+      const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
+      if (limits_.can_turn_on_spot || !has_room) {
+        go_to(corner, 0);
+        if (legs_.empty()) return;
+        legs_.back().ends_in_stop = limits_.can_turn_on_spot;
+        legs_.back().end_speed_mps = arc_speed_mps(limits_.radius_min_m);
+        return;
+      }
+      radius_m = limits_.radius_min_m;
     }
-    const double tangent_m = std::min(radius_m * std::tan(half), (next - corner).norm());
+    const double tangent_m = radius_m * std::tan(half);
     go_to(corner - in * tangent_m, 0);
     const double curvature_1pm = (bend > 0 ? 1 : -1) / radius_m;
     const Vec2 left(-in.y(), in.x());
@@ -70,7 +74,7 @@ class LineBuilder {
     double end_mps = 0;
     for (auto leg = legs_.rbegin(); leg != legs_.rend(); ++leg) {
       if (leg->ends_in_stop) end_mps = 0;
-      leg->end_speed_mps = std::min(end_mps, leg->speed_max_mps);
+      leg->end_speed_mps = std::min({end_mps, leg->speed_max_mps, leg->end_speed_mps});
       end_mps =
           std::min(leg->speed_max_mps, std::sqrt(leg->end_speed_mps * leg->end_speed_mps +
                                                  2 * limits_.acceleration_mps2 * leg->length_m));
@@ -80,6 +84,11 @@ class LineBuilder {
   }
 
  private:
+  double arc_speed_mps(double radius_m) const {
+    return std::min({limits_.speed_mps, std::sqrt(limits_.lateral_mps2 * radius_m),
+                     steering_way_m * limits_.curvature_rate_1pms * radius_m});
+  }
+
   DrivingLimits limits_;
   Vec2 at_;
   double along_m_ = 0;

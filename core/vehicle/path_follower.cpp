@@ -12,6 +12,7 @@ namespace {
 
 constexpr double corner_offset_m = 0.1;  // leaves 0.2 m of the 0.3 m for following
 constexpr double at_end_m = 0.02;        // a stop is reached this near to it
+constexpr double standing_on_m = 1;      // of a waypoint, where the arrival radius is not smaller
 constexpr double turn_begin_rad = 1.0;   // heading error that driving cannot mend
 constexpr double turn_done_rad = 0.03;
 // Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
@@ -28,24 +29,39 @@ constexpr double turning_progress_rad = 0.05;  // the same for turning on the sp
 constexpr double drift_smoothing_s = 1;        // across a slope a rover slides steadily
 constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing of it
 constexpr double drift_max_rad = 0.6;
-constexpr double crab_turn_rate = 0.5;   // 1/s: how fast a heading error is turned back
-constexpr double stopping_limit_s = 30;  // brakes that take longer than this do not hold
+constexpr double swing_accelerations = 2;  // across the travel, of the one along it
+constexpr double crab_turn_rate = 0.5;     // 1/s: how fast a heading error is turned back
+constexpr double stopping_limit_s = 30;    // brakes that take longer than this do not hold
 
 double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+// The sine, but full where the travel leads backwards: its sine is 0 when it must turn the most.
+double turning_share(double error_rad) {
+  const double error = wrapped_rad(error_rad);
+  return std::abs(error) < std::numbers::pi / 2 ? std::sin(error) : std::copysign(1, error);
+}
 
 }  // namespace
 
 PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
                            const FollowerLimits& limits)
     : waypoints_S_m_{start.p_S_m}, limits_(limits) {
-  for (const Vec3& p : path_S_m) waypoints_S_m_.push_back(p.head<2>());
+  // A waypoint that the rover stands on is behind it: one that cannot turn on the spot would
+  // circle.
+  const auto stands_on = [&](const Vec3& p) {
+    const double radius_m = std::min(limits.arrival_radius_m, standing_on_m);
+    return (p.head<2>() - start.p_S_m).norm() <= radius_m;
+  };
+  auto first = path_S_m.begin();
+  while (first + 1 < path_S_m.end() && stands_on(*first)) ++first;
+  for (auto p = first; p < path_S_m.end(); ++p) waypoints_S_m_.push_back(p->head<2>());
   lay_line();
   if (!line_.empty()) remaining_m_ = line_.back().begin_m + line_.back().length_m;
   best_remaining_m_ = remaining_m_;
   best_heading_error_rad_ = 2 * std::numbers::pi;
   heading_rad_ = start.yaw_rad;
   is_turning_ = limits_.can_turn_on_spot && !limits_.is_crabbing;
-  is_stopping_ = line_.empty();
+  is_stopping_ = line_.empty() || (first + 1 == path_S_m.end() && stands_on(*first));
 }
 
 void PathFollower::lay_line() {
@@ -124,10 +140,14 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double wanted_1pm =
       std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) -
                      left_m / (lookahead_m * lookahead_m) -
-                     2 * std::sin(heading_error_rad + drift_rad_) / lookahead_m,
+                     2 * turning_share(heading_error_rad + drift_rad_) / lookahead_m,
                  -most_1pm, most_1pm);
   command_curvature_1pm_ =
       std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);
+  // Where it swings round without an arc laid for it, no faster than the ground holds it.
+  const double turn_1pm = std::max(std::abs(command_curvature_1pm_), 1e-6);
+  const double swing_mps2 = swing_accelerations * limits_.acceleration_mps2;
+  command_mps_ = std::min(command_mps_, std::max(creep_mps, std::sqrt(swing_mps2 / turn_1pm)));
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
 
@@ -197,11 +217,12 @@ double PathFollower::share() const {
 bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) {
   const double step_m = std::min(progress_m, progress_share * limits_.speed_mps * stuck_s);
   const bool has_moved = remaining_m_ < best_remaining_m_ - step_m;
+  const bool is_turning = is_turning_ || heading_error_rad > turn_begin_rad;
   const bool has_turned =
-      is_turning_ && heading_error_rad < best_heading_error_rad_ - turning_progress_rad;
+      is_turning && heading_error_rad < best_heading_error_rad_ - turning_progress_rad;
   if (has_moved) best_remaining_m_ = remaining_m_;
   if (has_turned) best_heading_error_rad_ = heading_error_rad;
-  if (!is_turning_) best_heading_error_rad_ = 2 * std::numbers::pi;
+  if (!is_turning) best_heading_error_rad_ = 2 * std::numbers::pi;
   since_progress_s_ = has_moved || has_turned ? 0 : since_progress_s_ + period_s;
   return since_progress_s_ > stuck_s;
 }

@@ -40,7 +40,9 @@ class PathFollower {
   enum class Status { driving, arrived, failed };
 
   PathFollower() = default;
-  // `path_S_m`: at least one waypoint; only x and y matter. The line begins where the rover is.
+  // `path_S_m`: at least one waypoint; only x and y matter. The line begins where the rover is;
+  // waypoints within the arrival radius (1 m at most) of it, up to the first that is not, are
+  // passed.
   PathFollower(const Path3& path_S_m, const FollowerPose& start, const FollowerLimits& limits);
 
   // Called once an exchange period; the command holds until the next call.

@@ -159,5 +159,62 @@ TEST(PathFollower, a_line_that_ends_where_the_rover_stands_is_done_at_once) {
   EXPECT_EQ(follower.status(), PathFollower::Status::arrived);
 }
 
+// A rover as a point that goes where it points, its turns no tighter than 4 m, 0.1 s at a time.
+struct Car {
+  FollowerPose pose;
+  PathFollower follower;
+  std::vector<double> nearest_m;  // to each waypoint
+
+  void drive(const Path3& path, const FollowerPose& start) {
+    FollowerLimits limits;
+    limits.can_turn_on_spot = false;
+    limits.radius_min_m = 4;
+    limits.speed_mps = 2;
+    pose = start;
+    follower = PathFollower(path, pose, limits);
+    nearest_m.assign(path.size(), 1e9);
+    for (int i = 0; i < 6000 && follower.status() == PathFollower::Status::driving; ++i) {
+      const DriveCommand command = follower.update(pose, period_s);
+      pose.speed_mps = command.is_braking ? 0 : command.speed_mps;
+      pose.yaw_rad += command.is_braking ? 0 : command.yaw_rate_radps * period_s;
+      pose.p_S_m +=
+          period_s * pose.speed_mps * Vec2(std::cos(pose.yaw_rad), std::sin(pose.yaw_rad));
+      for (std::size_t k = 0; k < path.size(); ++k) {
+        nearest_m[k] = std::min(nearest_m[k], (path[k].head<2>() - pose.p_S_m).norm());
+      }
+    }
+  }
+};
+
+TEST(PathFollower, passes_a_waypoint_that_the_rover_stands_on) {
+  Car car;
+  car.drive({{-0.4, 0.3, 0}, {0.2, -0.9, 0}, {30, 0, 0}}, {Vec2::Zero(), 0, 0});
+  EXPECT_EQ(car.follower.status(), PathFollower::Status::arrived) << car.follower.reason();
+  EXPECT_LT(std::abs(car.pose.p_S_m.y()), 0.1);
+  const FollowerPose on_goal{Vec2(0.5, 0), 0, 0};
+  PathFollower there({{0, 0, 0}}, on_goal, {});
+  there.update(on_goal, period_s);
+  EXPECT_EQ(there.status(), PathFollower::Status::arrived);
+}
+
+TEST(PathFollower, a_rover_that_cannot_turn_on_the_spot_takes_every_corner) {
+  const std::vector<Path3> paths{
+      {{-30, 0, 0}},                           // it looks the other way
+      {{30, 0, 0}, {0, 0, 0}},                 // and back
+      {{2, 0, 0}, {2, 30, 0}},                 // a corner before it has room for an arc
+      {{30, 0, 0}, {28, 20, 0}, {40, 30, 0}},  // arcs of its least radius
+      {{30, 0, 0}, {30, 3, 0}, {0, 3, 0}},     // sides shorter than its turns
+      {{30, 0, 0}, {15, 1, 0}, {30, 2, 0}},    // to and fro
+  };
+  for (const Path3& path : paths) {
+    Car car;
+    car.drive(path, {Vec2::Zero(), 0, 0});
+    EXPECT_EQ(car.follower.status(), PathFollower::Status::arrived) << car.follower.reason();
+    // An arc of 4 m leaves out 1.9 m of a corner of 94 degrees; two corners within the width of a
+    // turn are passed by less than its radius.
+    for (const double nearest_m : car.nearest_m) EXPECT_LT(nearest_m, 4);
+  }
+}
+
 }  // namespace
 }  // namespace lsos
