@@ -108,7 +108,7 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     wheels_[i] = {};
     wheels_[i].brake_anchor_rad = bodies_.joint_position(parts_[i].link);
-    wheels_[i].normal_S = plane.normal;
+    wheels_[i].search_S = plane.normal;
   }
   for (std::size_t i = 0; i < steerings_.size(); ++i) {
     const double angle_rad = bodies_.joint_position(layout_.steerings[i].link);
@@ -123,8 +123,11 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
     if (!fault_.empty()) return fault_;
   }
   if (!is_settled) {
-    return fmt::format("it does not come to rest there: the ground slopes by {:.0f} deg",
-                       degrees(std::acos(std::clamp(plane.normal.dot(up), -1.0, 1.0))));
+    return fmt::format(
+        "it does not come to rest there: after {} s it still moves at {:.2g} m/s; the plane under "
+        "its wheels slopes by {:.0f} deg",
+        seconds(settle_longest), reference_velocity_S_mps().norm(),
+        degrees(std::acos(std::clamp(plane.normal.dot(up), -1.0, 1.0))));
   }
   halt();
   distance_m_ = drive_j_ = drive_w_ = 0;

@@ -102,13 +102,13 @@ class Vehicle {
     double servo_integral_rad = 0;  // accumulated speed error
     double smooth_spin_radps = 0;   // what the motor's limits go by
     double brake_anchor_rad = 0;
-    Vec3 normal_S = Vec3::UnitZ();  // of the ground where it touched last
+    Vec3 search_S = Vec3::UnitZ();  // normal of the ground along which its contact is looked for
     // Of the last step, for reports.
     double load_n = 0, sinkage_m = 0, slip = not_modelled, torque_n_m = 0;
 
     void archive(Archive& a) {
       a(contact)(spin_target_radps)(
-          servo_integral_rad)(smooth_spin_radps)(brake_anchor_rad)(normal_S)(load_n)(sinkage_m)(slip)(torque_n_m);
+          servo_integral_rad)(smooth_spin_radps)(brake_anchor_rad)(search_S)(load_n)(sinkage_m)(slip)(torque_n_m);
     }
   };
   struct SteeringState {

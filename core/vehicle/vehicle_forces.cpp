@@ -20,6 +20,10 @@ constexpr double chassis_slide_mps = 0.01;  // friction is proportional to speed
 constexpr double chassis_near_m = 0.02;
 constexpr double chassis_approach = 0.5;
 
+// Over this a wheel's contact moves along its rim. Set at once to the normal of the ground that it
+// finds, it would jump to and fro for ever on ground that is bent more than the wheel.
+constexpr double search_smoothing_s = 0.02;
+
 constexpr double limit_smoothing_s = 0.2;  // of the speed that a motor's limits go by
 
 }  // namespace
@@ -163,6 +167,7 @@ double Vehicle::apply_drives(double step_s) {
 }
 
 void Vehicle::apply_contacts(double step_s) {
+  const double search_share = std::min(1.0, step_s / search_smoothing_s);
   Vec3 normals_S = Vec3::Zero();
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const WheelPart& part = parts_[i];
@@ -171,13 +176,15 @@ void Vehicle::apply_contacts(double step_s) {
     const Vec3 axle = hub.R_SL.col(1);
 
     // The rim's lowest point, seen along the ground's normal where the wheel was; the ground there.
-    const Vec3 down = -(wheel.normal_S - wheel.normal_S.dot(axle) * axle).normalized();
+    const Vec3& search_S = wheel.search_S;
+    const Vec3 down = -(search_S - search_S.dot(axle) * axle).normalized();
     const Vec3 arm_m = part.shape->radius_m * down;
     const GroundSample ground = probe_.sample(hub.p_C_S_m + arm_m);
     wheel.load_n = wheel.sinkage_m = 0;
     wheel.slip = not_modelled;
     if (!ground.is_ground()) continue;
-    const Vec3& normal = wheel.normal_S = ground.normal_S;
+    const Vec3& normal = ground.normal_S;
+    wheel.search_S += search_share * (normal - search_S);
     normals_S += normal;
 
     const Vec3 v_contact_mps = hub.v_C_S_mps + hub.omega_S_radps.cross(arm_m);

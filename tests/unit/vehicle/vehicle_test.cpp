@@ -112,6 +112,26 @@ TEST(Vehicle, holds_on_a_slope_with_its_brakes) {
   EXPECT_NEAR(vehicle.report().pitch_rad, radians(-20), 0.02);
 }
 
+// On ground that is bent more than a wheel, where its lowest point jumps from step to step.
+TEST(Vehicle, comes_to_rest_among_small_craters) {
+  TerrainSpec spec;
+  spec.name = "Craters";
+  spec.layers = {PlaneSurface{0, 0.05, 0}};
+  CraterPopulation craters;
+  craters.diameter_min_m = 0.5;
+  craters.age_gyr = 3.9;
+  spec.detail = Detail{};
+  spec.detail->craters = craters;
+  spec.soil = test::soil();
+  // Six of 600 places that the test rover was once refused at for ever trembling there.
+  constexpr std::pair<int, int> places[] = {{2, 9}, {2, 12}, {8, 8}, {11, 1}, {14, 1}, {26, 14}};
+  for (const auto& [seed, east] : places) {
+    const Ground ground(spec, SiteFrame(*find_body("Moon"), {0.1, 0.2, 0}), seed);
+    Vehicle vehicle(test::rover(g), ground);
+    EXPECT_EQ(vehicle.place({0.1 + 5e-6 * east, 0.2, 0}, 0.2 * seed), "") << seed;
+  }
+}
+
 TEST(Vehicle, turns_on_the_spot) {
   const auto ground = test::moon();
   Vehicle vehicle(test::rover(g), *ground);
