@@ -41,7 +41,10 @@ return lsos.event {
   params = {
     power_w    = lsos.number { kml = 'Power', unit = 'W', min = 0, doc = 'While it lasts.' },
     duration_s = lsos.duration { kml = 'Duration', doc = 'How long it lasts.' },
-    resource   = lsos.text { kml = 'Resource', doc = 'One that the rover type declares.' },
+    resource   = lsos.text {
+      kml = 'Resource', names = 'resource',
+      doc = 'One that the rover type declares.',
+    },
     amount     = lsos.number {
       kml = 'Amount', unit = '1', min = 0,
       doc = 'Taken at once, in its unit.',

@@ -19,7 +19,10 @@ return lsos.event {
   doc    = 'Put a solar panel up.',
 
   params = {
-    panel      = lsos.text { kml = 'Panel', doc = 'Its name; without one all that can be stowed.' },
+    panel      = lsos.text {
+      kml = 'Panel', names = 'panel',
+      doc = 'Its name; without one all that can be stowed.',
+    },
     duration_s = lsos.duration {
       kml = 'Duration',
       doc = "How long it takes; without one the panel's own.",

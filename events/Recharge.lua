@@ -74,7 +74,7 @@ return lsos.event {
       doc = 'Ends when the battery is as full as this.',
     },
     from          = lsos.text {
-      kml = 'From',
+      kml = 'From', names = 'power_source',
       doc = 'An asset within 20 m that has power to give.',
     },
   },

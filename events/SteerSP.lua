@@ -31,7 +31,10 @@ return lsos.event {
   doc    = 'Turn a solar panel, once or after the Sun.',
 
   params = {
-    panel = lsos.text { kml = 'Panel', doc = 'Its name; without one all that turn.' },
+    panel = lsos.text {
+      kml = 'Panel', names = 'panel',
+      doc = 'Its name; without one all that turn.',
+    },
     mode  = lsos.choice {
       kml = 'Mode', choices = { 'track', 'point', 'fixed' }, default = 'track',
       doc = 'Follow the Sun; face an azimuth and elevation; or stay at angles about the rover.',

@@ -128,6 +128,12 @@ void read_text_default(TableReader& t, FieldDeclaration& field) {
 void read_text(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::text;
   read_common(t, field);
+  constexpr std::pair<const char*, NameOf> things[] = {{"panel", NameOf::panel},
+                                                       {"resource", NameOf::resource},
+                                                       {"power_source", NameOf::power_source}};
+  t.word(optional, "names", things, field.names,
+         "What it must name, checked before the run: a 'panel' or 'resource' of the rover, or a "
+         "'power_source', an asset that has power to give.");
   read_text_default(t, field);
   read_required(t, field);
 }

@@ -10,6 +10,7 @@
 #include "lua/host.h"
 #include "lua/script_folders.h"
 #include "lua/version.h"
+#include "mission/plan_names.h"
 
 namespace lsos {
 
@@ -96,6 +97,8 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
       files.asset_models.insert({asset.type, files.catalog->load_asset(asset.type, asset.place)});
     });
   }
+  check_plan_names(files.plan, files.catalog->declarations(), files.rover_models,
+                   files.asset_models, files.faults);
   collect([&] { files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions); });
   return files;
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -97,19 +96,9 @@ void read_load(TableReader& t, LoadSpec& load) {
                                                           {"driving", LoadState::driving}};
   t.text(required, "name", load.name, "For readers.");
   t.number(required, "power_w", load.power_w, not_negative, "While it is on.");
-  std::string when = "always";
-  t.text(optional, "when", when,
+  t.word(optional, "when", states, load.when,
          "'always', 'dark' (no sunlight falls on the rover), 'parked' or 'driving' (default "
          "'always').");
-  std::vector<std::string> names;
-  for (const auto& [name, state] : states) {
-    names.push_back(name);
-    if (when == name) load.when = state;
-  }
-  if (std::ranges::find(names, when) == names.end()) {
-    t.fault(fmt::format("when = '{}': 'always', 'dark', 'parked' or 'driving' is wanted{}", when,
-                        did_you_mean(when, names)));
-  }
 }
 
 void read_resource(TableReader& t, ResourceSpec& resource) {

@@ -1,8 +1,6 @@
 // `rover.battery` and `rover.panels`: a rover's energy, and what scripts may do with it.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -86,20 +84,15 @@ int steer(lua_State* L) {
   Faults faults;
   TableReader t(L, 3, "panels:steer", {}, faults);
   Steering steering;
-  std::string mode;
-  t.text(required, "mode", mode, "'track', 'point' or 'fixed'.");
+  constexpr std::pair<const char*, SteerMode> modes[] = {
+      {"fixed", SteerMode::fixed}, {"point", SteerMode::point}, {"track", SteerMode::track}};
+  t.word(required, "mode", modes, steering.mode, "'track', 'point' or 'fixed'.");
   t.number(optional, "azimuth_rad", steering.angles.azimuth_rad, any_number,
            "Clockwise from true north (point) or from the nose (fixed).");
   t.number(optional, "elevation_rad", steering.angles.elevation_rad, any_number,
            "Above the horizon (point) or the deck (fixed).");
   t.finish();
-  constexpr std::array names{"fixed", "point", "track"};
-  const auto found = std::ranges::find(names, mode);
-  if (found == names.end()) {
-    t.fault(fmt::format("mode = '{}': 'track', 'point' or 'fixed' is wanted", mode));
-  }
   faults.throw_if_errors();
-  steering.mode = static_cast<SteerMode>(found - names.begin());
   power.steer_panel(panel_name(L), steering);
   return 0;
 }

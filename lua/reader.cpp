@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/units.h"
 #include "lua/context.h"
@@ -114,6 +115,15 @@ bool TableReader::check(const char* key, double value, const Range& range) {
   const std::string limits = range_text(range, si_unit_of(key));
   fault(fmt::format("{} = {}: must be {}", key, value, limits.empty() ? "finite" : limits));
   return false;
+}
+
+// "mode = 'tarck': 'fixed', 'point' or 'track' is wanted; did you mean 'track'?"
+void TableReader::check_word(const char* key, const std::string& word,
+                             const std::vector<std::string>& names) {
+  if (std::ranges::find(names, word) != names.end()) return;
+  const std::span others(names.data(), names.size() - 1);
+  fault(fmt::format("{} = '{}': '{}' or '{}' is wanted{}", key, word, fmt::join(others, "', '"),
+                    names.back(), did_you_mean(word, names)));
 }
 
 void TableReader::number(Need need, const char* key, std::optional<double>& value,

@@ -73,6 +73,20 @@ class TableReader {
   void vec3(Need need, const char* key, Vec3& value, const char* doc) {
     assign(value, [&](auto& found) { vec3(need, key, found, doc); });
   }
+  // One of some words, each with what it means.
+  template <class T, std::size_t N>
+  void word(Need need, const char* key, const std::pair<const char*, T> (&words)[N], T& value,
+            const char* doc) {
+    std::optional<std::string> found;
+    text(need, key, found, doc);
+    if (!found) return;
+    std::vector<std::string> names;
+    for (const auto& [name, meaning] : words) {
+      if (*found == name) value = meaning;
+      names.push_back(name);
+    }
+    check_word(key, *found, names);
+  }
   void numbers(Need, const char* key, std::vector<double>& value, const Range&, const char* doc);
   void texts(Need, const char* key, std::vector<std::string>& value, const char* doc);
   // api = 1
@@ -115,6 +129,7 @@ class TableReader {
   bool get(Need need, const char* key, const std::string& type, const char* doc, int lua_type,
            const char* wanted);
   bool check(const char* key, double value, const Range& range);
+  void check_word(const char* key, const std::string& word, const std::vector<std::string>& names);
   const Made* made_value(Need need, const char* key, const char* kind, const char* doc);
   void made_list(Need need, const char* key, const char* kind, const char* doc,
                  const std::function<void(const Made&)>& add);

@@ -16,6 +16,14 @@ namespace lsos {
 
 enum class FieldKind { number, integer, boolean, text, choice, duration, utc };
 
+// What a text names: checked before anything runs.
+enum class NameOf {
+  anything,
+  panel,         // of the event's rover
+  resource,      // of the event's rover
+  power_source,  // an asset of the plan that has power to give
+};
+
 // A value of a field, in SI. Durations are numbers (seconds).
 using FieldValue = std::variant<bool, std::int64_t, double, std::string, Instant>;
 
@@ -29,6 +37,7 @@ struct FieldDeclaration {
   std::optional<double> min_si;      // inclusive
   std::optional<double> max_si;      // inclusive
   std::vector<std::string> choices;  // choice only
+  NameOf names = NameOf::anything;   // text only
   bool is_required = false;
   std::optional<FieldValue> default_value;  // absent: the script sees nil
 };

@@ -181,8 +181,9 @@ TEST(Recharge, from_too_far_or_from_nothing_says_so) {
   EXPECT_THAT(far.summary()["events"][0]["reason"].get<std::string>(), HasSubstr("'Home' is 59."));
   const PlanRun mast({mission(), rover("LRV"), asset("Mast", "CommStation", "30.0002,10"),
                       event("Recharge", "R", 1, {{"From", "Mast"}, {"Duration", "100"}})});
-  EXPECT_THAT(mast.summary()["events"][0]["reason"].get<std::string>(),
-              HasSubstr("no asset 'Mast' with power to give"));
+  EXPECT_EQ(mast.outcome.exit_code, 2);
+  EXPECT_THAT(mast.outcome.err,
+              HasSubstr("From = 'Mast': the plan has no asset with power to give"));
 }
 
 // The array's power by the second way: its area, efficiency and the Sun's irradiance, as nothing

@@ -1,0 +1,76 @@
+#include "mission/plan_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+// What a field may name, and whose that is, as messages say it.
+struct Known {
+  std::string owner, what;
+  std::vector<std::string> names;
+};
+
+std::string fault_of(const Known& known, const std::string& name) {
+  if (std::ranges::find(known.names, name) != known.names.end()) return "";
+  if (known.names.empty()) return fmt::format("{} has no {}", known.owner, known.what);
+  std::string hint = name.size() > 100 ? "" : did_you_mean(name, known.names);
+  if (hint.empty()) hint = fmt::format("; it has {}", listed(known.names));
+  return fmt::format("{} has no {} of that name{}", known.owner, known.what, hint);
+}
+
+}  // namespace
+
+void check_plan_names(const Plan& plan, const Declarations& declarations,
+                      const std::map<std::string, RoverModel>& rovers,
+                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
+  std::vector<std::string> with_power;
+  for (const PlanAsset& asset : plan.assets) {
+    const auto model = assets.find(asset.type);
+    if (model == assets.end()) return;
+    if (model->second.supply_w > 0 || !model->second.panels.empty()) with_power.push_back(asset.id);
+  }
+  for (const PlanEvent& event : plan.events) {
+    const auto rover = std::ranges::find(plan.rovers, event.rover_id, &PlanRover::id);
+    const auto model = rovers.find(rover->type);
+    if (model == rovers.end()) continue;
+    const auto known = [&](NameOf names) -> Known {
+      const PowerSpec& power = model->second.power;
+      switch (names) {
+        case NameOf::panel:
+          return {rover->type, "panel", names_of(power.panels)};
+        case NameOf::resource:
+          return {rover->type, "resource", names_of(power.resources)};
+        case NameOf::power_source:
+          return {"the plan", "asset with power to give", with_power};
+        case NameOf::anything:
+          break;
+      }
+      return {};
+    };
+    for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
+      const auto value = event.params.find(field.key);
+      if (field.names == NameOf::anything || value == event.params.end()) continue;
+      const auto& name = std::get<std::string>(value->second);
+      const std::string fault = fault_of(known(field.names), name);
+      if (fault.empty()) continue;
+      faults.error(event.place, fmt::format("{} '{}': {} = {}: {}", event.type, event.label,
+                                            field.name, quoted(name), fault));
+    }
+  }
+}
+
+}  // namespace lsos

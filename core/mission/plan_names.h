@@ -1,0 +1,20 @@
+// Names in a plan's events of what its rovers and assets have: panels, resources, power to give.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "base/error.h"
+#include "mission/rover_model.h"
+#include "plan/declaration.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+// An error for each field that names what is not there (FieldDeclaration::names). The models are by
+// type; events of a rover whose model is missing are left alone.
+void check_plan_names(const Plan& plan, const Declarations& declarations,
+                      const std::map<std::string, RoverModel>& rovers,
+                      const std::map<std::string, AssetModel>& assets, Faults& faults);
+
+}  // namespace lsos
