@@ -3,6 +3,8 @@
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
+#include <cmath>
+
 #include "terrain/raster_open.h"
 
 namespace lsos {
@@ -18,6 +20,11 @@ Raster::Raster(const RasterSurface& surface, const Place& place, const Body* bod
   if (body != nullptr) check_body(crs, *body, name_);
   const Body& on = body != nullptr ? *body : own_body_.body;
   map_ = std::make_unique<RasterMap>(crs, geotransform_of(*dataset_, name_), columns_, on, name_);
+  // Columns that repeat the first ones, as of a globe from -180 to 180 on grid lines, are left out.
+  const double period = map_->period_px();
+  if (period > 0 && period < columns_ && period == std::floor(period)) {
+    columns_ = static_cast<int>(period);
+  }
   limit_m_ = ground_limit_m(on);
   band_ = std::make_unique<HeightBand>(understood(band, surface, on, name_));
 }

@@ -113,8 +113,12 @@ void RasterMap::find_period(int columns) {
     smallest_px = std::min(smallest_px, std::abs(b->u - a->u));
   }
   period_px_ = 4 * smallest_px;
-  // A raster that means to go around, but whose cell size was rounded, does go around.
-  if (std::abs(period_px_ - columns) < 1e-3 * columns / 360) period_px_ = columns;
+  // A raster that means to go around, but whose cell size was rounded, does go around; also one
+  // whose last columns repeat its first.
+  const double whole_px = std::round(period_px_);
+  if (whole_px <= columns && std::abs(period_px_ - whole_px) < 1e-3 * columns / 360) {
+    period_px_ = whole_px;
+  }
 }
 
 std::optional<GridCoordinates> RasterMap::coordinates(const Geodetic& place) const {

@@ -74,6 +74,83 @@ TEST(Look, goes_around_the_body) {
   }
 }
 
+// A globe whose last column repeats its first, as cylinder maps on grid lines have it.
+TEST(Look, goes_around_a_body_that_overlaps_itself) {
+  const auto height = [](double lon_deg) {
+    return 1000 * std::cos(12 * lon_deg * std::numbers::pi / 180);
+  };
+  const TextRaster raster{
+      "+proj=longlat +R=1737400", "-180.5,1,0,90,0,-1", "",
+      rows_of(361, 180, [&](int column, int) { return height(-180 + column); })};
+  const Ground ground(raster_terrain(raster.write("lines")), site_on("Moon", 180, 0), 0);
+  const double degree_m = 1737400 * std::numbers::pi / 180;
+  for (const double resolution_m : {0.0, 2 * degree_m}) {
+    // Cubics through samples one degree apart of waves of 30 degrees; half a degree aside at 209 m.
+    const double error_m = resolution_m == 0 ? 3 : 110;
+    for (double lon_deg = 175; lon_deg < 185; lon_deg += 0.23) {
+      const auto height_m = ground.elevation_m(geodetic_from_degrees(lon_deg, 3), resolution_m);
+      ASSERT_TRUE(height_m) << lon_deg;
+      EXPECT_NEAR(*height_m, height(lon_deg), error_m) << lon_deg;
+    }
+  }
+}
+
+// A hole seen from afar is a hole, no larger than by the level's cells, and the rest is the rest.
+TEST(Look, at_a_raster_with_a_hole) {
+  const auto height = [](int column, int row) { return 0.2 * column + 0.1 * row; };
+  const TextRaster raster{
+      "+proj=eqc +R=1737400 +units=m", "-256,2,0,256,0,-2", "<NoDataValue>-9999</NoDataValue>",
+      rows_of(256, 256, [&](int column, int row) {
+        const bool is_hole = std::abs(column - 128) < 24 && std::abs(row - 128) < 24;
+        return is_hole ? -9999 : height(column, row);
+      })};
+  const Ground ground(raster_terrain(raster.write("hole")), site_on("Moon", 0, 0), 0);
+  Ground::Probe close(ground);
+  for (const double resolution_m : {4.0, 8.0, 16.0}) {
+    Ground::Probe far(ground, resolution_m);
+    EXPECT_FALSE(far.sample({0, 0, 0}).is_ground()) << resolution_m;
+    for (double angle = 0; angle < 6.28; angle += 0.1) {
+      // The hole ends 48 m from the middle, at its corners 68 m.
+      const double r_m = 70 + 2 * resolution_m;
+      const Vec3 p_S_m{r_m * std::cos(angle), r_m * std::sin(angle), 0};
+      const GroundSample there = far.sample(p_S_m);
+      ASSERT_TRUE(there.is_ground()) << resolution_m << " " << angle;
+      EXPECT_NEAR(there.elevation_m, close.sample(p_S_m).elevation_m, 0.1 * resolution_m);
+    }
+  }
+}
+
+// From the fine raster out over its edge into the coarse one, as close by and from afar.
+TEST(Look, at_a_raster_in_another_has_no_step) {
+  const auto waves = [](double x_m, double y_m) {
+    return 5 * std::sin(x_m / 60) + 4 * std::cos(y_m / 80);
+  };
+  const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-256,2,0,256,0,-2", "",
+                        rows_of(256, 256, [&](int column, int row) {
+                          return waves(-255 + 2 * column, 255 - 2 * row);
+                        })};
+  const TextRaster coarse{"+proj=eqc +R=1737400 +units=m", "-1000,20,0,1000,0,-20", "",
+                          rows_of(100, 100, [&](int column, int row) {
+                            return waves(-990 + 20 * column, 990 - 20 * row);
+                          })};
+  TerrainSpec spec = raster_terrain(fine.write("fine"));
+  spec.layers.push_back(raster_terrain(coarse.write("coarse")).layers.front());
+  const Ground ground(spec, site_on("Moon", 0, 0), 0);
+  Ground::Probe close(ground);
+  for (const double resolution_m : {8.0, 16.0, 40.0, 80.0}) {
+    Ground::Probe far(ground, resolution_m);
+    double before_m = far.sample({-600, 3, 0}).elevation_m;
+    for (double x_m = -599.5; x_m < 600; x_m += 0.5) {
+      const double height_m = far.sample({x_m, 3, 0}).elevation_m;
+      // Half a cell of the level aside on slopes of 5/60, and what a cubic misses of the waves.
+      EXPECT_NEAR(height_m, close.sample({x_m, 3, 0}).elevation_m, 0.05 * resolution_m + 0.1)
+          << x_m;
+      EXPECT_NEAR(height_m, before_m, 0.12) << resolution_m << " " << x_m;
+      before_m = height_m;
+    }
+  }
+}
+
 // An odd number of columns and an overview that halves it: the tiles of a level agree on the nodes
 // that they share, and the ground is where it is without the overview.
 TEST(Look, through_overviews_has_no_seam) {
