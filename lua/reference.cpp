@@ -14,7 +14,8 @@ constexpr const char* introduction = R"(# Writing scripts
 One file is one thing: `events/Route.lua` is the event type `Route`, `rovers/SEV.lua` the rover type
 `SEV`, `terrain/Flat.lua` the terrain `Flat`, `terrain/soils/ApolloDense.lua` a soil. A script gets
 everything by `local lsos = require 'lsos'` and returns what one constructor made. Scripts are looked
-for beside the plan, then in each folder of `LSOS_PATH`, then among the shipped ones; the first wins.
+for beside the plan (in the working folder, where there is no plan), then in each folder of
+`LSOS_PATH`, then among the shipped ones; the first wins.
 
 Everything is in SI units, and a name says which: `speed_mps`, `friction_rad`. Positions are in the
 site frame: metres to the east, north and up.

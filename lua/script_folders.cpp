@@ -10,13 +10,15 @@ namespace fs = std::filesystem;
 std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
                                          const std::string& shipped_folder) {
   std::vector<ScriptFolder> folders;
-  if (!plan_file.empty()) {
-    const std::string beside = fs::path(plan_file).parent_path().string();
-    folders.push_back({beside.empty() ? "." : beside, beside});
-  }
+  const auto add = [&](const std::string& folder, const std::string& shown) {
+    std::error_code is_absent;
+    if (!fs::equivalent(folder, shipped_folder, is_absent)) folders.push_back({folder, shown});
+  };
+  const std::string beside = fs::path(plan_file).parent_path().string();
+  add(beside.empty() ? "." : beside, beside);
   std::istringstream path(lsos_path);
   for (std::string folder; std::getline(path, folder, ':');) {
-    if (!folder.empty()) folders.push_back({folder, folder});
+    if (!folder.empty()) add(folder, folder);
   }
   folders.push_back({shipped_folder, ""});
   return folders;

@@ -8,8 +8,9 @@
 
 namespace lsos {
 
-// Beside the plan ("" when there is none), then each folder of `lsos_path` (separated by colons),
-// then the shipped ones. Folders that do not exist are harmless.
+// Beside the plan (in the working folder, when `plan_file` is ""), then each folder of `lsos_path`
+// (separated by colons), then the shipped ones, which count once. Folders that do not exist are
+// harmless.
 std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
                                          const std::string& shipped_folder);
 

@@ -67,6 +67,11 @@ TerrainSource terrain_source(const TerrainOptions& options) {
   const auto& names = catalog->declarations().terrains;
   const bool is_broken = !catalog->faults_of(ScriptKind::terrain, options.name).empty();
   source.is_script = is_broken || std::ranges::count(names, options.name) > 0;
+  if (!source.is_script && options.name.ends_with(".lua")) {
+    throw InputError({}, fmt::format("{} is a script: it is asked for by its name, {}, and found "
+                                     "in terrain/ here, in LSOS_PATH or among the shipped ones",
+                                     options.name, fs::path(options.name).stem().string()));
+  }
   if (!source.is_script && is_raster_name(options.name)) {
     source.spec.name = fs::path(options.name).filename();
     source.spec.layers = {surface_of(options)};

@@ -198,7 +198,11 @@ TEST(ScriptFolders, are_plan_then_path_then_shipped) {
   EXPECT_THAT(text, ElementsAre("plans as 'plans'", "/one as '/one'", "two as 'two'",
                                 "/usr/share/x as ''"));
   EXPECT_EQ(script_folders("a.kml", "", "/s")[0].path, ".");
-  EXPECT_EQ(script_folders("", "", "/s").size(), 1u);
+  EXPECT_EQ(script_folders("", "", "/s")[0].path, ".");
+  ScriptDirectory directory;
+  directory.write("events/Route.lua", "");
+  const std::string shipped = directory.path();
+  EXPECT_EQ(script_folders(shipped + "/a.kml", shipped + "/events/..", shipped).size(), 1u);
 }
 
 TEST(ScriptFolders, shipped_ones_are_found_from_the_program) {
