@@ -64,7 +64,9 @@ void simulate(benchmark::State& state, const std::string& text, double limit_s, 
     state.PauseTiming();
     lsos::MissionFiles files = lsos::read_mission(file.path());
     files.faults.throw_if_errors();
-    lsos::Simulation simulation(lsos::simulation_setup(files));
+    lsos::SimulationSetup setup = lsos::simulation_setup(files);
+    setup.keeps_sight = is_logged;
+    lsos::Simulation simulation(std::move(setup));
     const std::string log_file = file.path() + ".gpkg";
     std::unique_ptr<lsos::LogWriter> log;
     if (is_logged) {

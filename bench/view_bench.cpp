@@ -1,10 +1,11 @@
 // What a look at the Sun costs: a panel in one direction, the whole disc, and the ground between,
-// on a terrain of 1 km2 and of 10,000 km2.
+// on a terrain of 1 km2 and of 10,000 km2. And a line of sight.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "mission/sight.h"
 #include "view/panel_view.h"
 #include "view/sun_column.h"
 #include "view/sun_disc.h"
@@ -93,6 +94,25 @@ void whole(benchmark::State& state, double reach_m) {
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
 }
 
+// From one antenna to another over hills and craters, as a rover that drives asks: each time from
+// another place (every 4 m) or from the same.
+void sight(benchmark::State& state, double distance_m, bool is_new) {
+  lsos::Renderer renderer;
+  const lsos::SiteFrame site(*lsos::find_body("Moon"), {0, 0, 0});
+  const lsos::Ground terrain(cratered(1e4), site, 1);
+  lsos::Sight between(terrain, renderer);
+  lsos::Ground::Probe probe(terrain);
+  const auto antenna = [&](double x_m, double y_m, double height_m) {
+    return Vec3(x_m, y_m, height_m - probe.sample({x_m, y_m, 0}).gap_m);
+  };
+  double y_m = 0, seen = 0;
+  for (auto _ : state) {
+    seen += between.ornament_share(antenna(0, y_m, 4), antenna(distance_m, 0, 10), {});
+    if (is_new) y_m += 4;
+  }
+  state.counters["seen"] = benchmark::Counter(seen, benchmark::Counter::kAvgIterations);
+}
+
 const auto registered = [] {
   using benchmark::RegisterBenchmark;
   RegisterBenchmark("panel/one_direction", [](auto& s) { look(s, 1); });
@@ -106,6 +126,13 @@ const auto registered = [] {
                       [reach](auto& s) { ground(s, reach, true); });
     RegisterBenchmark((std::string("disc_with_ground/") + name).c_str(),
                       [reach](auto& s) { whole(s, reach); });
+  }
+  for (const auto& [name, distance_m] : {std::pair{"100_m", 100.}, {"1_km", 1e3}, {"10_km", 1e4}}) {
+    const double distance = distance_m;
+    RegisterBenchmark((std::string("sight/parked/") + name).c_str(),
+                      [distance](auto& s) { sight(s, distance, false); });
+    RegisterBenchmark((std::string("sight/moving/") + name).c_str(),
+                      [distance](auto& s) { sight(s, distance, true); });
   }
   return true;
 }();

@@ -17,6 +17,9 @@ void read_asset(TableReader& t, AssetModel& asset) {
   t.text(required, "doc", asset.doc, "One sentence that a mission planner understands.");
   t.number(optional, "antenna_height_m", asset.antenna_height_m, not_negative,
            "Above the ground, when the plan gives no Height (default 0).");
+  t.number(optional, "antenna_range_max_m", asset.antenna_range_max_m, positive,
+           "How far it links to rovers and assets (default no limit).");
+  t.boolean(optional, "reaches_earth", asset.reaches_earth, "Links to Earth too (default true).");
   t.number(optional, "supply_w", asset.supply_w, not_negative,
            "Power that it can give, besides that of its panels (default 0).");
   read_panels(t, asset.panels);

@@ -88,6 +88,7 @@ int run_command(const RunOptions& options) {
                    options.is_forced);
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
+  setup.keeps_sight = true;
   setup.save_every_exchange = options.save_every_exchange;
   // The last checks: whether the plan fits the terrain. Only then the old run may go.
   Simulation simulation(std::move(setup));

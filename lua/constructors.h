@@ -1,7 +1,10 @@
 // lsos.wheel {...} and the like: functions that read a table into a C++ value while a script loads.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <lua.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -51,6 +54,17 @@ Constructor constructor(const char* name, const char* doc) {
             Read(t, value);
           },
           doc};
+}
+
+// A fault for each name that two of them have.
+template <class T>
+void check_unique_names(TableReader& t, const char* key, const std::vector<T>& all) {
+  std::set<std::string> names;
+  for (const T& one : all) {
+    if (!names.insert(one.name).second) {
+      t.fault(fmt::format("{}: '{}' is the name of two", key, one.name));
+    }
+  }
 }
 
 }  // namespace lsos

@@ -130,10 +130,11 @@ void read_text(TableReader& t, FieldDeclaration& field) {
   read_common(t, field);
   constexpr std::pair<const char*, NameOf> things[] = {{"panel", NameOf::panel},
                                                        {"resource", NameOf::resource},
+                                                       {"antenna", NameOf::antenna},
                                                        {"power_source", NameOf::power_source}};
   t.word(optional, "names", things, field.names,
-         "What it must name, checked before the run: a 'panel' or 'resource' of the rover, or a "
-         "'power_source', an asset that has power to give.");
+         "What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the "
+         "rover, or a 'power_source', an asset that has power to give.");
   read_text_default(t, field);
   read_required(t, field);
 }

@@ -36,6 +36,7 @@ const HandleType& rover_handle_type();
 const HandleType& drive_handle_type();
 const HandleType& battery_handle_type();
 const HandleType& panels_handle_type();
+const HandleType& antennas_handle_type();
 
 // Pushes a handle (with one user value) of an event.
 void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance);

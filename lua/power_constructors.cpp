@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <set>
 
 #include "lua/constructors.h"
 
@@ -159,21 +158,11 @@ void read_shape(TableReader& t, Shape& shape) {
   }
 }
 
-template <class T>
-void check_names(TableReader& t, const char* key, const std::vector<T>& all) {
-  std::set<std::string> names;
-  for (const T& one : all) {
-    if (!names.insert(one.name).second) {
-      t.fault(fmt::format("{}: '{}' is the name of two", key, one.name));
-    }
-  }
-}
-
 }  // namespace
 
 void read_panels(TableReader& t, std::vector<PanelSpec>& panels) {
   t.list(optional, "panels", "panel", panels, "Solar panels (default none).");
-  check_names(t, "panels", panels);
+  check_unique_names(t, "panels", panels);
 }
 
 void read_shapes(TableReader& t, std::vector<Shape>& shapes) {
@@ -190,7 +179,7 @@ void read_power(TableReader& t, PowerSpec& power) {
   read_panels(t, power.panels);
   t.list(optional, "loads", "load", power.loads, "What uses power besides wheel motors.");
   t.list(optional, "resources", "resource", power.resources, "What events use up.");
-  check_names(t, "resources", power.resources);
+  check_unique_names(t, "resources", power.resources);
   if (t.L() == nullptr || power.battery) return;
   if (!power.panels.empty()) t.fault("panels without a battery: there is nothing to feed");
   if (!power.loads.empty()) t.fault("loads without a battery: there is nothing to feed them");

@@ -113,8 +113,9 @@ std::string api_reference() {
   fill_in("{1}", std::to_string(limits.memory_bytes >> 20));
 
   text += "\n## Objects that a phase is given\n";
-  for (const HandleType* type : {&event_handle_type(), &rover_handle_type(), &drive_handle_type(),
-                                 &battery_handle_type(), &panels_handle_type()}) {
+  for (const HandleType* type :
+       {&event_handle_type(), &rover_handle_type(), &drive_handle_type(), &battery_handle_type(),
+        &panels_handle_type(), &antennas_handle_type()}) {
     text += handle_section(*type);
   }
   text += "\n## Functions and values\n\n| | |\n|---|---|\n";

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/sim_time.h"
+#include "lua/antenna_constructor.h"
 #include "lua/constructors.h"
 #include "lua/power_constructors.h"
 #include "mission/rover_model.h"
@@ -154,6 +155,7 @@ void read_rover(TableReader& t, RoverModel& model) {
          "The measurements; required unless drive_calibration is 1.");
   read_power(t, model.power);
   read_shapes(t, model.shapes);
+  read_antennas(t, model.antennas);
   t.texts(optional, "assumptions", vehicle.assumptions,
           "Sentences about numbers that have no source; they go into summary.json.");
   if (vehicle.cruise_speed_mps > vehicle.speed_max_mps) {
@@ -199,7 +201,8 @@ std::vector<Constructor> rover_constructors() {
       constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
       constructor<RoverConfiguration, read_configuration>(
           "configuration", "How a rover may stand and be loaded at the start.")};
-  for (auto&& more : {suspension_constructors(), power_constructors(), asset_constructors()}) {
+  for (auto&& more : {suspension_constructors(), power_constructors(), antenna_constructors(),
+                      asset_constructors()}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

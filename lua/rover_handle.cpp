@@ -53,6 +53,11 @@ int battery(lua_State* L) {
   return 1;
 }
 
+int antennas(lua_State* L) {
+  push_handle(L, antennas_handle_type(), call_of(L).instance);
+  return 1;
+}
+
 int panels(lua_State* L) {
   push_handle(L, panels_handle_type(), call_of(L).instance);
   return 1;
@@ -171,7 +176,8 @@ const HandleType& rover_handle_type() {
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
        {"drive", drive, "rover.drive", "What became of the last rover:follow."},
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
-       {"panels", panels, "rover.panels", "Its solar panels."}},
+       {"panels", panels, "rover.panels", "Its solar panels."},
+       {"antennas", antennas, "rover.antennas", "Its antennas."}},
       {{"follow", guard<follow>,
         "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival."},

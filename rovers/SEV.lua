@@ -162,10 +162,29 @@ return lsos.rover {
     lsos.resource { name = 'sample bags', unit = 'bags', amount = 100 },  -- A
   },
   shapes = shapes,
+  antennas = {
+    lsos.antenna {
+      name              = 'Mast',
+      position_m        = vec(-2.0, 0, 8.0),   -- A: on a telescopic mast at the rear
+      stowed_position_m = vec(-2.0, 0, 3.2),   -- A
+      deploy_s          = 600,                 -- A
+      deploy_w          = 150,                 -- A
+      power_w           = 60,                  -- A
+      range_max_m       = 30e3,                -- A
+    },
+    lsos.antenna {
+      name          = 'Whip',
+      position_m    = vec(0.9, 0.7, 3.8),      -- A: over the cabin
+      range_max_m   = 5e3,                     -- A
+      reaches_earth = false,                   -- A
+    },
+  },
 
   assumptions = {
     'SEV: a battery of 40 kWh with 0.96 either way, a reserve of 10 %, a panel of 8 m2 on a mast '
       .. 'with 0.29 x 0.9, loads of 550 W and 300 W of heaters in the dark are assumed',
+    'SEV: an antenna over the cabin that reaches 5 km, and one on a mast of 8 m that reaches 30 km '
+      .. 'and Earth, are assumed',
     'SEV: 4000 kg in all, read as 3000 kg of vehicle and 1000 kg of payload; sources disagree',
     'SEV: wheel modules of 140 kg (arm 40, knuckle 40, two wheels of 30), track 3 m and centre of '
       .. 'mass at 1.3 m are assumed',

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/highest_ground.h"
 #include "view/sun_column.h"
 #include "view/sun_disc.h"
 
@@ -10,15 +11,10 @@ namespace lsos {
 
 namespace {
 
-// No ground of a body lies deeper below its reference surface, m.
-constexpr double deepest_m = 12000;
-
 // The Sun is so low that even from a mountain over the deepest ground none of it is seen.
 bool is_deep_night(const SiteFrame& site, const Vec3& eye_S_m, const Sunlight& light) {
-  const double radius_m = site.body().equatorial_radius_m - deepest_m;
-  const double above_m = std::max(0.0, site.height_m(eye_S_m) + deepest_m);
-  const double dip_rad = std::acos(radius_m / (radius_m + above_m));
-  return light.seen.elevation_rad + light.disc_rad < -dip_rad;
+  return light.seen.elevation_rad + light.disc_rad <
+         -horizon_dip_rad(site.body(), site.height_m(eye_S_m));
 }
 
 double reach_m(const std::vector<PanelFace>& faces) {
@@ -30,9 +26,6 @@ double reach_m(const std::vector<PanelFace>& faces) {
 }
 
 }  // namespace
-
-Light::Light(const Ground& ground, GpuChoice choice)
-    : ground_(&ground), gpu_(choice), view_(gpu_) {}
 
 std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& light) {
   std::vector<double> fractions(scene.faces.size(), 0.0);
@@ -57,7 +50,8 @@ std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& 
     for (std::size_t k = 0; k < scene.faces.size(); ++k) {
       if (k != i) append(all, face_mesh(scene.faces[k]), Mat3::Identity(), Vec3::Zero());
     }
-    const std::vector<double> shares = view_.visible_shares(scene.faces[i], all, directions);
+    const std::vector<double> shares =
+        renderer_->panels.visible_shares(scene.faces[i], all, directions);
     for (std::size_t k = 0; k < disc.size(); ++k) fractions[i] += disc[k].weight * shares[k];
     fractions[i] *= 1 - light.eclipsed;
   }

@@ -8,8 +8,7 @@
 
 #include "planet/sunlight.h"
 #include "terrain/ground.h"
-#include "view/gpu.h"
-#include "view/panel_view.h"
+#include "view/renderer.h"
 
 namespace lsos {
 
@@ -20,16 +19,13 @@ struct LitScene {
   Mesh near;                     // solids that may shade them
 };
 
-// Owns the renderer: made, used and destroyed on one thread. What it answers is a pure function of
-// what it is asked.
+// What it answers is a pure function of what it is asked.
 class Light {
  public:
   static constexpr int disc_samples_count = 16;
 
-  // Throws InputError when nothing can draw: what to install.
-  explicit Light(const Ground& ground, GpuChoice choice = GpuChoice::any);
-
-  const std::string& renderer() const { return gpu_.name(); }
+  // Both must outlive it.
+  Light(const Ground& ground, Renderer& renderer) : ground_(&ground), renderer_(&renderer) {}
 
   // Of each face, the share 0..1 that is seen from the Sun, averaged over its disc. Ground far and
   // near counts.
@@ -37,8 +33,7 @@ class Light {
 
  private:
   const Ground* ground_;
-  Gpu gpu_;
-  PanelView view_;
+  Renderer* renderer_;
 };
 
 }  // namespace lsos

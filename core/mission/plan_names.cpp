@@ -54,6 +54,8 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
           return {rover->type, "panel", names_of(power.panels)};
         case NameOf::resource:
           return {rover->type, "resource", names_of(power.resources)};
+        case NameOf::antenna:
+          return {rover->type, "antenna", names_of(model->second.antennas)};
         case NameOf::power_source:
           return {"the plan", "asset with power to give", with_power};
         case NameOf::anything:

@@ -13,13 +13,14 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_rest_mps = 0.005;      // below this for ...
-constexpr int exchanges_until_parked = 5;  // ... so many exchanges, a braked rover is parked
-constexpr double rolled_over_rad = 1.2;    // tilt of the chassis (69 deg)
-constexpr double driving_mps = 1e-3;       // faster than this counts as driving
-constexpr double gain_hysteresis_m = 0.5;  // smaller rises than this are noise
-constexpr double lookahead_least_m = 0.6;  // of path following, for small rovers
-constexpr double turn_rate_share = 0.4;    // wheels' share of cruise speed when turning on the spot
+constexpr double at_rest_mps = 0.005;        // below this for ...
+constexpr int exchanges_until_parked = 5;    // ... so many exchanges, a braked rover is parked
+constexpr double rolled_over_rad = 1.2;      // tilt of the chassis (69 deg)
+constexpr double driving_mps = 1e-3;         // faster than this counts as driving
+constexpr double gain_hysteresis_m = 0.5;    // smaller rises than this are noise
+constexpr double lookahead_least_m = 0.6;    // of path following, for small rovers
+constexpr double own_antenna_above_m = 0.3;  // of a rover whose script names none
+constexpr double turn_rate_share = 0.4;  // wheels' share of cruise speed when turning on the spot
 
 FollowerPose pose_of(const VehicleReport& report) {
   const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
@@ -36,7 +37,14 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
       vehicle_(config, ground),
       footprint_at_rest_(footprint_at_rest(config)),
       shape_(model.shapes, config),
-      power_(model.power, rover.initial_charge, sources) {
+      power_(model.power, rover.initial_charge, sources),
+      antennas_(model.antennas) {
+  if (model.antennas.empty()) {
+    AntennaSpec top;
+    top.name = "top";
+    top.p_B_m.z() = shape_.top_m() + own_antenna_above_m;
+    antennas_ = AntennaArray({top});
+  }
   view_.id = rover.id;
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
@@ -274,6 +282,16 @@ void RoverAgent::brake() {
   has_new_command_ = true;
 }
 
+double RoverAgent::deploy_antenna(const std::string& antenna, bool up,
+                                  std::optional<double> duration_s) {
+  return antennas_.deploy(antenna, up, duration_s, now_);
+}
+
+Vec3 RoverAgent::antenna_S_m() const {
+  const PartPose chassis = vehicle_.part_poses()[0];
+  return chassis.point_S_m(antennas_.p_B_m(now_));
+}
+
 void RoverAgent::release() {
   brake();
   power_.release();
@@ -327,8 +345,8 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(
-      power_)(has_motion_ended_)(is_shedding_)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
-                                                                                                                                                                                                                                     .distance_m)(
+      power_)(antennas_)(now_)(has_motion_ended_)(is_shedding_)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
+                                                                                                                                                                                                                                                      .distance_m)(
       view_.drive_w)(view_.drive_j)(
       slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
   if (a.is_reading()) update_view();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mission/body_shape.h"
+#include "mission/motion.h"
 #include "mission/rover_model.h"
 #include "mission/rover_port.h"
 #include "mission/rover_power.h"
@@ -17,9 +18,6 @@
 #include "vehicle/vehicle.h"
 
 namespace lsos {
-
-// What goes on near a rover at an exchange.
-enum class Motion { none, goes_on, has_ended };
 
 class RoverAgent : public RoverPort {
  public:
@@ -45,8 +43,8 @@ class RoverAgent : public RoverPort {
   void advance();
   // At an exchange, before scripts run: looks at the vehicle and at the line it follows.
   void observe();
-  // At an exchange, after observe(): brings the energy balance up to now. A rover whose battery is
-  // empty stops.
+  // At an exchange, after observe(): brings the energy balance up to `now`. A rover whose battery
+  // is empty stops.
   void count_energy(SimTime now);
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
@@ -72,6 +70,11 @@ class RoverAgent : public RoverPort {
 
   const RoverView& view() const override { return view_; }
   RoverPower& power() override { return power_; }
+  double deploy_antenna(const std::string& antenna, bool up,
+                        std::optional<double> duration_s) override;
+  const AntennaArray& antennas() const { return antennas_; }
+  // Of the antenna in use.
+  Vec3 antenna_S_m() const;
   const RoverPower& power() const { return power_; }
   // Load, drive and loss since the start, and what panels gave; NaN without a battery.
   double energy_used_j() const;
@@ -121,6 +124,8 @@ class RoverAgent : public RoverPort {
   Footprint footprint_at_rest_;
   BodyShape shape_;
   RoverPower power_;
+  AntennaArray antennas_;
+  SimTime now_{};                  // of the last exchange
   bool has_motion_ended_ = false;  // since the last look at the Sun
   bool is_shedding_ = false;
   RoverView view_;

@@ -12,6 +12,7 @@
 namespace lsos {
 
 void RoverAgent::count_energy(SimTime now) {
+  now_ = now;
   power_.begin(now, view_.p_S_m, view_.drive_w, is_parked_);
   if (!power_.has_reserve_changed() || !power_.waits_for_reserve()) return;
   noting_sequence_ = 0;
@@ -24,6 +25,7 @@ void RoverAgent::count_energy(SimTime now) {
 }
 
 void RoverAgent::settle_energy() {
+  power_.set_antennas(antennas_.power_w(now_));
   power_.settle(is_parked_);
   const double shed_w = power_.shed_w();
   if ((shed_w > 0) == is_shedding_) return;
@@ -42,7 +44,7 @@ bool RoverAgent::is_sun_due(SimTime now, Motion near) const {
   if (!sun || now >= sun->time + sun_interval(ground_->site().body())) return true;
   if (near == Motion::has_ended) return true;
   const bool moves = !is_parked_ || near == Motion::goes_on || power_.is_panel_turning();
-  if (moves && now > sun->time && now % moving_sun_period == SimTime{}) return true;
+  if (moves && now > sun->time && now % moving_look_period == SimTime{}) return true;
   const std::optional<SimTime> motion_end = power_.panels().last_end(now);
   return has_motion_ended_ || power_.has_panel_command() || (motion_end && *motion_end > sun->time);
 }
@@ -51,7 +53,7 @@ std::optional<SimTime> RoverAgent::sun_wake(SimTime now) const {
   const std::optional<SunValue>& sun = power_.sun();
   if (!power_.needs_sun() || !sun) return {};
   // Panels on their way are looked at when they arrive, which is among the power's wakes.
-  if (power_.is_panel_turning()) return (now / moving_sun_period + 1) * moving_sun_period;
+  if (power_.is_panel_turning()) return (now / moving_look_period + 1) * moving_look_period;
   return round_up_to_exchange(sun->time + sun_interval(ground_->site().body()));
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/shape.h"
+#include "mission/antenna.h"
 #include "power/power_spec.h"
 #include "vehicle/rover_spec.h"
 
@@ -15,6 +16,7 @@ struct RoverModel {
   RoverSpec spec;
   PowerSpec power;
   std::vector<Shape> shapes;  // wheels are drawn without being named; none: the chassis' box
+  std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
 };
 
 // A habitat, a comm station.
@@ -24,7 +26,9 @@ struct AssetModel {
   Place place = {};
   std::vector<Shape> shapes = {};
   double antenna_height_m = 0;  // above the ground
-  double supply_w = 0;          // power to give, besides that of its panels
+  double antenna_range_max_m = std::numeric_limits<double>::infinity();
+  bool reaches_earth = true;
+  double supply_w = 0;  // power to give, besides that of its panels
   std::vector<PanelSpec> panels = {};
   std::vector<std::string> assumptions = {};
 };

@@ -51,6 +51,10 @@ class RoverPort {
   // Stop and hold.
   virtual void brake() = 0;
   virtual PowerPort& power() = 0;
+  // Raises or stows the antenna with that name, "" for all that can be. Answers how long that
+  // takes, s. Throws std::runtime_error for what cannot be.
+  virtual double deploy_antenna(const std::string& antenna, bool up,
+                                std::optional<double> duration_s) = 0;
   // A row in `notes`. `fields_json`: an object with sorted keys.
   virtual void note(const std::string& name, const std::string& fields_json) = 0;
 };

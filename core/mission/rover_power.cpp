@@ -63,7 +63,8 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
     for (const SunValue::Panel& panel : sun_->panels) demand.solar_available_w += panel.power_w;
   }
   demand.external_w = supply_w_ + given_w_;
-  demand.load_w = load_w(spec_.loads, {is_dark, is_parked}) + work_w_ + panels_.motors_w(now_);
+  demand.load_w =
+      load_w(spec_.loads, {is_dark, is_parked}) + work_w_ + antennas_w_ + panels_.motors_w(now_);
   demand.drive_w = is_parked ? 0 : demand_.drive_w;
   return demand;
 }

@@ -55,6 +55,8 @@ class RoverPower : public PowerPort {
   void begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked);
   // At its end: what flows from now on.
   void settle(bool is_parked);
+  // What the antennas use.
+  void set_antennas(double power_w) { antennas_w_ = power_w; }
   // What the asset gives of what was asked of it.
   const std::string& plugged_into() const { return plugged_into_; }
   double asked_of_asset_w() const { return asked_w_; }
@@ -118,6 +120,7 @@ class RoverPower : public PowerPort {
 
   std::optional<SunValue> sun_;
   double supply_w_ = 0, work_w_ = 0;
+  double antennas_w_ = 0;  // not saved: told at each exchange
   std::string plugged_into_;
   double asked_w_ = 0, given_w_ = 0;
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;

@@ -32,6 +32,7 @@ Simulation::Simulation(SimulationSetup setup)
   build();
   place_rovers();
   make_light();
+  make_sight();
 }
 
 void Simulation::check_soil() const {
@@ -163,7 +164,10 @@ void Simulation::exchange() {
          true);
     break;
   }
+  // Of all before any is looked at: who comes first must not matter.
+  for (Rover& rover : rovers_) rover.motion = motion_of(rover);
   if (light_) watch_the_sun();
+  if (sight_) watch_sight();
   share_power();
   for (Rover& rover : rovers_) rover.agent->settle_energy();
   // Rovers that still roll come to rest first, so that the last rows say where they are.
@@ -245,59 +249,6 @@ void Simulation::take_warnings(Rover& rover) {
   }
 }
 
-void Simulation::log_rows() {
-  for (Rover& rover : rovers_) {
-    const std::vector<RoverAgent::Note> notes = rover.agent->take_notes();
-    const std::vector<std::size_t> events = rover.sequence.take_changed_events();
-    const std::vector<PhaseRow> phases = rover.sequence.take_phases();
-    if (log_ == nullptr) continue;
-    for (const std::size_t event : events) log_->write(rover.sequence.row(event));
-    for (const PhaseRow& phase : phases) log_->write(phase);
-    for (const RoverAgent::Note& note : notes) {
-      log_->write(NoteRow{now_, rover.agent->id(), note.sequence, note.name, note.fields_json,
-                          rover.agent->place_now()});
-    }
-    if (is_sample_due(rover)) log_sample(rover);
-  }
-  if (log_ != nullptr) log_->commit_if_due();
-}
-
-void Simulation::log_sample(Rover& rover) {
-  log_->write(rover.agent->sample(now_, rover.sequence.event_label(), rover.sequence.phase()));
-  for (const JointRow& row : rover.agent->joints(now_)) log_->write(row);
-  for (const PanelRow& row : rover.agent->panels(now_)) log_->write(row);
-  for (const ResourceRow& row : rover.agent->resources(now_)) log_->write(row);
-  rover.logged = now_;
-}
-
-bool Simulation::is_sample_due(const Rover& rover) const {
-  if (rover.logged == now_) return false;
-  const MissionInfo& mission = setup_.plan.mission;
-  const SimTime interval =
-      rover.agent->is_parked() ? mission.parked_log_interval : mission.log_interval;
-  return now_ % interval == SimTime{};
-}
-
-SimTime Simulation::next_sample(const Rover& rover) const {
-  const MissionInfo& mission = setup_.plan.mission;
-  const SimTime interval =
-      rover.agent->is_parked() ? mission.parked_log_interval : mission.log_interval;
-  return (now_ / interval + 1) * interval;
-}
-
-void Simulation::terminate() {
-  log_rows();
-  if (log_ == nullptr) return;
-  for (Rover& rover : rovers_) {
-    if (rover.logged != now_) log_sample(rover);
-  }
-  for (const Rover& rover : rovers_) {
-    for (std::size_t i = 0; i < rover.sequence.records().size(); ++i) {
-      if (!rover.sequence.records()[i].ready) log_->write(rover.sequence.row(i));
-    }
-  }
-}
-
 std::vector<EventRow> Simulation::events() const {
   std::vector<EventRow> rows;
   for (const Rover& rover : rovers_) {
@@ -375,6 +326,8 @@ std::string Simulation::save() {
   Archive a = Archive::writer();
   a.tag("simulation")(now_)(is_finished_)(warnings_);
   for (StandingAsset& asset : assets_) a(asset.sun);
+  if (sight_) sight_->archive(a);
+  a(assets_logged_);
   for (Rover& rover : rovers_) {
     a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);
@@ -386,6 +339,8 @@ void Simulation::restore(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
   a.tag("simulation")(now_)(is_finished_)(warnings_);
   for (StandingAsset& asset : assets_) a(asset.sun);
+  if (sight_) sight_->archive(a);
+  a(assets_logged_);
   for (Rover& rover : rovers_) {
     a (*rover.agent)(rover.wake)(rover.logged);
     rover.sequence.archive(a, *host_);

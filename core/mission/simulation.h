@@ -20,6 +20,7 @@
 #include "mission/rover_agent.h"
 #include "mission/rover_model.h"
 #include "mission/script_host.h"
+#include "mission/sight_watch.h"
 #include "mission/standing_asset.h"
 #include "mission/worker_pool.h"
 #include "record/log.h"
@@ -35,6 +36,8 @@ struct SimulationSetup {
   int threads = 1;
   // Torture: at each exchange all state is written out, everything is thrown away and read back.
   bool save_every_exchange = false;
+  // Layers `pairs` and `sight_intervals` are wanted.
+  bool keeps_sight = false;
 };
 
 // What became of one rover.
@@ -72,8 +75,8 @@ class Simulation : private EventSequence::Others {
   SimTime now() const { return now_; }
   const Plan& plan() const { return setup_.plan; }
   const Ground& ground() const { return *ground_; }
-  // What draws the light on panels; "" when nothing asks for it.
-  std::string renderer() const { return light_ ? light_->renderer() : ""; }
+  // What draws light and sight; "" when nothing asks for it.
+  std::string renderer() const { return renderer_ ? renderer_->gpu.name() : ""; }
 
   std::vector<EventRow> events() const;
   std::vector<RoverResult> results() const;
@@ -115,8 +118,15 @@ class Simulation : private EventSequence::Others {
   Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;
   Mesh solids_near(const Vec3& eye_S_m, const std::string& except_id, const Sunlight& sun) const;
   std::optional<SimTime> quiet_wake(const Rover& rover) const;
+  // Who sees whom (simulation_sight.cpp).
+  void make_sight();
+  std::vector<SightEnd> sight_ends() const;
+  Mesh solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const;
+  void watch_sight();
+  void log_pairs(std::size_t from);
+  void finish_sight();
   void log_rows();
-  void log_sample(Rover& rover);
+  void log_sample(std::size_t number);
   SimTime next_time();
   std::size_t events_ended() const;
   bool is_sample_due(const Rover& rover) const;
@@ -132,7 +142,10 @@ class Simulation : private EventSequence::Others {
   std::unique_ptr<ScriptHost> host_;
   std::vector<PowerSource> sources_;
   std::vector<StandingAsset> assets_;
+  std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<Light> light_;
+  std::unique_ptr<SightWatch> sight_;
+  std::optional<SimTime> assets_logged_;  // pairs of assets
   double optical_depth_ = 0;
   std::vector<Rover> rovers_;
   WorkerPool pool_;

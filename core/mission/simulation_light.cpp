@@ -35,7 +35,8 @@ void Simulation::make_light() {
       std::ranges::any_of(rovers_, [](const Rover& r) { return r.agent->power().needs_sun(); }) ||
       std::ranges::any_of(assets_, [](const StandingAsset& a) { return !a.model.panels.empty(); });
   if (!is_wanted) return;
-  light_ = std::make_unique<Light>(*ground_);
+  renderer_ = std::make_unique<Renderer>();
+  light_ = std::make_unique<Light>(*ground_, *renderer_);
   const bool is_mars = ground_->site().body().name == "Mars";
   optical_depth_ = setup_.terrain.optical_depth.value_or(is_mars ? mars_optical_depth : 0);
 }
@@ -102,9 +103,7 @@ Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id,
 
 void Simulation::watch_the_sun() {
   const Instant utc = setup_.plan.mission.start_time + now_;
-  const bool is_whole = now_ % moving_sun_period == SimTime{};
-  // Of all before any is looked at: who comes first must not matter.
-  for (Rover& rover : rovers_) rover.motion = motion_of(rover);
+  const bool is_whole = now_ % moving_look_period == SimTime{};
   for (Rover& rover : rovers_) {
     RoverAgent& agent = *rover.agent;
     const Vec3& p_S_m = agent.view().p_S_m;
@@ -134,7 +133,7 @@ void Simulation::share_power() {
       const bool is_due = !asset.sun ||
                           now_ >= asset.sun->time + sun_interval(ground_->site().body()) ||
                           motion == Motion::has_ended ||
-                          (motion == Motion::goes_on && now_ % moving_sun_period == SimTime{});
+                          (motion == Motion::goes_on && now_ % moving_look_period == SimTime{});
       if (is_due) {
         const Sunlight sun =
             sunlight(ground_->site().body(), ground_->site().geodetic(p_S_m), utc, optical_depth_);
@@ -159,6 +158,8 @@ std::optional<SimTime> Simulation::quiet_wake(const Rover& rover) const {
     if (time) wake = std::min(wake.value_or(*time), *time);
   };
   if (light_) at(rover.agent->sun_wake(now_));
+  if (sight_) at(sight_->wake());
+  at(rover.agent->antennas().next_end(now_));
   for (const StandingAsset& asset : assets_) {
     if (!asset.sun || rover.agent->power().plugged_into() != asset.plan.id) continue;
     at(round_up_to_exchange(asset.sun->time + sun_interval(ground_->site().body())));

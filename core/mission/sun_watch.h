@@ -7,9 +7,6 @@
 
 namespace lsos {
 
-// Looks at the Sun are this far apart while something moves, at whole multiples.
-inline constexpr SimTime moving_sun_period{2'000'000};
-
 // So long does the Sun take for 0.05 degrees (Moon) or 0.25 degrees (Mars, Earth) of its way.
 SimTime sun_interval(const Body& body);
 

@@ -21,6 +21,7 @@ enum class NameOf {
   anything,
   panel,         // of the event's rover
   resource,      // of the event's rover
+  antenna,       // of the event's rover
   power_source,  // an asset of the plan that has power to give
 };
 

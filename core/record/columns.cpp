@@ -179,6 +179,29 @@ std::span<const Column<JointRow>> columns<JointRow>() {
 }
 
 template <>
+std::span<const Column<PairRow>> columns<PairRow>() {
+  using R = PairRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),        text<&R::from_id>("from_id"),
+      text<&R::to_id>("to_id"),        real<&R::distance_m>("distance_m"),
+      integer<&R::visible>("visible"), real<&R::visible_fraction>("visible_fraction"),
+      integer<&R::link>("link"),       text<&R::relay>("relay"),
+  };
+  return table;
+}
+
+template <>
+std::span<const Column<SightIntervalRow>> columns<SightIntervalRow>() {
+  using R = SightIntervalRow;
+  static const Column<R> table[] = {
+      text<&R::from_id>("from_id"), text<&R::to_id>("to_id"),
+      text<&R::kind>("kind"),       time<&R::start>("start_s"),
+      time<&R::end>("end_s"),       real<&R::light_time_s>("light_time_s"),
+  };
+  return table;
+}
+
+template <>
 std::span<const Column<PanelRow>> columns<PanelRow>() {
   using R = PanelRow;
   static const Column<R> table[] = {

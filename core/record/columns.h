@@ -44,6 +44,10 @@ std::span<const Column<SampleRow>> columns<SampleRow>();
 template <>
 std::span<const Column<JointRow>> columns<JointRow>();
 template <>
+std::span<const Column<PairRow>> columns<PairRow>();
+template <>
+std::span<const Column<SightIntervalRow>> columns<SightIntervalRow>();
+template <>
 std::span<const Column<PanelRow>> columns<PanelRow>();
 template <>
 std::span<const Column<ResourceRow>> columns<ResourceRow>();

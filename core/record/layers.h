@@ -37,6 +37,10 @@ inline constexpr std::string_view layer_name<PhaseRow> = "phases";
 template <>
 inline constexpr std::string_view layer_name<JointRow> = "joints";
 template <>
+inline constexpr std::string_view layer_name<PairRow> = "pairs";
+template <>
+inline constexpr std::string_view layer_name<SightIntervalRow> = "sight_intervals";
+template <>
 inline constexpr std::string_view layer_name<PanelRow> = "panels";
 template <>
 inline constexpr std::string_view layer_name<ResourceRow> = "resources";

@@ -40,6 +40,8 @@ class LogWriter {
   void write(const SampleRow& row);
   void write(const JointRow& row);
   void write(const PanelRow& row);
+  void write(const PairRow& row);
+  void write(const SightIntervalRow& row);
   void write(const ResourceRow& row);
   void write(const EventRow& row);  // updates the row of the same rover and sequence
   void write(const PhaseRow& row);
@@ -70,6 +72,8 @@ class LogReader {
   std::vector<SampleRow> samples() const;
   std::vector<JointRow> joints() const;
   std::vector<PanelRow> panels() const;
+  std::vector<PairRow> pairs() const;
+  std::vector<SightIntervalRow> sight_intervals() const;
   std::vector<ResourceRow> resources() const;
   std::vector<EventRow> events() const;
   std::vector<PhaseRow> phases() const;

@@ -140,6 +140,10 @@ LogReader::~LogReader() = default;
 
 std::vector<SampleRow> LogReader::samples() const { return impl_->rows<SampleRow>(); }
 std::vector<JointRow> LogReader::joints() const { return impl_->rows<JointRow>(); }
+std::vector<PairRow> LogReader::pairs() const { return impl_->rows<PairRow>(); }
+std::vector<SightIntervalRow> LogReader::sight_intervals() const {
+  return impl_->rows<SightIntervalRow>();
+}
 std::vector<PanelRow> LogReader::panels() const { return impl_->rows<PanelRow>(); }
 std::vector<ResourceRow> LogReader::resources() const { return impl_->rows<ResourceRow>(); }
 std::vector<EventRow> LogReader::events() const { return impl_->rows<EventRow>(); }

@@ -65,6 +65,8 @@ struct LogWriter::Impl {
   RowLayer<SampleRow> samples;
   RowLayer<JointRow> joints;
   RowLayer<PanelRow> panels;
+  RowLayer<PairRow> pairs;
+  RowLayer<SightIntervalRow> sight_intervals;
   RowLayer<ResourceRow> resources;
   RowLayer<EventRow> events;
   RowLayer<PhaseRow> phases;
@@ -100,6 +102,8 @@ struct LogWriter::Impl {
     samples = {};
     joints = {};
     panels = {};
+    pairs = {};
+    sight_intervals = {};
     resources = {};
     events = {};
     phases = {};
@@ -118,6 +122,8 @@ struct LogWriter::Impl {
     open_layer(samples);
     open_layer(joints);
     open_layer(panels);
+    open_layer(pairs);
+    open_layer(sight_intervals);
     open_layer(resources);
     open_layer(events);
     open_layer(phases);
@@ -204,6 +210,8 @@ LogWriter::~LogWriter() {
 void LogWriter::write(const SampleRow& row) { impl_->append(impl_->samples, row); }
 void LogWriter::write(const JointRow& row) { impl_->append(impl_->joints, row); }
 void LogWriter::write(const PanelRow& row) { impl_->append(impl_->panels, row); }
+void LogWriter::write(const PairRow& row) { impl_->append(impl_->pairs, row); }
+void LogWriter::write(const SightIntervalRow& row) { impl_->append(impl_->sight_intervals, row); }
 void LogWriter::write(const ResourceRow& row) { impl_->append(impl_->resources, row); }
 void LogWriter::write(const PhaseRow& row) { impl_->append(impl_->phases, row); }
 void LogWriter::write(const NoteRow& row) { impl_->append(impl_->notes, row); }

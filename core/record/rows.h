@@ -40,6 +40,25 @@ struct JointRow {
   double extension_m = not_modelled;  // of a prismatic joint
 };
 
+// Layer `pairs`: what one end sees of another at one time.
+struct PairRow {
+  SimTime time{};
+  std::string from_id, to_id;
+  double distance_m = 0;     // between reference points; Earth: its centre
+  std::int64_t visible = 0;  // 0 or 1, antenna to antenna; Earth: of its disc's centre
+  double visible_fraction = not_modelled;  // of Earth's disc
+  std::int64_t link = 0;                   // 0 or 1
+  std::string relay;  // ids that join the two without a direct link, comma-separated; "" = NULL
+};
+
+// Layer `sight_intervals`: how long one end saw another, or was linked to it.
+struct SightIntervalRow {
+  std::string from_id, to_id;
+  std::string kind;  // visible, link
+  SimTime start{}, end{};
+  double light_time_s = 0;  // from one to the other, at its start
+};
+
 // Layer `panels`: what the Sun did for one panel.
 struct PanelRow {
   SimTime time{};

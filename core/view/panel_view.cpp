@@ -20,24 +20,28 @@ constexpr int size_px = tile_px * tiles_across;
 
 // In radii of the light's cosine: below, the panel is seen from its edge.
 constexpr double cosine_min = 1e-4;
-constexpr float surface_m = 1e-3F;
+constexpr int clip_planes = 6;
 
-// Column k of a direction's matrix: panel coordinates (-1..1 across it; metres towards the light).
+// Column k of a viewpoint's matrix: panel coordinates (-1..1 across it; metres towards the viewer).
+// A line from a point at c to a viewer at distance d meets the panel's plane at c.xy / (1 - c.z/d).
 constexpr const char* vertex_shader = R"(#version 330 core
 uniform mat3 to_panel[64];
-uniform float surface_m;
+uniform float per_distance[64];
+uniform vec2 margins_m;
 layout(location = 0) in vec3 p_m;
 const float across = 8.0;
-out float gl_ClipDistance[5];
+out float gl_ClipDistance[6];
 void main() {
   vec3 c = to_panel[gl_InstanceID] * p_m;
-  gl_ClipDistance[0] = 1.0 - c.x;
-  gl_ClipDistance[1] = 1.0 + c.x;
-  gl_ClipDistance[2] = 1.0 - c.y;
-  gl_ClipDistance[3] = 1.0 + c.y;
-  gl_ClipDistance[4] = c.z - surface_m;
+  float w = 1.0 - c.z * per_distance[gl_InstanceID];
+  gl_ClipDistance[0] = w - c.x;
+  gl_ClipDistance[1] = w + c.x;
+  gl_ClipDistance[2] = w - c.y;
+  gl_ClipDistance[3] = w + c.y;
+  gl_ClipDistance[4] = c.z - margins_m.x;
+  gl_ClipDistance[5] = w - margins_m.y * per_distance[gl_InstanceID];
   vec2 tile = vec2(float(gl_InstanceID % 8), float(gl_InstanceID / 8));
-  gl_Position = vec4((2.0 * tile + 1.0 + c.xy) / across - 1.0, 0.0, 1.0);
+  gl_Position = vec4(((2.0 * tile + 1.0) * w + c.xy) / across - w, 0.0, w);
 }
 )";
 constexpr const char* fragment_shader = R"(#version 330 core
@@ -45,24 +49,31 @@ out vec4 colour;
 void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
 
-// Sides of the view that a point lies beyond, seen from each direction.
-enum Beyond : unsigned { right = 1, left = 2, over = 4, under = 8, behind = 16 };
+// Sides of the view that a point lies beyond, seen from each viewpoint.
+enum Beyond : unsigned { right = 1, left = 2, over = 4, under = 8, near = 16, behind = 32 };
 
-// Without triangles that lie beyond one side of the view whichever direction they are seen from.
+struct View {
+  Mat3 to_panel;
+  double per_distance = 0;  // 1/m
+};
+
+// Without triangles that lie beyond one side of the view wherever they are seen from.
 // Most of a rover lies so; what is left is drawn, and decides.
 std::vector<std::array<std::uint32_t, 3>> triangles_in_view(const PanelFace& panel,
                                                             const Mesh& mesh,
-                                                            const std::vector<Mat3>& to_panel) {
+                                                            const std::vector<View>& views) {
   constexpr double side = 1.001;  // more than single precision rounds
   const Vec3 normal = panel.normal();
   std::vector<unsigned> beyond;
   for (const auto& vertex : mesh.vertices) {
     const Vec3 p_m = Vec3(vertex[0], vertex[1], vertex[2]) - panel.centre_m;
-    unsigned sides = right | left | over | under;
-    for (const Mat3& m : to_panel) {
-      const double x = m.row(0).dot(p_m), y = m.row(1).dot(p_m);
-      sides &= (x > side ? right : 0U) | (x < -side ? left : 0U) | (y > side ? over : 0U) |
-               (y < -side ? under : 0U);
+    unsigned sides = right | left | over | under | near;
+    for (const auto& [to_panel, per_distance] : views) {
+      const Vec3 c = to_panel * p_m;
+      const double w = 1 - c.z() * per_distance;
+      sides &= (c.x() > side * w ? right : 0U) | (c.x() < -side * w ? left : 0U) |
+               (c.y() > side * w ? over : 0U) | (c.y() < -side * w ? under : 0U) |
+               (w < 0 ? near : 0U);
       if (sides == 0) break;
     }
     beyond.push_back(sides | (normal.dot(p_m) < 0 ? behind : 0U));
@@ -79,13 +90,13 @@ std::vector<std::array<std::uint32_t, 3>> triangles_in_view(const PanelFace& pan
 struct PanelView::Pipeline {
   Program program{vertex_shader, fragment_shader};
   GLuint framebuffer = 0, picture = 0, arrays = 0, vertices = 0, triangles = 0;
-  GLint to_panel = 0;
+  GLint to_panel = 0, per_distance = 0, margins_m = 0;
   std::vector<GLubyte> pixels = std::vector<GLubyte>(std::size_t{size_px} * size_px);
 
   Pipeline() {
     to_panel = program.uniform("to_panel");
-    glUseProgram(program.id());
-    glUniform1f(program.uniform("surface_m"), surface_m);
+    per_distance = program.uniform("per_distance");
+    margins_m = program.uniform("margins_m");
 
     glGenRenderbuffers(1, &picture);
     glBindRenderbuffer(GL_RENDERBUFFER, picture);
@@ -119,7 +130,7 @@ struct PanelView::Pipeline {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glBindVertexArray(arrays);
     glViewport(0, 0, size_px, size_px);
-    for (int k = 0; k < 5; ++k) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(k));
+    for (int k = 0; k < clip_planes; ++k) glEnable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(k));
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
   }
@@ -141,26 +152,35 @@ PanelView::~PanelView() = default;
 
 std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh& occluders,
                                               std::span<const Vec3> directions) {
-  LSOS_ASSERT(directions.size() <= directions_max);
-  std::vector<double> shares(directions.size(), 0.0);
+  std::vector<Viewpoint> viewpoints;
+  for (const Vec3& direction : directions) viewpoints.push_back({direction});
+  return visible_shares(panel, occluders, viewpoints);
+}
+
+std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh& occluders,
+                                              std::span<const Viewpoint> viewpoints,
+                                              const ViewMargins& margins) {
+  LSOS_ASSERT(viewpoints.size() <= directions_max);
+  std::vector<double> shares(viewpoints.size(), 0.0);
   const Vec3 normal = panel.normal();
-  // Only directions from the front get a tile.
-  std::vector<float> matrices;
-  std::vector<Mat3> to_panel;
+  // Only viewpoints before the front get a tile.
+  std::vector<float> matrices, per_distance;
+  std::vector<View> views;
   std::vector<std::size_t> drawn;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    if (directions[k].dot(normal) < cosine_min) continue;
+  for (std::size_t k = 0; k < viewpoints.size(); ++k) {
+    if (viewpoints[k].direction.dot(normal) < cosine_min) continue;
     Mat3 from_panel;
-    from_panel << panel.half_u_m, panel.half_v_m, directions[k];
-    to_panel.push_back(from_panel.inverse());
+    from_panel << panel.half_u_m, panel.half_v_m, viewpoints[k].direction;
+    views.push_back({from_panel.inverse(), 1 / viewpoints[k].distance_m});
     for (int j = 0; j < 9; ++j) {
-      matrices.push_back(static_cast<float>(to_panel.back()(j % 3, j / 3)));
+      matrices.push_back(static_cast<float>(views.back().to_panel(j % 3, j / 3)));
     }
+    per_distance.push_back(static_cast<float>(views.back().per_distance));
     drawn.push_back(k);
   }
   if (drawn.empty()) return shares;
   const std::vector<std::array<std::uint32_t, 3>> triangles =
-      triangles_in_view(panel, occluders, to_panel);
+      triangles_in_view(panel, occluders, views);
   if (triangles.empty()) {
     for (const std::size_t k : drawn) shares[k] = 1;
     return shares;
@@ -168,7 +188,11 @@ std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh
 
   Pipeline& gl = *pipeline_;
   gl.bind();
-  glUniformMatrix3fv(gl.to_panel, static_cast<GLsizei>(drawn.size()), GL_FALSE, matrices.data());
+  const auto count = static_cast<GLsizei>(drawn.size());
+  glUniformMatrix3fv(gl.to_panel, count, GL_FALSE, matrices.data());
+  glUniform1fv(gl.per_distance, count, per_distance.data());
+  glUniform2f(gl.margins_m, static_cast<float>(margins.panel_m),
+              static_cast<float>(margins.viewer_m));
   std::vector<std::array<float, 3>> vertices(occluders.vertices.size());
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     for (int j = 0; j < 3; ++j) {
@@ -187,7 +211,7 @@ std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh
   glClearColor(0, 1, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles.size()), GL_UNSIGNED_INT,
-                          nullptr, static_cast<GLsizei>(drawn.size()));
+                          nullptr, count);
   const int rows = (static_cast<int>(drawn.size()) + tiles_across - 1) / tiles_across;
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, size_px, rows * tile_px, GL_GREEN, GL_UNSIGNED_BYTE, gl.pixels.data());

@@ -1,7 +1,9 @@
-// How much of a panel the Sun sees: the panel drawn green as it is seen from there, everything
-// else black in front of it, and the green pixels counted.
+// How much of a panel is seen from somewhere: the panel drawn green as it is seen from there,
+// everything else black in front of it, and the green pixels counted. A panel that the Sun sees; an
+// ornament that another rover sees.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,6 +27,17 @@ struct PanelFace {
 // It as what shades others: two triangles.
 Mesh face_mesh(const PanelFace& face);
 
+// Where it is looked at from: infinitely far away the picture is orthographic.
+struct Viewpoint {
+  Vec3 direction = Vec3::UnitZ();  // unit, from the middle of the panel
+  double distance_m = std::numeric_limits<double>::infinity();
+};
+
+// What lies so near to the panel's plane or to the viewer does not count.
+struct ViewMargins {
+  double panel_m = 1e-3, viewer_m = 0;
+};
+
 class PanelView {
  public:
   static constexpr int directions_max = 64;
@@ -33,10 +46,13 @@ class PanelView {
   explicit PanelView(const Gpu& gpu);
   ~PanelView();
 
-  // Share 0..1 of the panel that is seen from each direction, which points from the panel to a
-  // light infinitely far away: the picture is orthographic, stretched so that the panel fills it. 0
-  // where the direction meets the panel's back. Of the occluders what lies on the dark side of the
-  // panel's plane does not count, nor within a millimetre of it. At most directions_max.
+  // Share 0..1 of the panel that is seen from each viewpoint: the picture is stretched so that the
+  // panel fills it. 0 from behind the panel. Of the occluders what lies beyond the panel's plane or
+  // behind the viewer does not count. At most directions_max.
+  std::vector<double> visible_shares(const PanelFace& panel, const Mesh& occluders,
+                                     std::span<const Viewpoint> viewpoints,
+                                     const ViewMargins& margins = {});
+  // From infinitely far away, in directions that point from the panel to the viewer.
   std::vector<double> visible_shares(const PanelFace& panel, const Mesh& occluders,
                                      std::span<const Vec3> directions);
 

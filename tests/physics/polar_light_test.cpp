@@ -72,7 +72,8 @@ TEST_F(PolarLight, never_comes_to_the_floors_of_the_cold_traps) {
 // A small square over the ground that faces the Sun, drawn, against the ground below it, marched:
 // random places and times, the Sun near the horizon.
 TEST_F(PolarLight, is_the_same_drawn_and_marched) {
-  Light light(*ground);
+  Renderer renderer;
+  Light light(*ground, renderer);
   GroundLightProbe probe(*ground, 0.2);
   constexpr double height_m = 1.5;
   RandomStream random(3);

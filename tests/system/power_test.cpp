@@ -4,29 +4,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "record/log.h"
-#include "system/run_folder.h"
+#include "system/plan_run.h"
 
 namespace lsos::test {
 namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
-
-// A run of a plan; keeps its folder.
-struct PlanRun {
-  explicit PlanRun(const std::vector<Mark>& plan, const Words& options = {}) {
-    Words words{"run", folder.write("plan.kml", kml(plan)), "-o", folder / "run", "--quiet"};
-    words.insert(words.end(), options.begin(), options.end());
-    outcome = test::run(words);
-  }
-  std::vector<SampleRow> samples() const { return log().samples(); }
-  LogReader log() const { return LogReader(folder / "run" / "log.gpkg"); }
-  json summary() const { return test::summary(folder / "run"); }
-
-  TempFolder folder;
-  Outcome outcome;
-};
 
 // 30 degrees east at the equator: the Sun stands high on 2026-01-01 (79 deg).
 constexpr const char* in_sunshine = "30,10";

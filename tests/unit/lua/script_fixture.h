@@ -35,6 +35,11 @@ class RecordingRover : public RoverPort {
     calls.push_back("follow " + std::to_string(path.size()) + " points");
   }
   RoverPower& power() override { return energy; }
+  double deploy_antenna(const std::string& antenna, bool up,
+                        std::optional<double> duration_s) override {
+    calls.push_back((up ? "deploy '" : "stow '") + antenna + "'");
+    return duration_s.value_or(60);
+  }
   void brake() override { calls.push_back("brake"); }
   void note(const std::string& name, const std::string& fields_json) override {
     calls.push_back("note " + name + " " + fields_json);

@@ -67,6 +67,22 @@ class PanelInView : public ::testing::Test {
   PanelView view{gpu};
 };
 
+// A wall halfway to the viewer, its edge a quarter from the middle: in perspective it hides what
+// lies beyond a half. Behind the viewer, or within the margins, it hides nothing.
+TEST_F(PanelInView, from_near_by_is_seen_in_perspective) {
+  const PanelFace panel{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
+  const auto seen = [&](double wall_m, const ViewMargins& margins) {
+    const Mesh wall = mesh_of({{Vec3(10, 10, 0.01), Mat3::Identity(), Vec3(5.25, 0, wall_m)}});
+    const Viewpoint viewer{Vec3::UnitZ(), 10};
+    return view.visible_shares(panel, wall, std::span(&viewer, 1), margins)[0];
+  };
+  EXPECT_NEAR(seen(5, {}), 0.75, 0.01);
+  EXPECT_NEAR(seen(2, {}), (1 + 0.25 / 0.8) / 2, 0.01);
+  EXPECT_EQ(seen(12, {}), 1);
+  EXPECT_EQ(seen(9.8, {0.3, 0.3}), 1);
+  EXPECT_EQ(seen(0.2, {0.3, 0.3}), 1);
+}
+
 TEST_F(PanelInView, alone_is_seen_whole_from_its_front_only) {
   const PanelFace panel{{1, 2, 3}, {0.5, 0, 0}, {0, 0.3, 0}};
   EXPECT_EQ(share(panel, {}, sun_at(30, 40)), 1);

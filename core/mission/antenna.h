@@ -1,0 +1,65 @@
+// A rover's antennas: what a script says of them, and which are up.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/archive.h"
+#include "base/vector.h"
+
+namespace lsos {
+
+struct AntennaSpec {
+  std::string name;
+  Vec3 p_B_m = Vec3::Zero();         // chassis axes, when up
+  std::optional<Vec3> stowed_p_B_m;  // absent: it is always up
+  double deploy_s = 0;               // how long raising or lowering takes, and what it uses
+  double deploy_w = 0;
+  double power_w = 0;  // while it is up
+  double range_max_m = std::numeric_limits<double>::infinity();
+  bool reaches_earth = true;
+
+  bool is_stowable() const { return stowed_p_B_m.has_value(); }
+};
+
+// Those that can be stowed are so at the start. One on its way up is not up yet; one that is stowed
+// is down at once.
+class AntennaArray {
+ public:
+  AntennaArray() = default;
+  explicit AntennaArray(std::vector<AntennaSpec> specs)
+      : specs_(std::move(specs)), states_(specs_.size()) {}
+
+  const std::vector<AntennaSpec>& specs() const { return specs_; }
+  bool is_up(std::size_t i, SimTime now) const;
+  // The first that is up; while none is, the first. There is at least one.
+  std::size_t in_use(SimTime now) const;
+  // Of the one in use, chassis axes.
+  Vec3 p_B_m(SimTime now) const;
+  // What all use, W.
+  double power_w(SimTime now) const;
+
+  // Of the antenna with that name, "" for all that can be stowed. Answers how long it takes, s.
+  // Throws std::runtime_error: no such antenna, cannot be stowed.
+  double deploy(const std::string& name, bool up, std::optional<double> duration_s, SimTime now);
+  // When the next that moves arrives, after now.
+  std::optional<SimTime> next_end(SimTime now) const;
+  // Which one is in use, or whether it is up, may differ from before this exchange.
+  bool has_changed(SimTime now) const;
+
+  void archive(Archive& a);
+
+ private:
+  struct State {
+    bool goes_up = false;
+    std::optional<SimTime> told, end;  // of its last motion
+
+    void archive(Archive& a) { a(goes_up)(told)(end); }
+  };
+  std::vector<AntennaSpec> specs_;
+  std::vector<State> states_;
+};
+
+}  // namespace lsos

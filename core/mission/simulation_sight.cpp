@@ -1,0 +1,78 @@
+// The part of a mission that has to do with who sees whom.
+#include <algorithm>
+
+#include "mission/simulation.h"
+#include "mission/sun_watch.h"
+
+namespace lsos {
+
+void Simulation::make_sight() {
+  const std::size_t ends = rovers_.size() + assets_.size();
+  const bool is_earth_seen = ground_->site().body().name != earth_id;
+  if (!setup_.keeps_sight || (ends < 2 && !is_earth_seen)) return;
+  if (!renderer_) renderer_ = std::make_unique<Renderer>();
+  sight_ = std::make_unique<SightWatch>(*ground_, *renderer_, ends);
+}
+
+// Rovers, then assets.
+std::vector<SightEnd> Simulation::sight_ends() const {
+  std::vector<SightEnd> ends;
+  for (const Rover& rover : rovers_) {
+    const AntennaArray& antennas = rover.agent->antennas();
+    const std::size_t in_use = antennas.in_use(now_);
+    const AntennaSpec& antenna = antennas.specs()[in_use];
+    ends.push_back({rover.agent->id(), rover.agent->view().p_S_m, rover.agent->antenna_S_m(),
+                    antennas.is_up(in_use, now_), antenna.range_max_m, antenna.reaches_earth,
+                    antennas.has_changed(now_) ? Motion::has_ended : rover.motion,
+                    rover.agent->shape().reach_m()});
+  }
+  for (const StandingAsset& asset : assets_) {
+    const double height_m = asset.plan.antenna_height_m.value_or(asset.model.antenna_height_m);
+    ends.push_back({asset.plan.id, asset.pose.p_S_m, asset.pose.point_S_m({0, 0, height_m}), true,
+                    asset.model.antenna_range_max_m, asset.model.reaches_earth, Motion::none,
+                    asset.shape.reach_m()});
+  }
+  return ends;
+}
+
+// What may stand between two places; where they are one, all that is near to it.
+Mesh Simulation::solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const {
+  const Vec3 way_m = to_S_m - from_S_m;
+  const double length_m = way_m.norm(), aside_m = length_m > 0 ? 0 : shading_reach_m;
+  const auto is_near = [&](const Vec3& p_S_m, double reach_m) {
+    const double share =
+        length_m > 0 ? std::clamp((p_S_m - from_S_m).dot(way_m) / (length_m * length_m), 0.0, 1.0)
+                     : 0;
+    return (p_S_m - from_S_m - share * way_m).norm() < reach_m + aside_m;
+  };
+  Mesh mesh;
+  for (const Rover& rover : rovers_) {
+    if (!is_near(rover.agent->view().p_S_m, rover.agent->shape().reach_m())) continue;
+    append_solids(mesh, *rover.agent, from_S_m, now_);
+  }
+  for (const StandingAsset& asset : assets_) {
+    if (!is_near(asset.pose.p_S_m, asset.shape.reach_m())) continue;
+    asset.shape.append_to(mesh, {asset.pose}, from_S_m);
+  }
+  return mesh;
+}
+
+void Simulation::watch_sight() {
+  const Instant utc = setup_.plan.mission.start_time + now_;
+  const auto ended = sight_->look(
+      now_, utc, sight_ends(),
+      [&](const Vec3& from_S_m, const Vec3& to_S_m) { return solids_between(from_S_m, to_S_m); });
+  if (log_ == nullptr) return;
+  for (const SightIntervalRow& row : ended) log_->write(row);
+}
+
+void Simulation::log_pairs(std::size_t from) {
+  const Instant utc = setup_.plan.mission.start_time + now_;
+  for (const PairRow& row : sight_->rows(now_, utc, sight_ends(), from)) log_->write(row);
+}
+
+void Simulation::finish_sight() {
+  for (const SightIntervalRow& row : sight_->finish(now_, sight_ends())) log_->write(row);
+}
+
+}  // namespace lsos

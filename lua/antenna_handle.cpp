@@ -1,0 +1,42 @@
+// `rover.antennas`: raising and stowing them.
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "lua/handle.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+namespace {
+
+template <bool up>
+int deploy(lua_State* L) {
+  RoverPort& rover = handle_call(L, antennas_handle_type()).phase.rover;
+  std::optional<double> duration_s;
+  if (!lua_isnoneornil(L, 3)) {
+    duration_s = luaL_checknumber(L, 3);
+    if (!(*duration_s >= 0)) {
+      throw std::runtime_error(fmt::format("antennas: a duration of {} s is below 0", *duration_s));
+    }
+  }
+  lua_pushnumber(L, rover.deploy_antenna(luaL_optstring(L, 2, ""), up, duration_s));
+  return 1;
+}
+
+}  // namespace
+
+const HandleType& antennas_handle_type() {
+  static const HandleType type{
+      "rover.antennas",
+      "The rover's antennas.",
+      {},
+      {{"deploy", guard<deploy<true>>, "antennas:deploy(name, duration_s)",
+        "Raises the one with that name (nil: all that can be stowed), in that time or its own. "
+        "Answers how long it takes, s."},
+       {"stow", guard<deploy<false>>, "antennas:stow(name, duration_s)", "The reverse."}}};
+  return type;
+}
+
+}  // namespace lsos

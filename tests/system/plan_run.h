@@ -1,0 +1,26 @@
+// A plan, run by the program, and what it left.
+#pragma once
+
+#include <vector>
+
+#include "record/log.h"
+#include "system/run_folder.h"
+
+namespace lsos::test {
+
+// A run of a plan; keeps its folder.
+struct PlanRun {
+  explicit PlanRun(const std::vector<Mark>& plan, const Words& options = {}) {
+    Words words{"run", folder.write("plan.kml", kml(plan)), "-o", folder / "run", "--quiet"};
+    words.insert(words.end(), options.begin(), options.end());
+    outcome = test::run(words);
+  }
+  std::vector<SampleRow> samples() const { return log().samples(); }
+  LogReader log() const { return LogReader(folder / "run" / "log.gpkg"); }
+  nlohmann::json summary() const { return test::summary(folder / "run"); }
+
+  TempFolder folder;
+  Outcome outcome;
+};
+
+}  // namespace lsos::test

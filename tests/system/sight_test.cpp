@@ -1,0 +1,150 @@
+// Who sees whom in a mission: layers `pairs` and `sight_intervals`.
+#include <gmock/gmock.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "system/plan_run.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Degrees of longitude on the Moon's equator.
+double degrees_of_m(double distance_m) { return distance_m / 1737400 * 180 / std::numbers::pi; }
+
+std::string east_m(double distance_m) { return fmt::format("{:.9f},0", degrees_of_m(distance_m)); }
+
+Mark flat(const Fields& more = {}) {
+  Fields fields{{"Planet", "Moon"}, {"StartTime", "2026-07-01T00:00:00Z"}, {"Terrain", "Flat"}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return {"MissionInfo", fields, ""};
+}
+Mark rover(const std::string& id, const std::string& type, double at_m) {
+  return {"Rover", {{"RoverId", id}, {"RoverType", type}}, point(east_m(at_m))};
+}
+Mark asset(const std::string& id, const std::string& type, double at_m, const Fields& more = {}) {
+  Fields fields{{"AssetId", id}, {"AssetType", type}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return {"Asset", fields, point(east_m(at_m))};
+}
+
+PairRow pair_at(const PlanRun& run, double time_s, const std::string& from, const std::string& to) {
+  for (const PairRow& row : run.log().pairs()) {
+    if (row.time == from_seconds(time_s) && row.from_id == from && row.to_id == to) return row;
+  }
+  ADD_FAILURE() << "no row of " << from << " and " << to << " at " << time_s;
+  return {};
+}
+
+// Over a sphere two heights see each other as far as sqrt(2 R h1) + sqrt(2 R h2).
+TEST(Sight, ends_at_the_horizon) {
+  const double reach_m = std::sqrt(2 * 1737400.0) * (std::sqrt(10.0) + std::sqrt(4.0));
+  for (const double share : {0.98, 1.02}) {
+    const PlanRun run({flat(), rover("R", "MER", -200),
+                       event("Pause", "R", 1, {{"Duration", "60"}}), asset("M1", "CommStation", 0),
+                       asset("M2", "CommStation", share * reach_m, {{"Height", "4"}})});
+    ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    const PairRow row = pair_at(run, 60, "M1", "M2");
+    EXPECT_EQ(row.visible, share < 1) << share;
+    EXPECT_EQ(row.link, share < 1) << share;
+    EXPECT_NEAR(row.distance_m, share * reach_m, 1);
+  }
+}
+
+TEST(Sight, two_below_each_others_horizon_are_joined_through_an_asset) {
+  const PlanRun run({flat(), rover("A", "SEV", 0), rover("B", "SEV", 9000),
+                     event("Pause", "A", 1, {{"Duration", "120"}}),
+                     asset("Mid", "CommStation", 4500), asset("Off", "CommStation", 60000)});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const PairRow both = pair_at(run, 0, "A", "B");
+  EXPECT_EQ(both.visible, 0);
+  EXPECT_EQ(both.link, 0);
+  EXPECT_EQ(both.relay, "Mid");
+  EXPECT_NEAR(both.distance_m, 9000, 1);
+  EXPECT_EQ(pair_at(run, 0, "A", "Mid").link, 1);
+  EXPECT_EQ(pair_at(run, 0, "A", "Mid").relay, "");
+  EXPECT_EQ(pair_at(run, 0, "A", "Off").relay, "");  // nobody sees it
+  // Their own antennas do not reach Earth; the station's does.
+  EXPECT_EQ(pair_at(run, 0, "A", "Earth").visible, 1);
+  EXPECT_EQ(pair_at(run, 0, "A", "Earth").link, 0);
+  EXPECT_EQ(pair_at(run, 0, "A", "Earth").relay, "Mid");
+}
+
+TEST(Sight, a_habitat_stands_between) {
+  for (const double aside_deg : {0.0, degrees_of_m(30)}) {
+    Mark home = asset("Home", "Habitat", 60);
+    home.geometry = point(fmt::format("{:.9f},{:.9f}", degrees_of_m(60), aside_deg));
+    const PlanRun run({flat(), rover("A", "MER", 0), rover("B", "MER", 120), home,
+                       event("Pause", "A", 1, {{"Duration", "60"}})});
+    ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    EXPECT_EQ(pair_at(run, 0, "A", "B").visible, aside_deg > 0);
+  }
+}
+
+TEST(Sight, of_earth_ends_where_the_near_side_ends) {
+  const auto seen = [](const std::string& at) {
+    Mark rover{"Rover", {{"RoverId", "R"}, {"RoverType", "MER"}}, point(at)};
+    const PlanRun run({flat(), rover, event("Pause", "R", 1, {{"Duration", "60"}})});
+    EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    return pair_at(run, 0, "R", "Earth");
+  };
+  const PairRow near = seen("0,0"), far = seen("180,0");
+  EXPECT_EQ(near.visible, 1);
+  EXPECT_EQ(near.visible_fraction, 1);
+  EXPECT_EQ(near.link, 1);
+  EXPECT_NEAR(near.distance_m, 3.84e8, 3e7);
+  EXPECT_EQ(far.visible, 0);
+  EXPECT_EQ(far.visible_fraction, 0);
+  EXPECT_EQ(far.link, 0);
+}
+
+TEST(Sight, a_mast_links_while_it_is_up_and_takes_power) {
+  const PlanRun run({flat({{"LogInterval", "1"}}), rover("A", "SEV", 0),
+                     event("DeployCA", "A", 1, {{"Asset", "Mast"}, {"Duration", "100"}}),
+                     event("Pause", "A", 2, {{"Duration", "50"}}),
+                     event("StowCA", "A", 3, {{"Duration", "30"}})});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  std::vector<SightIntervalRow> links;
+  for (const SightIntervalRow& row : run.log().sight_intervals()) {
+    if (row.kind == "link") links.push_back(row);
+  }
+  ASSERT_EQ(links.size(), 1u);
+  EXPECT_EQ(links[0].to_id, "Earth");
+  EXPECT_NEAR(seconds(links[0].start), 100, 0.2);
+  EXPECT_NEAR(seconds(links[0].end), 150, 0.5);
+  EXPECT_NEAR(links[0].light_time_s, 1.28, 0.1);
+  const std::vector<SampleRow> rows = run.samples();
+  const double before_w = rows[170].load_w - 150;  // on its way down
+  EXPECT_NEAR(rows[50].load_w, before_w + 150, 1e-9);
+  EXPECT_NEAR(rows[120].load_w, before_w + 60, 1e-9);
+  EXPECT_EQ(run.log().phases()[0].phase, "start");
+}
+
+TEST(Sight, is_looked_at_whatever_is_logged) {
+  const auto intervals = [](const Fields& more, const Words& options) {
+    Mark mission = flat(more);
+    mission.fields[2] = {"Terrain", "Craters"};
+    const PlanRun run({mission, rover("A", "SEV", 0), rover("B", "LRV", 300),
+                       event("Route", "A", 1, {}, point(east_m(150))),
+                       event("Pause", "B", 1, {{"Duration", "200"}})},
+                      options);
+    EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    std::string text;
+    for (const SightIntervalRow& row : run.log().sight_intervals()) {
+      text += fmt::format("{} {} {} {} {} {}\n", row.from_id, row.to_id, row.kind,
+                          seconds(row.start), seconds(row.end), row.light_time_s);
+    }
+    return text;
+  };
+  const std::string once = intervals({{"LogInterval", "2"}}, {});
+  EXPECT_THAT(once, HasSubstr("A B visible"));
+  EXPECT_EQ(once, intervals({{"LogInterval", "10"}}, {"--threads", "2"}));
+  EXPECT_EQ(once, intervals({{"LogInterval", "2"}}, {"--save-every-exchange"}));
+}
+
+}  // namespace
+}  // namespace lsos::test
