@@ -1,8 +1,10 @@
 // Energy and light through the whole program: plan, scripts, rendering, log.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "system/plan_run.h"
 
@@ -315,6 +317,47 @@ TEST(Power, is_taken_by_another_rovers_shadow) {
   EXPECT_LT(fraction("-52.49973,0"), 0.2);     // 8 m to the east
   EXPECT_EQ(fraction("-52.5006,0"), alone);    // to the west
   EXPECT_EQ(fraction("-52.5,0.0006"), alone);  // to the north
+}
+
+// The Sun stands 3 degrees high at an azimuth of 16.3; 10 m towards it another rover puts its panel
+// up, and down again. Looks at the Sun are six minutes apart: what a neighbour does counts at once.
+TEST(Light, a_neighbours_panel_shades_as_soon_as_it_moves) {
+  const double azimuth = 16.28 * std::numbers::pi / 180, latitude = -86 * std::numbers::pi / 180;
+  const double deg_a_m = 180 / std::numbers::pi / 1737400;
+  const std::string beside =
+      fmt::format("{:.9f},{:.9f}", 10 * std::sin(azimuth) * deg_a_m / std::cos(latitude),
+                  -86 + 10 * std::cos(azimuth) * deg_a_m);
+  const auto rover_at = [](const std::string& id, const std::string& at) {
+    return Mark{"Rover", {{"RoverId", id}, {"RoverType", "SEV"}, {"Heading", "0"}}, point(at)};
+  };
+  const PlanRun run({{"MissionInfo",
+                      {{"Planet", "Moon"},
+                       {"StartTime", "2026-07-28T00:00:00Z"},
+                       {"Terrain", "Flat"},
+                       {"LogInterval", "1"}},
+                      ""},
+                     rover_at("A", "0,-86"),
+                     rover_at("B", beside),
+                     event("SteerSP", "A", 1),
+                     event("Pause", "A", 2, {{"Duration", "800"}}),
+                     event("SteerSP", "B", 1),
+                     event("Pause", "B", 2, {{"Duration", "500"}}),
+                     event("StowSP", "B", 3)});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  double stow_s = 0;
+  for (const PhaseRow& phase : run.log().phases()) {
+    if (phase.rover_id == "B" && phase.phase == "stow") stow_s = seconds(phase.start);
+  }
+  ASSERT_GT(stow_s, 500);
+  for (const SampleRow& row : run.samples()) {
+    if (row.rover_id != "A") continue;
+    const double time_s = seconds(row.time);
+    if (time_s == 0 || time_s > stow_s + 1) {
+      EXPECT_GT(row.sun_fraction, 0.95) << time_s;
+    } else if (time_s > stow_s - 50 && time_s < stow_s) {
+      EXPECT_LT(row.sun_fraction, 0.4) << time_s;
+    }
+  }
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ PairRow pair_at(const PlanRun& run, double time_s, const std::string& from, cons
 }
 
 // Over a sphere two heights see each other as far as sqrt(2 R h1) + sqrt(2 R h2).
-TEST(Sight, ends_at_the_horizon) {
+TEST(Pairs, ends_at_the_horizon) {
   const double reach_m = std::sqrt(2 * 1737400.0) * (std::sqrt(10.0) + std::sqrt(4.0));
   for (const double share : {0.98, 1.02}) {
     const PlanRun run({flat(), rover("R", "MER", -200),
@@ -55,7 +55,7 @@ TEST(Sight, ends_at_the_horizon) {
   }
 }
 
-TEST(Sight, two_below_each_others_horizon_are_joined_through_an_asset) {
+TEST(Pairs, two_below_each_others_horizon_are_joined_through_an_asset) {
   const PlanRun run({flat(), rover("A", "SEV", 0), rover("B", "SEV", 9000),
                      event("Pause", "A", 1, {{"Duration", "120"}}),
                      asset("Mid", "CommStation", 4500), asset("Off", "CommStation", 60000)});
@@ -74,7 +74,7 @@ TEST(Sight, two_below_each_others_horizon_are_joined_through_an_asset) {
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").relay, "Mid");
 }
 
-TEST(Sight, a_habitat_stands_between) {
+TEST(Pairs, a_habitat_stands_between) {
   for (const double aside_deg : {0.0, degrees_of_m(30)}) {
     Mark home = asset("Home", "Habitat", 60);
     home.geometry = point(fmt::format("{:.9f},{:.9f}", degrees_of_m(60), aside_deg));
@@ -85,7 +85,7 @@ TEST(Sight, a_habitat_stands_between) {
   }
 }
 
-TEST(Sight, of_earth_ends_where_the_near_side_ends) {
+TEST(Pairs, of_earth_ends_where_the_near_side_ends) {
   const auto seen = [](const std::string& at) {
     Mark rover{"Rover", {{"RoverId", "R"}, {"RoverType", "MER"}}, point(at)};
     const PlanRun run({flat(), rover, event("Pause", "R", 1, {{"Duration", "60"}})});
@@ -102,7 +102,7 @@ TEST(Sight, of_earth_ends_where_the_near_side_ends) {
   EXPECT_EQ(far.link, 0);
 }
 
-TEST(Sight, a_mast_links_while_it_is_up_and_takes_power) {
+TEST(Pairs, a_mast_links_while_it_is_up_and_takes_power) {
   const PlanRun run({flat({{"LogInterval", "1"}}), rover("A", "SEV", 0),
                      event("DeployCA", "A", 1, {{"Asset", "Mast"}, {"Duration", "100"}}),
                      event("Pause", "A", 2, {{"Duration", "50"}}),
@@ -124,7 +124,7 @@ TEST(Sight, a_mast_links_while_it_is_up_and_takes_power) {
   EXPECT_EQ(run.log().phases()[0].phase, "start");
 }
 
-TEST(Sight, is_looked_at_whatever_is_logged) {
+TEST(Pairs, is_looked_at_whatever_is_logged) {
   const auto intervals = [](const Fields& more, const Words& options) {
     Mark mission = flat(more);
     mission.fields[2] = {"Terrain", "Craters"};
