@@ -14,10 +14,8 @@ namespace {
 // middles and half heights in radii: five of them err by less than 1 % of the disc.
 constexpr int strips = 5;
 
-constexpr double step_share = 0.01;    // of the distance marched
-constexpr int steps_refined = 8;       // about the highest ground
-constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
-constexpr double eye_m = 1e-3;         // above the ground, against its own rounding
+constexpr int steps_refined = 8;  // about the highest ground
+constexpr double eye_m = 1e-3;    // above the ground, against its own rounding
 
 // Where a disc of radius 1 is cut so that the part to the left has that share of its area.
 double cut_at(double share) {
@@ -33,17 +31,7 @@ double cut_at(double share) {
 }  // namespace
 
 GroundLightProbe::GroundLightProbe(const Ground& ground, double resolution_m)
-    : ground_(&ground), resolution_m_(resolution_m) {}
-
-Ground::Probe& GroundLightProbe::probe(double distance_m) {
-  const double wanted_m = coarse_share * step_share * distance_m;
-  const int octave =
-      wanted_m <= resolution_m_ ? 0 : 1 + static_cast<int>(std::log2(wanted_m / resolution_m_));
-  const auto found = probes_.find(octave);
-  if (found != probes_.end()) return found->second;
-  return probes_.emplace(octave, Ground::Probe(*ground_, std::ldexp(resolution_m_, octave)))
-      .first->second;
-}
+    : ground_(&ground), resolution_m_(resolution_m), probes_(ground, resolution_m) {}
 
 std::optional<double> GroundLightProbe::elevation_rad(const Vec3& eye_S_m, const Vec3& up_S,
                                                       const Vec3& along_S, double distance_m) {

@@ -2,10 +2,9 @@
 // marching over the height field, for maps; panels are looked at by rendering (panel_view.h).
 #pragma once
 
-#include <map>
 #include <optional>
 
-#include "terrain/ground.h"
+#include "view/ground_probes.h"
 
 namespace lsos {
 
@@ -26,17 +25,22 @@ class GroundLightProbe {
                                 double height_m = 0);
 
  private:
+  static constexpr double step_share = 0.01;    // of the distance marched
+  static constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
+
   // The highest elevation of ground in a direction along the surface, rad.
   double horizon_rad(const Vec3& eye_S_m, const Vec3& up_S, const Vec3& along_S, double lowest_rad,
                      double highest_rad);
   // The elevation under which the ground at that distance is seen; absent: there is none.
   std::optional<double> elevation_rad(const Vec3& eye_S_m, const Vec3& up_S, const Vec3& along_S,
                                       double distance_m);
-  Ground::Probe& probe(double distance_m);
+  Ground::Probe& probe(double distance_m) {
+    return probes_.at(coarse_share * step_share * distance_m);
+  }
 
   const Ground* ground_;
   double resolution_m_;
-  std::map<int, Ground::Probe> probes_;  // by octave of distance
+  GroundProbes probes_;
 };
 
 }  // namespace lsos

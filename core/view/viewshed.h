@@ -1,0 +1,77 @@
+// Which places of a map an observer sees: rays over the ground, outwards from the observer, each
+// with the highest elevation met so far; a place is seen where it stands above that of the rays on
+// either side, just before it. On the map the ground is linear between its cells.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "terrain/map_grid.h"
+#include "view/ground_probes.h"
+#include "view/map_heights.h"
+
+namespace lsos {
+
+// What of the surroundings is looked at.
+struct ViewSector {
+  double azimuth_low_rad = 0;  // clockwise from north
+  double width_rad = 0;
+  double nearest_m = 0;  // along the surface, of what is asked for
+  double farthest_m = 0;
+};
+// All that the cells of the map lie in.
+ViewSector sector_of(const MapGrid& grid, const SiteFrame& site, const Geodetic& observer);
+
+struct Observer {
+  Geodetic place;     // its height is that of the eye, above the reference surface
+  double cell_m = 1;  // of the map: what is much smaller is left out of the ground
+  // Heights above a plane, distances as along the surface. Else lines are straight and the body is
+  // round.
+  bool is_flat = false;
+};
+
+class Viewshed {
+ public:
+  // `heights`: of the map; null: all is as the ground has it.
+  Viewshed(const Ground& ground, const MapHeights* heights, const Observer& observer,
+           const ViewSector& sector);
+
+  // Rays may be marched side by side, each thread with probes of its own; all of them first.
+  std::size_t ray_count() const { return ray_count_; }
+  GroundProbes probes() const { return {*ground_, observer_.cell_m}; }
+  void march(std::size_t ray, GroundProbes& probes);
+
+  // In the sector. Nothing beyond reach_m() is seen.
+  bool sees(const Vec3& target_S_m) const;
+  // Beyond, the body itself hides all ground and what stands on it; flat maps end there.
+  double reach_m() const;
+
+ private:
+  struct Polar {
+    double azimuth_rad;
+    double distance_m;  // along the surface
+    double slope;       // tangent of the elevation
+  };
+  Polar polar(const Vec3& p_S_m) const;
+  Vec3 p_S_m(double azimuth_rad, double distance_m) const;
+  void add_distances();
+  // Where a ray's samples lie on the map; absent where it has no such place.
+  using Track = std::vector<std::optional<GridCoordinates>>;
+  Track track(double azimuth_rad) const;
+  void add_between(std::size_t first, std::size_t last, double azimuth_rad, Track& track) const;
+  std::optional<GridCoordinates> on_map(double azimuth_rad, std::size_t sample) const;
+
+  const Ground* ground_;
+  const MapHeights* heights_;
+  Observer observer_;
+  ViewSector sector_;
+  Vec3 eye_S_m_, up_S_, north_S_, east_S_;
+  double radius_m_;  // of the eye from the centre of a sphere
+  std::size_t ray_count_ = 0;
+  double spacing_rad_ = 0;
+  double fineness_ = 1;                      // cells between samples
+  std::vector<double> distances_m_;          // of a ray's samples
+  std::vector<std::vector<float>> highest_;  // slope met so far, ray by ray, as far as the map goes
+};
+
+}  // namespace lsos
