@@ -35,23 +35,9 @@ Question question_of(const LightOptions& options) {
   question.at = at.value.value_or(Instant{});
   if (!terrain.site.empty()) question.site = option_place("--site", terrain.site, faults);
   if (!terrain.window.empty()) question.window = option_window(terrain.window, faults);
-  if (terrain.resolution_m &&
-      !(std::isfinite(*terrain.resolution_m) && *terrain.resolution_m > 0)) {
-    faults.error({}, fmt::format("--resolution {}: must be above 0 m", *terrain.resolution_m));
-  }
-  if (terrain.resolution_m && terrain.window.empty()) {
-    faults.error({}, "--resolution: a --window LON0,LAT0,LON1,LAT1 is missing");
-  }
+  check_resolution(terrain, faults);
   faults.throw_if_errors();
   return question;
-}
-
-// About as long as a cell's side.
-double cell_m(const MapGrid& grid, const Body& body) {
-  const RasterMap map = grid.map(body);
-  const double column = grid.columns / 2.0, row = grid.rows / 2.0;
-  const auto here = map.place({column, row}), next = map.place({column + 1, row});
-  return here && next ? std::max(0.1, surface_distance_m(body, *here, *next)) : 1;
 }
 
 }  // namespace

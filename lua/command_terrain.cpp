@@ -38,13 +38,7 @@ void check_export(const TerrainOptions& options, Faults& faults) {
   if (!is_export && options.at.empty()) {
     faults.error({}, "terrain: nothing is asked; --at LON,LAT or --export OUT.tif is wanted");
   }
-  if (options.resolution_m &&
-      !(std::isfinite(*options.resolution_m) && *options.resolution_m > 0)) {
-    faults.error({}, fmt::format("--resolution {}: must be above 0 m", *options.resolution_m));
-  }
-  if (options.resolution_m && options.window.empty()) {
-    faults.error({}, "--resolution: a --window LON0,LAT0,LON1,LAT1 is missing");
-  }
+  check_resolution(options, faults);
 }
 
 // All that is wrong at once.

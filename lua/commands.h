@@ -77,6 +77,17 @@ struct LightOptions {
 };
 int light_command(const LightOptions& options);
 
+struct SightOptions {
+  TerrainOptions terrain;          // of these name, raster, planet, site, seed, window, resolution
+  std::string from;                // "LON,LAT,H", H above the ground
+  std::vector<std::string> to;     // the same
+  std::optional<double> height_m;  // of targets all over a map, above the ground
+  std::string file;                // OUT.tif; "": no map
+  bool is_flat = false;
+  int threads = 1;
+};
+int sight_command(const SightOptions& options);
+
 struct SunOptions {
   std::string planet;
   std::string site;             // "LON,LAT[,HEIGHT]"

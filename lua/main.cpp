@@ -14,11 +14,11 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run",     "check",   "fsm", "light", "list",
-                                     "overlay", "picture", "rig", "sun",   "terrain"};
+const std::vector<std::string> built{"run",     "check", "fsm",   "light", "list",   "overlay",
+                                     "picture", "rig",   "sight", "sun",   "terrain"};
 // Named in the manual, not there yet.
 const std::vector<std::string> unbuilt{"repl",   "test",   "resume", "report", "compare",
-                                       "schema", "import", "export", "sight",  "new"};
+                                       "schema", "import", "export", "new"};
 
 // `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
 // told which one was meant.
@@ -53,8 +53,8 @@ void add_ground(CLI::App& command, lsos::TerrainOptions& terrain) {
   command.add_option("--crs", terrain.crs, "In place of the raster's own: IAU_2015:30135, ...");
   command.add_option("--planet", terrain.planet, "Of a script (its raster's, else Moon)");
   command.add_option("--site", terrain.site,
-                     "LON,LAT where x, y and generated ground begin (the first --at, or the "
-                     "window's centre)");
+                     "LON,LAT where x, y and generated ground begin (the first --at, --from, or "
+                     "the window's centre)");
   command.add_option("--seed", terrain.seed, "Of generated ground (0)");
   command.add_option("--window", terrain.window,
                      "LON0,LAT0,LON1,LAT1 of the map (all of the finest raster)");
@@ -81,6 +81,24 @@ CLI::App* add_light(CLI::App& app, lsos::LightOptions& light, bool& is_json) {
   command->add_option("--at", light.at, "UTC: 2026-07-01T00:00:00Z")->required();
   command->add_option("-o,--output", light.file, "The GeoTIFF to write")->required();
   command->add_option("--threads", light.threads, "Threads that work on it")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  return command;
+}
+
+CLI::App* add_sight(CLI::App& app, lsos::SightOptions& sight, bool& is_json) {
+  CLI::App* command = app.add_subcommand(
+      "sight", "Whether places see each other over the ground, and maps of what one sees");
+  add_ground(*command, sight.terrain);
+  command->add_option("--from", sight.from, "LON,LAT,H: degrees, and m above the ground")
+      ->required();
+  command->add_option("--to", sight.to, "LON,LAT,H; may come more than once")
+      ->allow_extra_args(false);
+  command->add_option("--height", sight.height_m,
+                      "Of what the map looks for in each cell, m above the ground");
+  command->add_option("-o,--output", sight.file, "The GeoTIFF to write: 1 seen, 0 not");
+  command->add_flag("--flat", sight.is_flat, "The map as if the body did not curve");
+  command->add_option("--threads", sight.threads, "Threads that work on it")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", is_json, "Its answer is JSON in any case");
   return command;
@@ -187,6 +205,9 @@ int run_program(std::vector<std::string> arguments) {
   lsos::LightOptions light;
   CLI::App* light_command = add_light(app, light, is_json);
 
+  lsos::SightOptions sight;
+  CLI::App* sight_command = add_sight(app, sight, is_json);
+
   lsos::PictureOptions picture;
   CLI::App* picture_command = add_picture(app, picture, is_json);
 
@@ -206,6 +227,7 @@ int run_program(std::vector<std::string> arguments) {
   if (terrain_command->parsed()) return lsos::terrain_command(terrain);
   if (picture_command->parsed()) return lsos::picture_command(picture);
   if (light_command->parsed()) return lsos::light_command(light);
+  if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, is_json);

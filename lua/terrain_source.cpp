@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "base/units.h"
 #include "lua/mission_files.h"
@@ -108,6 +110,27 @@ MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& wi
   if (resolution_m) return grid_of_window(*source.body, *window, *resolution_m);
   const std::string file = rasters_of(source.spec).front().file;
   return grid_of_raster(source.reader()->raster(), window, {source.spec.place, file});
+}
+
+double cell_m(const MapGrid& grid, const Body& body) {
+  const RasterMap map = grid.map(body);
+  const double column = grid.columns / 2.0, row = grid.rows / 2.0;
+  const auto here = map.place({column, row});
+  double side_m = std::numeric_limits<double>::infinity();
+  for (const auto& next : {map.place({column + 1, row}), map.place({column, row + 1})}) {
+    if (here && next) side_m = std::min(side_m, surface_distance_m(body, *here, *next));
+  }
+  return std::isfinite(side_m) ? std::max(0.1, side_m) : 1;
+}
+
+void check_resolution(const TerrainOptions& options, Faults& faults) {
+  if (!options.resolution_m) return;
+  if (!(std::isfinite(*options.resolution_m) && *options.resolution_m > 0)) {
+    faults.error({}, fmt::format("--resolution {}: must be above 0 m", *options.resolution_m));
+  }
+  if (options.window.empty()) {
+    faults.error({}, "--resolution: a --window LON0,LAT0,LON1,LAT1 is missing");
+  }
 }
 
 void check_grid(const TerrainSource& source, const std::optional<MapWindow>& window,

@@ -35,6 +35,10 @@ Geodetic middle(const TerrainSource& source);
 // The grid of a map: of the window at that resolution, or of the finest raster.
 MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
                  const std::optional<double>& resolution_m);
+// About as long as a cell's shorter side, in its middle; 0.1 m at least.
+double cell_m(const MapGrid& grid, const Body& body);
+// Faults of --resolution.
+void check_resolution(const TerrainOptions& options, Faults& faults);
 // Throws InputError: without a raster there is none, and both options are wanted.
 void check_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
                 const std::optional<double>& resolution_m);

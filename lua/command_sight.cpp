@@ -1,0 +1,307 @@
+// `lsos-host sight`: whether places see each other over the ground, and maps of what one sees.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "lua/commands.h"
+#include "lua/places.h"
+#include "lua/terrain_source.h"
+#include "mission/worker_pool.h"
+#include "terrain/raster_export.h"
+#include "view/sight_march.h"
+#include "view/viewshed.h"
+
+namespace lsos {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+// Whoever is higher may see ground farther away than can be looked up around one site.
+constexpr double highest_m = 100e3;
+
+// A place as it was asked; its height is above the ground.
+struct AskedPlace {
+  std::string option;  // "--to 30,10,2"
+  Geodetic place;
+};
+
+struct Question {
+  std::optional<AskedPlace> from;
+  std::vector<AskedPlace> to;
+  double target_m = 0;
+  std::optional<Geodetic> site;
+  std::optional<MapWindow> window;
+};
+
+void check_height(const std::string& option, double height_m, Faults& faults) {
+  if (height_m >= 0 && height_m <= highest_m) return;
+  faults.error({}, fmt::format("{}: a height of 0..{:.0f} m above the ground is allowed", option,
+                               highest_m));
+}
+
+std::optional<AskedPlace> asked_place(const std::string& option, const std::string& text,
+                                      Faults& faults) {
+  const std::string asked = fmt::format("{} {}", option, text);
+  if (std::ranges::count(text, ',') != 2) {
+    faults.error({},
+                 fmt::format("{}: LON,LAT,H is wanted: degrees, and m above the ground", asked));
+    return {};
+  }
+  const auto place = option_site(option, text, faults);
+  if (!place) return {};
+  check_height(asked, place->height_m, faults);
+  return AskedPlace{asked, *place};
+}
+
+// Either lines or a map.
+void check_kind(const SightOptions& options, Faults& faults) {
+  const bool is_map = !options.file.empty();
+  const auto needs_map = [&](const char* option, bool is_given) {
+    if (is_given && !is_map) {
+      faults.error({}, fmt::format("{}: is for a map; -o OUT.tif is missing", option));
+    }
+  };
+  needs_map("--height", options.height_m.has_value());
+  needs_map("--flat", options.is_flat);
+  needs_map("--window", !options.terrain.window.empty());
+  needs_map("--resolution", options.terrain.resolution_m.has_value());
+  if (is_map && !options.to.empty()) {
+    faults.error({},
+                 "--to: is for lines of sight, and -o for a map of what is seen: one of them is "
+                 "allowed");
+  }
+  if (is_map && !options.height_m) {
+    faults.error({}, "-o: --height H is missing: of what is looked for, m above the ground");
+  }
+  if (!is_map && options.to.empty()) {
+    faults.error({}, "sight: nothing is asked; --to LON,LAT,H or --height H -o OUT.tif is wanted");
+  }
+}
+
+// All that is wrong at once.
+Question question_of(const SightOptions& options) {
+  Faults faults;
+  Question question;
+  const TerrainOptions& terrain = options.terrain;
+  question.from = asked_place("--from", options.from, faults);
+  for (const std::string& text : options.to) {
+    if (const auto place = asked_place("--to", text, faults)) question.to.push_back(*place);
+  }
+  check_kind(options, faults);
+  question.target_m = options.height_m.value_or(0);
+  check_height(fmt::format("--height {}", question.target_m), question.target_m, faults);
+  if (!terrain.site.empty()) question.site = option_place("--site", terrain.site, faults);
+  if (!terrain.window.empty()) question.window = option_window(terrain.window, faults);
+  check_resolution(terrain, faults);
+  faults.throw_if_errors();
+  return question;
+}
+
+// Ground is looked up around the site.
+void check_near_site(const Body& body, const Geodetic& site, const AskedPlace& from) {
+  constexpr double reach_rad = 0.1;
+  const double reach_m = reach_rad * body.equatorial_radius_m;
+  const double away_m = surface_distance_m(body, site, from.place);
+  if (away_m <= reach_m) return;
+  throw InputError({}, fmt::format("--site: lies {:.0f} km from {}; up to {:.0f} km are allowed",
+                                   away_m / 1000, from.option, reach_m / 1000));
+}
+
+// Where its height is above the reference surface. `resolution_m`: of the ground.
+std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
+                                  double resolution_m, Faults& faults) {
+  Geodetic place = asked.place;
+  if (const auto height_m = ground.elevation_m(place, resolution_m)) {
+    place.height_m += *height_m;
+    return place;
+  }
+  faults.error({}, fmt::format("{}: there is no ground; the terrain does not reach there, or its "
+                               "samples are missing",
+                               asked.option));
+  return {};
+}
+
+// The method that answers.
+bool sees(SightMarch& march, const Vec3& from_S_m, const Vec3& to_S_m) {
+  return march.sees(from_S_m, to_S_m);
+}
+
+// Of the straight line, in the sky of `from`.
+ordered_json line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
+  const Vec3 way_m = to_S_m - from_S_m;
+  const double east_m = way_m.dot(site.east_S(from_S_m));
+  const double north_m = way_m.dot(site.north_S(from_S_m));
+  const double up_m = way_m.dot(site.up_S(from_S_m));
+  const double level_m = std::hypot(east_m, north_m);
+  ordered_json line{
+      {"distance_m", way_m.norm()}, {"azimuth_deg", nullptr}, {"elevation_deg", nullptr}};
+  constexpr double least_m = 1e-6;  // nearer there is no direction
+  if (level_m > least_m) {
+    const double azimuth_deg = degrees(std::atan2(east_m, north_m));
+    line["azimuth_deg"] = azimuth_deg < 0 ? azimuth_deg + 360 : azimuth_deg;
+  }
+  if (way_m.norm() > least_m) line["elevation_deg"] = degrees(std::atan2(up_m, level_m));
+  return line;
+}
+
+ordered_json lines(const Ground& ground, const Question& question, int threads) {
+  Faults faults;
+  const auto from = on_ground(ground, *question.from, 0, faults);
+  std::vector<Vec3> to_S_m;
+  for (const AskedPlace& asked : question.to) {
+    const auto place = on_ground(ground, asked, 0, faults);
+    if (place) to_S_m.push_back(ground.site().p_S_m(*place));
+  }
+  faults.throw_if_errors();
+  const Vec3 from_S_m = ground.site().p_S_m(*from);
+  std::vector<char> seen(to_S_m.size());
+  const auto parts = std::min(static_cast<std::size_t>(threads), seen.size());
+  WorkerPool(threads).for_each(parts, [&](std::size_t part) {
+    SightMarch march(ground);
+    for (std::size_t k = part; k < seen.size(); k += parts) {
+      seen[k] = sees(march, from_S_m, to_S_m[k]) ? 1 : 0;
+    }
+  });
+  auto answer = ordered_json::array();
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    ordered_json line{{"visible", static_cast<int>(seen[k])}};
+    line.update(line_of(ground.site(), from_S_m, to_S_m[k]));
+    answer.push_back(line);
+  }
+  return answer;
+}
+
+using Places = std::vector<std::optional<Geodetic>>;
+
+// Calls work(k) for all of a row, from any thread.
+template <class Work>
+void for_row(WorkerPool& pool, int threads, const Places& places, const Work& work) {
+  const auto parts = static_cast<std::size_t>(threads);
+  pool.for_each(parts, [&](std::size_t part) {
+    for (std::size_t k = part; k < places.size(); k += parts) {
+      if (places[k]) work(part, k);
+    }
+  });
+}
+
+// Of the ground in the cells of the map. Beside missing samples there is none, but the raster's own
+// cells have their samples.
+void find_heights(const TerrainSource& source, const Ground& ground, double resolution_m,
+                  const SightOptions& options, WorkerPool& pool, MapHeights& heights) {
+  const RasterReader* own = options.terrain.resolution_m ? nullptr : source.reader();
+  std::vector<Ground::Probe> probes;  // one a part of a row, so one a thread
+  for (int k = 0; k < options.threads; ++k) probes.emplace_back(ground, resolution_m);
+  constexpr double close_m = 64;
+  Places places(heights.row(0).size());
+  for (int row = 0; row < heights.rows(); ++row) {
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      places[k] = heights.map().place({static_cast<double>(k), static_cast<double>(row)});
+    }
+    const std::span<float> heights_m = heights.row(row);
+    for_row(pool, options.threads, places, [&](std::size_t part, std::size_t k) {
+      // Probes are fast where cells lie close, and do not reach round the body.
+      std::optional<double> height_m;
+      if (resolution_m < close_m) {
+        const GroundSample sample = probes[part].sample(ground.site().p_S_m(*places[k]));
+        if (sample.is_ground()) height_m = sample.elevation_m;
+      }
+      if (!height_m) height_m = ground.elevation_m(*places[k], resolution_m);
+      if (height_m) heights_m[k] = static_cast<float>(*height_m);
+    });
+    for (std::size_t k = 0; k < places.size() && own != nullptr; ++k) {
+      if (!places[k] || !std::isnan(heights_m[k])) continue;
+      const auto point = own->at(*places[k]);
+      if (point && point->height_m) heights_m[k] = static_cast<float>(*point->height_m);
+    }
+  }
+}
+
+// On the map's own ground where that lies there.
+Geodetic eye_of(const Ground& ground, const MapHeights& heights, const AskedPlace& from,
+                double resolution_m) {
+  if (const auto height_m = heights.height_m(from.place)) {
+    return {from.place.lon_rad, from.place.lat_rad, *height_m + from.place.height_m};
+  }
+  Faults faults;
+  const auto eye = on_ground(ground, from, resolution_m, faults);
+  faults.throw_if_errors();
+  return *eye;
+}
+
+void check_flat(const ViewSector& sector, const Viewshed& view) {
+  if (sector.farthest_m <= view.reach_m()) return;
+  throw InputError({}, fmt::format("--flat: the map reaches {:.0f} km from --from; up to {:.0f} km "
+                                   "are allowed: give a --window",
+                                   sector.farthest_m / 1000, view.reach_m() / 1000));
+}
+
+ordered_json viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
+                      const SightOptions& options) {
+  const SiteFrame& site = ground.site();
+  const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m);
+  const double resolution_m = cell_m(grid, *source.body);
+  WorkerPool pool(options.threads);
+  MapHeights heights(grid, *source.body);
+  find_heights(source, ground, resolution_m, options, pool, heights);
+  const Geodetic eye = eye_of(ground, heights, *question.from, resolution_m);
+  const ViewSector sector = sector_of(grid, site, eye);
+  Viewshed view(ground, &heights, {eye, resolution_m, options.is_flat}, sector);
+  if (options.is_flat) check_flat(sector, view);
+  const auto parts = static_cast<std::size_t>(options.threads);
+  pool.for_each(parts, [&](std::size_t part) {
+    GroundProbes probes = view.probes();
+    for (std::size_t ray = part; ray < view.ray_count(); ray += parts) view.march(ray, probes);
+  });
+
+  double seen = 0, cells = 0;
+  int row = 0;
+  const MapRow is_seen = [&](std::span<const std::optional<Geodetic>> of_row) {
+    const Places places(of_row.begin(), of_row.end());
+    const std::span<const float> heights_m = heights.row(row++);
+    std::vector<double> values(places.size(), missing);
+    for_row(pool, options.threads, places, [&](std::size_t, std::size_t k) {
+      if (std::isnan(heights_m[k])) return;
+      const double height_m = heights_m[k] + question.target_m;
+      values[k] = view.sees(site.p_S_m({places[k]->lon_rad, places[k]->lat_rad, height_m})) ? 1 : 0;
+    });
+    for (const double value : values) {
+      if (std::isnan(value)) continue;
+      ++cells;
+      seen += value;
+    }
+    return values;
+  };
+  write_map(options.file, grid, *source.body, {{"seen", ""}}, is_seen);
+  return {{"file", options.file},
+          {"columns", grid.columns},
+          {"rows", grid.rows},
+          {"body", source.body->name},
+          {"seen_share", cells > 0 ? seen / cells : missing}};
+}
+
+}  // namespace
+
+int sight_command(const SightOptions& options) {
+  const Question question = question_of(options);
+  const TerrainSource source = terrain_source(options.terrain);
+  const bool is_map = !options.file.empty();
+  if (is_map) check_grid(source, question.window, options.terrain.resolution_m);
+  const Geodetic site = question.site.value_or(question.from->place);
+  check_near_site(*source.body, site, *question.from);
+  const std::unique_ptr<Ground> ground =
+      ground_of(source, {site.lon_rad, site.lat_rad, 0}, options.terrain.seed);
+  const ordered_json answer =
+      is_map ? ordered_json::array({viewshed(source, *ground, question, options)})
+             : lines(*ground, question, options.threads);
+  fmt::print("{}\n", answer.dump(2));
+  return 0;
+}
+
+}  // namespace lsos
