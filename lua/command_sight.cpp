@@ -10,9 +10,9 @@
 #include "lua/commands.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
+#include "mission/sight.h"
 #include "mission/worker_pool.h"
 #include "terrain/raster_export.h"
-#include "view/sight_march.h"
 #include "view/viewshed.h"
 
 namespace lsos {
@@ -128,11 +128,6 @@ std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
   return {};
 }
 
-// The method that answers.
-bool sees(SightMarch& march, const Vec3& from_S_m, const Vec3& to_S_m) {
-  return march.sees(from_S_m, to_S_m);
-}
-
 // Of the straight line, in the sky of `from`.
 ordered_json line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 way_m = to_S_m - from_S_m;
@@ -151,7 +146,8 @@ ordered_json line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to
   return line;
 }
 
-ordered_json lines(const Ground& ground, const Question& question, int threads) {
+// As missions have them: drawn.
+ordered_json lines(const Ground& ground, const Question& question) {
   Faults faults;
   const auto from = on_ground(ground, *question.from, 0, faults);
   std::vector<Vec3> to_S_m;
@@ -161,18 +157,12 @@ ordered_json lines(const Ground& ground, const Question& question, int threads) 
   }
   faults.throw_if_errors();
   const Vec3 from_S_m = ground.site().p_S_m(*from);
-  std::vector<char> seen(to_S_m.size());
-  const auto parts = std::min(static_cast<std::size_t>(threads), seen.size());
-  WorkerPool(threads).for_each(parts, [&](std::size_t part) {
-    SightMarch march(ground);
-    for (std::size_t k = part; k < seen.size(); k += parts) {
-      seen[k] = sees(march, from_S_m, to_S_m[k]) ? 1 : 0;
-    }
-  });
+  Renderer renderer;
+  Sight sight(ground, renderer);
   auto answer = ordered_json::array();
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    ordered_json line{{"visible", static_cast<int>(seen[k])}};
-    line.update(line_of(ground.site(), from_S_m, to_S_m[k]));
+  for (const Vec3& p_S_m : to_S_m) {
+    ordered_json line{{"visible", sight.sees(from_S_m, p_S_m, {}) ? 1 : 0}};
+    line.update(line_of(ground.site(), from_S_m, p_S_m));
     answer.push_back(line);
   }
   return answer;
@@ -299,7 +289,7 @@ int sight_command(const SightOptions& options) {
       ground_of(source, {site.lon_rad, site.lat_rad, 0}, options.terrain.seed);
   const ordered_json answer =
       is_map ? ordered_json::array({viewshed(source, *ground, question, options)})
-             : lines(*ground, question, options.threads);
+             : lines(*ground, question);
   fmt::print("{}\n", answer.dump(2));
   return 0;
 }

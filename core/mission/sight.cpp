@@ -11,6 +11,7 @@ namespace lsos {
 namespace {
 
 constexpr ViewMargins antenna_margins{0.3, 0.3};
+constexpr double centre_share = 0.5;  // of the ornament, seen from the disc's centre
 
 // Facing `towards`, about the viewer.
 PanelFace ornament(const Vec3& centre_m, const Vec3& towards) {
@@ -44,7 +45,7 @@ Sight::Disc Sight::disc(const Vec3& from_S_m, const Vec3& direction_S, double di
   for (const DiscSample& place : places) viewers.push_back({place.direction});
   const std::vector<double> shares = renderer_->panels.visible_shares(
       ornament(Vec3::Zero(), direction_S), all, viewers, antenna_margins);
-  Disc seen{shares[0] >= seen_share, 0};
+  Disc seen{shares[0] >= centre_share, 0};
   for (std::size_t k = 0; k < places.size(); ++k) seen.fraction += places[k].weight * shares[k + 1];
   return seen;
 }

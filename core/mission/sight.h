@@ -13,9 +13,9 @@ namespace lsos {
 class Sight {
  public:
   // The ornament: a square that faces the viewer, its half side.
-  static constexpr double ornament_half_m = 0.15;
-  // Of the ornament, or of a place on the disc, so much must be seen for it to count.
-  static constexpr double seen_share = 0.5;
+  static constexpr double ornament_half_m = 0.05;
+  // So much of it must be seen: of one that lies on level ground half can be.
+  static constexpr double seen_share = 0.25;
   static constexpr int disc_samples_count = 16;
 
   // Both must outlive it.
@@ -24,6 +24,9 @@ class Sight {
 
   // Share 0..1 of the ornament at `to_S_m` that is seen from `from_S_m`.
   double ornament_share(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids);
+  bool sees(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids) {
+    return ornament_share(from_S_m, to_S_m, solids) >= seen_share;
+  }
 
   struct Disc {
     bool is_centre_seen = false;

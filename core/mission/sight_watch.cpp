@@ -75,8 +75,7 @@ void SightWatch::look_at(Pair& pair, Instant utc, const std::vector<SightEnd>& e
   }
   const SightEnd& to = ends[pair.to];
   pair.is_visible =
-      sight_.ornament_share(from.antenna_S_m, to.antenna_S_m,
-                            solids(from.antenna_S_m, to.antenna_S_m)) >= Sight::seen_share;
+      sight_.sees(from.antenna_S_m, to.antenna_S_m, solids(from.antenna_S_m, to.antenna_S_m));
   const double away_m = (to.antenna_S_m - from.antenna_S_m).norm();
   pair.is_linked = pair.is_visible && from.is_up && to.is_up &&
                    away_m <= std::min(from.range_max_m, to.range_max_m);

@@ -1,0 +1,81 @@
+// Lines of sight by drawing, as missions have them, and by marching, as maps are made. The two
+// share no code but the ground.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "base/random.h"
+#include "mission/sight.h"
+#include "mission/site.h"
+#include "physics/drive.h"
+#include "view/sight_march.h"
+
+namespace lsos::test {
+namespace {
+
+struct Agreement {
+  int pairs = 0, equal = 0, seen = 0;
+  double farthest_edge_m = 0;  // clearance by marching, where the two differ
+};
+
+// Antennas of an eighth of `highest_m` to all of it, from 20 m to `longest_m` apart, at random
+// places.
+Agreement agreement(const Ground& ground, int pairs, double around_m, double longest_m,
+                    double highest_m) {
+  Renderer renderer;
+  Sight drawn(ground, renderer);
+  SightMarch march(ground);
+  Ground::Probe probe(ground);
+  RandomStream random(7);
+  const auto antenna = [&](double x_m, double y_m) -> Vec3 {
+    const Vec3 on_plane(x_m, y_m, 0);
+    const GroundSample sample = probe.sample(on_plane);
+    return on_plane + (random.uniform(highest_m / 8, highest_m) - sample.gap_m) * sample.up_S;
+  };
+  Agreement found;
+  for (; found.pairs < pairs; ++found.pairs) {
+    const double x_m = random.uniform(-around_m, around_m);
+    const double y_m = random.uniform(-around_m, around_m);
+    const double azimuth_rad = random.uniform(0, 2 * std::numbers::pi);
+    const double apart_m = 20 * std::pow(longest_m / 20, random.uniform(0, 1));
+    const Vec3 from_S_m = antenna(x_m, y_m);
+    const Vec3 to_S_m =
+        antenna(x_m + apart_m * std::sin(azimuth_rad), y_m + apart_m * std::cos(azimuth_rad));
+    const bool is_drawn = drawn.sees(from_S_m, to_S_m, {});
+    const SightLine line = march.between(from_S_m, to_S_m);
+    found.equal += is_drawn == line.is_free();
+    found.seen += line.is_free();
+    if (is_drawn != line.is_free()) {
+      found.farthest_edge_m = std::max(found.farthest_edge_m, std::abs(line.clearance_m));
+    }
+  }
+  std::printf(
+      "of %d pairs %d are equal drawn and marched, %d see each other; where they differ "
+      "the line passes at most %.2f m from an edge\n",
+      found.pairs, found.equal, found.seen, found.farthest_edge_m);
+  return found;
+}
+
+void expect_agreement(const Agreement& found) {
+  EXPECT_GE(found.equal, 0.98 * found.pairs);
+  EXPECT_GT(found.seen, 0.1 * found.pairs);
+  EXPECT_LT(found.seen, 0.9 * found.pairs);
+  EXPECT_LT(found.farthest_edge_m, 1);
+}
+
+TEST(SightMethods, agree_among_craters) {
+  const Geodetic site = geodetic_from_degrees(31, 20);
+  const auto ground = ground_at(shipped_terrain("Craters"), *find_body("Moon"), site, 3);
+  expect_agreement(agreement(*ground, 1000, 500, 1000, 0.8));
+}
+
+TEST(SightMethods, agree_at_the_south_pole) {
+  const Geodetic site = geodetic_from_degrees(129.78, -89.67);
+  const auto ground = ground_at(shipped_terrain("LunarSouthPole"), *find_body("Moon"), site, 1);
+  expect_agreement(agreement(*ground, 150, 8000, 20e3, 8));
+}
+
+}  // namespace
+}  // namespace lsos::test
