@@ -1,0 +1,36 @@
+// A camera without lens errors, level with the ground.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vector.h"
+
+namespace lsos {
+
+// Axes unit and square to each other, site frame.
+struct Camera {
+  Vec3 eye_S_m = Vec3::Zero();
+  Vec3 ahead_S = Vec3::UnitX();
+  Vec3 up_S = Vec3::UnitZ();  // of the picture
+  int width_px = 1280, height_px = 720;
+  double focal_px = 1000;
+
+  Vec3 right_S() const { return ahead_S.cross(up_S); }
+  double metres_a_pixel(double distance_m) const { return distance_m / focal_px; }
+};
+
+inline double focal_of(int width_px, double width_rad) {
+  return width_px / 2.0 / std::tan(width_rad / 2);
+}
+
+// From `eye` to `target`; `up_S` is about the picture's upright. Not straight along it.
+inline Camera look(const Vec3& eye_S_m, const Vec3& target_S_m, const Vec3& up_S) {
+  Camera camera;
+  camera.eye_S_m = eye_S_m;
+  camera.ahead_S = (target_S_m - eye_S_m).normalized();
+  camera.up_S = (up_S - up_S.dot(camera.ahead_S) * camera.ahead_S).normalized();
+  return camera;
+}
+
+}  // namespace lsos

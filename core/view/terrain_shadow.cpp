@@ -1,0 +1,208 @@
+#include "view/terrain_shadow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "view/ground_ladder.h"
+#include "view/highest_ground.h"
+#include "view/shared_rows.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr int nodes = 225;  // a side; one more than a multiple of four, so that squares nest
+constexpr double finest_half_m = 24;
+constexpr double farthest_half_m = 13e3;
+constexpr double resolution_cells = 16;  // detail is then drawn on nodes not much closer than ours
+// Beyond the squares the Sun's way is marched, from some places of their edge.
+constexpr int marches = 33;
+constexpr double march_share = 0.01, march_resolution_share = 0.01;  // of the distance
+constexpr double steepest = 30;      // a higher Sun throws no shadow worth a picture
+constexpr double soft_cells = 0.02;  // shadows' edges are no sharper than the nodes allow
+constexpr double sector_margin_cells = 4;
+constexpr float none = -1e30f;
+
+std::size_t node_at(int row, int column) { return static_cast<std::size_t>(row * nodes + column); }
+
+// Each row is swept on its own: without this their shadows' ends would be a comb.
+void smooth(std::vector<float>& share) {
+  std::vector<float> before = share;
+  for (const std::size_t s : {std::size_t{nodes}, std::size_t{nodes}, std::size_t{1}}) {
+    for (std::size_t k = s; k + s < share.size(); ++k) {
+      share[k] = 0.25f * before[k - s] + 0.5f * before[k] + 0.25f * before[k + s];
+    }
+    before = share;
+  }
+}
+
+double slope_of(double elevation_rad) {
+  const double highest_rad = std::atan(steepest);
+  return std::tan(std::clamp(elevation_rad, -highest_rad, highest_rad));
+}
+
+double share_of(double height_m, double dark_m, double lit_m, double cell_m) {
+  return std::clamp((height_m - dark_m) / std::max(lit_m - dark_m, soft_cells * cell_m), 0.0, 1.0);
+}
+
+}  // namespace
+
+TerrainShadow::TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Vec3& sun_S,
+                             double disc_rad, const GroundSector& sector)
+    : up_S_(ground.site().up_S(eye_S_m)), sector_(sector) {
+  const double sine = std::clamp(sun_S.dot(up_S_), -1.0, 1.0);
+  const Vec3 level_S = sun_S - sine * up_S_;
+  along_S_ = level_S.norm() > 1e-6 ? level_S.normalized() : ground.site().north_S(eye_S_m);
+  across_S_ = up_S_.cross(along_S_);
+  const double elevation_rad = std::asin(sine);
+  top_slope_ = slope_of(elevation_rad + disc_rad);
+  low_slope_ = slope_of(elevation_rad - disc_rad);
+  const Body& body = ground.site().body();
+  const double over_m = highest_ground_m(body) - ground.site().height_m(eye_S_m);
+  for (double half_m = finest_half_m; half_m < farthest_half_m; half_m *= 2) {
+    levels_.push_back(sampled(ground, eye_S_m, half_m));
+    const double drop_m = half_m * half_m / (2 * body.equatorial_radius_m);
+    if (half_m * low_slope_ + drop_m > over_m) break;
+  }
+  march(ground, eye_S_m);
+  for (std::size_t k = levels_.size(); k-- > 0;) {
+    sweep(levels_[k], k + 1 < levels_.size() ? &levels_[k + 1] : nullptr);
+  }
+}
+
+TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& eye_S_m,
+                                            double half_m) const {
+  Level level{half_m, 2 * half_m / (nodes - 1), {}, {}, {}, {}};
+  level.ground_m.assign(node_at(nodes, 0), none);
+  const double radius_m = ground.site().body().equatorial_radius_m;
+  const Level* finer = levels_.empty() ? nullptr : &levels_.back();
+  const auto row = [&](GroundLadder& look, int j) {
+    for (int i = first_seen(level, j); i < nodes; ++i) {
+      float& height_m = level.ground_m[node_at(j, i)];
+      // The finer square's nodes are these ones' places too.
+      const int fine_i = 2 * i - (nodes - 1) / 2, fine_j = 2 * j - (nodes - 1) / 2;
+      if (finer && fine_i >= 0 && fine_i < nodes && fine_j >= 0 && fine_j < nodes) {
+        height_m = finer->ground_m[node_at(fine_j, fine_i)];
+        if (height_m > none) continue;
+      }
+      const double x_m = i * level.cell_m - half_m, y_m = j * level.cell_m - half_m;
+      const double drop_m = (x_m * x_m + y_m * y_m) / (2 * radius_m);
+      const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
+      const GroundSample sample = look.sample(eye_S_m + p_m, resolution_cells * level.cell_m);
+      if (!sample.is_ground()) continue;
+      height_m = static_cast<float>((p_m - sample.gap_m * sample.up_S).dot(up_S_));
+    }
+  };
+  share_rows(
+      nodes, [&] { return GroundLadder(ground); }, row);
+  return level;
+}
+
+int TerrainShadow::first_seen(const Level& level, int row) const {
+  if (sector_.half_rad >= std::numbers::pi / 2) return 0;
+  // Widened by some nodes: its tip drawn back.
+  const double ahead_x = sector_.ahead_S.dot(along_S_), ahead_y = sector_.ahead_S.dot(across_S_);
+  const double back_m = sector_margin_cells * level.cell_m / std::sin(sector_.half_rad);
+  for (int i = 0; i < nodes; ++i) {
+    const double x_m = i * level.cell_m - level.half_m + back_m * ahead_x;
+    const double y_m = row * level.cell_m - level.half_m + back_m * ahead_y;
+    const double forward_m = x_m * ahead_x + y_m * ahead_y;
+    const double aside_m = std::abs(x_m * ahead_y - y_m * ahead_x);
+    if (forward_m > 0 && aside_m <= forward_m * std::tan(sector_.half_rad)) return i;
+  }
+  return nodes;
+}
+
+void TerrainShadow::march(const Ground& ground, const Vec3& eye_S_m) {
+  const Level& last = levels_.back();
+  const Body& body = ground.site().body();
+  const double over_m = highest_ground_m(body) - ground.site().height_m(eye_S_m);
+  edge_.assign(marches, {none, none});
+  const auto one = [&](GroundLadder& look, int k) {
+    Limits& limits = edge_[static_cast<std::size_t>(k)];
+    const double y_m = last.half_m * (2.0 * k / (marches - 1) - 1);
+    for (double x_m = last.half_m;; x_m *= 1 + march_share) {
+      const double drop_m = (x_m * x_m + y_m * y_m) / (2 * body.equatorial_radius_m);
+      const double from_edge_m = x_m - last.half_m;
+      if (from_edge_m * low_slope_ + drop_m > over_m + last.half_m) break;
+      const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
+      const GroundSample sample = look.sample(eye_S_m + p_m, march_resolution_share * x_m);
+      if (!sample.is_ground()) continue;
+      const double height_m = (p_m - sample.gap_m * sample.up_S).dot(up_S_);
+      limits.dark_m = std::max(limits.dark_m, height_m - top_slope_ * from_edge_m);
+      limits.lit_m = std::max(limits.lit_m, height_m - low_slope_ * from_edge_m);
+    }
+  };
+  share_rows(
+      marches, [&] { return GroundLadder(ground); }, one);
+}
+
+TerrainShadow::Limits TerrainShadow::at_edge(double across_m) const {
+  const double k = (across_m / levels_.back().half_m + 1) / 2 * (marches - 1);
+  const auto low = static_cast<std::size_t>(std::clamp(k, 0.0, marches - 2.0));
+  const double up = k - static_cast<double>(low);
+  const Limits &a = edge_[low], &b = edge_[low + 1];
+  return {a.dark_m + up * (b.dark_m - a.dark_m), a.lit_m + up * (b.lit_m - a.lit_m)};
+}
+
+void TerrainShadow::sweep(Level& level, const Level* coarser) const {
+  level.dark_m.assign(level.ground_m.size(), none);
+  level.lit_m = level.dark_m;
+  level.share.assign(level.ground_m.size(), 1);
+  for (int j = 0; j < nodes; ++j) {
+    const double across_m = j * level.cell_m - level.half_m;
+    auto [dark_m, lit_m] = at_edge(across_m);
+    if (coarser) {
+      const Spot at =
+          spot(level.half_m, across_m, static_cast<std::size_t>(coarser - levels_.data()));
+      dark_m = value(coarser->dark_m, at);
+      lit_m = value(coarser->lit_m, at);
+    }
+    for (int i = nodes - 1, end = first_seen(level, j); i >= end; --i) {
+      const std::size_t k = node_at(j, i);
+      const double ground_m = level.ground_m[k];
+      level.dark_m[k] = static_cast<float>(dark_m);
+      level.lit_m[k] = static_cast<float>(lit_m);
+      level.share[k] = static_cast<float>(share_of(ground_m, dark_m, lit_m, level.cell_m));
+      dark_m = std::max(dark_m, ground_m) - top_slope_ * level.cell_m;
+      lit_m = std::max(lit_m, ground_m) - low_slope_ * level.cell_m;
+    }
+  }
+  smooth(level.share);
+}
+
+TerrainShadow::Spot TerrainShadow::spot(double along_m, double across_m, std::size_t from) const {
+  for (std::size_t k = from; k < levels_.size(); ++k) {
+    const Level& level = levels_[k];
+    const double i = (along_m + level.half_m) / level.cell_m;
+    const double j = (across_m + level.half_m) / level.cell_m;
+    if (i < 0 || j < 0 || i > nodes - 1 || j > nodes - 1) continue;
+    const int column = std::min(static_cast<int>(i), nodes - 2);
+    const int row = std::min(static_cast<int>(j), nodes - 2);
+    return {&level, node_at(row, column), i - column, j - row};
+  }
+  return {nullptr, 0, 0, 0};
+}
+
+double TerrainShadow::value(const std::vector<float>& values, const Spot& spot) {
+  const std::size_t k = spot.node;
+  const double below = values[k] + spot.right * (values[k + 1] - values[k]);
+  const double above = values[k + nodes] + spot.right * (values[k + nodes + 1] - values[k + nodes]);
+  return below + spot.up * (above - below);
+}
+
+double TerrainShadow::on_ground(const Vec3& p_m) const {
+  const Spot at = spot(p_m.dot(along_S_), p_m.dot(across_S_));
+  if (at.level) return value(at.level->share, at);
+  return low_slope_ > 0 ? 1 : 0;
+}
+
+double TerrainShadow::at(const Vec3& p_m) const {
+  const Spot at = spot(p_m.dot(along_S_), p_m.dot(across_S_));
+  if (!at.level) return low_slope_ > 0 ? 1 : 0;
+  return share_of(p_m.dot(up_S_), value(at.level->dark_m, at), value(at.level->lit_m, at),
+                  at.level->cell_m);
+}
+
+}  // namespace lsos

@@ -1,0 +1,81 @@
+// Terrain's shadow in pictures, against the Sun's disc marched over the same ground.
+#include "view/terrain_shadow.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "view/ground_light.h"
+
+namespace lsos {
+namespace {
+
+constexpr double deg = std::numbers::pi / 180, disc_rad = 0.27 * deg;
+
+TerrainSpec bowl_and_hill() {
+  TerrainSpec spec;
+  ReliefSurface relief;
+  relief.lat_rad = -85 * deg;
+  relief.landforms = {{"bowl", 0, -84.97 * deg, 700, 90, 20},
+                      {"hill", 0.03, -84.95 * deg, 1500, 0, 120}};
+  spec.layers = {relief};
+  return spec;
+}
+
+struct Relief {
+  SiteFrame site{*find_body("Moon"), geodetic_from_degrees(0, -85)};
+  Ground ground{bowl_and_hill(), site, 1};
+};
+
+Vec3 direction(double azimuth_rad, double elevation_rad) {
+  return {std::cos(elevation_rad) * std::sin(azimuth_rad),
+          std::cos(elevation_rad) * std::cos(azimuth_rad), std::sin(elevation_rad)};
+}
+
+double mean_difference(Relief& relief, double azimuth_rad, const GroundSector& sector) {
+  const Vec3 eye_S_m(0, 0, 20), sun_S = direction(azimuth_rad, 4 * deg);
+  const TerrainShadow shadow(relief.ground, eye_S_m, sun_S, disc_rad, sector);
+  GroundLightProbe march(relief.ground, 0.5);
+  Ground::Probe probe(relief.ground);
+  double sum = 0;
+  int dark = 0, count = 0;
+  for (double r_m = 20; r_m < 2500; r_m *= 1.1) {
+    for (const double aside : {-0.3, -0.1, 0.1, 0.3}) {
+      const Vec3 over_m = r_m * (sector.ahead_S + aside * Vec3::UnitZ().cross(sector.ahead_S));
+      const GroundSample sample = probe.sample(eye_S_m + over_m);
+      const Vec3 p_m = over_m - sample.gap_m * sample.up_S;
+      const auto light = march.at(relief.site.geodetic(eye_S_m + p_m), sun_S, disc_rad);
+      sum += std::abs(shadow.on_ground(p_m) - light->sun_fraction);
+      dark += light->sun_fraction < 0.5;
+      ++count;
+    }
+  }
+  EXPECT_GT(dark, 5);
+  return sum / count;
+}
+
+TEST(TerrainShadow, is_where_marching_has_it) {
+  Relief relief;
+  for (const double azimuth_deg : {0.0, 20.0, 180.0, 200.0}) {
+    EXPECT_LT(mean_difference(relief, azimuth_deg * deg, {Vec3::UnitY(), 4}), 0.07) << azimuth_deg;
+  }
+}
+
+TEST(TerrainShadow, is_the_same_in_a_sector_alone) {
+  Relief relief;
+  for (const double azimuth_deg : {20.0, 200.0}) {
+    const double all = mean_difference(relief, azimuth_deg * deg, {Vec3::UnitY(), 4});
+    EXPECT_DOUBLE_EQ(mean_difference(relief, azimuth_deg * deg, {Vec3::UnitY(), 0.4}), all);
+  }
+}
+
+TEST(TerrainShadow, darkens_what_stands_low_in_it_and_not_what_rises_above_it) {
+  Relief relief;
+  const TerrainShadow shadow(relief.ground, {0, 0, 20}, direction(0, 2 * deg), disc_rad);
+  EXPECT_EQ(shadow.at({0, 600, -60}), 0);
+  EXPECT_EQ(shadow.at({0, 600, 300}), 1);
+}
+
+}  // namespace
+}  // namespace lsos
