@@ -2,21 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "base/error.h"
 #include "plan/kml_writer.h"
 #include "product/files.h"
+#include "product/rover_colors.h"
 #include "product/rover_track.h"
 #include "record/columns.h"
 
 namespace lsos {
 
 namespace {
-
-// Alpha, blue, green, red; the first three as the paper draws its rovers.
-constexpr std::array rover_colors{"0000ff", "ff0000", "00c000", "00a5ff",
-                                  "c000c0", "c0c000", "00ffff", "8080ff"};
 
 // Prefixed, so that no plan reader takes a Placemark of ours for an event ("Sample").
 template <class Row>

@@ -13,8 +13,7 @@ void write_png(const std::string& file, int width, int height, std::span<const s
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = 0;
-  LSOS_ASSERT(png_image_write_to_memory(&image, nullptr, &size, 0, rgb.data(), 0, nullptr) != 0);
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
   LSOS_ASSERT(png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr) !=
               0);

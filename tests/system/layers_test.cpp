@@ -36,6 +36,7 @@ const std::vector<Library>& libraries() {
       {std::regex("(EGL|GL|GLES[23]|epoxy)/.*"), {"view"}},
       {std::regex("png.h"), {"product"}},
       {std::regex("png\\.h"), {"view"}},
+      {std::regex("ft2build\\.h"), {"product"}},  // letters: captions of pictures
       {std::regex("ompl/.*"), {"route"}},
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
