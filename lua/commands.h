@@ -97,11 +97,13 @@ int sun_command(const SunOptions& options);
 
 struct PictureOptions {
   std::string folder;  // of a run
-  std::string at;      // UTC, or a time from the start
+  std::string at;      // UTC, or a time from the start; "": of a film
   std::string from = "sun";
   std::string rover;  // "": the first
-  std::string file;   // X.png
-  int size_px = 800;
+  std::string file;   // X.png, X.mp4
+  int size_px = 0;    // 0: as the view has it
+  bool is_movie = false;
+  std::string every;  // of a film, "": some 250 pictures
 };
 int picture_command(const PictureOptions& options);
 

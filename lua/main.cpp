@@ -106,15 +106,19 @@ CLI::App* add_sight(CLI::App& app, lsos::SightOptions& sight, bool& is_json) {
 
 CLI::App* add_picture(CLI::App& app, lsos::PictureOptions& picture, bool& is_json) {
   CLI::App* command =
-      app.add_subcommand("picture", "A rover of a run as the Sun saw it, its panels green");
+      app.add_subcommand("picture", "A rover of a run as the Sun or a camera saw it");
   command->add_option("DIR", picture.folder, "Folder of a run")->required();
-  command->add_option("--at", picture.at, "UTC, or a time from the start: 90, 2 h")->required();
-  command->add_option("--from", picture.from, "sun (others are not built yet)")
-      ->check(CLI::IsMember({"sun"}));
+  command->add_option("--at", picture.at, "UTC, or a time from the start: 90, 2 h");
+  command->add_option("--from", picture.from,
+                      "sun (its panels green), chase, east, above, or the RoverId of one that sees "
+                      "it (sun)");
   command->add_option("--rover", picture.rover, "RoverId (the first)");
-  command->add_option("--size", picture.size_px, "Of the picture's sides, pixels (800)")
+  command->add_option("--size", picture.size_px, "Width, pixels (1280; from sun 800)")
       ->check(CLI::Range(64, 4096));
-  command->add_option("-o,--output", picture.file, "The PNG to write")->required();
+  command->add_flag("--movie", picture.is_movie, "A film of all the run, in place of --at");
+  command->add_option("--every", picture.every,
+                      "Of the mission, from one of its pictures to the next (for some 250)");
+  command->add_option("-o,--output", picture.file, "The PNG, or MP4, to write")->required();
   command->add_flag("--json", is_json, "Its answer is JSON in any case");
   return command;
 }

@@ -51,7 +51,6 @@ TEST_F(SunPicture, says_what_it_cannot_show) {
               HasSubstr("--rover S: the run has no such rover"));
   EXPECT_THAT(picture({"--at", "9 h"}).err,
               HasSubstr("--at 9 h: the run is from 2026-01-01T00:00:00.000Z to "));
-  EXPECT_EQ(picture({"--at", "1", "--from", "above"}).exit_code, 2);
   const Outcome nowhere = run({"picture", folder / "none", "--at", "1", "-o", folder / "x.png"});
   EXPECT_EQ(nowhere.exit_code, 2);
 }

@@ -1,0 +1,30 @@
+// A run's log as pictures need it: all rovers at some moments, and where they have been.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mission/logged_rover.h"
+#include "record/log.h"
+
+namespace lsos {
+
+// Each rover that has a sample until then, in order of ids, at its last one.
+using LoggedMoment = std::vector<LoggedRover>;
+
+struct TrackPoint {
+  SimTime time{};
+  Vec3 p_S_m = Vec3::Zero();
+};
+
+struct LoggedRun {
+  std::vector<LoggedMoment> moments;                      // as many as times were asked for
+  std::map<std::string, std::vector<TrackPoint>> tracks;  // by rover, 5 cm or more between points
+};
+
+// In one pass over a log of any length. `times` must ascend; tracks end at the last.
+LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times);
+
+}  // namespace lsos

@@ -1,0 +1,112 @@
+#include "lua/picture_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/units.h"
+#include "mission/site.h"
+#include "product/files.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr int film_pictures = 250, film_pictures_max = 20000;
+
+SimTime time_of(const std::string& text, Instant start) {
+  if (const Parsed<double> time_s = parse_quantity(text, *find_unit("s")))
+    return from_seconds(*time_s.value);
+  if (const Parsed<Instant> at = parse_utc(text)) return *at.value - start;
+  throw InputError({}, fmt::format("--at {}: UTC or a time from the start is wanted, as "
+                                   "2026-07-01T00:10:00Z or 10 min",
+                                   text));
+}
+
+// Scripts and rasters may lie beside the plan that was run; the seed may have been an option.
+MissionFiles mission_of(const std::string& folder, const std::map<std::string, std::string>& run) {
+  std::string plan_file = folder + "/plan.kml";
+  const auto summary =
+      nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
+  if (summary.is_object() && summary.contains("plan")) {
+    const std::string original = summary["plan"].get<std::string>();
+    if (std::filesystem::is_regular_file(original)) plan_file = original;
+  }
+  const std::uint64_t seed = std::stoull(run.at("seed"));
+  MissionFiles files = read_mission(plan_file, seed);
+  if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
+  files = read_mission(folder + "/plan.kml", seed);
+  files.faults.throw_if_errors();
+  return files;
+}
+
+std::vector<SimTime> film_times(const std::string& every, SimTime end) {
+  SimTime step = std::max(exchange_period, round_up_to_exchange(end / film_pictures));
+  if (!every.empty()) {
+    const Parsed<double> step_s = parse_quantity(every, *find_unit("s"));
+    if (!step_s) {
+      throw InputError({},
+                       fmt::format("--every {}: the mission's time from one picture to the next "
+                                   "is wanted, as 10 s or 2 min",
+                                   every));
+    }
+    const double least_s = std::max(seconds(exchange_period), seconds(end) / film_pictures_max);
+    if (!(*step_s.value >= least_s)) {
+      throw InputError(
+          {}, fmt::format("--every {}: must be at least {:.3g} s in this run", every, least_s));
+    }
+    step = from_seconds(*step_s.value);
+  }
+  std::vector<SimTime> times;
+  for (SimTime time{}; time <= end; time += step) times.push_back(time);
+  return times;
+}
+
+}  // namespace
+
+PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every) {
+  const LogReader log(folder + "/log.gpkg");
+  PictureRun run{
+      mission_of(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}};
+  if (at.empty()) {
+    run.times = film_times(every, run.end);
+  } else {
+    run.times = {time_of(at, run.start)};
+    if (run.times[0] < SimTime{} || run.times[0] > run.end) {
+      throw InputError({}, fmt::format("--at {}: the run is from {} to {}", at,
+                                       format_utc(run.start), format_utc(run.start + run.end)));
+    }
+  }
+  const MissionInfo& mission = run.files.plan.mission;
+  run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
+                         mission.seed);
+  run.logged = read_logged(log, run.times);
+  for (const auto& [id, track] : run.logged.tracks) run.rovers.push_back(id);
+  return run;
+}
+
+PictureMoment moment(const PictureRun& run, std::size_t k, const std::string& rover) {
+  PictureMoment moment;
+  moment.rovers = &run.logged.moments[k];
+  std::vector<std::string> ids;
+  for (const LoggedRover& logged : *moment.rovers) {
+    ids.push_back(logged.sample.rover_id);
+    if (!moment.rover && (rover.empty() || ids.back() == rover)) moment.rover = &logged;
+  }
+  if (!moment.rover) {
+    throw InputError({}, rover.empty() ? "the run has no sample until then"
+                                       : fmt::format("--rover {}: the run has no such rover{}",
+                                                     rover, did_you_mean(rover, ids)));
+  }
+  const SampleRow& sample = moment.rover->sample;
+  const SiteFrame& site = run.ground->site();
+  // A parked rover has few samples; the Sun goes on.
+  moment.utc = run.start + std::max(sample.time, run.times[k]);
+  moment.sun = sunlight(site.body(), sample.place, moment.utc, 0);
+  moment.sun_S = direction_S(site, sample.p_S_m, moment.sun.seen);
+  return moment;
+}
+
+}  // namespace lsos

@@ -1,0 +1,41 @@
+// A finished or killed run, opened to make pictures of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lua/mission_files.h"
+#include "mission/logged_run.h"
+#include "planet/sunlight.h"
+#include "terrain/ground.h"
+
+namespace lsos {
+
+struct PictureRun {
+  MissionFiles files;
+  std::unique_ptr<Ground> ground;
+  Instant start;
+  SimTime end{};
+  std::vector<SimTime> times;  // of the pictures
+  LoggedRun logged;            // then
+  std::vector<std::string> rovers;
+};
+
+// `at`: "" for a film. `every`: of a film, "" for some 250 pictures. Throws InputError: no such
+// run, or no such time in it.
+PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every);
+
+// One moment, and how the Sun shone on one of its rovers.
+struct PictureMoment {
+  const LoggedMoment* rovers = nullptr;
+  const LoggedRover* rover = nullptr;
+  Instant utc;
+  Sunlight sun;
+  Vec3 sun_S = Vec3::UnitZ();
+};
+// `k`: of the run's times. `rover`: "" for the first. Throws InputError: none of that name until
+// then.
+PictureMoment moment(const PictureRun& run, std::size_t k, const std::string& rover);
+
+}  // namespace lsos

@@ -1,0 +1,43 @@
+// What a picture of a run shows, from its plan's scripts and its log: rovers, assets, tracks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lua/mission_files.h"
+#include "mission/logged_run.h"
+#include "terrain/ground.h"
+#include "view/scene_picture.h"
+#include "view/sun_picture.h"
+
+namespace lsos {
+
+// A rover or an asset, where it was.
+struct DrawnBody {
+  std::string id, type;
+  Vec3 p_S_m = Vec3::Zero();         // its reference point
+  std::vector<PictureSolid> solids;  // about the eye, without panels
+  std::vector<PanelFace> panels;     // about the eye
+  double reach_m = 1;                // everything lies so near to the reference point
+  double top_m = 1;                  // over it, along the vertical
+};
+
+// Rovers, then assets. `eye_S_m`: the point that they are drawn about.
+std::vector<DrawnBody> drawn_bodies(const MissionFiles& files, const Ground& ground,
+                                    const LoggedMoment& rovers, const Vec3& eye_S_m,
+                                    const Vec3& sun_S);
+
+// As a camera sees it.
+SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainShadow& shadow);
+
+// Where a rover has been until then, as a ribbon on the ground, from the camera's eye.
+struct RibbonStyle {
+  Vec3 colour = Vec3::Ones();
+  double half_m = 0.1;  // its half width; wider where that were less than a pixel
+};
+SceneMesh track_ribbon(const Ground& ground, const std::vector<TrackPoint>& track, SimTime until,
+                       const Camera& camera, const RibbonStyle& style);
+// Of a rover, by its place in the order of ids; as on maps.
+Vec3 rover_colour(std::size_t place);
+
+}  // namespace lsos
