@@ -2,10 +2,10 @@
 
 #include <epoxy/gl.h>
 
-#include <span>
-
 #include "base/error.h"
 #include "base/units.h"
+#include "view/depth_maps.h"
+#include "view/drawable.h"
 #include "view/program.h"
 #include "view/scene_shaders.h"
 
@@ -16,8 +16,6 @@ namespace {
 // The picture is drawn so many times as wide and high, so that edges are smooth: on small triangles
 // far quicker in software than several samples a pixel.
 constexpr int finer = 2;
-constexpr int map_px = 1024;
-constexpr std::size_t bodies_max = 8;  // that throw shadows, as in the shader
 constexpr double nearest_m = 0.2, farthest_m = 500e3;
 constexpr double level_ground = 0.30;  // as bright as that is in the picture, before its tone
 constexpr double exposure_max = 6;
@@ -52,57 +50,6 @@ struct Canvas {
   Canvas& operator=(const Canvas&) = delete;
 };
 
-// A mesh on the GPU.
-class Drawable {
- public:
-  explicit Drawable(const SceneMesh& mesh)
-      : count_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
-    glGenVertexArrays(1, &arrays_);
-    glBindVertexArray(arrays_);
-    glGenBuffers(2, buffers_.data());
-    fill(GL_ARRAY_BUFFER, buffers_[0], std::as_bytes(std::span(mesh.vertices)));
-    fill(GL_ELEMENT_ARRAY_BUFFER, buffers_[1], std::as_bytes(std::span(mesh.triangles)));
-    const std::array<std::pair<GLint, std::size_t>, 4> parts{
-        {{3, offsetof(SceneVertex, p_m)},
-         {3, offsetof(SceneVertex, normal)},
-         {3, offsetof(SceneVertex, colour)},
-         {1, offsetof(SceneVertex, sun_share)}}};
-    for (GLuint k = 0; k < parts.size(); ++k) {
-      glEnableVertexAttribArray(k);
-      glVertexAttribPointer(k, parts[k].first, GL_FLOAT, GL_FALSE, sizeof(SceneVertex),
-                            reinterpret_cast<const void*>(parts[k].second));
-    }
-  }
-  ~Drawable() {
-    glDeleteBuffers(2, buffers_.data());
-    glDeleteVertexArrays(1, &arrays_);
-  }
-  Drawable(const Drawable&) = delete;
-  Drawable& operator=(const Drawable&) = delete;
-
-  void draw() const {
-    glBindVertexArray(arrays_);
-    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
-  }
-  // Other triangles of its vertices.
-  void draw(const std::vector<std::array<std::uint32_t, 3>>& triangles) const {
-    glBindVertexArray(arrays_);
-    fill(GL_ELEMENT_ARRAY_BUFFER, buffers_[1], std::as_bytes(std::span(triangles)));
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles.size()), GL_UNSIGNED_INT,
-                   nullptr);
-  }
-
- private:
-  static void fill(GLenum kind, GLuint buffer, std::span<const std::byte> bytes) {
-    glBindBuffer(kind, buffer);
-    glBufferData(kind, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), GL_STATIC_DRAW);
-  }
-
-  GLuint arrays_ = 0;
-  std::array<GLuint, 2> buffers_{};
-  GLsizei count_;
-};
-
 void set(const Program& program, const char* name, const Vec3& v) {
   const Eigen::Vector3f f = v.cast<float>();
   glUniform3fv(program.uniform(name), 1, f.data());
@@ -110,77 +57,6 @@ void set(const Program& program, const char* name, const Vec3& v) {
 void set(const Program& program, const char* name, double x) {
   glUniform1f(program.uniform(name), static_cast<float>(x));
 }
-
-// The Sun's depth pictures of bodies, one a layer.
-class DepthMaps {
- public:
-  DepthMaps(const Scene& scene, std::span<const Drawable* const> bodies)
-      : count_(std::min(bodies.size(), bodies_max)) {
-    glGenTextures(1, &texture_);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_ARRAY, texture_);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, map_px, map_px,
-                 static_cast<GLsizei>(std::max<std::size_t>(1, count_)), 0, GL_DEPTH_COMPONENT,
-                 GL_FLOAT, nullptr);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    const std::array<float, 4> far{1, 1, 1, 1};
-    glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, far.data());
-    GLuint framebuffer = 0;
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
-    glViewport(0, 0, map_px, map_px);
-    const Program program(scene_shaders::depth_vertex, scene_shaders::depth_fragment);
-    glUseProgram(program.id());
-    for (std::size_t k = 0; k < count_; ++k) {
-      glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture_, 0,
-                                static_cast<GLint>(k));
-      glClear(GL_DEPTH_BUFFER_BIT);
-      matrices_.push_back(to_map(scene.bodies[k], scene.sun_S));
-      reaches_m_.push_back(static_cast<float>(1.05 * scene.bodies[k].reach_m));
-      glUniformMatrix4fv(program.uniform("to_map"), 1, GL_FALSE, matrices_.back().data());
-      bodies[k]->draw();
-    }
-    glDeleteFramebuffers(1, &framebuffer);
-  }
-  ~DepthMaps() { glDeleteTextures(1, &texture_); }
-  DepthMaps(const DepthMaps&) = delete;
-  DepthMaps& operator=(const DepthMaps&) = delete;
-
-  void bind(const Program& program) const {
-    const auto count = static_cast<GLsizei>(count_);
-    glUniform1i(program.uniform("bodies"), count);
-    glUniform1i(program.uniform("depths"), 0);
-    if (count == 0) return;
-    glUniformMatrix4fv(program.uniform("to_map"), count, GL_FALSE, matrices_.front().data());
-    glUniform1fv(program.uniform("reach_m"), count, reaches_m_.data());
-  }
-
- private:
-  // Its cube, -1..1 in all axes; depths grow away from the Sun.
-  static Matrix to_map(const SceneBody& body, const Vec3& sun_S) {
-    const Vec3 aside = std::abs(sun_S.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
-    Mat3 R;
-    R.row(0) = aside.cross(sun_S).normalized();
-    R.row(1) = sun_S.cross(R.row(0).transpose());
-    R.row(2) = -sun_S;
-    const double scale = 1 / (1.05 * body.reach_m);
-    Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
-    m.topLeftCorner<3, 3>() = scale * R;
-    m.topRightCorner<3, 1>() = -scale * (R * body.centre_m);
-    return m.cast<float>();
-  }
-
-  std::size_t count_;
-  GLuint texture_ = 0;
-  std::vector<Matrix> matrices_;
-  std::vector<float> reaches_m_;
-};
 
 Matrix to_picture(const Camera& camera) {
   Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
@@ -258,24 +134,14 @@ void set_all(const Program& program, const Scene& scene, const Camera& camera) {
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 // Those that a body may shade, and the others: most of the ground, which costs far less so.
-std::pair<Triangles, Triangles> split(const SceneMesh& ground, const Scene& scene) {
-  constexpr double margin = 1.1;
+std::pair<Triangles, Triangles> split(const Scene& scene, const DepthMaps& maps) {
+  const SceneMesh& ground = scene.ground;
   std::vector<std::uint8_t> is_near(ground.vertices.size(), 0);
-  const std::size_t bodies = std::min(scene.bodies.size(), bodies_max);
   for (std::size_t k = 0; k < ground.vertices.size(); ++k) {
-    const auto& p = ground.vertices[k].p_m;
-    const Vec3 p_m(p[0], p[1], p[2]);
-    const double step_m = margin_share * p_m.norm();
-    for (std::size_t b = 0; b < bodies; ++b) {
-      const SceneBody& body = scene.bodies[b];
-      const Vec3 to_m = p_m - body.centre_m;
-      const double behind_m = -to_m.dot(scene.sun_S);
-      const double aside_m = (to_m + behind_m * scene.sun_S).norm();
-      const double reach_m = margin * body.reach_m + step_m;
-      if (behind_m > -reach_m && aside_m < reach_m + scene.disc_rad * std::max(0.0, behind_m)) {
-        is_near[k] = 1;
-      }
-    }
+    const SceneVertex& vertex = ground.vertices[k];
+    const Vec3 p_m(vertex.p_m[0], vertex.p_m[1], vertex.p_m[2]);
+    if (vertex.sun_share <= 0) continue;  // dark as it is
+    is_near[k] = maps.may_shade(p_m, margin_share * p_m.norm(), scene.disc_rad) ? 1 : 0;
   }
   std::pair<Triangles, Triangles> parts;
   for (const auto& t : ground.triangles) {
@@ -325,7 +191,7 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
   glViewport(0, 0, finer * camera.width_px, finer * camera.height_px);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_sky(scene, camera);
-  const auto [shaded, plain] = split(scene.ground, scene);
+  const auto [shaded, plain] = split(scene, maps);
   const std::string vertex = toned(scene_shaders::surface_vertex);
   const Program with_shadows(vertex.c_str(), toned(scene_shaders::shaded_fragment).c_str());
   set_all(with_shadows, scene, camera);

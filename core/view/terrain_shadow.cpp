@@ -14,7 +14,7 @@ namespace {
 
 constexpr int nodes = 225;  // a side; one more than a multiple of four, so that squares nest
 constexpr double finest_half_m = 24;
-constexpr double farthest_half_m = 13e3;
+constexpr double farthest_half_m = 7e3;
 constexpr double resolution_cells = 16;  // detail is then drawn on nodes not much closer than ours
 // Beyond the squares the Sun's way is marched, from some places of their edge.
 constexpr int marches = 33;
