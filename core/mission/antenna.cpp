@@ -50,10 +50,12 @@ double AntennaArray::deploy(const std::string& name, bool up, std::optional<doub
     }
     is_any = true;
     State& state = states_[i];
-    if (state.goes_up == up) continue;  // there, or on its way
-    const double takes_s = duration_s.value_or(specs_[i].deploy_s);
-    state = {up, now, round_up_to_exchange(now + from_seconds(takes_s))};
-    longest_s = std::max(longest_s, seconds(*state.end - now));
+    if (state.goes_up != up) {
+      const double takes_s = duration_s.value_or(specs_[i].deploy_s);
+      state = {up, now, round_up_to_exchange(now + from_seconds(takes_s))};
+    }
+    // One that is there, or on its way, takes what is left.
+    if (state.end) longest_s = std::max(longest_s, seconds(*state.end - now));
   }
   if (is_any) return longest_s;
   throw std::runtime_error(

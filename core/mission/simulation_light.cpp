@@ -93,10 +93,7 @@ Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id,
   }
   for (const StandingAsset& asset : assets_) {
     if (asset.plan.id == except_id || !is_near(asset.pose.p_S_m)) continue;
-    asset.shape.append_to(mesh, {asset.pose}, eye_S_m);
-    for (const PanelFace& face : asset.panel_faces(eye_S_m, sun_S)) {
-      append(mesh, face_mesh(face), Mat3::Identity(), Vec3::Zero());
-    }
+    append_solids(mesh, asset, eye_S_m, sun_S);
   }
   return mesh;
 }

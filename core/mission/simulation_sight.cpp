@@ -6,6 +6,13 @@
 
 namespace lsos {
 
+namespace {
+
+// Panels may stand out of a body's shapes by this.
+constexpr double panels_reach_m = 10;
+
+}  // namespace
+
 void Simulation::make_sight() {
   const std::size_t ends = rovers_.size() + assets_.size();
   const bool is_earth_seen = ground_->site().body().name != earth_id;
@@ -38,7 +45,7 @@ std::vector<SightEnd> Simulation::sight_ends() const {
 // What may stand between two places; where they are one, all that is near to it.
 Mesh Simulation::solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const {
   const Vec3 way_m = to_S_m - from_S_m;
-  const double length_m = way_m.norm(), aside_m = length_m > 0 ? 0 : shading_reach_m;
+  const double length_m = way_m.norm(), aside_m = length_m > 0 ? panels_reach_m : shading_reach_m;
   const auto is_near = [&](const Vec3& p_S_m, double reach_m) {
     const double share =
         length_m > 0 ? std::clamp((p_S_m - from_S_m).dot(way_m) / (length_m * length_m), 0.0, 1.0)
@@ -52,7 +59,10 @@ Mesh Simulation::solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const 
   }
   for (const StandingAsset& asset : assets_) {
     if (!is_near(asset.pose.p_S_m, asset.shape.reach_m())) continue;
-    asset.shape.append_to(mesh, {asset.pose}, from_S_m);
+    const SiteFrame& site = ground_->site();
+    const Instant utc = setup_.plan.mission.start_time + now_;
+    const Sunlight sun = sunlight(site.body(), site.geodetic(asset.pose.p_S_m), utc, 0);
+    append_solids(mesh, asset, from_S_m, direction_S(site, asset.pose.p_S_m, sun.seen));
   }
   return mesh;
 }

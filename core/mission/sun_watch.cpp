@@ -48,6 +48,13 @@ void append_solids(Mesh& mesh, const RoverAgent& rover, const Vec3& eye_S_m, Sim
   }
 }
 
+void append_solids(Mesh& mesh, const StandingAsset& asset, const Vec3& eye_S_m, const Vec3& sun_S) {
+  asset.shape.append_to(mesh, {asset.pose}, eye_S_m);
+  for (const PanelFace& face : asset.panel_faces(eye_S_m, sun_S)) {
+    append(mesh, face_mesh(face), Mat3::Identity(), Vec3::Zero());
+  }
+}
+
 void aim_panels(const Ground& ground, RoverAgent& rover, const Sunlight& sun, SimTime now) {
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = rover.view().p_S_m;

@@ -15,6 +15,8 @@ inline constexpr double shading_reach_m = 100;
 
 // A rover's body and the panels that are up, about `eye_S_m`, site axes.
 void append_solids(Mesh& mesh, const RoverAgent& rover, const Vec3& eye_S_m, SimTime now);
+// An asset and its panels: those that turn face the Sun.
+void append_solids(Mesh& mesh, const StandingAsset& asset, const Vec3& eye_S_m, const Vec3& sun_S);
 
 // What the Sun does for a rover now. `others`: solids that may shade it, about the rover's
 // reference point, site axes.

@@ -85,6 +85,36 @@ TEST(Pairs, a_habitat_stands_between) {
   }
 }
 
+// The Sun stands 13 degrees high in the east: an array beside the line stands across it, its panel
+// wider than its mast; farther aside it does not reach.
+TEST(Pairs, a_solar_arrays_panel_stands_between) {
+  for (const double aside_m : {1.5, 6.0}) {
+    Mark array = asset("Array", "SolarArray", 60);
+    array.geometry = point(fmt::format("{:.9f},{:.9f}", degrees_of_m(60), degrees_of_m(aside_m)));
+    Mark mission = flat();
+    mission.fields[1] = {"StartTime", "2026-07-23T00:00:00Z"};
+    const PlanRun run({mission, rover("R", "MER", -200),
+                       event("Pause", "R", 1, {{"Duration", "60"}}),
+                       asset("M1", "CommStation", 0, {{"Height", "4"}}), array,
+                       asset("M2", "CommStation", 120, {{"Height", "4"}})});
+    ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    EXPECT_EQ(pair_at(run, 60, "M1", "M2").visible, aside_m > 3) << aside_m;
+  }
+}
+
+// Told again, a mast on its way up takes what is left of it.
+TEST(Pairs, a_mast_told_twice_is_up_when_it_is_up) {
+  const PlanRun run(
+      {flat(), rover("A", "SEV", 0),
+       event("DeployCA", "A", 1, {{"Duration", "300"}, {"Timeout", "100"}, {"OnFailure", "skip"}}),
+       event("DeployCA", "A", 2)});
+  EXPECT_EQ(run.outcome.exit_code, 1) << run.outcome.err;  // the first timed out
+  const std::vector<EventRow> events = run.log().events();
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_EQ(events[1].status, EventStatus::completed);
+  EXPECT_NEAR(seconds(*events[1].end), 300, 0.3);
+}
+
 TEST(Pairs, of_earth_ends_where_the_near_side_ends) {
   const auto seen = [](const std::string& at) {
     Mark rover{"Rover", {{"RoverId", "R"}, {"RoverType", "MER"}}, point(at)};
