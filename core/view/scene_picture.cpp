@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "view/canvas.h"
 #include "view/depth_maps.h"
 #include "view/drawable.h"
 #include "view/program.h"
@@ -22,33 +23,6 @@ constexpr double exposure_max = 6;
 constexpr double margin_share = 0.02;  // of the distance, between vertices of ground
 
 using Matrix = Eigen::Matrix4f;
-
-// Colour and depth to draw to; gone with the object.
-struct Canvas {
-  GLuint framebuffer = 0;
-  std::array<GLuint, 2> layers{};
-
-  Canvas(const Camera& camera, int times) {
-    glGenFramebuffers(1, &framebuffer);
-    glGenRenderbuffers(2, layers.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    const std::array<std::pair<GLenum, GLenum>, 2> uses{
-        {{GL_RGBA8, GL_COLOR_ATTACHMENT0}, {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT}}};
-    for (std::size_t k = 0; k < layers.size(); ++k) {
-      glBindRenderbuffer(GL_RENDERBUFFER, layers[k]);
-      glRenderbufferStorage(GL_RENDERBUFFER, uses[k].first, times * camera.width_px,
-                            times * camera.height_px);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, uses[k].second, GL_RENDERBUFFER, layers[k]);
-    }
-    LSOS_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-  }
-  ~Canvas() {
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteRenderbuffers(2, layers.data());
-  }
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
-};
 
 void set(const Program& program, const char* name, const Vec3& v) {
   const Eigen::Vector3f f = v.cast<float>();
@@ -186,7 +160,8 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
     bodies.push_back(owned.back().get());
   }
   const DepthMaps maps(scene, bodies);
-  const Canvas canvas(camera, finer), flat(camera, 1);
+  const Canvas canvas(finer * camera.width_px, finer * camera.height_px),
+      flat(camera.width_px, camera.height_px);
   glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
   glViewport(0, 0, finer * camera.width_px, finer * camera.height_px);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

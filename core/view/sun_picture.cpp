@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "view/canvas.h"
 #include "view/program.h"
 
 namespace lsos {
@@ -35,32 +36,6 @@ void main() {
   drawn = vec4(colour * shade, 1.0);
 }
 )";
-
-// Framebuffer with colour and depth; gone with the object.
-struct Canvas {
-  GLuint framebuffer = 0;
-  std::array<GLuint, 2> layers{};
-
-  explicit Canvas(int size_px) {
-    glGenFramebuffers(1, &framebuffer);
-    glGenRenderbuffers(2, layers.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    const std::array<std::pair<GLenum, GLenum>, 2> uses{
-        {{GL_RGBA8, GL_COLOR_ATTACHMENT0}, {GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT}}};
-    for (std::size_t k = 0; k < layers.size(); ++k) {
-      glBindRenderbuffer(GL_RENDERBUFFER, layers[k]);
-      glRenderbufferStorage(GL_RENDERBUFFER, uses[k].first, size_px, size_px);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, uses[k].second, GL_RENDERBUFFER, layers[k]);
-    }
-    LSOS_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-  }
-  ~Canvas() {
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteRenderbuffers(2, layers.data());
-  }
-  Canvas(const Canvas&) = delete;
-  Canvas& operator=(const Canvas&) = delete;
-};
 
 void draw_mesh(const Mesh& mesh) {
   GLuint arrays = 0;
@@ -103,7 +78,7 @@ std::array<float, 16> to_picture(const PictureFrame& frame) {
 }  // namespace
 
 Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFrame& frame) {
-  const Canvas canvas(frame.size_px);
+  const Canvas canvas(frame.size_px, frame.size_px);
   const Program program(vertex_shader, fragment_shader);
   glUseProgram(program.id());
   glViewport(0, 0, frame.size_px, frame.size_px);

@@ -1,0 +1,39 @@
+// Colour and depth to draw to, in pixels.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+
+namespace lsos {
+
+// Bound when it is made; gone with the object.
+struct Canvas {
+  GLuint framebuffer = 0;
+  std::array<GLuint, 2> layers{};
+
+  Canvas(int width_px, int height_px) {
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(2, layers.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const std::array<std::pair<GLenum, GLenum>, 2> uses{
+        {{GL_RGBA8, GL_COLOR_ATTACHMENT0}, {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT}}};
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      glBindRenderbuffer(GL_RENDERBUFFER, layers[k]);
+      glRenderbufferStorage(GL_RENDERBUFFER, uses[k].first, width_px, height_px);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, uses[k].second, GL_RENDERBUFFER, layers[k]);
+    }
+    LSOS_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+  }
+  ~Canvas() {
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(2, layers.data());
+  }
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+};
+
+}  // namespace lsos
