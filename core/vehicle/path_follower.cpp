@@ -84,6 +84,7 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
     if (gone_m() < leg.length_m - (leg.ends_in_stop ? at_end_m : 0)) break;
     if (leg.ends_in_stop) is_turning_ = true;
     ++leg_;
+    best_heading_error_rad_ = 2 * std::numbers::pi;
   }
   const DrivingLeg& leg = line_[leg_];
   const Vec2 offset_m = pose.p_S_m - leg.from_S_m;
@@ -222,7 +223,8 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
       is_turning && heading_error_rad < best_heading_error_rad_ - turning_progress_rad;
   if (has_moved) best_remaining_m_ = remaining_m_;
   if (has_turned) best_heading_error_rad_ = heading_error_rad;
-  if (!is_turning) best_heading_error_rad_ = 2 * std::numbers::pi;
+  // A heading that swings to and fro is no progress.
+  if (!is_turning && has_moved) best_heading_error_rad_ = 2 * std::numbers::pi;
   since_progress_s_ = has_moved || has_turned ? 0 : since_progress_s_ + period_s;
   return since_progress_s_ > stuck_s;
 }
