@@ -36,4 +36,12 @@ struct Canvas {
   Canvas& operator=(const Canvas&) = delete;
 };
 
+// Another user of the context may have left them on; shaders that do not write them would cut at
+// random.
+inline void disable_clip_planes() {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_CLIP_DISTANCES, &most);
+  for (GLint k = 0; k < most; ++k) glDisable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(k));
+}
+
 }  // namespace lsos

@@ -151,7 +151,7 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_CULL_FACE);
-  for (GLenum k = 0; k < 5; ++k) glDisable(GL_CLIP_DISTANCE0 + k);
+  disable_clip_planes();
   const Drawable ground(scene.ground), marks(scene.marks);
   std::vector<std::unique_ptr<Drawable>> owned;
   std::vector<const Drawable*> bodies;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "view/highest_ground.h"
+
 namespace lsos {
 
 namespace {
@@ -16,9 +18,6 @@ constexpr int cut = 4;
 
 // What two ways of asking for the same ground differ by.
 constexpr double rounding_m = 1e-3;
-
-// No ground of Moon, Mars or Earth lies as low.
-constexpr double lowest_ground_m = -12e3;
 
 }  // namespace
 

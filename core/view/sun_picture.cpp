@@ -86,7 +86,7 @@ Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFram
   glDepthFunc(GL_LESS);
   glEnable(GL_DEPTH_CLAMP);  // a ridge far away hides too
   glDisable(GL_CULL_FACE);
-  for (GLenum k = 0; k < 5; ++k) glDisable(GL_CLIP_DISTANCE0 + k);
+  disable_clip_planes();
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   const std::array<float, 16> matrix = to_picture(frame);

@@ -50,7 +50,9 @@ double share_of(double height_m, double dark_m, double lit_m, double cell_m) {
 
 TerrainShadow::TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Vec3& sun_S,
                              double disc_rad, const GroundSector& sector)
-    : up_S_(ground.site().up_S(eye_S_m)), sector_(sector) {
+    : up_S_(ground.site().up_S(eye_S_m)),
+      radius_m_(ground.site().body().equatorial_radius_m),
+      sector_(sector) {
   const double sine = std::clamp(sun_S.dot(up_S_), -1.0, 1.0);
   const Vec3 level_S = sun_S - sine * up_S_;
   along_S_ = level_S.norm() > 1e-6 ? level_S.normalized() : ground.site().north_S(eye_S_m);
@@ -150,6 +152,8 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
   level.dark_m.assign(level.ground_m.size(), none);
   level.lit_m = level.dark_m;
   level.share.assign(level.ground_m.size(), 1);
+  const double under_eye_m =
+      std::max<double>(-10, levels_.front().ground_m[node_at((nodes - 1) / 2, (nodes - 1) / 2)]);
   for (int j = 0; j < nodes; ++j) {
     const double across_m = j * level.cell_m - level.half_m;
     auto [dark_m, lit_m] = at_edge(across_m);
@@ -162,6 +166,18 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
     for (int i = nodes - 1, end = first_seen(level, j); i >= end; --i) {
       const std::size_t k = node_at(j, i);
       const double ground_m = level.ground_m[k];
+      if (ground_m <= none) {
+        // Where no ground is known it is taken to lie as under the eye, and throws no shadow.
+        const double along_m = i * level.cell_m - level.half_m;
+        const double drop_m = (along_m * along_m + across_m * across_m) / (2 * radius_m_);
+        level.dark_m[k] = static_cast<float>(dark_m);
+        level.lit_m[k] = static_cast<float>(lit_m);
+        level.share[k] =
+            static_cast<float>(share_of(under_eye_m - drop_m, dark_m, lit_m, level.cell_m));
+        dark_m -= top_slope_ * level.cell_m;
+        lit_m -= low_slope_ * level.cell_m;
+        continue;
+      }
       level.dark_m[k] = static_cast<float>(dark_m);
       level.lit_m[k] = static_cast<float>(lit_m);
       level.share[k] = static_cast<float>(share_of(ground_m, dark_m, lit_m, level.cell_m));

@@ -56,6 +56,7 @@ class TerrainShadow {
 
   Vec3 up_S_, along_S_, across_S_;
   double top_slope_, low_slope_;  // of rays to the disc's edges
+  double radius_m_;               // of the body
   GroundSector sector_;
   std::vector<Limits> edge_;   // of the last level, towards the Sun
   std::vector<Level> levels_;  // from fine to coarse

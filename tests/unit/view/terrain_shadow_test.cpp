@@ -3,7 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "view/ground_light.h"
@@ -75,6 +79,46 @@ TEST(TerrainShadow, darkens_what_stands_low_in_it_and_not_what_rises_above_it) {
   const TerrainShadow shadow(relief.ground, {0, 0, 20}, direction(0, 2 * deg), disc_rad);
   EXPECT_EQ(shadow.at({0, 600, -60}), 0);
   EXPECT_EQ(shadow.at({0, 600, 300}), 1);
+}
+
+// A level raster, 400 m to a side.
+class SmallRaster {
+ public:
+  SmallRaster() {
+    std::filesystem::create_directories(folder_);
+    constexpr int size = 40;
+    std::ofstream samples(folder_ / "level.raw", std::ios::binary);
+    for (int k = 0; k < size * size; ++k) samples.write("\0\0\0\0", 4);
+    std::ofstream(file()) << R"(<VRTDataset rasterXSize="40" rasterYSize="40">
+<SRS>+proj=eqc +R=1737400 +units=m +no_defs</SRS>
+<GeoTransform>-200, 10, 0, 200, 0, -10</GeoTransform>
+<VRTRasterBand dataType="Float32" band="1" subClass="VRTRawRasterBand">
+<SourceFilename relativetoVRT="1">level.raw</SourceFilename>
+<ImageOffset>0</ImageOffset><PixelOffset>4</PixelOffset><LineOffset>160</LineOffset>
+</VRTRasterBand></VRTDataset>
+)";
+  }
+  ~SmallRaster() { std::filesystem::remove_all(folder_); }
+  std::string file() const { return folder_ / "level.vrt"; }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("lsos-shadow-" + std::to_string(::getpid()));
+};
+
+// A raster's end is no cliff: where no ground is known the Sun shines on what is drawn there.
+TEST(TerrainShadow, leaves_light_where_no_ground_is_known) {
+  const SmallRaster raster;
+  TerrainSpec spec;
+  spec.layers = {RasterSurface{raster.file(), 1}};
+  const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(0, 0));
+  const Ground ground(spec, site, 1);
+  EXPECT_TRUE(Ground::Probe(ground).sample({0, 150, 0}).is_ground());
+  EXPECT_FALSE(Ground::Probe(ground).sample({0, 250, 0}).is_ground());
+  const TerrainShadow shadow(ground, {0, 0, 10}, direction(0.3, 30 * deg), disc_rad, {});
+  for (const double north_m : {-3000.0, -195.0, 0.0, 195.0, 300.0, 3000.0}) {
+    EXPECT_NEAR(shadow.on_ground({0, north_m, -10}), 1, 1e-6) << north_m;
+  }
 }
 
 }  // namespace
