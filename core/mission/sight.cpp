@@ -25,6 +25,7 @@ double Sight::ornament_share(const Vec3& from_S_m, const Vec3& to_S_m, const Mes
   const Vec3 way_m = to_S_m - from_S_m;
   const double distance_m = way_m.norm();
   if (distance_m <= antenna_margins.panel_m + antenna_margins.viewer_m) return 1;
+  if (passes_under_ground(site_, from_S_m, to_S_m)) return 0;
   Mesh all = solids;
   append(all, between_.between(from_S_m, to_S_m, ornament_half_m), Mat3::Identity(), Vec3::Zero());
   const Viewpoint viewer{-way_m / distance_m, distance_m};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/sun_watch.h"
 #include "planet/sky.h"
 
 namespace lsos {
@@ -40,19 +41,30 @@ SightWatch::SightWatch(const Ground& ground, Renderer& renderer, std::size_t end
   }
 }
 
+bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
+                         const std::vector<SightEnd>& ends) const {
+  const Vec3& from_S_m = ends[pair.from].antenna_S_m;
+  if (pair.to == earth_) return (other.p_S_m - from_S_m).norm() < shading_reach_m + other.reach_m;
+  return distance_to_line_m(other.p_S_m, from_S_m, ends[pair.to].antenna_S_m) <
+         near_line_m + other.reach_m;
+}
+
+// How long a look at parked ends holds.
+SimTime SightWatch::interval(const Pair& pair) const {
+  const Body& body = ground_->site().body();
+  if (pair.to == earth_) return earth_interval(body);
+  return pair.is_near_turning ? sun_interval(body) : SimTime::max() / 2;
+}
+
 bool SightWatch::is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const {
   if (!pair.time) return true;
   const bool is_to_earth = pair.to == earth_;
-  if (is_to_earth && now >= *pair.time + earth_interval(ground_->site().body())) return true;
+  if (now >= *pair.time + interval(pair)) return true;
   Motion motion = ends[pair.from].motion;
   if (!is_to_earth) motion = std::max(motion, ends[pair.to].motion);
-  const Vec3& from_S_m = ends[pair.from].antenna_S_m;
   for (const SightEnd& other : ends) {
     if (other.motion == Motion::none) continue;
-    const double away_m =
-        is_to_earth ? (other.p_S_m - from_S_m).norm() - near_line_m
-                    : distance_to_line_m(other.p_S_m, from_S_m, ends[pair.to].antenna_S_m);
-    if (away_m < near_line_m + other.reach_m) motion = std::max(motion, other.motion);
+    if (is_near(pair, other, ends)) motion = std::max(motion, other.motion);
   }
   if (motion == Motion::has_ended) return true;
   return motion == Motion::goes_on && now > *pair.time && now % moving_look_period == SimTime{};
@@ -101,6 +113,9 @@ std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
     if (!is_due(pair, now, ends)) continue;
     look_at(pair, utc, ends, solids);
     pair.time = now;
+    pair.is_near_turning = std::ranges::any_of(ends, [&](const SightEnd& other) {
+      return other.turns_with_sun && is_near(pair, other, ends);
+    });
     const auto follow = [&](const char* kind, bool is_so, std::optional<Interval>& interval) {
       if (is_so && !interval) interval = Interval{now, distance_m(pair, utc, ends) / light_mps};
       if (is_so || !interval) return;
@@ -177,8 +192,8 @@ std::string SightWatch::relay(const Pair& pair, const std::vector<SightEnd>& end
 std::optional<SimTime> SightWatch::wake() const {
   std::optional<SimTime> wake;
   for (const Pair& pair : pairs_) {
-    if (pair.to != earth_ || !pair.time) continue;
-    const SimTime due = round_up_to_exchange(*pair.time + earth_interval(ground_->site().body()));
+    if ((pair.to != earth_ && !pair.is_near_turning) || !pair.time) continue;
+    const SimTime due = round_up_to_exchange(*pair.time + interval(pair));
     wake = std::min(wake.value_or(due), due);
   }
   return wake;

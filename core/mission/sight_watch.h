@@ -31,7 +31,8 @@ struct SightEnd {
   double range_max_m = std::numeric_limits<double>::infinity();
   bool reaches_earth = true;
   Motion motion = Motion::none;
-  double reach_m = 0;  // all of its body lies so near to the reference point
+  double reach_m = 0;           // all of its body lies so near to the reference point
+  bool turns_with_sun = false;  // its panels do, though it stands
 };
 
 class SightWatch {
@@ -69,13 +70,17 @@ class SightWatch {
     std::optional<SimTime> time;
     bool is_visible = false, is_linked = false;
     double fraction = not_modelled;
+    bool is_near_turning = false;  // what turns with the Sun may stand between
     std::optional<Interval> visible, linked;
 
     void archive(Archive& a) {
-      a(from)(to)(time)(is_visible)(is_linked)(fraction)(visible)(linked);
+      a(from)(to)(time)(is_visible)(is_linked)(fraction)(is_near_turning)(visible)(linked);
     }
   };
 
+  // What moves there may come between.
+  bool is_near(const Pair& pair, const SightEnd& other, const std::vector<SightEnd>& ends) const;
+  SimTime interval(const Pair& pair) const;
   bool is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const;
   void look_at(Pair& pair, Instant utc, const std::vector<SightEnd>& ends,
                const SolidsBetween& solids);

@@ -31,13 +31,13 @@ std::vector<SightEnd> Simulation::sight_ends() const {
     ends.push_back({rover.agent->id(), rover.agent->view().p_S_m, rover.agent->antenna_S_m(),
                     antennas.is_up(in_use, now_), antenna.range_max_m, antenna.reaches_earth,
                     antennas.has_changed(now_) ? Motion::has_ended : rover.motion,
-                    rover.agent->shape().reach_m()});
+                    rover.agent->shape().reach_m(), false});
   }
   for (const StandingAsset& asset : assets_) {
     const double height_m = asset.plan.antenna_height_m.value_or(asset.model.antenna_height_m);
     ends.push_back({asset.plan.id, asset.pose.p_S_m, asset.pose.point_S_m({0, 0, height_m}), true,
                     asset.model.antenna_range_max_m, asset.model.reaches_earth, Motion::none,
-                    asset.shape.reach_m()});
+                    asset.shape.reach_m(), !asset.model.panels.empty()});
   }
   return ends;
 }

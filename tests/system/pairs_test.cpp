@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "system/plan_run.h"
 
@@ -72,6 +73,51 @@ TEST(Pairs, two_below_each_others_horizon_are_joined_through_an_asset) {
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").visible, 1);
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").link, 0);
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").relay, "Mid");
+}
+
+// Both stand so high that they see each other; the antennas reach 30 km.
+TEST(Pairs, has_no_link_beyond_the_range_of_its_antennas) {
+  for (const double away_m : {29.9e3, 30.1e3}) {
+    const PlanRun run({flat(), rover("R", "MER", -200),
+                       event("Pause", "R", 1, {{"Duration", "60"}}),
+                       asset("M1", "CommStation", 0, {{"Height", "400"}}),
+                       asset("M2", "CommStation", away_m, {{"Height", "400"}})});
+    ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    const PairRow row = pair_at(run, 60, "M1", "M2");
+    EXPECT_EQ(row.visible, 1);
+    EXPECT_EQ(row.link, away_m < 30e3) << away_m;
+  }
+}
+
+// Earth stands 1.1 degrees high in the west: a tall rover 40 m away comes to stand before it.
+TEST(Pairs, of_earth_ends_when_another_rover_stands_before_it) {
+  const double azimuth_rad = 274.406 * std::numbers::pi / 180;
+  const auto at = [&](double ahead_m, double aside_m) {
+    const double east_m = ahead_m * std::sin(azimuth_rad) + aside_m * std::cos(azimuth_rad);
+    const double north_m = ahead_m * std::cos(azimuth_rad) - aside_m * std::sin(azimuth_rad);
+    return fmt::format("{:.9f},{:.9f}", 86 + degrees_of_m(east_m), degrees_of_m(north_m));
+  };
+  Mark small{"Rover", {{"RoverId", "A"}, {"RoverType", "MER"}}, point("86,0")};
+  Mark tall{"Rover", {{"RoverId", "B"}, {"RoverType", "SEV"}}, point(at(40, 25))};
+  const PlanRun run({flat(), small, tall, event("Pause", "A", 1, {{"Duration", "100"}}),
+                     event("Route", "B", 1, {{"ArrivalRadius", "0.5"}}, point(at(40, 0)))});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  EXPECT_EQ(pair_at(run, 0, "A", "Earth").visible, 1);
+  EXPECT_EQ(pair_at(run, 100, "A", "Earth").visible, 0);
+}
+
+TEST(Pairs, has_each_pair_once_at_each_sample) {
+  const PlanRun run({flat(), rover("A", "MER", 0), rover("B", "MER", 50),
+                     event("Pause", "A", 1, {{"Duration", "60"}}), asset("M", "CommStation", 100)});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  std::set<std::string> keys;
+  const std::vector<PairRow> rows = run.log().pairs();
+  for (const PairRow& row : rows) {
+    EXPECT_LT(row.from_id, row.to_id == "Earth" ? "~" : row.to_id);
+    keys.insert(fmt::format("{} {} {}", seconds(row.time), row.from_id, row.to_id));
+  }
+  EXPECT_EQ(keys.size(), rows.size());
+  EXPECT_EQ(rows.size() % 6, 0u);  // 3 of A, 2 of B, 1 of M at each time
 }
 
 TEST(Pairs, a_habitat_stands_between) {
