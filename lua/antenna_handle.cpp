@@ -17,8 +17,10 @@ int deploy(lua_State* L) {
   std::optional<double> duration_s;
   if (!lua_isnoneornil(L, 3)) {
     duration_s = luaL_checknumber(L, 3);
-    if (!(*duration_s >= 0)) {
-      throw std::runtime_error(fmt::format("antennas: a duration of {} s is below 0", *duration_s));
+    constexpr double longest_s = 366 * 86400.0;
+    if (!(*duration_s >= 0 && *duration_s <= longest_s)) {
+      throw std::runtime_error(
+          fmt::format("antennas: a duration of {} s; 0 to {} are allowed", *duration_s, longest_s));
     }
   }
   lua_pushnumber(L, rover.deploy_antenna(luaL_optstring(L, 2, ""), up, duration_s));

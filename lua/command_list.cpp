@@ -64,8 +64,16 @@ std::string field_text(const FieldDeclaration& field) {
 struct Listed {
   std::string name, doc;
   std::vector<FieldDeclaration> fields = {};
-  std::optional<std::vector<RoverConfiguration>> configurations = {};  // of rovers
+  std::optional<RoverModel> rover = {};
+  bool is_asset = false;
 };
+
+template <class Named>
+std::vector<std::string> names(const std::vector<Named>& all) {
+  std::vector<std::string> names;
+  for (const Named& one : all) names.push_back(one.name);
+  return names;
+}
 
 std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
   std::vector<Listed> all;
@@ -77,7 +85,8 @@ std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
   } else if (what == "rovers") {
     for (const auto& [name, rover] : declarations.rover_types) {
       all.push_back({name, rover.doc});
-      if (!rover.is_asset) all.back().configurations = catalog.load_rover(name).spec.configurations;
+      all.back().is_asset = rover.is_asset;
+      if (!rover.is_asset) all.back().rover = catalog.load_rover(name);
     }
   } else if (what == "terrains") {
     for (const std::string& name : declarations.terrains) {
@@ -96,21 +105,45 @@ std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
 Json listed_json(const Listed& one) {
   Json json{{"name", one.name}, {"doc", one.doc}, {"fields", Json::array()}};
   for (const FieldDeclaration& field : one.fields) json["fields"].push_back(field_json(field));
-  if (!one.configurations) return json;
+  if (one.rover || one.is_asset) json["is_asset"] = one.is_asset;
+  if (!one.rover) return json;
   json["configurations"] = Json::array();
-  for (const RoverConfiguration& configuration : *one.configurations) {
+  for (const RoverConfiguration& configuration : one.rover->spec.configurations) {
     json["configurations"].push_back({{"name", configuration.name}, {"doc", configuration.doc}});
+  }
+  json["panels"] = names(one.rover->power.panels);
+  json["antennas"] = Json::array();
+  for (const AntennaSpec& antenna : one.rover->antennas) {
+    json["antennas"].push_back({{"name", antenna.name}, {"is_stowable", antenna.is_stowable()}});
+  }
+  json["resources"] = Json::array();
+  for (const ResourceSpec& resource : one.rover->power.resources) {
+    json["resources"].push_back({{"name", resource.name}, {"unit", resource.unit}});
   }
   return json;
 }
 
 std::string listed_text(const Listed& one) {
-  std::string text = fmt::format("{}{}{}\n", one.name, one.doc.empty() ? "" : ": ", one.doc);
+  std::string text = fmt::format("{}{}{}{}\n", one.name, one.is_asset ? " (asset)" : "",
+                                 one.doc.empty() ? "" : ": ", one.doc);
   for (const FieldDeclaration& field : one.fields) text += field_text(field);
-  if (!one.configurations) return text;
-  for (const RoverConfiguration& configuration : *one.configurations) {
+  if (!one.rover) return text;
+  for (const RoverConfiguration& configuration : one.rover->spec.configurations) {
     text += fmt::format("  RoverConfig {}: {}\n", configuration.name, configuration.doc);
   }
+  const PowerSpec& power = one.rover->power;
+  if (!power.panels.empty()) {
+    text += fmt::format("  panels: {}\n", fmt::join(names(power.panels), ", "));
+  }
+  std::vector<std::string> antennas, resources;
+  for (const AntennaSpec& antenna : one.rover->antennas) {
+    antennas.push_back(antenna.name + (antenna.is_stowable() ? " (stowed at the start)" : ""));
+  }
+  if (!antennas.empty()) text += fmt::format("  antennas: {}\n", fmt::join(antennas, ", "));
+  for (const ResourceSpec& resource : power.resources) {
+    resources.push_back(fmt::format("{} ({})", resource.name, resource.unit));
+  }
+  if (!resources.empty()) text += fmt::format("  resources: {}\n", fmt::join(resources, ", "));
   return text;
 }
 

@@ -33,7 +33,9 @@ int of_panels(lua_State* L) {
 
 double check_not_negative(lua_State* L, int argument, const char* what) {
   const double value = luaL_checknumber(L, argument);
-  if (!(value >= 0)) throw std::runtime_error(fmt::format("{}: {} is below 0", what, value));
+  if (!(value >= 0 && std::isfinite(value))) {
+    throw std::runtime_error(fmt::format("{}: {}; 0 or more is wanted", what, value));
+  }
   return value;
 }
 

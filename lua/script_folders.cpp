@@ -10,9 +10,14 @@ namespace fs = std::filesystem;
 std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
                                          const std::string& shipped_folder) {
   std::vector<ScriptFolder> folders;
+  // A folder that comes twice counts where it comes first.
   const auto add = [&](const std::string& folder, const std::string& shown) {
     std::error_code is_absent;
-    if (!fs::equivalent(folder, shipped_folder, is_absent)) folders.push_back({folder, shown});
+    for (const ScriptFolder& earlier : folders) {
+      if (fs::equivalent(folder, earlier.path, is_absent)) return;
+    }
+    const bool is_shipped = fs::equivalent(folder, shipped_folder, is_absent);
+    folders.push_back({folder, is_shipped ? "" : shown});
   };
   const std::string beside = fs::path(plan_file).parent_path().string();
   add(beside.empty() ? "." : beside, beside);
@@ -20,7 +25,7 @@ std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std
   for (std::string folder; std::getline(path, folder, ':');) {
     if (!folder.empty()) add(folder, folder);
   }
-  folders.push_back({shipped_folder, ""});
+  add(shipped_folder, "");
   return folders;
 }
 

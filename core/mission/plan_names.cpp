@@ -18,6 +18,12 @@ std::vector<std::string> names_of(const Things& things) {
   return names;
 }
 
+std::vector<AntennaSpec> stowable(const RoverModel& rover) {
+  std::vector<AntennaSpec> antennas;
+  std::ranges::copy_if(rover.antennas, std::back_inserter(antennas), &AntennaSpec::is_stowable);
+  return antennas;
+}
+
 // What a field may name, and whose that is, as messages say it.
 struct Known {
   std::string owner, what;
@@ -38,9 +44,14 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers,
                       const std::map<std::string, AssetModel>& assets, Faults& faults) {
   std::vector<std::string> with_power;
+  bool is_power_known = true;
   for (const PlanAsset& asset : plan.assets) {
     const auto model = assets.find(asset.type);
-    if (model == assets.end()) return;
+    // One whose script has a fault may have power to give.
+    if (model == assets.end()) {
+      is_power_known = false;
+      continue;
+    }
     if (model->second.supply_w > 0 || !model->second.panels.empty()) with_power.push_back(asset.id);
   }
   for (const PlanEvent& event : plan.events) {
@@ -55,7 +66,7 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
         case NameOf::resource:
           return {rover->type, "resource", names_of(power.resources)};
         case NameOf::antenna:
-          return {rover->type, "antenna", names_of(model->second.antennas)};
+          return {rover->type, "stowable antenna", names_of(stowable(model->second))};
         case NameOf::power_source:
           return {"the plan", "asset with power to give", with_power};
         case NameOf::anything:
@@ -66,6 +77,7 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
     for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
       const auto value = event.params.find(field.key);
       if (field.names == NameOf::anything || value == event.params.end()) continue;
+      if (field.names == NameOf::power_source && !is_power_known) continue;
       const auto& name = std::get<std::string>(value->second);
       const std::string fault = fault_of(known(field.names), name);
       if (fault.empty()) continue;

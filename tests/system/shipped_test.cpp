@@ -1,5 +1,5 @@
 // All that is shipped works: every plan, every terrain, every rover and every soil.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +118,11 @@ TEST(List, says_what_a_plan_can_name_and_what_that_is) {
             "crew.\n"
             "  RoverConfig OneCrew: Without the right-hand astronaut.\n"
             "  RoverConfig Empty: Without crew and load.\n");
+  EXPECT_THAT(run({"list", "rovers", "SEV"}).out,
+              testing::HasSubstr("  panels: Roof\n"
+                                 "  antennas: Mast (stowed at the start), Whip\n"
+                                 "  resources: oxygen (kg), sample bags (bags)\n"));
+  EXPECT_THAT(run({"list", "rovers", "Habitat"}).out, testing::StartsWith("Habitat (asset): "));
   EXPECT_EQ(run({"list", "soils", "Rock"}).out, "Rock: Bare rock (assumed friction 0.7).\n");
   EXPECT_EQ(run({"list", "terrains", "Flat"}).out, "Flat: Level ground of nominal lunar soil.\n");
 }
@@ -129,6 +134,9 @@ TEST(List, gives_configurations_of_rovers_as_json) {
             nlohmann::json::parse(R"([{"name": "Unloaded", "doc": "Without its payload."}])"));
   const auto wait = nlohmann::json::parse(run({"list", "events", "Wait", "--json"}).out).at(0);
   EXPECT_FALSE(wait.contains("configurations"));
+  EXPECT_EQ(sev.at("antennas").at(0),
+            nlohmann::json::parse(R"({"name": "Mast", "is_stowable": true})"));
+  EXPECT_EQ(sev.at("panels"), nlohmann::json::parse(R"(["Roof"])"));
 }
 
 TEST(List, leaves_out_what_cannot_be_used) {
