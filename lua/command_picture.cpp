@@ -5,6 +5,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "lua/commands.h"
 #include "lua/picture_frame.h"
@@ -20,7 +21,15 @@ std::atomic<int> asked_to_stop{0};
 void ask_to_stop(int signal) { asked_to_stop = signal; }
 
 void check(const PictureOptions& options) {
+  const std::filesystem::path folder = std::filesystem::path(options.file).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    throw InputError({},
+                     fmt::format("-o {}: there is no folder {}", options.file, folder.string()));
+  }
   if (!options.is_movie) {
+    if (options.file.ends_with(".mp4")) {
+      throw InputError({}, fmt::format("-o {}: a film is made with --movie", options.file));
+    }
     if (options.at.empty()) {
       throw InputError({}, "--at is missing: UTC or a time from the start, as 10 min; or --movie");
     }
@@ -35,6 +44,9 @@ void check(const PictureOptions& options) {
   if (!options.file.ends_with(".mp4")) {
     throw InputError({}, fmt::format("-o {}: a --movie's name must end in .mp4", options.file));
   }
+  if (options.size_px % 2 != 0) {
+    throw InputError({}, fmt::format("--size {}: a --movie's must be even", options.size_px));
+  }
 }
 
 void print(const PictureOptions& options, nlohmann::ordered_json about) {
@@ -45,24 +57,23 @@ void print(const PictureOptions& options, nlohmann::ordered_json about) {
 
 int make_film(const PictureOptions& options, const PictureRun& run, const PictureWish& wish,
               const Gpu& gpu, Lettering& letters) {
-  const auto size = [](const RgbPicture& picture) {
-    return std::pair{picture.width_px, picture.height_px};
-  };
-  const PictureFrameOut first = picture_of(run, 0, wish, gpu, letters);
+  const PictureSize size = picture_size(run, wish);
+  nlohmann::ordered_json about;
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  Film film(options.file, size(first.picture).first, size(first.picture).second);
+  Film film(options.file, size.width_px, size.height_px);
   for (std::size_t k = 0; k < run.times.size(); ++k) {
+    const PictureFrameOut frame = picture_of(run, k, wish, gpu, letters);
+    if (k == 0) about = frame.about;
+    film.add(frame.picture.rgb);
     if (asked_to_stop != 0) return 128 + asked_to_stop;
-    film.add(picture_of(run, k, wish, gpu, letters).picture.rgb);
-    if (isatty(STDERR_FILENO) != 0) {
+    if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
       fmt::print(stderr, "\rpicture {} of {}{}", k + 1, run.times.size(),
                  k + 1 == run.times.size() ? "\n" : "");
       std::fflush(stderr);
     }
   }
   film.finish();
-  nlohmann::ordered_json about = first.about;
   about["pictures"] = run.times.size();
   print(options, about);
   return 0;
@@ -73,6 +84,7 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
 int picture_command(const PictureOptions& options) {
   check(options);
   const PictureRun run = open_run(options.folder, options.at, options.every);
+  for (const std::string& warning : run.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const PictureWish wish{options.from, options.rover, options.size_px};
   const Gpu gpu;
   Lettering letters;

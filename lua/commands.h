@@ -104,6 +104,7 @@ struct PictureOptions {
   int size_px = 0;    // 0: as the view has it
   bool is_movie = false;
   std::string every;  // of a film, "": some 250 pictures
+  bool is_quiet = false;
 };
 int picture_command(const PictureOptions& options);
 

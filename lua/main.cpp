@@ -119,6 +119,7 @@ CLI::App* add_picture(CLI::App& app, lsos::PictureOptions& picture, bool& is_jso
   command->add_option("--every", picture.every,
                       "Of the mission, from one of its pictures to the next (for some 250)");
   command->add_option("-o,--output", picture.file, "The PNG, or MP4, to write")->required();
+  command->add_flag("--quiet", picture.is_quiet, "No progress");
   command->add_flag("--json", is_json, "Its answer is JSON in any case");
   return command;
 }

@@ -16,6 +16,12 @@ struct PictureWish {
   int size_px = 0;           // the width, of what the Sun sees each side; 0: 1280, or 800
 };
 
+struct PictureSize {
+  int width_px = 0, height_px = 0;
+};
+// Throws InputError: no such view.
+PictureSize picture_size(const PictureRun& run, const PictureWish& wish);
+
 struct PictureFrameOut {
   RgbPicture picture;
   nlohmann::ordered_json about;  // what is told of it

@@ -42,6 +42,21 @@ MissionFiles mission_of(const std::string& folder, const std::map<std::string, s
   return files;
 }
 
+// Of the scripts and the ground that the run names, those that are not what they were.
+std::vector<std::string> changed_since(const MissionFiles& files, const Ground& ground,
+                                       const std::map<std::string, std::string>& run) {
+  std::vector<std::string> changed;
+  for (const Script& script : files.catalog->scripts()) {
+    if (script.kind != ScriptKind::rover) continue;
+    const auto hash = run.find(fmt::format("rover_{}_sha256", script.name));
+    if (hash == run.end() || hash->second == script.sha256) continue;
+    changed.push_back(script.file);
+  }
+  const auto hash = run.find("terrain_sha256");
+  if (hash != run.end() && hash->second != ground.hash()) changed.push_back("the terrain");
+  return changed;
+}
+
 std::vector<SimTime> film_times(const std::string& every, SimTime end) {
   SimTime step = std::max(exchange_period, round_up_to_exchange(end / film_pictures));
   if (!every.empty()) {
@@ -69,7 +84,7 @@ std::vector<SimTime> film_times(const std::string& every, SimTime end) {
 PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every) {
   const LogReader log(folder + "/log.gpkg");
   PictureRun run{
-      mission_of(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}};
+      mission_of(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}, {}};
   if (at.empty()) {
     run.times = film_times(every, run.end);
   } else {
@@ -82,8 +97,12 @@ PictureRun open_run(const std::string& folder, const std::string& at, const std:
   const MissionInfo& mission = run.files.plan.mission;
   run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
                          mission.seed);
-  run.logged = read_logged(log, run.times);
+  run.logged = read_logged(log, run.times, *run.ground, mission.log_interval);
   for (const auto& [id, track] : run.logged.tracks) run.rovers.push_back(id);
+  for (const std::string& what : changed_since(run.files, *run.ground, log.run())) {
+    run.warnings.push_back(
+        fmt::format("{} is not what it was when {} was run: the picture may differ", what, folder));
+  }
   return run;
 }
 

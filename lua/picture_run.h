@@ -20,6 +20,7 @@ struct PictureRun {
   std::vector<SimTime> times;  // of the pictures
   LoggedRun logged;            // then
   std::vector<std::string> rovers;
+  std::vector<std::string> warnings;
 };
 
 // `at`: "" for a film. `every`: of a film, "" for some 250 pictures. Throws InputError: no such

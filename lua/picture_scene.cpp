@@ -50,9 +50,12 @@ std::vector<DrawnBody> drawn_bodies(const MissionFiles& files, const Ground& gro
     const RoverModel& model = files.rover_models.at(planned->type);
     const VehicleConfig vehicle = make_vehicle(model.spec, planned->configuration, g_mps2);
     const BodyShape shape(model.shapes, vehicle);
-    DrawnBody body{planned->id, planned->type,   sample.p_S_m, {},
-                   {},          shape.reach_m(), shape.top_m()};
-    add_solids(body, shape.solids(part_poses(site, vehicle, rover), eye_S_m));
+    DrawnBody body{planned->id, planned->type, sample.p_S_m, {}, {}, shape.reach_m(),
+                   0,           shape.top_m()};
+    const std::vector<PartPose> poses = part_poses(site, vehicle, rover);
+    add_solids(body, shape.solids(poses, eye_S_m));
+    const BodyShape raised(masts(model.antennas, rover));
+    add_solids(body, raised.solids({poses.front()}, eye_S_m));
     std::vector<PanelFace> faces;
     for (const auto& face : panel_faces(site, model.power.panels, rover)) {
       if (!face) continue;
@@ -60,21 +63,23 @@ std::vector<DrawnBody> drawn_bodies(const MissionFiles& files, const Ground& gro
       faces.back().centre_m += sample.p_S_m - eye_S_m;
     }
     add_panels(body, faces, eye_S_m, site.up_S(sample.p_S_m));
+    body.bound_m = std::max(body.reach_m, raised.reach_m());
     bodies.push_back(std::move(body));
   }
   for (const PlanAsset& planned : files.plan.assets) {
     const StandingAsset asset = stand(planned, files.asset_models.at(planned.type), ground);
-    DrawnBody body{planned.id, planned.type,          asset.pose.p_S_m,   {},
-                   {},         asset.shape.reach_m(), asset.shape.top_m()};
+    DrawnBody body{planned.id, planned.type,       asset.pose.p_S_m, {}, {}, asset.shape.reach_m(),
+                   0,          asset.shape.top_m()};
     add_solids(body, asset.shape.solids({asset.pose}, eye_S_m));
     add_panels(body, asset.panel_faces(eye_S_m, sun_S), eye_S_m, site.up_S(body.p_S_m));
+    body.bound_m = body.reach_m;
     bodies.push_back(std::move(body));
   }
   return bodies;
 }
 
 SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainShadow& shadow) {
-  SceneBody scene{{}, body.p_S_m - eye_S_m, body.reach_m + 0.1};
+  SceneBody scene{{}, body.p_S_m - eye_S_m, body.bound_m + 0.1};
   for (const PictureSolid& solid : body.solids) {
     append(scene.mesh, solid.mesh, solid.colour, &shadow);
   }
@@ -89,8 +94,11 @@ SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainSh
   return scene;
 }
 
-SceneMesh track_ribbon(const Ground& ground, const std::vector<TrackPoint>& track, SimTime until,
+SceneMesh track_ribbon(const Ground& ground, std::vector<TrackPoint> track, const TrackPoint& now,
                        const Camera& camera, const RibbonStyle& style) {
+  std::erase_if(track, [&](const TrackPoint& point) { return point.time > now.time; });
+  if (track.empty()) return {};
+  track.push_back(now);
   Ground::Probe probe(ground);
   SceneMesh mesh;
   const auto add = [&](const Vec3& p_S_m, const Vec3& way_S) {
@@ -107,7 +115,7 @@ SceneMesh track_ribbon(const Ground& ground, const std::vector<TrackPoint>& trac
           {single((1 - ribbon_nearer) * at_m), single(up_S), single(style.colour), 1});
     }
   };
-  for (std::size_t k = 0; k + 1 < track.size() && track[k + 1].time <= until; ++k) {
+  for (std::size_t k = 0; k + 1 < track.size(); ++k) {
     const Vec3 from_S_m = track[k].p_S_m, way_m = track[k + 1].p_S_m - from_S_m;
     const double pixel_m = camera.metres_a_pixel((from_S_m - camera.eye_S_m).norm());
     const double step_m = std::max(ribbon_step_m, ribbon_step_px * pixel_m);

@@ -18,7 +18,8 @@ struct DrawnBody {
   Vec3 p_S_m = Vec3::Zero();         // its reference point
   std::vector<PictureSolid> solids;  // about the eye, without panels
   std::vector<PanelFace> panels;     // about the eye
-  double reach_m = 1;                // everything lies so near to the reference point
+  double reach_m = 1;                // all but masts lies so near to the reference point
+  double bound_m = 1;                // and masts so near
   double top_m = 1;                  // over it, along the vertical
 };
 
@@ -30,12 +31,13 @@ std::vector<DrawnBody> drawn_bodies(const MissionFiles& files, const Ground& gro
 // As a camera sees it.
 SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainShadow& shadow);
 
-// Where a rover has been until then, as a ribbon on the ground, from the camera's eye.
+// Where a rover has been until then, to where it is, as a ribbon on the ground, from the camera's
+// eye.
 struct RibbonStyle {
   Vec3 colour = Vec3::Ones();
   double half_m = 0.1;  // its half width; wider where that were less than a pixel
 };
-SceneMesh track_ribbon(const Ground& ground, const std::vector<TrackPoint>& track, SimTime until,
+SceneMesh track_ribbon(const Ground& ground, std::vector<TrackPoint> track, const TrackPoint& now,
                        const Camera& camera, const RibbonStyle& style);
 // Of a rover, by its place in the order of ids; as on maps.
 Vec3 rover_colour(std::size_t place);

@@ -167,7 +167,8 @@ void read_panels(TableReader& t, std::vector<PanelSpec>& panels) {
 
 void read_shapes(TableReader& t, std::vector<Shape>& shapes) {
   t.list(optional, "shapes", "shape", shapes,
-         "What it looks like, and casts shadows with; wheels are drawn without being named "
+         "What it looks like, and casts shadows with; wheels and what they hang on are drawn "
+         "without being named "
          "(default: the chassis' box).");
 }
 

@@ -123,6 +123,7 @@ local shapes = {
   box(vec(0.35, 0.6, 1.5), vec(-1.3, -0.45, 1.9), gold),
   tube(0.05, 1.2, nil, vec(-0.6, 0, 3.5), grey),
   tube(0.02, 0.8, nil, vec(0.9, 0.7, 3.3), grey),
+  tube(0.06, 2.3, nil, vec(-2.0, 0, 2.05), grey),  -- the mast's foot
 }
 
 return lsos.rover {

@@ -9,6 +9,43 @@
 
 namespace lsos {
 
+namespace {
+
+// Nobody says how thick a mast is. Its head lies within what is looked from (`ViewMargins`).
+constexpr double mast_m = 0.08, head_m = 0.25;
+const Vec3 mast_colour(0.6, 0.6, 0.6), head_colour(0.9, 0.9, 0.9);
+
+}  // namespace
+
+std::string mast_joint(const AntennaSpec& antenna) { return "antenna " + antenna.name; }
+
+std::vector<Shape> mast_shapes(const AntennaSpec& antenna, double extension_m) {
+  const Vec3 from_B_m = *antenna.stowed_p_B_m;
+  const Vec3 way_B = (antenna.p_B_m - from_B_m).normalized();
+  Shape head;
+  head.size_m = Vec3::Constant(head_m);
+  head.p_B_m = from_B_m + way_B * extension_m;
+  head.colour = head_colour;
+  if (extension_m <= 0) return {head};
+  Shape mast;
+  mast.kind = Shape::Kind::cylinder;
+  mast.size_m = {mast_m, mast_m, extension_m};
+  mast.p_B_m = from_B_m + way_B * (extension_m / 2);
+  mast.R_BL = Quat::FromTwoVectors(Vec3::UnitZ(), way_B).toRotationMatrix();
+  mast.colour = mast_colour;
+  return {mast, head};
+}
+
+std::vector<Shape> AntennaArray::masts(SimTime now) const {
+  std::vector<Shape> shapes;
+  for (std::size_t i = 0; i < specs_.size(); ++i) {
+    if (!specs_[i].is_stowable()) continue;
+    const std::vector<Shape> more = mast_shapes(specs_[i], extension_m(i, now));
+    shapes.insert(shapes.end(), more.begin(), more.end());
+  }
+  return shapes;
+}
+
 bool AntennaArray::is_up(std::size_t i, SimTime now) const {
   if (!specs_[i].is_stowable()) return true;
   const State& state = states_[i];
@@ -25,6 +62,17 @@ std::size_t AntennaArray::in_use(SimTime now) const {
 Vec3 AntennaArray::p_B_m(SimTime now) const {
   const std::size_t i = in_use(now);
   return is_up(i, now) ? specs_[i].p_B_m : *specs_[i].stowed_p_B_m;
+}
+
+double AntennaArray::State::share_up(SimTime now) const {
+  const double to = goes_up ? 1 : 0;
+  if (!end || now >= *end) return to;
+  return from + (to - from) * (seconds(now - *told) / seconds(*end - *told));
+}
+
+double AntennaArray::extension_m(std::size_t i, SimTime now) const {
+  if (!specs_[i].is_stowable()) return 0;
+  return states_[i].share_up(now) * (specs_[i].p_B_m - *specs_[i].stowed_p_B_m).norm();
 }
 
 double AntennaArray::power_w(SimTime now) const {
@@ -52,7 +100,7 @@ double AntennaArray::deploy(const std::string& name, bool up, std::optional<doub
     State& state = states_[i];
     if (state.goes_up != up) {
       const double takes_s = duration_s.value_or(specs_[i].deploy_s);
-      state = {up, now, round_up_to_exchange(now + from_seconds(takes_s))};
+      state = {up, state.share_up(now), now, round_up_to_exchange(now + from_seconds(takes_s))};
     }
     // One that is there, or on its way, takes what is left.
     if (state.end) longest_s = std::max(longest_s, seconds(*state.end - now));

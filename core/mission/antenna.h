@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/shape.h"
 #include "base/vector.h"
 
 namespace lsos {
@@ -24,6 +25,12 @@ struct AntennaSpec {
   bool is_stowable() const { return stowed_p_B_m.has_value(); }
 };
 
+// The name of its mast in the log's layer `joints`, where it can be stowed.
+std::string mast_joint(const AntennaSpec& antenna);
+// What one that can be stowed looks like when it has come so far on its way up, frame B: a mast and
+// a head.
+std::vector<Shape> mast_shapes(const AntennaSpec& antenna, double extension_m);
+
 // Those that can be stowed are so at the start. One on its way up is not up yet; one that is stowed
 // is down at once.
 class AntennaArray {
@@ -38,6 +45,10 @@ class AntennaArray {
   std::size_t in_use(SimTime now) const;
   // Of the one in use, chassis axes.
   Vec3 p_B_m(SimTime now) const;
+  // How far an antenna has come from where it is stowed to where it is up, m; 0 where it is fixed.
+  double extension_m(std::size_t i, SimTime now) const;
+  // Of all that can be stowed.
+  std::vector<Shape> masts(SimTime now) const;
   // What all use, W.
   double power_w(SimTime now) const;
 
@@ -54,9 +65,11 @@ class AntennaArray {
  private:
   struct State {
     bool goes_up = false;
+    double from = 0;                   // where it was when it was told, 1: up
     std::optional<SimTime> told, end;  // of its last motion
 
-    void archive(Archive& a) { a(goes_up)(told)(end); }
+    double share_up(SimTime now) const;
+    void archive(Archive& a) { a(goes_up)(from)(told)(end); }
   };
   std::vector<AntennaSpec> specs_;
   std::vector<State> states_;

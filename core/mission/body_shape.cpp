@@ -1,13 +1,24 @@
 #include "mission/body_shape.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lsos {
 
 namespace {
 
 constexpr int wheel_sides = 16;
-const Vec3 wheel_colour(0.35, 0.35, 0.37);
+const Vec3 wheel_colour(0.35, 0.35, 0.37), strut_colour(0.55, 0.55, 0.56);
+// As thick as they are drawn, in radii of the wheels that they carry.
+constexpr double strut_radii = 0.22;
+
+double smallest_wheel_m(const VehicleConfig& vehicle) {
+  double radius_m = std::numeric_limits<double>::infinity();
+  for (const LinkConfig& link : vehicle.links) {
+    if (link.wheel) radius_m = std::min(radius_m, link.wheel->radius_m);
+  }
+  return radius_m;
+}
 
 Mesh mesh_of(const Shape& shape) {
   if (shape.kind == Shape::Kind::box) return box_mesh(shape.size_m);
@@ -45,6 +56,24 @@ BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehi
     if (!link.wheel) continue;
     add_piece(i + 1, cylinder_mesh(link.wheel->radius_m, link.wheel->width_m, wheel_sides),
               towards(link.axis), centres_B_m[i + 1], wheel_colour);
+  }
+  add_struts(vehicle);
+}
+
+// From the joint of each part to the joints of those that hang on it; across the chassis to those
+// that hang on that.
+void BodyShape::add_struts(const VehicleConfig& vehicle) {
+  const double thick_m = strut_radii * smallest_wheel_m(vehicle);
+  const std::vector<Vec3> joints_B_m = joints_at_rest_B_m(vehicle);
+  for (std::size_t i = 0; i < joints_B_m.size(); ++i) {
+    const int parent = vehicle.links[i].parent;
+    const Vec3& to_B_m = joints_B_m[i];
+    const Vec3 from_B_m =
+        parent < 0 ? Vec3(to_B_m.x(), 0, to_B_m.z()) : joints_B_m[static_cast<std::size_t>(parent)];
+    const Vec3 way_m = to_B_m - from_B_m;
+    if (way_m.norm() < thick_m) continue;
+    add_piece(static_cast<std::size_t>(parent + 1), box_mesh({thick_m, thick_m, way_m.norm()}),
+              towards(way_m), (from_B_m + to_B_m) / 2, strut_colour);
   }
 }
 

@@ -14,7 +14,8 @@ namespace lsos {
 class BodyShape {
  public:
   BodyShape() = default;
-  // Shapes of a script, and the wheels; without shapes the chassis' box.
+  // Shapes of a script, the wheels, and what they hang on as plain bars; without shapes the
+  // chassis' box.
   BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehicle);
   // Of what has no parts that move.
   explicit BodyShape(const std::vector<Shape>& shapes);
@@ -38,6 +39,7 @@ class BodyShape {
     Vec3 colour;
   };
   void add(const Shape& shape, std::size_t part);
+  void add_struts(const VehicleConfig& vehicle);
   void add_piece(std::size_t part, const Mesh& mesh, const Mat3& R, const Vec3& p_B_m,
                  const Vec3& colour);
 

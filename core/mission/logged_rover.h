@@ -19,9 +19,17 @@ struct LoggedRover {
   std::vector<PanelRow> panels;
 };
 
+// At a `share`, 0..1, of the way from one sample of a rover to its next: where it was, and how its
+// joints and panels stood. All else is as the first sample has it.
+LoggedRover between(const SiteFrame& site, const LoggedRover& from, const LoggedRover& to,
+                    double share);
+
 // Of the chassis, then of each link.
 std::vector<PartPose> part_poses(const SiteFrame& site, const VehicleConfig& vehicle,
                                  const LoggedRover& logged);
+// The masts of antennas as far as they were raised, frame B.
+std::vector<Shape> masts(std::span<const AntennaSpec> antennas, const LoggedRover& logged);
+
 // Of the panels that were up, about the rover's reference point, site axes; absent where one was
 // not.
 std::vector<std::optional<PanelFace>> panel_faces(const SiteFrame& site,

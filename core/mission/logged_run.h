@@ -8,10 +8,11 @@
 
 #include "mission/logged_rover.h"
 #include "record/log.h"
+#include "terrain/ground.h"
 
 namespace lsos {
 
-// Each rover that has a sample until then, in order of ids, at its last one.
+// Each rover that has a sample until then, in order of ids, between its last one and the next.
 using LoggedMoment = std::vector<LoggedRover>;
 
 struct TrackPoint {
@@ -24,7 +25,9 @@ struct LoggedRun {
   std::map<std::string, std::vector<TrackPoint>> tracks;  // by rover, 5 cm or more between points
 };
 
-// In one pass over a log of any length. `times` must ascend; tracks end at the last.
-LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times);
+// In one pass over each layer of a log of any length. `times` must ascend; tracks end at the last.
+// `interval`: LogInterval; where samples are farther apart the rover was parked but for so long.
+LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, const Ground& ground,
+                      SimTime interval);
 
 }  // namespace lsos

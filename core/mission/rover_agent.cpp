@@ -287,9 +287,16 @@ double RoverAgent::deploy_antenna(const std::string& antenna, bool up,
   return antennas_.deploy(antenna, up, duration_s, now_);
 }
 
+std::vector<PartPose> RoverAgent::part_poses() const {
+  if (!is_broken_) return vehicle_.part_poses();
+  return lsos::part_poses(vehicle_.config(),
+                          chassis_pose(ground_->site(), report_.p_S_m, report_.heading_rad,
+                                       report_.pitch_rad, report_.roll_rad),
+                          joints_);
+}
+
 Vec3 RoverAgent::antenna_S_m() const {
-  const PartPose chassis = vehicle_.part_poses()[0];
-  return chassis.point_S_m(antennas_.p_B_m(now_));
+  return part_poses().front().point_S_m(antennas_.p_B_m(now_));
 }
 
 void RoverAgent::release() {
@@ -339,6 +346,12 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
     JointRow row{now, rover_.id, link.name};
     (link.joint == JointType::revolute ? row.angle_rad : row.extension_m) = joints_[i];
     rows.push_back(row);
+  }
+  for (std::size_t i = 0; i < antennas_.specs().size(); ++i) {
+    const AntennaSpec& antenna = antennas_.specs()[i];
+    if (!antenna.is_stowable()) continue;
+    rows.push_back(
+        {now, rover_.id, mast_joint(antenna), not_modelled, antennas_.extension_m(i, now)});
   }
   return rows;
 }

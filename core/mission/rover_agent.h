@@ -64,7 +64,8 @@ class RoverAgent : public RoverPort {
   // What the look was of; it holds until the next.
   void set_sun(const SunValue& value);
   const BodyShape& shape() const { return shape_; }
-  std::vector<PartPose> part_poses() const { return vehicle_.part_poses(); }
+  // With broken dynamics: where its parts were last.
+  std::vector<PartPose> part_poses() const;
   // What flows from now on.
   void settle_energy();
 

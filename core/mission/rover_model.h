@@ -15,7 +15,7 @@ namespace lsos {
 struct RoverModel {
   RoverSpec spec;
   PowerSpec power;
-  std::vector<Shape> shapes;  // wheels are drawn without being named; none: the chassis' box
+  std::vector<Shape> shapes;          // wheels and struts are drawn besides; none: the chassis' box
   std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
 };
 

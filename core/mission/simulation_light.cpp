@@ -66,7 +66,8 @@ Motion Simulation::motion_of(const Rover& rover) const {
   if (!rover.agent->is_parked() || power.is_panel_turning()) return Motion::goes_on;
   const bool has_panel_moved =
       power.has_panel_command() || power.panels().last_end(now_) == std::optional(now_);
-  return !rover.was_parked || has_panel_moved ? Motion::has_ended : Motion::none;
+  const bool has_mast_moved = rover.agent->antennas().has_changed(now_);
+  return !rover.was_parked || has_panel_moved || has_mast_moved ? Motion::has_ended : Motion::none;
 }
 
 Motion Simulation::motion_near(const Vec3& p_S_m, const RoverAgent* except) const {

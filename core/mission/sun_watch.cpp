@@ -24,6 +24,12 @@ SunValue::Panel lit(const PanelSpec& panel, const PanelFace& face, double sun_fr
   return value;
 }
 
+void append_masts(Mesh& mesh, const RoverAgent& rover, const std::vector<PartPose>& poses,
+                  const Vec3& eye_S_m, SimTime now) {
+  const std::vector<Shape> masts = rover.antennas().masts(now);
+  if (!masts.empty()) BodyShape(masts).append_to(mesh, {poses.front()}, eye_S_m);
+}
+
 }  // namespace
 
 SimTime sun_interval(const Body& body) {
@@ -39,6 +45,7 @@ SimTime sun_interval(const Body& body) {
 void append_solids(Mesh& mesh, const RoverAgent& rover, const Vec3& eye_S_m, SimTime now) {
   const std::vector<PartPose> poses = rover.part_poses();
   rover.shape().append_to(mesh, poses, eye_S_m);
+  append_masts(mesh, rover, poses, eye_S_m, now);
   const PanelArray& panels = rover.power().panels();
   for (std::size_t i = 0; i < panels.specs().size(); ++i) {
     if (!panels.is_up(i, now)) continue;
@@ -76,6 +83,7 @@ SunValue look_at_sun(Light& light, const Ground& ground, const RoverAgent& rover
 
   LitScene scene{p_S_m, {}, others};
   rover.shape().append_to(scene.near, poses, p_S_m);
+  append_masts(scene.near, rover, poses, p_S_m, now);
   std::vector<std::size_t> up;
   bool is_any_facing = false;
   for (std::size_t i = 0; i < panels.specs().size(); ++i) {

@@ -35,10 +35,10 @@ std::string ffmpeg() {
                    "install ffmpeg");
 }
 
-// The child's side: it reads pictures from its standard input and is not stopped by Ctrl-C, which
-// this program answers.
+// The child's side: it reads pictures from its standard input. In a group of its own a terminal's
+// Ctrl-C does not reach it; this program answers that.
 [[noreturn]] void become(const std::vector<std::string>& words, int from_parent) {
-  std::signal(SIGINT, SIG_IGN);
+  setpgid(0, 0);
   std::signal(SIGPIPE, SIG_DFL);
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));

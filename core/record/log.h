@@ -78,8 +78,10 @@ class LogReader {
   std::vector<EventRow> events() const;
   std::vector<PhaseRow> phases() const;
   std::vector<NoteRow> notes() const;
-  // One sample at a time: weeks of them need not fit into memory.
+  // One row at a time: weeks of them need not fit into memory.
   void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;
+  void for_each_joint(const std::function<void(const JointRow&)>& visit) const;
+  void for_each_panel(const std::function<void(const PanelRow&)>& visit) const;
   // Of the row that was written last; 0 when there is none.
   SimTime last_sample_time() const;
   std::map<std::string, std::string> run() const;

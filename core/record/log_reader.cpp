@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <filesystem>
 
 #include "base/error.h"
 #include "base/sha256.h"
@@ -129,6 +130,8 @@ struct LogReader::Impl {
 LogReader::LogReader(const std::string& file) : impl_(std::make_unique<Impl>()) {
   impl_->file = file;
   const gpkg::QuietErrors errors;
+  if (!std::filesystem::exists(file))
+    throw InputError({file}, "no such file: no run has written it");
   impl_->dataset = gpkg::open_to_read(file);
   if (impl_->dataset == nullptr) {
     throw InputError({file}, "no log of lsos-host: " + errors.message());
@@ -152,6 +155,13 @@ std::vector<NoteRow> LogReader::notes() const { return impl_->rows<NoteRow>(); }
 
 void LogReader::for_each_sample(const std::function<void(const SampleRow&)>& visit) const {
   impl_->for_each_row<SampleRow>(visit);
+}
+
+void LogReader::for_each_joint(const std::function<void(const JointRow&)>& visit) const {
+  impl_->for_each_row<JointRow>(visit);
+}
+void LogReader::for_each_panel(const std::function<void(const PanelRow&)>& visit) const {
+  impl_->for_each_row<PanelRow>(visit);
 }
 
 SimTime LogReader::last_sample_time() const {

@@ -31,13 +31,13 @@ struct SampleRow {
   std::string phase;
 };
 
-// Layer `joints`: the angles that a picture needs, one row a rover and time.
+// Layer `joints`: what a picture needs: one row a joint or mast, rover and time.
 struct JointRow {
   SimTime time{};
   std::string rover_id;
   std::string joint;
   double angle_rad = not_modelled;    // of a revolute joint
-  double extension_m = not_modelled;  // of a prismatic joint
+  double extension_m = not_modelled;  // of a prismatic joint, of a mast
 };
 
 // Layer `pairs`: what one end sees of another at one time.

@@ -1,14 +1,37 @@
 #include "vehicle/part_pose.h"
 
+#include <cmath>
+
 namespace lsos {
 
-std::vector<Vec3> centres_at_rest_B_m(const VehicleConfig& config) {
-  std::vector<Vec3> joints_B_m, centres_B_m{config.p_BC_m};
+PartPose chassis_pose(const SiteFrame& site, const Vec3& p_S_m, double heading_rad,
+                      double pitch_rad, double roll_rad) {
+  const Vec3 up = site.up_S(p_S_m);
+  const Vec3 level =
+      std::sin(heading_rad) * site.east_S(p_S_m) + std::cos(heading_rad) * site.north_S(p_S_m);
+  const Vec3 ahead = std::cos(pitch_rad) * level + std::sin(pitch_rad) * up;
+  const Vec3 level_left = up.cross(level);
+  const Vec3 left = std::cos(roll_rad) * level_left + std::sin(roll_rad) * ahead.cross(level_left);
+  PartPose pose{p_S_m, {}};
+  pose.R_SB << ahead, left, ahead.cross(left);
+  return pose;
+}
+
+std::vector<Vec3> joints_at_rest_B_m(const VehicleConfig& config) {
+  std::vector<Vec3> joints_B_m;
   for (const LinkConfig& link : config.links) {
     const Vec3 parent_B_m =
         link.parent < 0 ? Vec3::Zero() : joints_B_m[static_cast<std::size_t>(link.parent)];
     joints_B_m.push_back(parent_B_m + link.p_PJ_m);
-    centres_B_m.push_back(joints_B_m.back() + link.p_JC_m);
+  }
+  return joints_B_m;
+}
+
+std::vector<Vec3> centres_at_rest_B_m(const VehicleConfig& config) {
+  const std::vector<Vec3> joints_B_m = joints_at_rest_B_m(config);
+  std::vector<Vec3> centres_B_m{config.p_BC_m};
+  for (std::size_t i = 0; i < config.links.size(); ++i) {
+    centres_B_m.push_back(joints_B_m[i] + config.links[i].p_JC_m);
   }
   return centres_B_m;
 }
@@ -16,12 +39,11 @@ std::vector<Vec3> centres_at_rest_B_m(const VehicleConfig& config) {
 std::vector<PartPose> part_poses(const VehicleConfig& config, const PartPose& chassis,
                                  const std::vector<double>& joints) {
   std::vector<PartPose> poses{chassis};
-  std::vector<Vec3> joints_B_m;
+  const std::vector<Vec3> joints_B_m = joints_at_rest_B_m(config);
   for (std::size_t i = 0; i < config.links.size(); ++i) {
     const LinkConfig& link = config.links[i];
     const bool is_on_chassis = link.parent < 0;
     const auto parent = static_cast<std::size_t>(link.parent);
-    joints_B_m.push_back((is_on_chassis ? Vec3::Zero() : joints_B_m[parent]) + link.p_PJ_m);
     const PartPose& on = poses[is_on_chassis ? 0 : parent + 1];
     PartPose pose = on;
     if (link.joint == JointType::prismatic) {

@@ -3,16 +3,21 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include "system/run_folder.h"
+#include "system/source_files.h"
 
 namespace lsos::test {
 namespace {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 struct Pixel {
   int red = 0, green = 0, blue = 0;
@@ -109,6 +114,28 @@ TEST_F(CameraPicture, before_it_has_driven_there_is_no_track) {
   EXPECT_EQ(count(image("chase", "0"), 0, 0.9, is_first_track), 0);
 }
 
+// Samples are 2 s apart.
+TEST_F(CameraPicture, moves_between_samples) {
+  image("above", "24");
+  const std::string first = read_text(*folder / "x.png");
+  image("above", "25");
+  EXPECT_NE(read_text(*folder / "x.png"), first);
+}
+
+TEST_F(CameraPicture, as_the_sun_sees_it_has_a_caption_too) {
+  const Image seen = image("sun");
+  EXPECT_GT(count(seen, 0.9, 1, [](const Pixel& p) { return p.sum() == 3 * 255; }), 100);
+}
+
+TEST_F(CameraPicture, says_when_a_script_is_not_what_it_was) {
+  EXPECT_THAT(picture({"--at", "5"}).err, Not(HasSubstr("warning")));
+  const TempFolder other;
+  other.write("rovers/SEV.lua",
+              read_text((repository() / "rovers/SEV.lua").string()) + "\n-- Changed.\n");
+  EXPECT_THAT(picture({"--at", "5"}, {.environment = {"LSOS_PATH=" + other.path().string()}}).err,
+              HasSubstr("rovers/SEV.lua is not what it was when"));
+}
+
 TEST_F(CameraPicture, from_the_east_shows_the_horizon) {
   const Image seen = image("east");
   EXPECT_EQ(count(seen, 0, 0.05, [](const Pixel& p) { return p.sum() == 0; }), 640 * 18);
@@ -166,6 +193,17 @@ TEST_F(CameraPicture, says_which_options_go_together) {
               HasSubstr("--every 2: only with --movie"));
   EXPECT_THAT(picture({"--at", "5", "--movie"}).err, HasSubstr("--at 5: a --movie shows all"));
   EXPECT_THAT(picture({"--movie"}).err, HasSubstr("x.png: a --movie's name must end in .mp4"));
+  const auto into = [](const std::string& file, const Words& more) {
+    Words words{"picture", *folder / "run", "-o", *folder / file};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(into("x.mp4", {"--at", "5"}), HasSubstr("x.mp4: a film is made with --movie"));
+  EXPECT_THAT(into("x.mp4", {"--movie", "--size", "65"}),
+              HasSubstr("--size 65: a --movie's must be even"));
+  EXPECT_THAT(into("no/x.png", {"--at", "5"}), HasSubstr("no/x.png: there is no folder "));
 }
 
 class Film : public CameraPicture {
@@ -204,6 +242,18 @@ TEST_F(Film, gives_it_all_pictures) {
   EXPECT_GE(pictures, 3);
   EXPECT_EQ(std::stoi(read_text(*folder / "x.mp4")), pictures * 64 * 36 * 3);
   std::filesystem::remove(*folder / "x.mp4");
+}
+
+TEST_F(Film, is_stopped_from_outside_and_leaves_nothing) {
+  const std::string path = program("waits", "cat > /dev/null; sleep 60");
+  Process process({LSOS_PROGRAM, "picture", *folder / "run", "-o", *folder / "x.mp4", "--size",
+                   "64", "--from", "above", "--movie", "--every", "0.1"},
+                  {.environment = {"PATH=" + path}});
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  process.signal(SIGINT);
+  const Outcome outcome = process.wait();
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_TRUE(leaves_nothing());
 }
 
 TEST_F(Film, leaves_nothing_when_ffmpeg_fails) {
