@@ -1,0 +1,189 @@
+#include "mission/drive_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "vehicle/part_pose.h"
+#include "vehicle/single_wheel.h"
+
+namespace lsos {
+
+namespace {
+
+// Rows of the table.
+const double first_rad = radians(-40), step_rad = radians(2.5);
+constexpr int rows_max = 33;
+// Slips that wheels are tried at; a climb takes the least that pulls enough.
+constexpr int slips = 24;
+constexpr double slip_least = -0.5;
+
+// Limits that no script gives. Slopes: half of what tips it over, at rest.
+constexpr double tip_share = 0.6, slip_max = 0.6, clearance_share = 0.3, uneven_radii = 0.6;
+
+struct DrivenWheel {
+  Wheel wheel;
+  std::optional<DriveMotor> motor;  // absent: it turns freely
+};
+
+std::vector<DrivenWheel> wheels_of(const VehicleConfig& vehicle) {
+  std::vector<DrivenWheel> wheels;
+  for (const LinkConfig& link : vehicle.links) {
+    if (!link.wheel) continue;
+    const bool is_driven = link.drive && link.wheel_mode == WheelMode::driven;
+    wheels.push_back({*link.wheel, is_driven ? link.drive : std::nullopt});
+  }
+  return wheels;
+}
+
+// Between rows of a table that rises with `by`.
+SingleWheelPoint between(const SingleWheelPoint& low, const SingleWheelPoint& high, double share) {
+  SingleWheelPoint point;
+  point.slip = low.slip + share * (high.slip - low.slip);
+  point.torque_n_m = low.torque_n_m + share * (high.torque_n_m - low.torque_n_m);
+  return point;
+}
+
+// Of one driven wheel: the state at which it pulls that much with the least slip; absent where none
+// does.
+std::optional<SingleWheelPoint> pulling(const WheelSoil& wheel, double load_n, double pull_n) {
+  SingleWheelPoint before = single_wheel(wheel, load_n, slip_least, 0);
+  if (before.drawbar_pull_n >= pull_n) return before;
+  for (int k = 1; k <= slips; ++k) {
+    const double slip = slip_least + (slip_max - slip_least) * k / slips;
+    const SingleWheelPoint now = single_wheel(wheel, load_n, slip, 0);
+    if (now.drawbar_pull_n >= pull_n) {
+      const double rise_n = now.drawbar_pull_n - before.drawbar_pull_n;
+      return between(before, now, (pull_n - before.drawbar_pull_n) / rise_n);
+    }
+    before = now;
+  }
+  return std::nullopt;
+}
+
+// Absent where the motor cannot: travel that its torque leaves, m/s.
+std::optional<double> speed_left_mps(const DriveMotor& motor, const SingleWheelPoint& point,
+                                     double radius_m) {
+  if (point.torque_n_m <= 0) return std::numeric_limits<double>::infinity();
+  if (point.torque_n_m >= motor.torque_max_n_m) return std::nullopt;
+  double spin_radps = motor.power_max_w / point.torque_n_m;
+  if (std::isfinite(motor.no_load_speed_radps)) {
+    spin_radps = std::min(
+        spin_radps, motor.no_load_speed_radps * (1 - point.torque_n_m / motor.torque_max_n_m));
+  }
+  return spin_radps * radius_m * (1 - std::max(0.0, point.slip));
+}
+
+std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
+                                   const std::vector<DrivenWheel>& wheels, const Soil& soil,
+                                   double gravity_mps2, double speed_mps, double slope_rad) {
+  const double weight_n = vehicle.mass_kg() * gravity_mps2;
+  const auto count = static_cast<double>(wheels.size());
+  const auto driven = static_cast<double>(
+      std::ranges::count_if(wheels, [](const DrivenWheel& w) { return w.motor.has_value(); }));
+  if (driven == 0) return std::nullopt;
+  const double load_n = weight_n * std::cos(slope_rad) / count;
+  const double pull_n = weight_n * std::sin(slope_rad) / driven;
+  SlopeDrive drive{0, 0, speed_mps};
+  // Wheels that are alike are worked out once.
+  std::optional<SingleWheelPoint> point;
+  const DrivenWheel* of = nullptr;
+  for (const DrivenWheel& wheel : wheels) {
+    if (!wheel.motor) continue;
+    const double radius_m = wheel.wheel.radius_m;
+    const bool is_alike = of && of->wheel.radius_m == radius_m &&
+                          of->wheel.width_m == wheel.wheel.width_m &&
+                          of->wheel.grouser_height_m == wheel.wheel.grouser_height_m;
+    if (!is_alike) point = pulling(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, pull_n);
+    of = &wheel;
+    if (!point) return std::nullopt;
+    const std::optional<double> left_mps = speed_left_mps(*wheel.motor, *point, radius_m);
+    if (!left_mps) return std::nullopt;
+    const double slip = std::max(0.0, point->slip);
+    drive.slip = std::max(drive.slip, slip);
+    drive.speed_mps = std::min(drive.speed_mps, *left_mps);
+    // Rim metres for a metre of travel: 1 / (1 - slip) driving, 1 + slip braking.
+    const double turned = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
+    drive.energy_jpm +=
+        std::max(0.0, point->torque_n_m) / radius_m * turned / wheel.motor->efficiency;
+  }
+  drive.energy_jpm *= vehicle.drive_calibration;
+  if (drive.speed_mps <= 0) return std::nullopt;
+  return drive;
+}
+
+SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
+                     const Soil& soil, double gravity_mps2, double speed_mps) {
+  SoilDrive drive{first_rad, step_rad, {}};
+  for (int k = 0; k < rows_max; ++k) {
+    const auto row =
+        drive_up(vehicle, wheels, soil, gravity_mps2, speed_mps, first_rad + k * step_rad);
+    if (!row) break;
+    drive.by_slope.push_back(*row);
+  }
+  return drive;
+}
+
+// A rock lies under a wheel or two of a rover; the others are in the soil about it.
+void be_no_easier(SoilDrive& rock, const SoilDrive& soil) {
+  const std::size_t rows = std::min(rock.by_slope.size(), soil.by_slope.size());
+  rock.by_slope.resize(rows);
+  for (std::size_t k = 0; k < rows; ++k) {
+    rock.by_slope[k].energy_jpm =
+        std::max(rock.by_slope[k].energy_jpm, soil.by_slope[k].energy_jpm);
+    rock.by_slope[k].slip = std::max(rock.by_slope[k].slip, soil.by_slope[k].slip);
+  }
+}
+
+// The rectangle of the wheels tips over when its centre of mass stands over a side.
+double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels_B_m) {
+  Vec2 low_m = wheels_B_m.front(), high_m = low_m;
+  for (const Vec2& wheel : wheels_B_m) {
+    low_m = low_m.cwiseMin(wheel);
+    high_m = high_m.cwiseMax(wheel);
+  }
+  Vec3 sum = vehicle.chassis.mass_kg * vehicle.p_BC_m;
+  const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    sum += vehicle.links[i].inertia.mass_kg * centres_B_m[i + 1];
+  }
+  const Vec3 centre_B_m = sum / vehicle.mass_kg();
+  const double nearest_m = std::min({centre_B_m.x() - low_m.x(), high_m.x() - centre_B_m.x(),
+                                     centre_B_m.y() - low_m.y(), high_m.y() - centre_B_m.y()});
+  return std::atan2(nearest_m, centre_B_m.z());
+}
+
+}  // namespace
+
+DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soils,
+                     double gravity_mps2, double speed_mps) {
+  DriveCost cost;
+  const std::vector<DrivenWheel> wheels = wheels_of(vehicle);
+  for (const Soil& soil : soils) {
+    cost.soils.push_back(soil_drive(vehicle, wheels, soil, gravity_mps2, speed_mps));
+    if (soil.is_rigid && cost.soils.size() > 1) be_no_easier(cost.soils.back(), cost.soils.front());
+  }
+  const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
+  double radius_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    if (!vehicle.links[i].wheel) continue;
+    cost.wheels_B_m.push_back(centres_B_m[i + 1].head<2>());
+    radius_m = std::min(radius_m, vehicle.links[i].wheel->radius_m);
+  }
+  const Vec2 half_m = vehicle.chassis_size_m.head<2>() / 2;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      cost.underside_B_m.push_back({x * half_m.x(), y * half_m.y(), vehicle.chassis_clearance_m});
+    }
+  }
+  cost.limits.slope_max_rad = tip_share * tipping_rad(vehicle, cost.wheels_B_m);
+  cost.limits.slip_max = slip_max;
+  cost.limits.clearance_min_m = clearance_share * vehicle.chassis_clearance_m;
+  cost.limits.unevenness_max_m = uneven_radii * radius_m;
+  cost.turning_radius_min_m = vehicle.turning_radius_min_m;
+  cost.can_turn_on_spot = vehicle.can_turn_on_spot;
+  cost.speed_mps = speed_mps;
+  return cost;
+}
+
+}  // namespace lsos

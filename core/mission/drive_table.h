@@ -1,0 +1,19 @@
+// What planning knows of a rover (route/drive_cost.h), worked out with the wheels of the
+// simulation.
+#pragma once
+
+#include <vector>
+
+#include "route/drive_cost.h"
+#include "terrain/soil.h"
+#include "vehicle/vehicle_config.h"
+
+namespace lsos {
+
+// Steady driving with the load shared evenly by the wheels, each as on a single-wheel test bed.
+// Slips at which all wheels pull as much as the slope wants; electrical power by torque, speed,
+// efficiency and the rover's drive calibration. `speed_mps`: that the rover is asked to drive.
+DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soils,
+                     double gravity_mps2, double speed_mps);
+
+}  // namespace lsos

@@ -1,0 +1,188 @@
+#include "route/grid_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace lsos {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::array<std::array<int, 2>, 8> neighbours{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr std::uint8_t no_direction = 255, to_goal = 8;
+
+// Length of the shortest way over neighbours.
+double octile(const Vec2& way_m) {
+  const double x = std::abs(way_m.x()), y = std::abs(way_m.y());
+  return std::max(x, y) + (std::numbers::sqrt2 - 1) * std::min(x, y);
+}
+
+struct Candidate {
+  double total = 0;  // estimate of a whole way through it
+  double cost = 0;   // to the node; a bound until the edge is known
+  std::int32_t node = 0;
+  std::uint8_t direction = no_direction;  // that it is come to by
+  bool is_known = false;
+
+  // std::priority_queue takes the greatest: the least total, then the farthest come.
+  bool operator<(const Candidate& other) const {
+    if (total != other.total) return total > other.total;
+    if (cost != other.cost) return cost < other.cost;
+    if (node != other.node) return node > other.node;
+    return direction > other.direction;
+  }
+};
+
+class Search {
+ public:
+  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m)
+      : costs_(costs),
+        map_(costs.map()),
+        goal_m_(goal_m),
+        goal_height_m_(map_.height_m(goal_m)),
+        goal_node_(map_.columns() * map_.rows()),
+        come_by_(static_cast<std::size_t>(goal_node_) + 1, no_direction),
+        cost_(static_cast<std::size_t>(goal_node_) + 1, infinite),
+        is_closed_(static_cast<std::size_t>(goal_node_) + 1, false) {
+    const Vec2 cells = (start_m - map_.low_m()) / map_.spacing_m();
+    start_ =
+        number(static_cast<int>(std::lround(cells.x())), static_cast<int>(std::lround(cells.y())));
+  }
+
+  GridRoute run() {
+    GridRoute route;
+    double nearest_m = infinite;
+    queue_.push({left(start_), 0, start_, no_direction, true});
+    while (!queue_.empty()) {
+      Candidate best = queue_.top();
+      queue_.pop();
+      const auto at = static_cast<std::size_t>(best.node);
+      if (is_closed_[at]) continue;
+      if (!best.is_known) {
+        look(best);
+        continue;
+      }
+      is_closed_[at] = true;
+      cost_[at] = best.cost;
+      come_by_[at] = best.direction;
+      ++route.expanded;
+      if (best.node == goal_node_) {
+        route.line = line();
+        route.cost = best.cost;
+        route.nearest_m = goal_m_;
+        return route;
+      }
+      const double off_m = (place(best.node) - goal_m_).norm();
+      if (off_m < nearest_m && can_stand(best)) {
+        nearest_m = off_m;
+        route.nearest_m = place(best.node);
+      }
+      expand(best);
+    }
+    route.cost = infinite;
+    return route;
+  }
+
+ private:
+  std::int32_t number(int column, int row) const { return row * map_.columns() + column; }
+  Vec2 place(std::int32_t node) const {
+    return node == goal_node_ ? goal_m_
+                              : map_.place_m(node % map_.columns(), node / map_.columns());
+  }
+  double height_m(std::int32_t node) {
+    return node == goal_node_ ? goal_height_m_
+                              : map_.node(node % map_.columns(), node / map_.columns()).height_m;
+  }
+  std::int32_t before(const Candidate& c) const {
+    if (c.direction == to_goal) return last_;
+    const auto& way = neighbours[c.direction];
+    return c.node - number(way[0], way[1]);
+  }
+  // At least what is left to the goal. The last piece is not along the lattice.
+  double left(std::int32_t node) {
+    const double far_m = std::max(0.0, octile(goal_m_ - place(node)) - 0.15 * map_.spacing_m());
+    return bound(far_m, goal_height_m_ - height_m(node));
+  }
+  double bound(double length_m, double rise_m) const {
+    if (std::isnan(rise_m)) return costs_.least_per_metre() * length_m;
+    return std::max(0.0, costs_.least_per_metre() * length_m + costs_.per_rise() * rise_m);
+  }
+
+  void offer(const Candidate& from, std::int32_t to, std::uint8_t direction) {
+    if (is_closed_[static_cast<std::size_t>(to)]) return;
+    const double rise_m = height_m(to) - height_m(from.node);
+    if (std::isnan(rise_m)) return;
+    const double cost = from.cost + bound((place(to) - place(from.node)).norm(), rise_m);
+    queue_.push({cost + left(to), cost, to, direction, false});
+  }
+
+  bool can_stand(const Candidate& at) {
+    if (at.direction == no_direction) return true;
+    const auto& way = neighbours[at.direction];
+    return costs_.can_stand(place(at.node), Vec2(way[0], way[1]).normalized());
+  }
+
+  void expand(const Candidate& from) {
+    const int column = from.node % map_.columns(), row = from.node / map_.columns();
+    for (std::uint8_t k = 0; k < neighbours.size(); ++k) {
+      const int x = column + neighbours[k][0], y = row + neighbours[k][1];
+      if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
+      offer(from, number(x, y), k);
+    }
+    const Vec2 off_m = place(from.node) - goal_m_;
+    if (std::abs(off_m.x()) > map_.spacing_m() || std::abs(off_m.y()) > map_.spacing_m()) return;
+    const double cost = from.cost + costs_.straight(place(from.node), goal_m_);
+    if (!(cost < cost_[static_cast<std::size_t>(goal_node_)])) return;
+    cost_[static_cast<std::size_t>(goal_node_)] = cost;
+    last_ = from.node;
+    queue_.push({cost, cost, goal_node_, to_goal, true});
+  }
+
+  // Works out the edge of a candidate.
+  void look(Candidate& candidate) {
+    const std::int32_t from = before(candidate);
+    candidate.cost =
+        cost_[static_cast<std::size_t>(from)] + costs_.straight(place(from), place(candidate.node));
+    if (!std::isfinite(candidate.cost)) return;
+    candidate.total = candidate.cost + left(candidate.node);
+    candidate.is_known = true;
+    queue_.push(candidate);
+  }
+
+  Line2 line() const {
+    Line2 line{goal_m_};
+    std::int32_t node = last_;
+    for (;;) {
+      line.push_back(place(node));
+      const std::uint8_t direction = come_by_[static_cast<std::size_t>(node)];
+      if (direction == no_direction) break;
+      node -= number(neighbours[direction][0], neighbours[direction][1]);
+    }
+    std::ranges::reverse(line);
+    return line;
+  }
+
+  LegCosts& costs_;
+  GroundMap& map_;
+  Vec2 goal_m_;
+  double goal_height_m_;
+  std::int32_t start_ = 0, goal_node_, last_ = 0;
+  std::vector<std::uint8_t> come_by_;
+  std::vector<double> cost_;
+  std::vector<bool> is_closed_;
+  std::priority_queue<Candidate> queue_;
+};
+
+}  // namespace
+
+GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
+  return Search(costs, start_m, goal_m).run();
+}
+
+}  // namespace lsos

@@ -1,0 +1,95 @@
+#include "route/stance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace lsos {
+
+std::string to_string(Hazard hazard) {
+  switch (hazard) {
+    case Hazard::none:
+      return "free";
+    case Hazard::no_ground:
+      return "without ground";
+    case Hazard::slope:
+      return "too steep";
+    case Hazard::uneven:
+      return "too uneven for its wheels";
+    case Hazard::clearance:
+      return "too high under its belly";
+    case Hazard::climb:
+      return "too steep to climb on this soil";
+  }
+  return {};
+}
+
+StanceFinder::StanceFinder(const DriveCost& cost) : cost_(cost) {
+  // Least squares of z = a + b ahead + c left.
+  Eigen::Matrix<double, Eigen::Dynamic, 3> places(cost.wheels_B_m.size(), 3);
+  for (std::size_t k = 0; k < cost.wheels_B_m.size(); ++k) {
+    places.row(static_cast<Eigen::Index>(k)) << 1, cost.wheels_B_m[k].x(), cost.wheels_B_m[k].y();
+  }
+  plane_by_heights_ = (places.transpose() * places).inverse() * places.transpose();
+}
+
+Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const {
+  const Vec2 left(-ahead.y(), ahead.x());
+  const auto place = [&](double x_m, double y_m) -> Vec2 {
+    return at_m + x_m * ahead + y_m * left;
+  };
+  constexpr std::size_t wheels_max = 64;
+  std::array<double, wheels_max> heights_m;
+  Vec3 plane = Vec3::Zero();
+  const std::size_t count = cost_.wheels_B_m.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2& wheel = cost_.wheels_B_m[k];
+    heights_m[k] = map.height_m(place(wheel.x(), wheel.y()));
+    plane += plane_by_heights_.col(static_cast<Eigen::Index>(k)) * heights_m[k];
+  }
+  Stance stance;
+  if (std::isnan(plane.x())) return stance;
+  stance.is_on_ground = true;
+  const auto plane_m = [&](double x_m, double y_m) {
+    return plane.x() + plane.y() * x_m + plane.z() * y_m;
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vec2& wheel = cost_.wheels_B_m[k];
+    stance.unevenness_m =
+        std::max(stance.unevenness_m, std::abs(heights_m[k] - plane_m(wheel.x(), wheel.y())));
+  }
+  stance.pitch_rad = std::atan(plane.y());
+  stance.bank_rad = std::atan(plane.z());
+  stance.slope_rad = std::atan(std::sqrt(plane.y() * plane.y() + plane.z() * plane.z()));
+  stance.clearance_m = std::numeric_limits<double>::infinity();
+  for (const Vec3& point : cost_.underside_B_m) {
+    const double ground_m = map.height_m(place(point.x(), point.y()));
+    if (std::isnan(ground_m)) continue;
+    stance.clearance_m =
+        std::min(stance.clearance_m, plane_m(point.x(), point.y()) + point.z() - ground_m);
+  }
+  stance.soil = map.soil(at_m);
+  return stance;
+}
+
+Hazard hazard(const Stance& stance, const DriveCost& cost) {
+  if (!stance.is_on_ground) return Hazard::no_ground;
+  const DriveLimits& limits = cost.limits;
+  if (stance.slope_rad > limits.slope_max_rad) return Hazard::slope;
+  if (stance.unevenness_m > limits.unevenness_max_m) return Hazard::uneven;
+  if (stance.clearance_m < limits.clearance_min_m) return Hazard::clearance;
+  const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
+  if (stance.pitch_rad > soil.last_rad()) return Hazard::climb;
+  return Hazard::none;
+}
+
+double demand(const Stance& stance, const DriveCost& cost) {
+  const DriveLimits& limits = cost.limits;
+  const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
+  return std::max({stance.slope_rad / limits.slope_max_rad,
+                   stance.unevenness_m / limits.unevenness_max_m,
+                   stance.pitch_rad > 0 ? soil.at(stance.pitch_rad).slip / limits.slip_max : 0.0});
+}
+
+}  // namespace lsos

@@ -1,0 +1,48 @@
+// How a rover stands on the ground of a map, and what stands in its way.
+#pragma once
+
+#include <string>
+
+#include "route/drive_cost.h"
+#include "route/ground_map.h"
+
+namespace lsos {
+
+struct Stance {
+  bool is_on_ground = false;  // all wheels have ground; the rest holds only then
+  // Of the plane through the ground under the wheels: along the heading, up positive, and to the
+  // left of it, up positive.
+  double pitch_rad = 0, bank_rad = 0;
+  double slope_rad = 0;     // of that plane, steepest
+  double unevenness_m = 0;  // of the wheel farthest from it
+  double clearance_m = 0;   // least, between underside and ground
+  int soil = 0;             // in the middle
+};
+
+// What a rover would come to at a place.
+enum class Hazard { none, no_ground, slope, uneven, clearance, climb };
+std::string to_string(Hazard hazard);  // "too steep"
+
+// Works out stances of one rover.
+class StanceFinder {
+ public:
+  explicit StanceFinder(const DriveCost& cost);
+
+  // `ahead`: unit.
+  Stance at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const;
+  const DriveCost& cost() const { return cost_; }
+
+ private:
+  DriveCost cost_;
+  // The plane's height at the middle, its rise ahead and its rise to the left, by heights of
+  // wheels.
+  Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights_;
+};
+
+// At a stance that drives ahead. A descent is held to the limit of slopes as a climb is.
+Hazard hazard(const Stance& stance, const DriveCost& cost);
+
+// Share of the limit that it comes nearest to, 0..1; where there is no hazard.
+double demand(const Stance& stance, const DriveCost& cost);
+
+}  // namespace lsos

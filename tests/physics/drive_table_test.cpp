@@ -1,0 +1,54 @@
+// What planning takes driving for, against shipped rovers driven up the same slopes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "mission/drive_table.h"
+#include "physics/drive.h"
+
+namespace lsos::test {
+namespace {
+
+struct Climb {
+  const char *rover, *planet, *soil;
+  double speed_mps, length_m, slopes_deg[3];
+};
+
+class DriveTable : public testing::TestWithParam<Climb> {};
+
+// Between two lengths of drive, so that starting and stopping do not count. Wheels of the whole
+// vehicle carry unlike loads, those of the table all the same.
+TEST_P(DriveTable, has_the_energy_and_slip_of_the_simulated_rover) {
+  const Climb& climb = GetParam();
+  for (const double slope_deg : climb.slopes_deg) {
+    const auto slope =
+        ground({climb.planet, PlaneSurface{0, radians(slope_deg), radians(180)}, climb.soil});
+    const VehicleConfig rover = rover_on(climb.rover, *slope, climb.planet);
+    const double g_mps2 = gravity_mps2(*find_body(climb.planet), start);
+    const DriveCost cost = drive_cost(rover, slope->soils(), g_mps2, climb.speed_mps);
+    ASSERT_GT(cost.soils[0].last_rad(), radians(slope_deg));
+    const SlopeDrive table = cost.soils[0].at(radians(slope_deg));
+    const double level = std::cos(radians(slope_deg));
+    const auto go = [&](double length_m) {
+      return drive(rover, *slope, {{0, length_m * level}}, climb.speed_mps);
+    };
+    const DriveResult far = go(2 * climb.length_m), near = go(climb.length_m);
+    ASSERT_EQ(far.failure + near.failure, "");
+    const double driven_jpm = (far.drive_j - near.drive_j) / (far.distance_m - near.distance_m);
+    const std::string what = fmt::format("{} {} deg: table {:.1f} J/m, driven {:.1f}", climb.rover,
+                                         slope_deg, table.energy_jpm, driven_jpm);
+    RecordProperty(fmt::format("slope_{}", slope_deg), what);
+    EXPECT_NEAR(table.energy_jpm, driven_jpm, 0.02 * driven_jpm) << what;
+    EXPECT_EQ(table.speed_mps, climb.speed_mps);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
+                         testing::Values(Climb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
+                                         Climb{"LRV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
+                                         Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
+                                         Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
+                         [](const auto& tested) { return std::string(tested.param.rover); });
+
+}  // namespace
+}  // namespace lsos::test

@@ -1,0 +1,146 @@
+// Planned legs: against another search with the same costs, around what is in the way, or why not.
+#include "route/route_planner.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <queue>
+
+#include "route/grid_search.h"
+#include "test_rover.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A crater that is too steep, a hill that is not, and smaller ones.
+std::vector<Form> rough() {
+  return {{30, 4, 24, 5, 0.5}, {62, -12, 40, 0, 5}, {50, 18, 12, 2.5, 0.3}, {80, 6, 16, 3, 0.4}};
+}
+
+// Dijkstra's search over all edges, without a bound and without laziness.
+double dijkstra_cost(LegCosts& costs, const Vec2& goal_m) {
+  GroundMap& map = costs.map();
+  const auto number = [&](int x, int y) { return static_cast<std::size_t>(y * map.columns() + x); };
+  std::vector<double> cost(static_cast<std::size_t>(map.columns() * map.rows()),
+                           std::numeric_limits<double>::infinity());
+  using Entry = std::tuple<double, int, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const Vec2 start = -map.low_m() / map.spacing_m();
+  const int x0 = static_cast<int>(std::lround(start.x())),
+            y0 = static_cast<int>(std::lround(start.y()));
+  cost[number(x0, y0)] = 0;
+  queue.push({0, x0, y0});
+  double best = std::numeric_limits<double>::infinity();
+  while (!queue.empty()) {
+    const auto [at, x, y] = queue.top();
+    queue.pop();
+    if (at > cost[number(x, y)]) continue;
+    const Vec2 here_m = map.place_m(x, y);
+    if ((here_m - goal_m).cwiseAbs().maxCoeff() <= map.spacing_m()) {
+      best = std::min(best, at + costs.straight(here_m, goal_m));
+    }
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int u = x + dx, v = y + dy;
+        if ((dx == 0 && dy == 0) || u < 0 || v < 0 || u >= map.columns() || v >= map.rows())
+          continue;
+        const double next = at + costs.straight(here_m, map.place_m(u, v));
+        if (!(next < cost[number(u, v)])) continue;
+        cost[number(u, v)] = next;
+        queue.push({next, u, v});
+      }
+    }
+  }
+  return best;
+}
+
+TEST(GridSearch, finds_what_dijkstra_finds) {
+  const Site site(rough());
+  const StanceFinder finder(simple_rover());
+  for (const RouteAim aim : {RouteAim::energy, RouteAim::risk}) {
+    for (const Vec2& goal_m : {Vec2(100, 0), Vec2(90.3, 20.7), Vec2(62, -14)}) {
+      GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -40}, {120, 40},
+                    0.5);
+      LegCosts costs(map, finder, aim);
+      const GridRoute route = search_grid(costs, {0, 0}, goal_m);
+      const double other = dijkstra_cost(costs, goal_m);
+      ASSERT_TRUE(std::isfinite(other));
+      // The bound knows heights only as their nodes have them.
+      EXPECT_NEAR(route.cost, other, 2e-3 * other);
+      EXPECT_NEAR(costs.of(route.line).cost, route.cost, 1e-9 * other);
+    }
+  }
+}
+
+TEST(PlanLeg, goes_around_what_is_too_steep_and_costs_less_than_the_grid) {
+  const Site site(rough());
+  const DriveCost cost = simple_rover();
+  for (const RouteAim aim : {RouteAim::energy, RouteAim::risk}) {
+    const PlannedLeg leg = plan_leg(site.ground(), cost, {{0, 0, 0}, {100, 0, 0}, aim, 5});
+    ASSERT_TRUE(leg.is_found()) << leg.reason;
+    EXPECT_LT(leg.slope_max_rad, cost.limits.slope_max_rad);
+    EXPECT_GT(leg.length_m, 100);
+    EXPECT_LT(leg.length_m, 125);
+    EXPECT_NEAR(leg.path_S_m.front().norm(), 0, 0.1);
+    EXPECT_NEAR((leg.path_S_m.back() - Vec3(100, 0, 0)).norm(), 0, 0.1);
+    // The walls of the first crater, 24 m wide at 30, 4.
+    for (std::size_t k = 0; k + 1 < leg.path_S_m.size(); ++k) {
+      for (double share = 0; share <= 1; share += 0.01) {
+        const Vec3 p_m = leg.path_S_m[k] + share * (leg.path_S_m[k + 1] - leg.path_S_m[k]);
+        EXPECT_GT((p_m - Vec3(30, 4, 0)).head<2>().norm(), 10);
+      }
+    }
+    const StanceFinder finder(cost);
+    GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-40, -40}, {140, 40},
+                  map_spacing_m(cost));
+    LegCosts costs(map, finder, aim);
+    EXPECT_LT(leg.cost, search_grid(costs, {0, 0}, {100, 0}).cost);
+  }
+}
+
+// On the level there is nothing better than the straight line: 1000 J/m.
+TEST(PlanLeg, over_level_ground_is_straight) {
+  const Site site({});
+  const PlannedLeg leg =
+      plan_leg(site.ground(), simple_rover(), {{0, 0, 0}, {60, 35, 0}, RouteAim::energy, 1});
+  ASSERT_EQ(leg.path_S_m.size(), 2u);
+  EXPECT_NEAR(leg.length_m, std::hypot(60, 35), 1e-3);
+  EXPECT_NEAR(leg.energy_j, 1000 * std::hypot(60, 35), 30);
+  EXPECT_NEAR(leg.duration_s, leg.length_m, 1e-6);
+}
+
+TEST(PlanLeg, is_the_same_whatever_was_planned_before) {
+  const Site site(rough());
+  const DriveCost cost = simple_rover();
+  const LegRequest request{{0, 0, 0}, {100, 0, 0}, RouteAim::risk, 5};
+  const PlannedLeg first = plan_leg(site.ground(), cost, request);
+  plan_leg(site.ground(), cost, {{0, 0, 0}, {70, 30, 0}, RouteAim::energy, 9});
+  const PlannedLeg again = plan_leg(site.ground(), cost, request);
+  ASSERT_EQ(first.path_S_m.size(), again.path_S_m.size());
+  for (std::size_t k = 0; k < first.path_S_m.size(); ++k) {
+    EXPECT_EQ(first.path_S_m[k], again.path_S_m[k]);
+  }
+  EXPECT_EQ(first.cost, again.cost);
+}
+
+TEST(PlanLeg, says_why_there_is_no_way_and_how_near_one_comes) {
+  // A ring of too steep a wall around a level floor.
+  const Site site({{60, 0, 40, 14, 2}});
+  const DriveCost cost = simple_rover();
+  const auto plan = [&](const Vec3& from_m, const Vec3& to_m) {
+    return plan_leg(site.ground(), cost, {from_m, to_m, RouteAim::risk, 1});
+  };
+  const PlannedLeg inside = plan({0, 0, 0}, {60, 0, 0});
+  EXPECT_FALSE(inside.is_found());
+  EXPECT_THAT(inside.reason, HasSubstr("m; ahead the ground is on a slope of "));
+  EXPECT_THAT(inside.reason, HasSubstr("20 are allowed"));
+  EXPECT_GT((inside.nearest_S_m - Vec3(60, 0, 0)).norm(), 10);
+  EXPECT_TRUE(plan({0, 0, 0}, inside.nearest_S_m).is_found());
+  EXPECT_THAT(plan({0, 0, 0}, {46, 0, 0}).reason, HasSubstr("the goal is on a slope of "));
+  EXPECT_THAT(plan({46, 0, 0}, {0, 0, 0}).reason, HasSubstr("the start is on a slope of "));
+}
+
+}  // namespace
+}  // namespace lsos::test

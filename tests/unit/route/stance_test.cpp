@@ -1,0 +1,72 @@
+// How a rover stands on ground of a known slope.
+#include "route/stance.h"
+
+#include <gtest/gtest.h>
+
+#include "test_rover.h"
+
+namespace lsos::test {
+namespace {
+
+constexpr double slope_rad = 12 * deg;
+
+// Falling to the south.
+struct Slope {
+  SiteFrame site{*find_body("Moon"), geodetic_from_degrees(30, 10)};
+  Ground ground{[] {
+                  TerrainSpec spec;
+                  spec.layers = {PlaneSurface{0, slope_rad, std::numbers::pi}};
+                  return spec;
+                }(),
+                site, 0};
+  GroundMap map{ground, MapFrame(site, {0, 0, 0}), {-20, -20}, {20, 20}, 0.5};
+};
+
+TEST(Stance, on_a_slope_is_the_slope_by_its_heading) {
+  Slope slope;
+  const StanceFinder finder(simple_rover());
+  for (const double yaw_deg : {0.0, 30.0, 90.0, 200.0, 270.0}) {
+    const Vec2 ahead(std::cos(yaw_deg * deg), std::sin(yaw_deg * deg));
+    const Stance stance = finder.at(slope.map, {3, -2}, ahead);
+    ASSERT_TRUE(stance.is_on_ground);
+    EXPECT_NEAR(std::tan(stance.pitch_rad), std::tan(slope_rad) * ahead.y(), 1e-3) << yaw_deg;
+    EXPECT_NEAR(std::tan(stance.bank_rad), std::tan(slope_rad) * ahead.x(), 1e-3) << yaw_deg;
+    EXPECT_NEAR(stance.slope_rad, slope_rad, 1e-3);
+    EXPECT_NEAR(stance.unevenness_m, 0, 1e-3);
+    EXPECT_NEAR(stance.clearance_m, 0.4, 1e-3);
+  }
+}
+
+TEST(Stance, is_a_hazard_beyond_each_limit) {
+  DriveCost cost = simple_rover();
+  Stance stance;
+  EXPECT_EQ(hazard(stance, cost), Hazard::no_ground);
+  stance.is_on_ground = true;
+  stance.clearance_m = 0.4;
+  EXPECT_EQ(hazard(stance, cost), Hazard::none);
+  stance.slope_rad = 21 * deg;
+  EXPECT_EQ(hazard(stance, cost), Hazard::slope);
+  stance.slope_rad = 0;
+  stance.unevenness_m = 0.31;
+  EXPECT_EQ(hazard(stance, cost), Hazard::uneven);
+  stance.unevenness_m = 0;
+  stance.clearance_m = 0.09;
+  EXPECT_EQ(hazard(stance, cost), Hazard::clearance);
+  stance.clearance_m = 0.4;
+  cost.soils[0].by_slope.resize(8);  // climbs 5 degrees
+  stance.pitch_rad = 6 * deg;
+  EXPECT_EQ(hazard(stance, cost), Hazard::climb);
+}
+
+TEST(Stance, of_a_hole_between_the_wheels_is_uneven_or_on_its_belly) {
+  const Site site({{0, 0, 6, 3, 0.2}});
+  const StanceFinder finder(simple_rover());
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
+                0.25);
+  EXPECT_EQ(hazard(finder.at(map, {10, 0}, {1, 0}), finder.cost()), Hazard::none);
+  // One wheel in the middle of the hole.
+  EXPECT_NE(hazard(finder.at(map, {-1, -0.8}, {1, 0}), finder.cost()), Hazard::none);
+}
+
+}  // namespace
+}  // namespace lsos::test
