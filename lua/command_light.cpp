@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "lua/commands.h"
+#include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
 #include "mission/worker_pool.h"
@@ -36,6 +37,7 @@ Question question_of(const LightOptions& options) {
   if (!terrain.site.empty()) question.site = option_place("--site", terrain.site, faults);
   if (!terrain.window.empty()) question.window = option_window(terrain.window, faults);
   check_resolution(terrain, faults);
+  check_output("-o", options.file, {".tif", ".tiff"}, {options.terrain.name}, faults);
   faults.throw_if_errors();
   return question;
 }

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <filesystem>
 
 #include "lua/commands.h"
+#include "lua/output_file.h"
 #include "lua/picture_frame.h"
 #include "product/film.h"
 #include "product/png.h"
@@ -21,15 +21,10 @@ std::atomic<int> asked_to_stop{0};
 void ask_to_stop(int signal) { asked_to_stop = signal; }
 
 void check(const PictureOptions& options) {
-  const std::filesystem::path folder = std::filesystem::path(options.file).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    throw InputError({},
-                     fmt::format("-o {}: there is no folder {}", options.file, folder.string()));
+  if (!options.is_movie && options.file.ends_with(".mp4")) {
+    throw InputError({}, fmt::format("-o {}: a film is made with --movie", options.file));
   }
   if (!options.is_movie) {
-    if (options.file.ends_with(".mp4")) {
-      throw InputError({}, fmt::format("-o {}: a film is made with --movie", options.file));
-    }
     if (options.at.empty()) {
       throw InputError({}, "--at is missing: UTC or a time from the start, as 10 min; or --movie");
     }
@@ -40,9 +35,6 @@ void check(const PictureOptions& options) {
   }
   if (!options.at.empty()) {
     throw InputError({}, fmt::format("--at {}: a --movie shows all of a run", options.at));
-  }
-  if (!options.file.ends_with(".mp4")) {
-    throw InputError({}, fmt::format("-o {}: a --movie's name must end in .mp4", options.file));
   }
   if (options.size_px % 2 != 0) {
     throw InputError({}, fmt::format("--size {}: a --movie's must be even", options.size_px));
@@ -83,6 +75,9 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
 
 int picture_command(const PictureOptions& options) {
   check(options);
+  Faults faults;
+  check_output("-o", options.file, {options.is_movie ? ".mp4" : ".png"}, {}, faults);
+  faults.throw_if_errors();
   const PictureRun run = open_run(options.folder, options.at, options.every);
   for (const std::string& warning : run.warnings) fmt::print(stderr, "warning: {}\n", warning);
   const PictureWish wish{options.from, options.rover, options.size_px};

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
+#include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
 #include "mission/site.h"
@@ -51,6 +52,7 @@ Question question_of(const TerrainOptions& options) {
   if (!options.site.empty()) question.site = option_place("--site", options.site, faults);
   if (!options.window.empty()) question.window = option_window(options.window, faults);
   check_export(options, faults);
+  check_output("--export", options.export_file, {".tif", ".tiff"}, {options.name}, faults);
   faults.throw_if_errors();
   if (!question.site && !question.places.empty()) question.site = question.places.front();
   if (!question.site && question.window) question.site = question.window->centre();

@@ -15,6 +15,9 @@ namespace {
 void check_id(FieldReader& fields, const std::string& field_name, const std::string& id,
               IdLines& ids) {
   if (id == "Earth") fields.error(field_name, "this name stands for the planet in the log");
+  if (id.find(',') != std::string::npos) {
+    fields.error(field_name, "a comma is not allowed: it stands between ids in lists");
+  }
   const int line = fields.subject().place.line;
   const auto [first, is_new] = ids.emplace(id, line);
   if (!is_new) {

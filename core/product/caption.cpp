@@ -17,6 +17,33 @@ std::string length_text(double length_m) {
   return fmt::format("{:g} m", length_m);
 }
 
+// What is left of a picture's width beside the scale.
+constexpr double text_share = 0.72;
+
+// Broken where parts of a line are set apart.
+std::vector<std::string> wrapped(const std::vector<std::string>& lines, Lettering& letters,
+                                 int size_px, int most_px) {
+  constexpr std::string_view apart = "   ";
+  std::vector<std::string> broken;
+  for (const std::string& line : lines) {
+    std::string now;
+    for (std::size_t from = 0; from <= line.size();) {
+      const std::size_t end = std::min(line.find(apart, from), line.size());
+      const std::string part = line.substr(from, end - from);
+      const std::string longer = now.empty() ? part : now + std::string(apart) + part;
+      if (!now.empty() && letters.width_px(longer, size_px) > most_px) {
+        broken.push_back(now);
+        now = part;
+      } else {
+        now = longer;
+      }
+      from = end + apart.size();
+    }
+    broken.push_back(now);
+  }
+  return broken;
+}
+
 }  // namespace
 
 double round_length_m(double most_m) {
@@ -27,9 +54,13 @@ double round_length_m(double most_m) {
   return decade_m;
 }
 
-void add_caption(const RgbCanvas& canvas, const Caption& caption, Lettering& letters) {
+void add_caption(const RgbCanvas& canvas, const Caption& whole, Lettering& letters) {
   const int size_px = std::max(9, canvas.height_px / 42), margin_px = size_px;
   const int line_px = size_px * 3 / 2;
+  Caption caption = whole;
+  const double room = whole.metres_a_pixel > 0 ? text_share : 1;
+  caption.lines = wrapped(whole.lines, letters, size_px,
+                          static_cast<int>(room * canvas.width_px) - 2 * margin_px);
   const int lines = 1 + static_cast<int>(caption.lines.size());
   const int top = canvas.height_px - lines * line_px - margin_px;
   fill(canvas, {0, top, canvas.width_px, canvas.height_px - top}, black, 0.62);

@@ -192,7 +192,7 @@ TEST_F(CameraPicture, says_which_options_go_together) {
   EXPECT_THAT(picture({"--at", "5", "--every", "2"}).err,
               HasSubstr("--every 2: only with --movie"));
   EXPECT_THAT(picture({"--at", "5", "--movie"}).err, HasSubstr("--at 5: a --movie shows all"));
-  EXPECT_THAT(picture({"--movie"}).err, HasSubstr("x.png: a --movie's name must end in .mp4"));
+  EXPECT_THAT(picture({"--movie"}).err, HasSubstr("x.png: the name must end in .mp4"));
   const auto into = [](const std::string& file, const Words& more) {
     Words words{"picture", *folder / "run", "-o", *folder / file};
     words.insert(words.end(), more.begin(), more.end());
@@ -203,6 +203,7 @@ TEST_F(CameraPicture, says_which_options_go_together) {
   EXPECT_THAT(into("x.mp4", {"--at", "5"}), HasSubstr("x.mp4: a film is made with --movie"));
   EXPECT_THAT(into("x.mp4", {"--movie", "--size", "65"}),
               HasSubstr("--size 65: a --movie's must be even"));
+  EXPECT_THAT(into("run/plan.kml", {"--at", "5"}), HasSubstr("the name must end in .png"));
   EXPECT_THAT(into("no/x.png", {"--at", "5"}), HasSubstr("no/x.png: there is no folder "));
 }
 

@@ -1,0 +1,32 @@
+#include "lua/output_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace lsos {
+
+namespace fs = std::filesystem;
+
+void check_output(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
+                  Faults& faults) {
+  if (file.empty()) return;
+  const std::string asked = fmt::format("{} {}", option, file);
+  if (std::ranges::none_of(endings, [&](const auto& end) { return file.ends_with(end); })) {
+    faults.error({}, fmt::format("{}: the name must end in {}", asked, fmt::join(endings, " or ")));
+  }
+  const fs::path folder = fs::path(file).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder)) {
+    faults.error({}, fmt::format("{}: there is no folder {}", asked, folder.string()));
+  }
+  for (const std::string& input : inputs) {
+    std::error_code is_absent;
+    if (!fs::equivalent(file, input, is_absent)) continue;
+    faults.error({}, fmt::format("{}: the command reads this file; another name is wanted", asked));
+  }
+}
+
+}  // namespace lsos

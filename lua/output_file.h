@@ -1,0 +1,17 @@
+// Names of files that commands write: none that holds something else is replaced.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace lsos {
+
+// A fault where the name has none of the endings (".tif"), its folder is not there, or it is one of
+// the files that the command reads.
+void check_output(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
+                  Faults& faults);
+
+}  // namespace lsos
