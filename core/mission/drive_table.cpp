@@ -18,7 +18,7 @@ constexpr int rows_max = 33;
 constexpr int slips = 24;
 constexpr double slip_least = -0.5;
 
-// Limits that no script gives. Slopes: half of what tips it over, at rest.
+// Limits that no script gives. Slopes: this share of what tips it over, at rest.
 constexpr double tip_share = 0.6, slip_max = 0.6, clearance_share = 0.3, uneven_radii = 0.6;
 
 struct DrivenWheel {

@@ -22,8 +22,8 @@ class LegCosts {
  public:
   LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim);
 
-  // Of a straight piece, by the midpoint rule in steps of the map's spacing at most 1.5 of it;
-  // stops at the first hazard.
+  // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
+  // where a hazard lies on it.
   double straight(const Vec2& from_m, const Vec2& to_m);
   // The same of a line, with all that is told of it.
   LegCost of(const Line2& line);

@@ -4,26 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace lsos {
-
-std::string to_string(Hazard hazard) {
-  switch (hazard) {
-    case Hazard::none:
-      return "free";
-    case Hazard::no_ground:
-      return "without ground";
-    case Hazard::slope:
-      return "too steep";
-    case Hazard::uneven:
-      return "too uneven for its wheels";
-    case Hazard::clearance:
-      return "too high under its belly";
-    case Hazard::climb:
-      return "too steep to climb on this soil";
-  }
-  return {};
-}
 
 StanceFinder::StanceFinder(const DriveCost& cost) : cost_(cost) {
   // Least squares of z = a + b ahead + c left.
@@ -39,8 +22,11 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
   const auto place = [&](double x_m, double y_m) -> Vec2 {
     return at_m + x_m * ahead + y_m * left;
   };
-  constexpr std::size_t wheels_max = 64;
-  std::array<double, wheels_max> heights_m;
+  // Asked for thousands of times: without allocation, but for a train of wheels.
+  std::array<double, 32> few_m;
+  std::vector<double> many_m;
+  if (cost_.wheels_B_m.size() > few_m.size()) many_m.resize(cost_.wheels_B_m.size());
+  double* heights_m = many_m.empty() ? few_m.data() : many_m.data();
   Vec3 plane = Vec3::Zero();
   const std::size_t count = cost_.wheels_B_m.size();
   for (std::size_t k = 0; k < count; ++k) {

@@ -1,8 +1,6 @@
 // How a rover stands on the ground of a map, and what stands in its way.
 #pragma once
 
-#include <string>
-
 #include "route/drive_cost.h"
 #include "route/ground_map.h"
 
@@ -21,7 +19,6 @@ struct Stance {
 
 // What a rover would come to at a place.
 enum class Hazard { none, no_ground, slope, uneven, clearance, climb };
-std::string to_string(Hazard hazard);  // "too steep"
 
 // Works out stances of one rover.
 class StanceFinder {

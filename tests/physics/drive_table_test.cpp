@@ -18,7 +18,7 @@ class DriveTable : public testing::TestWithParam<Climb> {};
 
 // Between two lengths of drive, so that starting and stopping do not count. Wheels of the whole
 // vehicle carry unlike loads, those of the table all the same.
-TEST_P(DriveTable, has_the_energy_and_slip_of_the_simulated_rover) {
+TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
   const Climb& climb = GetParam();
   for (const double slope_deg : climb.slopes_deg) {
     const auto slope =
