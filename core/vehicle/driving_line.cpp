@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/corner.h"
+
 namespace lsos {
 
 namespace {
@@ -41,11 +43,10 @@ class LineBuilder {
     const Vec2 in = (corner - at_).normalized(), out = (next - corner).normalized();
     const double bend = bend_rad(in, out), half = std::abs(bend) / 2;
     if (2 * half < straight_rad) return go_to(corner, 0);
-    // An arc of radius R passes R (1/cos - 1) inside the corner and begins R tan before it; half
-    // of the shorter side is its, the rest belongs to the next corner.
+    // Half of the next side is its, the rest belongs to the next corner.
     const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
-    double radius_m = std::min(limits_.corner_offset_m / (1 / std::cos(half) - 1),
-                               std::min(before_m, 0.5 * after_m) / std::tan(half));
+    double radius_m =
+        corner_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.corner_offset_m);
     if (radius_m < limits_.radius_min_m) {
       const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
       if (limits_.can_turn_on_spot || !has_room) {

@@ -6,14 +6,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/corner.h"
+
 namespace lsos {
 
 namespace {
 
-constexpr double corner_offset_m = 0.1;  // leaves 0.2 m of the 0.3 m for following
-constexpr double at_end_m = 0.02;        // a stop is reached this near to it
-constexpr double standing_on_m = 1;      // of a waypoint, where the arrival radius is not smaller
-constexpr double turn_begin_rad = 1.0;   // heading error that driving cannot mend
+constexpr double at_end_m = 0.02;       // a stop is reached this near to it
+constexpr double standing_on_m = 1;     // of a waypoint, where the arrival radius is not smaller
+constexpr double turn_begin_rad = 1.0;  // heading error that driving cannot mend
 constexpr double turn_done_rad = 0.03;
 // Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
 // be driven in well more than that.
@@ -54,6 +55,7 @@ PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
   };
   auto first = path_S_m.begin();
   while (first + 1 < path_S_m.end() && stands_on(*first)) ++first;
+  passed_ = static_cast<std::size_t>(first - path_S_m.begin());
   for (auto p = first; p < path_S_m.end(); ++p) waypoints_S_m_.push_back(p->head<2>());
   lay_line();
   if (!line_.empty()) remaining_m_ = line_.back().begin_m + line_.back().length_m;
@@ -95,6 +97,13 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
   const DrivingLeg& last = line_.back();
   remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - gone_m());
 
+  if (std::abs(left_m) > limits_.stray_max_m) {
+    status_ = Status::failed;
+    has_strayed_ = true;
+    reason_ = fmt::format("strayed {:.1f} m from its path, {:.1f} m before the end",
+                          std::abs(left_m), remaining_m_);
+    return stop(pose, period_s);
+  }
   if (makes_no_progress(std::abs(heading_error_rad), period_s)) {
     status_ = Status::failed;
     is_stuck_ = true;
@@ -215,6 +224,17 @@ double PathFollower::share() const {
   return 1 - remaining_m_ / (line_.back().begin_m + line_.back().length_m);
 }
 
+// Arcs cut corners by some centimetres: what is left along the line is a little less than what is
+// left from waypoint to waypoint.
+std::size_t PathFollower::next_waypoint() const {
+  std::size_t next = waypoints_S_m_.size() - 1;
+  for (double rest_m = 0; next > 1; --next) {
+    rest_m += (waypoints_S_m_[next] - waypoints_S_m_[next - 1]).norm();
+    if (rest_m >= remaining_m_) break;
+  }
+  return passed_ + (next > 0 ? next - 1 : 0);
+}
+
 bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) {
   const double step_m = std::min(progress_m, progress_share * limits_.speed_mps * stuck_s);
   const bool has_moved = remaining_m_ < best_remaining_m_ - step_m;
@@ -231,7 +251,7 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
 
 void PathFollower::archive(Archive& a) {
   a.tag("follower")(waypoints_S_m_)(
-      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_);
+      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_)(has_strayed_)(passed_);
   if (a.is_reading()) lay_line();
 }
 

@@ -2,6 +2,7 @@
 // its speeds, stops and turns at sharp corners, and comes to rest at its end.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,12 @@ struct FollowerLimits {
   bool can_turn_on_spot = true;
   double lookahead_min_m = 2.5;  // over which distance to the line decays at low speed
   bool is_crabbing = false;      // goes along the line without turning into it
+  // From the line to either side; farther than this it fails.
+  double stray_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
     a(speed_mps)(acceleration_mps2)(
-        arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing);
+        arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(stray_max_m);
   }
 };
 
@@ -50,7 +53,10 @@ class PathFollower {
 
   Status status() const { return status_; }
   const std::string& reason() const { return reason_; }
-  bool is_stuck() const { return is_stuck_; }  // why it failed
+  bool is_stuck() const { return is_stuck_; }        // why it failed
+  bool has_strayed() const { return has_strayed_; }  // the same
+  // The waypoint that comes next, counted as in the path that was given.
+  std::size_t next_waypoint() const;
   double remaining_m() const { return remaining_m_; }
   // How much of the line lies behind, 0..1.
   double share() const;
@@ -86,7 +92,8 @@ class PathFollower {
   double stopping_s_ = 0;
   Status status_ = Status::driving;
   std::string reason_;
-  bool is_stuck_ = false;
+  bool is_stuck_ = false, has_strayed_ = false;
+  std::size_t passed_ = 0;  // waypoints that it stood on at the start
 };
 
 }  // namespace lsos

@@ -75,6 +75,34 @@ TEST(PathFollower, holds_a_line_with_corners_and_stops_at_its_end) {
   EXPECT_LT(result.to_goal_m, 0.3);
 }
 
+// Told where the rover is, not driven: 1 m/s along x at a distance from the line.
+TEST(PathFollower, fails_when_it_strays_farther_than_it_may) {
+  FollowerLimits limits;
+  limits.stray_max_m = 2;
+  const Path3 path{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}};
+  PathFollower follower(path, {{0, 0}, 0, 1, 0}, limits);
+  follower.update({{4, 1.9}, 0, 1, 0}, period_s);
+  EXPECT_EQ(follower.status(), PathFollower::Status::driving);
+  EXPECT_EQ(follower.next_waypoint(), 0u);
+  follower.update({{12, -1.9}, 0, 1, 0}, period_s);
+  EXPECT_EQ(follower.status(), PathFollower::Status::driving);
+  EXPECT_EQ(follower.next_waypoint(), 1u);
+  follower.update({{13, -2.1}, 0, 1, 0}, period_s);
+  EXPECT_EQ(follower.status(), PathFollower::Status::failed);
+  EXPECT_TRUE(follower.has_strayed());
+  EXPECT_FALSE(follower.is_stuck());
+  EXPECT_EQ(follower.reason(), "strayed 2.1 m from its path, 17.0 m before the end");
+  EXPECT_EQ(follower.next_waypoint(), 1u);
+}
+
+// Waypoints that it stands on at the start are behind it, and counted.
+TEST(PathFollower, counts_waypoints_as_they_were_given) {
+  PathFollower follower({{0.5, 0, 0}, {10, 0, 0}, {20, 0, 0}}, {{0, 0}, 0, 0, 0}, {});
+  EXPECT_EQ(follower.next_waypoint(), 1u);
+  follower.update({{15, 0}, 0, 1, 0}, period_s);
+  EXPECT_EQ(follower.next_waypoint(), 2u);
+}
+
 TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_one) {
   DrivingLimits limits;
   limits.speed_mps = 2;
