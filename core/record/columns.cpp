@@ -260,6 +260,23 @@ std::span<const Column<PhaseRow>> columns<PhaseRow>() {
 }
 
 template <>
+std::span<const Column<PlannedPathRow>> columns<PlannedPathRow>() {
+  using R = PlannedPathRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),
+      text<&R::rover_id>("rover_id"),
+      integer<&R::sequence>("sequence"),
+      integer<&R::leg>("leg"),
+      integer<&R::attempt>("attempt"),
+      real<&R::length_m>("length_m"),
+      real<&R::duration_s>("duration_s"),
+      real<&R::energy_j>("energy_j"),
+      real<&R::slope_max_rad>("slope_max_rad"),
+  };
+  return table;
+}
+
+template <>
 std::span<const Column<NoteRow>> columns<NoteRow>() {
   using R = NoteRow;
   static const Column<R> table[] = {

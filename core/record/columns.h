@@ -56,6 +56,8 @@ std::span<const Column<EventRow>> columns<EventRow>();
 template <>
 std::span<const Column<PhaseRow>> columns<PhaseRow>();
 template <>
+std::span<const Column<PlannedPathRow>> columns<PlannedPathRow>();
+template <>
 std::span<const Column<NoteRow>> columns<NoteRow>();
 template <>
 std::span<const Column<RunRow>> columns<RunRow>();

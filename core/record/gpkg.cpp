@@ -143,4 +143,22 @@ std::optional<Geodetic> point(const OGRFeature& feature) {
   return geodetic_from_degrees(point->getX(), point->getY(), point->getZ());
 }
 
+void set_line(OGRFeature& feature, const std::vector<Geodetic>& line) {
+  auto geometry = std::make_unique<OGRLineString>();
+  for (const Geodetic& place : line) {
+    geometry->addPoint(lon_deg(place), lat_deg(place), place.height_m);
+  }
+  feature.SetGeometryDirectly(geometry.release());
+}
+
+std::vector<Geodetic> line(const OGRFeature& feature) {
+  const OGRGeometry* geometry = feature.GetGeometryRef();
+  if (geometry == nullptr || wkbFlatten(geometry->getGeometryType()) != wkbLineString) return {};
+  std::vector<Geodetic> line;
+  for (const OGRPoint& point : *geometry->toLineString()) {
+    line.push_back(geodetic_from_degrees(point.getX(), point.getY(), point.getZ()));
+  }
+  return line;
+}
+
 }  // namespace lsos::gpkg

@@ -56,4 +56,7 @@ ColumnValue value(const OGRFeature& feature, int field, ColumnType type);
 void set_point(OGRFeature& feature, const std::optional<Geodetic>& place);
 std::optional<Geodetic> point(const OGRFeature& feature);
 
+void set_line(OGRFeature& feature, const std::vector<Geodetic>& line);
+std::vector<Geodetic> line(const OGRFeature& feature);
+
 }  // namespace lsos::gpkg

@@ -14,28 +14,12 @@ LayerSpec filled(LayerGeometry geometry) {
 }
 
 std::vector<LayerSpec> make_layers() {
-  using enum ColumnType;
   return {
-      filled<SampleRow>(LayerGeometry::point),
-      filled<EventRow>(LayerGeometry::point),
-      filled<PhaseRow>(LayerGeometry::none),
-      filled<PairRow>(LayerGeometry::none),
-      filled<SightIntervalRow>(LayerGeometry::none),
-      filled<PanelRow>(LayerGeometry::none),
-      filled<JointRow>(LayerGeometry::none),
-      filled<ResourceRow>(LayerGeometry::none),
-      {"planned_paths",
-       LayerGeometry::line,
-       {{"time_s", real},
-        {"rover_id", text},
-        {"sequence", integer},
-        {"leg", integer},
-        {"attempt", integer},
-        {"length_m", real},
-        {"duration_s", real},
-        {"energy_j", real},
-        {"slope_max_rad", real}}},
-      filled<NoteRow>(LayerGeometry::point),
+      filled<SampleRow>(LayerGeometry::point),       filled<EventRow>(LayerGeometry::point),
+      filled<PhaseRow>(LayerGeometry::none),         filled<PairRow>(LayerGeometry::none),
+      filled<SightIntervalRow>(LayerGeometry::none), filled<PanelRow>(LayerGeometry::none),
+      filled<JointRow>(LayerGeometry::none),         filled<ResourceRow>(LayerGeometry::none),
+      filled<PlannedPathRow>(LayerGeometry::line),   filled<NoteRow>(LayerGeometry::point),
       filled<RunRow>(LayerGeometry::none),
   };
 }

@@ -1,5 +1,4 @@
-// The layers of a log: every one that the contract names, in the order of the digest. Layers that
-// nothing fills yet are there too, empty.
+// The layers of a log: every one that the contract names, in the order of the digest.
 #pragma once
 
 #include <optional>
@@ -44,6 +43,8 @@ template <>
 inline constexpr std::string_view layer_name<PanelRow> = "panels";
 template <>
 inline constexpr std::string_view layer_name<ResourceRow> = "resources";
+template <>
+inline constexpr std::string_view layer_name<PlannedPathRow> = "planned_paths";
 template <>
 inline constexpr std::string_view layer_name<NoteRow> = "notes";
 template <>

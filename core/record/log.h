@@ -45,6 +45,7 @@ class LogWriter {
   void write(const ResourceRow& row);
   void write(const EventRow& row);  // updates the row of the same rover and sequence
   void write(const PhaseRow& row);
+  void write(const PlannedPathRow& row);
   void write(const NoteRow& row);
   // Layer `run`, a row a key, updated when written again; nothing that differs between two equal
   // runs.
@@ -77,6 +78,7 @@ class LogReader {
   std::vector<ResourceRow> resources() const;
   std::vector<EventRow> events() const;
   std::vector<PhaseRow> phases() const;
+  std::vector<PlannedPathRow> planned_paths() const;
   std::vector<NoteRow> notes() const;
   // One row at a time: weeks of them need not fit into memory.
   void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;

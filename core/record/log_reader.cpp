@@ -115,6 +115,7 @@ struct LogReader::Impl {
       if constexpr (requires { row.place; }) {
         if (const std::optional<Geodetic> place = gpkg::point(feature)) row.place = *place;
       }
+      if constexpr (requires { row.line; }) row.line = gpkg::line(feature);
       visit(row);
     });
   }
@@ -151,6 +152,9 @@ std::vector<PanelRow> LogReader::panels() const { return impl_->rows<PanelRow>()
 std::vector<ResourceRow> LogReader::resources() const { return impl_->rows<ResourceRow>(); }
 std::vector<EventRow> LogReader::events() const { return impl_->rows<EventRow>(); }
 std::vector<PhaseRow> LogReader::phases() const { return impl_->rows<PhaseRow>(); }
+std::vector<PlannedPathRow> LogReader::planned_paths() const {
+  return impl_->rows<PlannedPathRow>();
+}
 std::vector<NoteRow> LogReader::notes() const { return impl_->rows<NoteRow>(); }
 
 void LogReader::for_each_sample(const std::function<void(const SampleRow&)>& visit) const {

@@ -47,7 +47,11 @@ class RowLayer {
     for (const Column<Row>& column : columns<Row>()) {
       gpkg::set_value(*feature_, field++, column.value(row, start));
     }
-    if (layer_->GetGeomType() != wkbNone) gpkg::set_point(*feature_, place_of(row));
+    if constexpr (requires { row.line; }) {
+      gpkg::set_line(*feature_, row.line);
+    } else if (layer_->GetGeomType() != wkbNone) {
+      gpkg::set_point(*feature_, place_of(row));
+    }
   }
 
   OGRLayer* layer_ = nullptr;
@@ -70,6 +74,7 @@ struct LogWriter::Impl {
   RowLayer<ResourceRow> resources;
   RowLayer<EventRow> events;
   RowLayer<PhaseRow> phases;
+  RowLayer<PlannedPathRow> planned_paths;
   RowLayer<NoteRow> notes;
   RowLayer<RunRow> run;
   std::map<std::pair<std::string, std::int64_t>, std::int64_t> event_fids;
@@ -107,6 +112,7 @@ struct LogWriter::Impl {
     resources = {};
     events = {};
     phases = {};
+    planned_paths = {};
     notes = {};
     run = {};
   }
@@ -127,6 +133,7 @@ struct LogWriter::Impl {
     open_layer(resources);
     open_layer(events);
     open_layer(phases);
+    open_layer(planned_paths);
     open_layer(notes);
     open_layer(run);
     // GDAL makes tables late; the first step must find them all in the file.
@@ -148,7 +155,7 @@ struct LogWriter::Impl {
 
   void commit() {
     attempt("writing", [&] {
-      return samples.sync() && events.sync() && notes.sync() &&
+      return samples.sync() && events.sync() && planned_paths.sync() && notes.sync() &&
              dataset->CommitTransaction() == OGRERR_NONE;
     });
     in_transaction = false;
@@ -214,6 +221,7 @@ void LogWriter::write(const PairRow& row) { impl_->append(impl_->pairs, row); }
 void LogWriter::write(const SightIntervalRow& row) { impl_->append(impl_->sight_intervals, row); }
 void LogWriter::write(const ResourceRow& row) { impl_->append(impl_->resources, row); }
 void LogWriter::write(const PhaseRow& row) { impl_->append(impl_->phases, row); }
+void LogWriter::write(const PlannedPathRow& row) { impl_->append(impl_->planned_paths, row); }
 void LogWriter::write(const NoteRow& row) { impl_->append(impl_->notes, row); }
 
 void LogWriter::write(const EventRow& row) {

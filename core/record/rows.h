@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/sim_time.h"
 #include "base/vector.h"
@@ -110,6 +111,17 @@ struct PhaseRow {
   std::string phase;
   SimTime start{};
   std::optional<SimTime> end;
+};
+
+// Layer `planned_paths`: a leg when it was planned.
+struct PlannedPathRow {
+  SimTime time{};
+  std::string rover_id;
+  std::int64_t sequence = 0;  // of the event
+  std::int64_t leg = 0;       // number of the waypoint that it leads to, from 1
+  std::int64_t attempt = 0;   // counted from 0
+  double length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
+  std::vector<Geodetic> line;
 };
 
 // Layer `notes`: what events log, findings, decisions.

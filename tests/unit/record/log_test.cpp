@@ -64,6 +64,32 @@ TEST(Log, gives_back_joints_phases_and_notes) {
   EXPECT_NEAR(lat_deg(notes[0].place), 30, 1e-12);
 }
 
+TEST(Log, gives_back_planned_paths_with_their_lines) {
+  const TestFolder folder;
+  LogWriter log(folder / "log.gpkg", moon_crs, test_start());
+  PlannedPathRow row;
+  row.time = SimTime{700'000};
+  row.rover_id = "SEV1";
+  row.sequence = 4;
+  row.leg = 2;
+  row.attempt = 1;
+  row.length_m = 123.5;
+  row.slope_max_rad = 0.2;
+  row.line = {geodetic_from_degrees(-20, 80, 5), geodetic_from_degrees(-19, 81, -6),
+              geodetic_from_degrees(-18, 80.5, 7)};
+  log.write(row);
+  log.finish();
+  const std::vector<PlannedPathRow> rows = LogReader(folder / "log.gpkg").planned_paths();
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].time, row.time);
+  EXPECT_EQ(rows[0].leg, 2);
+  EXPECT_EQ(rows[0].attempt, 1);
+  EXPECT_EQ(rows[0].length_m, 123.5);
+  ASSERT_EQ(rows[0].line.size(), 3u);
+  EXPECT_NEAR(lat_deg(rows[0].line[1]), 81, 1e-12);
+  EXPECT_NEAR(rows[0].line[1].height_m, -6, 1e-9);
+}
+
 TEST(Log, updates_an_event_in_its_row) {
   const TestFolder folder;
   LogWriter log(folder / "log.gpkg", moon_crs, test_start());
