@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/archive.h"
 #include "base/vector.h"
 
 namespace lsos {
@@ -13,6 +14,8 @@ struct SlopeDrive {
   double slip = 0;        // 0..1
   double energy_jpm = 0;  // electrical, for each metre along the ground
   double speed_mps = 0;   // that the rover asks for and its motors can keep
+
+  void archive(Archive& a) { a(slip)(energy_jpm)(speed_mps); }
 };
 
 // On one soil, straight up slopes from `first_rad` (negative: down) in even steps; the last is the
@@ -26,6 +29,8 @@ struct SoilDrive {
   }
   // Linear between. Above last_rad() nothing climbs: ask first. Below the first slope as on it.
   SlopeDrive at(double slope_rad) const;
+
+  void archive(Archive& a) { a(first_rad)(step_rad)(by_slope); }
 };
 
 // Limits of where it may stand, and what it may demand of itself.
@@ -34,6 +39,8 @@ struct DriveLimits {
   double slip_max = 0.6;          // steady, climbing
   double clearance_min_m = 0.05;  // between its underside and the ground
   double unevenness_max_m = 0.1;  // of the ground at a wheel from the plane under all
+
+  void archive(Archive& a) { a(slope_max_rad)(slip_max)(clearance_min_m)(unevenness_max_m); }
 };
 
 struct DriveCost {
@@ -44,12 +51,14 @@ struct DriveCost {
   double turning_radius_min_m = 0;
   bool can_turn_on_spot = true;
   double speed_mps = 1;
-};
+  // Of stopping at a corner and driving off again, and of turning there on the spot.
+  double stop_j = 0, stop_s = 0;
+  double turn_jprad = 0, turn_sprad = 0;
 
-// What a plan makes as small as can be.
-enum class RouteAim {
-  energy,  // electrical, of driving
-  risk,    // metres, each divided by the share that is left of the limit it comes nearest to
+  void archive(Archive& a) {
+    a(soils)(wheels_B_m)(
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(turn_jprad)(turn_sprad);
+  }
 };
 
 }  // namespace lsos

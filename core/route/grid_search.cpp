@@ -136,7 +136,8 @@ class Search {
       offer(from, number(x, y), k);
     }
     const Vec2 off_m = place(from.node) - goal_m_;
-    if (std::abs(off_m.x()) > map_.spacing_m() || std::abs(off_m.y()) > map_.spacing_m()) return;
+    // A goal that is a node but for rounding is come to from all its neighbours.
+    if (off_m.cwiseAbs().maxCoeff() > 1.01 * map_.spacing_m()) return;
     const double cost = from.cost + costs_.straight(place(from.node), goal_m_);
     if (!(cost < cost_[static_cast<std::size_t>(goal_node_)])) return;
     cost_[static_cast<std::size_t>(goal_node_)] = cost;

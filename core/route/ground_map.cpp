@@ -52,10 +52,18 @@ double GroundMap::height_m(const Vec2& at_m) {
   }
   const int column = static_cast<int>(u), row = static_cast<int>(v);
   const double x = u - column, y = v - row;
-  const auto at = [&](int right, int up) -> double {
-    return node(column + right, row + up).height_m;
+  const auto between = [&](double low_left, double low_right, double high_left, double high_right) {
+    return (1 - y) * ((1 - x) * low_left + x * low_right) +
+           y * ((1 - x) * high_left + x * high_right);
   };
-  return (1 - y) * ((1 - x) * at(0, 0) + x * at(1, 0)) + y * ((1 - x) * at(0, 1) + x * at(1, 1));
+  // All four in one tile but for its last column and row.
+  if ((column & tile_mask) < tile_mask && (row & tile_mask) < tile_mask) {
+    const MapNode* low = &node(column, row);
+    const MapNode* high = low + (1 << tile_bits);
+    return between(low[0].height_m, low[1].height_m, high[0].height_m, high[1].height_m);
+  }
+  return between(node(column, row).height_m, node(column + 1, row).height_m,
+                 node(column, row + 1).height_m, node(column + 1, row + 1).height_m);
 }
 
 int GroundMap::soil(const Vec2& at_m) {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "base/corner.h"
 
 namespace lsos {
 
@@ -11,6 +14,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Longest step of the midpoint rule, in spacings: a diagonal is one.
 constexpr double step_spacings = 1.5;
+// A rover that follows a line may be so far beside it. Where it is farther from its limits than the
+// second the ground there is as good.
+constexpr double stray_m = 0.4, near_limit = 0.5;
 // Nearer to a limit than this a metre of risk costs no more.
 constexpr double share_left_min = 0.05;
 
@@ -33,9 +39,29 @@ bool walk(GroundMap& map, const StanceFinder& finder, const Vec2& from_m, const 
 
 }  // namespace
 
-LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim)
-    : map_(map), finder_(finder), aim_(aim) {
+LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
+                   std::vector<Disc2> avoided)
+    : map_(map), finder_(finder), aim_(aim), avoided_(std::move(avoided)) {
   find_least();
+  // A corner's energy is worth as many metres as it would drive on the level.
+  const SoilDrive& soil = finder_.cost().soils.front();
+  if (aim_ == RouteAim::risk && !soil.by_slope.empty()) {
+    cost_per_j_ = 1 / std::max(1e-9, soil.at(0).energy_jpm);
+  }
+}
+
+Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead) {
+  const auto holds = [&](const Disc2& disc) { return disc.holds(at_m); };
+  if (std::ranges::any_of(avoided_, holds)) return Hazard::avoided;
+  const Hazard here = hazard(stance, finder_.cost());
+  if (here != Hazard::none || demand(stance, finder_.cost()) < near_limit) return here;
+  if (std::ranges::any_of(tight_, holds)) return here;
+  const Vec2 left(-ahead.y(), ahead.x());
+  for (const double side_m : {stray_m, -stray_m}) {
+    const Hazard beside = hazard(finder_.at(map_, at_m + side_m * left, ahead), finder_.cost());
+    if (beside != Hazard::none) return beside;
+  }
+  return Hazard::none;
 }
 
 // Energy on slopes is that of the level and of lifting: E(slope) >= least + per_rise sin(slope). So
@@ -77,26 +103,57 @@ double LegCosts::rate(const Stance& stance) const {
 
 double LegCosts::straight(const Vec2& from_m, const Vec2& to_m) {
   double sum = 0;
+  const Vec2 ahead = (to_m - from_m).normalized();
   const bool is_free =
-      walk(map_, finder_, from_m, to_m, [&](const Stance& stance, const Vec2&, double step_m) {
-        if (hazard(stance, finder_.cost()) != Hazard::none) return false;
+      walk(map_, finder_, from_m, to_m, [&](const Stance& stance, const Vec2& at_m, double step_m) {
+        if (hazard_at(stance, at_m, ahead) != Hazard::none) return false;
         sum += rate(stance) * step_m / std::cos(stance.pitch_rad);
         return true;
       });
   return is_free ? sum : infinite;
 }
 
+double LegCosts::turn_rad(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const {
+  const DriveCost& cost = finder_.cost();
+  if (!cost.can_turn_on_spot) return 0;
+  const Vec2 in_m = at_m - before_m, out_m = after_m - at_m;
+  const double bend_rad =
+      std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
+  constexpr double straight_rad = 0.01;
+  if (bend_rad < straight_rad) return 0;
+  const double room_m = std::min(in_m.norm(), out_m.norm()) / 2;
+  const double radius_m = corner_radius_m(bend_rad, room_m, corner_offset_m);
+  return radius_m < cost.turning_radius_min_m ? bend_rad : 0;
+}
+
+double LegCosts::corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const {
+  const double turned_rad = turn_rad(before_m, at_m, after_m);
+  if (turned_rad == 0) return 0;
+  const DriveCost& cost = finder_.cost();
+  return cost_per_j_ * (cost.stop_j + cost.turn_jprad * turned_rad);
+}
+
+double LegCosts::along(const Line2& line) {
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < line.size() && std::isfinite(sum); ++k) {
+    sum += straight(line[k], line[k + 1]);
+    if (k > 0) sum += corner(line[k - 1], line[k], line[k + 1]);
+  }
+  return sum;
+}
+
 bool LegCosts::can_stand(const Vec2& at_m, const Vec2& ahead) {
-  return hazard(finder_.at(map_, at_m, ahead), finder_.cost()) == Hazard::none;
+  return hazard_at(finder_.at(map_, at_m, ahead), at_m, ahead) == Hazard::none;
 }
 
 LegCost LegCosts::of(const Line2& line) {
   LegCost sum;
   const DriveCost& cost = finder_.cost();
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vec2 ahead = (line[k + 1] - line[k]).normalized();
     walk(map_, finder_, line[k], line[k + 1],
          [&](const Stance& stance, const Vec2& at_m, double step_m) {
-           sum.hazard = hazard(stance, cost);
+           sum.hazard = hazard_at(stance, at_m, ahead);
            if (sum.hazard != Hazard::none) {
              sum.hazard_m = at_m;
              return false;
@@ -114,9 +171,17 @@ LegCost LegCosts::of(const Line2& line) {
            }
            return true;
          });
-    if (sum.hazard == Hazard::none) continue;
-    sum.cost = infinite;
-    break;
+    if (sum.hazard != Hazard::none) {
+      sum.cost = infinite;
+      break;
+    }
+    if (k == 0) continue;
+    const double turned_rad = turn_rad(line[k - 1], line[k], line[k + 1]);
+    if (turned_rad == 0) continue;
+    const double corner_j = cost.stop_j + cost.turn_jprad * turned_rad;
+    sum.cost += cost_per_j_ * corner_j;
+    sum.energy_j += corner_j;
+    sum.duration_s += cost.stop_s + cost.turn_sprad * turned_rad;
   }
   return sum;
 }

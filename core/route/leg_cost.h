@@ -1,13 +1,33 @@
 // What a piece of a route costs: the one function that searching, refining and tests share.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
+#include "route/leg_request.h"
 #include "route/stance.h"
 
 namespace lsos {
 
 using Line2 = std::vector<Vec2>;  // on a map, m
+
+// On a map; yaw counter-clockwise from east.
+struct Pose2 {
+  Vec2 at_m = Vec2::Zero();
+  double yaw_rad = 0;
+
+  Vec2 ahead() const { return {std::cos(yaw_rad), std::sin(yaw_rad)}; }
+};
+
+// Ground that a route keeps off, whatever it looks like.
+struct Disc2 {
+  Vec2 center_m = Vec2::Zero();
+  double radius_m = 0;
+
+  bool holds(const Vec2& at_m) const { return (at_m - center_m).norm() < radius_m; }
+};
 
 struct LegCost {
   double cost = 0;  // J or m, by the aim; infinite where a hazard lies on it
@@ -20,12 +40,21 @@ struct LegCost {
 
 class LegCosts {
  public:
-  LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim);
+  LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
+           std::vector<Disc2> avoided = {});
+  // Ground within which the rover may come as near to a hazard as it likes: where it stands, where
+  // it is to stand. Elsewhere it keeps off by as much as it may stray to either side.
+  void set_tight(std::vector<Disc2> tight) { tight_ = std::move(tight); }
 
   // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
   // where a hazard lies on it.
   double straight(const Vec2& from_m, const Vec2& to_m);
-  // The same of a line, with all that is told of it.
+  // Of the corner `at_m` of a line: nothing where it is rounded by an arc, else of stopping there
+  // and turning on the spot. Rovers that cannot are planned in arcs: nothing.
+  double corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
+  // Of a line: the sum of its pieces and corners.
+  double along(const Line2& line);
+  // The same with all that is told of it.
   LegCost of(const Line2& line);
   // Whether the rover can stand there, driving ahead (unit).
   bool can_stand(const Vec2& at_m, const Vec2& ahead);
@@ -35,13 +64,18 @@ class LegCosts {
   GroundMap& map() { return map_; }
 
  private:
+  // Angle that the rover turns by on the spot at a corner; 0 where it drives round it.
+  double turn_rad(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
+  Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
   double rate(const Stance& stance) const;
   void find_least();
 
   GroundMap& map_;
   const StanceFinder& finder_;
   RouteAim aim_;
+  std::vector<Disc2> avoided_, tight_;
   double least_per_metre_ = 1, per_rise_ = 0;
+  double cost_per_j_ = 1;  // of corners
 };
 
 }  // namespace lsos

@@ -1,11 +1,11 @@
-// A route made better off the lattice, by OMPL: corners cut and points moved while its cost falls.
+// A route made better off the lattice, by OMPL: corners cut and poses moved while its cost falls.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "route/leg_cost.h"
+#include "route/turning_search.h"
 
 namespace lsos {
 
@@ -17,5 +17,8 @@ struct Refined {
 // Never costs more than `line`, which must be free of hazards. The same seed gives the same bits:
 // one call at a time runs in a process, for OMPL's random numbers are the process' own.
 Refined refined(LegCosts& costs, const Line2& line, std::uint64_t seed);
+
+// The same for a rover that cannot turn on the spot: turns stay as wide as `radius_m`.
+Refined refined(LegCosts& costs, const TurningRoute& route, double radius_m, std::uint64_t seed);
 
 }  // namespace lsos

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/units.h"
 #include "route/grid_search.h"
+#include "route/refine.h"
 
 namespace lsos {
 
@@ -17,7 +19,11 @@ constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
 // Corridors, in lengths of the leg to either side; and never less than this.
 constexpr double corridors[] = {0.25, 1, 2.5};
 constexpr double corridor_min_m = 20;
+// The same for rovers that cannot turn on the spot, in radii of their turns.
+constexpr double turning_room = 5;
 constexpr int directions = 16;
+// About start and goal, where nothing is kept off.
+constexpr double tight_m = 2;
 
 // The best stance that a rover can take at a place, turning there.
 Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
@@ -42,7 +48,7 @@ std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost) {
     case Hazard::none:
       return "free";
     case Hazard::no_ground:
-      return "without ground";
+      return "where the terrain is not known";
     case Hazard::slope:
       return fmt::format("on a slope of {:.0f} degrees, {:.0f} are allowed",
                          degrees(stance.slope_rad), degrees(limits.slope_max_rad));
@@ -56,6 +62,11 @@ std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost) {
       return fmt::format("on a slope of {:.0f} degrees, its wheels climb {:.0f} on this soil",
                          degrees(stance.slope_rad),
                          degrees(cost.soils[static_cast<std::size_t>(stance.soil)].last_rad()));
+    case Hazard::slide:
+      return fmt::format("on a slope across its way of {:.0f} degrees, where it slides",
+                         degrees(std::abs(stance.bank_rad)));
+    case Hazard::avoided:
+      return "where the rover was stuck";
   }
   return {};
 }
@@ -73,6 +84,146 @@ Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
   return sample.is_ground() ? Vec3(p_S_m - sample.gap_m * sample.up_S) : p_S_m;
 }
 
+// Without the points that lie on the straight between their neighbours.
+Line2 corners(const Line2& line) {
+  constexpr double straight_m = 1e-3;
+  Line2 kept{line.front()};
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const Vec2 in = line[k] - kept.back(), out = line[k + 1] - line[k];
+    const double aside_m = std::abs(in.x() * out.y() - in.y() * out.x());
+    if (aside_m > straight_m * out.norm() || in.dot(out) < 0) kept.push_back(line[k]);
+  }
+  kept.push_back(line.back());
+  return kept;
+}
+
+class LegPlanner {
+ public:
+  LegPlanner(const Ground& ground, const DriveCost& cost, const LegRequest& request)
+      : ground_(ground),
+        request_(request),
+        finder_(cost),
+        frame_(ground.site(), request.start_S_m),
+        spacing_m_(map_spacing_m(cost)),
+        radius_m_(turning_margin * cost.turning_radius_min_m),
+        goal_m_(frame_.at(request.goal_S_m)),
+        probe_(ground) {
+    for (const AvoidedDisc& disc : request.avoided) {
+      avoided_.push_back({frame_.at(disc.center_S_m), disc.radius_m});
+    }
+  }
+
+  PlannedLeg run() {
+    for (const double share : corridors) {
+      if (try_within(std::max(aside_min_m(), share * goal_m_.norm()),
+                     share == *std::prev(std::end(corridors)))) {
+        break;
+      }
+    }
+    return leg_;
+  }
+
+ private:
+  double aside_min_m() const {
+    return finder_.cost().can_turn_on_spot ? corridor_min_m
+                                           : std::max(corridor_min_m, turning_room * radius_m_);
+  }
+
+  // False where a wider corridor might hold a way.
+  bool try_within(double aside_m, bool is_last) {
+    const Vec2 start_m = Vec2::Zero();
+    // The start is one of the nodes.
+    const auto whole = [&](const Vec2& at_m) -> Vec2 {
+      return spacing_m_ * (at_m / spacing_m_).array().floor().matrix();
+    };
+    GroundMap map(ground_, frame_, whole(start_m.cwiseMin(goal_m_) - Vec2::Constant(aside_m)),
+                  start_m.cwiseMax(goal_m_) + Vec2::Constant(aside_m), spacing_m_);
+    const std::string at_start = fault_at(map, finder_, start_m);
+    if (!at_start.empty()) return refuse(map, "the start is " + at_start, start_m);
+    LegCosts costs(map, finder_, request_.aim, avoided_);
+    costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
+    Vec2 nearest_m;
+    const std::optional<Refined> way = finder_.cost().can_turn_on_spot
+                                           ? over_nodes(costs, nearest_m)
+                                           : over_poses(costs, nearest_m);
+    if (way) {
+      tell(map, costs, *way);
+      return true;
+    }
+    const std::string at_goal = fault_at(map, finder_, goal_m_);
+    if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
+    if (!is_last) return false;
+    if (turns_too_wide_) {
+      return refuse(map, "there is a way, but none with turns as wide as this rover needs",
+                    nearest_m);
+    }
+    const double off_m = (goal_m_ - nearest_m).norm();
+    const Vec2 on_m = nearest_m + (goal_m_ - nearest_m) / off_m * 2 * spacing_m_;
+    const std::string beyond = fault_at(map, finder_, on_m);
+    return refuse(map,
+                  fmt::format("no way comes nearer to the goal than {:.0f} m; ahead the ground is "
+                              "{}",
+                              off_m, beyond.empty() ? "cut off" : beyond),
+                  nearest_m);
+  }
+
+  std::optional<Refined> over_nodes(LegCosts& costs, Vec2& nearest_m) const {
+    const GridRoute way = search_grid(costs, Vec2::Zero(), goal_m_);
+    nearest_m = way.nearest_m;
+    if (way.line.empty()) return std::nullopt;
+    return refined(costs, way.line, request_.seed);
+  }
+
+  // Where not even a rover that turns on the spot gets through, no poses are looked at: there are
+  // so many of them.
+  std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
+    const GridRoute any = search_grid(costs, Vec2::Zero(), goal_m_);
+    nearest_m = any.nearest_m;
+    if (any.line.empty()) return std::nullopt;
+    const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
+    const TurningRoute way = search_turning(costs, start, goal_m_, radius_m_);
+    nearest_m = way.nearest_m;
+    turns_too_wide_ = way.line.empty();
+    if (turns_too_wide_) return std::nullopt;
+    return refined(costs, way, radius_m_, request_.seed);
+  }
+
+  void tell(GroundMap& map, LegCosts& costs, const Refined& way) {
+    const LegCost told = costs.of(way.line);
+    leg_.cost = told.cost;
+    leg_.length_m = told.length_m;
+    leg_.duration_s = told.duration_s;
+    leg_.energy_j = told.energy_j;
+    leg_.slope_max_rad = told.slope_max_rad;
+    leg_.steepest_S_m = on_ground(map, probe_, told.steepest_m);
+    leg_.messages = way.messages;
+    for (const Vec2& at_m : corners(way.line)) {
+      leg_.path_S_m.push_back(on_ground(map, probe_, at_m));
+    }
+    const Vec3 goal_S_m = leg_.path_S_m.back();
+    const Vec3 last_S_m = goal_S_m - leg_.path_S_m[leg_.path_S_m.size() - 2];
+    leg_.end_heading_rad = std::atan2(last_S_m.dot(ground_.site().east_S(goal_S_m)),
+                                      last_S_m.dot(ground_.site().north_S(goal_S_m)));
+  }
+
+  bool refuse(GroundMap& map, const std::string& reason, const Vec2& nearest_m) {
+    leg_.reason = reason;
+    leg_.nearest_S_m = on_ground(map, probe_, nearest_m);
+    return true;
+  }
+
+  const Ground& ground_;
+  const LegRequest& request_;
+  StanceFinder finder_;
+  MapFrame frame_;
+  double spacing_m_, radius_m_;
+  Vec2 goal_m_;
+  std::vector<Disc2> avoided_;
+  bool turns_too_wide_ = false;
+  Ground::Probe probe_;
+  PlannedLeg leg_;
+};
+
 }  // namespace
 
 double map_spacing_m(const DriveCost& cost) {
@@ -85,54 +236,18 @@ double map_spacing_m(const DriveCost& cost) {
 }
 
 PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
-  PlannedLeg leg;
+  return LegPlanner(ground, cost, request).run();
+}
+
+bool is_free(const Ground& ground, const DriveCost& cost, const Vec3& from_S_m,
+             const Vec3& to_S_m) {
   const StanceFinder finder(cost);
-  const double spacing_m = map_spacing_m(cost);
-  const MapFrame frame(ground.site(), request.start_S_m);
-  const Vec2 start_m = Vec2::Zero(), goal_m = frame.at(request.goal_S_m);
-  const double length_m = goal_m.norm();
-  Ground::Probe probe(ground);
-  for (const double share : corridors) {
-    const double aside_m = std::max(corridor_min_m, share * length_m);
-    // The start is one of the nodes.
-    const auto whole = [&](const Vec2& at_m) -> Vec2 {
-      return spacing_m * (at_m / spacing_m).array().floor().matrix();
-    };
-    GroundMap map(ground, frame, whole(start_m.cwiseMin(goal_m) - Vec2::Constant(aside_m)),
-                  start_m.cwiseMax(goal_m) + Vec2::Constant(aside_m), spacing_m);
-    const auto refuse = [&](const std::string& reason, const Vec2& nearest_m) {
-      leg.reason = reason;
-      leg.nearest_S_m = on_ground(map, probe, nearest_m);
-      return leg;
-    };
-    const std::string at_start = fault_at(map, finder, start_m);
-    if (!at_start.empty()) return refuse("the start is " + at_start, start_m);
-    LegCosts costs(map, finder, request.aim);
-    const GridRoute way = search_grid(costs, start_m, goal_m);
-    if (way.line.empty()) {
-      const std::string at_goal = fault_at(map, finder, goal_m);
-      if (!at_goal.empty()) return refuse("the goal is " + at_goal, way.nearest_m);
-      if (share < *std::prev(std::end(corridors))) continue;
-      const Vec2 on_m = way.nearest_m + (goal_m - way.nearest_m).normalized() * 2 * spacing_m;
-      const std::string beyond = fault_at(map, finder, on_m);
-      return refuse(
-          fmt::format("no way comes nearer to the goal than {:.0f} m; ahead the ground is {}",
-                      (goal_m - way.nearest_m).norm(), beyond.empty() ? "cut off" : beyond),
-          way.nearest_m);
-    }
-    const Refined better = refined(costs, way.line, request.seed);
-    const LegCost told = costs.of(better.line);
-    leg.cost = told.cost;
-    leg.length_m = told.length_m;
-    leg.duration_s = told.duration_s;
-    leg.energy_j = told.energy_j;
-    leg.slope_max_rad = told.slope_max_rad;
-    leg.steepest_S_m = on_ground(map, probe, told.steepest_m);
-    leg.messages = better.messages;
-    for (const Vec2& at_m : better.line) leg.path_S_m.push_back(on_ground(map, probe, at_m));
-    return leg;
-  }
-  return leg;
+  const MapFrame frame(ground.site(), from_S_m);
+  const Vec2 to_m = frame.at(to_S_m);
+  const Vec2 aside_m = Vec2::Constant(corridor_min_m);
+  GroundMap map(ground, frame, to_m.cwiseMin(0) - aside_m, to_m.cwiseMax(0) + aside_m,
+                map_spacing_m(cost));
+  return std::isfinite(LegCosts(map, finder, RouteAim::risk).straight(Vec2::Zero(), to_m));
 }
 
 }  // namespace lsos

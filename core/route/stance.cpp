@@ -8,6 +8,14 @@
 
 namespace lsos {
 
+namespace {
+
+// Across a slope a rover slides about as it slips up one that is as steep. More than this and what
+// follows a line does not hold it.
+constexpr double side_slip_max = 0.2;
+
+}  // namespace
+
 StanceFinder::StanceFinder(const DriveCost& cost) : cost_(cost) {
   // Least squares of z = a + b ahead + c left.
   Eigen::Matrix<double, Eigen::Dynamic, 3> places(cost.wheels_B_m.size(), 3);
@@ -66,7 +74,9 @@ Hazard hazard(const Stance& stance, const DriveCost& cost) {
   if (stance.unevenness_m > limits.unevenness_max_m) return Hazard::uneven;
   if (stance.clearance_m < limits.clearance_min_m) return Hazard::clearance;
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
-  if (stance.pitch_rad > soil.last_rad()) return Hazard::climb;
+  // What the soil does not hold the rover against up the slope it does not hold across it.
+  if (stance.slope_rad > soil.last_rad()) return Hazard::climb;
+  if (soil.at(std::abs(stance.bank_rad)).slip > side_slip_max) return Hazard::slide;
   return Hazard::none;
 }
 
@@ -75,7 +85,8 @@ double demand(const Stance& stance, const DriveCost& cost) {
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
   return std::max({stance.slope_rad / limits.slope_max_rad,
                    stance.unevenness_m / limits.unevenness_max_m,
-                   stance.pitch_rad > 0 ? soil.at(stance.pitch_rad).slip / limits.slip_max : 0.0});
+                   soil.at(stance.slope_rad).slip / limits.slip_max,
+                   soil.at(std::abs(stance.bank_rad)).slip / side_slip_max});
 }
 
 }  // namespace lsos

@@ -18,7 +18,7 @@ struct Stance {
 };
 
 // What a rover would come to at a place.
-enum class Hazard { none, no_ground, slope, uneven, clearance, climb };
+enum class Hazard { none, no_ground, slope, uneven, clearance, climb, slide, avoided };
 
 // Works out stances of one rover.
 class StanceFinder {

@@ -54,8 +54,13 @@ TEST(Stance, is_a_hazard_beyond_each_limit) {
   EXPECT_EQ(hazard(stance, cost), Hazard::clearance);
   stance.clearance_m = 0.4;
   cost.soils[0].by_slope.resize(8);  // climbs 5 degrees
-  stance.pitch_rad = 6 * deg;
+  stance.slope_rad = stance.pitch_rad = 6 * deg;
   EXPECT_EQ(hazard(stance, cost), Hazard::climb);
+  stance.slope_rad = 12 * deg;
+  cost = simple_rover();
+  EXPECT_EQ(hazard(stance, cost), Hazard::none);
+  stance.bank_rad = 12 * deg;  // it slips by 0.21 up so steep a slope
+  EXPECT_EQ(hazard(stance, cost), Hazard::slide);
 }
 
 TEST(Stance, of_a_hole_between_the_wheels_is_uneven_or_on_its_belly) {

@@ -1,0 +1,41 @@
+// Ways of a rover that cannot turn on the spot: arcs and straight pieces, ahead only.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "route/leg_cost.h"
+
+namespace lsos {
+
+// Such a rover is planned with turns this much wider than its tightest, so that what follows the
+// line can still steer back to it.
+inline constexpr double turning_margin = 1.1;
+
+// An arc of `length_m`, to the left with a positive curvature; the pose that it ends in.
+Pose2 along_arc(const Pose2& from, double curvature_1pm, double length_m);
+
+// Its points, `step_m` apart at most, with both ends.
+Line2 arc_line(const Pose2& from, double curvature_1pm, double length_m, double step_m);
+
+// An arc of `radius_m` to one side and then straight to a place. Absent where the place lies within
+// the circle.
+std::optional<Line2> arc_and_straight(const Pose2& from, const Vec2& to_m, double radius_m,
+                                      bool to_left, double step_m);
+
+// The shortest way from pose to pose (Dubins 1957): three pieces, arcs of `radius_m` but for a
+// straight one in the middle. By the formulas of Shkel and Lumelsky (2001).
+struct TurningPiece {
+  double curvature_1pm = 0;
+  double length_m = 0;
+};
+using TurningWay = std::array<TurningPiece, 3>;
+TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m);
+
+double length_m(const TurningWay& way);
+// The pose so far along it.
+Pose2 along_turns(const Pose2& from, const TurningWay& way, double so_far_m);
+// Its points, `step_m` apart at most, with both ends.
+Line2 turns_line(const Pose2& from, const TurningWay& way, double step_m);
+
+}  // namespace lsos

@@ -1,0 +1,171 @@
+#include "route/turning_search.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+namespace lsos {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr int headings = 24;
+// Curvatures of the edges, in tightest turns; the straight one first.
+constexpr double turns[] = {0, 1, -1, 0.5, -0.5};
+// The way to the goal is closed from poses that are nearer to it than so many radii.
+constexpr double closing_radii = 4;
+// What is left to the goal counts so much more than it must: far fewer poses are looked at for a
+// route that is no more than this share costlier. Refining makes up for it.
+constexpr double haste = 1.02;
+
+// Among more poses than these there is no way that is worth the search.
+constexpr std::size_t reached_max = 2'000'000;
+
+struct Reached {
+  Pose2 pose;
+  double cost = 0;
+  std::int32_t before = -1;
+  double curvature_1pm = 0;  // of the edge to it
+};
+
+struct Candidate {
+  double total = 0;
+  double cost = 0;
+  std::int32_t node = 0;
+  bool is_at_goal = false;  // the way from the node is closed
+  bool is_closed_to_left = false;
+
+  // std::priority_queue takes the greatest: the least total, then the farthest come.
+  bool operator<(const Candidate& other) const {
+    if (total != other.total) return total > other.total;
+    if (cost != other.cost) return cost < other.cost;
+    return node > other.node;
+  }
+};
+
+class Search {
+ public:
+  Search(LegCosts& costs, const Vec2& goal_m, double radius_m)
+      : costs_(costs),
+        map_(costs.map()),
+        goal_m_(goal_m),
+        goal_height_m_(map_.height_m(goal_m)),
+        radius_m_(radius_m),
+        step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())),
+        is_closed_(static_cast<std::size_t>(map_.columns()) *
+                       static_cast<std::size_t>(map_.rows()) * headings,
+                   false) {}
+
+  TurningRoute run(const Pose2& start) {
+    TurningRoute route;
+    double nearest_m = infinite;
+    route.nearest_m = start.at_m;
+    reached_.push_back({start, 0, -1, 0});
+    queue_.push({left(start.at_m), 0, 0});
+    while (!queue_.empty() && reached_.size() < reached_max) {
+      const Candidate best = queue_.top();
+      queue_.pop();
+      if (best.is_at_goal) {
+        finish(best, route);
+        return route;
+      }
+      const Pose2 pose = reached_[static_cast<std::size_t>(best.node)].pose;
+      const std::size_t cell = cell_of(pose);
+      if (is_closed_[cell]) continue;
+      is_closed_[cell] = true;
+      const double off_m = (pose.at_m - goal_m_).norm();
+      if (off_m < nearest_m) {
+        nearest_m = off_m;
+        route.nearest_m = pose.at_m;
+      }
+      expand(best, pose);
+      if (off_m < closing_radii * radius_m_) close(best, pose);
+    }
+    route.cost = infinite;
+    return route;
+  }
+
+ private:
+  double left(const Vec2& at_m) {
+    const double rise_m = goal_height_m_ - map_.height_m(at_m);
+    const double bound = costs_.least_per_metre() * (goal_m_ - at_m).norm() +
+                         (std::isnan(rise_m) ? 0 : costs_.per_rise() * rise_m);
+    return haste * std::max(0.0, bound);
+  }
+
+  std::size_t cell_of(const Pose2& pose) const {
+    const Vec2 cells = (pose.at_m - map_.low_m()) / map_.spacing_m();
+    const auto column = std::clamp(std::lround(cells.x()), 0L, map_.columns() - 1L);
+    const auto row = std::clamp(std::lround(cells.y()), 0L, map_.rows() - 1L);
+    const double turn = pose.yaw_rad / (2 * std::numbers::pi);
+    const auto heading =
+        static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * headings)) % headings;
+    return static_cast<std::size_t>(row * map_.columns() + column) * headings + heading;
+  }
+
+  void expand(const Candidate& from, const Pose2& pose) {
+    for (const double share : turns) {
+      const double curvature_1pm = share / radius_m_;
+      const Pose2 to = along_arc(pose, curvature_1pm, step_m_);
+      if (std::isnan(map_.height_m(to.at_m)) || is_closed_[cell_of(to)]) continue;
+      const double edge = costs_.along(arc_line(pose, curvature_1pm, step_m_, map_.spacing_m()));
+      if (!std::isfinite(edge)) continue;
+      reached_.push_back({to, from.cost + edge, from.node, curvature_1pm});
+      queue_.push({from.cost + edge + left(to.at_m), from.cost + edge,
+                   static_cast<std::int32_t>(reached_.size() - 1)});
+    }
+  }
+
+  void close(const Candidate& from, const Pose2& pose) {
+    for (const bool to_left : {true, false}) {
+      const auto line = arc_and_straight(pose, goal_m_, radius_m_, to_left, map_.spacing_m());
+      if (!line) continue;
+      const double cost = from.cost + costs_.along(*line);
+      if (!(cost < least_)) continue;
+      least_ = cost;
+      queue_.push({cost, cost, from.node, true, to_left});
+    }
+  }
+
+  void finish(const Candidate& end, TurningRoute& route) const {
+    std::vector<Reached> way;
+    for (std::int32_t node = end.node; node >= 0;) {
+      way.push_back(reached_[static_cast<std::size_t>(node)]);
+      node = way.back().before;
+    }
+    std::ranges::reverse(way);
+    route.line = {way.front().pose.at_m};
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      route.poses.push_back(way[k].pose);
+      if (k == 0) continue;
+      const Line2 arc = arc_line(way[k - 1].pose, way[k].curvature_1pm, step_m_, map_.spacing_m());
+      route.line.insert(route.line.end(), arc.begin() + 1, arc.end());
+    }
+    const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_, end.is_closed_to_left,
+                                       map_.spacing_m());
+    route.line.insert(route.line.end(), last->begin() + 1, last->end());
+    route.cost = end.cost;
+    route.nearest_m = goal_m_;
+  }
+
+  LegCosts& costs_;
+  GroundMap& map_;
+  Vec2 goal_m_;
+  double goal_height_m_;
+  double radius_m_, step_m_;
+  double least_ = infinite;
+  std::vector<bool> is_closed_;
+  std::vector<Reached> reached_;
+  std::priority_queue<Candidate> queue_;
+};
+
+}  // namespace
+
+TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
+                            double radius_m) {
+  return Search(costs, goal_m, radius_m).run(start);
+}
+
+}  // namespace lsos

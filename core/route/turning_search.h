@@ -1,0 +1,22 @@
+// The cheapest way over poses for a rover that cannot turn on the spot.
+#pragma once
+
+#include "route/turning.h"
+
+namespace lsos {
+
+struct TurningRoute {
+  std::vector<Pose2> poses;  // from the start on, joined by arcs; the goal comes after the last
+  Line2 line;                // all of it, with its arcs drawn out; empty: there is none
+  double cost = 0;           // infinite where there is none
+  Vec2 nearest_m;            // of all places that were reached the one nearest to the goal
+};
+
+// A* over (x, y, heading) whose edges are arcs of `radius_m`, wider ones and straight pieces, each
+// beginning in the very pose that the last one ended in (hybrid A*, Dolgov et al. 2010), and whose
+// last piece is an arc and a straight line to the goal. Of poses in one cell only the first is
+// followed, and no more than 2 000 000 in all. Start and goal must be on the map.
+TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
+                            double radius_m);
+
+}  // namespace lsos

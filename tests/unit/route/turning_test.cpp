@@ -1,0 +1,194 @@
+// Arcs against geometry, and ways of a rover that cannot turn on the spot.
+#include "route/turning_search.h"
+
+#include <gmock/gmock.h>
+
+#include "base/random.h"
+#include "test_rover.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double pi = std::numbers::pi;
+
+DriveCost wide_turner() {
+  DriveCost cost = simple_rover();
+  cost.can_turn_on_spot = false;
+  cost.turning_radius_min_m = 4;
+  return cost;
+}
+
+LegRequest towards(const Vec3& goal_m, double heading_rad) {
+  LegRequest request;
+  request.goal_S_m = goal_m;
+  request.start_heading_rad = heading_rad;
+  return request;
+}
+
+// The tightest circle through three neighbours of a line.
+double radius_min_m(const Path3& line) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const Vec2 a = (line[k] - line[k - 1]).head<2>(), b = (line[k + 1] - line[k]).head<2>();
+    const double twice_area = std::abs(a.x() * b.y() - a.y() * b.x());
+    if (twice_area < 1e-9) continue;
+    least_m = std::min(least_m, a.norm() * b.norm() * (a + b).norm() / (2 * twice_area));
+  }
+  return least_m;
+}
+
+TEST(Arc, of_a_quarter_circle_ends_a_radius_ahead_and_aside) {
+  const Pose2 left = along_arc({{1, 2}, 0}, 0.25, 4 * pi / 2);
+  EXPECT_NEAR((left.at_m - Vec2(5, 6)).norm(), 0, 1e-12);
+  EXPECT_NEAR(left.yaw_rad, pi / 2, 1e-12);
+  const Pose2 right = along_arc({{0, 0}, pi / 2}, -0.25, 4 * pi);
+  EXPECT_NEAR((right.at_m - Vec2(8, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((along_arc({{0, 0}, pi}, 0, 3).at_m - Vec2(-3, 0)).norm(), 0, 1e-12);
+}
+
+// Of arc and tangent: every point of the arc is a radius from its centre, the straight piece leaves
+// at a right angle to that radius.
+TEST(ArcAndStraight, is_a_tangent) {
+  for (const bool to_left : {true, false}) {
+    for (const double yaw_rad : {0.0, 1.0, 3.0, -2.0}) {
+      const Pose2 from{{2, -1}, yaw_rad};
+      const Vec2 to_m(30, 12);
+      const auto line = arc_and_straight(from, to_m, 4, to_left, 0.1);
+      ASSERT_TRUE(line);
+      const Vec2 ahead = from.ahead();
+      const Vec2 center_m = from.at_m + (to_left ? 4 : -4) * Vec2(-ahead.y(), ahead.x());
+      for (std::size_t k = 0; k + 1 < line->size(); ++k) {
+        EXPECT_NEAR(((*line)[k] - center_m).norm(), 4, 1e-9);
+      }
+      const Vec2 leaves_m = (*line)[line->size() - 2];
+      EXPECT_NEAR((leaves_m - center_m).dot(to_m - leaves_m), 0, 1e-6);
+      // It leaves ahead, not backwards.
+      const Vec2 last = leaves_m - (line->size() > 2 ? (*line)[line->size() - 3] : leaves_m);
+      EXPECT_GE(last.dot(to_m - leaves_m), 0);
+    }
+  }
+  EXPECT_FALSE(arc_and_straight({{0, 0}, 0}, {0, 3}, 4, true, 0.1));
+}
+
+// Ends where it shall, and is not longer than any way of an arc, a straight piece and an arc that
+// is found by trying: a first arc of every angle, then the tangent to either circle at the end.
+TEST(ShortestTurns, end_in_the_pose_and_nothing_shorter_is_found) {
+  RandomStream random(5);
+  constexpr double r = 3;
+  for (int k = 0; k < 300; ++k) {
+    const Pose2 from{{random.uniform(-20, 20), random.uniform(-20, 20)}, random.uniform(-4, 4)};
+    const Pose2 to{{random.uniform(-20, 20), random.uniform(-20, 20)}, random.uniform(-4, 4)};
+    const TurningWay way = shortest_turns(from, to, r);
+    const Pose2 end = along_turns(from, way, length_m(way));
+    EXPECT_NEAR((end.at_m - to.at_m).norm(), 0, 1e-5);
+    EXPECT_NEAR(std::remainder(end.yaw_rad - to.yaw_rad, 2 * pi), 0, 1e-6);
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const double first : {1.0, -1.0}) {
+      for (const double last : {1.0, -1.0}) {
+        const Vec2 ahead = to.ahead();
+        const Vec2 center_m = to.at_m + last * r * Vec2(-ahead.y(), ahead.x());
+        for (double turned = 0; turned < 2 * pi; turned += 1e-3) {
+          const Pose2 leaves = along_arc(from, first / r, turned * r);
+          // Straight on, it touches the last circle where its distance is the radius.
+          const Vec2 to_center_m = center_m - leaves.at_m;
+          const double on_m = to_center_m.dot(leaves.ahead());
+          const double aside_m =
+              leaves.ahead().x() * to_center_m.y() - leaves.ahead().y() * to_center_m.x();
+          if (on_m < 0 || std::abs(aside_m - last * r) > 5e-3) continue;
+          double rest = std::remainder(last * (to.yaw_rad - leaves.yaw_rad), 2 * pi);
+          if (rest < -1e-2) rest += 2 * pi;
+          least_m = std::min(least_m, turned * r + on_m + std::max(0.0, rest) * r);
+        }
+      }
+    }
+    EXPECT_LT(length_m(way), least_m + 0.05);
+  }
+}
+
+// Straight ahead over a thousand radii it is straight, without a full turn.
+TEST(ShortestTurns, far_ahead_are_straight) {
+  for (double yaw_rad = 0.01; yaw_rad < 6.3; yaw_rad += 0.37) {
+    const Pose2 from{{1, 2}, yaw_rad};
+    const Pose2 to{from.at_m + 3000 * from.ahead(), yaw_rad};
+    EXPECT_NEAR(length_m(shortest_turns(from, to, 3)), 3000, 1e-2);
+    EXPECT_NEAR(length_m(shortest_turns(from, from, 3)), 0, 1e-5);
+  }
+}
+
+TEST(TurningPlan, ahead_over_level_ground_is_straight_and_behind_is_round) {
+  const Site site({});
+  const DriveCost cost = wide_turner();
+  const PlannedLeg ahead = plan_leg(site.ground(), cost, towards({0, 40, 0}, 0));
+  ASSERT_TRUE(ahead.is_found()) << ahead.reason;
+  EXPECT_NEAR(ahead.length_m, 40, 0.05);
+  EXPECT_NEAR(ahead.end_heading_rad, 0, 0.01);
+  // Dubins' shortest: round an arc whose tangent meets the goal. With a radius r and the goal d
+  // straight behind: see from the centre of the circle to the left, h = hypot(d, r) away.
+  const double r = turning_margin * 4, d = 40, h = std::hypot(d, r);
+  const double shortest_m =
+      r * (1.5 * pi + std::atan2(r, d) - std::acos(r / h)) + std::sqrt(h * h - r * r);
+  const PlannedLeg behind = plan_leg(site.ground(), cost, towards({0, -40, 0}, 0));
+  ASSERT_TRUE(behind.is_found()) << behind.reason;
+  EXPECT_GT(behind.length_m, 0.995 * shortest_m);
+  EXPECT_LT(behind.length_m, 1.02 * shortest_m);
+}
+
+TEST(TurningPlan, goes_around_what_is_too_steep_in_arcs_that_it_can_drive) {
+  const Site site({{30, 4, 24, 5, 0.5}, {62, -12, 40, 0, 5}, {50, 18, 12, 2.5, 0.3}});
+  const DriveCost cost = wide_turner();
+  for (const double heading_rad : {pi / 2, 0.0, -pi / 2}) {
+    const PlannedLeg leg = plan_leg(site.ground(), cost, towards({100, 0, 0}, heading_rad));
+    ASSERT_TRUE(leg.is_found()) << leg.reason;
+    EXPECT_GT(radius_min_m(leg.path_S_m), 4);
+    EXPECT_LT(leg.slope_max_rad, cost.limits.slope_max_rad);
+    const Vec3 first = leg.path_S_m[1] - leg.path_S_m[0];
+    const double left_by_rad = std::atan2(first.x(), first.y()) - heading_rad;
+    EXPECT_LT(std::abs(std::remainder(left_by_rad, 2 * pi)), 0.15) << "it begins as it stands";
+    EXPECT_NEAR((leg.path_S_m.back() - Vec3(100, 0, 0)).norm(), 0, 0.1);
+  }
+}
+
+TEST(TurningPlan, is_the_same_every_time) {
+  const Site site({{30, 4, 24, 5, 0.5}});
+  const LegRequest request = towards({60, 5, 0}, 1);
+  const PlannedLeg first = plan_leg(site.ground(), wide_turner(), request);
+  const PlannedLeg again = plan_leg(site.ground(), wide_turner(), request);
+  EXPECT_EQ(first.cost, again.cost);
+  EXPECT_EQ(first.path_S_m, again.path_S_m);
+}
+
+TEST(TurningPlan, says_that_a_ring_of_walls_is_in_the_way) {
+  const Site site({{60, 0, 40, 14, 2}});
+  const PlannedLeg leg = plan_leg(site.ground(), wide_turner(), towards({60, 0, 0}, pi / 2));
+  EXPECT_FALSE(leg.is_found());
+  EXPECT_THAT(leg.reason, HasSubstr("no way comes nearer to the goal than "));
+}
+
+TEST(PlanLeg, keeps_off_places_that_are_avoided) {
+  const Site site({});
+  LegRequest request = towards({60, 0, 0}, 0);
+  request.avoided = {{{30, 1, 0}, 5}};
+  for (DriveCost cost : {simple_rover(), wide_turner()}) {
+    request.start_heading_rad = pi / 2;
+    const PlannedLeg leg = plan_leg(site.ground(), cost, request);
+    ASSERT_TRUE(leg.is_found()) << leg.reason;
+    for (std::size_t k = 0; k + 1 < leg.path_S_m.size(); ++k) {
+      for (double share = 0; share <= 1; share += 0.05) {
+        const Vec3 p_m = leg.path_S_m[k] + share * (leg.path_S_m[k + 1] - leg.path_S_m[k]);
+        EXPECT_GT((p_m - Vec3(30, 1, 0)).head<2>().norm(), 4.8);
+      }
+    }
+    EXPECT_LT(leg.length_m, 63);
+  }
+}
+
+TEST(IsFree, tells_level_ground_from_a_wall) {
+  const Site site({{30, 0, 24, 5, 0.5}});
+  EXPECT_TRUE(is_free(site.ground(), simple_rover(), {0, 0, 0}, {4, 3, 0}));
+  EXPECT_FALSE(is_free(site.ground(), simple_rover(), {14, 0, 0}, {24, 0, 0}));
+}
+
+}  // namespace
+}  // namespace lsos::test
