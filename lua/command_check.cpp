@@ -1,8 +1,10 @@
 // `lsos-host check` and `lsos-host fsm`: what a plan says, without simulating it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/units.h"
 #include "lua/commands.h"
 #include "lua/mission_files.h"
 
@@ -10,7 +12,44 @@ namespace lsos {
 
 namespace {
 
-std::string json_text(const MissionFiles& files) {
+// A leg planned before the run, as it is told.
+struct PlannedLegLine {
+  std::string rover_id, label;
+  std::int64_t sequence = 0, waypoint = 0;
+  double length_m = 0, duration_s = 0, energy_j = 0, slope_max_deg = 0;
+  double steepest_lon_deg = 0, steepest_lat_deg = 0;
+};
+
+std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
+  std::vector<PlannedLegLine> lines;
+  for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
+    for (const LegAhead& ahead : way.legs) {
+      if (!ahead.leg.is_found()) continue;
+      const auto event = std::ranges::find_if(simulation.plan().events, [&](const PlanEvent& e) {
+        return e.rover_id == way.rover_id && e.sequence == ahead.sequence;
+      });
+      const Geodetic steepest = simulation.ground().site().geodetic(ahead.leg.steepest_S_m);
+      lines.push_back({way.rover_id, event->label, ahead.sequence, ahead.waypoint,
+                       ahead.leg.length_m, ahead.leg.duration_s, ahead.leg.energy_j,
+                       degrees(ahead.leg.slope_max_rad), lon_deg(steepest), lat_deg(steepest)});
+    }
+  }
+  return lines;
+}
+
+std::string json_text(const MissionFiles& files, const std::vector<PlannedLegLine>& ways) {
+  nlohmann::ordered_json paths = nlohmann::ordered_json::array();
+  for (const PlannedLegLine& leg : ways) {
+    paths.push_back({{"rover_id", leg.rover_id},
+                     {"sequence", leg.sequence},
+                     {"leg", leg.waypoint},
+                     {"length_m", leg.length_m},
+                     {"duration_s", leg.duration_s},
+                     {"energy_j", leg.energy_j},
+                     {"slope_max_deg", leg.slope_max_deg},
+                     {"steepest_lon_deg", leg.steepest_lon_deg},
+                     {"steepest_lat_deg", leg.steepest_lat_deg}});
+  }
   nlohmann::ordered_json faults = nlohmann::ordered_json::array();
   for (const Fault& fault : files.faults.sorted()) {
     faults.push_back({{"severity", fault.severity == Severity::error ? "error" : "warning"},
@@ -24,6 +63,7 @@ std::string json_text(const MissionFiles& files) {
                                       {"events", files.plan.events.size()},
                                       {"decoration", files.plan.decoration_count},
                                       {"faults", faults},
+                                      {"planned_paths", paths},
                                       {"defaults", files.plan.defaults},
                                       {"assumptions", files.assumptions}};
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -52,7 +92,7 @@ std::string json_text(const MissionMachine& machine) {
          "\n";
 }
 
-std::string people_text(const MissionFiles& files) {
+std::string people_text(const MissionFiles& files, const std::vector<PlannedLegLine>& ways) {
   std::string text;
   for (const Fault& fault : files.faults.sorted()) text += to_string(fault) + "\n";
   if (files.faults.has_errors()) return text;
@@ -63,6 +103,13 @@ std::string people_text(const MissionFiles& files) {
       "{}: {}, {}, {} left alone\n", files.plan.file, counted(files.plan.rovers.size(), "rover"),
       counted(files.plan.events.size(), "event"),
       counted(static_cast<std::size_t>(files.plan.decoration_count), "other Placemark"));
+  for (const PlannedLegLine& leg : ways) {
+    text += fmt::format(
+        "  planned: {} '{}' to waypoint {}: {:.1f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} deg at "
+        "{:.6f},{:.6f}\n",
+        leg.rover_id, leg.label, leg.waypoint, leg.length_m, leg.duration_s, leg.energy_j / 3600,
+        leg.slope_max_deg, leg.steepest_lon_deg, leg.steepest_lat_deg);
+  }
   for (const std::string& line : files.plan.defaults) text += fmt::format("  default: {}\n", line);
   for (const std::string& line : files.assumptions) text += fmt::format("  assumption: {}\n", line);
   return text;
@@ -72,17 +119,20 @@ std::string people_text(const MissionFiles& files) {
 
 int check_command(const CheckOptions& options) {
   MissionFiles files = read_mission(options.plan);
+  std::vector<PlannedLegLine> ways;
   if (!files.faults.has_errors()) {
     try {
-      // The machine's `initialise`: rovers are put on the ground, nothing moves.
+      // The machine's `initialise`: rovers are put on the ground, ways are planned, nothing moves.
       const Simulation simulation(simulation_setup(files));
+      keep_legs(options.plan, simulation.kept_legs());
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
-      files.faults.add(simulation.ground().advice());
+      files.faults.add(simulation.advice());
+      ways = planned_legs(simulation);
     } catch (const InputError& error) {
       files.faults.add(error.faults());
     }
   }
-  fmt::print("{}", options.is_json ? json_text(files) : people_text(files));
+  fmt::print("{}", options.is_json ? json_text(files, ways) : people_text(files, ways));
   return files.faults.has_errors() ? 2 : 0;
 }
 

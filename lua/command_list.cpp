@@ -34,6 +34,11 @@ std::string default_text(const FieldDeclaration& field) {
   return format_utc(std::get<Instant>(*field.default_value));
 }
 
+// Whole numbers have no unit.
+double si_factor(const FieldDeclaration& field) {
+  return field.unit != nullptr ? field.unit->si_factor : 1;
+}
+
 Json field_json(const FieldDeclaration& field) {
   Json json{{"name", field.name},
             {"key", field.key},
@@ -41,7 +46,7 @@ Json field_json(const FieldDeclaration& field) {
             {"required", field.is_required},
             {"doc", field.doc}};
   if (field.unit != nullptr) json["unit"] = field.unit->symbol;
-  const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
+  const double factor = si_factor(field);
   if (field.min_si) json["min"] = *field.min_si / factor;
   if (field.max_si) json["max"] = *field.max_si / factor;
   if (!field.choices.empty()) json["choices"] = field.choices;
@@ -52,8 +57,9 @@ Json field_json(const FieldDeclaration& field) {
 std::string field_text(const FieldDeclaration& field) {
   std::string text = fmt::format("  {:<16} {}", field.name, to_text(field.kind));
   if (field.unit != nullptr) text += fmt::format(", {}", field.unit->symbol);
-  if (field.min_si) text += fmt::format(", at least {}", *field.min_si / field.unit->si_factor);
-  if (field.max_si) text += fmt::format(", at most {}", *field.max_si / field.unit->si_factor);
+  const double factor = si_factor(field);
+  if (field.min_si) text += fmt::format(", at least {}", *field.min_si / factor);
+  if (field.max_si) text += fmt::format(", at most {}", *field.max_si / factor);
   if (!field.choices.empty()) text += fmt::format(": {}", fmt::join(field.choices, ", "));
   if (field.is_required) text += ", required";
   if (field.default_value) text += fmt::format(", default {}", default_text(field));

@@ -92,7 +92,8 @@ int run_command(const RunOptions& options) {
   setup.save_every_exchange = options.save_every_exchange;
   // The last checks: whether the plan fits the terrain. Only then the old run may go.
   Simulation simulation(std::move(setup));
-  for (const Fault& fault : simulation.ground().advice()) {
+  keep_legs(options.plan, simulation.kept_legs());
+  for (const Fault& fault : simulation.advice()) {
     files.faults.add({fault});
     if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
   }
@@ -111,6 +112,7 @@ int run_command(const RunOptions& options) {
   simulation.set_log(&log);
   const int stopped_by = simulate(simulation, options.is_quiet);
   log.finish();
+  keep_legs(options.plan, simulation.kept_legs());
 
   const double wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -195,6 +195,10 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
                 "Called for each event of a plan before anything runs: what is wrong with its "
                 "parameters together, as a text, or nil.",
                 functions);
+  read_function(t, "route", "function(params)",
+                "For an event that plans its ways: gives what rover:plan_path will be told, so "
+                "that they are planned and checked before the run.",
+                functions);
   read_function(t, "on_abort", "function(ev, rover)",
                 "Called once when the event is ended from outside.", functions);
   t.finish();

@@ -1,5 +1,6 @@
 // What lsos.event makes: the declaration, and beside it (user value 1) a Lua table with the
-// functions: { phases = { NAME = function or { params = f, geometry = f } }, on_abort = f }.
+// functions: { phases = { NAME = function or { params = f, geometry = f } }, check = f, route = f,
+// on_abort = f }.
 #pragma once
 
 #include <string>

@@ -9,6 +9,7 @@
 #include "lua/event_library.h"
 #include "lua/handle.h"
 #include "lua/made.h"
+#include "lua/route.h"
 #include "lua/value.h"
 
 namespace lsos {
@@ -124,6 +125,27 @@ struct LuaHost::Impl {
     return answer;
   }
 
+  // Calls a function of parameters that an event may have; `read` finds the answer at the top.
+  template <class Read>
+  void ask(const std::string& type, const char* function, const EventArguments& arguments,
+           Instant mission_start, const Read& read) {
+    const EventScript& script = library.events().at(type);
+    library.lua().run([&](lua_State* L) {
+      lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
+      if (lua_getfield(L, -1, function) != LUA_TFUNCTION) return;
+      push_params(L, script.declaration, arguments, mission_start);
+      const auto fail = [&](const std::string& what) {
+        throw ScriptError(fmt::format("{}: {}: {}", script.file, function, what));
+      };
+      if (const auto failure = call_script(L, 1, 1)) fail(failure->message);
+      try {
+        read(L);
+      } catch (const std::runtime_error& error) {
+        fail(error.what());
+      }
+    });
+  }
+
   std::string state_bytes(lua_State* L, Instance& instance) {
     Archive archive = Archive::writer();
     archive.tag(state_version)(instance.random);
@@ -152,23 +174,24 @@ const Declarations& LuaHost::declarations() const { return impl_->declarations; 
 
 std::string LuaHost::fault_of(const std::string& type, const EventArguments& arguments,
                               Instant mission_start) {
-  const EventScript& script = impl_->library.events().at(type);
   std::string fault;
-  impl_->library.lua().run([&](lua_State* L) {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
-    if (lua_getfield(L, -1, "check") != LUA_TFUNCTION) return;
-    push_params(L, script.declaration, arguments, mission_start);
-    if (const auto failure = call_script(L, 1, 1)) {
-      throw ScriptError(fmt::format("{}: check: {}", script.file, failure->message));
-    }
+  impl_->ask(type, "check", arguments, mission_start, [&](lua_State* L) {
     if (lua_isnil(L, -1)) return;
     if (lua_type(L, -1) != LUA_TSTRING) {
-      throw ScriptError(fmt::format("{}: check: a text or nil is wanted, found {}", script.file,
-                                    describe(L, -1)));
+      throw std::runtime_error(fmt::format("a text or nil is wanted, found {}", describe(L, -1)));
     }
     fault = lua_tostring(L, -1);
   });
   return fault;
+}
+
+std::optional<RouteSettings> LuaHost::route_settings(const std::string& type,
+                                                     const EventArguments& arguments,
+                                                     Instant mission_start) {
+  std::optional<RouteSettings> settings;
+  impl_->ask(type, "route", arguments, mission_start,
+             [&](lua_State* L) { settings = check_route_options(L, -1, "route").settings; });
+  return settings;
 }
 
 ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arguments) {

@@ -22,6 +22,9 @@ class LuaHost : public ScriptHost {
   std::string fault_of(const std::string& type, const EventArguments& arguments,
                        Instant mission_start);
 
+  std::optional<RouteSettings> route_settings(const std::string& type,
+                                              const EventArguments& arguments,
+                                              Instant mission_start) override;
   const Declarations& declarations() const override;
   ScriptInstance begin(const std::string& type, const EventArguments& arguments) override;
   PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,

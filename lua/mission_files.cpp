@@ -11,10 +11,22 @@
 #include "lua/script_folders.h"
 #include "lua/version.h"
 #include "mission/plan_names.h"
+#include "product/files.h"
 
 namespace lsos {
 
 namespace {
+
+constexpr const char* kept_legs_suffix = ".routes";
+
+// Another build may plan otherwise: what it kept is not ours.
+std::string program_stamp() {
+  const std::filesystem::path program = "/proc/self/exe";
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(program, ignored);
+  const auto written = std::filesystem::last_write_time(program, ignored).time_since_epoch();
+  return fmt::format("lsos-host {} {} {}\n", program_version, size, written.count());
+}
 
 // Ground of a raster that the plan names itself: no script says what it is made of.
 Soil default_soil(const Catalog& catalog) { return catalog.load_soil("ApolloNominal"); }
@@ -109,8 +121,24 @@ SimulationSetup simulation_setup(const MissionFiles& files) {
   setup.rover_models = files.rover_models;
   setup.asset_models = files.asset_models;
   setup.terrain = files.terrain;
+  setup.kept_legs = read_kept_legs(files.plan.file);
   setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
   return setup;
+}
+
+std::string read_kept_legs(const std::string& plan_file) {
+  const std::string bytes = read_file(plan_file + kept_legs_suffix).value_or("");
+  const std::string stamp = program_stamp();
+  return bytes.starts_with(stamp) ? bytes.substr(stamp.size()) : "";
+}
+
+void keep_legs(const std::string& plan_file, const std::string& bytes) {
+  if (bytes.empty()) return;
+  try {
+    write_file(plan_file + kept_legs_suffix, program_stamp() + bytes);
+  } catch (const std::runtime_error&) {
+    // A convenience that is not to be had.
+  }
 }
 
 std::map<std::string, std::string> run_values(const MissionFiles& files,

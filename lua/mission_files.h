@@ -32,6 +32,11 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 // What the simulation starts from; the files must have no errors.
 SimulationSetup simulation_setup(const MissionFiles& files);
 
+// Legs planned in earlier runs of this very program lie beside the plan: NAME.kml.routes.
+std::string read_kept_legs(const std::string& plan_file);
+// Where the plan's folder is not ours to write to, nothing is kept: the next run plans again.
+void keep_legs(const std::string& plan_file, const std::string& bytes);
+
 // The layer `run`: what the run was made of, nothing that differs between two equal runs.
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation);

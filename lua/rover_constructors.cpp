@@ -126,6 +126,18 @@ void read_step(TableReader& t, VehicleConfig& vehicle) {
   }
 }
 
+void read_limits(TableReader& t, GroundLimits& limits) {
+  constexpr double right_angle_rad = 1.5707963267948966;
+  t.number(optional, "slope_max_rad", limits.slope_max_rad, {0, right_angle_rad, true},
+           "Steepest under its wheels, in any direction (default: 0.6 of what tips it over).");
+  t.number(optional, "slip_max", limits.slip_max, {0, 1, true},
+           "Of its wheels on a steady climb (default 0.6).");
+  t.number(optional, "clearance_min_m", limits.clearance_min_m, not_negative,
+           "Between chassis and ground (default: 0.3 of it at rest).");
+  t.number(optional, "unevenness_max_m", limits.unevenness_max_m, positive,
+           "Of the ground at a wheel from the plane under all (default: 0.6 of a wheel's radius).");
+}
+
 void read_rover(TableReader& t, RoverModel& model) {
   RoverSpec& spec = model.spec;
   std::string name;
@@ -149,6 +161,7 @@ void read_rover(TableReader& t, RoverModel& model) {
             "Drives in any direction without turning (default false).");
   t.number(optional, "turning_radius_min_m", vehicle.turning_radius_min_m, not_negative,
            "While driving (default 5).");
+  t.made(optional, "limits", "limits", model.limits, "Ground that planned ways keep off.");
   t.number(optional, "drive_calibration", vehicle.drive_calibration, positive,
            "Electrical drive power is multiplied by this to match measurements (default 1).");
   t.text(optional, "drive_calibration_source", vehicle.drive_calibration_source,
@@ -199,6 +212,7 @@ std::vector<Constructor> rover_constructors() {
   std::vector<Constructor> all{
       constructor<RoverModel, read_rover>(rover_kind, "What a script in rovers/ returns."),
       constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
+      constructor<GroundLimits, read_limits>("limits", "Ground that planned ways keep off."),
       constructor<RoverConfiguration, read_configuration>(
           "configuration", "How a rover may stand and be loaded at the start.")};
   for (auto&& more : {suspension_constructors(), power_constructors(), antenna_constructors(),

@@ -6,6 +6,7 @@
 #include "lua/arguments.h"
 #include "lua/handle.h"
 #include "lua/reader.h"
+#include "lua/route.h"
 #include "lua/state.h"
 #include "lua/vec3.h"
 
@@ -93,6 +94,8 @@ FollowSettings check_settings(lua_State* L, int argument) {
   t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive, "Arrived within.");
   t.boolean(optional, "crab", settings.is_crabbing,
             "Along the path without turning into it; rovers that can.");
+  t.number(optional, "stray_max_m", settings.stray_max_m, positive,
+           "Farther than this from the path the drive fails (default: however far).");
   t.finish();
   faults.throw_if_errors();
   return settings;
@@ -105,6 +108,32 @@ int follow(lua_State* L) {
   if (path.empty()) throw std::runtime_error("rover:follow wants at least one waypoint");
   call.phase.rover.follow(path, check_settings(L, 3));
   return 0;
+}
+
+int plan_path(lua_State* L) {
+  const EventCall& call = call_of(L);
+  lua_settop(L, 3);
+  const Path3 waypoints = read_path(L, 2, "rover:plan_path");
+  const RouteOptions options = check_route_options(L, 3, "rover:plan_path");
+  if (options.first > static_cast<std::int64_t>(waypoints.size())) {
+    throw std::runtime_error(fmt::format("rover:plan_path: first = {}, there are {} waypoints",
+                                         options.first, waypoints.size()));
+  }
+  const PlannedWay way = call.phase.rover.plan_path(waypoints, options.first, options.settings);
+  if (way.is_found()) {
+    push_way(L, way);
+    return 1;
+  }
+  lua_pushnil(L);
+  lua_pushstring(L, way.reason.c_str());
+  if (!way.nearest_S_m) return 2;
+  push_vec3(L, *way.nearest_S_m);
+  return 3;
+}
+
+int ahead(lua_State* L) {
+  push_vec3(L, call_of(L).phase.rover.ahead_S_m(luaL_checknumber(L, 2)));
+  return 1;
 }
 
 int brake(lua_State* L) {
@@ -132,6 +161,16 @@ int drive_reason(lua_State* L) {
   return 1;
 }
 
+int drive_is_blocked(lua_State* L) {
+  lua_pushboolean(L, drive_of(L).is_blocked);
+  return 1;
+}
+
+int drive_next_point(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(drive_of(L).next_point) + 1);
+  return 1;
+}
+
 int drive_remaining_m(lua_State* L) {
   push_quantity(L, drive_of(L).remaining_m);
   return 1;
@@ -145,7 +184,10 @@ const HandleType& drive_handle_type() {
       "What became of the last rover:follow.",
       {{"status", drive_status, "text", "'none', 'driving', 'arrived' or 'failed'."},
        {"reason", drive_reason, "text", "Why it failed, else ''."},
-       {"remaining_m", drive_remaining_m, "number", "Along the path."}},
+       {"remaining_m", drive_remaining_m, "number", "Along the path."},
+       {"next_point", drive_next_point, "integer", "Number of the path's point that comes next."},
+       {"is_blocked", drive_is_blocked, "boolean",
+        "It failed because of what lies ahead: ground it gets stuck on, another rover."}},
       {}};
   return type;
 }
@@ -173,14 +215,25 @@ const HandleType& rover_handle_type() {
        {"drive_w", quantity<&V::drive_w>, "number", "Electrical power of the motors."},
        {"drive_j", quantity<&V::drive_j>, "number", "Its integral since the mission's start."},
        {"cruise_speed_mps", quantity<&V::cruise_speed_mps>, "number", "The type's usual speed."},
+       {"length_m", quantity<&V::length_m>, "number", "Of the ground that it covers, ahead."},
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
        {"drive", drive, "rover.drive", "What became of the last rover:follow."},
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
        {"panels", panels, "rover.panels", "Its solar panels."},
        {"antennas", antennas, "rover.antennas", "Its antennas."}},
       {{"follow", guard<follow>,
-        "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = })",
+        "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival."},
+       {"plan_path", guard<plan_path>,
+        "rover:plan_path(waypoints, { speed_mps = , slope_max_rad = , aim = , ... })",
+        "A way over the ground through the waypoints from number `first` (default 1) on, with the "
+        "least 'energy' (default) or 'risk', its aim; `arrival_radius_m` passes a first waypoint; "
+        "`avoid` (list of vec3) and `avoid_radius_m` keep it off places. Gives { path = , legs = , "
+        "length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and "
+        "`last_point` besides; or nil, why there is none, and the place nearest to the waypoint "
+        "that can be reached."},
+       {"ahead", guard<ahead>, "rover:ahead(distance_m)",
+        "The place so far ahead of the rover, on the ground."},
        {"brake", guard<brake>, "rover:brake()", "Stops and holds."},
        {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends."},
        {"resource", guard<resource>, "rover:resource(name)",

@@ -121,6 +121,9 @@ return lsos.rover {
   speed_max_mps        = 3.6,    -- V: 13 km/h by design, encyclopedia articles
   acceleration_mps2    = 0.5,    -- A
   turning_radius_min_m = 3.1,    -- V: 10 feet, 'Apollo Moonships' p. 81
+  limits = lsos.limits {
+    slope_max_rad = math.rad(25),  -- V: the most it was designed for, Apollo 16 Mission Report 8.1
+  },
 
   battery = lsos.battery {
     capacity_j           = 242 * 36 * 3600,  -- V: 242 A h (Apollo 16 Mission Report); R: 36 V

@@ -148,6 +148,10 @@ return lsos.rover {
   acceleration_mps2    = 0.02,     -- A
   can_turn_on_spot     = true,     -- V: encyclopedia articles on the rocker-bogie
   turning_radius_min_m = 1.2,      -- A: within the steering's 60 degrees
+  limits = lsos.limits {
+    slope_max_rad = math.rad(20),  -- R: it slips all but wholly on loose sand so steep, Lindemann
+                                   -- & Voorhees 2005
+  },
 
   battery = lsos.battery {
     capacity_j           = 2 * 8 * 28 * 3600,  -- R: two batteries of 8 A h at 28 V

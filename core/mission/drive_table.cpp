@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "vehicle/drive_control.h"
 #include "vehicle/part_pose.h"
 #include "vehicle/single_wheel.h"
 
@@ -19,11 +20,12 @@ constexpr int slips = 24;
 constexpr double slip_least = -0.5;
 
 // Limits that no script gives. Slopes: this share of what tips it over, at rest.
-constexpr double tip_share = 0.6, slip_max = 0.6, clearance_share = 0.3, uneven_radii = 0.6;
+constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 0.6;
 
 struct DrivenWheel {
   Wheel wheel;
-  std::optional<DriveMotor> motor;  // absent: it turns freely
+  std::optional<DriveMotor> motor;  // absent: it turns freely or, locked, not at all
+  bool is_locked = false;
 };
 
 std::vector<DrivenWheel> wheels_of(const VehicleConfig& vehicle) {
@@ -31,7 +33,8 @@ std::vector<DrivenWheel> wheels_of(const VehicleConfig& vehicle) {
   for (const LinkConfig& link : vehicle.links) {
     if (!link.wheel) continue;
     const bool is_driven = link.drive && link.wheel_mode == WheelMode::driven;
-    wheels.push_back({*link.wheel, is_driven ? link.drive : std::nullopt});
+    wheels.push_back(
+        {*link.wheel, is_driven ? link.drive : std::nullopt, link.wheel_mode == WheelMode::locked});
   }
   return wheels;
 }
@@ -44,9 +47,17 @@ SingleWheelPoint between(const SingleWheelPoint& low, const SingleWheelPoint& hi
   return point;
 }
 
+// What a wheel without a motor holds the rover back with.
+double drag_n(const DrivenWheel& wheel, const Soil& soil, double load_n, double gravity_mps2) {
+  const double slip = wheel.is_locked ? -1 : 0;
+  const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
+  return std::max(0.0, -single_wheel(on_soil, load_n, slip, 0).drawbar_pull_n);
+}
+
 // Of one driven wheel: the state at which it pulls that much with the least slip; absent where none
 // does.
-std::optional<SingleWheelPoint> pulling(const WheelSoil& wheel, double load_n, double pull_n) {
+std::optional<SingleWheelPoint> pulling(const WheelSoil& wheel, double load_n, double pull_n,
+                                        double slip_max) {
   SingleWheelPoint before = single_wheel(wheel, load_n, slip_least, 0);
   if (before.drawbar_pull_n >= pull_n) return before;
   for (int k = 1; k <= slips; ++k) {
@@ -76,14 +87,19 @@ std::optional<double> speed_left_mps(const DriveMotor& motor, const SingleWheelP
 
 std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
                                    const std::vector<DrivenWheel>& wheels, const Soil& soil,
-                                   double gravity_mps2, double speed_mps, double slope_rad) {
+                                   double gravity_mps2, double speed_mps, double slip_max,
+                                   double slope_rad) {
   const double weight_n = vehicle.mass_kg() * gravity_mps2;
   const auto count = static_cast<double>(wheels.size());
   const auto driven = static_cast<double>(
       std::ranges::count_if(wheels, [](const DrivenWheel& w) { return w.motor.has_value(); }));
   if (driven == 0) return std::nullopt;
   const double load_n = weight_n * std::cos(slope_rad) / count;
-  const double pull_n = weight_n * std::sin(slope_rad) / driven;
+  double held_n = weight_n * std::sin(slope_rad);
+  for (const DrivenWheel& wheel : wheels) {
+    if (!wheel.motor) held_n += drag_n(wheel, soil, load_n, gravity_mps2);
+  }
+  const double pull_n = held_n / driven;
   SlopeDrive drive{0, 0, speed_mps};
   // Wheels that are alike are worked out once.
   std::optional<SingleWheelPoint> point;
@@ -94,7 +110,8 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
     const bool is_alike = of && of->wheel.radius_m == radius_m &&
                           of->wheel.width_m == wheel.wheel.width_m &&
                           of->wheel.grouser_height_m == wheel.wheel.grouser_height_m;
-    if (!is_alike) point = pulling(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, pull_n);
+    if (!is_alike)
+      point = pulling(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, pull_n, slip_max);
     of = &wheel;
     if (!point) return std::nullopt;
     const std::optional<double> left_mps = speed_left_mps(*wheel.motor, *point, radius_m);
@@ -113,11 +130,11 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
 }
 
 SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
-                     const Soil& soil, double gravity_mps2, double speed_mps) {
+                     const Soil& soil, double gravity_mps2, double speed_mps, double slip_max) {
   SoilDrive drive{first_rad, step_rad, {}};
   for (int k = 0; k < rows_max; ++k) {
-    const auto row =
-        drive_up(vehicle, wheels, soil, gravity_mps2, speed_mps, first_rad + k * step_rad);
+    const auto row = drive_up(vehicle, wheels, soil, gravity_mps2, speed_mps, slip_max,
+                              first_rad + k * step_rad);
     if (!row) break;
     drive.by_slope.push_back(*row);
   }
@@ -153,14 +170,36 @@ double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels
   return std::atan2(nearest_m, centre_B_m.z());
 }
 
+// What stopping and turning on the spot add to driving: the speed that is lost, and wheels that
+// roll round the middle. Wheels that cannot steer are dragged there, which is not counted.
+void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
+                 DriveCost& cost) {
+  double efficiency = 1;
+  for (const DrivenWheel& wheel : wheels) {
+    if (wheel.motor) efficiency = std::min(efficiency, wheel.motor->efficiency);
+  }
+  double reach_m = 0;
+  for (const Vec2& wheel : cost.wheels_B_m) reach_m += wheel.norm();
+  reach_m /= static_cast<double>(cost.wheels_B_m.size());
+  cost.stop_j = vehicle.drive_calibration * vehicle.mass_kg() * cost.speed_mps * cost.speed_mps /
+                (2 * efficiency);
+  cost.stop_s = cost.speed_mps / vehicle.acceleration_mps2;
+  if (!cost.soils.front().by_slope.empty()) {
+    cost.turn_jprad = cost.soils.front().at(0).energy_jpm * reach_m;
+  }
+  cost.turn_sprad = 1 / turn_rate_radps(vehicle);
+}
+
 }  // namespace
 
 DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soils,
-                     double gravity_mps2, double speed_mps) {
+                     double gravity_mps2, double speed_mps, const GroundLimits& limits) {
   DriveCost cost;
+  cost.limits.slip_max = limits.slip_max.value_or(usual_slip_max);
   const std::vector<DrivenWheel> wheels = wheels_of(vehicle);
   for (const Soil& soil : soils) {
-    cost.soils.push_back(soil_drive(vehicle, wheels, soil, gravity_mps2, speed_mps));
+    cost.soils.push_back(
+        soil_drive(vehicle, wheels, soil, gravity_mps2, speed_mps, cost.limits.slip_max));
     if (soil.is_rigid && cost.soils.size() > 1) be_no_easier(cost.soils.back(), cost.soils.front());
   }
   const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
@@ -176,14 +215,29 @@ DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soil
       cost.underside_B_m.push_back({x * half_m.x(), y * half_m.y(), vehicle.chassis_clearance_m});
     }
   }
-  cost.limits.slope_max_rad = tip_share * tipping_rad(vehicle, cost.wheels_B_m);
-  cost.limits.slip_max = slip_max;
-  cost.limits.clearance_min_m = clearance_share * vehicle.chassis_clearance_m;
-  cost.limits.unevenness_max_m = uneven_radii * radius_m;
+  cost.limits.slope_max_rad =
+      limits.slope_max_rad.value_or(tip_share * tipping_rad(vehicle, cost.wheels_B_m));
+  cost.limits.clearance_min_m =
+      limits.clearance_min_m.value_or(clearance_share * vehicle.chassis_clearance_m);
+  cost.limits.unevenness_max_m = limits.unevenness_max_m.value_or(uneven_radii * radius_m);
   cost.turning_radius_min_m = vehicle.turning_radius_min_m;
   cost.can_turn_on_spot = vehicle.can_turn_on_spot;
   cost.speed_mps = speed_mps;
+  add_corners(vehicle, wheels, cost);
   return cost;
+}
+
+double wheel_reach_m(const VehicleConfig& vehicle) {
+  double reach_m = 0.3;
+  for (const WheelLayout::WheelPlace& wheel : wheel_layout(vehicle).wheels) {
+    reach_m = std::max(reach_m, wheel.p_B_m.norm());
+  }
+  return reach_m;
+}
+
+double turn_rate_radps(const VehicleConfig& vehicle) {
+  constexpr double wheels_share = 0.4, speed_max_mps = 1;  // of the wheels' usual speed
+  return wheels_share * std::min(vehicle.cruise_speed_mps, speed_max_mps) / wheel_reach_m(vehicle);
 }
 
 }  // namespace lsos

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "route/drive_cost.h"
+#include "route/ground_limits.h"
 #include "terrain/soil.h"
 #include "vehicle/vehicle_config.h"
 
@@ -14,6 +15,11 @@ namespace lsos {
 // Slips at which all wheels pull as much as the slope wants; electrical power by torque, speed,
 // efficiency and the rover's drive calibration. `speed_mps`: that the rover is asked to drive.
 DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soils,
-                     double gravity_mps2, double speed_mps);
+                     double gravity_mps2, double speed_mps, const GroundLimits& limits = {});
+
+// Of the wheel farthest from the reference point, 0.3 m at least.
+double wheel_reach_m(const VehicleConfig& vehicle);
+// How fast it turns on the spot.
+double turn_rate_radps(const VehicleConfig& vehicle);
 
 }  // namespace lsos

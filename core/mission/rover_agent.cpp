@@ -18,27 +18,21 @@ constexpr int exchanges_until_parked = 5;    // ... so many exchanges, a braked 
 constexpr double rolled_over_rad = 1.2;      // tilt of the chassis (69 deg)
 constexpr double driving_mps = 1e-3;         // faster than this counts as driving
 constexpr double gain_hysteresis_m = 0.5;    // smaller rises than this are noise
-constexpr double lookahead_least_m = 0.6;    // of path following, for small rovers
 constexpr double own_antenna_above_m = 0.3;  // of a rover whose script names none
-constexpr double turn_rate_share = 0.4;  // wheels' share of cruise speed when turning on the spot
-
-FollowerPose pose_of(const VehicleReport& report) {
-  const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
-  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
-          left_S.dot(report.v_S_mps.head<2>())};
-}
 
 }  // namespace
 
 RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const VehicleConfig& config,
-                       const Ground& ground, std::span<const PowerSource> sources)
+                       const Ground& ground, std::span<const PowerSource> sources,
+                       PlannedLegs& legs)
     : rover_(rover),
       ground_(&ground),
       vehicle_(config, ground),
       footprint_at_rest_(footprint_at_rest(config)),
       shape_(model.shapes, config),
       power_(model.power, rover.initial_charge, sources),
-      antennas_(model.antennas) {
+      antennas_(model.antennas),
+      routes_(config, model.limits, ground, legs) {
   if (model.antennas.empty()) {
     AntennaSpec top;
     top.name = "top";
@@ -48,6 +42,7 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
   view_.id = rover.id;
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
+  view_.length_m = 2 * footprint_at_rest_.half_m.x();
 }
 
 void RoverAgent::place(double default_heading_rad) {
@@ -72,21 +67,7 @@ void RoverAgent::observe() {
     has_new_command_ = true;
     return;
   }
-  if (!is_driving()) return;
-  find_hindrances();
-  if (!is_driving()) return;
-  command_ = follower_->update(pose_of(report_), seconds(exchange_period));
-  has_new_command_ = true;
-  if (follower_->status() == PathFollower::Status::failed && follower_->is_stuck()) {
-    note("stuck", fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
-                              note_json(follower_->remaining_m()), note_json(report_.sinkage_m),
-                              note_json(report_.slip)));
-  }
-}
-
-bool RoverAgent::is_driving() const {
-  return follower_ && follower_->status() == PathFollower::Status::driving &&
-         drive_failure_.empty();
+  drive_on();
 }
 
 // What ends its mission.
@@ -107,26 +88,6 @@ void RoverAgent::find_faults() {
   }
 }
 
-// What ends its drive: the rover can be told to try again, another way.
-void RoverAgent::find_hindrances() {
-  if (!report_.is_chassis_on_ground) {
-    may_touch_with_chassis_ = false;
-  } else if (!may_touch_with_chassis_) {
-    fail_drive("high_centred",
-               fmt::format("high-centred: its chassis touches the ground, {:.1f} m before the end",
-                           follower_->remaining_m()),
-               fmt::format(R"({{"remaining_m":{}}})", note_json(follower_->remaining_m())));
-  }
-}
-
-void RoverAgent::fail_drive(const std::string& finding, const std::string& reason,
-                            const std::string& fields_json) {
-  drive_failure_ = reason;
-  command_ = {};
-  has_new_command_ = true;
-  note(finding, fields_json);
-}
-
 Footprint RoverAgent::footprint(double ahead_s) const {
   return moved(footprint_at_rest_, (report_.p_S_m + ahead_s * report_.v_S_mps).head<2>(),
                report_.yaw_rad + ahead_s * report_.yaw_rate_radps, Vec2::Zero());
@@ -137,14 +98,6 @@ Footprint RoverAgent::swept_footprint() const {
   const double braking_s = v_mps.norm() / (2 * vehicle_.config().acceleration_mps2);
   return moved(footprint_at_rest_, report_.p_S_m.head<2>(), report_.yaw_rad,
                (braking_s + seconds(exchange_period)) * v_mps);
-}
-
-void RoverAgent::end_drive_before(const std::string& other_id, double distance_m) {
-  if (!is_driving()) return;
-  fail_drive(
-      "would_touch",
-      fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m),
-      fmt::format(R"({{"distance_m":{},"other":{}}})", note_json(distance_m), note_json(other_id)));
 }
 
 void RoverAgent::control() {
@@ -224,64 +177,6 @@ double RoverAgent::elevation_gain_m() const {
   return elevation_gain_m_ + (is_rising_ ? elevation_high_m_ - elevation_low_m_ : 0);
 }
 
-DriveState RoverAgent::drive() const {
-  if (!follower_) return {};
-  for (const std::string& reason : {fault_, drive_failure_}) {
-    if (!reason.empty()) return {DriveState::Status::failed, reason, follower_->remaining_m()};
-  }
-  switch (follower_->status()) {
-    case PathFollower::Status::driving:
-      return {DriveState::Status::driving, "", follower_->remaining_m()};
-    case PathFollower::Status::arrived:
-      return {DriveState::Status::arrived, "", 0};
-    case PathFollower::Status::failed:
-      return {DriveState::Status::failed, follower_->reason(), follower_->remaining_m()};
-  }
-  return {};
-}
-
-double RoverAgent::drive_share() const { return follower_ ? follower_->share() : 0; }
-
-void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
-  const VehicleConfig& config = vehicle_.config();
-  if (settings.speed_mps && *settings.speed_mps > config.speed_max_mps) {
-    warnings_.push_back(
-        fmt::format("{}: asked to drive at {:.3g} m/s, a {} does {:.3g} m/s at most", rover_.id,
-                    *settings.speed_mps, config.type, config.speed_max_mps));
-  }
-  FollowerLimits limits;
-  limits.speed_mps =
-      std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
-  limits.acceleration_mps2 = config.acceleration_mps2;
-  limits.arrival_radius_m = settings.arrival_radius_m;
-  limits.can_turn_on_spot = config.can_turn_on_spot;
-  double reach_m = 0.3;  // of the wheel farthest from the reference point
-  for (const WheelLayout::WheelPlace& wheel : wheel_layout(config).wheels) {
-    reach_m = std::max(reach_m, wheel.p_B_m.norm());
-  }
-  limits.radius_min_m = config.turning_radius_min_m;
-  limits.turn_rate_radps = turn_rate_share * std::min(config.cruise_speed_mps, 1.0) / reach_m;
-  limits.lookahead_min_m = std::max(lookahead_least_m, reach_m);
-  limits.is_crabbing = settings.is_crabbing && config.can_crab;
-  if (settings.is_crabbing && !config.can_crab) {
-    warnings_.push_back(
-        fmt::format("{}: asked to crab, a {} cannot; it turns instead", rover_.id, config.type));
-  }
-  drive_failure_.clear();
-  may_touch_with_chassis_ = report_.is_chassis_on_ground;
-  follower_.emplace(path_S_m, pose_of(report_), limits);
-  if (!fault_.empty()) return;
-  command_ = follower_->update(pose_of(report_), seconds(exchange_period));
-  has_new_command_ = true;
-}
-
-void RoverAgent::brake() {
-  follower_.reset();
-  drive_failure_.clear();
-  command_ = {};
-  has_new_command_ = true;
-}
-
 double RoverAgent::deploy_antenna(const std::string& antenna, bool up,
                                   std::optional<double> duration_s) {
   return antennas_.deploy(antenna, up, duration_s, now_);
@@ -358,8 +253,8 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(
-      power_)(antennas_)(now_)(has_motion_ended_)(is_shedding_)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
-                                                                                                                                                                                                                                                      .distance_m)(
+      power_)(antennas_)(routes_)(now_)(has_motion_ended_)(is_shedding_)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
+                                                                                                                                                                                                                                                               .distance_m)(
       view_.drive_w)(view_.drive_j)(
       slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
   if (a.is_reading()) update_view();

@@ -11,6 +11,7 @@
 #include "mission/rover_model.h"
 #include "mission/rover_port.h"
 #include "mission/rover_power.h"
+#include "mission/rover_routes.h"
 #include "plan/plan.h"
 #include "record/rows.h"
 #include "vehicle/footprint.h"
@@ -26,9 +27,10 @@ class RoverAgent : public RoverPort {
     std::string name, fields_json;
   };
 
-  // `config`: the model's vehicle with links. `ground` and `sources` must outlive it.
+  // `config`: the model's vehicle with links. `config`, `ground`, `sources` and `legs` must outlive
+  // it.
   RoverAgent(const PlanRover& rover, const RoverModel& model, const VehicleConfig& config,
-             const Ground& ground, std::span<const PowerSource> sources);
+             const Ground& ground, std::span<const PowerSource> sources, PlannedLegs& legs);
 
   // Stands the rover at its start. Throws InputError when the terrain is not known there.
   void place(double default_heading_rad);
@@ -84,6 +86,10 @@ class RoverAgent : public RoverPort {
   // How much of the line that it follows lies behind, 0..1; 0 when it follows none.
   double drive_share() const;
   void follow(const Path3& path_S_m, const FollowSettings& settings) override;
+  PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                       const RouteSettings& settings) override;
+  Vec3 ahead_S_m(double distance_m) const override;
+  RoverRoutes& routes() { return routes_; }
   void brake() override;
   // The event has ended: stops whatever it left under way.
   void release();
@@ -112,6 +118,7 @@ class RoverAgent : public RoverPort {
  private:
   void look();
   void find_faults();
+  void drive_on();
   void find_hindrances();
   bool is_driving() const;
   void fail_drive(const std::string& finding, const std::string& reason,
@@ -126,6 +133,7 @@ class RoverAgent : public RoverPort {
   BodyShape shape_;
   RoverPower power_;
   AntennaArray antennas_;
+  RoverRoutes routes_;
   SimTime now_{};                  // of the last exchange
   bool has_motion_ended_ = false;  // since the last look at the Sun
   bool is_shedding_ = false;

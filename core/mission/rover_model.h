@@ -8,6 +8,7 @@
 #include "base/shape.h"
 #include "mission/antenna.h"
 #include "power/power_spec.h"
+#include "route/ground_limits.h"
 #include "vehicle/rover_spec.h"
 
 namespace lsos {
@@ -17,6 +18,7 @@ struct RoverModel {
   PowerSpec power;
   std::vector<Shape> shapes;          // wheels and struts are drawn besides; none: the chassis' box
   std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
+  GroundLimits limits;
 };
 
 // A habitat, a comm station.

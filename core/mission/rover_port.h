@@ -2,12 +2,15 @@
 // effect in the following exchange period.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/sim_time.h"
 #include "base/vector.h"
 #include "mission/power_port.h"
+#include "route/leg_request.h"
 
 namespace lsos {
 
@@ -22,6 +25,7 @@ struct RoverView {
   double slip = not_modelled, sinkage_m = not_modelled;
   double drive_w = 0, drive_j = 0;
   double cruise_speed_mps = 0;  // the type's default driving speed
+  double length_m = 0;          // of the ground that it covers
   bool is_parked = false;
 };
 
@@ -29,14 +33,45 @@ struct RoverView {
 struct DriveState {
   enum class Status { none, driving, arrived, failed };
   Status status = Status::none;
-  std::string reason;      // why it failed
-  double remaining_m = 0;  // along the path
+  std::string reason;          // why it failed
+  double remaining_m = 0;      // along the path
+  bool is_blocked = false;     // it failed because of what lies ahead: ground, another rover
+  std::size_t next_point = 0;  // of the path, that it drives to; 0 is the first
 };
 
 struct FollowSettings {
   std::optional<double> speed_mps;  // absent: the rover's cruise speed
   double arrival_radius_m = 1;
   bool is_crabbing = false;  // along the path without turning into it, if the rover can
+  // Farther than this from the path the drive fails.
+  double stray_max_m = std::numeric_limits<double>::infinity();
+};
+
+// What a planned way keeps to.
+struct RouteSettings {
+  std::optional<double> speed_mps;      // absent: the rover's cruise speed
+  std::optional<double> slope_max_rad;  // besides the rover's own limit
+  RouteAim aim = RouteAim::energy;
+  double arrival_radius_m = 1;  // a first waypoint that is this near, 1 m at most, is passed
+  std::vector<AvoidedDisc> avoided = {};
+
+  bool operator==(const RouteSettings&) const = default;
+};
+
+// A way through some waypoints, a leg to each.
+struct PlannedWay {
+  struct Leg {
+    std::int64_t waypoint = 0;   // that it leads to, the first is 1
+    std::size_t last_point = 0;  // of the path
+    double length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
+  };
+  Path3 path_S_m;
+  std::vector<Leg> legs;
+  // Why there is none, "" when there is one; and how far it is to be had, where that is known.
+  std::string reason;
+  std::optional<Vec3> nearest_S_m;
+
+  bool is_found() const { return reason.empty(); }
 };
 
 class RoverPort {
@@ -48,6 +83,12 @@ class RoverPort {
 
   // Drive along waypoints (site frame), beginning with the first; replaces what it was following.
   virtual void follow(const Path3& path_S_m, const FollowSettings& settings) = 0;
+  // A way over the ground from where the rover is through waypoints `first`, `first` + 1, ... (the
+  // first of all is 1). What was planned for the event when the mission was made is taken up.
+  virtual PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                               const RouteSettings& settings) = 0;
+  // The place so far ahead of the rover, on the ground.
+  virtual Vec3 ahead_S_m(double distance_m) const = 0;
   // Stop and hold.
   virtual void brake() = 0;
   virtual PowerPort& power() = 0;

@@ -73,6 +73,14 @@ class ScriptHost {
 
   virtual const Declarations& declarations() const = 0;
 
+  // What the ways of an event with these arguments keep to, when it plans them ahead; absent: it
+  // does not. Throws ScriptError.
+  virtual std::optional<RouteSettings> route_settings(const std::string& type,
+                                                      const EventArguments& arguments,
+                                                      Instant mission_start) {
+    (void)type, (void)arguments, (void)mission_start;
+    return std::nullopt;
+  }
   // Begins an event: ev.state is empty, ev.params and ev.geometry are the arguments.
   virtual ScriptInstance begin(const std::string& type, const EventArguments& arguments) = 0;
   // Throws ScriptError.

@@ -28,9 +28,12 @@ Simulation::Simulation(SimulationSetup setup)
         make_vehicle(setup_.rover_models.at(rover.type).spec, rover.configuration, g_mps2);
   }
   check_soil();
+  legs_ = std::make_unique<PlannedLegs>(*ground_, setup_.plan.mission.seed);
+  legs_->recall(setup_.kept_legs);
   stand_assets();
   build();
   place_rovers();
+  plan_ways();
   make_light();
   make_sight();
 }
@@ -67,11 +70,13 @@ void Simulation::build() {
     rovers_.push_back(
         {std::make_unique<RoverAgent>(rover.rover, setup_.rover_models.at(rover.rover.type),
                                       vehicles_.at({rover.rover.type, rover.rover.configuration}),
-                                      *ground_, sources_),
+                                      *ground_, sources_, *legs_),
          EventSequence(rover, machine_.mission, *ground_),
          SimTime{},
          {},
          true});
+    if (ways_ahead_.empty()) continue;
+    rovers_.back().agent->routes().set_ahead(ways_ahead_[rovers_.size() - 1].legs);
   }
 }
 
@@ -89,6 +94,27 @@ void Simulation::place_rovers() {
   faults.throw_if_errors();
 }
 
+void Simulation::plan_ways() {
+  Faults faults;
+  ways_ahead_.resize(rovers_.size());
+  for (std::size_t i = 0; i < rovers_.size(); ++i) {
+    RoverAgent& agent = *rovers_[i].agent;
+    RouteAhead ahead = plan_ahead(machine_.rovers[i], machine_.mission, agent.view().heading_rad,
+                                  *host_, *ground_, agent.routes());
+    faults.add(ahead.faults);
+    ways_ahead_[i] = {agent.id(), std::move(ahead.legs)};
+    agent.routes().set_ahead(ways_ahead_[i].legs);
+  }
+  faults.throw_if_errors();
+  way_faults_ = faults.sorted();
+}
+
+std::vector<Fault> Simulation::advice() const {
+  std::vector<Fault> advice = ground_->advice();
+  advice.insert(advice.end(), way_faults_.begin(), way_faults_.end());
+  return advice;
+}
+
 void Simulation::find_rovers_in_each_other(Faults& faults) const {
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
@@ -101,7 +127,10 @@ void Simulation::find_rovers_in_each_other(Faults& faults) const {
   }
 }
 
-void Simulation::start() { exchange(); }
+void Simulation::start() {
+  for (Rover& rover : rovers_) rover.agent->routes().log_ahead(rover.agent->id());
+  exchange();
+}
 
 void Simulation::advance() {
   if (is_finished_) return;
@@ -312,6 +341,12 @@ std::vector<std::string> Simulation::assumptions() const {
         assumptions.push_back(assumption);
       }
     }
+  }
+  const bool plans_ways =
+      std::ranges::any_of(ways_ahead_, [](const WayAhead& way) { return !way.legs.empty(); });
+  if (plans_ways) {
+    assumptions.push_back(
+        "planned ways: wheels share the load evenly, and all roll when turning on the spot");
   }
   add_light_assumptions(assumptions);
   if (setup_.terrain.is_synthetic) {

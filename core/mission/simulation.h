@@ -17,6 +17,7 @@
 #include "mission/event_sequence.h"
 #include "mission/light.h"
 #include "mission/machine.h"
+#include "mission/route_ahead.h"
 #include "mission/rover_agent.h"
 #include "mission/rover_model.h"
 #include "mission/script_host.h"
@@ -38,6 +39,8 @@ struct SimulationSetup {
   bool save_every_exchange = false;
   // Layers `pairs` and `sight_intervals` are wanted.
   bool keeps_sight = false;
+  // Legs that an earlier run has planned, see PlannedLegs.
+  std::string kept_legs = {};
 };
 
 // What became of one rover.
@@ -81,6 +84,16 @@ class Simulation : private EventSequence::Others {
   std::vector<EventRow> events() const;
   std::vector<RoverResult> results() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
+  // What is known before it starts: of the terrain's files, of ways that do not exist.
+  std::vector<Fault> advice() const;
+  // The ways that are planned before it starts.
+  struct WayAhead {
+    std::string rover_id;
+    std::vector<LegAhead> legs;
+  };
+  const std::vector<WayAhead>& ways_ahead() const { return ways_ahead_; }
+  // Legs for the next run to take up; "" when it would learn nothing new.
+  std::string kept_legs() const { return legs_->kept(); }
   std::vector<std::string> assumptions() const;
   // How far the mission has come, 0..1: events that have ended, and the share driven of those under
   // way.
@@ -104,6 +117,7 @@ class Simulation : private EventSequence::Others {
   void stand_assets();
   void build();
   void place_rovers();
+  void plan_ways();
   void find_rovers_in_each_other(Faults& faults) const;
   void exchange();
   void keep_apart();
@@ -140,6 +154,9 @@ class Simulation : private EventSequence::Others {
   // By RoverType and RoverConfig, with links.
   std::map<std::pair<std::string, std::string>, VehicleConfig> vehicles_;
   std::unique_ptr<ScriptHost> host_;
+  std::unique_ptr<PlannedLegs> legs_;
+  std::vector<WayAhead> ways_ahead_;  // by rover
+  std::vector<Fault> way_faults_;
   std::vector<PowerSource> sources_;
   std::vector<StandingAsset> assets_;
   std::unique_ptr<Renderer> renderer_;

@@ -9,9 +9,11 @@ void Simulation::log_rows() {
     const std::vector<RoverAgent::Note> notes = rover.agent->take_notes();
     const std::vector<std::size_t> events = rover.sequence.take_changed_events();
     const std::vector<PhaseRow> phases = rover.sequence.take_phases();
+    const std::vector<PlannedPathRow> paths = rover.agent->routes().take_rows();
     if (log_ == nullptr) continue;
     for (const std::size_t event : events) log_->write(rover.sequence.row(event));
     for (const PhaseRow& phase : phases) log_->write(phase);
+    for (const PlannedPathRow& path : paths) log_->write(path);
     for (const RoverAgent::Note& note : notes) {
       log_->write(NoteRow{now_, rover.agent->id(), note.sequence, note.name, note.fields_json,
                           rover.agent->place_now()});

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "plan/kml_writer.h"
 #include "product/files.h"
 #include "product/rover_colors.h"
@@ -20,6 +21,8 @@ template <>
 const std::string schema_id<SampleRow> = "lsos_samples";
 template <>
 const std::string schema_id<EventRow> = "lsos_events";
+template <>
+const std::string schema_id<PlannedPathRow> = "lsos_planned_paths";
 template <>
 const std::string schema_id<NoteRow> = "lsos_notes";
 
@@ -74,10 +77,11 @@ std::string xml_time(Instant instant) {
 
 // The styles of one rover; its colour goes by its place among the rovers.
 struct RoverStyle {
-  std::string plan_id, driven_id, event_id, sample_id;
+  std::string plan_id, planned_id, driven_id, event_id, sample_id;
 
   explicit RoverStyle(std::size_t i)
       : plan_id(fmt::format("plan-{}", i)),
+        planned_id(fmt::format("planned-{}", i)),
         driven_id(fmt::format("driven-{}", i)),
         event_id(fmt::format("event-{}", i)),
         sample_id(fmt::format("sample-{}", i)),
@@ -88,6 +92,9 @@ struct RoverStyle {
     plan.id = plan_id;
     plan.line_color_abgr = "80" + color_;
     plan.line_width = 5;
+    KmlStyle planned;
+    planned.id = planned_id;
+    planned.line_color_abgr = "ffffffff";
     KmlStyle driven;
     driven.id = driven_id;
     driven.line_color_abgr = "ff" + color_;
@@ -99,7 +106,7 @@ struct RoverStyle {
     sample.icon_color_abgr = "c0" + color_;
     sample.icon_scale = 0.3;
     sample.label_scale = 0;  // thousands of labels would hide the ground
-    styles.insert(styles.end(), {plan, driven, event, sample});
+    styles.insert(styles.end(), {plan, planned, driven, event, sample});
   }
 
  private:
@@ -114,6 +121,26 @@ KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const Rover
     line.name = fmt::format("{} {} (plan)", rover_id, event.label);
     line.style_id = style.plan_id;
     line.geometry = {KmlGeometryKind::line, event.geometry.points};
+    folder.placemarks.push_back(std::move(line));
+  }
+  return folder;
+}
+
+// Beside the driven line in its colour the planned ones are white.
+KmlFolder planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
+                        const std::string& rover_id, const RoverStyle& style) {
+  KmlFolder folder = named_folder(rover_id + " planned");
+  for (const PlannedPathRow& path : paths) {
+    if (path.rover_id != rover_id) continue;
+    KmlPlacemark line =
+        placemark(path, start,
+                  fmt::format("{} event {} to waypoint {} (planned{})", rover_id, path.sequence,
+                              path.leg, path.attempt > 0 ? " again" : ""));
+    line.description =
+        fmt::format("{:.0f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} degrees", path.length_m,
+                    path.duration_s, path.energy_j / 3600, degrees(path.slope_max_rad));
+    line.style_id = style.planned_id;
+    line.geometry = {KmlGeometryKind::line, path.line};
     folder.placemarks.push_back(std::move(line));
   }
   return folder;
@@ -193,16 +220,19 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
   KmlDocument document;
   document.name = "overlay";
   document.description = fmt::format("simulated from {}", format_utc(start));
-  document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<NoteRow>()};
+  const std::vector<PlannedPathRow> paths = log.planned_paths();
+  document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<PlannedPathRow>(),
+                      schema<NoteRow>()};
   std::size_t i = 0;
   for (const auto& [rover_id, track] : tracks(log, plan.mission)) {
     const RoverStyle style(i++);
     style.add_to(document.styles);
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
-    rover.folders = {drawn_lines(plan, rover_id, style), driven_line(track, rover_id, style),
-                     event_points(events, start, rover_id, style),
-                     sample_points(track, start, rover_id, style)};
+    rover.folders = {
+        drawn_lines(plan, rover_id, style), planned_lines(paths, start, rover_id, style),
+        driven_line(track, rover_id, style), event_points(events, start, rover_id, style),
+        sample_points(track, start, rover_id, style)};
     document.folders.push_back(std::move(rover));
   }
   document.folders.push_back(note_points(log.notes(), start));

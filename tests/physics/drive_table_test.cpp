@@ -50,5 +50,20 @@ INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
                                          Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
+// Spirit drove on five wheels for years: the sixth is dragged, at the cost of as much pull as it
+// takes to drag it.
+TEST(DriveTableOfSpirit, with_a_locked_wheel_costs_more_and_climbs_less) {
+  const auto level = ground({"Mars", PlaneSurface{}, "MMS"});
+  const double g_mps2 = gravity_mps2(*find_body("Mars"), start);
+  const auto soil = [&](const char* configuration) {
+    const VehicleConfig rover = rover_on("MER", *level, "Mars", configuration);
+    return drive_cost(rover, level->soils(), g_mps2, 0.035).soils[0];
+  };
+  const SoilDrive whole = soil(""), lame = soil("RightFrontLocked");
+  EXPECT_GT(lame.at(0).energy_jpm, 1.5 * whole.at(0).energy_jpm);
+  EXPECT_GT(lame.at(0).slip, whole.at(0).slip);
+  EXPECT_LT(lame.last_rad(), whole.last_rad());
+}
+
 }  // namespace
 }  // namespace lsos::test

@@ -25,6 +25,8 @@ class RecordingRover : public RoverPort {
   std::vector<std::string> calls;  // "brake", "follow 2 points", "note NAME JSON"
   Path3 path;
   FollowSettings settings;
+  RouteSettings route;
+  PlannedWay way;
   RoverPower energy{{}, 1, {}};
 
   const RoverView& view() const override { return rover; }
@@ -39,6 +41,16 @@ class RecordingRover : public RoverPort {
                         std::optional<double> duration_s) override {
     calls.push_back((up ? "deploy '" : "stow '") + antenna + "'");
     return duration_s.value_or(60);
+  }
+  PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                       const RouteSettings& with) override {
+    route = with;
+    calls.push_back("plan from " + std::to_string(first) + " of " +
+                    std::to_string(waypoints_S_m.size()));
+    return way;
+  }
+  Vec3 ahead_S_m(double distance_m) const override {
+    return rover.p_S_m + distance_m * Vec3::UnitY();
   }
   void brake() override { calls.push_back("brake"); }
   void note(const std::string& name, const std::string& fields_json) override {

@@ -55,8 +55,86 @@ TEST_F(ShippedEvents, route_fails_with_the_reason_of_the_drive) {
   arguments.geometry_S_m = {Vec3(10, 0, 0)};
   instance = host.begin("Route", arguments);
   run("start");
-  rover.drive_state = {DriveState::Status::failed, "stuck: slip 100 %", 3};
+  rover.drive_state.status = DriveState::Status::failed;
+  rover.drive_state.reason = "stuck: slip 100 %";
   EXPECT_EQ(std::get<Fail>(run("drive")).reason, "stuck: slip 100 %");
+}
+
+class PathPlanRoute : public ShippedEvents {
+ protected:
+  PathPlanRoute() {
+    arguments.params = {{"arrival_radius_m", 1.5},
+                        {"aim", std::string("risk")},
+                        {"slope_max_rad", 0.25},
+                        {"stray_max_m", 4.0},
+                        {"replans", std::int64_t{1}}};
+    arguments.geometry_S_m = {Vec3(10, 0, 0), Vec3(20, 0, 0), Vec3(30, 0, 0)};
+    rover.way.path_S_m = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(20, 1, 0), Vec3(30, 0, 0)};
+    rover.way.legs = {{1, 1, 10, 10, 1e4, 0.1}, {2, 2, 10, 10, 1e4, 0.1}, {3, 3, 10, 10, 1e4, 0.2}};
+    rover.rover.length_m = 4;
+    instance = host.begin("PathPlanRoute", arguments);
+  }
+
+  // The drive has failed on its way to a point of the path, the first is 0.
+  void fail_drive(bool is_blocked, std::size_t next_point) {
+    rover.drive_state.status = DriveState::Status::failed;
+    rover.drive_state.reason = "stuck";
+    rover.drive_state.is_blocked = is_blocked;
+    rover.drive_state.next_point = next_point;
+  }
+
+  EventArguments arguments;
+};
+
+TEST_F(PathPlanRoute, follows_the_way_that_is_planned) {
+  EXPECT_EQ(std::get<GoTo>(run("plan")).phase, "drive");
+  EXPECT_EQ(rover.route.aim, RouteAim::risk);
+  EXPECT_EQ(rover.route.slope_max_rad, 0.25);
+  EXPECT_EQ(rover.route.arrival_radius_m, 1.5);
+  EXPECT_EQ(rover.route.speed_mps, std::nullopt);
+  EXPECT_EQ(rover.settings.stray_max_m, 4);
+  rover.drive_state.status = DriveState::Status::driving;
+  EXPECT_TRUE(std::holds_alternative<Arrival>(run("drive")));
+  rover.drive_state.status = DriveState::Status::arrived;
+  EXPECT_EQ(std::get<GoTo>(run("drive")).phase, "stop");
+  EXPECT_THAT(rover.calls, ElementsAre("plan from 1 of 3", "follow 4 points"));
+}
+
+// What is planned ahead is what will be asked for, so that it is taken up.
+TEST_F(PathPlanRoute, asks_for_the_same_before_the_run) {
+  run("plan");
+  EXPECT_EQ(host.route_settings("PathPlanRoute", arguments, {}), rover.route);
+  EXPECT_EQ(host.route_settings("Route", arguments, {}), std::nullopt);
+}
+
+TEST_F(PathPlanRoute, fails_with_the_reason_when_there_is_no_way) {
+  rover.way = {};
+  rover.way.reason = "the goal is on a slope of 31 degrees";
+  EXPECT_EQ(std::get<Fail>(run("plan")).reason, "the goal is on a slope of 31 degrees");
+}
+
+TEST_F(PathPlanRoute, plans_anew_from_the_next_waypoint_around_what_blocks) {
+  run("plan");
+  fail_drive(true, 2);
+  EXPECT_EQ(std::get<GoTo>(run("drive")).phase, "plan");
+  run("plan");
+  EXPECT_THAT(rover.calls, ElementsAre("plan from 1 of 3", "follow 4 points",
+                                       R"(note replan {"attempt":1,"reason":"stuck","waypoint":2})",
+                                       "brake", "plan from 2 of 3", "follow 4 points"));
+  ASSERT_EQ(rover.route.avoided.size(), 1u);
+  EXPECT_EQ(rover.route.avoided[0].center_S_m, Vec3(0, 5, 0));
+  EXPECT_EQ(rover.route.avoided[0].radius_m, 4);
+  // As often as the plan says.
+  EXPECT_EQ(std::get<Fail>(run("drive")).reason, "stuck");
+}
+
+TEST_F(PathPlanRoute, that_strays_avoids_nothing) {
+  run("plan");
+  fail_drive(false, 3);
+  run("drive");
+  run("plan");
+  EXPECT_EQ(rover.calls[4], "plan from 3 of 3");
+  EXPECT_TRUE(rover.route.avoided.empty());
 }
 
 TEST_F(ShippedEvents, wait_sleeps_until_its_moment) {

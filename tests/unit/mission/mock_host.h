@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 #include "mission/script_host.h"
@@ -14,6 +15,13 @@ struct MockInstance {
   EventArguments arguments;
   double state = 0;
 };
+
+// Of all ways that mock events plan.
+inline RouteSettings mock_route_settings() {
+  RouteSettings settings;
+  settings.slope_max_rad = 0.35;
+  return settings;
+}
 
 class MockHost : public ScriptHost {
  public:
@@ -33,7 +41,16 @@ class MockHost : public ScriptHost {
     declarations_.events[type].goes_on_without_power = true;
   }
 
+  void set_plans(const std::string& type) {
+    set_drives(type);
+    planning_.insert(type);
+  }
+
   const Declarations& declarations() const override { return declarations_; }
+  std::optional<RouteSettings> route_settings(const std::string& type, const EventArguments&,
+                                              Instant) override {
+    return planning_.contains(type) ? std::optional(mock_route_settings()) : std::nullopt;
+  }
   ScriptInstance begin(const std::string& type, const EventArguments& arguments) override {
     instances_[++last_] = {type, arguments, 0};
     return last_;
@@ -58,6 +75,7 @@ class MockHost : public ScriptHost {
 
  private:
   Declarations declarations_;
+  std::set<std::string> planning_;
   std::map<std::pair<std::string, std::string>, Phase> phases_;
   std::map<ScriptInstance, MockInstance> instances_;
   ScriptInstance last_ = 0;

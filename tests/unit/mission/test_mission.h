@@ -15,7 +15,7 @@ inline double number(const MockInstance& instance, const std::string& key) {
 
 // Hold: sleeps `duration_s`. Drive: follows its line. Twice: two Holds, one after the other.
 // Break: fails after `duration_s`. Leave: drives off and ends. Poll: stays for three calls. Spin:
-// goes round for ever. Work: uses power for `duration_s`.
+// goes round for ever. Work: uses power for `duration_s`. Plan: follows a planned way.
 inline std::unique_ptr<ScriptHost> make_host() {
   auto host = std::make_unique<MockHost>();
   host->add("Hold", "begin", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
@@ -57,6 +57,19 @@ inline std::unique_ptr<ScriptHost> make_host() {
     return Arrival{};
   });
   host->set_drives("Drive");
+  host->add("Plan", "plan", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
+    const PlannedWay way = c.rover.plan_path(i.arguments.geometry_S_m, 1, mock_route_settings());
+    if (!way.is_found()) return Fail{way.reason};
+    c.rover.follow(way.path_S_m, {});
+    return GoTo{"arrive"};
+  });
+  host->add("Plan", "arrive", [](MockInstance&, PhaseContext& c) -> PhaseAnswer {
+    const DriveState drive = c.rover.drive();
+    if (drive.status == DriveState::Status::failed) return Fail{drive.reason};
+    if (drive.status == DriveState::Status::arrived) return Done{};
+    return Arrival{};
+  });
+  host->set_plans("Plan");
   const auto inner = [](const std::string& next) {
     return [next](MockInstance&, PhaseContext&) -> PhaseAnswer {
       return RunEvent{"Hold", {{{"duration_s", 10.0}}, {}}, next};
@@ -107,8 +120,9 @@ class Mission {
     return setup_.plan.events.back();
   }
   // `east_m` of the last rover's start.
-  PlanEvent& drive(double east_m) {
-    PlanEvent& driven = event("Drive");
+  PlanEvent& drive(double east_m) { return drive("Drive", east_m); }
+  PlanEvent& drive(const std::string& type, double east_m) {
+    PlanEvent& driven = event(type);
     const Body& moon = *find_body("Moon");
     const SiteFrame site(moon, setup_.plan.rovers.back().start);
     driven.geometry = {GeometryKind::point, {site.geodetic({east_m, 0, 0})}, 1};

@@ -1,0 +1,25 @@
+// Planning ways before the mission starts, as far as it is known where each leg will begin.
+#pragma once
+
+#include <vector>
+
+#include "base/error.h"
+#include "mission/machine.h"
+#include "mission/rover_routes.h"
+#include "mission/script_host.h"
+
+namespace lsos {
+
+struct RouteAhead {
+  std::vector<LegAhead> legs;
+  // A leg without a way: an error, or a warning where the plan says what then shall happen.
+  std::vector<Fault> faults;
+};
+
+// The ways of one rover's events that plan theirs, each from where the events before it leave the
+// rover.
+RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
+                      double start_heading_rad, ScriptHost& host, const Ground& ground,
+                      RoverRoutes& routes);
+
+}  // namespace lsos

@@ -1,0 +1,113 @@
+-- Plan a way over the ground to each waypoint in turn, for this rover, and drive it.
+
+local lsos = require 'lsos'
+
+-- What the ways keep to, when the mission is made and when they are driven.
+local function route(params)
+  return {
+    speed_mps        = params.speed_mps,
+    slope_max_rad    = params.slope_max_rad,
+    aim              = params.aim,
+    arrival_radius_m = params.arrival_radius_m,
+  }
+end
+
+local function plan(ev, rover)
+  local options = route(ev.params)
+  options.first = ev.state.next_waypoint
+  options.avoid = ev.state.avoid
+  options.avoid_radius_m = rover.length_m
+  local way, reason = rover:plan_path(ev.geometry, options)
+  if not way then
+    return lsos.fail('%s', reason)
+  end
+  ev.state.legs = way.legs
+  rover:follow(way.path, {
+    speed_mps        = ev.params.speed_mps,
+    arrival_radius_m = ev.params.arrival_radius_m,
+    stray_max_m      = ev.params.stray_max_m,
+  })
+  return 'drive'
+end
+
+-- Remembers what to plan otherwise: from the waypoint that comes next, around what lay ahead.
+local function replan(ev, rover)
+  local drive = rover.drive
+  for _, leg in ipairs(ev.state.legs) do
+    if drive.next_point <= leg.last_point then
+      ev.state.next_waypoint = leg.waypoint
+      break
+    end
+  end
+  if drive.is_blocked then
+    ev.state.avoid = ev.state.avoid or {}
+    table.insert(ev.state.avoid, rover:ahead(1.25 * rover.length_m))
+  end
+  ev.state.replans = (ev.state.replans or 0) + 1
+  ev:log('replan', {
+    attempt  = ev.state.replans,
+    reason   = drive.reason,
+    waypoint = ev.state.next_waypoint,
+  })
+  rover:brake()
+  return 'plan'
+end
+
+local function drive(ev, rover)
+  if rover.drive.status == 'arrived' then
+    return 'stop'
+  end
+  if rover.drive.status ~= 'failed' then
+    return lsos.arrival
+  end
+  if (ev.state.replans or 0) < ev.params.replans then
+    return replan(ev, rover)
+  end
+  return lsos.fail('%s', rover.drive.reason)
+end
+
+local function stop(_, rover)
+  rover:brake()
+  return lsos.done
+end
+
+return lsos.event {
+  api    = 1,
+  schema = 'PathPlanRoute',
+  doc    = 'Plan a way to each waypoint on the ground that the rover will meet, and drive it.',
+
+  geometry = { 'line', 'point' },
+  drives   = true,
+  params   = {
+    speed_mps = lsos.number {
+      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20,
+      doc = 'Driving speed; without it the rover type\'s cruise speed.',
+    },
+    arrival_radius_m = lsos.number {
+      kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
+      doc = 'A waypoint is reached when the rover is this near.',
+    },
+    slope_max_rad = lsos.number {
+      kml = 'MaxSlope', unit = 'deg', min = 1, max = 60,
+      doc = 'Steepest slope under its wheels; the rover type has a limit besides.',
+    },
+    aim = lsos.choice {
+      kml = 'Cost', choices = { 'energy', 'risk' }, default = 'energy',
+      doc = 'What is least: energy, or risk, metres weighed by how near each comes to a limit.',
+    },
+    replans = lsos.integer {
+      kml = 'Replans', min = 0, max = 100, default = 3,
+      doc = 'How often it may plan anew when the rover is stuck or strays; 0 switches that off.',
+    },
+    stray_max_m = lsos.number {
+      kml = 'MaxStray', unit = 'm', min = 0.5, max = 1000, default = 3,
+      doc = 'Farther than this from the planned way the rover has strayed.',
+    },
+  },
+
+  route  = route,
+  start  = 'plan',
+  phases = { plan = plan, drive = drive, stop = stop },
+
+  on_abort = function(_, rover) rover:brake() end,
+}

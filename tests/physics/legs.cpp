@@ -1,0 +1,178 @@
+#include "physics/legs.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+
+#include "base/random.h"
+#include "lua/mission_files.h"
+#include "mission/drive_table.h"
+#include "mission/site.h"
+#include "route/leg_cost.h"
+#include "route/route_planner.h"
+
+namespace lsos::test {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+// A map about the straight line from the origin, that as a node.
+GroundMap map_about(const Ground& ground, const DriveCost& cost, const MapFrame& frame,
+                    const Vec2& goal_m) {
+  const double spacing_m = map_spacing_m(cost);
+  const Vec2 aside_m = Vec2::Constant(spacing_m * std::ceil(25 / spacing_m));
+  const Vec2 low_m = (goal_m.cwiseMin(0) / spacing_m).array().floor().matrix() * spacing_m;
+  return {ground, frame, low_m - aside_m, goal_m.cwiseMax(0) + aside_m, spacing_m};
+}
+
+double left_at_least(LegCosts& costs, const Vec2& at_m, const Vec2& goal_m) {
+  const double rise_m = costs.map().height_m(goal_m) - costs.map().height_m(at_m);
+  const double bound = costs.least_per_metre() * (goal_m - at_m).norm() + costs.per_rise() * rise_m;
+  return std::isnan(bound) ? 0 : 0.99 * std::max(0.0, bound);
+}
+
+}  // namespace
+
+Geodetic SeededLeg::start() const {
+  RandomStream random(mix_key(seed, "start"));
+  if (terrain != "LunarSouthPole") return geodetic_from_degrees(10, 20);
+  return geodetic_from_degrees(random.uniform(-180, 180), random.uniform(-89.5, -85));
+}
+
+std::unique_ptr<Ground> SeededLeg::ground() const {
+  return ground_at(read_catalog("")->load_terrain(terrain, {}), *find_body("Moon"), start(), seed);
+}
+
+Vec3 SeededLeg::goal_S_m(const Ground& ground) const {
+  RandomStream random(mix_key(seed, "goal"));
+  const double yaw_rad = random.uniform(0, 2 * std::numbers::pi);
+  Geodetic goal =
+      ground.site().geodetic({length_m * std::cos(yaw_rad), length_m * std::sin(yaw_rad), 0});
+  goal.height_m = ground.elevation_m(goal).value_or(0);
+  return ground.site().p_S_m(goal);
+}
+
+DriveCost cost_of(const SeededLeg& leg, const Ground& ground) {
+  const RoverModel model = read_catalog("")->load_rover(leg.rover, {});
+  const double g_mps2 = gravity_mps2(*find_body("Moon"), ground.site().origin());
+  const VehicleConfig vehicle = make_vehicle(model.spec, "", g_mps2);
+  return drive_cost(vehicle, ground.soils(), g_mps2, vehicle.cruise_speed_mps, model.limits);
+}
+
+double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S_m, RouteAim aim) {
+  const StanceFinder finder(cost);
+  const MapFrame frame(ground.site(), Vec3::Zero());
+  const Vec2 goal_m = frame.at(goal_S_m);
+  GroundMap map = map_about(ground, cost, frame, goal_m);
+  LegCosts costs(map, finder, aim);
+  costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
+  // Corners cost: what is known of a node depends on the neighbour that it is come to from, 4 for
+  // the start.
+  constexpr int from_none = 4;
+  const auto state = [&](int x, int y, int from) {
+    return static_cast<std::size_t>((y * map.columns() + x) * 9 + from);
+  };
+  auto edge = [&, known = std::map<std::pair<std::size_t, int>, double>()](int x, int y,
+                                                                           int step) mutable {
+    const auto [found, is_new] = known.try_emplace({state(x, y, 0), step}, 0);
+    if (is_new) {
+      found->second =
+          costs.straight(map.place_m(x, y), map.place_m(x + step % 3 - 1, y + step / 3 - 1));
+    }
+    return found->second;
+  };
+  std::vector<double> known(static_cast<std::size_t>(map.columns() * map.rows() * 9), infinite);
+  using Entry = std::tuple<double, double, int, int, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const Vec2 start = -map.low_m() / map.spacing_m();
+  const int x0 = static_cast<int>(std::lround(start.x()));
+  const int y0 = static_cast<int>(std::lround(start.y()));
+  known[state(x0, y0, from_none)] = 0;
+  queue.push({left_at_least(costs, Vec2::Zero(), goal_m), 0, x0, y0, from_none});
+  double best = infinite;
+  while (!queue.empty()) {
+    const auto [total, here, x, y, from] = queue.top();
+    queue.pop();
+    if (total >= best) break;
+    if (here > known[state(x, y, from)]) continue;
+    const Vec2 here_m = map.place_m(x, y);
+    const Vec2 before_m = map.place_m(x - from % 3 + 1, y - from / 3 + 1);
+    const auto corner = [&](const Vec2& to_m) {
+      return from == from_none ? 0 : costs.corner(before_m, here_m, to_m);
+    };
+    if ((here_m - goal_m).cwiseAbs().maxCoeff() <= map.spacing_m()) {
+      best = std::min(best, here + corner(goal_m) + costs.straight(here_m, goal_m));
+    }
+    for (int step = 0; step < 9; ++step) {
+      const int u = x + step % 3 - 1, v = y + step / 3 - 1;
+      if (step == from_none || u < 0 || v < 0 || u >= map.columns() || v >= map.rows()) continue;
+      const Vec2 there_m = map.place_m(u, v);
+      const double next = here + corner(there_m) + edge(x, y, step);
+      if (!(next < known[state(u, v, step)])) continue;
+      known[state(u, v, step)] = next;
+      queue.push({next + left_at_least(costs, there_m, goal_m), next, u, v, step});
+    }
+  }
+  return best;
+}
+
+double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
+  constexpr int headings = 36;
+  const StanceFinder finder(cost);
+  const MapFrame frame(ground.site(), Vec3::Zero());
+  const Vec2 goal_m = frame.at(request.goal_S_m);
+  GroundMap map = map_about(ground, cost, frame, goal_m);
+  LegCosts costs(map, finder, request.aim);
+  costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
+  const double step_m = 2 * map.spacing_m();
+  const auto cell = [&](const Vec2& at_m, double yaw_rad) {
+    const Vec2 place = (at_m - map.low_m()) / map.spacing_m();
+    const double turn = yaw_rad / (2 * std::numbers::pi);
+    const int heading = static_cast<int>((turn - std::floor(turn)) * headings) % headings;
+    return (static_cast<int>(place.y()) * map.columns() + static_cast<int>(place.x())) * headings +
+           heading;
+  };
+  std::vector<bool> is_closed(static_cast<std::size_t>(map.columns() * map.rows() * headings));
+  using Entry = std::tuple<double, double, double, double, double>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  queue.push({0, 0, 0, 0, std::numbers::pi / 2 - request.start_heading_rad});
+  double best = infinite;
+  while (!queue.empty()) {
+    const auto [total, here, x_m, y_m, yaw_rad] = queue.top();
+    queue.pop();
+    if (total >= best) break;
+    const Vec2 here_m(x_m, y_m);
+    const auto now = static_cast<std::size_t>(cell(here_m, yaw_rad));
+    if (is_closed[now]) continue;
+    is_closed[now] = true;
+    const Vec2 off_m = goal_m - here_m;
+    const double ahead_m = off_m.dot(Vec2(std::cos(yaw_rad), std::sin(yaw_rad)));
+    if (off_m.norm() < 2 * step_m && ahead_m > 0.97 * off_m.norm()) {
+      best = std::min(best, here + costs.straight(here_m, goal_m));
+    }
+    for (const double turn : {0.0, 1.0, -1.0}) {
+      // By small straight pieces, as an arc is driven.
+      constexpr int pieces = 4;
+      Vec2 at_m = here_m;
+      double heading_rad = yaw_rad, edge = 0;
+      for (int k = 0; k < pieces; ++k) {
+        const double by_rad = turn * step_m / pieces / cost.turning_radius_min_m;
+        const Vec2 next_m =
+            at_m + step_m / pieces *
+                       Vec2(std::cos(heading_rad + by_rad / 2), std::sin(heading_rad + by_rad / 2));
+        edge += costs.straight(at_m, next_m);
+        at_m = next_m;
+        heading_rad += by_rad;
+      }
+      if (!std::isfinite(edge) || std::isnan(map.height_m(at_m))) continue;
+      if (is_closed[static_cast<std::size_t>(cell(at_m, heading_rad))]) continue;
+      queue.push({here + edge + left_at_least(costs, at_m, goal_m), here + edge, at_m.x(), at_m.y(),
+                  heading_rad});
+    }
+  }
+  return best;
+}
+
+}  // namespace lsos::test

@@ -1,0 +1,142 @@
+// Ways that are planned before the mission starts, and what becomes of them when it runs.
+#include <gmock/gmock.h>
+
+#include "mission/site.h"
+#include "test_mission.h"
+
+namespace lsos::test {
+namespace {
+
+using testing::HasSubstr;
+
+// Level ground with a crater 24 m wide whose walls are too steep, so far east of 0.1, 0.2 rad.
+void dig(Mission& mission, double east_m) {
+  ReliefSurface relief;
+  relief.lon_rad = 0.1;
+  relief.lat_rad = 0.2;
+  relief.spacing_m = 1;
+  const Body& moon = *find_body("Moon");
+  const Geodetic place = SiteFrame(moon, {0.1, 0.2, 0}).geodetic({east_m, 0, 0});
+  relief.landforms.push_back({"crater", place.lon_rad, place.lat_rad, 24, 6, 0.5});
+  mission.setup_.terrain.layers = {relief};
+}
+
+const std::vector<LegAhead>& legs(const Mission& mission) {
+  return mission.simulation_->ways_ahead().front().legs;
+}
+
+TEST(RouteAhead, begins_each_event_where_the_last_one_ends) {
+  Mission mission;
+  mission.rover("A");
+  mission.drive("Plan", 20);
+  mission.drive("Drive", 30);
+  mission.event("Hold", 1);
+  mission.drive("Plan", 50);
+  const std::vector<EventRow> events = mission.run();
+  for (const EventRow& event : events) EXPECT_EQ(event.status, EventStatus::completed);
+  ASSERT_EQ(legs(mission).size(), 2u);
+  EXPECT_EQ(legs(mission)[0].sequence, 1);
+  EXPECT_NEAR(legs(mission)[0].leg.length_m, 20, 0.1);
+  EXPECT_EQ(legs(mission)[1].sequence, 4);
+  EXPECT_NEAR(legs(mission)[1].leg.length_m, 20, 0.1);
+  EXPECT_NEAR(legs(mission)[1].start.p_S_m.x(), 30, 0.1);
+}
+
+TEST(RouteAhead, goes_round_a_crater_that_the_straight_line_crosses) {
+  Mission mission;
+  dig(mission, 25);
+  mission.rover("A");
+  mission.drive("Plan", 50);
+  const EventRow event = mission.run()[0];
+  EXPECT_EQ(event.status, EventStatus::completed) << event.reason;
+  EXPECT_GT(legs(mission)[0].leg.length_m, 52);
+  Mission straight;
+  dig(straight, 25);
+  straight.rover("A");
+  straight.drive("Drive", 50);
+  EXPECT_EQ(straight.run()[0].status, EventStatus::failed);
+}
+
+TEST(RouteAhead, without_a_way_is_a_fault_of_the_plan) {
+  Mission mission;
+  dig(mission, 50);
+  mission.rover("A");
+  mission.drive("Plan", 40);
+  const auto message = [&] {
+    try {
+      mission.run();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message(), HasSubstr("Plan 'Plan 1': the leg to waypoint 1: the goal is on a slope"));
+  EXPECT_THAT(message(), HasSubstr("the nearest place that can be reached is "));
+  // Where the plan says what then shall happen, it is its business.
+  mission.setup_.plan.events[0].on_failure = OnFailure::skip;
+  EXPECT_EQ(message(), "");
+  const EventRow event = mission.simulation_->events()[0];
+  EXPECT_EQ(event.status, EventStatus::failed);
+  EXPECT_THAT(event.reason, HasSubstr("the goal is on a slope"));
+  ASSERT_EQ(mission.simulation_->advice().size(), 1u);
+  EXPECT_EQ(mission.simulation_->advice()[0].severity, Severity::warning);
+}
+
+// Five metres: less, and the way is driven as planned; more, and it is planned anew.
+TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
+  const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
+  const VehicleConfig vehicle = test::rover(1.6);
+  PlannedLegs planned(*ground, 1);
+  RoverRoutes routes(vehicle, {}, *ground, planned);
+  const Vec3 goal_m(60, 0, 0);
+  const std::vector<LegAhead> ahead{
+      {3, 1, {{0, 0, 0}, 0}, goal_m, {}, routes.leg({}, {{0, 0, 0}, 0}, goal_m)}};
+  const auto plans_anew = [&](double off_m, std::int64_t sequence, const RouteSettings& settings) {
+    RoverRoutes asked(vehicle, {}, *ground, planned);
+    asked.set_ahead(ahead);
+    const PlannedWay way =
+        asked.plan("A", SimTime{}, sequence, {{0, off_m, 0}, 0}, {goal_m}, 1, settings);
+    EXPECT_TRUE(way.is_found());
+    return !asked.take_rows().empty();
+  };
+  EXPECT_FALSE(plans_anew(0, 3, {}));
+  EXPECT_FALSE(plans_anew(4.9, 3, {}));
+  EXPECT_TRUE(plans_anew(5.1, 3, {}));
+  EXPECT_TRUE(plans_anew(0, 4, {})) << "of another event";
+  RouteSettings careful;
+  careful.aim = RouteAim::risk;
+  EXPECT_TRUE(plans_anew(0, 3, careful));
+  // A second time the event asks because something went wrong: the way begins where the rover is.
+  routes.set_ahead(ahead);
+  for (const std::size_t planned_anew : {0, 1}) {
+    routes.plan("A", SimTime{}, 3, {{0, 1, 0}, 0}, {goal_m}, 1, {});
+    EXPECT_EQ(routes.take_rows().size(), planned_anew);
+  }
+}
+
+TEST(RouteAhead, logs_each_leg_with_the_number_of_its_attempt) {
+  const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
+  const VehicleConfig vehicle = test::rover(1.6);
+  PlannedLegs planned(*ground, 1);
+  RoverRoutes routes(vehicle, {}, *ground, planned);
+  const Path3 waypoints{{0.4, 0, 0}, {30, 0, 0}, {30, 30, 0}};
+  const SimTime now = milliseconds(4200);
+  const PlannedWay way = routes.plan("A", now, 2, {{0, 0, 0}, 0}, waypoints, 1, {});
+  ASSERT_EQ(way.legs.size(), 2u) << "it stands on the first waypoint";
+  EXPECT_EQ(way.legs[0].waypoint, 2);
+  EXPECT_EQ(way.legs[1].last_point, way.path_S_m.size() - 1);
+  EXPECT_NEAR((way.path_S_m[way.legs[0].last_point] - waypoints[1]).norm(), 0, 0.1);
+  routes.plan("A", now, 2, {{10, 0, 0}, 0}, waypoints, 2, {});
+  const std::vector<PlannedPathRow> rows = routes.take_rows();
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0].leg, 2);
+  EXPECT_EQ(rows[0].attempt, 0);
+  EXPECT_EQ(rows[2].leg, 2);
+  EXPECT_EQ(rows[2].attempt, 1);
+  EXPECT_EQ(rows[0].time, now);
+  EXPECT_NEAR(rows[1].length_m, 30, 0.1);
+  EXPECT_GE(rows[1].line.size(), 2u);
+}
+
+}  // namespace
+}  // namespace lsos::test
