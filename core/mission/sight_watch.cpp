@@ -116,8 +116,8 @@ std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
     pair.is_near_turning = std::ranges::any_of(ends, [&](const SightEnd& other) {
       return other.turns_with_sun && is_near(pair, other, ends);
     });
-    const auto follow = [&](const char* kind, bool is_so, std::optional<Interval>& interval) {
-      if (is_so && !interval) interval = Interval{now, distance_m(pair, utc, ends) / light_mps};
+    const auto follow = [&](const char* kind, bool is_so, std::optional<OpenInterval>& interval) {
+      if (is_so && !interval) interval = OpenInterval{now, distance_m(pair, utc, ends) / light_mps};
       if (is_so || !interval) return;
       ended.push_back({id(pair.from, ends), id(pair.to, ends), kind, interval->start, now,
                        interval->light_time_s});

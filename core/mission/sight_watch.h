@@ -22,6 +22,14 @@ SimTime earth_interval(const Body& body);
 
 inline constexpr const char* earth_id = "Earth";
 
+// That one end has seen another, or was linked to it, since then.
+struct OpenInterval {
+  SimTime start{};
+  double light_time_s = 0;
+
+  void archive(Archive& a) { a(start)(light_time_s); }
+};
+
 // One end of a line of sight, as it is at an exchange.
 struct SightEnd {
   std::string id;
@@ -58,12 +66,6 @@ class SightWatch {
   void archive(Archive& a) { a.tag("sight")(pairs_); }
 
  private:
-  struct Interval {
-    SimTime start{};
-    double light_time_s = 0;
-
-    void archive(Archive& a) { a(start)(light_time_s); }
-  };
   // Ends by number; Earth is the last. State, held until the next look.
   struct Pair {
     std::size_t from = 0, to = 0;
@@ -71,7 +73,7 @@ class SightWatch {
     bool is_visible = false, is_linked = false;
     double fraction = not_modelled;
     bool is_near_turning = false;  // what turns with the Sun may stand between
-    std::optional<Interval> visible, linked;
+    std::optional<OpenInterval> visible, linked;
 
     void archive(Archive& a) {
       a(from)(to)(time)(is_visible)(is_linked)(fraction)(is_near_turning)(visible)(linked);

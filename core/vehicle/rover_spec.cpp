@@ -17,6 +17,8 @@ template <class... F>
 struct Overload : F... {
   using F::operator()...;
 };
+template <class... F>
+Overload(F...) -> Overload<F...>;
 
 const LinkConfig* find_link(const VehicleConfig& vehicle, const std::string& name) {
   const auto found = std::ranges::find(vehicle.links, name, &LinkConfig::name);
