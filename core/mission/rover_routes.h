@@ -71,7 +71,8 @@ class RoverRoutes {
   PlannedLegs* legs_;
   std::map<std::pair<double, double>, DriveCost> costs_;  // by speed and slope allowed
   const std::vector<LegAhead>* ahead_ = nullptr;
-  // How often each leg was planned, by sequence and waypoint.
+  // How often each leg was planned, by sequence and waypoint; at waypoint 0 how often the event has
+  // asked for a way.
   std::map<std::int64_t, std::map<std::int64_t, std::int64_t>> attempts_;
   std::vector<PlannedPathRow> rows_;
   std::vector<std::string> warnings_;

@@ -24,7 +24,7 @@ struct SeededLeg {
 DriveCost cost_of(const SeededLeg& leg, const Ground& ground);
 
 // Cost of the cheapest way over the lattice of the leg's map to each of eight neighbours, by a
-// plain A* that has nothing but the cost in common with the planner's; infinite: there is none.
+// plain A* that has only the costs and their bound in common with the planner's; infinite: none.
 double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S_m, RouteAim aim);
 
 // The same over (x, y, heading) for a rover that cannot turn on the spot: straight steps and arcs

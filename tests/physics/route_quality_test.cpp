@@ -1,5 +1,5 @@
 // Planned legs of shipped rovers on shipped terrains: none costs more than another search finds,
-// none goes through what is forbidden, and the rover that drives one keeps to it.
+// and none goes far beyond a limit between the steps in which the planner looks at the ground.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

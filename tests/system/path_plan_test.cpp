@@ -21,7 +21,7 @@ std::vector<Mark> crossing(const Fields& more = {}) {
           event("PathPlanRoute", "SEV1", 1, more, line("0,0 0.0012,0.0025 0,0.005"))};
 }
 
-// `mission` gives a Terrain already; the last one counts.
+// `mission` gives a Terrain already: that one goes.
 std::vector<Mark> on_craters(std::vector<Mark> plan) {
   std::erase_if(plan[0].fields, [](const auto& field) {
     return field.first == "Terrain" && field.second == "Flat";
@@ -65,7 +65,7 @@ TEST(PathPlan, is_driven_as_it_was_planned) {
   for (const SampleRow& row : samples) EXPECT_LT(off_m(paths, row.place), 0.5) << seconds(row.time);
   const SampleRow& last = samples.back();
   EXPECT_NEAR(last.distance_m, length_m, 0.02 * length_m);
-  // Speeding up, steering and turning on the spot are not planned.
+  // Starting, steering and wheels that carry unlike loads are not planned.
   EXPECT_NEAR(last.drive_j, energy_j, 0.15 * energy_j);
   EXPECT_GT(seconds(last.time), duration_s);
   const std::string overlay = read_text(run.folder / "run" / "overlay.kml");
@@ -89,7 +89,7 @@ TEST(PathPlan, is_told_by_check_and_kept_beside_the_plan) {
   EXPECT_GT(json["planned_paths"][0]["length_m"], 80);
   EXPECT_LT(json["planned_paths"][0]["slope_max_deg"], 40);
   EXPECT_EQ(std::filesystem::last_write_time(kept), written) << "it was planned again";
-  // Another speed is another way.
+  // Another limit is another way.
   folder.write("plan.kml", kml(on_craters(crossing({{"MaxSlope", "9"}}))));
   EXPECT_EQ(run({"check", plan}).exit_code, 0);
   EXPECT_NE(std::filesystem::last_write_time(kept), written);
