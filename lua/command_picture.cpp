@@ -41,7 +41,7 @@ void check(const PictureOptions& options) {
   }
 }
 
-void print(const PictureOptions& options, nlohmann::ordered_json about) {
+void print(const PictureOptions& options, const nlohmann::ordered_json& about) {
   nlohmann::ordered_json answer{{"file", options.file}};
   answer.update(about);
   fmt::print("{}\n", nlohmann::ordered_json::array({answer}).dump(2));

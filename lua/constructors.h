@@ -36,22 +36,22 @@ TableReader constructor_reader(lua_State* L);
 // "Route" of "events/Route.lua": scripts are named by their files.
 std::string script_name(const std::string& file);
 
-template <class T, void (*Read)(TableReader&, T&)>
+template <class T, void (*read)(TableReader&, T&)>
 int construct(lua_State* L) {
   TableReader t = constructor_reader(L);
   T value;
-  Read(t, value);
+  read(t, value);
   t.finish();
   push_made(L, {t.what(), t.place(), std::move(value)});
   return 1;
 }
 
-template <class T, void (*Read)(TableReader&, T&)>
+template <class T, void (*read)(TableReader&, T&)>
 Constructor constructor(const char* name, const char* doc) {
-  return {name, guard<construct<T, Read>>,
+  return {name, guard<construct<T, read>>,
           [](TableReader& t) {
             T value;
-            Read(t, value);
+            read(t, value);
           },
           doc};
 }

@@ -163,9 +163,9 @@ void check_phases(TableReader& t, EventDeclaration& event) {
   for (const EventDeclaration::Phase& phase : event.phases) {
     if (!phase.next.empty()) check(fmt::format("phases: {}: next", phase.name), phase.next);
   }
-  std::ranges::stable_partition(event.phases, [&](const EventDeclaration::Phase& phase) {
-    return phase.name == event.start_phase;
-  });
+  std::stable_partition(
+      event.phases.begin(), event.phases.end(),
+      [&](const EventDeclaration::Phase& phase) { return phase.name == event.start_phase; });
 }
 
 // Copies a function that may be missing to the table at `functions`.

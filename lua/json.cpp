@@ -44,7 +44,8 @@ json table(lua_State* L, int index, const std::string& path, int depth) {
       throw std::runtime_error(fmt::format("{}: keys are texts, found {}", path, describe(L, -2)));
     }
     const std::string key = lua_tostring(L, -2);
-    object[key] = to_json(L, lua_gettop(L), path.empty() ? key : path + "." + key, depth + 1);
+    object[key] =
+        to_json(L, lua_gettop(L), path.empty() ? key : fmt::format("{}.{}", path, key), depth + 1);
   }
   return object;
 }

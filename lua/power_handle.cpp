@@ -19,15 +19,15 @@ PowerPort& panels_of(lua_State* L) {
   return handle_call(L, panels_handle_type()).phase.rover.power();
 }
 
-template <auto Member>
+template <auto member>
 int of_battery(lua_State* L) {
-  push_quantity(L, battery_of(L).view().*Member);
+  push_quantity(L, battery_of(L).view().*member);
   return 1;
 }
 
-template <auto Member>
+template <auto member>
 int of_panels(lua_State* L) {
-  push_quantity(L, panels_of(L).view().*Member);
+  push_quantity(L, panels_of(L).view().*member);
   return 1;
 }
 

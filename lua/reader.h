@@ -74,8 +74,8 @@ class TableReader {
     assign(value, [&](auto& found) { vec3(need, key, found, doc); });
   }
   // One of some words, each with what it means.
-  template <class T, std::size_t N>
-  void word(Need need, const char* key, const std::pair<const char*, T> (&words)[N], T& value,
+  template <class T, std::size_t count>
+  void word(Need need, const char* key, const std::pair<const char*, T> (&words)[count], T& value,
             const char* doc) {
     std::optional<std::string> found;
     text(need, key, found, doc);

@@ -17,15 +17,15 @@ namespace {
 const EventCall& call_of(lua_State* L) { return handle_call(L, rover_handle_type()); }
 const RoverView& view_of(lua_State* L) { return call_of(L).phase.rover.view(); }
 
-template <auto Member>
+template <auto member>
 int quantity(lua_State* L) {
-  push_quantity(L, view_of(L).*Member);
+  push_quantity(L, view_of(L).*member);
   return 1;
 }
 
-template <auto Member>
+template <auto member>
 int text(lua_State* L) {
-  lua_pushstring(L, (view_of(L).*Member).c_str());
+  lua_pushstring(L, (view_of(L).*member).c_str());
   return 1;
 }
 

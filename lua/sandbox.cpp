@@ -25,8 +25,8 @@ void push_library(lua_State* L, const char* name, lua_CFunction open) {
   luaL_requiref(L, name, open, 0);
 }
 
-template <std::size_t N>
-void remove_fields(lua_State* L, const char* const (&names)[N]) {
+template <std::size_t count>
+void remove_fields(lua_State* L, const char* const (&names)[count]) {
   for (const char* name : names) {
     lua_pushnil(L);
     lua_setfield(L, -2, name);

@@ -63,11 +63,11 @@ void keep_internal_error(lua_State* L);
 // What is registered with Lua goes through this: a C++ exception becomes a Lua error with the
 // script's place. It catches std::exception only, since Lua's own errors are C++ exceptions too,
 // and raises after the catch block is left.
-template <int (*F)(lua_State*)>
+template <int (*function)(lua_State*)>
 int guard(lua_State* L) {
   std::string message;
   try {
-    return F(L);
+    return function(L);
   } catch (const InternalError& error) {
     message = error.what();
     keep_internal_error(L);

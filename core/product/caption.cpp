@@ -30,7 +30,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines, Letterin
     for (std::size_t from = 0; from <= line.size();) {
       const std::size_t end = std::min(line.find(apart, from), line.size());
       const std::string part = line.substr(from, end - from);
-      const std::string longer = now.empty() ? part : now + std::string(apart) + part;
+      const std::string longer = now.empty() ? part : fmt::format("{}{}{}", now, apart, part);
       if (!now.empty() && letters.width_px(longer, size_px) > most_px) {
         broken.push_back(now);
         now = part;

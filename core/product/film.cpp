@@ -27,7 +27,7 @@ std::string ffmpeg() {
   const char* folders = std::getenv("PATH");
   std::istringstream list(folders ? folders : "");
   for (std::string folder; std::getline(list, folder, ':');) {
-    const std::string program = folder + "/ffmpeg";
+    std::string program = folder + "/ffmpeg";
     if (!folder.empty() && access(program.c_str(), X_OK) == 0) return program;
   }
   throw InputError({},

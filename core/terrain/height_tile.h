@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 
 namespace lsos {
@@ -50,8 +51,8 @@ class HeightTile {
   }
 
   TileKey key_;
-  std::array<double, nodes * nodes> height_m_{};
-  std::bitset<cells * cells> ground_;
+  std::array<double, std::size_t{nodes} * nodes> height_m_{};
+  std::bitset<std::size_t{cells} * cells> ground_;
 };
 
 // Height of the surface and its derivatives by column and row; NaN where there is no ground.

@@ -178,7 +178,7 @@ std::string RasterMap::description() const {
   char* wkt = nullptr;
   const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
   projection_->crs.exportToWkt(&wkt, options);
-  const std::string text = fmt::format("{} {}", fmt::join(geotransform_, " "), wkt);
+  std::string text = fmt::format("{} {}", fmt::join(geotransform_, " "), wkt);
   CPLFree(wkt);
   return text;
 }

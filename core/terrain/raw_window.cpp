@@ -24,7 +24,7 @@ class RawWindow {
         level_(key.level),
         columns_(raster.columns() >> level_),
         rows_(raster.rows() >> level_),
-        height_m_(side * side, missing) {}
+        height_m_(std::size_t{side} * side, missing) {}
 
   double at(int i, int j) const { return height_m_[j * side + i]; }
 

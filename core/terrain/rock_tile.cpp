@@ -16,7 +16,7 @@ constexpr int cells = HeightTile::cells;
 void RockTile::add(const PlacedRock& rock) { rocks_.push_back(rock); }
 
 void RockTile::finish() {
-  std::array<std::vector<std::uint32_t>, squares * squares> lists;
+  std::array<std::vector<std::uint32_t>, std::size_t{squares} * squares> lists;
   const auto square = [](double at) {
     return std::clamp(static_cast<int>(std::floor(at / square_cells)), 0, squares - 1);
   };

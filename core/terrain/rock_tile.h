@@ -34,7 +34,7 @@ class RockTile {
   static constexpr int squares = 8;  // a side
   static constexpr int square_cells = HeightTile::cells / squares;
   std::vector<PlacedRock> rocks_;
-  std::array<std::uint32_t, squares * squares + 1> first_{};
+  std::array<std::uint32_t, std::size_t{squares} * squares + 1> first_{};
   std::vector<std::uint32_t> in_square_;
 };
 

@@ -55,9 +55,9 @@ double PressureSinkage::static_sinkage_m(double load_n) const {
   // Newton's method in y = sqrt(z), in which the load is nearly a cubic with positive terms. Each
   // term alone would have to reach deeper: the least of those depths is above the answer, and from
   // there the iteration comes down.
-  const double bD = width_m_ * std::sqrt(diameter_m_);
-  const double by_c = load_n / (bD * soil_.cohesion_pa * factors_.N_c);
-  const double by_q = std::cbrt(load_n / (bD * unit_weight_npm3_ * factors_.N_q));
+  const double b_root_D = width_m_ * std::sqrt(diameter_m_);
+  const double by_c = load_n / (b_root_D * soil_.cohesion_pa * factors_.N_c);
+  const double by_q = std::cbrt(load_n / (b_root_D * unit_weight_npm3_ * factors_.N_q));
   double y = std::min({by_c, by_q, std::sqrt(deepest_m)});
   for (int i = 0; i < 20; ++i) {
     const double z = y * y, off_n = this->load_n(z) - load_n;

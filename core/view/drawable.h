@@ -29,6 +29,8 @@ class Drawable {
     for (GLuint k = 0; k < parts.size(); ++k) {
       glEnableVertexAttribArray(k);
       glVertexAttribPointer(k, parts[k].first, GL_FLOAT, GL_FALSE, sizeof(SceneVertex),
+                            // OpenGL takes the place in the buffer as a pointer.
+                            // NOLINTNEXTLINE(performance-no-int-to-ptr)
                             reinterpret_cast<const void*>(parts[k].second));
     }
   }
