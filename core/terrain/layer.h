@@ -98,7 +98,7 @@ class Layer {
   PatchMap patches_;
   // A tile takes 36 kB, with dense rocks on wide cells some MB.
   KeyCache<TileKey, HeightTile> tiles_{megabytes(75)};
-  KeyCache<TileKey, DetailTile> details_{megabytes(75)};
+  KeyCache<TileKey, DetailTile> details_{megabytes(150)};
   KeyCache<TileKey, WeightTile> weights_{megabytes(20)};
 };
 
