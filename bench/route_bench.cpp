@@ -1,5 +1,6 @@
-// What planning a leg costs, by square kilometre of corridor: the whole of it, on a map whose
-// terrain tiles are warm, and the lattice search alone on a map that is sampled, for scale.
+// What planning a leg costs, by square kilometre of corridor and by million nodes of its map (a
+// square kilometre at 1 m): the whole of it, on a map whose terrain tiles are warm, and the lattice
+// search alone on a map that is sampled, for scale.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -37,6 +38,13 @@ double corridor_km2(double length_m) {
   return (length_m + 2 * aside_m) * 2 * aside_m * 1e-6;
 }
 
+// Seconds for one of what an iteration does `amount` of.
+void count(benchmark::State& state, const char* name, double amount) {
+  state.counters[name] =
+      benchmark::Counter(amount * static_cast<double>(state.iterations()),
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
 void plan(benchmark::State& state, const char* rover) {
   const Scene scene(rover);
   const auto length_m = static_cast<double>(state.range(0));
@@ -46,9 +54,9 @@ void plan(benchmark::State& state, const char* rover) {
   for (auto _ : state) {
     benchmark::DoNotOptimize(lsos::plan_leg(*scene.ground, scene.cost, request));
   }
-  state.counters["s_per_km2"] =
-      benchmark::Counter(corridor_km2(length_m) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  count(state, "s_per_km2", corridor_km2(length_m));
+  const double spacing_m = lsos::map_spacing_m(scene.cost);
+  count(state, "s_per_million_nodes", corridor_km2(length_m) / (spacing_m * spacing_m));
 }
 
 // At 1 m, whatever the rover's own spacing.
@@ -65,9 +73,7 @@ void search(benchmark::State& state, const char* rover) {
     expanded = lsos::search_grid(costs, Vec2::Zero(), {length_m, 0}).expanded;
   }
   state.counters["expanded"] = static_cast<double>(expanded);
-  state.counters["s_per_km2"] =
-      benchmark::Counter(corridor_km2(length_m) * static_cast<double>(state.iterations()),
-                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  count(state, "s_per_km2", corridor_km2(length_m));
 }
 
 const int registered = [] {

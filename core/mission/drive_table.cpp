@@ -22,6 +22,11 @@ constexpr double slip_least = -0.5;
 // Limits that no script gives. Slopes: this share of what tips it over, at rest.
 constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 0.6;
 
+// Share of its weight that rough ground holds a rover back with, for each metre of roughness, slow
+// and with its speed squared: fitted to simulated drives of SEV and LRV on LunarSouthPole (the test
+// RoughGround says how well).
+constexpr double rough_share_1pm = 0.8, rough_share_s2pm3 = 0.12;
+
 struct DrivenWheel {
   Wheel wheel;
   std::optional<DriveMotor> motor;  // absent: it turns freely or, locked, not at all
@@ -170,10 +175,23 @@ double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels
   return std::atan2(nearest_m, centre_B_m.z());
 }
 
+// Side force of all wheels for each radian that they roll at an angle to their way.
+double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
+                          const Soil& soil, double gravity_mps2) {
+  constexpr double angle_rad = 0.05;
+  const double load_n = vehicle.mass_kg() * gravity_mps2 / static_cast<double>(wheels.size());
+  double side_n = 0;
+  for (const DrivenWheel& wheel : wheels) {
+    const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
+    side_n += std::abs(single_wheel(on_soil, load_n, 0, angle_rad).side_force_n);
+  }
+  return std::max(1.0, side_n / angle_rad);
+}
+
 // What stopping and turning on the spot add to driving: the speed that is lost, and wheels that
 // roll round the middle. Wheels that cannot steer are dragged there, which is not counted.
 void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
-                 DriveCost& cost) {
+                 const Soil& soil, double gravity_mps2, DriveCost& cost) {
   double efficiency = 1;
   for (const DrivenWheel& wheel : wheels) {
     if (wheel.motor) efficiency = std::min(efficiency, wheel.motor->efficiency);
@@ -181,8 +199,19 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   double reach_m = 0;
   for (const Vec2& wheel : cost.wheels_B_m) reach_m += wheel.norm();
   reach_m /= static_cast<double>(cost.wheels_B_m.size());
-  cost.stop_j = vehicle.drive_calibration * vehicle.mass_kg() * cost.speed_mps * cost.speed_mps /
-                (2 * efficiency);
+  // Electrical for mechanical.
+  const double price = vehicle.drive_calibration / efficiency;
+  const double mass_kg = vehicle.mass_kg(), speed2 = cost.speed_mps * cost.speed_mps;
+  const double braking_n = mass_kg * vehicle.acceleration_mps2;
+  double drag_n = 0;  // of the soil: what it slows the rover down by is not lost to brakes
+  if (!cost.soils.front().by_slope.empty()) {
+    drag_n = cost.soils.front().at(0).energy_jpm / price;
+  }
+  cost.stop_j = price * mass_kg * speed2 / 2 * braking_n / (braking_n + drag_n);
+  cost.lateral_mps2 = vehicle.acceleration_mps2;
+  const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
+  cost.arc_drag_jmprad = price * mass_kg * mass_kg * speed2 * speed2 / side_npr;
+  cost.rough_jpm2 = price * mass_kg * gravity_mps2 * (rough_share_1pm + rough_share_s2pm3 * speed2);
   cost.stop_s = cost.speed_mps / vehicle.acceleration_mps2;
   if (!cost.soils.front().by_slope.empty()) {
     cost.turn_jprad = cost.soils.front().at(0).energy_jpm * reach_m;
@@ -223,7 +252,7 @@ DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soil
   cost.turning_radius_min_m = vehicle.turning_radius_min_m;
   cost.can_turn_on_spot = vehicle.can_turn_on_spot;
   cost.speed_mps = speed_mps;
-  add_corners(vehicle, wheels, cost);
+  add_corners(vehicle, wheels, soils.front(), gravity_mps2, cost);
   return cost;
 }
 

@@ -51,13 +51,19 @@ struct DriveCost {
   double turning_radius_min_m = 0;
   bool can_turn_on_spot = true;
   double speed_mps = 1;
+  // For each metre of way and of `Stance::roughness_m`: wheels that climb one bump while others
+  // come down from theirs give back less than they take.
+  double rough_jpm2 = 0;
   // Of stopping at a corner and driving off again, and of turning there on the spot.
   double stop_j = 0, stop_s = 0;
   double turn_jprad = 0, turn_sprad = 0;
+  // Greatest acceleration across the way in an arc. Of a radian of one at full speed, times its
+  // radius: wheels that hold the rover in it roll at an angle.
+  double lateral_mps2 = 0.2, arc_drag_jmprad = 0;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(turn_jprad)(turn_sprad);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(turn_jprad)(turn_sprad)(lateral_mps2)(arc_drag_jmprad)(rough_jpm2);
   }
 };
 

@@ -17,12 +17,6 @@ constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
 
-// Length of the shortest way over neighbours.
-double octile(const Vec2& way_m) {
-  const double x = std::abs(way_m.x()), y = std::abs(way_m.y());
-  return std::max(x, y) + (std::numbers::sqrt2 - 1) * std::min(x, y);
-}
-
 struct Candidate {
   double total = 0;  // estimate of a whole way through it
   double cost = 0;   // to the node; a bound until the edge is known
@@ -97,7 +91,7 @@ class Search {
   }
   double height_m(std::int32_t node) {
     return node == goal_node_ ? goal_height_m_
-                              : map_.node(node % map_.columns(), node / map_.columns()).height_m;
+                              : map_.node_m(node % map_.columns(), node / map_.columns());
   }
   std::int32_t before(const Candidate& c) const {
     if (c.direction == to_goal) return last_;
@@ -106,7 +100,7 @@ class Search {
   }
   // At least what is left to the goal. The last piece is not along the lattice.
   double left(std::int32_t node) {
-    const double far_m = std::max(0.0, octile(goal_m_ - place(node)) - 0.15 * map_.spacing_m());
+    const double far_m = std::max(0.0, octile_m(goal_m_ - place(node)) - 0.15 * map_.spacing_m());
     return bound(far_m, goal_height_m_ - height_m(node));
   }
   double bound(double length_m, double rise_m) const {
@@ -130,7 +124,7 @@ class Search {
 
   void expand(const Candidate& from) {
     const int column = from.node % map_.columns(), row = from.node / map_.columns();
-    for (std::uint8_t k = 0; k < neighbours.size(); ++k) {
+    for (std::uint8_t k = 0; k < to_goal; ++k) {
       const int x = column + neighbours[k][0], y = row + neighbours[k][1];
       if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
       offer(from, number(x, y), k);
@@ -181,6 +175,11 @@ class Search {
 };
 
 }  // namespace
+
+double octile_m(const Vec2& way_m) {
+  const double x = std::abs(way_m.x()), y = std::abs(way_m.y());
+  return std::max(x, y) + (std::numbers::sqrt2 - 1) * std::min(x, y);
+}
 
 GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
   return Search(costs, start_m, goal_m).run();

@@ -12,6 +12,9 @@ struct GridRoute {
   std::size_t expanded = 0;
 };
 
+// Length of the shortest way over nodes, each to its eight neighbours.
+double octile_m(const Vec2& way_m);
+
 // A* whose edges are worked out only when they come first (Cohen, Phillips and Likhachev 2014).
 // Start and goal must be on the map; the start is taken at the nearest node.
 GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);

@@ -1,7 +1,6 @@
 #include "route/ground_map.h"
 
 #include <cmath>
-#include <limits>
 
 namespace lsos {
 
@@ -25,51 +24,32 @@ GroundMap::GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& lo
       frame_(frame),
       low_m_(low_m),
       spacing_m_(spacing_m),
+      nodes_per_m_(1 / spacing_m),
       columns_(static_cast<int>(std::ceil((high_m.x() - low_m.x()) / spacing_m)) + 1),
       rows_(static_cast<int>(std::ceil((high_m.y() - low_m.y()) / spacing_m)) + 1),
       tile_columns_(static_cast<std::size_t>((columns_ >> tile_bits) + 1)),
       tiles_(tile_columns_ * static_cast<std::size_t>((rows_ >> tile_bits) + 1)) {}
 
 std::unique_ptr<GroundMap::Tile> GroundMap::sampled(int tile_column, int tile_row) {
-  constexpr int side = 1 << tile_bits;
   auto tile = std::make_unique<Tile>();
-  tile->reserve(static_cast<std::size_t>(side * side));
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) {
-      const Vec2 at_m = place_m(tile_column * side + column, tile_row * side + row);
+  for (int row = 0; row < tile_nodes; ++row) {
+    for (int column = 0; column < tile_nodes; ++column) {
+      const Vec2 at_m = place_m((tile_column << tile_bits) + column, (tile_row << tile_bits) + row);
       const GroundSample sample = probe_.sample(frame_.p_S_m(at_m));
-      tile->push_back({static_cast<float>(sample.elevation_m), sample.soil});
+      tile->height_m[index(column, row)] = static_cast<float>(sample.elevation_m);
+      tile->soil[index(column, row)] = sample.soil;
     }
   }
-  sampled_ += tile->size();
+  sampled_ += tile->height_m.size();
   return tile;
 }
 
-double GroundMap::height_m(const Vec2& at_m) {
-  const double u = (at_m.x() - low_m_.x()) / spacing_m_, v = (at_m.y() - low_m_.y()) / spacing_m_;
-  if (!(u >= 0 && v >= 0 && u < columns_ - 1 && v < rows_ - 1)) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const int column = static_cast<int>(u), row = static_cast<int>(v);
-  const double x = u - column, y = v - row;
-  const auto between = [&](double low_left, double low_right, double high_left, double high_right) {
-    return (1 - y) * ((1 - x) * low_left + x * low_right) +
-           y * ((1 - x) * high_left + x * high_right);
-  };
-  // All four in one tile but for its last column and row.
-  if ((column & tile_mask) < tile_mask && (row & tile_mask) < tile_mask) {
-    const MapNode* low = &node(column, row);
-    const MapNode* high = low + (1 << tile_bits);
-    return between(low[0].height_m, low[1].height_m, high[0].height_m, high[1].height_m);
-  }
-  return between(node(column, row).height_m, node(column + 1, row).height_m,
-                 node(column, row + 1).height_m, node(column + 1, row + 1).height_m);
-}
-
 int GroundMap::soil(const Vec2& at_m) {
-  const Vec2 cells = (at_m - low_m_) / spacing_m_;
-  return node(static_cast<int>(std::lround(cells.x())), static_cast<int>(std::lround(cells.y())))
-      .soil;
+  const Vec2 nodes = (at_m - low_m_) * nodes_per_m_;
+  const int column = static_cast<int>(std::lround(nodes.x()));
+  const int row = static_cast<int>(std::lround(nodes.y()));
+  return tile(column >> tile_bits, row >> tile_bits)
+      .soil[index(column & tile_mask, row & tile_mask)];
 }
 
 }  // namespace lsos

@@ -2,7 +2,9 @@
 // Heights at full resolution, sampled as they are first asked for.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,11 +27,6 @@ class MapFrame {
   Vec3 origin_S_m_, east_S_, north_S_;
 };
 
-struct MapNode {
-  float height_m = 0;  // NaN: no ground
-  std::int32_t soil = 0;
-};
-
 // One a thread.
 class GroundMap {
  public:
@@ -46,29 +43,54 @@ class GroundMap {
   }
   const Vec2& low_m() const { return low_m_; }
 
-  // 0 <= column < columns(), the same for rows.
-  const MapNode& node(int column, int row) {
-    auto& tile = tiles_[static_cast<std::size_t>(row >> tile_bits) * tile_columns_ +
-                        static_cast<std::size_t>(column >> tile_bits)];
-    if (!tile) tile = sampled(column >> tile_bits, row >> tile_bits);
-    return (*tile)[static_cast<std::size_t>((row & tile_mask) << tile_bits | (column & tile_mask))];
+  // Height of a node, 0 <= column < columns(), the same for rows; NaN where there is no ground.
+  double node_m(int column, int row) {
+    return tile(column >> tile_bits, row >> tile_bits)
+        .height_m[index(column & tile_mask, row & tile_mask)];
   }
   // Between nodes bilinear; NaN outside and where there is no ground.
-  double height_m(const Vec2& at_m);
+  double height_m(const Vec2& at_m) {
+    const double u = (at_m.x() - low_m_.x()) * nodes_per_m_;
+    const double v = (at_m.y() - low_m_.y()) * nodes_per_m_;
+    if (!(u >= 0 && v >= 0 && u < columns_ - 1 && v < rows_ - 1)) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const int column = static_cast<int>(u), row = static_cast<int>(v);
+    const double x = u - column, y = v - row;
+    const Tile& tile = this->tile(column >> tile_bits, row >> tile_bits);
+    const float* low = &tile.height_m[index(column & tile_mask, row & tile_mask)];
+    const float* high = low + tile_nodes;
+    return (1 - y) * ((1 - x) * low[0] + x * low[1]) + y * ((1 - x) * high[0] + x * high[1]);
+  }
   // Of the nearest node, which must be on the map.
   int soil(const Vec2& at_m);
 
   std::size_t sampled_nodes() const { return sampled_; }
 
  private:
+  // Cells of a tile, and nodes: the last row and column are the first of the next tile's.
   static constexpr int tile_bits = 5, tile_mask = (1 << tile_bits) - 1;
-  using Tile = std::vector<MapNode>;
+  static constexpr int tile_nodes = (1 << tile_bits) + 1;
+  struct Tile {
+    std::array<float, std::size_t{tile_nodes} * tile_nodes> height_m;
+    std::array<std::int32_t, std::size_t{tile_nodes} * tile_nodes> soil;
+  };
+
+  static std::size_t index(int column, int row) {
+    return static_cast<std::size_t>(row * tile_nodes + column);
+  }
+  const Tile& tile(int column, int row) {
+    auto& tile =
+        tiles_[static_cast<std::size_t>(row) * tile_columns_ + static_cast<std::size_t>(column)];
+    if (!tile) tile = sampled(column, row);
+    return *tile;
+  }
   std::unique_ptr<Tile> sampled(int tile_column, int tile_row);
 
   Ground::Probe probe_;
   MapFrame frame_;
   Vec2 low_m_;
-  double spacing_m_;
+  double spacing_m_, nodes_per_m_;
   int columns_, rows_;
   std::size_t tile_columns_;
   std::vector<std::unique_ptr<Tile>> tiles_;

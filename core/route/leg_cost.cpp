@@ -12,24 +12,24 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Longest step of the midpoint rule, in spacings: a diagonal is one.
-constexpr double step_spacings = 1.5;
+// Longest step of the midpoint rule, in spacings: a diagonal is one. And of a closer look.
+constexpr double step_spacings = 1.5, close_spacings = 0.5;
 // A rover that follows a line may be so far beside it. Where it is farther from its limits than the
 // second the ground there is as good.
-constexpr double stray_m = 0.4, near_limit = 0.5;
+constexpr double stray_m = 0.4, near_limit = StanceFinder::calm_share;
 // Nearer to a limit than this a metre of risk costs no more.
 constexpr double share_left_min = 0.05;
 
 // Calls what(stance, at, step) along a straight piece until it answers false.
 template <class What>
 bool walk(GroundMap& map, const StanceFinder& finder, const Vec2& from_m, const Vec2& to_m,
-          const What& what) {
+          const What& what, double longest_spacings = step_spacings) {
   const Vec2 way_m = to_m - from_m;
   const double length_m = way_m.norm();
   if (length_m < 1e-9) return true;
   const Vec2 ahead = way_m / length_m;
   const int steps =
-      std::max(1, static_cast<int>(std::ceil(length_m / (step_spacings * map.spacing_m()))));
+      std::max(1, static_cast<int>(std::ceil(length_m / (longest_spacings * map.spacing_m()))));
   for (int k = 0; k < steps; ++k) {
     const Vec2 at_m = from_m + way_m * ((k + 0.5) / steps);
     if (!what(finder.at(map, at_m, ahead), at_m, length_m / steps)) return false;
@@ -53,6 +53,7 @@ LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
 Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead) {
   const auto holds = [&](const Disc2& disc) { return disc.holds(at_m); };
   if (std::ranges::any_of(avoided_, holds)) return Hazard::avoided;
+  if (finder_.is_calm(stance)) return Hazard::none;
   const Hazard here = hazard(stance, finder_.cost());
   if (here != Hazard::none || demand(stance, finder_.cost()) < near_limit) return here;
   if (std::ranges::any_of(tight_, holds)) return here;
@@ -95,10 +96,16 @@ void LegCosts::find_least() {
   least_per_metre_ = std::max(0.0, least_per_metre_);
 }
 
+double LegCosts::energy_jpm(const Stance& stance) const {
+  const DriveCost& cost = finder_.cost();
+  return cost.soils[static_cast<std::size_t>(stance.soil)].at(stance.pitch_rad).energy_jpm +
+         cost.rough_jpm2 * stance.roughness_m;
+}
+
 double LegCosts::rate(const Stance& stance) const {
   const DriveCost& cost = finder_.cost();
   if (aim_ == RouteAim::risk) return 1 / std::max(share_left_min, 1 - demand(stance, cost));
-  return cost.soils[static_cast<std::size_t>(stance.soil)].at(stance.pitch_rad).energy_jpm;
+  return energy_jpm(stance);
 }
 
 double LegCosts::straight(const Vec2& from_m, const Vec2& to_m) {
@@ -113,24 +120,29 @@ double LegCosts::straight(const Vec2& from_m, const Vec2& to_m) {
   return is_free ? sum : infinite;
 }
 
-double LegCosts::turn_rad(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const {
+LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
+                                        const Vec2& after_m) const {
   const DriveCost& cost = finder_.cost();
-  if (!cost.can_turn_on_spot) return 0;
+  if (!cost.can_turn_on_spot) return {};
   const Vec2 in_m = at_m - before_m, out_m = after_m - at_m;
   const double bend_rad =
       std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
   constexpr double straight_rad = 0.01;
-  if (bend_rad < straight_rad) return 0;
+  if (bend_rad < straight_rad) return {};
   const double room_m = std::min(in_m.norm(), out_m.norm()) / 2;
   const double radius_m = corner_radius_m(bend_rad, room_m, corner_offset_m);
-  return radius_m < cost.turning_radius_min_m ? bend_rad : 0;
+  if (radius_m < cost.turning_radius_min_m) {
+    return {cost.stop_j + cost.turn_jprad * bend_rad, cost.stop_s + cost.turn_sprad * bend_rad};
+  }
+  const double arc_mps = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2);
+  const double share = arc_mps / cost.speed_mps, left = 1 - share;
+  return {cost.stop_j * (1 - share * share) +
+              cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m,
+          cost.stop_s * left * left + radius_m * bend_rad * (1 / arc_mps - 1 / cost.speed_mps)};
 }
 
 double LegCosts::corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const {
-  const double turned_rad = turn_rad(before_m, at_m, after_m);
-  if (turned_rad == 0) return 0;
-  const DriveCost& cost = finder_.cost();
-  return cost_per_j_ * (cost.stop_j + cost.turn_jprad * turned_rad);
+  return cost_per_j_ * cornering(before_m, at_m, after_m).energy_j;
 }
 
 double LegCosts::along(const Line2& line) {
@@ -140,6 +152,22 @@ double LegCosts::along(const Line2& line) {
     if (k > 0) sum += corner(line[k - 1], line[k], line[k + 1]);
   }
   return sum;
+}
+
+std::optional<Vec2> LegCosts::first_hazard(const Line2& line) {
+  std::optional<Vec2> found;
+  for (std::size_t k = 0; k + 1 < line.size() && !found; ++k) {
+    walk(
+        map_, finder_, line[k], line[k + 1],
+        [&](const Stance& stance, const Vec2& at_m, double) {
+          if (!finder_.is_calm(stance) && hazard(stance, finder_.cost()) != Hazard::none) {
+            found = at_m;
+          }
+          return !found;
+        },
+        close_spacings);
+  }
+  return found;
 }
 
 bool LegCosts::can_stand(const Vec2& at_m, const Vec2& ahead) {
@@ -163,7 +191,7 @@ LegCost LegCosts::of(const Line2& line) {
            const double along_m = step_m / std::cos(stance.pitch_rad);
            sum.cost += rate(stance) * along_m;
            sum.length_m += along_m;
-           sum.energy_j += drive.energy_jpm * along_m;
+           sum.energy_j += energy_jpm(stance) * along_m;
            sum.duration_s += along_m / drive.speed_mps;
            if (stance.slope_rad > sum.slope_max_rad) {
              sum.slope_max_rad = stance.slope_rad;
@@ -176,12 +204,10 @@ LegCost LegCosts::of(const Line2& line) {
       break;
     }
     if (k == 0) continue;
-    const double turned_rad = turn_rad(line[k - 1], line[k], line[k + 1]);
-    if (turned_rad == 0) continue;
-    const double corner_j = cost.stop_j + cost.turn_jprad * turned_rad;
-    sum.cost += cost_per_j_ * corner_j;
-    sum.energy_j += corner_j;
-    sum.duration_s += cost.stop_s + cost.turn_sprad * turned_rad;
+    const Cornering corner = cornering(line[k - 1], line[k], line[k + 1]);
+    sum.cost += cost_per_j_ * corner.energy_j;
+    sum.energy_j += corner.energy_j;
+    sum.duration_s += corner.duration_s;
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -49,13 +50,17 @@ class LegCosts {
   // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
   // where a hazard lies on it.
   double straight(const Vec2& from_m, const Vec2& to_m);
-  // Of the corner `at_m` of a line: nothing where it is rounded by an arc, else of stopping there
-  // and turning on the spot. Rovers that cannot are planned in arcs: nothing.
+  // Of the corner `at_m` of a line: of slowing down for the arc that rounds it, and of the arc;
+  // where there is no room for one, of stopping there and turning on the spot. Rovers that cannot
+  // are planned in arcs: nothing.
   double corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   // Of a line: the sum of its pieces and corners.
   double along(const Line2& line);
   // The same with all that is told of it.
   LegCost of(const Line2& line);
+  // The first place of a line where a limit is passed, looked at three times as closely as costs
+  // are and without room to stray; absent where there is none.
+  std::optional<Vec2> first_hazard(const Line2& line);
   // Whether the rover can stand there, driving ahead (unit).
   bool can_stand(const Vec2& at_m, const Vec2& ahead);
   // Of a metre at least, after `per_rise` for each metre of climb: what guides the search.
@@ -64,9 +69,13 @@ class LegCosts {
   GroundMap& map() { return map_; }
 
  private:
-  // Angle that the rover turns by on the spot at a corner; 0 where it drives round it.
-  double turn_rad(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
+  struct Cornering {
+    double energy_j = 0, duration_s = 0;
+  };
+  // What a corner adds.
+  Cornering cornering(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
+  double energy_jpm(const Stance& stance) const;
   double rate(const Stance& stance) const;
   void find_least();
 

@@ -9,6 +9,7 @@
 #include "base/units.h"
 #include "route/grid_search.h"
 #include "route/refine.h"
+#include "route/turning_search.h"
 
 namespace lsos {
 
@@ -24,6 +25,8 @@ constexpr double turning_room = 5;
 constexpr int directions = 16;
 // About start and goal, where nothing is kept off.
 constexpr double tight_m = 2;
+// A leg is planned so often at most until a closer look finds nothing wrong with it.
+constexpr int closer_looks = 12;
 
 // The best stance that a rover can take at a place, turning there.
 Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
@@ -115,10 +118,8 @@ class LegPlanner {
 
   PlannedLeg run() {
     for (const double share : corridors) {
-      if (try_within(std::max(aside_min_m(), share * goal_m_.norm()),
-                     share == *std::prev(std::end(corridors)))) {
-        break;
-      }
+      const bool is_last = share == *std::prev(std::end(corridors));
+      if (try_within(std::max(aside_min_m(), share * goal_m_.norm()), is_last)) break;
     }
     return leg_;
   }
@@ -140,15 +141,21 @@ class LegPlanner {
                   start_m.cwiseMax(goal_m_) + Vec2::Constant(aside_m), spacing_m_);
     const std::string at_start = fault_at(map, finder_, start_m);
     if (!at_start.empty()) return refuse(map, "the start is " + at_start, start_m);
-    LegCosts costs(map, finder_, request_.aim, avoided_);
-    costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
     Vec2 nearest_m;
-    const std::optional<Refined> way = finder_.cost().can_turn_on_spot
-                                           ? over_nodes(costs, nearest_m)
-                                           : over_poses(costs, nearest_m);
-    if (way) {
-      tell(map, costs, *way);
-      return true;
+    for (int k = 0; k < closer_looks; ++k) {
+      LegCosts costs(map, finder_, request_.aim, avoided_);
+      costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
+      const std::optional<Refined> way = finder_.cost().can_turn_on_spot
+                                             ? over_nodes(costs, nearest_m)
+                                             : over_poses(costs, nearest_m);
+      if (!way) break;
+      // Between the steps that costs are summed in a limit may be passed: not there, then.
+      const std::optional<Vec2> passed_m = costs.first_hazard(way->line);
+      if (!passed_m || is_near_end(*passed_m)) {
+        tell(map, costs, *way);
+        return true;
+      }
+      avoided_.push_back({*passed_m, step_m()});
     }
     const std::string at_goal = fault_at(map, finder_, goal_m_);
     if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
@@ -167,11 +174,19 @@ class LegPlanner {
                   nearest_m);
   }
 
+  // Longer than the steps that costs are summed in.
+  double step_m() const { return 1.6 * spacing_m_; }
+  bool is_near_end(const Vec2& at_m) const {
+    return std::min(at_m.norm(), (at_m - goal_m_).norm()) < tight_m + step_m();
+  }
+
   std::optional<Refined> over_nodes(LegCosts& costs, Vec2& nearest_m) const {
     const GridRoute way = search_grid(costs, Vec2::Zero(), goal_m_);
     nearest_m = way.nearest_m;
     if (way.line.empty()) return std::nullopt;
-    return refined(costs, way.line, request_.seed);
+    std::vector<Pose2> poses;
+    for (const Vec2& at_m : way.line) poses.push_back({at_m, 0});
+    return refined(costs, Steering::on_the_spot(), poses, request_.seed);
   }
 
   // Where not even a rover that turns on the spot gets through, no poses are looked at: there are
@@ -185,7 +200,14 @@ class LegPlanner {
     nearest_m = way.nearest_m;
     turns_too_wide_ = way.line.empty();
     if (turns_too_wide_) return std::nullopt;
-    return refined(costs, way, radius_m_, request_.seed);
+    const Steering steering = Steering::in_turns(radius_m_, spacing_m_);
+    Refined best = refined(costs, steering, way.poses, request_.seed);
+    // The yaw at the goal is free.
+    for (const bool to_left : {true, false}) {
+      auto direct = arc_and_straight(start, goal_m_, radius_m_, to_left, spacing_m_);
+      if (direct && costs.along(*direct) <= costs.along(best.line)) best.line = std::move(*direct);
+    }
+    return best;
   }
 
   void tell(GroundMap& map, LegCosts& costs, const Refined& way) {

@@ -10,13 +10,31 @@ namespace lsos {
 
 namespace {
 
-// Across a slope a rover slides about as it slips up one that is as steep. More than this and what
-// follows a line does not hold it.
+// Across a slope a rover slides about as much as it slips more up one that is as steep than on the
+// level. More than this and what follows a line does not hold it.
 constexpr double side_slip_max = 0.2;
+
+double side_slip(const SoilDrive& soil, double bank_rad) {
+  return std::max(0.0, soil.at(std::abs(bank_rad)).slip - soil.at(0).slip);
+}
+
+// The least slope, along or across, that takes up so much of a limit on any soil.
+double calm_rad(const DriveCost& cost) {
+  constexpr double step_rad = 0.001;
+  const double most_rad = StanceFinder::calm_share * cost.limits.slope_max_rad;
+  double slope_rad = 0;
+  const auto is_calm = [&](const SoilDrive& soil) {
+    return slope_rad < soil.last_rad() &&
+           soil.at(slope_rad).slip < StanceFinder::calm_share * cost.limits.slip_max &&
+           side_slip(soil, slope_rad) < StanceFinder::calm_share * side_slip_max;
+  };
+  while (slope_rad < most_rad && std::ranges::all_of(cost.soils, is_calm)) slope_rad += step_rad;
+  return slope_rad - step_rad;
+}
 
 }  // namespace
 
-StanceFinder::StanceFinder(const DriveCost& cost) : cost_(cost) {
+StanceFinder::StanceFinder(const DriveCost& cost) : cost_(cost), calm_rad_(calm_rad(cost)) {
   // Least squares of z = a + b ahead + c left.
   Eigen::Matrix<double, Eigen::Dynamic, 3> places(cost.wheels_B_m.size(), 3);
   for (std::size_t k = 0; k < cost.wheels_B_m.size(); ++k) {
@@ -50,9 +68,11 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
   };
   for (std::size_t k = 0; k < count; ++k) {
     const Vec2& wheel = cost_.wheels_B_m[k];
-    stance.unevenness_m =
-        std::max(stance.unevenness_m, std::abs(heights_m[k] - plane_m(wheel.x(), wheel.y())));
+    const double off_m = std::abs(heights_m[k] - plane_m(wheel.x(), wheel.y()));
+    stance.unevenness_m = std::max(stance.unevenness_m, off_m);
+    stance.roughness_m += off_m;
   }
+  stance.roughness_m /= static_cast<double>(count);
   stance.pitch_rad = std::atan(plane.y());
   stance.bank_rad = std::atan(plane.z());
   stance.slope_rad = std::atan(std::sqrt(plane.y() * plane.y() + plane.z() * plane.z()));
@@ -76,7 +96,7 @@ Hazard hazard(const Stance& stance, const DriveCost& cost) {
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
   // What the soil does not hold the rover against up the slope it does not hold across it.
   if (stance.slope_rad > soil.last_rad()) return Hazard::climb;
-  if (soil.at(std::abs(stance.bank_rad)).slip > side_slip_max) return Hazard::slide;
+  if (side_slip(soil, stance.bank_rad) > side_slip_max) return Hazard::slide;
   return Hazard::none;
 }
 
@@ -86,7 +106,7 @@ double demand(const Stance& stance, const DriveCost& cost) {
   return std::max({stance.slope_rad / limits.slope_max_rad,
                    stance.unevenness_m / limits.unevenness_max_m,
                    soil.at(stance.slope_rad).slip / limits.slip_max,
-                   soil.at(std::abs(stance.bank_rad)).slip / side_slip_max});
+                   side_slip(soil, stance.bank_rad) / side_slip_max});
 }
 
 }  // namespace lsos

@@ -13,6 +13,7 @@ struct Stance {
   double pitch_rad = 0, bank_rad = 0;
   double slope_rad = 0;     // of that plane, steepest
   double unevenness_m = 0;  // of the wheel farthest from it
+  double roughness_m = 0;   // mean over the wheels of their distance from it
   double clearance_m = 0;   // least, between underside and ground
   int soil = 0;             // in the middle
 };
@@ -28,9 +29,18 @@ class StanceFinder {
   // `ahead`: unit.
   Stance at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const;
   const DriveCost& cost() const { return cost_; }
+  // Far from all limits, by half of each, whatever the soil: known without asking for its slips.
+  bool is_calm(const Stance& stance) const {
+    return stance.is_on_ground && stance.slope_rad < calm_rad_ &&
+           stance.unevenness_m < calm_share * cost_.limits.unevenness_max_m &&
+           stance.clearance_m >= cost_.limits.clearance_min_m;
+  }
+
+  static constexpr double calm_share = 0.5;
 
  private:
   DriveCost cost_;
+  double calm_rad_;
   // The plane's height at the middle, its rise ahead and its rise to the left, by heights of
   // wheels.
   Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights_;

@@ -30,9 +30,15 @@ std::vector<Word> words(double d, double alpha, double beta) {
   const double sa = std::sin(alpha), sb = std::sin(beta), ca = std::cos(alpha), cb = std::cos(beta),
                cab = std::cos(alpha - beta);
   std::vector<Word> words;
+  // On one circle the straight piece, nought but for rounding, has no direction.
+  constexpr double rounding = 1e-9, same = 1e-6;
   const auto straight = [&](double first, double last, double p_squared, auto&& ends) {
-    if (p_squared < 0) return;
-    const double p = std::sqrt(p_squared);
+    if (p_squared < -rounding) return;
+    const double p = std::sqrt(std::max(0.0, p_squared));
+    if (first == last && p < same) {
+      words.push_back({{first, 0, last}, full_turn(first * (beta - alpha)), 0, 0});
+      return;
+    }
     const auto [t, q] = ends(p);
     words.push_back({{first, 0, last}, full_turn(t), p, full_turn(q)});
   };

@@ -5,6 +5,10 @@
 #include <limits>
 #include <numbers>
 #include <queue>
+#include <unordered_set>
+
+#include "route/cost_to_go.h"
+#include "route/grid_search.h"
 
 namespace lsos {
 
@@ -17,8 +21,8 @@ constexpr double turns[] = {0, 1, -1, 0.5, -0.5};
 // The way to the goal is closed from poses that are nearer to it than so many radii.
 constexpr double closing_radii = 4;
 // What is left to the goal counts so much more than it must: far fewer poses are looked at for a
-// route that is no more than this share costlier. Refining makes up for it.
-constexpr double haste = 1.02;
+// route that is no more than about this share costlier. Refining makes up for it.
+constexpr double haste = 1.03;
 
 // Among more poses than these there is no way that is worth the search.
 constexpr std::size_t reached_max = 2'000'000;
@@ -47,16 +51,13 @@ struct Candidate {
 
 class Search {
  public:
-  Search(LegCosts& costs, const Vec2& goal_m, double radius_m)
+  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, double radius_m)
       : costs_(costs),
         map_(costs.map()),
         goal_m_(goal_m),
-        goal_height_m_(map_.height_m(goal_m)),
+        to_go_(costs, start_m, goal_m),
         radius_m_(radius_m),
-        step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())),
-        is_closed_(static_cast<std::size_t>(map_.columns()) *
-                       static_cast<std::size_t>(map_.rows()) * headings,
-                   false) {}
+        step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())) {}
 
   TurningRoute run(const Pose2& start) {
     TurningRoute route;
@@ -72,9 +73,7 @@ class Search {
         return route;
       }
       const Pose2 pose = reached_[static_cast<std::size_t>(best.node)].pose;
-      const std::size_t cell = cell_of(pose);
-      if (is_closed_[cell]) continue;
-      is_closed_[cell] = true;
+      if (!closed_.insert(cell_of(pose)).second) continue;
       const double off_m = (pose.at_m - goal_m_).norm();
       if (off_m < nearest_m) {
         nearest_m = off_m;
@@ -88,11 +87,11 @@ class Search {
   }
 
  private:
+  // Over open ground a line costs as much less than the way over the lattice as it is shorter.
   double left(const Vec2& at_m) {
-    const double rise_m = goal_height_m_ - map_.height_m(at_m);
-    const double bound = costs_.least_per_metre() * (goal_m_ - at_m).norm() +
-                         (std::isnan(rise_m) ? 0 : costs_.per_rise() * rise_m);
-    return haste * std::max(0.0, bound);
+    const Vec2 way_m = goal_m_ - at_m;
+    const double straighter = way_m.norm() / std::max(1e-9, octile_m(way_m));
+    return haste * straighter * to_go_.at(at_m);
   }
 
   std::size_t cell_of(const Pose2& pose) const {
@@ -109,11 +108,13 @@ class Search {
     for (const double share : turns) {
       const double curvature_1pm = share / radius_m_;
       const Pose2 to = along_arc(pose, curvature_1pm, step_m_);
-      if (std::isnan(map_.height_m(to.at_m)) || is_closed_[cell_of(to)]) continue;
+      if (std::isnan(map_.height_m(to.at_m)) || closed_.contains(cell_of(to))) continue;
       const double edge = costs_.along(arc_line(pose, curvature_1pm, step_m_, map_.spacing_m()));
       if (!std::isfinite(edge)) continue;
+      const double left = this->left(to.at_m);
+      if (!std::isfinite(left)) continue;
       reached_.push_back({to, from.cost + edge, from.node, curvature_1pm});
-      queue_.push({from.cost + edge + left(to.at_m), from.cost + edge,
+      queue_.push({from.cost + edge + left, from.cost + edge,
                    static_cast<std::int32_t>(reached_.size() - 1)});
     }
   }
@@ -146,6 +147,8 @@ class Search {
     const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_, end.is_closed_to_left,
                                        map_.spacing_m());
     route.line.insert(route.line.end(), last->begin() + 1, last->end());
+    const Vec2 end_m = goal_m_ - (*last)[last->size() - 2];
+    route.poses.push_back({goal_m_, std::atan2(end_m.y(), end_m.x())});
     route.cost = end.cost;
     route.nearest_m = goal_m_;
   }
@@ -153,10 +156,10 @@ class Search {
   LegCosts& costs_;
   GroundMap& map_;
   Vec2 goal_m_;
-  double goal_height_m_;
+  CostToGo to_go_;
   double radius_m_, step_m_;
   double least_ = infinite;
-  std::vector<bool> is_closed_;
+  std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never gone through
   std::vector<Reached> reached_;
   std::priority_queue<Candidate> queue_;
 };
@@ -165,7 +168,7 @@ class Search {
 
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
                             double radius_m) {
-  return Search(costs, goal_m, radius_m).run(start);
+  return Search(costs, start.at_m, goal_m, radius_m).run(start);
 }
 
 }  // namespace lsos

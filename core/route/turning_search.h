@@ -6,7 +6,7 @@
 namespace lsos {
 
 struct TurningRoute {
-  std::vector<Pose2> poses;  // from the start on, joined by arcs; the goal comes after the last
+  std::vector<Pose2> poses;  // from the start to the goal, joined by arcs
   Line2 line;                // all of it, with its arcs drawn out; empty: there is none
   double cost = 0;           // infinite where there is none
   Vec2 nearest_m;            // of all places that were reached the one nearest to the goal

@@ -17,9 +17,6 @@ double bend_rad(const Vec2& in, const Vec2& out) {
   return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
 }
 
-// Wheels are steered into an arc over no more than this.
-constexpr double steering_way_m = 0.5;
-
 class LineBuilder {
  public:
   LineBuilder(const DrivingLimits& limits, const Vec2& start) : limits_(limits), at_(start) {}
@@ -86,8 +83,7 @@ class LineBuilder {
 
  private:
   double arc_speed_mps(double radius_m) const {
-    return std::min({limits_.speed_mps, std::sqrt(limits_.lateral_mps2 * radius_m),
-                     steering_way_m * limits_.curvature_rate_1pms * radius_m});
+    return lsos::arc_speed_mps(radius_m, limits_.speed_mps, limits_.lateral_mps2);
   }
 
   DrivingLimits limits_;

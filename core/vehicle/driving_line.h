@@ -9,12 +9,11 @@
 namespace lsos {
 
 struct DrivingLimits {
-  double speed_mps = 1;              // greatest along the line
-  double acceleration_mps2 = 0.2;    // along the line, both ways
-  double lateral_mps2 = 0.2;         // across it, in arcs
-  double curvature_rate_1pms = 0.2;  // how fast wheels steer from straight into an arc
-  double corner_offset_m = 0.2;      // how far an arc may pass inside its corner
-  double radius_min_m = 5;           // of an arc
+  double speed_mps = 1;            // greatest along the line
+  double acceleration_mps2 = 0.2;  // along the line, both ways
+  double lateral_mps2 = 0.2;       // across it, in arcs
+  double corner_offset_m = 0.2;    // how far an arc may pass inside its corner
+  double radius_min_m = 5;         // of an arc
   bool can_turn_on_spot = true;
 };
 

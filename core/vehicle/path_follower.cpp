@@ -19,9 +19,8 @@ constexpr double turn_done_rad = 0.03;
 // Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
 // be driven in well more than that.
 constexpr double lookahead_s = 2.0;
-constexpr double preview_s = 0.4;            // arcs are steered for this early, for the same lag
-constexpr double curvature_rate_1pms = 0.2;  // wheels must be able to steer along
-constexpr double creep_mps = 0.05;           // slowest speed asked for while driving
+constexpr double preview_s = 0.4;   // arcs are steered for this early, for the same lag
+constexpr double creep_mps = 0.05;  // slowest speed asked for while driving
 constexpr double at_rest_mps = 0.01;
 constexpr double progress_m = 0.5;      // less than this in stuck_s is being stuck; of slow
 constexpr double progress_share = 0.1;  // drives, less than this share of what is asked
@@ -73,7 +72,6 @@ void PathFollower::lay_line() {
   limits.radius_min_m = limits_.radius_min_m;
   limits.can_turn_on_spot = limits_.can_turn_on_spot;
   limits.corner_offset_m = corner_offset_m;
-  limits.curvature_rate_1pms = curvature_rate_1pms;
   line_ = driving_line(waypoints_S_m_, limits);
 }
 

@@ -59,7 +59,7 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
   DriveResult result;
   Vehicle vehicle(config, ground);
   const Vec2& first = waypoints_S_m.front();
-  result.failure = vehicle.place(start, std::atan2(first.x(), first.y()));
+  result.failure = vehicle.place(ground.site().origin(), std::atan2(first.x(), first.y()));
   if (!result.failure.empty()) return result;
   const double before_j = vehicle.kinetic_j() + vehicle.potential_j();
 

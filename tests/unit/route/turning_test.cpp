@@ -48,6 +48,17 @@ TEST(Arc, of_a_quarter_circle_ends_a_radius_ahead_and_aside) {
   EXPECT_NEAR((along_arc({{0, 0}, pi}, 0, 3).at_m - Vec2(-3, 0)).norm(), 0, 1e-12);
 }
 
+// Both circles are one then: there is no straight piece whose direction could be asked for.
+TEST(ShortestTurns, along_one_circle_are_its_arc) {
+  RandomStream random(7);
+  for (int k = 0; k < 1000; ++k) {
+    const Pose2 from{{random.uniform(-50, 50), random.uniform(-50, 50)}, random.uniform(-pi, pi)};
+    const double arc_m = 4 * random.uniform(0.01, 1.2 * pi);
+    const Pose2 to = along_arc(from, k % 2 == 0 ? 0.25 : -0.25, arc_m);
+    EXPECT_NEAR(length_m(shortest_turns(from, to, 4)), arc_m, 1e-5);
+  }
+}
+
 // Of arc and tangent: every point of the arc is a radius from its centre, the straight piece leaves
 // at a right angle to that radius.
 TEST(ArcAndStraight, is_a_tangent) {

@@ -1,0 +1,32 @@
+// How a rover gets from pose to pose.
+#pragma once
+
+#include "route/turning.h"
+
+namespace lsos {
+
+// Straight on where it turns on the spot, and the yaws of poses mean nothing; else by the shortest
+// arcs and straight pieces.
+class Steering {
+ public:
+  static Steering on_the_spot() { return {0, 1}; }
+  // Arcs are drawn as points `step_m` apart at most.
+  static Steering in_turns(double radius_m, double step_m) { return {radius_m, step_m}; }
+
+  double length_m(const Pose2& from, const Pose2& to) const;
+  // The pose that share (0..1) of the way.
+  Pose2 between(const Pose2& from, const Pose2& to, double share) const;
+  // With both ends.
+  Line2 way(const Pose2& from, const Pose2& to) const;
+  // Over all poses, two at least.
+  Line2 line(const std::vector<Pose2>& poses) const;
+
+ private:
+  Steering(double radius_m, double step_m) : radius_m_(radius_m), step_m_(step_m) {}
+
+  bool is_straight() const { return radius_m_ == 0; }
+
+  double radius_m_, step_m_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,104 @@
+// What planning takes a leg's energy for, against shipped rovers driven along the same line, over
+// rough ground and round corners.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lua/mission_files.h"
+#include "mission/drive_table.h"
+#include "mission/site.h"
+#include "physics/drive.h"
+#include "physics/legs.h"
+#include "route/leg_cost.h"
+
+namespace lsos::test {
+namespace {
+
+// Of driving along it from rest; NaN where a hazard lies on it, or a slope up to which its wheels
+// only just climb: there they dig.
+double planned_j(const Ground& ground, const DriveCost& cost, const Line2& line) {
+  const StanceFinder finder(cost);
+  const Vec2 reach_m = Vec2::Constant(130);
+  GroundMap map(ground, MapFrame(ground.site(), Vec3::Zero()), -reach_m, reach_m,
+                map_spacing_m(cost));
+  const LegCost told = LegCosts(map, finder, RouteAim::energy).of(line);
+  const bool is_sound = told.hazard == Hazard::none &&
+                        told.slope_max_rad < 0.9 * cost.soils.front().last_rad();
+  return is_sound ? told.energy_j + cost.stop_j : std::nan("");
+}
+
+struct Series {
+  const char* rover;
+  double length_m;
+  int legs;
+};
+
+class RoughGround : public testing::TestWithParam<Series> {};
+
+// Other legs than those that the share of the weight was fitted to.
+TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
+  const Series& series = GetParam();
+  int found = 0;
+  double planned_sum_j = 0, driven_sum_j = 0;
+  for (std::uint64_t seed = 101; found < series.legs && seed < 300; ++seed) {
+    const SeededLeg leg{series.rover, "LunarSouthPole", seed, series.length_m};
+    const auto ground = leg.ground();
+    const DriveCost cost = cost_of(leg, *ground);
+    const MapFrame frame(ground->site(), Vec3::Zero());
+    const Vec2 goal_m = frame.at(leg.goal_S_m(*ground));
+    const double planned = planned_j(*ground, cost, {Vec2::Zero(), goal_m});
+    if (std::isnan(planned)) continue;
+    const VehicleConfig rover = make_vehicle(
+        shipped_rover(series.rover), "", gravity_mps2(*find_body("Moon"), ground->site().origin()));
+    const DriveResult driven = drive(rover, *ground, {goal_m}, cost.speed_mps);
+    if (!driven.failure.empty()) continue;
+    ++found;
+    planned_sum_j += planned;
+    driven_sum_j += driven.drive_j;
+    // Down a slope there is little left to be right about.
+    const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
+    EXPECT_NEAR(planned, driven.drive_j, 0.2 * std::max(driven.drive_j, level_j)) << seed;
+  }
+  ASSERT_EQ(found, series.legs);
+  EXPECT_NEAR(planned_sum_j / driven_sum_j, 1, 0.08);
+  RecordProperty("planned_to_driven", fmt::format("{:.3f}", planned_sum_j / driven_sum_j));
+}
+
+INSTANTIATE_TEST_SUITE_P(Rovers, RoughGround,
+                         testing::Values(Series{"SEV", 60, 8}, Series{"LRV", 60, 6},
+                                         Series{"MER", 15, 4}),
+                         [](const auto& tested) { return std::string(tested.param.rover); });
+
+// A zigzag whose sides are so long: corners driven round, slowed down for, stopped at.
+TEST(Corners, cost_what_they_cost_the_simulated_rover) {
+  const auto level = ground({"Moon", PlaneSurface{}, "ApolloNominal"});
+  const VehicleConfig rover = rover_on("SEV", *level, "Moon");
+  const double g_mps2 = gravity_mps2(*find_body("Moon"), start);
+  const DriveCost cost = drive_cost(rover, level->soils(), g_mps2, rover.cruise_speed_mps);
+  const auto zigzag = [](double bend_rad) {
+    constexpr double side_m = 20;
+    Line2 line{Vec2::Zero()};
+    for (int k = 0; k < 5; ++k) {
+      const double yaw_rad = (k % 2 == 0 ? 0.5 : -0.5) * bend_rad;
+      line.push_back(line.back() + side_m * Vec2(std::cos(yaw_rad), std::sin(yaw_rad)));
+    }
+    return line;
+  };
+  const auto driven_j = [&](const Line2& line) {
+    const DriveResult driven = drive(rover, *level, {line.begin() + 1, line.end()}, cost.speed_mps);
+    EXPECT_EQ(driven.failure, "");
+    return driven.drive_j;
+  };
+  for (const double bend_rad : {0.1, 0.2, 0.3, 0.45, 0.8}) {
+    const Line2 line = zigzag(bend_rad);
+    const double planned = planned_j(*level, cost, line), driven = driven_j(line);
+    const std::string what = fmt::format("bends of {:.2f} rad: {:.0f} J planned, {:.0f} driven",
+                                         bend_rad, planned, driven);
+    RecordProperty(fmt::format("bend_{}", bend_rad), what);
+    EXPECT_NEAR(planned, driven, 0.1 * driven) << what;
+  }
+}
+
+}  // namespace
+}  // namespace lsos::test
