@@ -11,7 +11,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // A piece is as long as so many distances of the poses, and passes over no more than so many.
 constexpr double reach_aparts = 5;
-constexpr std::size_t reach = 6;
+constexpr std::size_t reach = 5;
 // Distance of the poses at first, in spacings of the map, and from one look to the next.
 constexpr double first_apart_spacings = 2, growth = 4;
 constexpr double gain_worth = 0.002;

@@ -185,7 +185,7 @@ class LegPlanner {
     nearest_m = way.nearest_m;
     if (way.line.empty()) return std::nullopt;
     std::vector<Pose2> poses;
-    for (const Vec2& at_m : way.line) poses.push_back({at_m, 0});
+    for (const Vec2& at_m : corners(way.line)) poses.push_back({at_m, 0});
     return refined(costs, Steering::on_the_spot(), poses, request_.seed);
   }
 
