@@ -23,8 +23,8 @@ double planned_j(const Ground& ground, const DriveCost& cost, const Line2& line)
   GroundMap map(ground, MapFrame(ground.site(), Vec3::Zero()), -reach_m, reach_m,
                 map_spacing_m(cost));
   const LegCost told = LegCosts(map, finder, RouteAim::energy).of(line);
-  const bool is_sound = told.hazard == Hazard::none &&
-                        told.slope_max_rad < 0.9 * cost.soils.front().last_rad();
+  const bool is_sound =
+      told.hazard == Hazard::none && told.slope_max_rad < 0.9 * cost.soils.front().last_rad();
   return is_sound ? told.energy_j + cost.stop_j : std::nan("");
 }
 
