@@ -1,5 +1,7 @@
 #include "route/cost_to_go.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "route/grid_search.h"
@@ -18,14 +20,17 @@ CostToGo::CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m)
       start_m_(start_m),
       start_height_m_(map_.height_m(start_m)),
       cost_(static_cast<std::size_t>(map_.columns()) * static_cast<std::size_t>(map_.rows()),
-            infinite),
-      is_closed_(cost_.size(), false) {
+            infinite) {
   const Vec2 cells = (goal_m - map_.low_m()) / map_.spacing_m();
   const int column = static_cast<int>(std::floor(cells.x()));
   const int row = static_cast<int>(std::floor(cells.y()));
   for (int x = column; x <= column + 1; ++x) {
     for (int y = row; y <= row + 1; ++y) {
-      if (has(x, y)) offer(number(x, y), costs_.straight(map_.place_m(x, y), goal_m));
+      if (!has(x, y)) continue;
+      const double cost = costs_.straight(map_.place_m(x, y), goal_m);
+      if (std::isfinite(cost)) {
+        queue_.push({cost + come(number(x, y)), cost, number(x, y), number(x, y), true});
+      }
     }
   }
 }
@@ -34,46 +39,60 @@ double CostToGo::at(const Vec2& at_m) {
   const Vec2 cells = (at_m - map_.low_m()) / map_.spacing_m();
   const int column = static_cast<int>(std::floor(cells.x()));
   const int row = static_cast<int>(std::floor(cells.y()));
-  double least = infinite;
-  for (int x = column; x <= column + 1; ++x) {
-    for (int y = row; y <= row + 1; ++y) {
-      if (has(x, y)) least = std::min(least, of_node(number(x, y)));
+  const auto least = [&] {
+    double cost = infinite;
+    for (int x = column; x <= column + 1; ++x) {
+      for (int y = row; y <= row + 1; ++y) {
+        if (has(x, y)) cost = std::min(cost, cost_[static_cast<std::size_t>(number(x, y))]);
+      }
     }
-  }
-  return least;
+    return cost;
+  };
+  while (!std::isfinite(least()) && !queue_.empty()) look_on();
+  return least();
 }
 
-double CostToGo::of_node(std::int32_t node) {
-  const auto wanted = static_cast<std::size_t>(node);
-  while (!is_closed_[wanted] && !queue_.empty()) {
-    const Candidate best = queue_.top();
-    queue_.pop();
-    if (!is_closed_[static_cast<std::size_t>(best.node)]) expand(best);
+void CostToGo::look_on() {
+  Candidate best = queue_.top();
+  queue_.pop();
+  if (is_closed(best.node)) return;
+  if (best.is_known) {
+    expand(best);
+  } else {
+    look(best);
   }
-  return is_closed_[wanted] ? cost_[wanted] : infinite;
+}
+
+double CostToGo::bound(double length_m, double rise_m) const {
+  return std::max(0.0, costs_.least_per_metre() * length_m + costs_.per_rise() * rise_m);
 }
 
 double CostToGo::come(std::int32_t node) {
-  const double rise_m = map_.node_m(node % map_.columns(), node / map_.columns()) - start_height_m_;
-  return std::max(0.0, costs_.least_per_metre() * octile_m(place(node) - start_m_) +
-                           costs_.per_rise() * rise_m);
+  return bound(octile_m(place(node) - start_m_), height_m(node) - start_height_m_);
 }
 
-void CostToGo::offer(std::int32_t node, double cost) {
-  double& known = cost_[static_cast<std::size_t>(node)];
-  if (!(cost < known)) return;
-  known = cost;
-  queue_.push({cost + come(node), cost, node});
+void CostToGo::offer(std::int32_t node, const Candidate& to) {
+  const double rise_m = height_m(to.node) - height_m(node);
+  if (std::isnan(rise_m)) return;
+  const double cost = to.cost + bound((place(to.node) - place(node)).norm(), rise_m);
+  queue_.push({cost + come(node), cost, node, to.node, false});
 }
 
-void CostToGo::expand(const Candidate& from) {
-  is_closed_[static_cast<std::size_t>(from.node)] = true;
-  const int column = from.node % map_.columns(), row = from.node / map_.columns();
+void CostToGo::look(Candidate& candidate) {
+  candidate.cost = cost_[static_cast<std::size_t>(candidate.to)] +
+                   costs_.straight(place(candidate.node), place(candidate.to));
+  if (!std::isfinite(candidate.cost)) return;
+  candidate.total = candidate.cost + come(candidate.node);
+  candidate.is_known = true;
+  queue_.push(candidate);
+}
+
+void CostToGo::expand(const Candidate& to) {
+  cost_[static_cast<std::size_t>(to.node)] = to.cost;
+  const int column = to.node % map_.columns(), row = to.node / map_.columns();
   for (int x = column - 1; x <= column + 1; ++x) {
     for (int y = row - 1; y <= row + 1; ++y) {
-      if (!has(x, y) || is_closed_[static_cast<std::size_t>(number(x, y))]) continue;
-      if (std::isnan(map_.node_m(x, y))) continue;
-      offer(number(x, y), from.cost + costs_.straight(map_.place_m(x, y), place(from.node)));
+      if (has(x, y) && !is_closed(number(x, y))) offer(number(x, y), to);
     }
   }
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <queue>
+#include <vector>
 
 #include "route/leg_cost.h"
 
@@ -10,25 +12,29 @@ namespace lsos {
 
 // Over the map's lattice, each node to its eight neighbours: at most some 8 % more than the
 // cheapest line in any direction. Looked for backwards from the goal, towards the start first, and
-// no farther than what is asked for (Silver 2005, reverse resumable A*).
+// no farther than what is asked for (Silver 2005, reverse resumable A*), edges when they come first
+// as in search_grid().
 class CostToGo {
  public:
   // Start and goal must be on the map of `costs`.
   CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
 
-  // The least of the nodes about a place; infinite where none of them has a way.
+  // The least known of the nodes about a place, one at least; infinite where none has a way.
   double at(const Vec2& at_m);
 
  private:
   struct Candidate {
-    double total = 0, cost = 0;
-    std::int32_t node = 0;
+    double total = 0;
+    double cost = 0;  // a bound until the edge is known
+    std::int32_t node = 0, to = 0;
+    bool is_known = false;
 
     // std::priority_queue takes the greatest: the least total, then the one nearest to the goal.
     bool operator<(const Candidate& other) const {
       if (total != other.total) return total > other.total;
       if (cost != other.cost) return cost > other.cost;
-      return node > other.node;
+      if (node != other.node) return node > other.node;
+      return to > other.to;
     }
   };
 
@@ -39,18 +45,27 @@ class CostToGo {
   bool has(int column, int row) const {
     return column >= 0 && row >= 0 && column < map_.columns() && row < map_.rows();
   }
-  double of_node(std::int32_t node);
-  // A bound of the cost from the start.
+  double height_m(std::int32_t node) {
+    return map_.node_m(node % map_.columns(), node / map_.columns());
+  }
+  bool is_closed(std::int32_t node) const {
+    return cost_[static_cast<std::size_t>(node)] < std::numeric_limits<double>::infinity();
+  }
+  void look_on();
+  // Of what so long a way with so much climb costs at least.
+  double bound(double length_m, double rise_m) const;
+  // Of the way from the start.
   double come(std::int32_t node);
-  void offer(std::int32_t node, double cost);
-  void expand(const Candidate& from);
+  void offer(std::int32_t node, const Candidate& to);
+  // Works out the edge of a candidate.
+  void look(Candidate& candidate);
+  void expand(const Candidate& to);
 
   LegCosts& costs_;
   GroundMap& map_;
   Vec2 start_m_;
   double start_height_m_;
-  std::vector<double> cost_;
-  std::vector<bool> is_closed_;
+  std::vector<double> cost_;  // infinite where it is not known yet, or there is no way
   std::priority_queue<Candidate> queue_;
 };
 

@@ -69,7 +69,7 @@ class GroundMap {
 
  private:
   // Cells of a tile, and nodes: the last row and column are the first of the next tile's.
-  static constexpr int tile_bits = 5, tile_mask = (1 << tile_bits) - 1;
+  static constexpr int tile_bits = 4, tile_mask = (1 << tile_bits) - 1;
   static constexpr int tile_nodes = (1 << tile_bits) + 1;
   struct Tile {
     std::array<float, std::size_t{tile_nodes} * tile_nodes> height_m;

@@ -31,9 +31,13 @@ struct LegRequest {
   std::uint64_t seed = 0;
   // Of the rover at the start, clockwise from north; only one that cannot turn on the spot minds.
   double start_heading_rad = 0;
+  // Then what setting off and stopping at the end of the drive take is told with it.
+  bool starts_at_rest = false;
   std::vector<AvoidedDisc> avoided = {};
 
-  void archive(Archive& a) { a(start_S_m)(goal_S_m)(aim)(seed)(start_heading_rad)(avoided); }
+  void archive(Archive& a) {
+    a(start_S_m)(goal_S_m)(aim)(seed)(start_heading_rad)(starts_at_rest)(avoided);
+  }
 };
 
 struct PlannedLeg {

@@ -15,8 +15,6 @@ namespace lsos {
 
 namespace {
 
-// A map has so many nodes over the shortest side of the rectangle of its wheels, within bounds.
-constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
 // Corridors, in lengths of the leg to either side; and never less than this.
 constexpr double corridors[] = {0.25, 1, 2.5};
 constexpr double corridor_min_m = 20;
@@ -189,17 +187,12 @@ class LegPlanner {
     return refined(costs, Steering::on_the_spot(), poses, request_.seed);
   }
 
-  // Where not even a rover that turns on the spot gets through, no poses are looked at: there are
-  // so many of them.
   std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
-    const GridRoute any = search_grid(costs, Vec2::Zero(), goal_m_);
-    nearest_m = any.nearest_m;
-    if (any.line.empty()) return std::nullopt;
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
     const TurningRoute way = search_turning(costs, start, goal_m_, radius_m_);
-    nearest_m = way.nearest_m;
-    turns_too_wide_ = way.line.empty();
-    if (turns_too_wide_) return std::nullopt;
+    turns_too_wide_ = way.line.empty() && !way.is_cut_off;
+    nearest_m = way.is_cut_off ? search_grid(costs, start.at_m, goal_m_).nearest_m : way.nearest_m;
+    if (way.line.empty()) return std::nullopt;
     const Steering steering = Steering::in_turns(radius_m_, spacing_m_);
     Refined best = refined(costs, steering, way.poses, request_.seed);
     // The yaw at the goal is free.
@@ -216,6 +209,10 @@ class LegPlanner {
     leg_.length_m = told.length_m;
     leg_.duration_s = told.duration_s;
     leg_.energy_j = told.energy_j;
+    if (request_.starts_at_rest) {
+      leg_.energy_j += finder_.cost().stop_j;
+      leg_.duration_s += finder_.cost().stop_s;
+    }
     leg_.slope_max_rad = told.slope_max_rad;
     leg_.steepest_S_m = on_ground(map, probe_, told.steepest_m);
     leg_.messages = way.messages;
@@ -247,15 +244,6 @@ class LegPlanner {
 };
 
 }  // namespace
-
-double map_spacing_m(const DriveCost& cost) {
-  Vec2 low_m = cost.wheels_B_m.front(), high_m = low_m;
-  for (const Vec2& wheel : cost.wheels_B_m) {
-    low_m = low_m.cwiseMin(wheel);
-    high_m = high_m.cwiseMax(wheel);
-  }
-  return std::clamp((high_m - low_m).minCoeff() / nodes_a_side, spacing_min_m, spacing_max_m);
-}
 
 PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
   return LegPlanner(ground, cost, request).run();

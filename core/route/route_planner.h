@@ -7,9 +7,6 @@
 
 namespace lsos {
 
-// Spacing of the map that a rover is planned on, m: features that its wheels feel are on it.
-double map_spacing_m(const DriveCost& cost);
-
 // Looks in a corridor about the straight line, in a wider one where that holds no way.
 PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegRequest& request);
 

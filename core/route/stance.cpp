@@ -14,6 +14,9 @@ namespace {
 // level. More than this and what follows a line does not hold it.
 constexpr double side_slip_max = 0.2;
 
+// A map has so many nodes over the shortest side of the rectangle of its wheels, within bounds.
+constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
+
 double side_slip(const SoilDrive& soil, double bank_rad) {
   return std::max(0.0, soil.at(std::abs(bank_rad)).slip - soil.at(0).slip);
 }
@@ -34,11 +37,40 @@ double calm_rad(const DriveCost& cost) {
 
 }  // namespace
 
-StanceFinder::StanceFinder(const DriveCost& cost) : cost_(cost), calm_rad_(calm_rad(cost)) {
+std::vector<Vec2> supports_m(const std::vector<Vec2>& wheels_m, double map_spacing_m) {
+  std::vector<Vec2> supports;
+  std::vector<int> wheels_on;
+  for (const Vec2& wheel : wheels_m) {
+    const auto near = std::ranges::find_if(
+        supports, [&](const Vec2& at_m) { return (at_m - wheel).norm() < map_spacing_m / 2; });
+    if (near == supports.end()) {
+      supports.push_back(wheel);
+      wheels_on.push_back(1);
+      continue;
+    }
+    int& count = wheels_on[static_cast<std::size_t>(near - supports.begin())];
+    *near += (wheel - *near) / ++count;
+  }
+  return supports;
+}
+
+double map_spacing_m(const DriveCost& cost) {
+  Vec2 low_m = cost.wheels_B_m.front(), high_m = low_m;
+  for (const Vec2& wheel : cost.wheels_B_m) {
+    low_m = low_m.cwiseMin(wheel);
+    high_m = high_m.cwiseMax(wheel);
+  }
+  return std::clamp((high_m - low_m).minCoeff() / nodes_a_side, spacing_min_m, spacing_max_m);
+}
+
+StanceFinder::StanceFinder(const DriveCost& cost)
+    : cost_(cost),
+      calm_rad_(calm_rad(cost)),
+      supports_B_m_(supports_m(cost.wheels_B_m, map_spacing_m(cost))) {
   // Least squares of z = a + b ahead + c left.
-  Eigen::Matrix<double, Eigen::Dynamic, 3> places(cost.wheels_B_m.size(), 3);
-  for (std::size_t k = 0; k < cost.wheels_B_m.size(); ++k) {
-    places.row(static_cast<Eigen::Index>(k)) << 1, cost.wheels_B_m[k].x(), cost.wheels_B_m[k].y();
+  Eigen::Matrix<double, Eigen::Dynamic, 3> places(supports_B_m_.size(), 3);
+  for (std::size_t k = 0; k < supports_B_m_.size(); ++k) {
+    places.row(static_cast<Eigen::Index>(k)) << 1, supports_B_m_[k].x(), supports_B_m_[k].y();
   }
   plane_by_heights_ = (places.transpose() * places).inverse() * places.transpose();
 }
@@ -51,13 +83,13 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
   // Asked for thousands of times: without allocation, but for a train of wheels.
   std::array<double, 32> few_m;
   std::vector<double> many_m;
-  if (cost_.wheels_B_m.size() > few_m.size()) many_m.resize(cost_.wheels_B_m.size());
+  if (supports_B_m_.size() > few_m.size()) many_m.resize(supports_B_m_.size());
   double* heights_m = many_m.empty() ? few_m.data() : many_m.data();
   Vec3 plane = Vec3::Zero();
-  const std::size_t count = cost_.wheels_B_m.size();
+  const std::size_t count = supports_B_m_.size();
   for (std::size_t k = 0; k < count; ++k) {
-    const Vec2& wheel = cost_.wheels_B_m[k];
-    heights_m[k] = map.height_m(place(wheel.x(), wheel.y()));
+    const Vec2& support = supports_B_m_[k];
+    heights_m[k] = map.height_m(place(support.x(), support.y()));
     plane += plane_by_heights_.col(static_cast<Eigen::Index>(k)) * heights_m[k];
   }
   Stance stance;
@@ -67,8 +99,8 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
     return plane.x() + plane.y() * x_m + plane.z() * y_m;
   };
   for (std::size_t k = 0; k < count; ++k) {
-    const Vec2& wheel = cost_.wheels_B_m[k];
-    const double off_m = std::abs(heights_m[k] - plane_m(wheel.x(), wheel.y()));
+    const Vec2& support = supports_B_m_[k];
+    const double off_m = std::abs(heights_m[k] - plane_m(support.x(), support.y()));
     stance.unevenness_m = std::max(stance.unevenness_m, off_m);
     stance.roughness_m += off_m;
   }

@@ -1,6 +1,8 @@
 // How a rover stands on the ground of a map, and what stands in its way.
 #pragma once
 
+#include <vector>
+
 #include "route/drive_cost.h"
 #include "route/ground_map.h"
 
@@ -20,6 +22,13 @@ struct Stance {
 
 // What a rover would come to at a place.
 enum class Hazard { none, no_ground, slope, uneven, clearance, climb, slide, avoided };
+
+// Places of the wheels. Those nearer to each other than half a spacing of the map, as twins are,
+// stand on the same ground of it: one support, in their middle.
+std::vector<Vec2> supports_m(const std::vector<Vec2>& wheels_m, double map_spacing_m);
+
+// Distance of a map's nodes that shows a rover's wheels what they will meet.
+double map_spacing_m(const DriveCost& cost);
 
 // Works out stances of one rover.
 class StanceFinder {
@@ -41,8 +50,9 @@ class StanceFinder {
  private:
   DriveCost cost_;
   double calm_rad_;
+  std::vector<Vec2> supports_B_m_;
   // The plane's height at the middle, its rise ahead and its rise to the left, by heights of
-  // wheels.
+  // supports.
   Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights_;
 };
 

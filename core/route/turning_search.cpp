@@ -63,6 +63,10 @@ class Search {
     TurningRoute route;
     double nearest_m = infinite;
     route.nearest_m = start.at_m;
+    route.cost = infinite;
+    // There are too many poses to look at them all for nothing.
+    route.is_cut_off = !std::isfinite(to_go_.at(start.at_m));
+    if (route.is_cut_off) return route;
     reached_.push_back({start, 0, -1, 0});
     queue_.push({left(start.at_m), 0, 0});
     while (!queue_.empty() && reached_.size() < reached_max) {
@@ -82,7 +86,6 @@ class Search {
       expand(best, pose);
       if (off_m < closing_radii * radius_m_) close(best, pose);
     }
-    route.cost = infinite;
     return route;
   }
 

@@ -10,6 +10,7 @@ struct TurningRoute {
   Line2 line;                // all of it, with its arcs drawn out; empty: there is none
   double cost = 0;           // infinite where there is none
   Vec2 nearest_m;            // of all places that were reached the one nearest to the goal
+  bool is_cut_off = false;   // not even a rover that turns on the spot gets there
 };
 
 // A* over (x, y, heading) whose edges are arcs of `radius_m`, wider ones and straight pieces, each

@@ -111,6 +111,21 @@ TEST(PlanLeg, over_level_ground_is_straight) {
   EXPECT_NEAR(leg.duration_s, leg.length_m, 1e-6);
 }
 
+// 1 t at 1 m/s, half of what it moves with lost to brakes.
+TEST(PlanLeg, from_rest_tells_what_setting_off_takes) {
+  const Site site({});
+  DriveCost cost = simple_rover();
+  cost.stop_j = 250;
+  cost.stop_s = 4;
+  LegRequest request{{0, 0, 0}, {60, 35, 0}, RouteAim::energy, 1};
+  const PlannedLeg rolling = plan_leg(site.ground(), cost, request);
+  request.starts_at_rest = true;
+  const PlannedLeg leg = plan_leg(site.ground(), cost, request);
+  EXPECT_EQ(leg.path_S_m, rolling.path_S_m);
+  EXPECT_DOUBLE_EQ(leg.energy_j, rolling.energy_j + 250);
+  EXPECT_DOUBLE_EQ(leg.duration_s, rolling.duration_s + 4);
+}
+
 TEST(PlanLeg, is_the_same_whatever_was_planned_before) {
   const Site site(rough());
   const DriveCost cost = simple_rover();

@@ -37,6 +37,13 @@ TEST(Stance, on_a_slope_is_the_slope_by_its_heading) {
   }
 }
 
+TEST(Stance, twin_wheels_are_one_support) {
+  const std::vector<Vec2> twins{{2, 1.7}, {2, 1.3}, {2, -1.3}, {2, -1.7}, {-2, 1.5}, {-2, -1.5}};
+  EXPECT_EQ(supports_m(twins, 0.85),
+            (std::vector<Vec2>{{2, 1.5}, {2, -1.5}, {-2, 1.5}, {-2, -1.5}}));
+  EXPECT_EQ(supports_m(twins, 0.7), twins);
+}
+
 TEST(Stance, is_a_hazard_beyond_each_limit) {
   DriveCost cost = simple_rover();
   Stance stance;
