@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "mission/event_sequence.h"
 
@@ -43,12 +44,12 @@ class Ahead {
       if (is_first && place_S_m_ && RoverRoutes::is_passed(settings, *place_S_m_, goal_S_m)) {
         continue;
       }
-      is_first = false;
+      const bool is_at_rest = std::exchange(is_first, false);
       if (!place_S_m_ || (!heading_rad_ && !routes_.can_turn_on_spot())) {
         go_to(goal_S_m);
         continue;
       }
-      const LegStart start{*place_S_m_, heading_rad_.value_or(0)};
+      const LegStart start{*place_S_m_, heading_rad_.value_or(0), is_at_rest};
       PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
       go_to(goal_S_m);
       if (leg.is_found()) {

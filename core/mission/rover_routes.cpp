@@ -51,6 +51,7 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   request.goal_S_m = goal_S_m;
   request.aim = settings.aim;
   request.avoided = settings.avoided;
+  request.starts_at_rest = start.is_at_rest;
   // One that turns on the spot leaves in any direction: its plans are the same.
   if (!vehicle_->can_turn_on_spot) request.start_heading_rad = start.heading_rad;
   return legs_->leg(cost(settings), request);
@@ -125,7 +126,7 @@ PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int6
                         planned.path_S_m.end());
     way.legs.push_back({waypoint, way.path_S_m.size() - 1, planned.length_m, planned.duration_s,
                         planned.energy_j, planned.slope_max_rad});
-    at = {goal_S_m, planned.end_heading_rad};
+    at = {goal_S_m, planned.end_heading_rad, false};
   }
   // It stands where it is to go.
   if (way.legs.empty()) way.path_S_m = {waypoints_S_m.back()};

@@ -18,6 +18,7 @@ namespace lsos {
 struct LegStart {
   Vec3 p_S_m = Vec3::Zero();
   double heading_rad = 0;  // clockwise from north
+  bool is_at_rest = true;
 };
 
 // A leg planned before its event starts.
