@@ -46,7 +46,13 @@ std::vector<Shape> AntennaArray::masts(SimTime now) const {
   return shapes;
 }
 
+void AntennaArray::set_silent(bool is_silent, SimTime now) {
+  is_silent_ = is_silent;
+  silenced_ = now;
+}
+
 bool AntennaArray::is_up(std::size_t i, SimTime now) const {
+  if (is_silent_) return false;
   if (!specs_[i].is_stowable()) return true;
   const State& state = states_[i];
   return state.goes_up && state.end && now >= *state.end;
@@ -61,7 +67,7 @@ std::size_t AntennaArray::in_use(SimTime now) const {
 
 Vec3 AntennaArray::p_B_m(SimTime now) const {
   const std::size_t i = in_use(now);
-  return is_up(i, now) ? specs_[i].p_B_m : *specs_[i].stowed_p_B_m;
+  return is_up(i, now) || !specs_[i].is_stowable() ? specs_[i].p_B_m : *specs_[i].stowed_p_B_m;
 }
 
 double AntennaArray::State::share_up(SimTime now) const {
@@ -114,6 +120,7 @@ double AntennaArray::deploy(const std::string& name, bool up, std::optional<doub
 
 std::optional<SimTime> AntennaArray::next_end(SimTime now) const {
   std::optional<SimTime> next;
+  if (silenced_ && *silenced_ > now) next = silenced_;
   for (const State& state : states_) {
     if (state.end && *state.end > now) next = std::min(next.value_or(*state.end), *state.end);
   }
@@ -121,11 +128,12 @@ std::optional<SimTime> AntennaArray::next_end(SimTime now) const {
 }
 
 bool AntennaArray::has_changed(SimTime now) const {
+  if (silenced_ == std::optional(now)) return true;
   return std::ranges::any_of(states_, [&](const State& state) {
     return state.told == std::optional(now) || state.end == std::optional(now);
   });
 }
 
-void AntennaArray::archive(Archive& a) { a.tag("antennas")(states_); }
+void AntennaArray::archive(Archive& a) { a.tag("antennas")(states_)(is_silent_)(silenced_); }
 
 }  // namespace lsos

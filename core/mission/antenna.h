@@ -41,6 +41,8 @@ class AntennaArray {
 
   const std::vector<AntennaSpec>& specs() const { return specs_; }
   bool is_up(std::size_t i, SimTime now) const;
+  // None is up for anyone: its radio has failed; or works again.
+  void set_silent(bool is_silent, SimTime now);
   // The first that is up; while none is, the first. There is at least one.
   std::size_t in_use(SimTime now) const;
   // Of the one in use, chassis axes.
@@ -73,6 +75,8 @@ class AntennaArray {
   };
   std::vector<AntennaSpec> specs_;
   std::vector<State> states_;
+  bool is_silent_ = false;
+  std::optional<SimTime> silenced_;
 };
 
 }  // namespace lsos

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "base/units.h"
+#include "mission/note_json.h"
 
 namespace lsos {
 
 namespace {
 
-constexpr int phase_changes_max = 100;   // at one exchange; more is a loop
+constexpr int phase_changes_max = 100;  // at one exchange; more is a loop
+constexpr SimTime condition_period{1'000'000};
 constexpr double far_from_point_m = 50;  // a stationary event's Point farther than this is odd
 
 bool has_ended(const EventRecord& record) {
@@ -60,7 +62,12 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
     if (!has_turn_ && !take_turn(now, agent)) return;
     if (!running_) {
       std::string impossible;
-      if (may_start(now, agent, others, impossible)) {
+      if (is_met(event().skip_when, now == *current().ready, now, agent, host, impossible)) {
+        note("skip_when", event().skip_when, agent);
+        end(EventStatus::skipped, "SkipWhen: " + event().skip_when.text, now, agent);
+        continue;
+      }
+      if (impossible.empty() && may_start(now, agent, host, others, impossible)) {
         start(now, agent, host);
         changes = 0;
       } else if (impossible.empty()) {
@@ -71,6 +78,11 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       }
     }
     std::string hindered = hindrance(agent);
+    if (hindered.empty() &&
+        is_met(event().stop_when, now == *current().start, now, agent, host, hindered)) {
+      note("stop_when", event().stop_when, agent);
+      hindered = "StopWhen: " + event().stop_when.text;
+    }
     if (++changes > phase_changes_max) hindered = "its phases go round without time passing";
     const bool is_due = running_->is_due(now, agent);
     // What ends at the very moment of its timeout has not taken longer.
@@ -112,12 +124,17 @@ bool EventSequence::is_timed_out(SimTime now) const {
 
 // Gives the next enabled event its turn; false when there is none.
 bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
-  while (index_ < records_.size() && current().status != EventStatus::not_started) ++index_;
+  // What will not start any more has an end.
+  while (index_ < records_.size() &&
+         (current().status != EventStatus::not_started || current().end)) {
+    ++index_;
+  }
   if (index_ >= records_.size()) {
     is_finished_ = true;
     return false;
   }
   has_turn_ = true;
+  waits_for_condition_ = false;
   current().status = EventStatus::waiting;
   current().ready = now;
   current().place = agent.place_now();
@@ -131,8 +148,8 @@ bool EventSequence::is_powerless(const RoverAgent& agent) const {
          !machine_.events[index_].declaration.goes_on_without_power;
 }
 
-bool EventSequence::may_start(SimTime now, const RoverAgent& agent, const Others& others,
-                              std::string& impossible) {
+bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
+                              const Others& others, std::string& impossible) {
   // The order of rovers within one exchange must not matter: an end counts from the next one.
   waits_for_others_ = false;
   bool is_late = false;
@@ -155,7 +172,51 @@ bool EventSequence::may_start(SimTime now, const RoverAgent& agent, const Others
   }
   waits_for_charge_ = is_powerless(agent);
   if (waits_for_charge_) return false;
-  return !event().start_time || *event().start_time - mission_.start_time <= now;
+  if (event().start_time && *event().start_time - mission_.start_time > now) return false;
+  if (event().start_when.text.empty()) return true;
+  const bool did_wait = waits_for_condition_;
+  waits_for_condition_ = !is_met(event().start_when, !did_wait, now, agent, host, impossible);
+  if (!waits_for_condition_) {
+    note("start_when", event().start_when, agent);
+  } else if (!did_wait) {
+    note("waits_for", event().start_when, agent);
+  }
+  return !waits_for_condition_;
+}
+
+bool EventSequence::is_met(const PlanEvent::Condition& condition, bool is_first, SimTime now,
+                           const RoverAgent& agent, ScriptHost& host, std::string& fault) {
+  if (condition.text.empty() || (!is_first && now % condition_period != SimTime{})) return false;
+  try {
+    return host.holds(condition.text, agent.sample(now, event_label(), phase()), agent);
+  } catch (const ScriptError& error) {
+    fault = error.what();
+    return false;
+  }
+}
+
+void EventSequence::note(const char* decision, const PlanEvent::Condition& condition,
+                         RoverAgent& agent) const {
+  agent.set_noting_sequence(event().sequence);
+  agent.note(decision, fmt::format(R"({{"condition":{}}})", note_json(condition.text)));
+}
+
+void EventSequence::add(const EventMachine& machine) {
+  const std::int64_t sequence = machine.event.sequence;
+  const auto at = std::ranges::find_if(
+      machine_.events, [&](const EventMachine& other) { return other.event.sequence >= sequence; });
+  const auto index = static_cast<std::size_t>(at - machine_.events.begin());
+  const bool is_taken = at != machine_.events.end() && at->event.sequence == sequence;
+  const bool is_past = index < index_ || (index == index_ && has_turn_);
+  if (is_taken || is_past) {
+    throw InputError(machine.event.place,
+                     fmt::format("Sequence = {}: {}", sequence,
+                                 is_taken ? "the rover has an event with it"
+                                          : "what comes later has begun already"));
+  }
+  machine_.events.insert(at, machine);
+  records_.insert(records_.begin() + static_cast<std::ptrdiff_t>(index), EventRecord{});
+  is_finished_ = false;
 }
 
 void EventSequence::start(SimTime now, const RoverAgent& agent, ScriptHost& host) {
@@ -267,8 +328,10 @@ void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host,
 std::optional<SimTime> EventSequence::wake(SimTime now) const {
   if (is_finished_) return std::nullopt;
   const SimTime next = now + exchange_period;
+  const SimTime next_look = (now / condition_period + 1) * condition_period;
   if (running_) {
     std::optional<SimTime> wake = running_->wake(now);
+    if (!event().stop_when.text.empty()) wake = std::min(wake.value_or(next_look), next_look);
     if (event().timeout) {
       const SimTime over = round_up_to_exchange(*records_[index_].start + *event().timeout);
       wake = std::min(wake.value_or(over), over);
@@ -276,6 +339,8 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
     return wake;
   }
   // What StartAfter names wakes it when it ends; its StartTime is known.
+  const bool may_skip = has_turn_ && !event().skip_when.text.empty();
+  if (may_skip || (has_turn_ && waits_for_condition_)) return next_look;
   if (waits_for_others_ || waits_for_charge_) return std::nullopt;
   if (!has_turn_ || !event().start_time) return next;
   return std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
@@ -287,56 +352,9 @@ SimTime EventSequence::last_end() const {
   return last;
 }
 
-std::string EventSequence::event_label() const { return running_ ? event().label : ""; }
-std::string EventSequence::phase() const { return running_ ? running_->phase() : ""; }
-
-EventRow EventSequence::row(std::size_t index) const {
-  const PlanEvent& event = machine_.events[index].event;
-  const EventRecord& record = records_[index];
-  EventRow row;
-  row.rover_id = event.rover_id;
-  row.sequence = event.sequence;
-  row.type = event.type;
-  row.label = event.label;
-  // The file knows how an event ends; until then it is what a kill would leave it as.
-  row.is_prevented = record.is_prevented;
-  row.status = record.status == EventStatus::running   ? EventStatus::incomplete
-               : record.status == EventStatus::waiting ? EventStatus::not_started
-                                                       : record.status;
-  row.reason = record.reason;
-  row.ready = record.ready;
-  row.start = record.start;
-  // An end without a start or a reason to have ended stands only inside (see after_failure).
-  if (record.status != EventStatus::not_started) row.end = record.end;
-  row.distance_m = record.distance_m;
-  row.energy_used_j = record.energy_used_j;
-  row.solar_j = record.solar_j;
-  if (record.ready) row.place = record.place;
-  return row;
-}
-
-void EventSequence::changed(std::size_t index) {
-  if (!records_[index].is_written) return;
-  records_[index].is_written = false;
-  changed_.push_back(index);
-}
-
-std::vector<std::size_t> EventSequence::take_changed_events() {
-  for (const std::size_t index : changed_) records_[index].is_written = true;
-  return std::exchange(changed_, {});
-}
-
-std::vector<PhaseRow> EventSequence::take_phases() {
-  if (running_) {
-    for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));
-  }
-  return std::exchange(phases_, {});
-}
-std::vector<std::string> EventSequence::take_warnings() { return std::exchange(warnings_, {}); }
-
 void EventSequence::archive(Archive& a, ScriptHost& host) {
   a.tag("events")(records_)(
-      index_)(has_turn_)(waits_for_others_)(waits_for_charge_)(is_finished_)(aborts_mission_);
+      index_)(has_turn_)(waits_for_others_)(waits_for_charge_)(waits_for_condition_)(is_finished_)(aborts_mission_);
   bool is_running = running_.has_value();
   a(is_running);
   if (a.is_reading() && is_running) running_.emplace();

@@ -41,6 +41,8 @@ class EventSequence {
 
   // Runs what is due at `now`.
   void run(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others);
+  // One more event, behind those with a lower sequence. Throws InputError where its turn is over.
+  void add(const EventMachine& machine);
   // The simulated time at which `run` must be called next though nothing else happens; nullopt:
   // only something else can wake it (an arrival, another rover's event).
   std::optional<SimTime> wake(SimTime now) const;
@@ -76,8 +78,13 @@ class EventSequence {
   EventRecord& current() { return records_[index_]; }
   const PlanEvent& event() const { return machine_.events[index_].event; }
 
+  // Conditions are asked at first, then at whole seconds. False with a fault where its script
+  // broke.
+  bool is_met(const PlanEvent::Condition& condition, bool is_first, SimTime now,
+              const RoverAgent& agent, ScriptHost& host, std::string& fault);
+  void note(const char* decision, const PlanEvent::Condition& condition, RoverAgent& agent) const;
   bool take_turn(SimTime now, const RoverAgent& agent);
-  bool may_start(SimTime now, const RoverAgent& agent, const Others& others,
+  bool may_start(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others,
                  std::string& impossible);
   void start(SimTime now, const RoverAgent& agent, ScriptHost& host);
   // Why the running event cannot go on, whatever its script wants; "" when it can.
@@ -100,6 +107,7 @@ class EventSequence {
   bool has_turn_ = false;          // events_[index_] is waiting or running
   bool waits_for_others_ = false;  // for the end of a StartAfter
   bool waits_for_charge_ = false;  // the battery was empty
+  bool waits_for_condition_ = false;
   bool is_finished_ = false;
   std::optional<RunningEvent> running_;
   std::string aborts_mission_;

@@ -54,6 +54,14 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
     }
     if (model->second.supply_w > 0 || !model->second.panels.empty()) with_power.push_back(asset.id);
   }
+  const auto others = [&](const std::string& rover_id) {
+    std::vector<std::string> ids;
+    for (const PlanRover& other : plan.rovers) {
+      if (other.id != rover_id) ids.push_back(other.id);
+    }
+    for (const PlanAsset& asset : plan.assets) ids.push_back(asset.id);
+    return ids;
+  };
   for (const PlanEvent& event : plan.events) {
     const auto rover = std::ranges::find(plan.rovers, event.rover_id, &PlanRover::id);
     const auto model = rovers.find(rover->type);
@@ -69,6 +77,8 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
           return {rover->type, "stowable antenna", names_of(stowable(model->second))};
         case NameOf::power_source:
           return {"the plan", "asset with power to give", with_power};
+        case NameOf::other:
+          return {"the plan", "other rover or asset", others(event.rover_id)};
         case NameOf::anything:
           break;
       }

@@ -24,9 +24,10 @@ constexpr double own_antenna_above_m = 0.3;  // of a rover whose script names no
 
 RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const VehicleConfig& config,
                        const Ground& ground, std::span<const PowerSource> sources,
-                       PlannedLegs& legs)
+                       PlannedLegs& legs, const Surroundings& surroundings)
     : rover_(rover),
       ground_(&ground),
+      surroundings_(&surroundings),
       vehicle_(config, ground),
       footprint_at_rest_(footprint_at_rest(config)),
       shape_(model.shapes, config),
@@ -53,6 +54,19 @@ void RoverAgent::place(double default_heading_rad) {
   }
   look();
   count_extremes();
+}
+
+void RoverAgent::set_wheel(const std::string& name, WheelMode mode) {
+  std::vector<std::string> names;
+  for (const LinkConfig& link : vehicle_.config().links) {
+    if (link.wheel) names.push_back(link.name);
+  }
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    throw std::runtime_error(fmt::format("the rover has no wheel '{}'{}; it has {}", name,
+                                         did_you_mean(name, names), fmt::join(names, ", ")));
+  }
+  vehicle_.set_wheel_mode(static_cast<std::size_t>(found - names.begin()), mode);
 }
 
 void RoverAgent::advance() { vehicle_.advance(exchange_period); }

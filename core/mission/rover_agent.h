@@ -12,6 +12,7 @@
 #include "mission/rover_port.h"
 #include "mission/rover_power.h"
 #include "mission/rover_routes.h"
+#include "mission/surroundings.h"
 #include "plan/plan.h"
 #include "record/rows.h"
 #include "vehicle/footprint.h"
@@ -27,10 +28,11 @@ class RoverAgent : public RoverPort {
     std::string name, fields_json;
   };
 
-  // `config`: the model's vehicle with links. `config`, `ground`, `sources` and `legs` must outlive
-  // it.
+  // `config`: the model's vehicle with links. `config`, `ground`, `sources`, `legs` and
+  // `surroundings` must outlive it.
   RoverAgent(const PlanRover& rover, const RoverModel& model, const VehicleConfig& config,
-             const Ground& ground, std::span<const PowerSource> sources, PlannedLegs& legs);
+             const Ground& ground, std::span<const PowerSource> sources, PlannedLegs& legs,
+             const Surroundings& surroundings);
 
   // Stands the rover at its start. Throws InputError when the terrain is not known there.
   void place(double default_heading_rad);
@@ -76,6 +78,10 @@ class RoverAgent : public RoverPort {
   double deploy_antenna(const std::string& antenna, bool up,
                         std::optional<double> duration_s) override;
   const AntennaArray& antennas() const { return antennas_; }
+  // Failures that a scenario makes; they are seen at the next exchange. Wheels by the names of
+  // their links; throws std::runtime_error where there is none.
+  void set_wheel(const std::string& name, WheelMode mode);
+  void set_silent(bool is_silent) { antennas_.set_silent(is_silent, now_ + exchange_period); }
   // Of the antenna in use.
   Vec3 antenna_S_m() const;
   const RoverPower& power() const { return power_; }
@@ -89,6 +95,12 @@ class RoverAgent : public RoverPort {
   PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
                        const RouteSettings& settings) override;
   Vec3 ahead_S_m(double distance_m) const override;
+  std::optional<Vec3> place_of_S_m(const std::string& id) const override {
+    return surroundings_->place_S_m(id);
+  }
+  std::optional<PairSight> sight_of(const std::string& id) const override {
+    return surroundings_->sight(rover_.id, id);
+  }
   RoverRoutes& routes() { return routes_; }
   void brake() override;
   // The event has ended: stops whatever it left under way.
@@ -128,6 +140,7 @@ class RoverAgent : public RoverPort {
 
   PlanRover rover_;
   const Ground* ground_;
+  const Surroundings* surroundings_;
   Vehicle vehicle_;
   Footprint footprint_at_rest_;
   BodyShape shape_;

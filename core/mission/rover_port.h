@@ -74,6 +74,11 @@ struct PlannedWay {
   bool is_found() const { return reason.empty(); }
 };
 
+// What a rover's antenna has of another: see the log's layer `pairs`.
+struct PairSight {
+  bool is_visible = false, is_linked = false;
+};
+
 class RoverPort {
  public:
   virtual ~RoverPort() = default;
@@ -89,6 +94,11 @@ class RoverPort {
                                const RouteSettings& settings) = 0;
   // The place so far ahead of the rover, on the ground.
   virtual Vec3 ahead_S_m(double distance_m) const = 0;
+  // Of another rover or an asset, on the ground; absent: there is none with that id.
+  virtual std::optional<Vec3> place_of_S_m(const std::string& id) const = 0;
+  // What the last look at another rover, an asset or Earth found; absent: there was none yet, or
+  // nothing has that id.
+  virtual std::optional<PairSight> sight_of(const std::string& id) const = 0;
   // Stop and hold.
   virtual void brake() = 0;
   virtual PowerPort& power() = 0;

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double plug_reach_m = 20;
 
+std::string stuck_text(const PanelSpec& panel) {
+  return fmt::format("the panel '{}' is stuck", panel.name);
+}
+
 }  // namespace
 
 RoverPower::RoverPower(const PowerSpec& spec, double initial_charge,
@@ -53,6 +57,24 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
 void RoverPower::begin_segment() {
   at_start_ = account();
   start_ = now_;
+}
+
+void RoverPower::set_sun(const SunValue& value) {
+  sun_ = value;
+  for (SunValue::Panel& panel : sun_->panels) {
+    panel.sun_fraction *= sun_share_;
+    panel.power_w *= sun_share_;
+  }
+}
+
+void RoverPower::set_shade(double share) {
+  sun_share_ = share;
+  has_panel_command_ = true;
+}
+
+void RoverPower::set_panel_stuck(const std::string& panel, bool is_stuck) {
+  for (const std::size_t i : panels_named(panel)) panels_.set_stuck(i, is_stuck, now_);
+  has_panel_command_ = true;
 }
 
 PowerDemand RoverPower::demand_now(bool is_parked) const {
@@ -246,6 +268,7 @@ double RoverPower::deploy_panel(const std::string& name, bool up,
       throw std::runtime_error(fmt::format("the panel '{}' cannot be stowed", name));
     }
     is_any = true;
+    if (panels_.is_stuck(i)) throw std::runtime_error(stuck_text(spec_.panels[i]));
     takes_s = std::max(takes_s, panels_.deploy(i, up, duration_s, now_));
   }
   if (!is_any) throw std::runtime_error("none of the rover's panels can be stowed");
@@ -261,6 +284,7 @@ void RoverPower::steer_panel(const std::string& name, const Steering& steering) 
                             : panels_.is_stowed(i)    ? "is stowed: it cannot be steered"
                             : !panels_.is_up(i, now_) ? "is on its way up: it cannot be steered yet"
                                                       : "";
+    if (panels_.is_stuck(i)) throw std::runtime_error(stuck_text(panel));
     if (!why.empty() && !name.empty()) {
       throw std::runtime_error(fmt::format("the panel '{}' {}", panel.name, why));
     }
@@ -281,7 +305,7 @@ void RoverPower::archive(Archive& a) {
     a(*value);
   }
   a(sun_)(supply_w_)(
-      work_w_)(plugged_into_)(asked_w_)(given_w_)(waits_for_reserve_)(has_reserve_changed_)(charge_awaited_)(has_reached_charge_)(has_panel_command_)(resources_);
+      work_w_)(plugged_into_)(asked_w_)(given_w_)(waits_for_reserve_)(has_reserve_changed_)(charge_awaited_)(has_reached_charge_)(has_panel_command_)(sun_share_)(resources_);
 }
 
 }  // namespace lsos

@@ -48,7 +48,11 @@ class RoverPower : public PowerPort {
   PanelArray& panels() { return panels_; }
   const PanelArray& panels() const { return panels_; }
   const std::optional<SunValue>& sun() const { return sun_; }
-  void set_sun(const SunValue& value) { sun_ = value; }
+  void set_sun(const SunValue& value);
+  // So much of the sunlight reaches its panels, 0..1, from the next look at the Sun, which is at
+  // this exchange: dust, a cover.
+  void set_shade(double share);
+  void set_panel_stuck(const std::string& panel, bool is_stuck);
 
   // At the beginning of an exchange: time has come so far, and wheel motors have used so much since
   // the last one (a rover that is parked: 0). Finds whether the battery is empty.
@@ -123,6 +127,7 @@ class RoverPower : public PowerPort {
   double antennas_w_ = 0;  // not saved: told at each exchange
   std::string plugged_into_;
   double asked_w_ = 0, given_w_ = 0;
+  double sun_share_ = 1;
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
   bool has_panel_command_ = false;
   std::optional<double> charge_awaited_;

@@ -14,6 +14,7 @@
 #include "base/vector.h"
 #include "mission/rover_port.h"
 #include "plan/declaration.h"
+#include "record/rows.h"
 
 namespace lsos {
 
@@ -80,6 +81,12 @@ class ScriptHost {
                                                       Instant mission_start) {
     (void)type, (void)arguments, (void)mission_start;
     return std::nullopt;
+  }
+  // Whether a condition of the plan holds for a rover. Quantities are those of its row, NaN where
+  // one is not modelled. Throws ScriptError.
+  virtual bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) {
+    (void)condition, (void)row, (void)rover;
+    return false;
   }
   // Begins an event: ev.state is empty, ev.params and ev.geometry are the arguments.
   virtual ScriptInstance begin(const std::string& type, const EventArguments& arguments) = 0;

@@ -143,6 +143,14 @@ std::vector<SightIntervalRow> SightWatch::finish(SimTime now, const std::vector<
   return ended;
 }
 
+std::optional<PairSight> SightWatch::last(std::size_t one, std::size_t other) const {
+  for (const Pair& pair : pairs_) {
+    const bool is_it = std::minmax(pair.from, pair.to) == std::minmax(one, other);
+    if (is_it && pair.time) return PairSight{pair.is_visible, pair.is_linked};
+  }
+  return {};
+}
+
 std::vector<PairRow> SightWatch::rows(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                                       std::size_t from) const {
   std::vector<PairRow> rows;

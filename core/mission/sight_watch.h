@@ -10,6 +10,7 @@
 
 #include "base/archive.h"
 #include "mission/motion.h"
+#include "mission/rover_port.h"
 #include "mission/sight.h"
 #include "planet/utc.h"
 #include "record/rows.h"
@@ -55,6 +56,8 @@ class SightWatch {
   // Looks at the pairs that are due. Answers the intervals that end now.
   std::vector<SightIntervalRow> look(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                                      const SolidsBetween& solids);
+  // What was seen last between two ends, by number, Earth behind the others; absent: nothing yet.
+  std::optional<PairSight> last(std::size_t one, std::size_t other) const;
   // What was seen last from that end to those that follow it.
   std::vector<PairRow> rows(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                             std::size_t from) const;

@@ -67,14 +67,14 @@ void Simulation::build() {
   host_ = setup_.make_host();
   machine_ = synthesise(setup_.plan, host_->declarations());
   for (const RoverMachine& rover : machine_.rovers) {
-    rovers_.push_back(
-        {std::make_unique<RoverAgent>(rover.rover, setup_.rover_models.at(rover.rover.type),
-                                      vehicles_.at({rover.rover.type, rover.rover.configuration}),
-                                      *ground_, sources_, *legs_),
-         EventSequence(rover, machine_.mission, *ground_),
-         SimTime{},
-         {},
-         true});
+    rovers_.push_back({std::make_unique<RoverAgent>(
+                           rover.rover, setup_.rover_models.at(rover.rover.type),
+                           vehicles_.at({rover.rover.type, rover.rover.configuration}), *ground_,
+                           sources_, *legs_, static_cast<const Surroundings&>(*this)),
+                       EventSequence(rover, machine_.mission, *ground_),
+                       SimTime{},
+                       {},
+                       true});
     if (ways_ahead_.empty()) continue;
     rovers_.back().agent->routes().set_ahead(ways_ahead_[rovers_.size() - 1].legs);
   }
@@ -132,9 +132,9 @@ void Simulation::start() {
   exchange();
 }
 
-void Simulation::advance() {
+void Simulation::advance(std::optional<SimTime> until) {
   if (is_finished_) return;
-  const SimTime next = next_time();
+  const SimTime next = until ? std::min(*until, next_time()) : next_time();
   if (next > setup_.plan.mission.max_duration) {
     // The last exchange within it.
     now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
@@ -250,18 +250,6 @@ void Simulation::run_scripts() {
       rover.wake = std::min(rover.wake.value_or(now_ + exchange_period), now_ + exchange_period);
     }
   }
-}
-
-const EventRecord& Simulation::record(const PlanEvent::Reference& event) const {
-  for (const Rover& rover : rovers_) {
-    if (rover.agent->id() != event.rover_id) continue;
-    for (std::size_t i = 0; i < rover.sequence.events().size(); ++i) {
-      if (rover.sequence.events()[i].event.sequence == event.sequence) {
-        return rover.sequence.records()[i];
-      }
-    }
-  }
-  throw InternalError("a StartAfter names an event that is not in the plan");
 }
 
 void Simulation::stop(const std::string& reason, bool is_failure) {

@@ -56,7 +56,7 @@ struct RoverResult {
   std::map<std::string, double> resources = {};
 };
 
-class Simulation : private EventSequence::Others {
+class Simulation : private EventSequence::Others, private Surroundings {
  public:
   // The machine's `initialise`: ground, site frame, vehicles standing at their starts. Throws
   // InputError when the plan does not fit the terrain.
@@ -65,10 +65,15 @@ class Simulation : private EventSequence::Others {
 
   // Where rows go; none are written without. Before `start`.
   void set_log(LogWriter* log) { log_ = log; }
+  // Who is told each note that scripts and findings write. Before `start`.
+  void set_note_listener(std::function<void(const NoteRow&)> listener) {
+    note_listener_ = std::move(listener);
+  }
   // The exchange at time 0.
   void start();
-  // To the next exchange, over quiet time in one leap.
-  void advance();
+  // To the next exchange, over quiet time in one leap; no farther than `until`, an exchange to
+  // come.
+  void advance(std::optional<SimTime> until = {});
   // Ends what runs as incomplete (a signal, the end of MaxDuration).
   void stop(const std::string& reason, bool is_failure = false);
   // `terminate`: last samples, the rest of the events. Called once, when finished.
@@ -98,6 +103,18 @@ class Simulation : private EventSequence::Others {
   // How far the mission has come, 0..1: events that have ended, and the share driven of those under
   // way.
   double progress() const;
+
+  // For whoever has it in hand: a prompt, a scenario. Between exchanges.
+  std::vector<std::string> rover_ids() const;
+  // nullptr: there is no such rover.
+  RoverAgent* agent(const std::string& rover_id);
+  const EventSequence* sequence(const std::string& rover_id) const;
+  // One more event of a rover. Throws InputError where its turn is over.
+  void dispatch(const PlanEvent& event);
+  // Goes on with other scripts from their next call.
+  void take_scripts(std::function<std::unique_ptr<ScriptHost>()> make_host);
+  // Goes on in another soil, rocks excepted.
+  void take_soil(const Soil& soil);
 
   // All state, and back into a simulation of the same setup.
   std::string save();
@@ -146,9 +163,12 @@ class Simulation : private EventSequence::Others {
   bool is_sample_due(const Rover& rover) const;
   SimTime next_sample(const Rover& rover) const;
   const EventRecord& record(const PlanEvent::Reference& event) const override;
+  std::optional<Vec3> place_S_m(const std::string& id) const override;
+  std::optional<PairSight> sight(const std::string& id, const std::string& other) const override;
 
   SimulationSetup setup_;
   LogWriter* log_ = nullptr;
+  std::function<void(const NoteRow&)> note_listener_;
   MissionMachine machine_;
   std::unique_ptr<Ground> ground_;
   // By RoverType and RoverConfig, with links.

@@ -10,14 +10,16 @@ void Simulation::log_rows() {
     const std::vector<std::size_t> events = rover.sequence.take_changed_events();
     const std::vector<PhaseRow> phases = rover.sequence.take_phases();
     const std::vector<PlannedPathRow> paths = rover.agent->routes().take_rows();
+    for (const RoverAgent::Note& note : notes) {
+      const NoteRow row{now_,      rover.agent->id(), note.sequence,
+                        note.name, note.fields_json,  rover.agent->place_now()};
+      if (note_listener_) note_listener_(row);
+      if (log_ != nullptr) log_->write(row);
+    }
     if (log_ == nullptr) continue;
     for (const std::size_t event : events) log_->write(rover.sequence.row(event));
     for (const PhaseRow& phase : phases) log_->write(phase);
     for (const PlannedPathRow& path : paths) log_->write(path);
-    for (const RoverAgent::Note& note : notes) {
-      log_->write(NoteRow{now_, rover.agent->id(), note.sequence, note.name, note.fields_json,
-                          rover.agent->place_now()});
-    }
     if (is_sample_due(rover)) log_sample(i);
   }
   if (log_ != nullptr && sight_ && assets_logged_ != now_ &&

@@ -117,7 +117,9 @@ class CircleFinder {
     LSOS_ASSERT(start != circle.end());
     std::rotate(circle.begin(), start, circle.end());
     const DraftEvent& draft = drafts_[circle.front().event];
-    faults_.error({draft.event.place.file, draft.start_after->line},
+    const int line =
+        draft.start_after == nullptr ? draft.event.place.line : draft.start_after->line;
+    faults_.error({draft.event.place.file, line},
                   fmt::format("{}: StartAfter goes in a circle: {}", draft.subject,
                               told(circle, waits_, drafts_)));
   }

@@ -23,6 +23,7 @@ enum class NameOf {
   resource,      // of the event's rover
   antenna,       // of the event's rover
   power_source,  // an asset of the plan that has power to give
+  other,         // another rover of the plan, or an asset
 };
 
 // A value of a field, in SI. Durations are numbers (seconds).
@@ -43,7 +44,7 @@ struct FieldDeclaration {
   std::optional<FieldValue> default_value;  // absent: the script sees nil
 };
 
-enum class GeometryKind { none, point, line };
+enum class GeometryKind { none, point, line, polygon };
 
 // One event type: the script events/NAME.lua.
 struct EventDeclaration {

@@ -68,6 +68,13 @@ class EventsReader {
     if (const auto* timeout_s = find_value<double>(values, "timeout_s")) {
       event.timeout = from_seconds(*timeout_s);
     }
+    const auto read = [&](const char* name, PlanEvent::Condition& condition) {
+      const SourceField* field = fields.find(name);
+      if (field != nullptr) condition = {field->text, field->line};
+    };
+    read("StartWhen", event.start_when);
+    read("SkipWhen", event.skip_when);
+    read("StopWhen", event.stop_when);
   }
 
   const ReadContext& context_;

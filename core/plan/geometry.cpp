@@ -24,6 +24,7 @@ std::string in_words(std::span<const GeometryKind> wanted) {
   const auto add = [&](GeometryKind kind, const char* word) {
     if (std::ranges::find(wanted, kind) != wanted.end()) words.emplace_back(word);
   };
+  add(GeometryKind::polygon, "a Polygon");
   add(GeometryKind::line, "a LineString");
   add(GeometryKind::point, "a Point");
   add(GeometryKind::none, "no geometry");
@@ -130,8 +131,17 @@ std::vector<Geodetic> read_places(const SourceGeometry& source,
   } else if (is_point && places.size() > 1) {
     wrong.push_back(
         {fmt::format("Point has {} coordinates; one is wanted", places.size()), source.line});
-  } else if (!is_point && places.size() < 2) {
+  } else if (source.kind == "LineString" && places.size() < 2) {
     wrong.push_back({"LineString has one coordinate; two or more are wanted", source.line});
+  } else if (source.kind == "Polygon") {
+    const Geodetic first = places.front(), last = places.back();
+    const bool is_closed = first.lon_rad == last.lon_rad && first.lat_rad == last.lat_rad;
+    if (is_closed) places.pop_back();
+    if (places.size() < 3) {
+      wrong.push_back({fmt::format("Polygon has {} corner{}; three or more are wanted",
+                                   places.size(), places.size() == 1 ? "" : "s"),
+                       source.line});
+    }
   }
   return places;
 }
@@ -160,6 +170,7 @@ PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const Geo
   PlanGeometry geometry;
   if (source.kind == "Point") geometry.kind = GeometryKind::point;
   if (source.kind == "LineString") geometry.kind = GeometryKind::line;
+  if (source.kind == "Polygon") geometry.kind = GeometryKind::polygon;
   if (geometry.kind == GeometryKind::none || !is_wanted(geometry.kind)) {
     return refuse(source.line,
                   fmt::format("has a {}; {} is wanted", source.kind, in_words(wanted)));

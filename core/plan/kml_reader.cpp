@@ -78,8 +78,13 @@ SourceGeometry geometry(const XMLElement& element) {
   found.line = element.GetLineNum();
   const std::string_view name = local_name(element);
   found.kind = name.ends_with("Track") ? fmt::format("gx:{}", name) : std::string(name);
-  if (name != "Point" && name != "LineString") return found;
-  if (const XMLElement* coordinates = child(element, "coordinates")) {
+  const XMLElement* ring = nullptr;
+  if (name == "Polygon") {
+    const XMLElement* outline = child(element, "outerBoundaryIs");
+    if (outline != nullptr) ring = child(*outline, "LinearRing");
+  }
+  if (name != "Point" && name != "LineString" && ring == nullptr) return found;
+  if (const XMLElement* coordinates = child(ring == nullptr ? element : *ring, "coordinates")) {
     LinedText text = text_of(*coordinates);
     found.coordinates = std::move(text.text);
     found.line = text.line;

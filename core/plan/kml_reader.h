@@ -23,9 +23,10 @@ struct SourceData {
 };
 
 struct SourceGeometry {
-  std::string kind;         // "Point", "LineString", "Polygon", "MultiGeometry", "gx:Track", ...
-  std::string coordinates;  // of Point and LineString: text as written, without blanks around it
-  int line = 0;             // of the first coordinate; else of the geometry
+  std::string kind;  // "Point", "LineString", "Polygon", "MultiGeometry", "gx:Track", ...
+  // Of Point, LineString and a Polygon's outline: text as written, without blanks around it.
+  std::string coordinates;
+  int line = 0;  // of the first coordinate; else of the geometry
 };
 
 struct SourcePlacemark {

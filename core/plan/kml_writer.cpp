@@ -168,13 +168,30 @@ class Writer {
 
   void geometry(const KmlGeometry& geometry) {
     if (geometry.kind == KmlGeometryKind::none) return;
-    const bool is_line = geometry.kind == KmlGeometryKind::line;
-    LSOS_ASSERT(is_line ? geometry.points.size() >= 2 : geometry.points.size() == 1);
-    open(is_line ? "LineString" : "Point");
-    if (is_line && geometry.clamp_to_ground) element("tessellate", "1");
+    const bool is_point = geometry.kind == KmlGeometryKind::point;
+    const bool is_polygon = geometry.kind == KmlGeometryKind::polygon;
+    LSOS_ASSERT(is_point ? geometry.points.size() == 1
+                         : geometry.points.size() >= (is_polygon ? 3U : 2U));
+    open(is_point ? "Point" : is_polygon ? "Polygon" : "LineString");
+    if (!is_point && geometry.clamp_to_ground) element("tessellate", "1");
     element("altitudeMode", geometry.clamp_to_ground ? "clampToGround" : "absolute");
+    if (!is_polygon) {
+      coordinates(geometry, geometry.points);
+    } else {
+      std::vector<Geodetic> ring = geometry.points;
+      ring.push_back(ring.front());
+      open("outerBoundaryIs");
+      open("LinearRing");
+      coordinates(geometry, ring);
+      close();
+      close();
+    }
+    close();
+  }
+
+  void coordinates(const KmlGeometry& geometry, const std::vector<Geodetic>& points) {
     std::string text;
-    for (const Geodetic& point : geometry.points) {
+    for (const Geodetic& point : points) {
       LSOS_ASSERT(std::isfinite(point.lon_rad) && std::isfinite(point.lat_rad));
       // 1e-9 degrees are 0.1 mm on Earth.
       text +=
@@ -185,7 +202,6 @@ class Writer {
       }
     }
     element("coordinates", text);
-    close();
   }
 
   tinyxml2::XMLPrinter printer_;

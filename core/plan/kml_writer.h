@@ -32,11 +32,12 @@ struct KmlStyle {
   double label_scale = 1;
 };
 
-enum class KmlGeometryKind { none, point, line };
+enum class KmlGeometryKind { none, point, line, polygon };
 
 struct KmlGeometry {
   KmlGeometryKind kind = KmlGeometryKind::none;
-  std::vector<Geodetic> points;  // one for a point, two or more for a line
+  // One for a point, two or more for a line; of a polygon three or more corners, each once.
+  std::vector<Geodetic> points;
   // false: the points' heights count, above the reference surface (KML "absolute").
   bool clamp_to_ground = true;
 };

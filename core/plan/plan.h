@@ -50,7 +50,7 @@ struct PlanAsset {
 
 struct PlanGeometry {
   GeometryKind kind = GeometryKind::none;
-  std::vector<Geodetic> points;  // one for a Point
+  std::vector<Geodetic> points;  // one for a Point; of a Polygon each corner of its outline once
   int line = 0;
 };
 
@@ -74,6 +74,12 @@ struct PlanEvent {
     auto operator<=>(const Reference&) const = default;
   };
   std::vector<Reference> start_after;
+  // A Lua expression over logged quantities, as written; "": none.
+  struct Condition {
+    std::string text;
+    int line = 0;
+  };
+  Condition start_when, skip_when, stop_when;
   std::optional<SimTime> timeout;
   OnFailure on_failure = OnFailure::stop;
   std::int64_t go_to_sequence = 0;  // with OnFailure::go_to
@@ -95,5 +101,14 @@ struct Plan {
 // Reads and checks a KML or KMZ file against what there is. All faults are collected in `faults`
 // (warnings too); the plan is complete only when it has no errors.
 Plan read_plan(const std::string& file, const Declarations& declarations, Faults& faults);
+
+struct KmlSource;
+struct SourcePlacemark;
+// The same of Placemarks that come from elsewhere. `file`: what relative paths are relative to.
+Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,
+               Faults& faults);
+// One more event for a plan, to which its references may point. Throws InputError.
+PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
+                     const Declarations& declarations);
 
 }  // namespace lsos

@@ -81,6 +81,12 @@ void add_event(Digest& digest, const PlanEvent& event) {
     digest.text("after_rover", awaited.rover_id);
     digest.integer("after_sequence", awaited.sequence);
   }
+  const auto add_condition = [&](const char* name, const PlanEvent::Condition& condition) {
+    if (!condition.text.empty()) digest.text(name, condition.text);
+  };
+  add_condition("start_when", event.start_when);
+  add_condition("skip_when", event.skip_when);
+  add_condition("stop_when", event.stop_when);
   if (event.timeout) digest.integer("timeout", event.timeout->count());
   digest.integer("on_failure", static_cast<std::int64_t>(event.on_failure));
   if (event.on_failure == OnFailure::go_to) digest.integer("go_to", event.go_to_sequence);

@@ -30,8 +30,10 @@ std::string no_plan(int count) {
       seen);
 }
 
-Plan read_placemarks(const std::string& file, const KmlSource& source,
-                     const Declarations& declarations, Faults& faults) {
+}  // namespace
+
+Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,
+               Faults& faults) {
   Plan plan;
   plan.file = file;
   const Classified ours = classify(source, declarations, faults);
@@ -64,11 +66,38 @@ Plan read_placemarks(const std::string& file, const KmlSource& source,
   return plan;
 }
 
-}  // namespace
+PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
+                     const Declarations& declarations) {
+  Faults faults;
+  const KmlSource source{plan.file, {placemark}};
+  const Classified ours = classify(source, declarations, faults);
+  faults.throw_if_errors();
+  LSOS_ASSERT(ours.events.size() == 1);
+  const ReadContext context{plan.file, plan.file, declarations, faults};
+  std::vector<std::string> rover_ids;
+  for (const PlanRover& rover : plan.rovers) rover_ids.push_back(rover.id);
+  std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids);
+  for (const PlanEvent& event : plan.events) {
+    DraftEvent draft;
+    draft.event = event;
+    draft.subject = fmt::format("{} '{}'", event.type, event.label);
+    draft.is_placed = true;
+    drafts.push_back(std::move(draft));
+  }
+  const auto identity_of = [](const DraftEvent& draft) {
+    return PlanEvent::Reference{draft.event.rover_id, draft.event.sequence};
+  };
+  const PlanEvent::Reference identity = identity_of(drafts.front());
+  std::ranges::stable_sort(drafts, {}, identity_of);
+  resolve_references(drafts, faults);
+  check_circles(drafts, faults);
+  faults.throw_if_errors();
+  return std::ranges::find(drafts, identity, identity_of)->event;
+}
 
 Plan read_plan(const std::string& file, const Declarations& declarations, Faults& faults) {
   try {
-    return read_placemarks(file, read_kml(file), declarations, faults);
+    return read_plan(file, read_kml(file), declarations, faults);
   } catch (const InputError& error) {
     faults.add(error.faults());
   }

@@ -58,6 +58,16 @@ double PanelArray::deploy(std::size_t panel, bool up, std::optional<double> dura
   return seconds(takes);
 }
 
+void PanelArray::set_stuck(std::size_t panel, bool is_stuck, SimTime now) {
+  State& state = states_[panel];
+  state.is_stuck = is_stuck;
+  if (!is_stuck) return;
+  // Half-way up it never gets there.
+  if (state.goes_up && now < state.ready) state.goes_up = false;
+  state.from = state.to = angles(panel, now);
+  state.turn_start = state.turn_end = state.ready = now;
+}
+
 void PanelArray::steer(std::size_t panel, const Steering& steering) {
   states_[panel].steering = steering;
 }
@@ -66,7 +76,7 @@ void PanelArray::aim(const PanelSurroundings& around, SimTime now) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     State& state = states_[i];
     const PanelSpec& spec = specs_[i];
-    if (!is_up(i, now) || !spec.can_turn()) continue;
+    if (!is_up(i, now) || !spec.can_turn() || state.is_stuck) continue;
     const PanelAngles at = angles(i, now);
     PanelAngles to = state.to;
     switch (state.steering.mode) {

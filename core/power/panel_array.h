@@ -45,6 +45,10 @@ class PanelArray {
   // Turns those that are up towards where they shall face.
   void aim(const PanelSurroundings& surroundings, SimTime now);
 
+  // It stays as it is now, whatever it is told: a motor that has failed; or works again.
+  void set_stuck(std::size_t panel, bool is_stuck, SimTime now);
+  bool is_stuck(std::size_t panel) const { return states_[panel].is_stuck; }
+
   bool is_turning(SimTime now) const;  // any of them
   // When the next motion ends, at an exchange; absent when nothing moves.
   std::optional<SimTime> next_end(SimTime now) const;
@@ -59,12 +63,15 @@ class PanelArray {
  private:
   struct State {
     bool goes_up = true;  // or is
-    SimTime ready{};      // when it is up or down
+    bool is_stuck = false;
+    SimTime ready{};  // when it is up or down
     PanelAngles from, to;
     SimTime turn_start{}, turn_end{};
     Steering steering;
 
-    void archive(Archive& a) { a(goes_up)(ready)(from)(to)(turn_start)(turn_end)(steering); }
+    void archive(Archive& a) {
+      a(goes_up)(is_stuck)(ready)(from)(to)(turn_start)(turn_end)(steering);
+    }
   };
 
   std::vector<PanelSpec> specs_;

@@ -116,11 +116,13 @@ struct RoverStyle {
 KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const RoverStyle& style) {
   KmlFolder folder = named_folder(rover_id + " plan");
   for (const PlanEvent& event : plan.events) {
-    if (event.rover_id != rover_id || event.geometry.kind != GeometryKind::line) continue;
+    std::vector<Geodetic> points = event.geometry.points;
+    if (event.rover_id != rover_id || points.size() < 2) continue;
+    if (event.geometry.kind == GeometryKind::polygon) points.push_back(points.front());
     KmlPlacemark line;
     line.name = fmt::format("{} {} (plan)", rover_id, event.label);
     line.style_id = style.plan_id;
-    line.geometry = {KmlGeometryKind::line, event.geometry.points};
+    line.geometry = {KmlGeometryKind::line, std::move(points)};
     folder.placemarks.push_back(std::move(line));
   }
   return folder;

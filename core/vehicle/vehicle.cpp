@@ -34,8 +34,8 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
   const double g_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
   for (const WheelLayout::WheelPlace& place : layout_.wheels) {
     const LinkConfig& link = config_.links[static_cast<std::size_t>(place.link)];
-    parts_.push_back(
-        {place.link, link.wheel_mode, &*link.wheel, link.drive ? &*link.drive : nullptr, {}});
+    parts_.push_back({place.link, &*link.wheel, link.drive ? &*link.drive : nullptr, {}});
+    wheels_[parts_.size() - 1].mode = link.wheel_mode;
     for (const Soil& soil : ground.soils()) {
       parts_.back().soils.emplace_back(soil, *link.wheel, g_mps2);
     }
@@ -106,7 +106,9 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   }
   bodies_.place(p_S_m + height_m * up + deepest_m * plane.normal, R_SB);
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    const WheelMode mode = wheels_[i].mode;
     wheels_[i] = {};
+    wheels_[i].mode = mode;
     wheels_[i].brake_anchor_rad = bodies_.joint_position(parts_[i].link);
     wheels_[i].search_S = plane.normal;
   }
@@ -136,13 +138,20 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   return "";
 }
 
+void Vehicle::set_wheel_mode(std::size_t wheel, WheelMode mode) {
+  WheelState& state = wheels_[wheel];
+  state.mode = mode;
+  state.brake_anchor_rad = bodies_.joint_position(layout_.wheels[wheel].link);
+  state.servo_integral_rad = 0;
+}
+
 void Vehicle::command(const DriveCommand& command) {
   const bool begins_braking = command.is_braking && !command_.is_braking;
   const bool stops_braking = !command.is_braking && command_.is_braking;
   command_ = command;
   if (command.is_braking) {
     for (std::size_t i = 0; i < wheels_.size(); ++i) {
-      if (begins_braking && parts_[i].mode != WheelMode::locked)
+      if (begins_braking && wheels_[i].mode != WheelMode::locked)
         wheels_[i].brake_anchor_rad = bodies_.joint_position(layout_.wheels[i].link);
       wheels_[i].spin_target_radps = wheels_[i].servo_integral_rad = 0;
     }
@@ -224,7 +233,7 @@ VehicleReport Vehicle::report() {
     if (wheel.load_n <= 0) continue;
     ++touching;
     sinkage_sum_m += wheel.sinkage_m;
-    if (std::isnan(wheel.slip) || parts_[i].mode != WheelMode::driven) continue;
+    if (std::isnan(wheel.slip) || wheel.mode != WheelMode::driven) continue;
     ++slipping;
     slip_sum += wheel.slip;
     if (!(std::abs(report.slip_max) >= std::abs(wheel.slip))) report.slip_max = wheel.slip;

@@ -75,6 +75,9 @@ class Vehicle {
   // Steps through `period`, a multiple of the configuration's step.
   void advance(SimTime period);
 
+  // A wheel that fails, or works again; in order of the links that have one.
+  void set_wheel_mode(std::size_t wheel, WheelMode mode);
+
   // Parked: brakes on, all velocities exactly zero.
   void halt();
 
@@ -98,6 +101,7 @@ class Vehicle {
  private:
   struct WheelState {
     WheelContactState contact;
+    WheelMode mode = WheelMode::driven;
     double spin_target_radps = 0;
     double servo_integral_rad = 0;  // accumulated speed error
     double smooth_spin_radps = 0;   // what the motor's limits go by
@@ -107,8 +111,8 @@ class Vehicle {
     double load_n = 0, sinkage_m = 0, slip = not_modelled, torque_n_m = 0;
 
     void archive(Archive& a) {
-      a(contact)(spin_target_radps)(
-          servo_integral_rad)(smooth_spin_radps)(brake_anchor_rad)(search_S)(load_n)(sinkage_m)(slip)(torque_n_m);
+      a(contact)(mode)(
+          spin_target_radps)(servo_integral_rad)(smooth_spin_radps)(brake_anchor_rad)(search_S)(load_n)(sinkage_m)(slip)(torque_n_m);
     }
   };
   struct SteeringState {
@@ -120,7 +124,6 @@ class Vehicle {
 
   struct WheelPart {
     int link = 0;
-    WheelMode mode = WheelMode::driven;
     const Wheel* shape = nullptr;
     const DriveMotor* motor = nullptr;  // nullptr: a wheel without one
     std::vector<WheelSoil> soils;       // by the ground's number

@@ -150,9 +150,9 @@ double Vehicle::apply_drives(double step_s) {
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const WheelPart& part = parts_[i];
     WheelState& wheel = wheels_[i];
-    if (part.motor == nullptr || part.mode == WheelMode::free) continue;
+    if (part.motor == nullptr || wheel.mode == WheelMode::free) continue;
     const double spin_radps = bodies_.joint_velocity(part.link);
-    if (command_.is_braking || part.mode == WheelMode::locked) {
+    if (command_.is_braking || wheel.mode == WheelMode::locked) {
       wheel.torque_n_m =
           brake_torque_n_m(*part.motor, bodies_.joint_position(part.link), spin_radps, wheel);
       work_.brakes_j += wheel.torque_n_m * spin_radps * step_s;

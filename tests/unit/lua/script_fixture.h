@@ -52,6 +52,16 @@ class RecordingRover : public RoverPort {
   Vec3 ahead_S_m(double distance_m) const override {
     return rover.p_S_m + distance_m * Vec3::UnitY();
   }
+  std::map<std::string, Vec3> others;
+  std::map<std::string, PairSight> sights;
+  std::optional<Vec3> place_of_S_m(const std::string& id) const override {
+    const auto found = others.find(id);
+    return found == others.end() ? std::nullopt : std::optional(found->second);
+  }
+  std::optional<PairSight> sight_of(const std::string& id) const override {
+    const auto found = sights.find(id);
+    return found == sights.end() ? std::nullopt : std::optional(found->second);
+  }
   void brake() override { calls.push_back("brake"); }
   void note(const std::string& name, const std::string& fields_json) override {
     calls.push_back("note " + name + " " + fields_json);

@@ -1,0 +1,42 @@
+// What rovers and their events know of the others.
+#include <algorithm>
+
+#include "mission/simulation.h"
+
+namespace lsos {
+
+const EventRecord& Simulation::record(const PlanEvent::Reference& event) const {
+  for (const Rover& rover : rovers_) {
+    if (rover.agent->id() != event.rover_id) continue;
+    for (std::size_t i = 0; i < rover.sequence.events().size(); ++i) {
+      if (rover.sequence.events()[i].event.sequence == event.sequence) {
+        return rover.sequence.records()[i];
+      }
+    }
+  }
+  throw InternalError("a StartAfter names an event that is not in the plan");
+}
+
+std::optional<Vec3> Simulation::place_S_m(const std::string& id) const {
+  for (const Rover& rover : rovers_) {
+    if (rover.agent->id() == id) return rover.agent->view().p_S_m;
+  }
+  for (const StandingAsset& asset : assets_) {
+    if (asset.plan.id == id) return asset.pose.p_S_m;
+  }
+  return {};
+}
+
+std::optional<PairSight> Simulation::sight(const std::string& id, const std::string& other) const {
+  if (!sight_) return {};
+  // As sight_ends(), then Earth.
+  std::vector<std::string> ids = rover_ids();
+  for (const StandingAsset& asset : assets_) ids.push_back(asset.plan.id);
+  ids.emplace_back(earth_id);
+  const auto number = [&](const std::string& of) {
+    return static_cast<std::size_t>(std::ranges::find(ids, of) - ids.begin());
+  };
+  return sight_->last(number(id), number(other));
+}
+
+}  // namespace lsos
