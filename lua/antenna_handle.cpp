@@ -13,7 +13,7 @@ namespace {
 
 template <bool up>
 int deploy(lua_State* L) {
-  RoverPort& rover = handle_call(L, antennas_handle_type()).phase.rover;
+  RoverPort& rover = handle_rover(L, antennas_handle_type());
   std::optional<double> duration_s;
   if (!lua_isnoneornil(L, 3)) {
     duration_s = luaL_checknumber(L, 3);

@@ -4,6 +4,8 @@
 
 #include "lua/answer.h"
 #include "lua/sandbox.h"
+#include "lua/scenario.h"
+#include "lua/sims.h"
 #include "lua/state.h"
 #include "lua/vec3.h"
 
@@ -52,7 +54,15 @@ const std::vector<ApiFunction>& api_functions() {
        "A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out."},
       {"random", guard<random>, "lsos.random(low, high)",
        "A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed."},
-      {"is_empty", guard<is_empty>, "lsos.is_empty(table)", "Whether a table has no entry."}};
+      {"is_empty", guard<is_empty>, "lsos.is_empty(table)", "Whether a table has no entry."},
+      {"sim", guard<make_sim>, "lsos.sim(plan)",
+       "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `soil`, `start`, "
+       "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
+       "Id "
+       "= { type = , at = , heading_deg = , config = , charge = , events = } }` and `assets`. In "
+       "scenarios and at the prompt only."},
+      {"scenario", guard<add_scenario>, "lsos.scenario(name, function(t))",
+       "One more scenario of this file; `lsos-host test` runs them."}};
   return functions;
 }
 

@@ -194,7 +194,10 @@ Path3 read_waypoints(lua_State* L, int index, const EventDeclaration& event) {
   const GeometryKind kind = path.empty()       ? GeometryKind::none
                             : path.size() == 1 ? GeometryKind::point
                                                : GeometryKind::line;
-  if (std::ranges::find(event.geometries, kind) == event.geometries.end()) {
+  const auto takes = [&](GeometryKind k) {
+    return std::ranges::find(event.geometries, k) != event.geometries.end();
+  };
+  if (!takes(kind) && !(path.size() >= 3 && takes(GeometryKind::polygon))) {
     throw std::runtime_error(
         fmt::format("{} does not take a geometry of {} waypoints", event.name, path.size()));
   }

@@ -9,47 +9,14 @@
 #include "lua/commands.h"
 #include "lua/mission_files.h"
 #include "lua/progress.h"
+#include "lua/run_record.h"
 #include "plan/kml_text.h"
-#include "product/files.h"
-#include "product/overlay.h"
-#include "product/run_folder.h"
-#include "product/summary.h"
 
 namespace lsos {
 
 namespace {
 
 std::atomic<int> asked_to_stop{0};
-
-RunSummary summarise(const Simulation& simulation, const MissionFiles& files, double wall_s) {
-  RunSummary summary;
-  summary.plan = files.plan.file;
-  summary.events = simulation.events();
-  summary.status = run_status(summary.events);
-  summary.sim_s = seconds(simulation.now());
-  summary.wall_s = wall_s;
-  for (const RoverResult& result : simulation.results()) {
-    RoverSummary& rover = summary.rovers[result.id];
-    rover.distance_m = result.distance_m;
-    rover.duration_s = result.duration_s;
-    rover.drive_s = result.drive_s;
-    rover.elevation_gain_m = result.elevation_gain_m;
-    rover.max_slope_rad = result.slope_max_rad;
-    rover.max_slip = result.slip_max;
-    rover.energy_start_j = result.energy_start_j;
-    rover.energy_end_j = result.energy_end_j;
-    rover.energy_used_j = result.energy_used_j;
-    rover.solar_j = result.solar_j;
-    if (!result.resources.empty()) rover.resources = result.resources;
-  }
-  for (const Fault& fault : files.faults.sorted()) summary.warnings.push_back(to_string(fault));
-  for (const std::string& warning : simulation.warnings()) summary.warnings.push_back(warning);
-  summary.assumptions = files.assumptions;
-  for (const std::string& assumption : simulation.assumptions()) {
-    summary.assumptions.push_back(assumption);
-  }
-  return summary;
-}
 
 // Answers the signal that stopped it, or 0.
 int simulate(Simulation& simulation, bool is_quiet) {
@@ -104,22 +71,11 @@ int run_command(const RunOptions& options) {
   // Until here a signal may end it at once: there is nothing to write out.
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  folder.prepare();
-  write_file(folder.file("plan.kml"), plan_bytes);
-  LogWriter log(folder.file("log.gpkg"), std::string(files.plan.mission.planet->crs),
-                files.plan.mission.start_time);
-  log.write_run(run_values(files, simulation));
-  simulation.set_log(&log);
+  RunRecord record(folder, plan_bytes, files, simulation);
   const int stopped_by = simulate(simulation, options.is_quiet);
-  log.finish();
   keep_legs(options.plan, simulation.kept_legs());
-
-  const double wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  RunSummary summary = summarise(simulation, files, wall_s);
-  summary.log_sha256 = LogReader(folder.file("log.gpkg")).sha256();
-  write_overlay(folder.path(), files.plan);
-  write_summary(folder.path(), summary);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  const RunSummary summary = record.finish(files, simulation, wall.count());
 
   for (const std::string& warning : simulation.warnings()) {
     if (!options.is_quiet) fmt::print(stderr, "warning: {}\n", warning);

@@ -29,6 +29,24 @@ int check_command(const CheckOptions& options);
 
 int fsm_command(const std::string& plan, bool is_json);
 
+struct TestOptions {
+  std::vector<std::string> paths{"tests/scenarios"};
+  std::string filter;  // only scenarios with it in their name, or their file's
+  std::string junit_file;
+  std::string folder = "out/scenarios";  // of the logs of those that fail
+  int threads = 2;
+  bool is_json = false;
+};
+int test_command(const TestOptions& options);
+
+// `plan_file`: "": none.
+int repl_command(const std::string& plan_file);
+
+// KML <Schema> elements, and a plan with one Placemark each, of these events or of all.
+int schema_command(const std::vector<std::string>& names);
+// A skeleton in events/, and a scenario in tests/scenarios/.
+int new_event_command(const std::string& name);
+
 struct ListOptions {
   std::string what;  // events, rovers, terrains, soils
   std::string name;  // "": all

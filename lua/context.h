@@ -31,6 +31,16 @@ struct EventCall {
   std::optional<RandomStream>& random;  // made at its first use
 };
 
+// Rovers of a simulation that a script has in hand: they may be asked and told things though no
+// phase of theirs runs. Their handles have ids below 0.
+class RoversInHand {
+ public:
+  virtual ~RoversInHand() = default;
+  virtual RoverPort& rover(ScriptInstance handle) = 0;
+  // A line of `print` or `help`.
+  virtual void say(const std::string& text) = 0;
+};
+
 struct LuaContext {
   Limits limits;
   std::size_t memory_bytes = 0;
@@ -49,6 +59,7 @@ struct LuaContext {
 
   Faults* load_faults = nullptr;    // while a script loads
   const EventCall* call = nullptr;  // while a phase runs
+  RoversInHand* in_hand = nullptr;  // of a prompt or a scenario
 };
 
 LuaContext& context(lua_State* L);

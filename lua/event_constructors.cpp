@@ -85,17 +85,17 @@ void read_params(TableReader& t, EventDeclaration& event) {
 }
 
 void read_geometry(TableReader& t, EventDeclaration& event) {
-  static const std::vector<std::string> names{"none", "point", "line"};
+  static const std::vector<std::string> names{"none", "point", "line", "polygon"};
   if (!t.take(optional, "geometry", "text or list of texts",
-              "'none', 'point', 'line' or several (default { 'none', 'point' })."))
+              "'none', 'point', 'line', 'polygon' or several (default { 'none', 'point' })."))
     return;
   const auto add = [&] {
     const std::string name =
         lua_type(t.L(), -1) == LUA_TSTRING ? lua_tostring(t.L(), -1) : describe(t.L(), -1);
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) {
-      t.fault(fmt::format("geometry: 'none', 'point' or 'line' is wanted, found '{}'{}", name,
-                          did_you_mean(name, names)));
+      t.fault(fmt::format("geometry: 'none', 'point', 'line' or 'polygon' is wanted, found '{}'{}",
+                          name, did_you_mean(name, names)));
     } else {
       event.geometries.push_back(static_cast<GeometryKind>(found - names.begin()));
     }

@@ -131,10 +131,12 @@ void read_text(TableReader& t, FieldDeclaration& field) {
   constexpr std::pair<const char*, NameOf> things[] = {{"panel", NameOf::panel},
                                                        {"resource", NameOf::resource},
                                                        {"antenna", NameOf::antenna},
-                                                       {"power_source", NameOf::power_source}};
-  t.word(optional, "names", things, field.names,
-         "What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the "
-         "rover, or a 'power_source', an asset that has power to give.");
+                                                       {"power_source", NameOf::power_source},
+                                                       {"other", NameOf::other}};
+  t.word(
+      optional, "names", things, field.names,
+      "What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the "
+      "rover, a 'power_source', an asset that has power to give, or any 'other' rover or asset.");
   read_text_default(t, field);
   read_required(t, field);
 }

@@ -12,6 +12,8 @@ namespace lsos {
 
 namespace {
 
+constexpr const char* type_key = "lsos.type";
+
 const HandleType& type_of_closure(lua_State* L) {
   return *static_cast<const HandleType*>(lua_touserdata(L, lua_upvalueindex(1)));
 }
@@ -50,6 +52,8 @@ void push_metatable(lua_State* L, const HandleType& type) {
   if (luaL_newmetatable(L, registry_name(type).c_str()) == 0) return;
   void* data = const_cast<HandleType*>(&type);
   lua_pushlightuserdata(L, data);
+  lua_setfield(L, -2, type_key);
+  lua_pushlightuserdata(L, data);
   lua_newtable(L);
   for (const HandleMethod& method : type.methods) {
     lua_pushcfunction(L, method.function);
@@ -84,7 +88,15 @@ void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance) 
   lua_setmetatable(L, -2);
 }
 
-const EventCall& handle_call(lua_State* L, const HandleType& type) {
+const HandleType* handle_type(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TUSERDATA || lua_getmetatable(L, index) == 0) return nullptr;
+  lua_getfield(L, -1, type_key);
+  const auto* type = static_cast<const HandleType*>(lua_touserdata(L, -1));
+  lua_pop(L, 2);
+  return type;
+}
+
+ScriptInstance handle_id(lua_State* L, const HandleType& type) {
   const auto* id =
       static_cast<const ScriptInstance*>(luaL_testudata(L, 1, registry_name(type).c_str()));
   if (id == nullptr) {
@@ -93,8 +105,18 @@ const EventCall& handle_call(lua_State* L, const HandleType& type) {
         "found {2} in place of {0}",
         type.name, type.methods.empty() ? "f" : type.methods.front().name, describe(L, 1)));
   }
+  return *id;
+}
+
+RoverPort& handle_rover(lua_State* L, const HandleType& type) {
+  const ScriptInstance id = handle_id(L, type);
+  return id < 0 ? context(L).in_hand->rover(id) : handle_call(L, type).phase.rover;
+}
+
+const EventCall& handle_call(lua_State* L, const HandleType& type) {
+  const ScriptInstance id = handle_id(L, type);
   const EventCall* call = context(L).call;
-  if (call == nullptr || call->instance != *id) {
+  if (call == nullptr || call->instance != id) {
     throw std::runtime_error(
         fmt::format("{} belongs to an event that is not running now; do not keep it", type.name));
   }

@@ -41,6 +41,16 @@ const HandleType& antennas_handle_type();
 // Pushes a handle (with one user value) of an event.
 void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance);
 
+// Of a handle; nullptr when the value at `index` is none.
+const HandleType* handle_type(lua_State* L, int index);
+
+// Its id. Throws std::runtime_error when argument 1 is another object.
+ScriptInstance handle_id(lua_State* L, const HandleType& type);
+
+// The rover that the handle at argument 1 belongs to: of the running event, or one in hand. Throws
+// as handle_call().
+RoverPort& handle_rover(lua_State* L, const HandleType& type);
+
 // The call that the handle at argument 1 belongs to. Throws std::runtime_error when it is another
 // object, or one of an event that is not running now.
 const EventCall& handle_call(lua_State* L, const HandleType& type);

@@ -6,6 +6,7 @@
 
 #include "lua/answer.h"
 #include "lua/arguments.h"
+#include "lua/condition.h"
 #include "lua/event_library.h"
 #include "lua/handle.h"
 #include "lua/made.h"
@@ -183,6 +184,24 @@ std::string LuaHost::fault_of(const std::string& type, const EventArguments& arg
     fault = lua_tostring(L, -1);
   });
   return fault;
+}
+
+std::string LuaHost::condition_fault(const std::string& text, const std::set<std::string>& ids) {
+  std::string fault;
+  impl_->library.lua().run([&](lua_State* L) { fault = lsos::condition_fault(L, text, ids); });
+  return fault;
+}
+
+bool LuaHost::holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) {
+  bool holds = false;
+  impl_->library.lua().run([&](lua_State* L) {
+    try {
+      holds = condition_holds(L, condition, row, rover);
+    } catch (const std::runtime_error& error) {
+      throw ScriptError(fmt::format("condition '{}': {}", condition, error.what()));
+    }
+  });
+  return holds;
 }
 
 std::optional<RouteSettings> LuaHost::route_settings(const std::string& type,

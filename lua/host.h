@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "lua/catalog.h"
@@ -22,6 +23,10 @@ class LuaHost : public ScriptHost {
   std::string fault_of(const std::string& type, const EventArguments& arguments,
                        Instant mission_start);
 
+  // What is wrong with a condition of a plan, "" when it is well. `ids`: of rovers, assets, Earth.
+  std::string condition_fault(const std::string& text, const std::set<std::string>& ids);
+
+  bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) override;
   std::optional<RouteSettings> route_settings(const std::string& type,
                                               const EventArguments& arguments,
                                               Instant mission_start) override;

@@ -14,11 +14,11 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run",     "check", "fsm",   "light", "list",   "overlay",
-                                     "picture", "rig",   "sight", "sun",   "terrain"};
+const std::vector<std::string> built{"run",    "check",   "fsm",     "light",   "list",
+                                     "new",    "overlay", "picture", "repl",    "rig",
+                                     "schema", "sight",   "sun",     "terrain", "test"};
 // Named in the manual, not there yet.
-const std::vector<std::string> unbuilt{"repl",   "test",   "resume", "report", "compare",
-                                       "schema", "import", "export", "new"};
+const std::vector<std::string> unbuilt{"resume", "report", "compare", "import", "export"};
 
 // `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
 // told which one was meant.
@@ -176,6 +176,33 @@ int run_program(std::vector<std::string> arguments) {
   list_command->add_option("NAME", list.name, "Only this one");
   list_command->add_flag("--json", list.is_json, "As JSON");
 
+  lsos::TestOptions test;
+  CLI::App* test_command =
+      app.add_subcommand("test", "Run scenarios: scripts that say what must come of a mission");
+  test_command->add_option("PATH", test.paths, "Files, or folders of them (tests/scenarios)");
+  test_command->add_option("--filter", test.filter, "Only those with this in their name or file");
+  test_command->add_option("--junit", test.junit_file, "Write the results as JUnit XML too");
+  test_command->add_option("-o,--output", test.folder, "Logs of those that fail (out/scenarios)");
+  test_command->add_option("--threads", test.threads, "Files at a time (2)")
+      ->check(CLI::Range(1, 256));
+  test_command->add_flag("--json", test.is_json, "The results as JSON, in place of TAP");
+
+  std::string repl_plan;
+  CLI::App* repl_command =
+      app.add_subcommand("repl", "A prompt with a simulation in hand; piped input is a script");
+  repl_command->add_option("PLAN", repl_plan, "A KML or KMZ plan");
+
+  std::vector<std::string> schemas;
+  CLI::App* schema_command = app.add_subcommand(
+      "schema", "KML <Schema> elements of events, and a plan with one Placemark of each");
+  schema_command->add_option("NAME", schemas, "Events (all)");
+
+  std::string new_what, new_name;
+  CLI::App* new_command =
+      app.add_subcommand("new", "A script that works, to begin from, and a scenario that tests it");
+  new_command->add_option("WHAT", new_what, "event")->required()->check(CLI::IsMember({"event"}));
+  new_command->add_option("NAME", new_name, "What it shall be called: DropBeacon")->required();
+
   std::string overlay_folder;
   CLI::App* overlay_command =
       app.add_subcommand("overlay", "Write overlay.kml of a run again from its log");
@@ -234,6 +261,10 @@ int run_program(std::vector<std::string> arguments) {
   if (light_command->parsed()) return lsos::light_command(light);
   if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);
+  if (repl_command->parsed()) return lsos::repl_command(repl_plan);
+  if (schema_command->parsed()) return lsos::schema_command(schemas);
+  if (new_command->parsed()) return lsos::new_event_command(new_name);
+  if (test_command->parsed()) return lsos::test_command(test);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, is_json);
 }

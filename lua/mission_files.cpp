@@ -11,6 +11,7 @@
 #include "lua/script_folders.h"
 #include "lua/version.h"
 #include "mission/plan_names.h"
+#include "plan/kml_reader.h"
 #include "product/files.h"
 
 namespace lsos {
@@ -62,7 +63,21 @@ void add_script_warnings(const Catalog& catalog, Faults& faults) {
 // What the scripts of events say of their parameters.
 void check_events(const Plan& plan, const Catalog& catalog, Faults& faults) {
   LuaHost host(catalog);
+  std::set<std::string> ids{"Earth"};
+  for (const PlanRover& rover : plan.rovers) ids.insert(rover.id);
+  for (const PlanAsset& asset : plan.assets) ids.insert(asset.id);
   for (const PlanEvent& event : plan.events) {
+    const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
+      if (condition.text.empty()) return;
+      const std::string fault = host.condition_fault(condition.text, ids);
+      if (fault.empty()) return;
+      faults.error({event.place.file, condition.line},
+                   fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
+                               condition.text, fault));
+    };
+    check("StartWhen", event.start_when);
+    check("SkipWhen", event.skip_when);
+    check("StopWhen", event.stop_when);
     try {
       const std::string fault =
           host.fault_of(event.type, {event.params, {}}, plan.mission.start_time);
@@ -84,13 +99,12 @@ std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
       plan_file, path == nullptr ? "" : path, shipped_folder(program, LSOS_SOURCE_FOLDER)));
 }
 
-MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
-  MissionFiles files;
-  files.catalog = read_catalog(plan_file);
-  files.plan = read_plan(plan_file, files.catalog->declarations(), files.faults);
+namespace {
+
+// Reads what the plan names.
+void read_models(MissionFiles& files) {
   add_script_warnings(*files.catalog, files.faults);
-  if (seed) files.plan.mission.seed = *seed;
-  if (files.faults.has_errors()) return files;
+  if (files.faults.has_errors()) return;
   check_events(files.plan, *files.catalog, files.faults);
   const auto collect = [&](auto load) {
     try {
@@ -112,6 +126,28 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   check_plan_names(files.plan, files.catalog->declarations(), files.rover_models,
                    files.asset_models, files.faults);
   collect([&] { files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions); });
+}
+
+}  // namespace
+
+MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
+  MissionFiles files;
+  files.catalog = read_catalog(plan_file);
+  files.plan = read_plan(plan_file, files.catalog->declarations(), files.faults);
+  if (seed) files.plan.mission.seed = *seed;
+  read_models(files);
+  return files;
+}
+
+MissionFiles read_mission(const KmlSource& source, const std::string& soil,
+                          std::shared_ptr<const Catalog> catalog) {
+  MissionFiles files;
+  files.catalog = std::move(catalog);
+  files.plan = read_plan(source.file, source, files.catalog->declarations(), files.faults);
+  read_models(files);
+  if (!soil.empty() && !files.faults.has_errors()) {
+    files.terrain.soil = files.catalog->load_soil(soil, files.plan.mission.place);
+  }
   return files;
 }
 

@@ -29,6 +29,10 @@ std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
 // Reads all and collects every fault. `seed` replaces the plan's.
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed = {});
 
+// The same of a plan that is no file. `soil`: that the ground is made of; "": the terrain's own.
+MissionFiles read_mission(const KmlSource& source, const std::string& soil,
+                          std::shared_ptr<const Catalog> catalog);
+
 // What the simulation starts from; the files must have no errors.
 SimulationSetup simulation_setup(const MissionFiles& files);
 

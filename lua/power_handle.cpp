@@ -12,12 +12,8 @@ namespace lsos {
 
 namespace {
 
-PowerPort& battery_of(lua_State* L) {
-  return handle_call(L, battery_handle_type()).phase.rover.power();
-}
-PowerPort& panels_of(lua_State* L) {
-  return handle_call(L, panels_handle_type()).phase.rover.power();
-}
+PowerPort& battery_of(lua_State* L) { return handle_rover(L, battery_handle_type()).power(); }
+PowerPort& panels_of(lua_State* L) { return handle_rover(L, panels_handle_type()).power(); }
 
 template <auto member>
 int of_battery(lua_State* L) {

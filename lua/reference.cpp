@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include "lua/api.h"
+#include "lua/condition.h"
 #include "lua/handle.h"
+#include "lua/scenario.h"
+#include "lua/sims.h"
 
 namespace lsos {
 
@@ -75,6 +78,42 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - `print` writes a row into the log's notes.
 )";
 
+constexpr const char* conditions = R"(
+## Conditions
+
+`StartWhen`, `SkipWhen` and `StopWhen` of any event hold an expression, with `and`, `or`, `not`,
+comparisons and `math`, over these quantities of its rover: `charge < 0.3 and sun_fraction == 0`.
+They are asked when the event's turn comes (or it starts), then at whole seconds. A quantity that is
+not modelled is not-a-number: no comparison with it holds. What was decided is in the log's notes.
+)";
+
+constexpr const char* scenarios = R"(
+## Scenarios
+
+`lsos-host test` runs the files of `tests/scenarios`, or those it is given. One that fails leaves its
+log in `out/scenarios`.
+
+```lua
+local lsos = require 'lsos'
+
+lsos.scenario('a drive of 60 m stops at its end', function(t)
+  local sim = lsos.sim {
+    terrain = 'Flat',
+    rovers  = { A = { type = 'SEV', events = { { 'Route', at = { 0, 60 }, Speed = '5 km/h' } } } },
+  }
+  sim:run_for(20)
+  t:check(sim.rovers.A.speed_mps > 1, 'it drives')
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed')
+  t:near(sim.rovers.A.distance_m, '60 m', '1 m', 'driven')
+end)
+```
+
+Events are tables with their type first; names that begin with a capital are fields as a plan has them,
+`path`, `at` and `polygon` are places in metres to the east and north of the site, `label` and
+`sequence` what they say (10, 20, ... when left out).
+)";
+
 std::string key_table(const Constructor& constructor) {
   std::vector<KeyDoc> keys;
   TableReader reader(keys);
@@ -116,6 +155,15 @@ std::string api_reference() {
   for (const HandleType* type :
        {&event_handle_type(), &rover_handle_type(), &drive_handle_type(), &battery_handle_type(),
         &panels_handle_type(), &antennas_handle_type()}) {
+    text += handle_section(*type);
+  }
+  text += conditions;
+  text += "\n| | |\n|---|---|\n";
+  for (const ConditionName& name : condition_names()) {
+    text += fmt::format("| `{}` | {} |\n", name.name, name.doc);
+  }
+  text += scenarios;
+  for (const HandleType* type : {&sim_handle_type(), &scenario_handle_type()}) {
     text += handle_section(*type);
   }
   text += "\n## Functions and values\n\n| | |\n|---|---|\n";

@@ -14,8 +14,8 @@ namespace lsos {
 
 namespace {
 
-const EventCall& call_of(lua_State* L) { return handle_call(L, rover_handle_type()); }
-const RoverView& view_of(lua_State* L) { return call_of(L).phase.rover.view(); }
+RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
+const RoverView& view_of(lua_State* L) { return rover_of(L).view(); }
 
 template <auto member>
 int quantity(lua_State* L) {
@@ -40,14 +40,13 @@ int is_parked(lua_State* L) {
 }
 
 int drive(lua_State* L) {
-  push_handle(L, drive_handle_type(), call_of(L).instance);
+  push_handle(L, drive_handle_type(), handle_id(L, rover_handle_type()));
   return 1;
 }
 
 int battery(lua_State* L) {
-  const EventCall& call = call_of(L);
-  if (call.phase.rover.power().view().has_battery) {
-    push_handle(L, battery_handle_type(), call.instance);
+  if (rover_of(L).power().view().has_battery) {
+    push_handle(L, battery_handle_type(), handle_id(L, rover_handle_type()));
   } else {
     lua_pushnil(L);
   }
@@ -55,24 +54,24 @@ int battery(lua_State* L) {
 }
 
 int antennas(lua_State* L) {
-  push_handle(L, antennas_handle_type(), call_of(L).instance);
+  push_handle(L, antennas_handle_type(), handle_id(L, rover_handle_type()));
   return 1;
 }
 
 int panels(lua_State* L) {
-  push_handle(L, panels_handle_type(), call_of(L).instance);
+  push_handle(L, panels_handle_type(), handle_id(L, rover_handle_type()));
   return 1;
 }
 
 int work(lua_State* L) {
   const double power_w = luaL_checknumber(L, 2);
   if (!(power_w >= 0)) throw std::runtime_error("rover:work wants a power of 0 W or more");
-  call_of(L).phase.rover.power().set_work(power_w);
+  rover_of(L).power().set_work(power_w);
   return 0;
 }
 
 int resource(lua_State* L) {
-  const auto amount = call_of(L).phase.rover.power().resource(luaL_checkstring(L, 2));
+  const auto amount = rover_of(L).power().resource(luaL_checkstring(L, 2));
   push_quantity(L, amount.value_or(not_modelled));
   return 1;
 }
@@ -80,7 +79,7 @@ int resource(lua_State* L) {
 int use(lua_State* L) {
   const double amount = luaL_checknumber(L, 3);
   if (!(amount >= 0)) throw std::runtime_error("rover:use wants an amount of 0 or more");
-  lua_pushboolean(L, call_of(L).phase.rover.power().use(luaL_checkstring(L, 2), amount));
+  lua_pushboolean(L, rover_of(L).power().use(luaL_checkstring(L, 2), amount));
   return 1;
 }
 
@@ -102,16 +101,16 @@ FollowSettings check_settings(lua_State* L, int argument) {
 }
 
 int follow(lua_State* L) {
-  const EventCall& call = call_of(L);
+  RoverPort& rover = rover_of(L);
   lua_settop(L, 3);
   const Path3 path = read_path(L, 2, "rover:follow");
   if (path.empty()) throw std::runtime_error("rover:follow wants at least one waypoint");
-  call.phase.rover.follow(path, check_settings(L, 3));
+  rover.follow(path, check_settings(L, 3));
   return 0;
 }
 
 int plan_path(lua_State* L) {
-  const EventCall& call = call_of(L);
+  RoverPort& rover = rover_of(L);
   lua_settop(L, 3);
   const Path3 waypoints = read_path(L, 2, "rover:plan_path");
   const RouteOptions options = check_route_options(L, 3, "rover:plan_path");
@@ -119,7 +118,7 @@ int plan_path(lua_State* L) {
     throw std::runtime_error(fmt::format("rover:plan_path: first = {}, there are {} waypoints",
                                          options.first, waypoints.size()));
   }
-  const PlannedWay way = call.phase.rover.plan_path(waypoints, options.first, options.settings);
+  const PlannedWay way = rover.plan_path(waypoints, options.first, options.settings);
   if (way.is_found()) {
     push_way(L, way);
     return 1;
@@ -132,12 +131,12 @@ int plan_path(lua_State* L) {
 }
 
 int ahead(lua_State* L) {
-  push_vec3(L, call_of(L).phase.rover.ahead_S_m(luaL_checknumber(L, 2)));
+  push_vec3(L, rover_of(L).ahead_S_m(luaL_checknumber(L, 2)));
   return 1;
 }
 
 int brake(lua_State* L) {
-  call_of(L).phase.rover.brake();
+  rover_of(L).brake();
   return 0;
 }
 
@@ -146,8 +145,21 @@ int distance_to_m(lua_State* L) {
   return 1;
 }
 
-DriveState drive_of(lua_State* L) {
-  return handle_call(L, drive_handle_type()).phase.rover.drive();
+DriveState drive_of(lua_State* L) { return handle_rover(L, drive_handle_type()).drive(); }
+
+int place_of(lua_State* L) {
+  const std::optional<Vec3> p_S_m = rover_of(L).place_of_S_m(luaL_checkstring(L, 2));
+  if (!p_S_m) return 0;
+  push_vec3(L, *p_S_m);
+  return 1;
+}
+
+template <auto member>
+int sight_of(lua_State* L) {
+  const std::optional<PairSight> sight = rover_of(L).sight_of(luaL_checkstring(L, 2));
+  if (!sight) return 0;
+  lua_pushboolean(L, (*sight).*member);
+  return 1;
 }
 
 int drive_status(lua_State* L) {
@@ -240,6 +252,13 @@ const HandleType& rover_handle_type() {
         "What is left of it; nil when the rover carries none."},
        {"use", guard<use>, "rover:use(name, amount)",
         "Takes it; false, and nothing is taken, when there is not so much."},
+       {"place_of", guard<place_of>, "rover:place_of(id)",
+        "Position of another rover or an asset; nil when there is none with that id."},
+       {"sees", guard<sight_of<&PairSight::is_visible>>, "rover:sees(id)",
+        "Whether its antenna saw that of another rover, of an asset, or 'Earth', when they were "
+        "last looked at; nil before."},
+       {"is_linked_to", guard<sight_of<&PairSight::is_linked>>, "rover:is_linked_to(id)",
+        "The same, within range and with both antennas up."},
        {"distance_to_m", guard<distance_to_m>, "rover:distance_to_m(point)",
         "Straight distance from the reference point."}}};
   return type;

@@ -146,4 +146,12 @@ void push_environment(lua_State* L) {
   lua_setmetatable(L, -2);
 }
 
+void push_open_environment(lua_State* L) {
+  lua_newtable(L);
+  lua_newtable(L);
+  lua_getfield(L, LUA_REGISTRYINDEX, environment_key);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+}
+
 }  // namespace lsos

@@ -11,6 +11,8 @@ void make_sandbox(lua_State* L);
 
 // Pushes a new environment for one script file.
 void push_environment(lua_State* L);
+// The same that takes globals: of a prompt.
+void push_open_environment(lua_State* L);
 
 // Text of any value without addresses: "rover 'A'", "table", "function". Pushes it.
 void push_text(lua_State* L, int index);

@@ -165,9 +165,8 @@ int require(lua_State* L) {
   return 1;
 }
 
-// Goes to the notes of the log, under the name "print".
+// Goes to the notes of the log, under the name "print"; at a prompt it is printed.
 int print(lua_State* L) {
-  const EventCall& call = running_call(L, "print");
   std::string line;
   const int count = lua_gettop(L);
   for (int i = 1; i <= count; ++i) {
@@ -176,6 +175,11 @@ int print(lua_State* L) {
     lua_pop(L, 1);
   }
   lua_settop(L, 0);
+  if (context(L).in_hand != nullptr) {
+    context(L).in_hand->say(line);
+    return 0;
+  }
+  const EventCall& call = running_call(L, "print");
   lua_newtable(L);
   lua_pushlstring(L, line.data(), line.size());
   lua_setfield(L, 1, "text");

@@ -1,4 +1,4 @@
--- expect: event: geometry: 'none', 'point' or 'line' is wanted, found 'lines'; did you mean 'line'?
+-- expect: event: geometry: 'none', 'point', 'line' or 'polygon' is wanted, found 'lines'; did you mean 'line'?
 -- as: events
 local lsos = require 'lsos'
 return lsos.event {

@@ -1,0 +1,56 @@
+-- Crew members leave the rover, work outside, and come back.
+
+local lsos = require 'lsos'
+
+-- A phase that lasts as long as the parameter says.
+local function stay(duration, next)
+  return function(ev, rover)
+    rover:brake()
+    if rover.battery then rover:work(ev.params.power_w) end
+    local left_s = ev.params[duration] - ev.phase_elapsed_s
+    if left_s <= 0 then return next end
+    return lsos.sleep(left_s)
+  end
+end
+
+local function start(ev, _)
+  ev:log('eva', { crew = ev.params.crew })
+  return 'exit'
+end
+
+return lsos.event {
+  api    = 1,
+  schema = 'EVA',
+  doc    = 'Crew members leave the rover, work outside, and come back.',
+
+  params = {
+    exit_duration_s     = lsos.duration {
+      kml = 'ExitDuration', unit = 'min', default = 15,
+      doc = 'Until they stand outside.',
+    },
+    activity_duration_s = lsos.duration {
+      kml = 'ActivityDuration', unit = 'h', default = 2,
+      doc = 'Of their work outside.',
+    },
+    entry_duration_s    = lsos.duration {
+      kml = 'EntryDuration', unit = 'min', default = 15,
+      doc = 'Until they are inside again.',
+    },
+    crew                = lsos.integer {
+      kml = 'Crew', min = 1, max = 20, default = 2,
+      doc = 'How many go; it is logged.',
+    },
+    power_w             = lsos.number {
+      kml = 'Power', unit = 'W', min = 0, default = 0,
+      doc = 'That the rover gives meanwhile, for all of them.',
+    },
+  },
+
+  start  = 'start',
+  phases = {
+    start    = start,
+    exit     = stay('exit_duration_s', 'activity'),
+    activity = stay('activity_duration_s', 'entry'),
+    entry    = stay('entry_duration_s', lsos.done),
+  },
+}

@@ -1,0 +1,73 @@
+-- Drive until near another rover or an asset, wherever it goes meanwhile.
+
+local lsos = require 'lsos'
+
+-- The way is planned again when the other has moved by this share of what is left, or this far.
+local moved_share, moved_least_m = 0.2, 5
+
+local function aim(ev, rover, target)
+  local path = target
+  if ev.params.plans then
+    local way, reason = rover:plan_path(target, {
+      speed_mps = ev.params.speed_mps, arrival_radius_m = ev.params.distance_m,
+    })
+    if not way then return lsos.fail('%s', reason) end
+    path = way.path
+  end
+  rover:follow(path, {
+    speed_mps        = ev.params.speed_mps,
+    arrival_radius_m = ev.params.distance_m,
+  })
+  ev.state.target = target
+end
+
+local function chase(ev, rover)
+  local target = rover:place_of(ev.params.with)
+  local left_m = rover:distance_to_m(target)
+  if left_m <= ev.params.distance_m then
+    rover:brake()
+    ev:log('met', { with = ev.params.with, distance_m = left_m })
+    return lsos.done
+  end
+  local moved_m = ev.state.target and (target - ev.state.target):length()
+  local is_old = not moved_m or moved_m > math.max(moved_least_m, moved_share * left_m)
+  if is_old or rover.drive.status == 'arrived' then
+    local failure = aim(ev, rover, target)
+    if failure then return failure end
+  elseif rover.drive.status == 'failed' then
+    return lsos.fail('%s', rover.drive.reason)
+  end
+  return lsos.sleep(1)
+end
+
+return lsos.event {
+  api    = 1,
+  schema = 'Rendezvous',
+  doc    = 'Drive until near another rover or an asset, wherever it goes meanwhile.',
+
+  geometry = 'none',
+  drives   = true,
+  params   = {
+    with       = lsos.text {
+      kml = 'With', names = 'other', required = true,
+      doc = 'RoverId or AssetId.',
+    },
+    distance_m = lsos.number {
+      kml = 'Distance', unit = 'm', min = 1, max = 1e5, default = 20,
+      doc = 'Near enough, between their reference points.',
+    },
+    speed_mps  = lsos.number {
+      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20,
+      doc = 'Driving speed; without it the rover type\'s cruise speed.',
+    },
+    plans      = lsos.boolean {
+      kml = 'Plan', default = true,
+      doc = 'Whether ways are planned over the ground; else it drives straight.',
+    },
+  },
+
+  start  = 'chase',
+  phases = { chase = chase },
+
+  on_abort = function(_, rover) rover:brake() end,
+}

@@ -1,0 +1,36 @@
+-- Take a sample of the ground, standing still.
+
+local lsos = require 'lsos'
+
+local function start(ev, rover)
+  rover:brake()
+  if rover.battery then rover:work(ev.params.power_w) end
+  return 'work'
+end
+
+local function work(ev, _)
+  local left_s = ev.params.duration_s - ev.phase_elapsed_s
+  if left_s > 0 then return lsos.sleep(left_s) end
+  ev:log('sample')
+  return lsos.done
+end
+
+return lsos.event {
+  api    = 1,
+  schema = 'Sample',
+  doc    = 'Take a sample of the ground, standing still.',
+
+  params = {
+    duration_s = lsos.duration {
+      kml = 'Duration', unit = 'min', default = 10,
+      doc = 'How long it takes.',
+    },
+    power_w    = lsos.number {
+      kml = 'Power', unit = 'W', min = 0, default = 50,
+      doc = 'Of the tools meanwhile.',
+    },
+  },
+
+  start  = 'start',
+  phases = { start = start, work = work },
+}

@@ -1,0 +1,119 @@
+// `lsos-host schema`: what a plan can hold, as KML: <Schema> elements for a map's forms, and a plan
+// with one Placemark of each.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+#include "plan/field_reader.h"
+#include "plan/kml_writer.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr const char* rover_id = "A";
+
+std::string kml_type(FieldKind kind) {
+  switch (kind) {
+    case FieldKind::integer:
+      return "int";
+    case FieldKind::boolean:
+      return "bool";
+    default:
+      return "string";  // numbers may carry units
+  }
+}
+
+// What stands in a form where the user has to fill in something.
+std::string example(const FieldDeclaration& field) {
+  if (field.default_value) return format_value(field, *field.default_value);
+  if (!field.is_required) return "";
+  if (field.name == "RoverId") return rover_id;
+  if (field.name == "RoverType") return "SEV";
+  if (field.name == "Terrain") return "Flat";
+  switch (field.kind) {
+    case FieldKind::choice:
+      return field.choices.front();
+    case FieldKind::duration:
+      return "60 s";
+    case FieldKind::utc:
+      return "2026-07-01T00:00:00Z";
+    case FieldKind::number:
+    case FieldKind::integer:
+    case FieldKind::boolean:
+      return "1";
+    case FieldKind::text:
+      return "?";
+  }
+  return "";
+}
+
+struct Kind {
+  std::string name;
+  std::vector<FieldDeclaration> fields;
+  KmlGeometry geometry;
+};
+
+KmlGeometry example_geometry(const EventDeclaration& event) {
+  const auto takes = [&](GeometryKind kind) {
+    return std::ranges::find(event.geometries, kind) != event.geometries.end();
+  };
+  const std::vector<Geodetic> corners{geodetic_from_degrees(0, 0), geodetic_from_degrees(0.001, 0),
+                                      geodetic_from_degrees(0.001, 0.001)};
+  if (takes(GeometryKind::none)) return {};
+  if (takes(GeometryKind::line)) return {KmlGeometryKind::line, {corners[0], corners[1]}};
+  if (takes(GeometryKind::point)) return {KmlGeometryKind::point, {corners[1]}};
+  return {KmlGeometryKind::polygon, corners};
+}
+
+void add(KmlDocument& document, const Kind& kind, int number) {
+  KmlSchema schema{kind.name, kind.name, {}};
+  KmlPlacemark placemark;
+  placemark.name = kind.name;
+  placemark.schema_id = kind.name;
+  placemark.geometry = kind.geometry;
+  for (const FieldDeclaration& field : kind.fields) {
+    schema.fields.push_back({field.name, kml_type(field.kind), field.doc});
+    placemark.data.emplace_back(field.name,
+                                field.name == "Sequence" ? std::to_string(number) : example(field));
+  }
+  document.schemas.push_back(std::move(schema));
+  document.placemarks.push_back(std::move(placemark));
+}
+
+}  // namespace
+
+int schema_command(const std::vector<std::string>& names) {
+  const std::shared_ptr<const Catalog> catalog = read_catalog("");
+  const auto& events = catalog->declarations().events;
+  std::vector<std::string> known;
+  for (const auto& [name, event] : events) known.push_back(name);
+  Faults faults;
+  for (const std::string& name : names) {
+    if (events.contains(name)) continue;
+    faults.error({}, fmt::format("there is no event '{}'{}", name, did_you_mean(name, known)));
+  }
+  faults.throw_if_errors();
+
+  KmlDocument document;
+  document.name = "lsos-host plan";
+  document.description = "One Placemark of each kind: copy, move and fill in what you need.";
+  add(document, {"MissionInfo", mission_fields(), {}}, 0);
+  add(document, {"Rover", rover_fields(), {KmlGeometryKind::point, {geodetic_from_degrees(0, 0)}}},
+      0);
+  int number = 0;
+  for (const auto& [name, event] : events) {
+    if (!names.empty() && std::ranges::find(names, name) == names.end()) continue;
+    Kind kind{name, event_identity_fields(), example_geometry(event)};
+    kind.fields.insert(kind.fields.end(), event.fields.begin(), event.fields.end());
+    const auto& common = common_event_fields();
+    kind.fields.insert(kind.fields.end(), common.begin(), common.end());
+    add(document, kind, number += 10);
+  }
+  fmt::print("{}", write_kml(document));
+  return 0;
+}
+
+}  // namespace lsos

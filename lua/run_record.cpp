@@ -1,0 +1,68 @@
+#include "lua/run_record.h"
+
+#include "product/files.h"
+#include "product/overlay.h"
+
+namespace lsos {
+
+namespace {
+
+RunSummary summarise(const Simulation& simulation, const MissionFiles& files, double wall_s) {
+  RunSummary summary;
+  summary.plan = files.plan.file;
+  summary.events = simulation.events();
+  summary.status = run_status(summary.events);
+  summary.sim_s = seconds(simulation.now());
+  summary.wall_s = wall_s;
+  for (const RoverResult& result : simulation.results()) {
+    RoverSummary& rover = summary.rovers[result.id];
+    rover.distance_m = result.distance_m;
+    rover.duration_s = result.duration_s;
+    rover.drive_s = result.drive_s;
+    rover.elevation_gain_m = result.elevation_gain_m;
+    rover.max_slope_rad = result.slope_max_rad;
+    rover.max_slip = result.slip_max;
+    rover.energy_start_j = result.energy_start_j;
+    rover.energy_end_j = result.energy_end_j;
+    rover.energy_used_j = result.energy_used_j;
+    rover.solar_j = result.solar_j;
+    if (!result.resources.empty()) rover.resources = result.resources;
+  }
+  for (const Fault& fault : files.faults.sorted()) summary.warnings.push_back(to_string(fault));
+  for (const std::string& warning : simulation.warnings()) summary.warnings.push_back(warning);
+  summary.assumptions = files.assumptions;
+  for (const std::string& assumption : simulation.assumptions()) {
+    summary.assumptions.push_back(assumption);
+  }
+  return summary;
+}
+
+// Makes room for the log, which must not exist.
+std::string prepared(RunFolder& folder, const std::string& plan_bytes) {
+  folder.prepare();
+  write_file(folder.file("plan.kml"), plan_bytes);
+  return folder.file("log.gpkg");
+}
+
+}  // namespace
+
+RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const MissionFiles& files,
+                     Simulation& simulation)
+    : folder_(folder),
+      log_(prepared(folder, plan_bytes), std::string(files.plan.mission.planet->crs),
+           files.plan.mission.start_time) {
+  log_.write_run(run_values(files, simulation));
+  simulation.set_log(&log_);
+}
+
+RunSummary RunRecord::finish(const MissionFiles& files, const Simulation& simulation,
+                             double wall_s) {
+  log_.finish();
+  RunSummary summary = summarise(simulation, files, wall_s);
+  summary.log_sha256 = LogReader(folder_.file("log.gpkg")).sha256();
+  write_overlay(folder_.path(), files.plan);
+  write_summary(folder_.path(), summary);
+  return summary;
+}
+
+}  // namespace lsos

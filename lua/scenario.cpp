@@ -1,0 +1,229 @@
+#include "lua/scenario.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "base/units.h"
+#include "lua/handle.h"
+#include "lua/loader.h"
+#include "lua/sandbox.h"
+#include "lua/sims.h"
+#include "lua/state.h"
+#include "product/files.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr const char* scenarios_key = "lsos.scenarios";   // list of { name, function }
+constexpr std::int64_t instructions_max = 2'000'000'000;  // some 20 s
+
+std::string text_of(lua_State* L, int index) {
+  push_text(L, index);
+  std::string text = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;
+}
+
+// "distance: " and " (at 94.2 s of sim1)" about what is wrong.
+[[noreturn]] void fail(lua_State* L, int what, const std::string& text) {
+  std::string message;
+  if (lua_type(L, what) == LUA_TSTRING) message = std::string(lua_tostring(L, what)) + ": ";
+  message += text;
+  if (SimSession* sim = running_sims(L, "t").last()) {
+    message += fmt::format(", at {} s", seconds(sim->now()));
+  }
+  throw std::runtime_error(message);
+}
+
+int expect_equal(lua_State* L) {
+  handle_id(L, scenario_handle_type());
+  luaL_checkany(L, 3);
+  lua_settop(L, 4);
+  if (lua_compare(L, 2, 3, LUA_OPEQ) != 0) return 0;
+  fail(L, 4, fmt::format("expected {}, found {}", text_of(L, 3), text_of(L, 2)));
+}
+
+int expect_true(lua_State* L) {
+  handle_id(L, scenario_handle_type());
+  luaL_checkany(L, 2);
+  lua_settop(L, 3);
+  if (lua_toboolean(L, 2) != 0) return 0;
+  fail(L, 3, fmt::format("expected true, found {}", text_of(L, 2)));
+}
+
+struct Quantity {
+  double value_si = 0;
+  const Unit* unit = nullptr;  // of a text
+};
+
+// A number, or a text with a unit: '200 m'.
+Quantity check_quantity(lua_State* L, int argument) {
+  if (lua_type(L, argument) != LUA_TSTRING) return {luaL_checknumber(L, argument), nullptr};
+  const std::string text = lua_tostring(L, argument);
+  const std::size_t space = text.find_first_not_of("+-.0123456789eE");
+  const std::string symbol =
+      space == std::string::npos ? "1" : text.substr(text.find_first_not_of(' ', space));
+  const Unit* unit = find_unit(symbol);
+  if (unit == nullptr) throw std::runtime_error(fmt::format("'{}': no unit '{}'", text, symbol));
+  const auto parsed = parse_quantity(text, *unit);
+  if (!parsed) throw std::runtime_error(fmt::format("'{}': {}", text, parsed.why));
+  return {*parsed.value, unit};
+}
+
+int expect_near(lua_State* L) {
+  handle_id(L, scenario_handle_type());
+  lua_settop(L, 5);
+  const Quantity wanted = check_quantity(L, 3), within = check_quantity(L, 4);
+  if (lua_type(L, 2) == LUA_TNUMBER &&
+      std::abs(lua_tonumber(L, 2) - wanted.value_si) <= within.value_si) {
+    return 0;
+  }
+  const auto shown = [](double value_si, const Unit* unit) {
+    return unit == nullptr ? fmt::format("{:.9g}", value_si)
+                           : fmt::format("{:.6g} {}", value_si / unit->si_factor, unit->symbol);
+  };
+  const std::string found =
+      lua_type(L, 2) == LUA_TNUMBER ? shown(lua_tonumber(L, 2), wanted.unit) : text_of(L, 2);
+  fail(L, 5,
+       fmt::format("expected {} within {}, found {}", shown(wanted.value_si, wanted.unit),
+                   shown(within.value_si, within.unit), found));
+}
+
+int expect_failure(lua_State* L) {
+  handle_id(L, scenario_handle_type());
+  luaL_checktype(L, 2, LUA_TFUNCTION);
+  const std::string wanted = luaL_checkstring(L, 3);
+  lua_settop(L, 4);
+  lua_pushvalue(L, 2);
+  if (lua_pcall(L, 0, 0, 0) == LUA_OK) {
+    fail(L, 4, fmt::format("expected an error with '{}', found none", wanted));
+  }
+  const std::string found = error_text(L, -1);
+  if (found.find(wanted) != std::string::npos) return 0;
+  fail(L, 4, fmt::format("expected an error with '{}', found '{}'", wanted, found));
+}
+
+// Pops a scenario's function and runs it.
+ScenarioResult run_one(lua_State* L, Sims& sims, const std::string& file, const std::string& name,
+                       const std::string& folder) {
+  ScenarioResult result{file, name, "", folder, 0};
+  const auto begin = std::chrono::steady_clock::now();
+  push_handle(L, scenario_handle_type(), 0);
+  try {
+    if (const auto failure = call_script(L, 1, 0)) {
+      result.failure = failure->message;
+      // Where it came through, when that is more than the scenario itself.
+      if (std::ranges::count(failure->traceback, '\n') > 4) {
+        result.failure += "\n" + failure->traceback;
+      }
+    }
+  } catch (const std::exception& error) {
+    result.failure = fmt::format("fault inside the program: {}", error.what());
+  }
+  sims.close_all();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  result.wall_s = wall.count();
+  if (result.failure.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder, ignored);
+    result.log.clear();
+  }
+  return result;
+}
+
+// Of a name, what can be a folder's.
+std::string folder_name(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  }
+  return text;
+}
+
+}  // namespace
+
+int add_scenario(lua_State* L) {
+  running_sims(L, "lsos.scenario");
+  luaL_checkstring(L, 1);
+  luaL_checktype(L, 2, LUA_TFUNCTION);
+  luaL_getsubtable(L, LUA_REGISTRYINDEX, scenarios_key);
+  lua_newtable(L);
+  lua_pushvalue(L, 1);
+  lua_rawseti(L, -2, 1);
+  lua_pushvalue(L, 2);
+  lua_rawseti(L, -2, 2);
+  lua_rawseti(L, -2, static_cast<lua_Integer>(lua_rawlen(L, -2)) + 1);
+  return 0;
+}
+
+const HandleType& scenario_handle_type() {
+  static const HandleType type{
+      "t",
+      "What a scenario says its expectations to. One that does not hold ends the scenario; `what` "
+      "is shown with it. Quantities are numbers in SI units, or texts with a unit: '200 m'.",
+      {},
+      {{"equal", guard<expect_equal>, "t:equal(found, wanted, what)", "The two are equal."},
+       {"near", guard<expect_near>, "t:near(found, wanted, within, what)",
+        "The number found is not farther from that than this."},
+       {"check", guard<expect_true>, "t:check(condition, what)", "It is true."},
+       {"fails", guard<expect_failure>, "t:fails(function, text, what)",
+        "It raises an error that has this text in it."}}};
+  return type;
+}
+
+std::vector<ScenarioResult> run_scenarios(const std::string& file, const std::string& filter,
+                                          const std::string& folder) {
+  const std::filesystem::path path = file;
+  const std::string own_folder = folder + "/" + folder_name(path.stem());
+  Script script;
+  script.name = path.stem();
+  script.file = file;
+  script.folder = path.parent_path();
+  const auto source = read_file(file);
+  if (!source) return {{file, "", "cannot be read", "", 0}};
+  script.source = *source;
+
+  std::vector<ScenarioResult> results;
+  Limits limits;
+  limits.instructions = instructions_max;
+  LuaState lua(limits);
+  lua.run([&](lua_State* L) {
+    // On standard error: standard output is the report.
+    const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    Sims at_load(own_folder, say);
+    lua.context().in_hand = &at_load;
+    Faults faults;
+    if (!run_script(L, script, faults)) {
+      std::string text;
+      for (const Fault& fault : faults.sorted()) text += to_string(fault) + "\n";
+      results.push_back({file, "", text, "", 0});
+      return;
+    }
+    lua_settop(L, 0);
+    luaL_getsubtable(L, LUA_REGISTRYINDEX, scenarios_key);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, 1));
+    if (count == 0) {
+      results.push_back({file, "", file + ": has no lsos.scenario(name, function)", "", 0});
+    }
+    for (lua_Integer k = 1; k <= count; ++k) {
+      lua_settop(L, 1);
+      lua_rawgeti(L, 1, k);
+      lua_rawgeti(L, 2, 1);
+      const std::string name = lua_tostring(L, 3);
+      if (name.find(filter) == std::string::npos && file.find(filter) == std::string::npos)
+        continue;
+      lua_rawgeti(L, 2, 2);
+      Sims sims(own_folder + "/" + folder_name(name), say);
+      lua.context().in_hand = &sims;
+      results.push_back(run_one(L, sims, file, name, own_folder + "/" + folder_name(name)));
+    }
+  });
+  lua.context().in_hand = nullptr;
+  return results;
+}
+
+}  // namespace lsos

@@ -1,0 +1,73 @@
+// A simulation in hand: of a prompt or a scenario. It is stepped, asked, changed between exchanges,
+// and leaves what a run leaves.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lua/mission_files.h"
+#include "lua/run_record.h"
+
+namespace lsos {
+
+class SimSession {
+ public:
+  // `folder`: of its log, replaced if it is there. Throws InputError with all that is wrong.
+  SimSession(MissionFiles files, const std::string& plan_bytes, const std::string& folder);
+  // Writes the rest of the log, if `finish` has not.
+  ~SimSession();
+  SimSession(const SimSession&) = delete;
+  SimSession& operator=(const SimSession&) = delete;
+
+  Simulation& simulation() { return *simulation_; }
+  const MissionFiles& files() const { return files_; }
+  const std::string& folder() const { return folder_.path(); }
+  const std::vector<NoteRow>& notes() const { return notes_; }
+  SimTime now() const { return simulation_->now(); }
+
+  // So many exchanges: 0.1 s each while something moves, else to the next time that something
+  // happens. All of these end with the mission.
+  void step(std::int64_t count);
+  void run_for(double duration_s);
+  // Asks after each exchange, at whole seconds over quiet time. False: the limit came first.
+  bool run_until(const std::function<bool()>& is_enough, double limit_s);
+  void run();
+  // Until a rover has entered another phase.
+  void step_phase();
+
+  // One more event. `fields` as a plan has them; the Sequence is the next that is free when absent.
+  // Answers its Sequence. Throws InputError.
+  std::int64_t dispatch(const std::string& rover_id, SourcePlacemark placemark);
+  // Reads the catalog anew; what has changed is called from the next phase on.
+  void reload();
+  std::string save();
+  // Into the same plan. The log begins anew from there. Throws InputError.
+  void load(const std::string& bytes);
+  // Ends it: events under way are incomplete.
+  void finish();
+
+  // Set by a signal: what runs ends with std::runtime_error at the next exchange.
+  static void interrupt();
+  static void forget_interrupt();
+
+ private:
+  std::unique_ptr<Simulation> made() const;
+  void take(std::unique_ptr<Simulation> simulation);
+  void advance(std::optional<SimTime> until = {});
+  std::vector<std::string> phases() const;
+
+  MissionFiles files_;
+  std::string plan_bytes_;
+  RunFolder folder_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<RunRecord> record_;
+  std::vector<PlanEvent> dispatched_;
+  std::vector<NoteRow> notes_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,154 @@
+// `lsos-host test`: the shipped scenarios, and what a failing one says and leaves.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "system/process.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+Outcome test(const TempFolder& folder, Words more) {
+  Words words{"test"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run(words, {folder.path()});
+}
+
+const std::string two_scenarios = R"(local lsos = require 'lsos'
+
+local function paused(duration)
+  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Pause', Duration = duration } } } } }
+  sim:run()
+  return sim
+end
+
+lsos.scenario('good', function(t)
+  t:near(paused(10).time_s, '10 s', '1 s')
+end)
+
+lsos.scenario('bad', function(t)
+  t:near(paused(20).time_s, '2 min', '1 s', 'the whole pause')
+end)
+)";
+
+TEST(Scenarios, that_are_shipped_pass) {
+  const TempFolder folder;
+  const Outcome outcome =
+      run({"test", "tests/scenarios", "-o", folder / "logs"}, {LSOS_SOURCE_DIR});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("TAP version 14\nok 1 - tests/scenarios/"));
+  EXPECT_FALSE(fs::exists(folder / "logs/driving/Route_goes_through_its_waypoints"));
+}
+
+TEST(Scenarios, that_fail_say_what_was_expected_and_found_and_when_and_keep_their_log) {
+  const TempFolder folder;
+  folder.write("tests/scenarios/two.lua", two_scenarios);
+  const Outcome outcome = test(folder, {"--junit", folder / "results.xml"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("ok 1 - tests/scenarios/two.lua: good"));
+  EXPECT_THAT(outcome.out, HasSubstr("not ok 2 - tests/scenarios/two.lua: bad"));
+  EXPECT_THAT(outcome.out, HasSubstr("tests/scenarios/two.lua:14: the whole pause: expected 2 min "
+                                     "within 1 s, found 0.333333 min, at 20 s"));
+  EXPECT_THAT(outcome.out, HasSubstr("log: out/scenarios/two/bad\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("1..2\n"));
+  EXPECT_TRUE(fs::exists(folder / "out/scenarios/two/bad/sim1/log.gpkg"));
+  EXPECT_TRUE(fs::exists(folder / "out/scenarios/two/bad/sim1/overlay.kml"));
+  EXPECT_FALSE(fs::exists(folder / "out/scenarios/two/good"));
+  const std::string junit = read_text(folder / "results.xml");
+  EXPECT_THAT(junit, HasSubstr("tests=\"2\" failures=\"1\""));
+  EXPECT_THAT(junit, HasSubstr("name=\"bad\""));
+}
+
+TEST(Scenarios, are_chosen_by_a_part_of_their_name_and_told_as_json) {
+  const TempFolder folder;
+  folder.write("tests/scenarios/two.lua", two_scenarios);
+  const Outcome outcome = test(folder, {"--filter", "goo", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  const json results = json::parse(outcome.out);
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_EQ(results[0]["name"], "good");
+  EXPECT_EQ(results[0]["failure"], "");
+  const Outcome none = test(folder, {"--filter", "nothing"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("no scenario has 'nothing' in its name"));
+}
+
+TEST(Scenarios, that_do_not_load_or_are_none_fail) {
+  const TempFolder folder;
+  folder.write("tests/scenarios/broken.lua", "local lsos = require 'lsos'\nlsos.scenari('x')\n");
+  folder.write("tests/scenarios/empty.lua", "-- nothing yet\n");
+  const Outcome outcome = test(folder, {});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("tests/scenarios/broken.lua:2: lsos has no 'scenari'; did you "
+                                     "mean 'scenario'?"));
+  EXPECT_THAT(outcome.out, HasSubstr("has no lsos.scenario(name, function)"));
+  const Outcome nowhere = run({"test", "nowhere"}, {folder.path()});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("nowhere: there is no such file or folder of scenarios"));
+}
+
+// The same plan by table and by file, and the events of the working folder.
+TEST(Scenarios, find_events_beside_them_and_read_plans) {
+  const TempFolder folder;
+  folder.write("events/Nap.lua", R"(local lsos = require 'lsos'
+return lsos.event {
+  api    = 1,
+  doc    = 'Sleep a little.',
+  phases = { nap = function(ev) return ev.elapsed_s >= 5 and lsos.done or lsos.sleep(5) end },
+}
+)");
+  folder.write("tests/scenarios/nap.lua", R"(local lsos = require 'lsos'
+lsos.scenario('nap', function(t)
+  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Nap' } } } } }
+  sim:run()
+  t:near(sim:event('Nap 10').end_s, 5, 0)
+  local again = lsos.sim 'nap.kml'
+  again:run()
+  t:near(again:event('A/10').end_s, 5, 0)
+end)
+)");
+  folder.write("nap.kml", run({"schema", "Nap"}, {folder.path()}).out);
+  const Outcome outcome = test(folder, {});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+TEST(NewEvent, is_a_script_and_a_scenario_that_passes) {
+  const TempFolder folder;
+  const Surroundings there{folder.path()};
+  EXPECT_EQ(run({"new", "event", "DropBeacon"}, there).exit_code, 0);
+  const Outcome outcome = run({"test"}, there);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("ok 1 - tests/scenarios/DropBeacon.lua"));
+  const Outcome again = run({"new", "event", "DropBeacon"}, there);
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("there is an event 'DropBeacon' already"));
+  const Outcome wrong = run({"new", "event", "drop-beacon"}, there);
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("'drop-beacon' cannot be an event's name"));
+}
+
+TEST(Schema, is_a_plan_that_reads) {
+  const TempFolder folder;
+  const Outcome all = run({"schema"}, {folder.path()});
+  EXPECT_EQ(all.exit_code, 0) << all.err;
+  for (const char* name : {"MissionInfo", "Rover", "Route", "Survey", "EVA"}) {
+    EXPECT_THAT(all.out, HasSubstr("<Schema name=\"" + std::string(name) + "\" id=\"" + name));
+  }
+  const Outcome some = run({"schema", "Pause", "Route"}, {folder.path()});
+  folder.write("form.kml", some.out);
+  const Outcome check = run({"check", "form.kml"}, {folder.path()});
+  EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
+  const Outcome wrong = run({"schema", "Puase"}, {folder.path()});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("there is no event 'Puase'; did you mean 'Pause'?"));
+}
+
+}  // namespace
+}  // namespace lsos::test
