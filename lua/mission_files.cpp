@@ -13,6 +13,7 @@
 #include "mission/plan_names.h"
 #include "plan/kml_reader.h"
 #include "product/files.h"
+#include "route/refine.h"
 
 namespace lsos {
 
@@ -26,7 +27,8 @@ std::string program_stamp() {
   std::error_code ignored;
   const auto size = std::filesystem::file_size(program, ignored);
   const auto written = std::filesystem::last_write_time(program, ignored).time_since_epoch();
-  return fmt::format("lsos-host {} {} {}\n", program_version, size, written.count());
+  return fmt::format("lsos-host {} {} {} {}\n", program_version, size, written.count(),
+                     refining_stamp());
 }
 
 // Ground of a raster that the plan names itself: no script says what it is made of.

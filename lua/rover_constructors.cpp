@@ -135,7 +135,7 @@ void read_limits(TableReader& t, GroundLimits& limits) {
   t.number(optional, "clearance_min_m", limits.clearance_min_m, not_negative,
            "Between chassis and ground (default: 0.3 of it at rest).");
   t.number(optional, "unevenness_max_m", limits.unevenness_max_m, positive,
-           "Of the ground at a wheel from the plane under all (default: 0.6 of a wheel's radius).");
+           "Of the ground at a wheel from the plane under the others (default: a wheel's radius).");
 }
 
 void read_rover(TableReader& t, RoverModel& model) {

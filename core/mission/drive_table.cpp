@@ -20,7 +20,7 @@ constexpr int slips = 24;
 constexpr double slip_least = -0.5;
 
 // Limits that no script gives. Slopes: this share of what tips it over, at rest.
-constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 0.6;
+constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 1;
 
 // Share of its weight that rough ground holds a rover back with, for each metre of roughness, slow
 // and with its speed squared: fitted to simulated drives of SEV and LRV on LunarSouthPole (the test
@@ -112,10 +112,7 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
   for (const DrivenWheel& wheel : wheels) {
     if (!wheel.motor) continue;
     const double radius_m = wheel.wheel.radius_m;
-    const bool is_alike = of && of->wheel.radius_m == radius_m &&
-                          of->wheel.width_m == wheel.wheel.width_m &&
-                          of->wheel.grouser_height_m == wheel.wheel.grouser_height_m;
-    if (!is_alike)
+    if (of == nullptr || of->wheel != wheel.wheel)
       point = pulling(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, pull_n, slip_max);
     of = &wheel;
     if (!point) return std::nullopt;
@@ -207,6 +204,7 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   if (!cost.soils.front().by_slope.empty()) {
     drag_n = cost.soils.front().at(0).energy_jpm / price;
   }
+  cost.slow_j = price * mass_kg * speed2 / 2 * std::max(0.0, braking_n - drag_n) / braking_n;
   cost.stop_j = price * mass_kg * speed2 / 2 * braking_n / (braking_n + drag_n);
   cost.lateral_mps2 = vehicle.acceleration_mps2;
   const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);

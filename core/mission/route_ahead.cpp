@@ -11,9 +11,10 @@ namespace lsos {
 
 namespace {
 
+// At the end: near a pole north turns on the way.
 double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 way_S_m = to_S_m - from_S_m;
-  return std::atan2(way_S_m.dot(site.east_S(from_S_m)), way_S_m.dot(site.north_S(from_S_m)));
+  return std::atan2(way_S_m.dot(site.east_S(to_S_m)), way_S_m.dot(site.north_S(to_S_m)));
 }
 
 // Goes through a rover's events and knows where it is, as far as the plan says that.
@@ -28,15 +29,19 @@ class Ahead {
   // An event that drives as drawn, or nobody knows where to.
   void pass(const PlanEvent& event) {
     const Path3 waypoints_S_m = geometry_S_m(event.geometry, ground_);
-    if (waypoints_S_m.empty()) {
+    const bool is_anywhere = waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon;
+    if (is_anywhere) {
       place_S_m_.reset();
       heading_rad_.reset();
     }
+    if (is_anywhere) return;
     for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
   }
 
-  // One that plans its way.
-  void plan(const PlanEvent& event, const RouteSettings& settings) {
+  // One that plans its way; false where there is none: it fails before it drives.
+  bool plan(const PlanEvent& event, const RouteSettings& settings) {
+    const std::optional<Vec3> start_S_m = place_S_m_;
+    const std::optional<double> start_heading_rad = heading_rad_;
     bool is_first = true;
     std::int64_t waypoint = 0;
     for (const Vec3& goal_S_m : geometry_S_m(event.geometry, ground_)) {
@@ -51,14 +56,18 @@ class Ahead {
       }
       const LegStart start{*place_S_m_, heading_rad_.value_or(0), is_at_rest};
       PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
-      go_to(goal_S_m);
-      if (leg.is_found()) {
-        heading_rad_ = leg.end_heading_rad;
-      } else {
-        add_fault(event, waypoint, goal_S_m, leg);
-      }
+      const bool is_found = leg.is_found();
+      if (!is_found) add_fault(event, waypoint, goal_S_m, leg);
       result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg)});
+      if (!is_found) {
+        place_S_m_ = start_S_m;
+        heading_rad_ = start_heading_rad;
+        return false;
+      }
+      go_to(goal_S_m);
+      heading_rad_ = result_.legs.back().leg.end_heading_rad;
     }
+    return true;
   }
 
   void add_fault(Fault fault) { result_.faults.push_back(std::move(fault)); }
@@ -101,8 +110,10 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
   Ahead ahead(ground, routes, {start_S_m, start_heading_rad});
+  std::optional<std::int64_t> gone_to;  // a failure leads there
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled) continue;
+    if (gone_to && event.event.sequence < *gone_to) continue;
     std::optional<RouteSettings> settings;
     try {
       settings =
@@ -113,7 +124,10 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
            fmt::format("{} '{}': {}", event.event.type, event.event.label, error.what())});
     }
     if (settings) {
-      ahead.plan(event.event, *settings);
+      if (ahead.plan(event.event, *settings)) continue;
+      const OnFailure next = event.event.on_failure;
+      if (next == OnFailure::stop || next == OnFailure::abort) break;
+      if (next == OnFailure::go_to) gone_to = event.event.go_to_sequence;
     } else if (event.declaration.drives) {
       ahead.pass(event.event);
     }

@@ -5,6 +5,7 @@
 namespace lsos {
 
 SlopeDrive SoilDrive::at(double slope_rad) const {
+  if (by_slope.size() < 2) return by_slope.empty() ? SlopeDrive{} : by_slope.front();
   const double steps =
       std::clamp((slope_rad - first_rad) / step_rad, 0.0, static_cast<double>(by_slope.size() - 1));
   const auto k = std::min(static_cast<std::size_t>(steps), by_slope.size() - 2);

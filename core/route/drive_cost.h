@@ -19,13 +19,14 @@ struct SlopeDrive {
 };
 
 // On one soil, straight up slopes from `first_rad` (negative: down) in even steps; the last is the
-// steepest that it climbs.
+// steepest that it climbs; none where its wheels do not drive it at all.
 struct SoilDrive {
   double first_rad = 0, step_rad = 0;
   std::vector<SlopeDrive> by_slope;
 
+  // Below `first_rad` where there is none.
   double last_rad() const {
-    return first_rad + step_rad * static_cast<double>(by_slope.size() - 1);
+    return first_rad + step_rad * (static_cast<double>(by_slope.size()) - 1);
   }
   // Linear between. Above last_rad() nothing climbs: ask first. Below the first slope as on it.
   SlopeDrive at(double slope_rad) const;
@@ -38,7 +39,7 @@ struct DriveLimits {
   double slope_max_rad = 0.35;    // of the plane under its wheels, in any direction
   double slip_max = 0.6;          // steady, climbing
   double clearance_min_m = 0.05;  // between its underside and the ground
-  double unevenness_max_m = 0.1;  // of the ground at a wheel from the plane under all
+  double unevenness_max_m = 0.1;  // of the ground at a wheel from the plane under the others
 
   void archive(Archive& a) { a(slope_max_rad)(slip_max)(clearance_min_m)(unevenness_max_m); }
 };
@@ -56,6 +57,9 @@ struct DriveCost {
   double rough_jpm2 = 0;
   // Of stopping at a corner and driving off again, and of turning there on the spot.
   double stop_j = 0, stop_s = 0;
+  // Of slowing down for an arc and speeding up again, from full speed to next to none: what the
+  // soil's drag does not take.
+  double slow_j = 0;
   double turn_jprad = 0, turn_sprad = 0;
   // Greatest acceleration across the way in an arc. Of a radian of one at full speed, times its
   // radius: wheels that hold the rover in it roll at an angle.
@@ -63,7 +67,7 @@ struct DriveCost {
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(turn_jprad)(turn_sprad)(lateral_mps2)(arc_drag_jmprad)(rough_jpm2);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(lateral_mps2)(arc_drag_jmprad)(rough_jpm2);
   }
 };
 

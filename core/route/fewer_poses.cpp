@@ -16,8 +16,8 @@ constexpr std::size_t reach = 5;
 constexpr double first_apart_spacings = 2, growth = 4;
 constexpr double gain_worth = 0.002;
 
-std::vector<Pose2> with_poses_between(const Steering& steering, const std::vector<Pose2>& poses,
-                                      double apart_m) {
+std::vector<Pose2> with_poses_between(const RouteSteering& steering,
+                                      const std::vector<Pose2>& poses, double apart_m) {
   std::vector<Pose2> dense{poses.front()};
   for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
     const int pieces =
@@ -38,7 +38,7 @@ struct Arrival {
 };
 
 // The cheapest route over `poses` whose pieces are no longer than that.
-std::vector<Pose2> cheapest_over(LegCosts& costs, const Steering& steering,
+std::vector<Pose2> cheapest_over(LegCosts& costs, const RouteSteering& steering,
                                  const std::vector<Pose2>& poses, double longest_m) {
   std::vector<std::array<Arrival, reach + 1>> arrivals(poses.size());
   for (std::size_t to = 1; to < poses.size(); ++to) {
@@ -76,7 +76,7 @@ std::vector<Pose2> cheapest_over(LegCosts& costs, const Steering& steering,
 
 }  // namespace
 
-std::vector<Pose2> with_fewer_poses(LegCosts& costs, const Steering& steering,
+std::vector<Pose2> with_fewer_poses(LegCosts& costs, const RouteSteering& steering,
                                     std::vector<Pose2> poses) {
   double length_m = 0;
   for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
@@ -96,7 +96,8 @@ std::vector<Pose2> with_fewer_poses(LegCosts& costs, const Steering& steering,
     poses = std::move(fewer);
   }
   const std::vector<Pose2> direct{poses.front(), poses.back()};
-  return costs.along(steering.line(direct)) <= least ? direct : poses;
+  const double straight = costs.along(steering.line(direct));
+  return straight < infinite && straight <= least ? direct : poses;
 }
 
 }  // namespace lsos

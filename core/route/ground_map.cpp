@@ -1,17 +1,21 @@
 #include "route/ground_map.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lsos {
 
 MapFrame::MapFrame(const SiteFrame& site, const Vec3& origin_S_m)
-    : origin_S_m_(origin_S_m),
+    : site_(&site),
+      origin_S_m_(origin_S_m),
       east_S_(site.east_S(origin_S_m)),
-      north_S_(site.north_S(origin_S_m)) {}
+      north_S_(site.north_S(origin_S_m)),
+      up_S_(north_S_.cross(-east_S_)) {}
 
 Vec2 MapFrame::at(const Vec3& p_S_m) const {
-  const Vec3 from_m = p_S_m - origin_S_m_;
-  return {from_m.dot(east_S_), from_m.dot(north_S_)};
+  const Vec3 vertical_S = site_->up_S(p_S_m), from_m = p_S_m - origin_S_m_;
+  const Vec3 on_m = from_m - from_m.dot(up_S_) / vertical_S.dot(up_S_) * vertical_S;
+  return {on_m.dot(east_S_), on_m.dot(north_S_)};
 }
 
 Vec3 MapFrame::p_S_m(const Vec2& at_m) const {
@@ -40,8 +44,32 @@ std::unique_ptr<GroundMap::Tile> GroundMap::sampled(int tile_column, int tile_ro
       tile->soil[index(column, row)] = sample.soil;
     }
   }
+  // Along its edges only the neighbours on them: a rock stands out over any two.
+  const auto over = [&](int row, int column, int rows, int columns) {
+    const float here_m = tile->height_m[index(column, row)];
+    return here_m - (tile->height_m[index(column - columns, row - rows)] +
+                     tile->height_m[index(column + columns, row + rows)]) /
+                        2;
+  };
+  for (int row = 0; row < tile_nodes; ++row) {
+    for (int column = 0; column < tile_nodes; ++column) {
+      const bool is_within_rows = row > 0 && row + 1 < tile_nodes;
+      const bool is_within_columns = column > 0 && column + 1 < tile_nodes;
+      double bump_m = 0;
+      if (is_within_rows) bump_m = std::max<double>(bump_m, over(row, column, 1, 0));
+      if (is_within_columns) bump_m = std::max<double>(bump_m, over(row, column, 0, 1));
+      tile->bump_m = std::max(tile->bump_m, bump_m);
+    }
+  }
   sampled_ += tile->height_m.size();
   return tile;
+}
+
+double GroundMap::bump_m(const Vec2& at_m) {
+  const Vec2 nodes = (at_m - low_m_) * nodes_per_m_;
+  const int column = std::clamp(static_cast<int>(nodes.x()), 0, columns_ - 1);
+  const int row = std::clamp(static_cast<int>(nodes.y()), 0, rows_ - 1);
+  return tile(column >> tile_bits, row >> tile_bits).bump_m;
 }
 
 int GroundMap::soil(const Vec2& at_m) {

@@ -154,16 +154,50 @@ double LegCosts::along(const Line2& line) {
   return sum;
 }
 
-std::optional<Vec2> LegCosts::first_hazard(const Line2& line) {
-  std::optional<Vec2> found;
-  for (std::size_t k = 0; k + 1 < line.size() && !found; ++k) {
+LegCosts::Cornering LegCosts::arcs(const Line2& line) const {
+  const DriveCost& cost = finder_.cost();
+  Cornering sum;
+  double share = 1, free_m = 0;  // of the last arc, and the straight way since it ended
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const Vec2 in_m = line[k] - line[k - 1], out_m = line[k + 1] - line[k];
+    free_m += in_m.norm();
+    const double bend_rad =
+        std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
+    constexpr double straight_rad = 1e-3;
+    if (bend_rad < straight_rad) continue;
+    const double length_m = std::min(in_m.norm(), out_m.norm()), radius_m = length_m / bend_rad;
+    free_m = std::max(0.0, free_m - length_m / 2);
+    const double now = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2) / cost.speed_mps;
+    // Between two arcs it speeds up for half of the way and slows down again.
+    const double gained = free_m / (cost.stop_s * cost.speed_mps);
+    const double reached = std::sqrt((share * share + now * now) / 2 + gained);
+    const double peak = std::max({share, now, std::min(1.0, reached)});
+    sum.energy_j += cost.slow_j * (peak * peak - now * now) +
+                    cost.arc_drag_jmprad * std::pow(now, 4) * bend_rad / radius_m;
+    const double changing_m =
+        cost.stop_s * cost.speed_mps * (2 * peak * peak - share * share - now * now) / 2;
+    sum.duration_s +=
+        cost.stop_s * (2 * peak - share - now) +
+        (std::max(0.0, free_m - changing_m) / peak - free_m + length_m / now - length_m) /
+            cost.speed_mps;
+    share = now;
+    free_m = -length_m / 2;
+  }
+  return sum;
+}
+
+std::vector<Vec2> LegCosts::hazards(const Line2& line, double apart_m) {
+  std::vector<Vec2> found;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     walk(
         map_, finder_, line[k], line[k + 1],
         [&](const Stance& stance, const Vec2& at_m, double) {
-          if (!finder_.is_calm(stance) && hazard(stance, finder_.cost()) != Hazard::none) {
-            found = at_m;
+          const bool is_hazard =
+              !finder_.is_calm(stance) && hazard(stance, finder_.cost()) != Hazard::none;
+          if (is_hazard && (found.empty() || (at_m - found.back()).norm() > apart_m)) {
+            found.push_back(at_m);
           }
-          return !found;
+          return true;
         },
         close_spacings);
   }
@@ -208,6 +242,11 @@ LegCost LegCosts::of(const Line2& line) {
     sum.cost += cost_per_j_ * corner.energy_j;
     sum.energy_j += corner.energy_j;
     sum.duration_s += corner.duration_s;
+  }
+  if (!cost.can_turn_on_spot && sum.hazard == Hazard::none) {
+    const Cornering turned = arcs(line);
+    sum.energy_j += turned.energy_j;
+    sum.duration_s += turned.duration_s;
   }
   return sum;
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,11 +55,12 @@ class LegCosts {
   double corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   // Of a line: the sum of its pieces and corners.
   double along(const Line2& line);
-  // The same with all that is told of it.
+  // The same with all that is told of it; energy and duration with what arcs add, which searching
+  // does not count.
   LegCost of(const Line2& line);
-  // The first place of a line where a limit is passed, looked at three times as closely as costs
-  // are and without room to stray; absent where there is none.
-  std::optional<Vec2> first_hazard(const Line2& line);
+  // Places of a line where a limit is passed, so far apart, looked at three times as closely as
+  // costs are and without room to stray.
+  std::vector<Vec2> hazards(const Line2& line, double apart_m);
   // Whether the rover can stand there, driving ahead (unit).
   bool can_stand(const Vec2& at_m, const Vec2& ahead);
   // Of a metre at least, after `per_rise` for each metre of climb: what guides the search.
@@ -74,6 +74,8 @@ class LegCosts {
   };
   // What a corner adds.
   Cornering cornering(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
+  // What all arcs of a line add: at each of its bends one that begins and ends half a piece away.
+  Cornering arcs(const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
   double energy_jpm(const Stance& stance) const;
   double rate(const Stance& stance) const;

@@ -1,8 +1,11 @@
 #include "route/refine.h"
 
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
 #include <ompl/base/OptimizationObjective.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/config.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/PathSimplifier.h>
 #include <ompl/util/Console.h>
@@ -34,7 +37,7 @@ constexpr double tries_a_move = 1;
 // where rounding leaves one of its equations off by a millionth.
 class PoseSpace : public ob::SE2StateSpace {
  public:
-  explicit PoseSpace(const Steering& steering) : steering_(steering) {}
+  explicit PoseSpace(const RouteSteering& steering) : steering_(steering) {}
 
   static Pose2 pose(const ob::State* state) {
     const auto* se2 = state->as<StateType>();
@@ -60,7 +63,7 @@ class PoseSpace : public ob::SE2StateSpace {
   bool hasSymmetricInterpolate() const override { return false; }
 
  private:
-  const Steering& steering_;
+  const RouteSteering& steering_;
 };
 
 class Objective : public ob::OptimizationObjective {
@@ -103,7 +106,7 @@ class Messages : public ompl::msg::OutputHandler {
   std::vector<std::string> texts;
 };
 
-ob::SpaceInformationPtr information_on(const Steering& steering, const GroundMap& map) {
+ob::SpaceInformationPtr information_on(const RouteSteering& steering, const GroundMap& map) {
   ob::RealVectorBounds bounds(2);
   const Vec2 high_m = map.place_m(map.columns() - 1, map.rows() - 1);
   for (unsigned int k = 0; k < 2; ++k) {
@@ -146,7 +149,15 @@ std::vector<Pose2> moved(LegCosts& costs, const ob::SpaceInformationPtr& informa
 
 }  // namespace
 
-Refined refined(LegCosts& costs, const Steering& steering, const std::vector<Pose2>& poses,
+std::string refining_stamp() {
+  std::string stamp = fmt::format("ompl {} libc {}", OMPL_VERSION, gnu_get_libc_version());
+  // The C library's functions round otherwise with these.
+  if (__builtin_cpu_supports("fma")) stamp += " fma";
+  if (__builtin_cpu_supports("avx2")) stamp += " avx2";
+  return stamp;
+}
+
+Refined refined(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
                 std::uint64_t seed) {
   const std::lock_guard lock(one_at_a_time);
   {

@@ -14,10 +14,13 @@ struct Refined {
   std::vector<std::string> messages;  // OMPL's warnings
 };
 
+// What its results depend on beside its arguments: the libraries that are loaded, the processor.
+std::string refining_stamp();
+
 // A route over `poses`, two at least, that is free of hazards made cheaper; never costlier. The
 // same seed gives the same bits: one call at a time runs in a process, for OMPL's random numbers
 // are the process' own.
-Refined refined(LegCosts& costs, const Steering& steering, const std::vector<Pose2>& poses,
+Refined refined(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
                 std::uint64_t seed);
 
 }  // namespace lsos

@@ -21,10 +21,16 @@ constexpr double corridor_min_m = 20;
 // The same for rovers that cannot turn on the spot, in radii of their turns.
 constexpr double turning_room = 5;
 constexpr int directions = 16;
+// A leg shorter than this leads nowhere.
+constexpr double same_m = 1e-3;
 // About start and goal, where nothing is kept off.
 constexpr double tight_m = 2;
-// A leg is planned so often at most until a closer look finds nothing wrong with it.
+// A leg is planned so often at most, and once more each so many metres, until a closer look finds
+// nothing wrong with it.
 constexpr int closer_looks = 12;
+constexpr double closer_look_m = 50;
+// A map has no more nodes than this: a gigabyte is used for some 60 million.
+constexpr double nodes_max = 6e7;
 
 // The best stance that a rover can take at a place, turning there.
 Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
@@ -60,6 +66,9 @@ std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost) {
       return fmt::format("with {:.2f} m under the chassis, {:.2f} are wanted", stance.clearance_m,
                          limits.clearance_min_m);
     case Hazard::climb:
+      if (cost.soils[static_cast<std::size_t>(stance.soil)].last_rad() < 0) {
+        return "on soil that its wheels do not drive on, not even on the level";
+      }
       return fmt::format("on a slope of {:.0f} degrees, its wheels climb {:.0f} on this soil",
                          degrees(stance.slope_rad),
                          degrees(cost.soils[static_cast<std::size_t>(stance.soil)].last_rad()));
@@ -115,9 +124,15 @@ class LegPlanner {
   }
 
   PlannedLeg run() {
+    std::vector<double> asides_m;
     for (const double share : corridors) {
-      const bool is_last = share == *std::prev(std::end(corridors));
-      if (try_within(std::max(aside_min_m(), share * goal_m_.norm()), is_last)) break;
+      const double aside_m = std::max(aside_min_m(), share * goal_m_.norm());
+      const Vec2 size_m = goal_m_.cwiseAbs() + Vec2::Constant(2 * aside_m);
+      if (size_m.prod() / (spacing_m_ * spacing_m_) <= nodes_max) asides_m.push_back(aside_m);
+    }
+    if (asides_m.empty()) refuse_length();
+    for (const double aside_m : asides_m) {
+      if (try_within(aside_m, aside_m == asides_m.back())) break;
     }
     return leg_;
   }
@@ -140,30 +155,47 @@ class LegPlanner {
     const std::string at_start = fault_at(map, finder_, start_m);
     if (!at_start.empty()) return refuse(map, "the start is " + at_start, start_m);
     Vec2 nearest_m;
-    for (int k = 0; k < closer_looks; ++k) {
+    std::optional<Vec2> passed_m;
+    const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
+    for (int k = 0; k < looks; ++k) {
+      passed_m.reset();
       LegCosts costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       const std::optional<Refined> way = finder_.cost().can_turn_on_spot
                                              ? over_nodes(costs, nearest_m)
                                              : over_poses(costs, nearest_m);
-      if (!way) break;
+      if (!way || !std::isfinite(costs.along(way->line))) break;
       // Between the steps that costs are summed in a limit may be passed: not there, then.
-      const std::optional<Vec2> passed_m = costs.first_hazard(way->line);
-      if (!passed_m || is_near_end(*passed_m)) {
+      for (const Vec2& at_m : costs.hazards(way->line, step_m())) {
+        if (is_near_end(at_m)) continue;
+        passed_m = passed_m.value_or(at_m);
+        avoided_.push_back({at_m, step_m()});
+      }
+      if (!passed_m) {
         tell(map, costs, *way);
         return true;
       }
-      avoided_.push_back({*passed_m, step_m()});
     }
     const std::string at_goal = fault_at(map, finder_, goal_m_);
     if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
     if (!is_last) return false;
+    if (passed_m) {
+      const Stance there = best_stance(map, finder_, *passed_m);
+      const Hazard found = hazard(there, finder_.cost());
+      return refuse(
+          map,
+          fmt::format("of {} ways looked at each passes a limit somewhere, the last {}", looks,
+                      found == Hazard::none ? "where the ground is rough"
+                                            : say(found, there, finder_.cost())),
+          *passed_m);
+    }
     if (turns_too_wide_) {
       return refuse(map, "there is a way, but none with turns as wide as this rover needs",
                     nearest_m);
     }
     const double off_m = (goal_m_ - nearest_m).norm();
-    const Vec2 on_m = nearest_m + (goal_m_ - nearest_m) / off_m * 2 * spacing_m_;
+    const Vec2 on_m =
+        off_m > 0 ? nearest_m + (goal_m_ - nearest_m) / off_m * 2 * spacing_m_ : goal_m_;
     const std::string beyond = fault_at(map, finder_, on_m);
     return refuse(map,
                   fmt::format("no way comes nearer to the goal than {:.0f} m; ahead the ground is "
@@ -184,7 +216,9 @@ class LegPlanner {
     if (way.line.empty()) return std::nullopt;
     std::vector<Pose2> poses;
     for (const Vec2& at_m : corners(way.line)) poses.push_back({at_m, 0});
-    return refined(costs, Steering::on_the_spot(), poses, request_.seed);
+    Refined best = refined(costs, RouteSteering::on_the_spot(), poses, request_.seed);
+    if (!std::isfinite(costs.along(best.line))) best.line = way.line;
+    return best;
   }
 
   std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
@@ -193,8 +227,10 @@ class LegPlanner {
     turns_too_wide_ = way.line.empty() && !way.is_cut_off;
     nearest_m = way.is_cut_off ? search_grid(costs, start.at_m, goal_m_).nearest_m : way.nearest_m;
     if (way.line.empty()) return std::nullopt;
-    const Steering steering = Steering::in_turns(radius_m_, spacing_m_);
+    const RouteSteering steering = RouteSteering::in_turns(radius_m_, spacing_m_);
     Refined best = refined(costs, steering, way.poses, request_.seed);
+    // What its poses are joined by may look at other places than the search did.
+    if (!std::isfinite(costs.along(best.line))) best.line = way.line;
     // The yaw at the goal is free.
     for (const bool to_left : {true, false}) {
       auto direct = arc_and_straight(start, goal_m_, radius_m_, to_left, spacing_m_);
@@ -219,10 +255,20 @@ class LegPlanner {
     for (const Vec2& at_m : corners(way.line)) {
       leg_.path_S_m.push_back(on_ground(map, probe_, at_m));
     }
-    const Vec3 goal_S_m = leg_.path_S_m.back();
+    leg_.path_S_m.back() = request_.goal_S_m;
+    const Vec3& goal_S_m = request_.goal_S_m;
     const Vec3 last_S_m = goal_S_m - leg_.path_S_m[leg_.path_S_m.size() - 2];
     leg_.end_heading_rad = std::atan2(last_S_m.dot(ground_.site().east_S(goal_S_m)),
                                       last_S_m.dot(ground_.site().north_S(goal_S_m)));
+    if (goal_m_.norm() < same_m) leg_.end_heading_rad = request_.start_heading_rad;
+  }
+
+  void refuse_length() {
+    leg_.reason = fmt::format(
+        "it is {:.1f} km long, more than can be planned at once at {:.2f} m: waypoints between "
+        "make shorter legs",
+        goal_m_.norm() / 1000, spacing_m_);
+    leg_.nearest_S_m = request_.start_S_m;
   }
 
   bool refuse(GroundMap& map, const std::string& reason, const Vec2& nearest_m) {

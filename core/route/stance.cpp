@@ -17,6 +17,19 @@ constexpr double side_slip_max = 0.2;
 // A map has so many nodes over the shortest side of the rectangle of its wheels, within bounds.
 constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
 
+// How much more than a node over its neighbours ground may rise between points of the underside a
+// few nodes apart.
+constexpr double bumps_between = 2;
+
+// Of the underside over the plane, and what of it may be taken up.
+double underside_level_m(const DriveCost& cost) {
+  const auto by_height = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+  return std::ranges::min_element(cost.underside_B_m, by_height)->z();
+}
+double clearance_left_m(const DriveCost& cost) {
+  return std::max(1e-3, underside_level_m(cost) - cost.limits.clearance_min_m);
+}
+
 double side_slip(const SoilDrive& soil, double bank_rad) {
   return std::max(0.0, soil.at(std::abs(bank_rad)).slip - soil.at(0).slip);
 }
@@ -66,6 +79,7 @@ double map_spacing_m(const DriveCost& cost) {
 StanceFinder::StanceFinder(const DriveCost& cost)
     : cost_(cost),
       calm_rad_(calm_rad(cost)),
+      calm_clearance_m_(cost.limits.clearance_min_m + (1 - calm_share) * clearance_left_m(cost)),
       supports_B_m_(supports_m(cost.wheels_B_m, map_spacing_m(cost))) {
   // Least squares of z = a + b ahead + c left.
   Eigen::Matrix<double, Eigen::Dynamic, 3> places(supports_B_m_.size(), 3);
@@ -73,6 +87,50 @@ StanceFinder::StanceFinder(const DriveCost& cost)
     places.row(static_cast<Eigen::Index>(k)) << 1, supports_B_m_[k].x(), supports_B_m_[k].y();
   }
   plane_by_heights_ = (places.transpose() * places).inverse() * places.transpose();
+  for (Eigen::Index k = 0; k < places.rows(); ++k) {
+    // 1 where the others alone make no plane.
+    const double own_share = places.row(k).dot(plane_by_heights_.col(k));
+    leverage_.push_back(own_share < 1 - 1e-9 ? 1 / (1 - own_share) : 1);
+  }
+  underside_low_B_m_ = underside_high_B_m_ = cost.underside_B_m.front().head<2>();
+  underside_m_ = underside_level_m(cost);
+  for (const Vec3& point : cost.underside_B_m) {
+    underside_low_B_m_ = underside_low_B_m_.cwiseMin(point.head<2>());
+    underside_high_B_m_ = underside_high_B_m_.cwiseMax(point.head<2>());
+  }
+}
+
+double StanceFinder::least_clearance_m(GroundMap& map, const Vec2& at_m, const Vec2& ahead,
+                                       const Vec3& plane) const {
+  const Vec2 left(-ahead.y(), ahead.x());
+  Vec2 low_m = Vec2::Constant(std::numeric_limits<double>::infinity()), high_m = -low_m;
+  for (const double x_m : {underside_low_B_m_.x(), underside_high_B_m_.x()}) {
+    for (const double y_m : {underside_low_B_m_.y(), underside_high_B_m_.y()}) {
+      const Vec2 corner_m = at_m + x_m * ahead + y_m * left;
+      low_m = low_m.cwiseMin(corner_m);
+      high_m = high_m.cwiseMax(corner_m);
+    }
+  }
+  const Vec2 first = (low_m - map.low_m()) / map.spacing_m();
+  const Vec2 last = (high_m - map.low_m()) / map.spacing_m();
+  double least_m = std::numeric_limits<double>::infinity();
+  const int row_last = std::min(map.rows() - 1, static_cast<int>(last.y()));
+  const int column_last = std::min(map.columns() - 1, static_cast<int>(last.x()));
+  for (int row = std::max(0, static_cast<int>(std::ceil(first.y()))); row <= row_last; ++row) {
+    for (int column = std::max(0, static_cast<int>(std::ceil(first.x()))); column <= column_last;
+         ++column) {
+      const Vec2 from_m = map.place_m(column, row) - at_m;
+      const Vec2 on_B_m(from_m.dot(ahead), from_m.dot(left));
+      const bool is_under = (on_B_m.array() >= underside_low_B_m_.array()).all() &&
+                            (on_B_m.array() <= underside_high_B_m_.array()).all();
+      if (!is_under) continue;
+      const double ground_m = map.node_m(column, row);
+      if (std::isnan(ground_m)) continue;
+      least_m = std::min(least_m, plane.x() + plane.y() * on_B_m.x() + plane.z() * on_B_m.y() +
+                                      underside_m_ - ground_m);
+    }
+  }
+  return least_m;
 }
 
 Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const {
@@ -101,7 +159,7 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
   for (std::size_t k = 0; k < count; ++k) {
     const Vec2& support = supports_B_m_[k];
     const double off_m = std::abs(heights_m[k] - plane_m(support.x(), support.y()));
-    stance.unevenness_m = std::max(stance.unevenness_m, off_m);
+    stance.unevenness_m = std::max(stance.unevenness_m, leverage_[k] * off_m);
     stance.roughness_m += off_m;
   }
   stance.roughness_m /= static_cast<double>(count);
@@ -114,6 +172,16 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
     if (std::isnan(ground_m)) continue;
     stance.clearance_m =
         std::min(stance.clearance_m, plane_m(point.x(), point.y()) + point.z() - ground_m);
+  }
+  // Between those points stands what they do not show: a rock.
+  double bump_m = map.bump_m(at_m);
+  for (const double x_m : {underside_low_B_m_.x(), underside_high_B_m_.x()}) {
+    for (const double y_m : {underside_low_B_m_.y(), underside_high_B_m_.y()}) {
+      bump_m = std::max(bump_m, map.bump_m(place(x_m, y_m)));
+    }
+  }
+  if (stance.clearance_m - bumps_between * bump_m < calm_clearance_m_) {
+    stance.clearance_m = std::min(stance.clearance_m, least_clearance_m(map, at_m, ahead, plane));
   }
   stance.soil = map.soil(at_m);
   return stance;
@@ -136,6 +204,7 @@ double demand(const Stance& stance, const DriveCost& cost) {
   const DriveLimits& limits = cost.limits;
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
   return std::max({stance.slope_rad / limits.slope_max_rad,
+                   (underside_level_m(cost) - stance.clearance_m) / clearance_left_m(cost),
                    stance.unevenness_m / limits.unevenness_max_m,
                    soil.at(stance.slope_rad).slip / limits.slip_max,
                    side_slip(soil, stance.bank_rad) / side_slip_max});

@@ -14,8 +14,8 @@ struct Stance {
   // left of it, up positive.
   double pitch_rad = 0, bank_rad = 0;
   double slope_rad = 0;     // of that plane, steepest
-  double unevenness_m = 0;  // of the wheel farthest from it
-  double roughness_m = 0;   // mean over the wheels of their distance from it
+  double unevenness_m = 0;  // of the wheel farthest from the plane of the others
+  double roughness_m = 0;   // mean over the wheels of their distance from the plane of all
   double clearance_m = 0;   // least, between underside and ground
   int soil = 0;             // in the middle
 };
@@ -38,19 +38,28 @@ class StanceFinder {
   // `ahead`: unit.
   Stance at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const;
   const DriveCost& cost() const { return cost_; }
-  // Far from all limits, by half of each, whatever the soil: known without asking for its slips.
+  // Far from all limits, by half of what each leaves, whatever the soil: known without asking for
+  // its slips.
   bool is_calm(const Stance& stance) const {
     return stance.is_on_ground && stance.slope_rad < calm_rad_ &&
            stance.unevenness_m < calm_share * cost_.limits.unevenness_max_m &&
-           stance.clearance_m >= cost_.limits.clearance_min_m;
+           stance.clearance_m >= calm_clearance_m_;
   }
 
   static constexpr double calm_share = 0.5;
 
  private:
+  // Over each node under the chassis.
+  double least_clearance_m(GroundMap& map, const Vec2& at_m, const Vec2& ahead,
+                           const Vec3& plane) const;
+
   DriveCost cost_;
-  double calm_rad_;
+  double calm_rad_, calm_clearance_m_;
   std::vector<Vec2> supports_B_m_;
+  // By how much farther each is from the plane of the others than from that of all.
+  std::vector<double> leverage_;
+  Vec2 underside_low_B_m_, underside_high_B_m_;  // the rectangle of the chassis
+  double underside_m_;                           // over the plane
   // The plane's height at the middle, its rise ahead and its rise to the left, by heights of
   // supports.
   Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights_;

@@ -5,13 +5,13 @@
 
 namespace lsos {
 
-// Straight on where it turns on the spot, and the yaws of poses mean nothing; else by the shortest
-// arcs and straight pieces.
-class Steering {
+// Straight on where it turns on the spot, and the yaws of poses mean nothing; else by arcs and
+// straight pieces: about the shortest, in arcs as wide as can be.
+class RouteSteering {
  public:
-  static Steering on_the_spot() { return {0, 1}; }
+  static RouteSteering on_the_spot() { return {0, 1}; }
   // Arcs are drawn as points `step_m` apart at most.
-  static Steering in_turns(double radius_m, double step_m) { return {radius_m, step_m}; }
+  static RouteSteering in_turns(double radius_m, double step_m) { return {radius_m, step_m}; }
 
   double length_m(const Pose2& from, const Pose2& to) const;
   // The pose that share (0..1) of the way.
@@ -22,9 +22,10 @@ class Steering {
   Line2 line(const std::vector<Pose2>& poses) const;
 
  private:
-  Steering(double radius_m, double step_m) : radius_m_(radius_m), step_m_(step_m) {}
+  RouteSteering(double radius_m, double step_m) : radius_m_(radius_m), step_m_(step_m) {}
 
   bool is_straight() const { return radius_m_ == 0; }
+  TurningWay turns(const Pose2& from, const Pose2& to) const;
 
   double radius_m_, step_m_;
 };

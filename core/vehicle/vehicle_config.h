@@ -65,6 +65,8 @@ struct Wheel {
   // rims and treads shear soil on soil (1).
   double interface_friction_ratio = 0.8;
   double rolling_resistance = 0;  // of the wheel itself (flexing), share of its load
+
+  bool operator==(const Wheel&) const = default;
 };
 
 // How a wheel turns: by its motor and brake, freely, or not at all (a seized drive).

@@ -40,6 +40,7 @@ const std::vector<Library>& libraries() {
       {std::regex("ompl/.*"), {"route"}},
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
+      {std::regex("gnu/libc-version\\.h"), {"route"}},  // which one is loaded
       {std::regex("nlohmann/.*"), {"product", "lua"}},
       {std::regex("openssl/.*"), {"base"}},
       {std::regex("(Eigen|fmt)/.*"),

@@ -82,6 +82,22 @@ TEST(RouteAhead, without_a_way_is_a_fault_of_the_plan) {
   EXPECT_EQ(mission.simulation_->advice()[0].severity, Severity::warning);
 }
 
+// It fails before it drives: what follows begins where it stood.
+TEST(RouteAhead, goes_on_from_where_an_event_without_a_way_leaves_the_rover) {
+  Mission mission;
+  dig(mission, 50);
+  mission.rover("A");
+  mission.drive("Plan", 40);
+  mission.drive("Plan", 20);
+  mission.setup_.plan.events[0].on_failure = OnFailure::skip;
+  const std::vector<EventRow> events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_EQ(events[1].status, EventStatus::completed) << events[1].reason;
+  ASSERT_EQ(legs(mission).size(), 2u);
+  EXPECT_EQ(legs(mission)[1].start.p_S_m.x(), 0);
+  EXPECT_EQ(mission.simulation_->advice().size(), 1u);
+}
+
 // Five metres: less, and the way is driven as planned; more, and it is planned anew.
 TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);

@@ -126,6 +126,48 @@ TEST(PlanLeg, from_rest_tells_what_setting_off_takes) {
   EXPECT_DOUBLE_EQ(leg.duration_s, rolling.duration_s + 4);
 }
 
+TEST(PlanLeg, ends_at_its_goal_however_far_and_deep) {
+  // A slope of 10 degrees down: far places lie deep below the plane of the map.
+  const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(30, 10));
+  TerrainSpec spec;
+  spec.layers = {PlaneSurface{0, 10 * deg, std::numbers::pi / 2}};
+  const Ground ground(spec, site, 1);
+  const Vec3 on_plane_m(2000, 0, 0);
+  Ground::Probe probe(ground);
+  const GroundSample below = probe.sample(on_plane_m);
+  const Vec3 goal_m = on_plane_m - below.gap_m * below.up_S;
+  const PlannedLeg leg = plan_leg(ground, simple_rover(), {{0, 0, 0}, goal_m, RouteAim::energy, 1});
+  ASSERT_TRUE(leg.is_found()) << leg.reason;
+  EXPECT_EQ(leg.path_S_m.back(), goal_m);
+  EXPECT_NEAR((leg.path_S_m[leg.path_S_m.size() - 2] - goal_m).normalized().dot(Vec3::UnitY()), 0,
+              1e-3);
+}
+
+TEST(PlanLeg, to_where_it_stands_keeps_its_heading) {
+  const Site site({});
+  DriveCost cost = simple_rover();
+  cost.can_turn_on_spot = false;
+  cost.turning_radius_min_m = 4;
+  LegRequest request{{0, 0, 0}, {0, 0, 0}, RouteAim::energy, 1};
+  request.start_heading_rad = 1.2;
+  const PlannedLeg leg = plan_leg(site.ground(), cost, request);
+  ASSERT_TRUE(leg.is_found()) << leg.reason;
+  EXPECT_NEAR(leg.length_m, 0, 1e-6);
+  EXPECT_EQ(leg.end_heading_rad, 1.2);
+}
+
+TEST(PlanLeg, that_is_too_long_or_for_wheels_that_do_not_drive_says_so) {
+  const Site site({});
+  const PlannedLeg far =
+      plan_leg(site.ground(), simple_rover(), {{0, 0, 0}, {60000, 0, 0}, RouteAim::energy, 1});
+  EXPECT_THAT(far.reason, HasSubstr("it is 60.0 km long, more than can be planned at once"));
+  DriveCost dead = simple_rover();
+  for (SoilDrive& soil : dead.soils) soil.by_slope.clear();
+  const PlannedLeg none =
+      plan_leg(site.ground(), dead, {{0, 0, 0}, {20, 0, 0}, RouteAim::energy, 1});
+  EXPECT_THAT(none.reason, HasSubstr("on soil that its wheels do not drive on"));
+}
+
 TEST(PlanLeg, is_the_same_whatever_was_planned_before) {
   const Site site(rough());
   const DriveCost cost = simple_rover();
