@@ -10,6 +10,7 @@
 #include "lua/event_library.h"
 #include "lua/handle.h"
 #include "lua/made.h"
+#include "lua/phase_failure.h"
 #include "lua/route.h"
 #include "lua/value.h"
 
@@ -28,15 +29,11 @@ struct Instance {
 
 constexpr std::string_view state_version = "ev.state 1";
 
-// "events/Route.lua:23: Route 'leg 2' in phase drive at 812.4 s: attempt to ..." and the traceback.
-std::string failure_text(const LuaFailure& failure, const EventScript& script,
-                         const std::string& phase, const PhaseContext& context) {
-  const auto [place, what] = split_place(failure.message, script.file);
-  const std::string text =
-      to_string({Severity::error, place,
-                 fmt::format("{} '{}' in {} at {} s: {}", script.declaration.name, context.label,
-                             phase, seconds(context.now), what)});
-  return failure.traceback.empty() ? text : text + "\n" + failure.traceback;
+// Of the function at the top.
+int definition_line(lua_State* L) {
+  lua_Debug ar;
+  lua_pushvalue(L, -1);
+  return lua_getinfo(L, ">S", &ar) != 0 ? ar.linedefined : 0;
 }
 
 // Marks the phase call as going on, for handles and lsos functions.
@@ -96,7 +93,7 @@ struct LuaHost::Impl {
     lua_remove(L, -3);
     const CallScope scope(library.lua().context(), call);
     if (const auto failure = call_script(L, 2, results)) {
-      throw ScriptError(failure_text(*failure, *instance.script, where, call.phase));
+      throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
     }
   }
 
@@ -237,11 +234,13 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
   PhaseAnswer answer;
   impl_->library.lua().run([&](lua_State* L) {
     const EventCall call{script.declaration, instance.arguments, id, context, instance.random};
+    Place defined{script.file, 0};
     try {
       lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
       lua_getfield(L, -1, "phases");
       const EventDeclaration::Phase& phase = find_phase(script.declaration, phase_name);
       lua_getfield(L, -1, phase_name.c_str());
+      if (lua_isfunction(L, -1)) defined.line = definition_line(L);
       answer = phase.sub_event.empty() ? impl_->run_function(L, id, instance, call, where)
                                        : impl_->run_sub_event(L, id, instance, call, phase, where);
       instance.last_phase = phase_name;
@@ -249,7 +248,10 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
     } catch (const ScriptError&) {
       throw;
     } catch (const std::runtime_error& error) {
-      throw ScriptError(failure_text({error.what(), ""}, script, where, context));
+      // What was answered, or left in ev.state: by the phase as a whole.
+      std::string message = error.what();
+      if (defined.line > 0) message = to_string({Severity::error, defined, message});
+      throw ScriptError(phase_failure({message, ""}, script, where, context));
     }
   });
   return answer;

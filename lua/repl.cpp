@@ -181,6 +181,9 @@ Repl::Outcome Repl::run(const std::string& text, int line) {
 Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   const int top = lua_gettop(L);
   const std::string before(static_cast<std::size_t>(line - 1), '\n');
+  const auto tell_news = [&] {
+    for (const std::string& news : sims_.take_news()) say_(news);
+  };
   const bool is_statement = load_text(L, before + "return " + text, shown_file).has_value();
   if (is_statement) {
     if (const auto failure = load_text(L, before + text, shown_file)) {
@@ -192,9 +195,11 @@ Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   lua_rawgeti(L, LUA_REGISTRYINDEX, environment_);
   lua_setupvalue(L, -2, 1);  // _ENV
   if (const auto failure = call_script(L, 0, LUA_MULTRET)) {
+    tell_news();
     say_(failure->message);
     return Outcome::failed;
   }
+  tell_news();
   for (int i = top + 1; i <= lua_gettop(L); ++i) {
     if (lua_isnil(L, i) && lua_gettop(L) == top + 1) break;
     say_(shown(L, i, last_name(text)));

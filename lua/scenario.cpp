@@ -120,6 +120,8 @@ ScenarioResult run_one(lua_State* L, Sims& sims, const std::string& file, const 
       if (std::ranges::count(failure->traceback, '\n') > 4) {
         result.failure += "\n" + failure->traceback;
       }
+      // An event that broke is what most of them fail of.
+      for (const std::string& news : sims.take_news()) result.failure += "\n" + news;
     }
   } catch (const std::exception& error) {
     result.failure = fmt::format("fault inside the program: {}", error.what());

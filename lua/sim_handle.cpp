@@ -272,7 +272,9 @@ int dispatch(lua_State* L) {
 }
 
 int save(lua_State* L) {
-  write_file(luaL_checkstring(L, 2), session_of(L).save());
+  const std::filesystem::path file = luaL_checkstring(L, 2);
+  if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
+  write_file(file, session_of(L).save());
   return 0;
 }
 

@@ -130,6 +130,29 @@ void SimSession::reload() {
   files_.catalog = catalog;
 }
 
+std::vector<std::string> SimSession::take_news() {
+  std::vector<std::string> news;
+  for (const std::string& id : simulation_->rover_ids()) {
+    const EventSequence& sequence = *simulation_->sequence(id);
+    for (std::size_t i = 0; i < sequence.events().size(); ++i) {
+      const EventRecord& record = sequence.records()[i];
+      const PlanEvent& event = sequence.events()[i].event;
+      const std::string name = fmt::format("{}/{}", id, event.sequence);
+      if (record.status != EventStatus::failed || !told_.insert(name).second) continue;
+      news.push_back(fmt::format("{} '{}' failed at {} s: {}", name, event.label,
+                                 seconds(record.end.value_or(now())), record.reason));
+    }
+  }
+  // The reason of a script that broke comes again there, with its traceback.
+  const std::vector<std::string>& warnings = simulation_->warnings();
+  for (std::size_t& i = told_warnings_; i < warnings.size(); ++i) {
+    const std::size_t reason = warnings[i].find('\n');
+    const bool is_more = reason != std::string::npos;
+    news.push_back(is_more ? warnings[i].substr(reason + 1) : "warning: " + warnings[i]);
+  }
+  return news;
+}
+
 std::string SimSession::save() {
   Archive a = Archive::writer();
   std::string plan = simulation_->plan().hash(), state = simulation_->save();
@@ -155,6 +178,9 @@ void SimSession::load(const std::string& bytes) {
     throw InputError({}, fmt::format("is not what sim:save wrote: {}", error.what()));
   }
   std::erase_if(notes_, [&](const NoteRow& row) { return row.time > now(); });
+  told_.clear();
+  told_warnings_ = 0;
+  take_news();  // what had come until then was told
 }
 
 void SimSession::finish() {

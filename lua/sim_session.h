@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ class SimSession {
   const MissionFiles& files() const { return files_; }
   const std::string& folder() const { return folder_.path(); }
   const std::vector<NoteRow>& notes() const { return notes_; }
+  // What failed and what was warned of since this was last asked, a text each.
+  std::vector<std::string> take_news();
   SimTime now() const { return simulation_->now(); }
 
   // So many exchanges: 0.1 s each while something moves, else to the next time that something
@@ -68,6 +71,8 @@ class SimSession {
   std::unique_ptr<RunRecord> record_;
   std::vector<PlanEvent> dispatched_;
   std::vector<NoteRow> notes_;
+  std::set<std::string> told_;  // failed events, by rover and sequence
+  std::size_t told_warnings_ = 0;
 };
 
 }  // namespace lsos

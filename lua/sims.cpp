@@ -17,7 +17,11 @@ constexpr ScriptInstance rovers_max = 1 << 20;  // of one simulation
 
 ScriptInstance Sims::add(MissionFiles files, const std::string& plan_bytes) {
   const std::string folder = fmt::format("{}/sim{}", folder_, sessions_.size() + 1);
+  std::vector<Fault> warnings = files.faults.sorted();
   sessions_.push_back(std::make_unique<SimSession>(std::move(files), plan_bytes, folder));
+  const std::vector<Fault>& advice = sessions_.back()->simulation().advice();
+  warnings.insert(warnings.end(), advice.begin(), advice.end());
+  for (const Fault& warning : warnings) say_(to_string(warning));
   return static_cast<ScriptInstance>(sessions_.size()) - 1;
 }
 
@@ -33,6 +37,14 @@ ScriptInstance Sims::open(lua_State* L, int table, const Place& place) {
   MissionFiles files = read_mission(plan.source, plan.soil, catalog_);
   files.faults.throw_if_errors();
   return add(std::move(files), kml_of(plan.source));
+}
+
+std::vector<std::string> Sims::take_news() {
+  std::vector<std::string> news;
+  for (const auto& session : sessions_) {
+    for (std::string& line : session->take_news()) news.push_back(std::move(line));
+  }
+  return news;
 }
 
 ScriptInstance Sims::handle(ScriptInstance number, const std::string& rover_id) {

@@ -27,6 +27,8 @@ class Sims : public RoversInHand {
   // nullptr before the first.
   SimSession* last() { return sessions_.empty() ? nullptr : sessions_.back().get(); }
   void close_all() { sessions_.clear(); }
+  // Of all of them, a line each.
+  std::vector<std::string> take_news();
 
   // The id of a rover's handles.
   ScriptInstance handle(ScriptInstance number, const std::string& rover_id);

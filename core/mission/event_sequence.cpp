@@ -357,7 +357,7 @@ void EventSequence::archive(Archive& a, ScriptHost& host) {
       index_)(has_turn_)(waits_for_others_)(waits_for_charge_)(waits_for_condition_)(is_finished_)(aborts_mission_);
   bool is_running = running_.has_value();
   a(is_running);
-  if (a.is_reading() && is_running) running_.emplace();
+  if (a.is_reading() && is_running) running_.emplace(event());
   if (is_running) running_->archive(a, host);
 }
 

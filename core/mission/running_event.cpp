@@ -13,9 +13,15 @@ constexpr std::size_t frames_max = 8;  // events within events
 
 }  // namespace
 
+RunningEvent::RunningEvent(const PlanEvent& event)
+    : rover_id_(event.rover_id),
+      label_(event.label),
+      sequence_(event.sequence),
+      place_(event.place) {}
+
 RunningEvent::RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
                            ScriptHost& host)
-    : rover_id_(event.rover_id), label_(event.label), sequence_(event.sequence) {
+    : RunningEvent(event) {
   push(event.type, arguments, "", now, host);
 }
 
@@ -139,7 +145,8 @@ PhaseContext RunningEvent::context(SimTime now, const MissionInfo& mission,
           .rover_id = rover_id_,
           .sequence = sequence_,
           .label = label_,
-          .script_number = frames_.back().number};
+          .script_number = frames_.back().number,
+          .place = place_};
 }
 
 void RunningEvent::push(const std::string& type, const EventArguments& arguments,
@@ -176,7 +183,7 @@ void RunningEvent::end_phase(SimTime now) {
 std::vector<PhaseRow> RunningEvent::take_phases() { return std::exchange(phases_, {}); }
 
 void RunningEvent::archive(Archive& a, ScriptHost& host) {
-  a.tag("running")(rover_id_)(label_)(sequence_)(begun_)(wake_)(wake_at_);
+  a.tag("running")(begun_)(wake_)(wake_at_);
   std::uint64_t depth = frames_.size();
   a(depth);
   if (a.is_reading()) frames_.resize(depth);

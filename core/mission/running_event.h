@@ -16,7 +16,7 @@ class RunningEvent {
  public:
   enum class Progress { waits, goes_on, completed, failed };
 
-  RunningEvent() = default;  // to be read from an archive
+  explicit RunningEvent(const PlanEvent& event);  // to be read from an archive
   RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
                ScriptHost& host);
 
@@ -66,6 +66,7 @@ class RunningEvent {
 
   std::string rover_id_, label_;
   std::int64_t sequence_ = 0;
+  Place place_;                // in the plan
   std::int64_t begun_ = 0;     // scripts so far
   std::vector<Frame> frames_;  // the plan's event first
   Wake wake_ = Wake::next_exchange;

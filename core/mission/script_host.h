@@ -47,7 +47,8 @@ struct RunEvent {   // this phase is another event; then `next` ("" = done)
 };
 using PhaseAnswer = std::variant<Stay, GoTo, Done, Fail, SleepUntil, Arrival, RunEvent>;
 
-// A script broke (not: an event failed): message with script, line and traceback. Fails the event.
+// A script broke (not: an event failed): a line with script and cause, one with the plan's line and
+// the rover's state, then the traceback. Fails the event.
 class ScriptError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -64,6 +65,7 @@ struct PhaseContext {
   std::int64_t sequence = 0;
   std::string label;
   std::int64_t script_number = 0;  // which of the plan event's scripts; keys its random numbers
+  Place place = {};                // of the event, in the plan
 };
 
 using ScriptInstance = std::int64_t;  // an event that runs; ids are never used twice

@@ -2,8 +2,12 @@
 
 local lsos = require 'lsos'
 
+local function sim_of(...)
+  return lsos.sim { rovers = { A = { type = 'SEV', events = { ... } } } }
+end
+
 lsos.scenario('dispatch adds an event to a mission that runs, and to one that is over', function(t)
-  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Pause', Duration = 60 } } } } }
+  local sim = sim_of { 'Pause', Duration = 60 }
   sim:run_for(30)
   local number = sim:dispatch('A', 'Pause', { Duration = 20 })
   t:equal(number, 11)
@@ -17,7 +21,7 @@ lsos.scenario('dispatch adds an event to a mission that runs, and to one that is
 end)
 
 lsos.scenario('what is saved and loaded goes on the same', function(t)
-  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Route', at = { 0, 60 } } } } } }
+  local sim = sim_of { 'Route', at = { 0, 60 } }
   sim:run_for(20)
   sim:save('out/by_hand.state')
   sim:run()
@@ -30,7 +34,7 @@ lsos.scenario('what is saved and loaded goes on the same', function(t)
 end)
 
 lsos.scenario('a phase at a time', function(t)
-  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'EVA' } } } } }
+  local sim = sim_of { 'EVA' }
   local seen = {}
   while not sim.is_finished do
     seen[#seen + 1] = sim:where():match("'EVA 10' in (%a+)")

@@ -49,9 +49,8 @@ end)
 lsos.scenario('a condition with a wrong name is refused before anything runs', function(t)
   local function plan(condition)
     return function()
-      lsos.sim {
-        rovers = { A = { type = 'SEV', events = { { 'Pause', Duration = 1, StartWhen = condition } } } },
-      }
+      local pause = { 'Pause', Duration = 1, StartWhen = condition }
+      lsos.sim { rovers = { A = { type = 'SEV', events = { pause } } } }
     end
   end
   t:fails(plan 'chrage < 0.3', "did you mean 'charge'")

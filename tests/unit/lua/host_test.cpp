@@ -32,9 +32,10 @@ TEST(Host, gives_each_answer_to_the_engine) {
 }
 
 TEST(Host, names_known_phases_when_an_answer_is_no_phase) {
-  EXPECT_THAT(EventRun::of_phase("return 'gone'")->error(),
-              StartsWith("events/Probe.lua: Probe 'probe 1' in phase go at 0 s: there is no phase "
-                         "'gone'; did you mean 'go'?; phases are go"));
+  EXPECT_THAT(
+      EventRun::of_phase("return 'gone'")->error(),
+      StartsWith("events/Probe.lua:2: Probe 'probe 1' in phase go at 0 s: there is no phase "
+                 "'gone'; did you mean 'go'?; phases are go"));
 }
 
 TEST(Host, refuses_an_answer_of_another_type) {
@@ -45,9 +46,16 @@ TEST(Host, refuses_an_answer_of_another_type) {
 TEST(Host, error_names_file_line_event_phase_time_and_cause) {
   auto run = EventRun::of_phase("local goal\nreturn goal.x");
   run->context.now = from_seconds(812.4);
+  run->context.place = {"plan.kml", 41};
+  run->rover.rover.p_S_m = {12.25, 40.12, 1};
+  run->rover.rover.heading_rad = radians(90);
+  run->rover.rover.speed_mps = 1.5;
   EXPECT_THAT(run->error(),
               StartsWith("events/Probe.lua:4: Probe 'probe 1' in phase go at 812.4 s: attempt to "
-                         "index a nil value (local 'goal')\nstack traceback:\n"));
+                         "index a nil value (local 'goal')\n"
+                         "  plan.kml:41: rover A: 12.2 m east, 40.1 m north of the site, heading "
+                         "90.0 deg, 1.50 m/s, slope 0.0 deg, 0.0 m driven, no drive yet\n"
+                         "stack traceback:\n"));
 }
 
 TEST(Host, error_goes_on_from_a_value_that_is_no_text) {

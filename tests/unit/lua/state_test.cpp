@@ -48,7 +48,7 @@ TEST(State, random_numbers_go_on_after_a_restore) {
 TEST(State, what_cannot_be_saved_is_refused_with_its_path_in_the_phase_that_put_it) {
   const auto error = [](const std::string& text) { return EventRun::of_phase(text)->error(); };
   EXPECT_THAT(error("ev.state.path = { {}, {}, { f = print } }"),
-              HasSubstr("events/Probe.lua: Probe 'probe 1' in phase go at 0 s: "
+              HasSubstr("events/Probe.lua:2: Probe 'probe 1' in phase go at 0 s: "
                         "ev.state.path[3].f: a function cannot be saved"));
   EXPECT_THAT(error("ev.state.rover = rover"), HasSubstr("ev.state.rover: an object of the host"));
   EXPECT_THAT(error("ev.state.answer = lsos.done"), HasSubstr("ev.state.answer: an answer"));
