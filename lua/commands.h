@@ -20,6 +20,8 @@ struct RunOptions {
   bool save_every_exchange = false;
 };
 int run_command(const RunOptions& options);
+// Runs it again each time that the plan or a script changes, until a signal comes.
+int watch_command(RunOptions options);
 
 struct CheckOptions {
   std::string plan;

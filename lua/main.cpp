@@ -149,6 +149,8 @@ int run_program(std::vector<std::string> arguments) {
   run_command->add_flag("--force", run.is_forced, "Replace an unfinished run");
   run_command->add_flag("--quiet", run.is_quiet, "No progress");
   run_command->add_flag("--json", run.is_json, "The summary as JSON");
+  bool is_watched = false;
+  run_command->add_flag("--watch", is_watched, "Run again whenever the plan or a script changes");
   run_command->add_option("--threads", run.threads, "Threads that step rovers")
       ->check(CLI::Range(1, 256));
   run_command->add_option("--seed", run.seed, "Instead of the plan's Seed");
@@ -252,7 +254,7 @@ int run_program(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  if (run_command->parsed()) return lsos::run_command(run);
+  if (run_command->parsed()) return is_watched ? lsos::watch_command(run) : lsos::run_command(run);
   if (check_command->parsed()) return lsos::check_command(check);
   if (fsm_command->parsed()) return lsos::fsm_command(fsm_plan, is_json);
   if (rig_command->parsed()) return lsos::rig_command(rig);

@@ -93,12 +93,16 @@ void check_events(const Plan& plan, const Catalog& catalog, Faults& faults) {
 
 }  // namespace
 
-std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
+std::vector<ScriptFolder> script_folders(const std::string& plan_file) {
   const char* path = std::getenv("LSOS_PATH");
   std::error_code ignored;
   const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  return std::make_shared<const Catalog>(script_folders(
-      plan_file, path == nullptr ? "" : path, shipped_folder(program, LSOS_SOURCE_FOLDER)));
+  return script_folders(plan_file, path == nullptr ? "" : path,
+                        shipped_folder(program, LSOS_SOURCE_FOLDER));
+}
+
+std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
+  return std::make_shared<const Catalog>(script_folders(plan_file));
 }
 
 namespace {

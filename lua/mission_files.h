@@ -23,7 +23,9 @@ struct MissionFiles {
   Faults faults;  // warnings too
 };
 
-// The scripts that a plan can use, or that any plan can for "".
+// Of the scripts that a plan can use, or that any plan can for "".
+std::vector<ScriptFolder> script_folders(const std::string& plan_file);
+// Those scripts.
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
 
 // Reads all and collects every fault. `seed` replaces the plan's.

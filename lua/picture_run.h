@@ -1,4 +1,4 @@
-// A finished or killed run, opened to make pictures of it.
+// A finished or killed run, opened to make pictures of it; or one in hand.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace lsos {
 
 struct PictureRun {
   MissionFiles files;
-  std::unique_ptr<Ground> ground;
+  std::shared_ptr<const Ground> ground;
   Instant start;
   SimTime end{};
   std::vector<SimTime> times;  // of the pictures

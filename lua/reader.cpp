@@ -177,6 +177,7 @@ void TableReader::numbers(Need need, const char* key, std::vector<double>& value
   if (!get(need, key, type_text("list of numbers", key, range), doc, LUA_TTABLE,
            "a list of numbers"))
     return;
+  value.clear();
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
     const std::string name = fmt::format("{}[{}]", key, i);
     if (lua_type(L_, -1) != LUA_TNUMBER) {
@@ -191,6 +192,7 @@ void TableReader::numbers(Need need, const char* key, std::vector<double>& value
 void TableReader::texts(Need need, const char* key, std::vector<std::string>& value,
                         const char* doc) {
   if (!get(need, key, "list of texts", doc, LUA_TTABLE, "a list of texts")) return;
+  value.clear();
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
     if (lua_type(L_, -1) == LUA_TSTRING) {
       value.emplace_back(lua_tostring(L_, -1));

@@ -183,6 +183,10 @@ void SimSession::load(const std::string& bytes) {
   take_news();  // what had come until then was told
 }
 
+void SimSession::commit_log() {
+  if (record_) record_->log().commit();
+}
+
 void SimSession::finish() {
   if (!record_) return;
   if (!simulation_->is_finished()) simulation_->stop("the session has ended");

@@ -50,6 +50,8 @@ class SimSession {
   std::string save();
   // Into the same plan. The log begins anew from there. Throws InputError.
   void load(const std::string& bytes);
+  // What has come so far is in the file then.
+  void commit_log();
   // Ends it: events under way are incomplete.
   void finish();
 

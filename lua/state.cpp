@@ -227,8 +227,9 @@ Place caller_place(lua_State* L) {
 
 void raise_error(lua_State* L, const std::string& message) {
   luaL_where(L, 1);
+  const bool says_where = message.starts_with(lua_tostring(L, -1));  // a fault with its place
   lua_pushlstring(L, message.data(), message.size());
-  lua_concat(L, 2);
+  if (!says_where) lua_concat(L, 2);
   lua_error(L);
   std::abort();  // lua_error does not return
 }

@@ -68,32 +68,50 @@ GpuChoice chosen(GpuChoice choice) {
 
 }  // namespace
 
-struct Gpu::Handles {
+struct Gpu::Context {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
+  std::string name;
+
+  explicit Context(GpuChoice choice);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
 };
 
-Gpu::Gpu(GpuChoice choice) : handles_(std::make_unique<Handles>()) {
+Gpu::Context::Context(GpuChoice choice) {
   if (!epoxy_has_egl()) refuse("there is no libEGL");
-  for (const EGLDisplay display : displays(chosen(choice))) {
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) continue;
-    const EGLContext context = context_on(display);
-    if (context == EGL_NO_CONTEXT) continue;
-    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
-      eglDestroyContext(display, context);
+  for (const EGLDisplay on : displays(choice)) {
+    if (on == EGL_NO_DISPLAY || !eglInitialize(on, nullptr, nullptr)) continue;
+    const EGLContext made = context_on(on);
+    if (made == EGL_NO_CONTEXT) continue;
+    if (!eglMakeCurrent(on, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
+      eglDestroyContext(on, made);
       continue;
     }
-    *handles_ = {display, context};
-    name_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    display = on;
+    context = made;
+    name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     return;
   }
   refuse("no device draws with OpenGL 3.3");
 }
 
-Gpu::~Gpu() {
-  if (handles_->context == EGL_NO_CONTEXT) return;
-  eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-  eglDestroyContext(handles_->display, handles_->context);
+Gpu::Context::~Context() {
+  eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  eglDestroyContext(display, context);
 }
+
+Gpu::Gpu(GpuChoice choice) {
+  thread_local std::array<std::weak_ptr<const Context>, 2> living;
+  choice = chosen(choice);
+  std::weak_ptr<const Context>& shared = living[choice == GpuChoice::any ? 0 : 1];
+  context_ = shared.lock();
+  if (!context_) shared = context_ = std::make_shared<const Context>(choice);
+}
+
+Gpu::~Gpu() = default;
+
+const std::string& Gpu::name() const { return context_->name; }
 
 }  // namespace lsos

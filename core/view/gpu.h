@@ -9,7 +9,8 @@ namespace lsos {
 
 enum class GpuChoice { any, software };
 
-// Made, used and destroyed by one thread, on which it is current all the while.
+// Made, used and destroyed by one thread, on which it is current all the while. Those of one thread
+// that live at a time share one context, so that simulations side by side may draw in turn.
 class Gpu {
  public:
   // `LSOS_GPU=software` in the environment chooses that too. Throws InputError: there is no EGL, or
@@ -20,12 +21,11 @@ class Gpu {
   Gpu& operator=(const Gpu&) = delete;
 
   // "llvmpipe (LLVM 15.0.6, 256 bits)", for logs.
-  const std::string& name() const { return name_; }
+  const std::string& name() const;
 
  private:
-  struct Handles;
-  std::unique_ptr<Handles> handles_;
-  std::string name_;
+  struct Context;
+  std::shared_ptr<const Context> context_;
 };
 
 }  // namespace lsos

@@ -52,3 +52,15 @@ lsos.scenario('mistakes say what is there', function(t)
   t:fails(function() lsos.sim { rovers = { A = { tpye = 'SEV' } } } end, "did you mean 'type'")
   t:fails(function() return sim.rover end, "did you mean 'rovers'")
 end)
+
+lsos.scenario('a picture of where it stands, from the sun or the side', function(t)
+  local sim = sim_of { 'Route', at = { 0, 60 } }
+  sim:run_for(20)
+  t:equal(sim:picture(), sim.folder .. '/20_s.png')
+  sim:run_for(10)
+  t:equal(sim:picture(sim.folder .. '/side.png', { from = 'chase', size_px = 320 }),
+    sim.folder .. '/side.png')
+  t:fails(function() sim:picture('x.png', { from = 'behind' }) end, 'behind: no such view')
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed')
+end)

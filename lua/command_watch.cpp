@@ -1,0 +1,109 @@
+// `lsos-host run --watch`: each run is a process of its own, so that one that is out of date can be
+// stopped.
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <map>
+
+#include "base/error.h"
+#include "lua/commands.h"
+#include "lua/mission_files.h"
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr useconds_t look_us = 200'000;
+
+std::atomic<int> asked_to_stop{0};
+
+// Of each file that the run could depend on, when it was last written.
+using Written = std::map<std::string, fs::file_time_type>;
+
+Written written_now(const std::string& plan_file) {
+  Written written;
+  const auto add = [&](const fs::path& file) {
+    std::error_code absent;
+    const fs::file_time_type time = fs::last_write_time(file, absent);
+    if (!absent) written[file] = time;
+  };
+  add(plan_file);
+  for (const ScriptFolder& folder : script_folders(plan_file)) {
+    for (const char* kind : {"events", "rovers", "terrain", "terrain/soils"}) {
+      std::error_code absent;
+      for (const auto& entry : fs::directory_iterator(fs::path(folder.path) / kind, absent)) {
+        if (entry.path().extension() == ".lua") add(entry.path());
+      }
+    }
+  }
+  return written;
+}
+
+// One of those that differ, for people.
+std::string changed_file(const Written& before, const Written& after) {
+  for (const auto& [file, time] : after) {
+    const auto known = before.find(file);
+    if (known == before.end() || known->second != time) return file;
+  }
+  for (const auto& [file, time] : before) {
+    if (!after.contains(file)) return file;
+  }
+  return "";
+}
+
+// Until the files have changed, and then stand still: an editor may write in several steps.
+std::string wait_for_change(const std::string& plan_file, Written& written) {
+  std::string changed;
+  while (asked_to_stop == 0) {
+    usleep(look_us);
+    const Written now = written_now(plan_file);
+    const std::string differs = changed_file(written, now);
+    written = now;
+    if (!differs.empty()) {
+      changed = differs;
+    } else if (!changed.empty() && now.contains(plan_file)) {
+      return changed;
+    }
+  }
+  return changed;
+}
+
+void end_with_parent(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
+}
+
+}  // namespace
+
+int watch_command(RunOptions options) {
+  const pid_t self = getpid();
+  Written written = written_now(options.plan);
+  for (;;) {
+    std::fflush(nullptr);
+    const pid_t process = fork();
+    if (process < 0) throw std::runtime_error("no process for a run");
+    if (process == 0) {
+      end_with_parent(self);
+      return run_command(options);
+    }
+    const auto note = [](int signal) { asked_to_stop = signal; };
+    std::signal(SIGINT, note);
+    std::signal(SIGTERM, note);
+    const std::string changed = wait_for_change(options.plan, written);
+    // A run that goes on is out of date; one that has ended takes no notice.
+    kill(process, asked_to_stop != 0 ? static_cast<int>(asked_to_stop) : SIGTERM);
+    waitpid(process, nullptr, 0);
+    if (asked_to_stop != 0) return 128 + asked_to_stop;
+    options.is_forced = true;  // the stopped run is ours
+    if (!options.is_quiet) fmt::print(stderr, "\n{} has changed: running again\n", changed);
+  }
+}
+
+}  // namespace lsos
