@@ -39,8 +39,10 @@ return lsos.event {
   doc    = 'Use energy, or something that the rover carries.',
 
   params = {
-    power_w    = lsos.number { kml = 'Power', unit = 'W', min = 0, doc = 'While it lasts.' },
-    duration_s = lsos.duration { kml = 'Duration', doc = 'How long it lasts.' },
+    power_w    = lsos.number {
+      kml = 'Power', unit = 'W', min = 0, example = '100 W', doc = 'While it lasts.',
+    },
+    duration_s = lsos.duration { kml = 'Duration', example = '60 s', doc = 'How long it lasts.' },
     resource   = lsos.text {
       kml = 'Resource', names = 'resource',
       doc = 'One that the rover type declares.',

@@ -65,10 +65,12 @@ return lsos.event {
       doc = 'Set at once: kWh, or a percentage as 80%.',
     },
     energy_rate_w = lsos.number {
-      kml = 'EnergyRate', unit = 'W', min = 0,
+      kml = 'EnergyRate', unit = 'W', min = 0, example = '500 W',
       doc = 'Power from outside while the event runs; with From: what is asked of the asset.',
     },
-    duration_s    = lsos.duration { kml = 'Duration', doc = 'The longest that it takes.' },
+    duration_s    = lsos.duration {
+      kml = 'Duration', example = '10 min', doc = 'The longest that it takes.',
+    },
     until_charge  = lsos.number {
       kml = 'UntilCharge', unit = '1', min = 0, max = 1,
       doc = 'Ends when the battery is as full as this.',

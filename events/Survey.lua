@@ -53,6 +53,7 @@ end
 
 local function begin(ev, _)
   ev.state.stops = stops_of(ev)
+  if #ev.state.stops == 0 then return lsos.fail('the polygon has no area') end
   ev.state.next = 0
   ev:log('survey', { stops = #ev.state.stops })
   return 'go_on'

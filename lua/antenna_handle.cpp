@@ -36,8 +36,10 @@ const HandleType& antennas_handle_type() {
       {},
       {{"deploy", guard<deploy<true>>, "antennas:deploy(name, duration_s)",
         "Raises the one with that name (nil: all that can be stowed), in that time or its own. "
-        "Answers how long it takes, s."},
-       {"stow", guard<deploy<false>>, "antennas:stow(name, duration_s)", "The reverse."}}};
+        "Answers how long it takes, s.",
+        "fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number"},
+       {"stow", guard<deploy<false>>, "antennas:stow(name, duration_s)", "The reverse.",
+        "fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number"}}};
   return type;
 }
 

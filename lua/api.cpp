@@ -45,24 +45,31 @@ int random(lua_State* L) {
 const std::vector<ApiFunction>& api_functions() {
   static const std::vector<ApiFunction> functions{
       {"fail", guard<answer_fail>, "lsos.fail(format, ...)",
-       "Answer: the event has failed; the reason as string.format makes it."},
+       "Answer: the event has failed; the reason as string.format makes it.",
+       "fun(format: string, ...: any): lsos.answer"},
       {"sleep", guard<answer_sleep>, "lsos.sleep(time_s)",
-       "Answer: call this phase again after that long."},
+       "Answer: call this phase again after that long.", "fun(time_s: number): lsos.answer"},
       {"sleep_until", guard<answer_sleep_until>, "lsos.sleep_until(time_s)",
-       "Answer: call this phase again at that time since the mission's start."},
+       "Answer: call this phase again at that time since the mission's start.",
+       "fun(time_s: number): lsos.answer"},
       {"vec3", guard<vec3>, "lsos.vec3(x, y, z)",
-       "A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out."},
+       "A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out.",
+       "fun(x: number, y: number, z?: number): vec3"},
       {"random", guard<random>, "lsos.random(low, high)",
-       "A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed."},
-      {"is_empty", guard<is_empty>, "lsos.is_empty(table)", "Whether a table has no entry."},
+       "A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed.",
+       "fun(low?: number, high?: number): number"},
+      {"is_empty", guard<is_empty>, "lsos.is_empty(table)", "Whether a table has no entry.",
+       "fun(table: table): boolean"},
       {"sim", guard<make_sim>, "lsos.sim(plan)",
        "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `soil`, `start`, "
        "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
        "Id "
        "= { type = , at = , heading_deg = , config = , charge = , events = } }` and `assets`. In "
-       "scenarios and at the prompt only."},
+       "scenarios and at the prompt only.",
+       "fun(plan: string|table): lsos.sim"},
       {"scenario", guard<add_scenario>, "lsos.scenario(name, function(t))",
-       "One more scenario of this file; `lsos-host test` runs them."}};
+       "One more scenario of this file; `lsos-host test` runs them.",
+       "fun(name: string, scenario: fun(t: lsos.t))"}};
   return functions;
 }
 

@@ -14,6 +14,7 @@ struct ApiFunction {
   lua_CFunction function;
   const char* signature;
   const char* doc;
+  const char* type;  // as the Lua language server writes it
 };
 
 struct ApiConstant {

@@ -80,6 +80,11 @@ int new_event_command(const std::string& name) {
                                      "digits: 'DropBeacon'",
                                      name));
   }
+  for (const char* taken : {"MissionInfo", "Rover", "Asset"}) {
+    if (name == taken) {
+      throw InputError({}, fmt::format("'{}' is what plans call something else", name));
+    }
+  }
   if (read_catalog("")->declarations().events.contains(name)) {
     throw InputError({}, fmt::format("there is an event '{}' already", name));
   }

@@ -14,6 +14,7 @@ namespace lsos {
 namespace {
 
 constexpr const char* rover_id = "A";
+constexpr const char* asset_id = "Base";
 
 std::string kml_type(FieldKind kind) {
   switch (kind) {
@@ -28,10 +29,13 @@ std::string kml_type(FieldKind kind) {
 
 // What stands in a form where the user has to fill in something.
 std::string example(const FieldDeclaration& field) {
+  if (!field.example.empty()) return field.example;
   if (field.default_value) return format_value(field, *field.default_value);
   if (!field.is_required) return "";
   if (field.name == "RoverId") return rover_id;
   if (field.name == "RoverType") return "SEV";
+  if (field.name == "AssetId" || field.names == NameOf::other) return asset_id;
+  if (field.name == "AssetType") return "Habitat";
   if (field.name == "Terrain") return "Flat";
   switch (field.kind) {
     case FieldKind::choice:
@@ -103,6 +107,8 @@ int schema_command(const std::vector<std::string>& names) {
   add(document, {"MissionInfo", mission_fields(), {}}, 0);
   add(document, {"Rover", rover_fields(), {KmlGeometryKind::point, {geodetic_from_degrees(0, 0)}}},
       0);
+  add(document,
+      {"Asset", asset_fields(), {KmlGeometryKind::point, {geodetic_from_degrees(-0.001, 0)}}}, 0);
   int number = 0;
   for (const auto& [name, event] : events) {
     if (!names.empty() && std::ranges::find(names, name) == names.end()) continue;

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/error.h"
 #include "lua/commands.h"
@@ -19,28 +21,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file whose scenarios run in another process, which writes them as JSON.
+// A file whose scenarios run in another process, which writes a line of JSON of each.
 struct Worker {
   std::string file;
   pid_t process = 0;
   int pipe = -1;
 };
 
-nlohmann::json to_json(const std::vector<ScenarioResult>& results) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const ScenarioResult& r : results) {
-    list.push_back({{"file", r.file},
-                    {"name", r.name},
-                    {"failure", r.failure},
-                    {"log", r.log},
-                    {"wall_s", r.wall_s}});
-  }
-  return list;
+nlohmann::json to_json(const ScenarioResult& r) {
+  return {{"file", r.file},
+          {"name", r.name},
+          {"failure", r.failure},
+          {"log", r.log},
+          {"wall_s", r.wall_s}};
 }
 
-std::vector<ScenarioResult> from_json(const nlohmann::json& list) {
+std::string line_of(const ScenarioResult& r) {
+  return to_json(r).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+// Lines as line_of() makes them.
+std::vector<ScenarioResult> from_lines(const std::string& text) {
   std::vector<ScenarioResult> results;
-  for (const nlohmann::json& r : list) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json r = nlohmann::json::parse(line, nullptr, false);
+    if (r.is_discarded()) continue;  // cut short
     results.push_back({r.at("file"), r.at("name"), r.at("failure"), r.at("log"), r.at("wall_s")});
   }
   return results;
@@ -63,7 +69,7 @@ std::string read_all(int file) {
   return bytes;
 }
 
-Worker start(const std::string& file, const TestOptions& options) {
+Worker start(const std::string& file, const std::string& folder, const TestOptions& options) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe for a scenario's process");
   std::fflush(nullptr);
@@ -74,14 +80,12 @@ Worker start(const std::string& file, const TestOptions& options) {
     return {file, process, ends[0]};
   }
   close(ends[0]);
-  std::vector<ScenarioResult> results;
+  const auto report = [&](const ScenarioResult& result) { write_all(ends[1], line_of(result)); };
   try {
-    results = run_scenarios(file, options.filter, options.folder);
+    run_scenarios(file, options.filter, folder, report);
   } catch (const std::exception& error) {
-    results.push_back({file, "", error.what(), "", 0});
+    report({file, "", error.what(), "", 0});
   }
-  write_all(ends[1],
-            to_json(results).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   std::fflush(nullptr);
   _exit(0);
 }
@@ -91,12 +95,27 @@ std::vector<ScenarioResult> wait_for(const Worker& worker) {
   close(worker.pipe);
   int status = 0;
   waitpid(worker.process, &status, 0);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-    return from_json(nlohmann::json::parse(bytes));
-  }
+  std::vector<ScenarioResult> results = from_lines(bytes);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return results;
   const std::string how = WIFSIGNALED(status) ? fmt::format("signal {}", WTERMSIG(status))
                                               : "a fault inside the program";
-  return {{worker.file, "", fmt::format("{}: ended by {}", worker.file, how), "", 0}};
+  results.push_back({worker.file, "",
+                     fmt::format("{}: ended by {} in the scenario after these", worker.file, how),
+                     "", 0});
+  return results;
+}
+
+// Of each file's logs: after its name, and no two the same.
+std::vector<std::string> folders_of(const std::vector<std::string>& files,
+                                    const std::string& folder) {
+  std::vector<std::string> folders;
+  std::map<std::string, int> taken;
+  for (const std::string& file : files) {
+    const std::string stem = fs::path(file).stem();
+    const int number = ++taken[stem];
+    folders.push_back(folder + "/" + stem + (number == 1 ? "" : fmt::format("_{}", number)));
+  }
+  return folders;
 }
 
 // Files as given; folders are searched for *.lua. Throws InputError.
@@ -121,8 +140,14 @@ std::vector<std::string> files_of(const std::vector<std::string>& paths) {
   return files;
 }
 
+// On one line, and no directive of TAP.
 std::string title(const ScenarioResult& r) {
-  return r.name.empty() ? r.file : fmt::format("{}: {}", r.file, r.name);
+  std::string text;
+  for (const char c : r.name.empty() ? r.file : fmt::format("{}: {}", r.file, r.name)) {
+    if (c == '#' || c == '\\') text += '\\';
+    text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return text;
 }
 
 std::string indented(const std::string& text, const std::string& by) {
@@ -158,8 +183,11 @@ std::string escaped(const std::string& text) {
       case '"':
         out += "&quot;";
         break;
+      case '\n':
+        out += "&#10;";
+        break;
       default:
-        out += c;
+        out += static_cast<unsigned char>(c) < ' ' ? '?' : c;  // XML has no others
     }
   }
   return out;
@@ -197,16 +225,21 @@ int test_command(const TestOptions& options) {
   };
   // In order of the files, whichever ends first.
   std::deque<Worker> running;
-  for (const std::string& file : files) {
+  const std::vector<std::string> folders = folders_of(files, options.folder);
+  for (std::size_t i = 0; i < files.size(); ++i) {
     if (running.size() >= static_cast<std::size_t>(options.threads)) {
       add(running.front());
       running.pop_front();
     }
-    running.push_back(start(file, options));
+    running.push_back(start(files[i], folders[i], options));
   }
   for (const Worker& worker : running) add(worker);
   if (!options.is_json) fmt::print("1..{}\n", results.size());
-  if (options.is_json) fmt::print("{}\n", to_json(results).dump(2));
+  if (options.is_json) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const ScenarioResult& result : results) list.push_back(to_json(result));
+    fmt::print("{}\n", list.dump(2));
+  }
   if (!options.junit_file.empty()) write_file(options.junit_file, junit(results));
   if (results.empty())
     throw InputError({}, fmt::format("no scenario has '{}' in its name", options.filter));

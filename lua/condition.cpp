@@ -122,45 +122,27 @@ std::string push_function(lua_State* L, const std::string& text) {
   return what;
 }
 
-// A word of the expression that stands for something, and the text that it is called with.
-struct Name {
-  std::string word;
-  std::string text;  // "SEV2" of distance_to('SEV2'); "" when there is none
-};
+// Of the call that failed; the line of our own wrapping says nothing.
+std::string cause_of(const LuaFailure& failure) {
+  return split_place(failure.message, "condition").second;
+}
 
-// Words outside texts that are no members, without a grammar: what Lua accepts is checked by Lua.
-std::vector<Name> names_in(const std::string& text) {
-  std::vector<Name> names;
-  const auto is_letter = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  };
-  char before = ' ';
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    if (c == '\'' || c == '"') {
-      const std::size_t begin = ++i;
-      while (i < text.size() && text[i] != c) i += text[i] == '\\' ? 2 : 1;
-      const bool is_argument = !names.empty() && (before == '(' || is_letter(before));
-      if (is_argument && names.back().text.empty()) {
-        names.back().text = text.substr(begin, i - begin);
-      }
-      ++i;
-      before = c;
-    } else if (is_letter(c)) {
-      const std::size_t begin = i;
-      while (i < text.size() && (is_letter(text[i]) || text[i] == '.')) ++i;
-      const std::string word = text.substr(begin, i - begin);
-      const bool is_number = std::isdigit(static_cast<unsigned char>(c)) != 0;
-      if (!is_number && before != '.' && before != ':') {
-        names.push_back({word.substr(0, word.find('.')), ""});
-      }
-      before = text[i - 1];
-    } else {
-      if (std::isspace(static_cast<unsigned char>(c)) == 0) before = c;
-      ++i;
-    }
-  }
-  return names;
+// Pops the function with its environment below it; answers what is wrong with what it gives.
+std::string call_fault(lua_State* L, bool* holds) {
+  const int top = lua_gettop(L) - 1;
+  if (const auto failure = call_script(L, 0, 1)) return cause_of(*failure);
+  const bool is_answer = lua_type(L, -1) == LUA_TBOOLEAN;
+  const std::string found = luaL_typename(L, -1);
+  if (holds != nullptr) *holds = lua_toboolean(L, -1) != 0;
+  lua_settop(L, top);
+  return is_answer ? "" : fmt::format("gives a {}; true or false is wanted", found);
+}
+
+// Upvalues: what a question answers in a trial.
+int trial_answer(lua_State* L) {
+  luaL_checkstring(L, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  return 1;
 }
 
 }  // namespace
@@ -175,45 +157,64 @@ const std::vector<ConditionName>& condition_names() {
   return names;
 }
 
-std::string condition_fault(lua_State* L, const std::string& text,
-                            const std::set<std::string>& ids) {
-  static const std::set<std::string> words{"and", "or", "not", "true", "false", "math"};
-  std::vector<std::string> known;
-  for (const ConditionName& name : condition_names()) known.emplace_back(name.name);
-  for (const Name& name : names_in(text)) {
-    if (words.contains(name.word)) continue;
-    if (std::ranges::find(known, name.word) == known.end()) {
-      std::string hint = did_you_mean(name.word, known);
-      if (hint.empty()) hint = "; see lua/README.md, Conditions";
-      return fmt::format("a condition has no '{}'{}", name.word, hint);
-    }
-    const bool is_of_other =
-        name.word == "distance_to" || name.word == "sees" || name.word == "is_linked_to";
-    if (is_of_other && !name.text.empty() && !ids.contains(name.text)) {
-      return fmt::format("there is no rover or asset '{}'{}", name.text,
-                         did_you_mean(name.text, std::vector<std::string>(ids.begin(), ids.end())));
-    }
-  }
+bool is_question(const std::string& name) {
+  return std::ranges::any_of(questions, [&](const ConditionName& q) { return name == q.name; });
+}
+
+std::string condition_syntax_fault(lua_State* L, const std::string& text) {
   std::string fault = push_function(L, text);
   if (fault.empty()) lua_pop(L, 1);
   return fault;
 }
 
+std::string math_fault(lua_State* L, const std::string& member) {
+  const auto failure = load_text(L, "return math." + member, "condition");
+  if (failure) return cause_of(*failure);
+  push_environment(L);
+  lua_setupvalue(L, -2, 1);  // _ENV
+  if (const auto missing = call_script(L, 0, 0)) return cause_of(*missing);
+  return "";
+}
+
+std::string condition_trial_fault(lua_State* L, const std::string& text, double value,
+                                  bool answer) {
+  const std::string fault = push_function(L, text);
+  if (!fault.empty()) return fault;
+  push_environment(L);
+  const auto set = [&](const char* name, const auto& push) {
+    lua_pushstring(L, name);
+    push();
+    lua_rawset(L, -3);
+  };
+  for (const Quantity& quantity : quantities()) {
+    set(quantity.name, [&] { lua_pushnumber(L, value); });
+  }
+  for (const ConditionName& question : questions) {
+    const bool gives_number = question.name == std::string_view("distance_to") ||
+                              question.name == std::string_view("resource");
+    set(question.name, [&] {
+      if (gives_number) {
+        lua_pushnumber(L, value);
+      } else {
+        lua_pushboolean(L, answer);
+      }
+      lua_pushcclosure(L, guard<trial_answer>, 1);
+    });
+  }
+  lua_setupvalue(L, -2, 1);  // _ENV
+  return call_fault(L, nullptr);
+}
+
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
                      const RoverPort& rover) {
-  const int top = lua_gettop(L);
-  const std::string fault = push_function(L, text);
-  if (!fault.empty()) throw std::runtime_error(fault);
-  push_names(L, row, rover);
-  lua_setupvalue(L, -2, 1);  // _ENV
-  if (const auto failure = call_script(L, 0, 1)) throw std::runtime_error(failure->message);
-  if (lua_type(L, -1) != LUA_TBOOLEAN) {
-    const std::string found = luaL_typename(L, -1);
-    lua_settop(L, top);
-    throw std::runtime_error(fmt::format("gives a {}; true or false is wanted", found));
+  std::string fault = push_function(L, text);
+  bool holds = false;
+  if (fault.empty()) {
+    push_names(L, row, rover);
+    lua_setupvalue(L, -2, 1);  // _ENV
+    fault = call_fault(L, &holds);
   }
-  const bool holds = lua_toboolean(L, -1) != 0;
-  lua_settop(L, top);
+  if (!fault.empty()) throw std::runtime_error(fault);
   return holds;
 }
 

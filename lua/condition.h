@@ -12,10 +12,13 @@
 
 namespace lsos {
 
-// What is wrong with it before anything runs; "" when it is well. `ids`: of rovers, assets and
-// Earth.
-std::string condition_fault(lua_State* L, const std::string& text,
-                            const std::set<std::string>& ids);
+// What the questions of a condition can be asked about.
+struct ConditionWorld {
+  std::set<std::string> ids;        // of rovers and assets
+  std::set<std::string> resources;  // that the event's rover carries
+};
+// What is wrong with it before anything runs; "" when it is well (condition_check.cpp).
+std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world);
 
 // Whether it holds. Quantities that are not modelled are not-a-number: no comparison with them
 // holds. Throws std::runtime_error.
@@ -28,5 +31,13 @@ struct ConditionName {
 };
 // All that it can name, beside Lua's `and`, `or`, `not` and `math`.
 const std::vector<ConditionName>& condition_names();
+// Whether the name is one that is asked with a text: sees('SEV2').
+bool is_question(const std::string& name);
+
+// Parts of condition_fault, "" when well: whether Lua can read it; whether math has that; whether
+// it runs and gives true or false when all quantities are `value`, all answers `answer`.
+std::string condition_syntax_fault(lua_State* L, const std::string& text);
+std::string math_fault(lua_State* L, const std::string& member);
+std::string condition_trial_fault(lua_State* L, const std::string& text, double value, bool answer);
 
 }  // namespace lsos

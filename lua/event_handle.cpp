@@ -151,7 +151,8 @@ const HandleType& event_handle_type() {
        {"elapsed_s", elapsed_s, "number", "Since the event's first phase began."},
        {"phase_elapsed_s", phase_elapsed_s, "number", "Since this phase began."}},
       {{"log", guard<log>, "ev:log(name, fields)",
-        "Writes a row into the log's notes; fields is a table of plain values or nil."}},
+        "Writes a row into the log's notes; fields is a table of plain values or nil.",
+        "fun(self: lsos.ev, name: string, fields?: table)"}},
       guard<write>};
   return type;
 }

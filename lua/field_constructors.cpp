@@ -15,6 +15,7 @@ namespace {
 void read_common(TableReader& t, FieldDeclaration& field) {
   t.text(required, "kml", field.name, "Name of the SimpleData in plans.");
   t.text(optional, "doc", field.doc, "One sentence for the mission planner.");
+  t.text(optional, "example", field.example, "What `lsos-host schema` writes into its form.");
 }
 
 void read_required(TableReader& t, FieldDeclaration& field) {

@@ -21,6 +21,7 @@ struct HandleMethod {
   lua_CFunction function;
   const char* signature;
   const char* doc;
+  const char* type;  // as the Lua language server writes it
 };
 
 struct HandleType {

@@ -183,9 +183,9 @@ std::string LuaHost::fault_of(const std::string& type, const EventArguments& arg
   return fault;
 }
 
-std::string LuaHost::condition_fault(const std::string& text, const std::set<std::string>& ids) {
+std::string LuaHost::condition_fault(const std::string& text, const ConditionWorld& world) {
   std::string fault;
-  impl_->library.lua().run([&](lua_State* L) { fault = lsos::condition_fault(L, text, ids); });
+  impl_->library.lua().run([&](lua_State* L) { fault = lsos::condition_fault(L, text, world); });
   return fault;
 }
 
@@ -195,7 +195,7 @@ bool LuaHost::holds(const std::string& condition, const SampleRow& row, const Ro
     try {
       holds = condition_holds(L, condition, row, rover);
     } catch (const std::runtime_error& error) {
-      throw ScriptError(fmt::format("condition '{}': {}", condition, error.what()));
+      throw ScriptError(error.what());
     }
   });
   return holds;

@@ -11,6 +11,8 @@
 
 namespace lsos {
 
+struct ConditionWorld;
+
 class LuaHost : public ScriptHost {
  public:
   // Loads the catalog's sound event scripts anew. The same catalog always gives the same host, so
@@ -23,8 +25,8 @@ class LuaHost : public ScriptHost {
   std::string fault_of(const std::string& type, const EventArguments& arguments,
                        Instant mission_start);
 
-  // What is wrong with a condition of a plan, "" when it is well. `ids`: of rovers, assets, Earth.
-  std::string condition_fault(const std::string& text, const std::set<std::string>& ids);
+  // What is wrong with a condition of a plan, "" when it is well.
+  std::string condition_fault(const std::string& text, const ConditionWorld& world);
 
   bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) override;
   std::optional<RouteSettings> route_settings(const std::string& type,

@@ -7,11 +7,13 @@
 #include <filesystem>
 #include <set>
 
+#include "lua/condition.h"
 #include "lua/host.h"
 #include "lua/script_folders.h"
 #include "lua/version.h"
 #include "mission/plan_names.h"
 #include "plan/kml_reader.h"
+#include "plan/kml_text.h"
 #include "product/files.h"
 #include "route/refine.h"
 
@@ -62,16 +64,26 @@ void add_script_warnings(const Catalog& catalog, Faults& faults) {
   }
 }
 
-// What the scripts of events say of their parameters.
-void check_events(const Plan& plan, const Catalog& catalog, Faults& faults) {
-  LuaHost host(catalog);
-  std::set<std::string> ids{"Earth"};
-  for (const PlanRover& rover : plan.rovers) ids.insert(rover.id);
+}  // namespace
+
+void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
+  LuaHost host(*files.catalog);
+  std::set<std::string> ids;
+  std::map<std::string, std::set<std::string>> resources;  // by RoverId
+  for (const PlanRover& rover : plan.rovers) {
+    ids.insert(rover.id);
+    const auto model = files.rover_models.find(rover.type);
+    if (model == files.rover_models.end()) continue;
+    for (const ResourceSpec& resource : model->second.power.resources) {
+      resources[rover.id].insert(resource.name);
+    }
+  }
   for (const PlanAsset& asset : plan.assets) ids.insert(asset.id);
   for (const PlanEvent& event : plan.events) {
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
-      const std::string fault = host.condition_fault(condition.text, ids);
+      const std::string fault =
+          host.condition_fault(condition.text, {ids, resources[event.rover_id]});
       if (fault.empty()) return;
       faults.error({event.place.file, condition.line},
                    fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
@@ -91,8 +103,6 @@ void check_events(const Plan& plan, const Catalog& catalog, Faults& faults) {
   }
 }
 
-}  // namespace
-
 std::vector<ScriptFolder> script_folders(const std::string& plan_file) {
   const char* path = std::getenv("LSOS_PATH");
   std::error_code ignored;
@@ -111,7 +121,6 @@ namespace {
 void read_models(MissionFiles& files) {
   add_script_warnings(*files.catalog, files.faults);
   if (files.faults.has_errors()) return;
-  check_events(files.plan, *files.catalog, files.faults);
   const auto collect = [&](auto load) {
     try {
       load();
@@ -129,6 +138,7 @@ void read_models(MissionFiles& files) {
       files.asset_models.insert({asset.type, files.catalog->load_asset(asset.type, asset.place)});
     });
   }
+  check_events(files.plan, files, files.faults);
   check_plan_names(files.plan, files.catalog->declarations(), files.rover_models,
                    files.asset_models, files.faults);
   collect([&] { files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions); });
@@ -145,14 +155,17 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   return files;
 }
 
-MissionFiles read_mission(const KmlSource& source, const std::string& soil,
-                          std::shared_ptr<const Catalog> catalog) {
+PlanSource read_plan_source(const std::string& plan_file) {
+  return {plan_file, read_kml(plan_file), "", read_bytes(plan_file)};
+}
+
+MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog) {
   MissionFiles files;
   files.catalog = std::move(catalog);
-  files.plan = read_plan(source.file, source, files.catalog->declarations(), files.faults);
+  files.plan = read_plan(source.file, source.kml, files.catalog->declarations(), files.faults);
   read_models(files);
-  if (!soil.empty() && !files.faults.has_errors()) {
-    files.terrain.soil = files.catalog->load_soil(soil, files.plan.mission.place);
+  if (!source.soil.empty() && !files.faults.has_errors()) {
+    files.terrain.soil = files.catalog->load_soil(source.soil, files.plan.mission.place);
   }
   return files;
 }

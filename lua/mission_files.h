@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "lua/catalog.h"
 #include "mission/simulation.h"
+#include "plan/kml_reader.h"
 #include "plan/plan.h"
 
 namespace lsos {
@@ -31,9 +32,20 @@ std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
 // Reads all and collects every fault. `seed` replaces the plan's.
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed = {});
 
-// The same of a plan that is no file. `soil`: that the ground is made of; "": the terrain's own.
-MissionFiles read_mission(const KmlSource& source, const std::string& soil,
-                          std::shared_ptr<const Catalog> catalog);
+// A plan that was read once, to be made into a mission more than once.
+struct PlanSource {
+  std::string file;  // what relative paths are relative to
+  KmlSource kml;
+  std::string soil;   // that the ground is made of; "": the terrain's own
+  std::string bytes;  // the same as a KML or KMZ file
+};
+// Throws InputError.
+PlanSource read_plan_source(const std::string& plan_file);
+MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog);
+
+// What the scripts say of the fields of a plan's events, and faults in their conditions. `files`:
+// of the plan, with its rovers.
+void check_events(const Plan& plan, const MissionFiles& files, Faults& faults);
 
 // What the simulation starts from; the files must have no errors.
 SimulationSetup simulation_setup(const MissionFiles& files);

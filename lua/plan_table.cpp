@@ -51,8 +51,22 @@ std::optional<Vec3> point_at(lua_State* L, int index) {
 
 std::string coordinates(const SiteFrame& site, const Vec3& p_S_m) {
   const Geodetic at = site.geodetic(p_S_m);
-  return fmt::format("{:.12f},{:.12f}", lon_deg(at), lat_deg(at));
+  // As precise as in the file that is written of it: the same plan, to the bit.
+  return fmt::format("{:.9f},{:.9f}", lon_deg(at), lat_deg(at));
 }
+
+// Leaves the stack as it was, whatever way it is left.
+class KeptTop {
+ public:
+  explicit KeptTop(lua_State* L) : L_(L), top_(lua_gettop(L)) {}
+  ~KeptTop() { lua_settop(L_, top_); }
+  KeptTop(const KeptTop&) = delete;
+  KeptTop& operator=(const KeptTop&) = delete;
+
+ private:
+  lua_State* L_;
+  int top_;
+};
 
 // Reads one table of a plan and the tables in it.
 class PlanTableReader {
@@ -103,7 +117,7 @@ class PlanTableReader {
 
   void read_event(int index, const SiteFrame& site, SourcePlacemark& placemark) {
     index = lua_absindex(L_, index);
-    const std::string what = "event";
+    const KeptTop kept(L_);
     if (!lua_istable(L_, index) || lua_rawgeti(L_, index, 1) != LUA_TSTRING) {
       return fault("an event is a table that begins with its type: { 'Pause', Duration = 60 }");
     }
@@ -118,17 +132,18 @@ class PlanTableReader {
         continue;
       }
       const std::string key = lua_tostring(L_, -1);
-      lua_getfield(L_, index, key.c_str());
+      lua_pushvalue(L_, -1);
+      lua_rawget(L_, index);
       read_entry(type, key, site, placemark);
       lua_pop(L_, 1);
     }
-    lua_pop(L_, 2);
   }
 
  private:
   // The value is at the top.
   void read_entry(const std::string& type, const std::string& key, const SiteFrame& site,
                   SourcePlacemark& placemark) {
+    const KeptTop kept(L_);
     if (key == "path" || key == "at" || key == "polygon") {
       SourceGeometry geometry{key == "at"     ? "Point"
                               : key == "path" ? "LineString"
@@ -147,7 +162,9 @@ class PlanTableReader {
           }
           geometry.coordinates += coordinates(site, *p_m) + " ";
         }
-        lua_pop(L_, 1);
+      } else {
+        return fault(fmt::format("{}: {}: a list of {{ east_m, north_m }} is wanted, found {}",
+                                 type, key, describe(L_, -1)));
       }
       placemark.geometries.push_back(geometry);
       return;
@@ -184,21 +201,38 @@ class PlanTableReader {
     read_point(t, rover, site);
     if (!t.take(optional, "events", "list of events", "{ 'Pause', Duration = 60 }, ...")) return;
     if (lua_istable(L_, -1)) {
-      for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {
-        SourcePlacemark event;
-        read_event(-1, site, event);
-        if (event.data.empty()) continue;
-        set(event, "RoverId", id);
-        const auto& fields = event.data.front().fields;
-        if (std::ranges::find(fields, "Sequence", &SourceField::name) == fields.end()) {
-          set(event, "Sequence", fmt::format("{}", 10 * k));
-        }
-        source.placemarks.push_back(std::move(event));
-      }
-      lua_pop(L_, 1);
+      read_events(id, site, source);
+    } else if (!lua_isnil(L_, -1)) {
+      t.fault(fmt::format("events: a list is wanted, found {}", describe(L_, -1)));
     }
     lua_pop(L_, 1);
     t.finish();
+  }
+
+  // Of the list at the top.
+  void read_events(const std::string& rover_id, const SiteFrame& site, KmlSource& source) {
+    const KeptTop kept(L_);
+    const int list = lua_gettop(L_);
+    push_sorted_keys(L_, list);
+    for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {
+      if (lua_isinteger(L_, -1) == 0 || lua_tointeger(L_, -1) != k) {
+        return fault(
+            fmt::format("rover {}: events: a list without gaps is wanted: {{ {{ 'Pause', "
+                        "Duration = 60 }}, ... }}",
+                        rover_id));
+      }
+      lua_rawgeti(L_, list, k);
+      SourcePlacemark event;
+      read_event(-1, site, event);
+      lua_pop(L_, 1);
+      if (event.data.empty()) continue;
+      set(event, "RoverId", rover_id);
+      const auto& fields = event.data.front().fields;
+      if (std::ranges::find(fields, "Sequence", &SourceField::name) == fields.end()) {
+        set(event, "Sequence", fmt::format("{}", 10 * k));
+      }
+      source.placemarks.push_back(std::move(event));
+    }
   }
 
   void read_asset(const std::string& id, const SiteFrame& site, KmlSource& source) {
@@ -243,7 +277,8 @@ class PlanTableReader {
           continue;
         }
         const std::string id = lua_tostring(L_, -1);
-        lua_getfield(L_, table, id.c_str());
+        lua_pushvalue(L_, -1);
+        lua_rawget(L_, table);
         if (lua_istable(L_, -1)) {
           read(id);
         } else {

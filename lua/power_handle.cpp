@@ -115,18 +115,23 @@ const HandleType& battery_handle_type() {
        {"external_w", of_battery<&V::external_w>, "number", "From outside."},
        {"load_w", of_battery<&V::load_w>, "number", "Used by all but the wheel motors."}},
       {{"time_to_charge_s", guard<time_to_charge_s>, "battery:time_to_charge_s(charge)",
-        "Until it holds that share, with what flows now; nil when it will not."},
+        "Until it holds that share, with what flows now; nil when it will not.",
+        "fun(self: lsos.rover.battery, charge: number): number?"},
        {"await_charge", guard<await_charge>, "battery:await_charge(charge)",
         "The phase is called when it holds that share, however long it sleeps; until the event "
-        "ends."},
+        "ends.",
+        "fun(self: lsos.rover.battery, charge: number)"},
        {"set_energy", guard<set_energy>, "battery:set_energy(energy_j)",
-        "Sets what it holds, at most its capacity."},
+        "Sets what it holds, at most its capacity.",
+        "fun(self: lsos.rover.battery, energy_j: number)"},
        {"supply", guard<supply>, "battery:supply(power_w)",
-        "Power from outside until the event ends."},
+        "Power from outside until the event ends.",
+        "fun(self: lsos.rover.battery, power_w: number)"},
        {"plug_into", guard<plug_into>, "battery:plug_into(asset_id, power_w)",
         "Power from an asset within 20 m until the event ends, at most so much (default all that "
         "it "
-        "has). Answers true, or false and why not."}}};
+        "has). Answers true, or false and why not.",
+        "fun(self: lsos.rover.battery, asset_id: string, power_w?: number): boolean, string?"}}};
   return type;
 }
 
@@ -141,11 +146,15 @@ const HandleType& panels_handle_type() {
        {"turn_left_s", turn_left_s, "number",
         "Until all have arrived where they turn; 0: none turns."}},
       {{"deploy", guard<deploy<true>>, "panels:deploy(name, duration_s)",
-        "Puts up the panel of that name (nil: all). Answers how long that takes, s."},
-       {"stow", guard<deploy<false>>, "panels:stow(name, duration_s)", "Folds it away; the same."},
+        "Puts up the panel of that name (nil: all). Answers how long that takes, s.",
+        "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number"},
+       {"stow", guard<deploy<false>>, "panels:stow(name, duration_s)", "Folds it away; the same.",
+        "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number"},
        {"steer", guard<steer>, "panels:steer(name, { mode = , azimuth_rad = , elevation_rad = })",
         "Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, "
-        "'fixed' angles about the rover."}}};
+        "'fixed' angles about the rover.",
+        "fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', "
+        "azimuth_rad?: number, elevation_rad?: number })"}}};
   return type;
 }
 

@@ -1,10 +1,10 @@
 #include "lua/reference.h"
+#include "lua/handle.h"
 
 #include <fmt/format.h>
 
 #include "lua/api.h"
 #include "lua/condition.h"
-#include "lua/handle.h"
 #include "lua/scenario.h"
 #include "lua/sims.h"
 
@@ -76,6 +76,8 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - A call may take {0} million instructions, all scripts together {1} MiB of memory.
 - A text pattern with many repetitions (`* + - %b`) works on short texts only.
 - `print` writes a row into the log's notes.
+
+An editor with the Lua language server completes and checks scripts by `lua/library.d.lua`.
 )";
 
 constexpr const char* conditions = R"(
@@ -142,6 +144,14 @@ std::string handle_section(const HandleType& type) {
 
 }  // namespace
 
+const std::vector<const HandleType*>& scripted_objects() {
+  static const std::vector<const HandleType*> objects{
+      &event_handle_type(),   &rover_handle_type(),   &drive_handle_type(),
+      &battery_handle_type(), &panels_handle_type(),  &antennas_handle_type(),
+      &sim_handle_type(),     &scenario_handle_type()};
+  return objects;
+}
+
 std::string api_reference() {
   const Limits limits;
   std::string text = introduction;
@@ -152,20 +162,15 @@ std::string api_reference() {
   fill_in("{1}", std::to_string(limits.memory_bytes >> 20));
 
   text += "\n## Objects that a phase is given\n";
-  for (const HandleType* type :
-       {&event_handle_type(), &rover_handle_type(), &drive_handle_type(), &battery_handle_type(),
-        &panels_handle_type(), &antennas_handle_type()}) {
-    text += handle_section(*type);
-  }
+  const std::size_t of_phases = scripted_objects().size() - 2;
+  for (std::size_t i = 0; i < of_phases; ++i) text += handle_section(*scripted_objects()[i]);
   text += conditions;
   text += "\n| | |\n|---|---|\n";
   for (const ConditionName& name : condition_names()) {
     text += fmt::format("| `{}` | {} |\n", name.name, name.doc);
   }
   text += scenarios;
-  for (const HandleType* type : {&sim_handle_type(), &scenario_handle_type()}) {
-    text += handle_section(*type);
-  }
+  text += handle_section(sim_handle_type()) + handle_section(scenario_handle_type());
   text += "\n## Functions and values\n\n| | |\n|---|---|\n";
   for (const ApiFunction& entry : api_functions()) {
     text += fmt::format("| `{}` | {} |\n", entry.signature, entry.doc);

@@ -1,10 +1,17 @@
-// The text of lua/README.md, made from what is bound to Lua.
+// The texts of lua/README.md and lua/library.d.lua, made from what is bound to Lua.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace lsos {
 
+struct HandleType;
+
 std::string api_reference();
+std::string api_library();
+
+// All objects that scripts are given: of phases, then of scenarios and prompts.
+const std::vector<const HandleType*>& scripted_objects();
 
 }  // namespace lsos

@@ -188,6 +188,39 @@ int drive_remaining_m(lua_State* L) {
   return 1;
 }
 
+int ground_at(lua_State* L) {
+  const auto p_S_m = to_vec3(L, 2);
+  if (!p_S_m) luaL_typeerror(L, 2, "vec3");
+  const auto ground = rover_of(L).ground_at(*p_S_m);
+  if (!ground) {
+    lua_pushnil(L);
+    return 1;
+  }
+  lua_createtable(L, 0, 4);
+  push_vec3(L, ground->p_S_m);
+  lua_setfield(L, -2, "position");
+  lua_pushnumber(L, ground->elevation_m);
+  lua_setfield(L, -2, "elevation_m");
+  lua_pushnumber(L, ground->slope_rad);
+  lua_setfield(L, -2, "slope_rad");
+  lua_pushstring(L, ground->soil.c_str());
+  lua_setfield(L, -2, "soil");
+  return 1;
+}
+
+int sky(lua_State* L) {
+  const SkyView sky = rover_of(L).sky();
+  lua_createtable(L, 0, 4);
+  for (const auto& [name, angle_rad] : {std::pair{"sun_azimuth_rad", sky.sun_azimuth_rad},
+                                        {"sun_elevation_rad", sky.sun_elevation_rad},
+                                        {"earth_azimuth_rad", sky.earth_azimuth_rad},
+                                        {"earth_elevation_rad", sky.earth_elevation_rad}}) {
+    push_quantity(L, angle_rad);
+    lua_setfield(L, -2, name);
+  }
+  return 1;
+}
+
 }  // namespace
 
 const HandleType& drive_handle_type() {
@@ -235,7 +268,9 @@ const HandleType& rover_handle_type() {
        {"antennas", antennas, "rover.antennas", "Its antennas."}},
       {{"follow", guard<follow>,
         "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = })",
-        "Drives along waypoints (list of vec3, or one); then answer lsos.arrival."},
+        "Drives along waypoints (list of vec3, or one); then answer lsos.arrival.",
+        "fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, "
+        "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number })"},
        {"plan_path", guard<plan_path>,
         "rover:plan_path(waypoints, { speed_mps = , slope_max_rad = , aim = , ... })",
         "A way over the ground through the waypoints from number `first` (default 1) on, with the "
@@ -243,24 +278,45 @@ const HandleType& rover_handle_type() {
         "`avoid` (list of vec3) and `avoid_radius_m` keep it off places. Gives { path = , legs = , "
         "length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and "
         "`last_point` besides; or nil, why there is none, and the place nearest to the waypoint "
-        "that can be reached."},
+        "that can be reached.",
+        "fun(self: lsos.rover, waypoints: vec3[], settings?: { first?: integer, speed_mps?: "
+        "number, slope_max_rad?: number, aim?: 'energy'|'risk', arrival_radius_m?: number, avoid?: "
+        "vec3[], avoid_radius_m?: number }): table?, string?, vec3?"},
        {"ahead", guard<ahead>, "rover:ahead(distance_m)",
-        "The place so far ahead of the rover, on the ground."},
-       {"brake", guard<brake>, "rover:brake()", "Stops and holds."},
-       {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends."},
+        "The place so far ahead of the rover, on the ground.",
+        "fun(self: lsos.rover, distance_m: number): vec3"},
+       {"ground_at", guard<ground_at>, "rover:ground_at(point)",
+        "The ground under or over it: { position = , elevation_m = , slope_rad = , soil = }; nil "
+        "where there is none.",
+        "fun(self: lsos.rover, point: vec3): { position: vec3, elevation_m: number, slope_rad: "
+        "number, soil: string }?"},
+       {"sky", guard<sky>, "rover:sky()",
+        "Where Sun and Earth stand: { sun_azimuth_rad = , sun_elevation_rad = , earth_azimuth_rad "
+        "= , earth_elevation_rad = }; Earth's nil on Earth.",
+        "fun(self: lsos.rover): { sun_azimuth_rad: number, sun_elevation_rad: number, "
+        "earth_azimuth_rad: number?, earth_elevation_rad: number? }"},
+       {"brake", guard<brake>, "rover:brake()", "Stops and holds.", "fun(self: lsos.rover)"},
+       {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends.",
+        "fun(self: lsos.rover, power_w: number)"},
        {"resource", guard<resource>, "rover:resource(name)",
-        "What is left of it; nil when the rover carries none."},
+        "What is left of it; nil when the rover carries none.",
+        "fun(self: lsos.rover, name: string): number?"},
        {"use", guard<use>, "rover:use(name, amount)",
-        "Takes it; false, and nothing is taken, when there is not so much."},
+        "Takes it; false, and nothing is taken, when there is not so much.",
+        "fun(self: lsos.rover, name: string, amount: number): boolean"},
        {"place_of", guard<place_of>, "rover:place_of(id)",
-        "Position of another rover or an asset; nil when there is none with that id."},
+        "Position of another rover or an asset; nil when there is none with that id.",
+        "fun(self: lsos.rover, id: string): vec3?"},
        {"sees", guard<sight_of<&PairSight::is_visible>>, "rover:sees(id)",
         "Whether its antenna saw that of another rover, of an asset, or 'Earth', when they were "
-        "last looked at; nil before."},
+        "last looked at; nil before.",
+        "fun(self: lsos.rover, id: string): boolean?"},
        {"is_linked_to", guard<sight_of<&PairSight::is_linked>>, "rover:is_linked_to(id)",
-        "The same, within range and with both antennas up."},
+        "The same, within range and with both antennas up.",
+        "fun(self: lsos.rover, id: string): boolean?"},
        {"distance_to_m", guard<distance_to_m>, "rover:distance_to_m(point)",
-        "Straight distance from the reference point."}}};
+        "Straight distance from the reference point.",
+        "fun(self: lsos.rover, point: vec3): number"}}};
   return type;
 }
 

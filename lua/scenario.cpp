@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "base/units.h"
 #include "lua/handle.h"
@@ -20,12 +21,54 @@ namespace {
 
 constexpr const char* scenarios_key = "lsos.scenarios";   // list of { name, function }
 constexpr std::int64_t instructions_max = 2'000'000'000;  // some 20 s
+constexpr int depth_max = 16;                             // of tables that are compared or shown
 
-std::string text_of(lua_State* L, int index) {
+// Shown as it is written: 'text', { 1, 2, name = 'x' }.
+std::string text_of(lua_State* L, int index, int depth = 0) {
+  index = lua_absindex(L, index);
+  if (lua_istable(L, index) && depth < depth_max) {
+    std::string members;
+    push_sorted_keys(L, index);
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+      if (!members.empty()) members += ", ";
+      if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) != i) {
+        members += fmt::format("{} = ", luaL_tolstring(L, -1, nullptr));
+        lua_pop(L, 1);
+      }
+      lua_pushvalue(L, -1);
+      lua_rawget(L, index);
+      members += text_of(L, -1, depth + 1);
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 2);
+    return members.empty() ? "{}" : "{ " + members + " }";
+  }
   push_text(L, index);
-  std::string text = lua_tostring(L, -1);
+  std::string text = error_text(L, -1);
   lua_pop(L, 1);
   return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;
+}
+
+// Tables are equal when all that they hold is.
+bool are_equal(lua_State* L, int a, int b, int depth = 0) {
+  a = lua_absindex(L, a);
+  b = lua_absindex(L, b);
+  if (lua_compare(L, a, b, LUA_OPEQ) != 0) return true;
+  if (!lua_istable(L, a) || !lua_istable(L, b) || depth >= depth_max) return false;
+  const auto holds = [&](int all, int of) {
+    for (lua_pushnil(L); lua_next(L, all) != 0; lua_pop(L, 1)) {
+      lua_pushvalue(L, -2);
+      lua_rawget(L, of);
+      const bool is_same = are_equal(L, -1, -2, depth + 1);
+      lua_pop(L, 1);
+      if (!is_same) {
+        lua_pop(L, 2);
+        return false;
+      }
+    }
+    return true;
+  };
+  return holds(a, b) && holds(b, a);
 }
 
 // "distance: " and " (at 94.2 s of sim1)" about what is wrong.
@@ -33,9 +76,10 @@ std::string text_of(lua_State* L, int index) {
   std::string message;
   if (lua_type(L, what) == LUA_TSTRING) message = std::string(lua_tostring(L, what)) + ": ";
   message += text;
-  if (SimSession* sim = running_sims(L, "t").last()) {
-    message += fmt::format(", at {} s", seconds(sim->now()));
-  }
+  Sims& sims = running_sims(L, "t");
+  if (SimSession* sim = sims.last()) message += fmt::format(", at {} s", seconds(sim->now()));
+  // It counts though the script may catch it.
+  sims.expectation_failed(to_string({Severity::error, caller_place(L), message}));
   throw std::runtime_error(message);
 }
 
@@ -43,8 +87,13 @@ int expect_equal(lua_State* L) {
   handle_id(L, scenario_handle_type());
   luaL_checkany(L, 3);
   lua_settop(L, 4);
-  if (lua_compare(L, 2, 3, LUA_OPEQ) != 0) return 0;
-  fail(L, 4, fmt::format("expected {}, found {}", text_of(L, 3), text_of(L, 2)));
+  if (are_equal(L, 2, 3)) return 0;
+  std::string wanted = text_of(L, 3), found = text_of(L, 2);
+  if (wanted == found && lua_type(L, 2) == LUA_TNUMBER) {
+    wanted = fmt::format("{:.17g}", lua_tonumber(L, 3));
+    found = fmt::format("{:.17g}", lua_tonumber(L, 2));
+  }
+  fail(L, 4, fmt::format("expected {}, found {}", wanted, found));
 }
 
 int expect_true(lua_State* L) {
@@ -64,9 +113,9 @@ struct Quantity {
 Quantity check_quantity(lua_State* L, int argument) {
   if (lua_type(L, argument) != LUA_TSTRING) return {luaL_checknumber(L, argument), nullptr};
   const std::string text = lua_tostring(L, argument);
-  const std::size_t space = text.find_first_not_of("+-.0123456789eE");
-  const std::string symbol =
-      space == std::string::npos ? "1" : text.substr(text.find_first_not_of(' ', space));
+  const std::size_t end = text.find_first_not_of("+-.0123456789eE");
+  const std::size_t begin = end == std::string::npos ? end : text.find_first_not_of(' ', end);
+  const std::string symbol = begin == std::string::npos ? "1" : text.substr(begin);
   const Unit* unit = find_unit(symbol);
   if (unit == nullptr) throw std::runtime_error(fmt::format("'{}': no unit '{}'", text, symbol));
   const auto parsed = parse_quantity(text, *unit);
@@ -78,6 +127,11 @@ int expect_near(lua_State* L) {
   handle_id(L, scenario_handle_type());
   lua_settop(L, 5);
   const Quantity wanted = check_quantity(L, 3), within = check_quantity(L, 4);
+  if (wanted.unit != nullptr && within.unit != nullptr && wanted.unit->kind != within.unit->kind) {
+    throw std::runtime_error(fmt::format("t:near: '{}' is a {}, '{}' a {}", wanted.unit->symbol,
+                                         wanted.unit->kind, within.unit->symbol,
+                                         within.unit->kind));
+  }
   if (lua_type(L, 2) == LUA_TNUMBER &&
       std::abs(lua_tonumber(L, 2) - wanted.value_si) <= within.value_si) {
     return 0;
@@ -103,7 +157,10 @@ int expect_failure(lua_State* L) {
     fail(L, 4, fmt::format("expected an error with '{}', found none", wanted));
   }
   const std::string found = error_text(L, -1);
-  if (found.find(wanted) != std::string::npos) return 0;
+  if (found.find(wanted) != std::string::npos) {
+    running_sims(L, "t").forget_expectation();  // that one was to fail
+    return 0;
+  }
   fail(L, 4, fmt::format("expected an error with '{}', found '{}'", wanted, found));
 }
 
@@ -126,30 +183,35 @@ ScenarioResult run_one(lua_State* L, Sims& sims, const std::string& file, const 
   } catch (const std::exception& error) {
     result.failure = fmt::format("fault inside the program: {}", error.what());
   }
+  if (result.failure.empty()) result.failure = sims.failed_expectation();
   sims.close_all();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   result.wall_s = wall.count();
-  if (result.failure.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder, ignored);
-    result.log.clear();
-  }
+  std::error_code ignored;
+  if (result.failure.empty()) std::filesystem::remove_all(folder, ignored);
+  if (!std::filesystem::exists(folder, ignored)) result.log.clear();
   return result;
 }
 
-// Of a name, what can be a folder's.
-std::string folder_name(const std::string& name) {
+// Of a name, what can be a folder's; no two of a file have the same.
+std::string folder_name(const std::string& name, std::set<std::string>& taken) {
+  constexpr std::size_t longest = 80;
   std::string text;
-  for (const char c : name) {
+  for (const char c : name.substr(0, longest)) {
     text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   }
-  return text;
+  if (text.empty()) text = "_";
+  std::string own = text;
+  for (int k = 2; !taken.insert(own).second; ++k) own = fmt::format("{}_{}", text, k);
+  return own;
 }
 
 }  // namespace
 
 int add_scenario(lua_State* L) {
-  running_sims(L, "lsos.scenario");
+  if (!running_sims(L, "lsos.scenario").is_loading()) {
+    throw std::runtime_error("lsos.scenario works only while a file of scenarios loads");
+  }
   luaL_checkstring(L, 1);
   luaL_checktype(L, 2, LUA_TFUNCTION);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, scenarios_key);
@@ -168,64 +230,65 @@ const HandleType& scenario_handle_type() {
       "What a scenario says its expectations to. One that does not hold ends the scenario; `what` "
       "is shown with it. Quantities are numbers in SI units, or texts with a unit: '200 m'.",
       {},
-      {{"equal", guard<expect_equal>, "t:equal(found, wanted, what)", "The two are equal."},
+      {{"equal", guard<expect_equal>, "t:equal(found, wanted, what)", "The two are equal.",
+        "fun(self: lsos.t, found: any, wanted: any, what?: string)"},
        {"near", guard<expect_near>, "t:near(found, wanted, within, what)",
-        "The number found is not farther from that than this."},
-       {"check", guard<expect_true>, "t:check(condition, what)", "It is true."},
+        "The number found is not farther from that than this.",
+        "fun(self: lsos.t, found: number, wanted: number|string, within: number|string, what?: "
+        "string)"},
+       {"check", guard<expect_true>, "t:check(condition, what)", "It is true.",
+        "fun(self: lsos.t, condition: any, what?: string)"},
        {"fails", guard<expect_failure>, "t:fails(function, text, what)",
-        "It raises an error that has this text in it."}}};
+        "It raises an error that has this text in it.",
+        "fun(self: lsos.t, fails: fun(), text: string, what?: string)"}}};
   return type;
 }
 
-std::vector<ScenarioResult> run_scenarios(const std::string& file, const std::string& filter,
-                                          const std::string& folder) {
+void run_scenarios(const std::string& file, const std::string& filter, const std::string& folder,
+                   const std::function<void(const ScenarioResult&)>& report) {
   const std::filesystem::path path = file;
-  const std::string own_folder = folder + "/" + folder_name(path.stem());
   Script script;
   script.name = path.stem();
   script.file = file;
   script.folder = path.parent_path();
   const auto source = read_file(file);
-  if (!source) return {{file, "", "cannot be read", "", 0}};
+  if (!source) return report({file, "", file + ": cannot be read", "", 0});
   script.source = *source;
 
-  std::vector<ScenarioResult> results;
   Limits limits;
   limits.instructions = instructions_max;
   LuaState lua(limits);
   lua.run([&](lua_State* L) {
     // On standard error: standard output is the report.
     const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
-    Sims at_load(own_folder, say);
+    Sims at_load(folder, say, true);
     lua.context().in_hand = &at_load;
     Faults faults;
     if (!run_script(L, script, faults)) {
       std::string text;
       for (const Fault& fault : faults.sorted()) text += to_string(fault) + "\n";
-      results.push_back({file, "", text, "", 0});
-      return;
+      return report({file, "", text, "", 0});
     }
     lua_settop(L, 0);
     luaL_getsubtable(L, LUA_REGISTRYINDEX, scenarios_key);
     const auto count = static_cast<lua_Integer>(lua_rawlen(L, 1));
-    if (count == 0) {
-      results.push_back({file, "", file + ": has no lsos.scenario(name, function)", "", 0});
-    }
+    if (count == 0) report({file, "", file + ": has no lsos.scenario(name, function)", "", 0});
+    std::set<std::string> folders;
     for (lua_Integer k = 1; k <= count; ++k) {
       lua_settop(L, 1);
       lua_rawgeti(L, 1, k);
       lua_rawgeti(L, 2, 1);
-      const std::string name = lua_tostring(L, 3);
+      const std::string name = error_text(L, 3);
       if (name.find(filter) == std::string::npos && file.find(filter) == std::string::npos)
         continue;
       lua_rawgeti(L, 2, 2);
-      Sims sims(own_folder + "/" + folder_name(name), say);
+      const std::string own_folder = folder + "/" + folder_name(name, folders);
+      Sims sims(own_folder, say);
       lua.context().in_hand = &sims;
-      results.push_back(run_one(L, sims, file, name, own_folder + "/" + folder_name(name)));
+      report(run_one(L, sims, file, name, own_folder));
     }
   });
   lua.context().in_hand = nullptr;
-  return results;
 }
 
 }  // namespace lsos

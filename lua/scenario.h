@@ -1,9 +1,9 @@
 // Scenarios: scripts that put a rover somewhere, run it, and say what must have come of it.
 #pragma once
 
+#include <functional>
 #include <lua.hpp>
 #include <string>
-#include <vector>
 
 namespace lsos {
 
@@ -14,11 +14,11 @@ struct ScenarioResult {
   double wall_s = 0;
 };
 
-// Runs the scenarios of a file whose name holds `filter`. Each leaves its logs in a folder of its
-// own in `folder`, which goes when it has passed. A script that does not load is one failed
-// scenario without a name.
-std::vector<ScenarioResult> run_scenarios(const std::string& file, const std::string& filter,
-                                          const std::string& folder);
+// Runs the scenarios of a file whose name holds `filter`, and reports each when it has ended. Each
+// leaves its logs in a folder of its own in `folder`, which goes when it has passed. A script that
+// does not load is one failed scenario without a name.
+void run_scenarios(const std::string& file, const std::string& filter, const std::string& folder,
+                   const std::function<void(const ScenarioResult&)>& report);
 
 // `t`, what a scenario says its expectations to.
 const struct HandleType& scenario_handle_type();

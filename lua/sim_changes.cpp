@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/error.h"
@@ -22,6 +23,13 @@ RoverAgent& agent_of(lua_State* L, int argument) {
   return *agent;
 }
 
+// What a hand does to a rover is in the log.
+void note(lua_State* L, const std::string& rover_id, const char* name,
+          const nlohmann::json& fields) {
+  sim_session(L).simulation().note_by_hand(
+      rover_id, name, fields.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
 }  // namespace
 
 int sim_dispatch(lua_State* L) {
@@ -40,9 +48,10 @@ int sim_dispatch(lua_State* L) {
       lua_rawset(L, 5);
     }
   }
-  lua_pushinteger(
-      L, session.dispatch(rover_id, read_event_table(L, 5, session.simulation().ground().site(),
-                                                     caller_place(L))));
+  const std::int64_t sequence = session.dispatch(
+      rover_id, read_event_table(L, 5, session.simulation().ground().site(), caller_place(L)));
+  note(L, rover_id, "dispatched", {{"sequence", sequence}, {"type", type}});
+  lua_pushinteger(L, sequence);
   return 1;
 }
 
@@ -52,31 +61,45 @@ int sim_shade(lua_State* L) {
     throw std::runtime_error(
         fmt::format("sim:shade: {}; a share of the sunlight is 0 to 1", share));
   }
-  agent_of(L, 2).power().set_shade(share);
+  RoverAgent& agent = agent_of(L, 2);
+  agent.power().set_shade(share);
+  note(L, agent.id(), "shaded", {{"share", share}});
   return 0;
 }
 
 int sim_set_wheel(lua_State* L) {
   static constexpr const char* modes[] = {"driven", "free", "locked", nullptr};
   const int mode = luaL_checkoption(L, 4, "locked", modes);
-  agent_of(L, 2).set_wheel(luaL_checkstring(L, 3), static_cast<WheelMode>(mode));
+  const std::string wheel = luaL_checkstring(L, 3);
+  RoverAgent& agent = agent_of(L, 2);
+  agent.set_wheel(wheel, static_cast<WheelMode>(mode));
+  note(L, agent.id(), "wheel_set", {{"mode", modes[mode]}, {"wheel", wheel}});
   return 0;
 }
 
 int sim_stick_panel(lua_State* L) {
   const bool is_stuck = lua_isnoneornil(L, 4) || lua_toboolean(L, 4) != 0;
-  agent_of(L, 2).power().set_panel_stuck(luaL_optstring(L, 3, ""), is_stuck);
+  const std::string panel = luaL_optstring(L, 3, "");
+  RoverAgent& agent = agent_of(L, 2);
+  agent.power().set_panel_stuck(panel, is_stuck);
+  note(L, agent.id(), "panel_stuck", {{"is_stuck", is_stuck}, {"panel", panel}});
   return 0;
 }
 
 int sim_silence(lua_State* L) {
-  agent_of(L, 2).set_silent(lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0);
+  const bool is_silent = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
+  RoverAgent& agent = agent_of(L, 2);
+  agent.set_silent(is_silent);
+  note(L, agent.id(), "silenced", {{"is_silent", is_silent}});
   return 0;
 }
 
 int sim_set_soil(lua_State* L) {
-  SimSession& session = sim_session(L);
-  session.simulation().take_soil(session.files().catalog->load_soil(luaL_checkstring(L, 2)));
+  const std::string soil = luaL_checkstring(L, 2);
+  sim_session(L).set_soil(soil);
+  for (const std::string& id : sim_session(L).simulation().rover_ids()) {
+    note(L, id, "soil_set", {{"soil", soil}});
+  }
   return 0;
 }
 

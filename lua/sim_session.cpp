@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include "lua/host.h"
+#include "base/sha256.h"
+#include "lua/plan_table.h"
+#include "mission/plan_names.h"
 #include "plan/kml_reader.h"
 
 namespace lsos {
@@ -15,16 +17,34 @@ namespace {
 std::atomic<bool> is_interrupted{false};
 
 constexpr SimTime quiet_look{1'000'000};
-constexpr std::string_view tag = "lsos-host session";
+constexpr std::string_view tag = "lsos-host session 2";
+constexpr std::size_t hash_bytes = 64;
+
+// One more event, checked as those of a plan's file are. Throws InputError.
+PlanEvent checked_event(const SourcePlacemark& placemark, const Plan& plan,
+                        const MissionFiles& files) {
+  PlanEvent event = read_event(placemark, plan, files.catalog->declarations());
+  Plan with = plan;
+  with.events = {event};
+  Faults faults;
+  check_events(with, files, faults);
+  check_plan_names(with, files.catalog->declarations(), files.rover_models, files.asset_models,
+                   faults);
+  faults.throw_if_errors();
+  return event;
+}
 
 }  // namespace
 
 void SimSession::interrupt() { is_interrupted = true; }
 void SimSession::forget_interrupt() { is_interrupted = false; }
 
-SimSession::SimSession(MissionFiles files, const std::string& plan_bytes, const std::string& folder)
-    : files_(std::move(files)), plan_bytes_(plan_bytes), folder_(folder, true) {
-  take(made());
+SimSession::SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog,
+                       const std::string& folder)
+    : source_(std::move(source)),
+      files_(files_with(source_.soil, std::move(catalog))),
+      folder_(folder, true) {
+  take(made(files_, true, {}), true);
   simulation_->start();
 }
 
@@ -36,17 +56,45 @@ SimSession::~SimSession() {
   }
 }
 
-std::unique_ptr<Simulation> SimSession::made() const {
-  SimulationSetup setup = simulation_setup(files_);
-  setup.keeps_sight = true;
-  return std::make_unique<Simulation>(std::move(setup));
+MissionFiles SimSession::files_with(const std::string& soil,
+                                    std::shared_ptr<const Catalog> catalog) const {
+  PlanSource source = source_;
+  source.soil = soil;
+  MissionFiles files = read_mission(source, std::move(catalog));
+  files.faults.throw_if_errors();
+  return files;
 }
 
-void SimSession::take(std::unique_ptr<Simulation> simulation) {
+std::unique_ptr<Simulation> SimSession::made(const MissionFiles& files, bool plans_ahead,
+                                             const std::vector<SourcePlacemark>& dispatched) const {
+  SimulationSetup setup = simulation_setup(files);
+  setup.keeps_sight = true;
+  setup.plans_ahead = plans_ahead;
+  if (simulation_) setup.kept_legs = simulation_->kept_legs();
+  auto simulation = std::make_unique<Simulation>(std::move(setup));
+  for (const SourcePlacemark& placemark : dispatched) {
+    simulation->dispatch(checked_event(placemark, simulation->plan(), files));
+  }
+  return simulation;
+}
+
+void SimSession::take(std::unique_ptr<Simulation> simulation, bool begins_log) {
   simulation_ = std::move(simulation);
   simulation_->set_note_listener([this](const NoteRow& row) { notes_.push_back(row); });
+  if (!begins_log) return simulation_->set_log(&record_->log());
   record_.reset();
-  record_ = std::make_unique<RunRecord>(folder_, plan_bytes_, files_, *simulation_);
+  record_ = std::make_unique<RunRecord>(folder_, source_.bytes, files_, *simulation_);
+}
+
+void SimSession::go_on_with(MissionFiles files, bool plans_ahead) {
+  std::unique_ptr<Simulation> simulation = made(files, plans_ahead, dispatched_);
+  try {
+    simulation->restore(simulation_->save());
+  } catch (const Archive::Mismatch& error) {
+    throw InputError({}, fmt::format("what runs cannot go on so: {}", error.what()));
+  }
+  files_ = std::move(files);
+  take(std::move(simulation), false);
 }
 
 void SimSession::advance(std::optional<SimTime> until) {
@@ -110,24 +158,25 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
       if (record.ready || record.end) last = number;
       if (!record.ready && !record.end) next = std::min(next, number);
     }
+    if (last + 1 >= next && highest == std::numeric_limits<std::int64_t>::max()) {
+      throw InputError({}, "there is no Sequence behind the last");
+    }
     const std::int64_t number = last + 1 < next ? last + 1 : highest + 1;
     fields.push_back({"Sequence", std::to_string(number), 0});
   }
-  const PlanEvent event =
-      read_event(placemark, simulation_->plan(), files_.catalog->declarations());
+  const PlanEvent event = checked_event(placemark, simulation_->plan(), files_);
   simulation_->dispatch(event);
-  dispatched_.push_back(event);
+  dispatched_.push_back(std::move(placemark));
   return event.sequence;
 }
 
 void SimSession::reload() {
-  const std::shared_ptr<const Catalog> catalog = read_catalog(files_.plan.file);
-  for (const PlanEvent& event : simulation_->plan().events) {
-    const std::vector<Fault> faults = catalog->faults_of(ScriptKind::event, event.type);
-    if (!faults.empty()) throw InputError(faults);
-  }
-  simulation_->take_scripts([catalog] { return std::make_unique<LuaHost>(*catalog); });
-  files_.catalog = catalog;
+  go_on_with(files_with(source_.soil, read_catalog(source_.file)), true);
+}
+
+void SimSession::set_soil(const std::string& name) {
+  go_on_with(files_with(name, files_.catalog), false);
+  source_.soil = name;
 }
 
 std::vector<std::string> SimSession::take_news() {
@@ -155,27 +204,34 @@ std::vector<std::string> SimSession::take_news() {
 
 std::string SimSession::save() {
   Archive a = Archive::writer();
-  std::string plan = simulation_->plan().hash(), state = simulation_->save();
-  a.tag(tag)(plan)(state);
-  return a.bytes();
+  std::string plan = files_.plan.hash(), soil = source_.soil;
+  std::string dispatched = dispatched_.empty() ? "" : kml_of({source_.file, dispatched_});
+  std::string state = simulation_->save();
+  a.tag(tag)(plan)(soil)(dispatched)(state);
+  return sha256_hex(a.bytes()) + a.bytes();
 }
 
 void SimSession::load(const std::string& bytes) {
-  std::string plan, state;
+  const std::string content = bytes.substr(std::min(hash_bytes, bytes.size()));
+  if (bytes.substr(0, hash_bytes) != sha256_hex(content)) {
+    throw InputError({}, "is not what sim:save wrote, or damaged");
+  }
+  std::string plan, soil, dispatched_kml, state;
   try {
-    Archive a = Archive::reader(bytes);
-    a.tag(tag)(plan)(state);
-    std::unique_ptr<Simulation> simulation = made();
-    std::size_t count = 0;
-    while (simulation->plan().hash() != plan && count < dispatched_.size()) {
-      simulation->dispatch(dispatched_[count++]);
-    }
-    if (simulation->plan().hash() != plan) throw InputError({}, "was saved with another plan");
+    Archive a = Archive::reader(content);
+    a.tag(tag)(plan)(soil)(dispatched_kml)(state);
+    MissionFiles files = files_with(soil, files_.catalog);
+    if (files.plan.hash() != plan) throw InputError({}, "was saved with another plan");
+    std::vector<SourcePlacemark> dispatched;
+    if (!dispatched_kml.empty()) dispatched = parse_kml(dispatched_kml, source_.file).placemarks;
+    std::unique_ptr<Simulation> simulation = made(files, true, dispatched);
     simulation->restore(state);
-    dispatched_.resize(count);
-    take(std::move(simulation));
+    dispatched_ = std::move(dispatched);
+    files_ = std::move(files);
+    source_.soil = soil;
+    take(std::move(simulation), true);
   } catch (const Archive::Mismatch& error) {
-    throw InputError({}, fmt::format("is not what sim:save wrote: {}", error.what()));
+    throw InputError({}, fmt::format("is of another version of the program: {}", error.what()));
   }
   std::erase_if(notes_, [&](const NoteRow& row) { return row.time > now(); });
   told_.clear();

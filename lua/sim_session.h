@@ -18,7 +18,7 @@ namespace lsos {
 class SimSession {
  public:
   // `folder`: of its log, replaced if it is there. Throws InputError with all that is wrong.
-  SimSession(MissionFiles files, const std::string& plan_bytes, const std::string& folder);
+  SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog, const std::string& folder);
   // Writes the rest of the log, if `finish` has not.
   ~SimSession();
   SimSession(const SimSession&) = delete;
@@ -45,10 +45,13 @@ class SimSession {
   // One more event. `fields` as a plan has them; the Sequence is the next that is free when absent.
   // Answers its Sequence. Throws InputError.
   std::int64_t dispatch(const std::string& rover_id, SourcePlacemark placemark);
-  // Reads the catalog anew; what has changed is called from the next phase on.
+  // Reads the catalog anew; what has changed is called from the next phase on. Throws InputError,
+  // and all is as it was.
   void reload();
+  // Goes on in another soil, rocks excepted. Throws as reload().
+  void set_soil(const std::string& name);
   std::string save();
-  // Into the same plan. The log begins anew from there. Throws InputError.
+  // Into the same plan. The log begins anew from there. Throws InputError, and all is as it was.
   void load(const std::string& bytes);
   // What has come so far is in the file then.
   void commit_log();
@@ -60,18 +63,24 @@ class SimSession {
   static void forget_interrupt();
 
  private:
-  std::unique_ptr<Simulation> made() const;
-  void take(std::unique_ptr<Simulation> simulation);
+  MissionFiles files_with(const std::string& soil, std::shared_ptr<const Catalog> catalog) const;
+  // Of these files, with what was dispatched.
+  std::unique_ptr<Simulation> made(const MissionFiles& files, bool plans_ahead,
+                                   const std::vector<SourcePlacemark>& dispatched) const;
+  // Goes on with that in place of the one before, in the same log or a new one.
+  void take(std::unique_ptr<Simulation> simulation, bool begins_log);
+  // Goes on from where it is with other files.
+  void go_on_with(MissionFiles files, bool plans_ahead);
   void advance(std::optional<SimTime> until = {});
   std::vector<std::string> phases() const;
 
+  PlanSource source_;
   MissionFiles files_;
-  std::string plan_bytes_;
   RunFolder folder_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<RunRecord> record_;
-  std::vector<PlanEvent> dispatched_;
+  std::vector<SourcePlacemark> dispatched_;
   std::vector<NoteRow> notes_;
   std::set<std::string> told_;  // failed events, by rover and sequence
   std::size_t told_warnings_ = 0;

@@ -13,35 +13,42 @@ namespace {
 
 constexpr ScriptInstance rovers_max = 1 << 20;  // of one simulation
 
+ScriptInstance next_number = 0;
+
 }  // namespace
 
-ScriptInstance Sims::add(MissionFiles files, const std::string& plan_bytes) {
+ScriptInstance Sims::add(PlanSource source, std::shared_ptr<const Catalog> catalog) {
   const std::string folder = fmt::format("{}/sim{}", folder_, sessions_.size() + 1);
-  std::vector<Fault> warnings = files.faults.sorted();
-  sessions_.push_back(std::make_unique<SimSession>(std::move(files), plan_bytes, folder));
-  const std::vector<Fault>& advice = sessions_.back()->simulation().advice();
+  auto session = std::make_unique<SimSession>(std::move(source), std::move(catalog), folder);
+  std::vector<Fault> warnings = session->files().faults.sorted();
+  const std::vector<Fault> advice = session->simulation().advice();
   warnings.insert(warnings.end(), advice.begin(), advice.end());
   for (const Fault& warning : warnings) say_(to_string(warning));
-  return static_cast<ScriptInstance>(sessions_.size()) - 1;
+  sessions_[next_number] = std::move(session);
+  return next_number++;
+}
+
+SimSession& Sims::at(ScriptInstance number) {
+  const auto found = sessions_.find(number);
+  if (found == sessions_.end()) {
+    throw std::runtime_error("this simulation has ended with the scenario that made it");
+  }
+  return *found->second;
 }
 
 ScriptInstance Sims::open(const std::string& plan_file) {
-  MissionFiles files = read_mission(plan_file);
-  files.faults.throw_if_errors();
-  return add(std::move(files), read_bytes(plan_file));
+  return add(read_plan_source(plan_file), read_catalog(plan_file));
 }
 
 ScriptInstance Sims::open(lua_State* L, int table, const Place& place) {
   const PlanTable plan = read_plan_table(L, table, place);
   if (!catalog_) catalog_ = read_catalog("");
-  MissionFiles files = read_mission(plan.source, plan.soil, catalog_);
-  files.faults.throw_if_errors();
-  return add(std::move(files), kml_of(plan.source));
+  return add({plan.source.file, plan.source, plan.soil, kml_of(plan.source)}, catalog_);
 }
 
 std::vector<std::string> Sims::take_news() {
   std::vector<std::string> news;
-  for (const auto& session : sessions_) {
+  for (const auto& [number, session] : sessions_) {
     for (std::string& line : session->take_news()) news.push_back(std::move(line));
   }
   return news;

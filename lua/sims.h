@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <lua.hpp>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,16 +17,26 @@ class Sims : public RoversInHand {
  public:
   // Each leaves its log in a folder of its own in `folder`: sim1, sim2, ...
   // `say` prints lines.
-  Sims(std::string folder, std::function<void(const std::string&)> say)
-      : folder_(std::move(folder)), say_(std::move(say)) {}
+  // `is_loading`: of a file that says which scenarios it has.
+  Sims(std::string folder, std::function<void(const std::string&)> say, bool is_loading = false)
+      : folder_(std::move(folder)), say_(std::move(say)), is_loading_(is_loading) {}
 
-  // Answers its number. Throw InputError.
+  bool is_loading() const { return is_loading_; }
+  // The first expectation of a scenario that did not hold; "": all did.
+  void expectation_failed(const std::string& message) {
+    if (failed_expectation_.empty()) failed_expectation_ = message;
+  }
+  void forget_expectation() { failed_expectation_.clear(); }
+  const std::string& failed_expectation() const { return failed_expectation_; }
+
+  // Answers its number, which no other of the process has. Throw InputError.
   ScriptInstance open(const std::string& plan_file);
   ScriptInstance open(lua_State* L, int table, const Place& place);
 
-  SimSession& at(ScriptInstance number) { return *sessions_[static_cast<std::size_t>(number)]; }
+  // Throws std::runtime_error: it is not of these, a scenario before had it.
+  SimSession& at(ScriptInstance number);
   // nullptr before the first.
-  SimSession* last() { return sessions_.empty() ? nullptr : sessions_.back().get(); }
+  SimSession* last() { return sessions_.empty() ? nullptr : sessions_.rbegin()->second.get(); }
   void close_all() { sessions_.clear(); }
   // Of all of them, a line each.
   std::vector<std::string> take_news();
@@ -36,12 +47,14 @@ class Sims : public RoversInHand {
   void say(const std::string& text) override { say_(text); }
 
  private:
-  ScriptInstance add(MissionFiles files, const std::string& plan_bytes);
+  ScriptInstance add(PlanSource source, std::shared_ptr<const Catalog> catalog);
 
   std::string folder_;
   std::function<void(const std::string&)> say_;
+  bool is_loading_ = false;
+  std::string failed_expectation_;
   std::shared_ptr<const Catalog> catalog_;  // of plans that are tables
-  std::vector<std::unique_ptr<SimSession>> sessions_;
+  std::map<ScriptInstance, std::unique_ptr<SimSession>> sessions_;
 };
 
 // Those of the script that runs. Throws std::runtime_error naming `what` in event scripts.

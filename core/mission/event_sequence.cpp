@@ -62,7 +62,8 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
     if (!has_turn_ && !take_turn(now, agent)) return;
     if (!running_) {
       std::string impossible;
-      if (is_met(event().skip_when, now == *current().ready, now, agent, host, impossible)) {
+      if (is_met("SkipWhen", event().skip_when, now == *current().ready, now, agent, host,
+                 impossible)) {
         note("skip_when", event().skip_when, agent);
         end(EventStatus::skipped, "SkipWhen: " + event().skip_when.text, now, agent);
         continue;
@@ -78,8 +79,8 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       }
     }
     std::string hindered = hindrance(agent);
-    if (hindered.empty() &&
-        is_met(event().stop_when, now == *current().start, now, agent, host, hindered)) {
+    if (hindered.empty() && is_met("StopWhen", event().stop_when, now == *current().start, now,
+                                   agent, host, hindered)) {
       note("stop_when", event().stop_when, agent);
       hindered = "StopWhen: " + event().stop_when.text;
     }
@@ -175,7 +176,8 @@ bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
   if (event().start_time && *event().start_time - mission_.start_time > now) return false;
   if (event().start_when.text.empty()) return true;
   const bool did_wait = waits_for_condition_;
-  waits_for_condition_ = !is_met(event().start_when, !did_wait, now, agent, host, impossible);
+  waits_for_condition_ =
+      !is_met("StartWhen", event().start_when, !did_wait, now, agent, host, impossible);
   if (!waits_for_condition_) {
     note("start_when", event().start_when, agent);
   } else if (!did_wait) {
@@ -184,13 +186,17 @@ bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
   return !waits_for_condition_;
 }
 
-bool EventSequence::is_met(const PlanEvent::Condition& condition, bool is_first, SimTime now,
-                           const RoverAgent& agent, ScriptHost& host, std::string& fault) {
+bool EventSequence::is_met(const char* name, const PlanEvent::Condition& condition, bool is_first,
+                           SimTime now, const RoverAgent& agent, ScriptHost& host,
+                           std::string& fault) {
   if (condition.text.empty() || (!is_first && now % condition_period != SimTime{})) return false;
   try {
     return host.holds(condition.text, agent.sample(now, event_label(), phase()), agent);
   } catch (const ScriptError& error) {
-    fault = error.what();
+    fault = to_string({Severity::error,
+                       {event().place.file, condition.line},
+                       fmt::format("{} '{}' at {} s: {} = {}: {}", event().type, event().label,
+                                   seconds(now), name, condition.text, error.what())});
     return false;
   }
 }
@@ -338,12 +344,18 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
     }
     return wake;
   }
+  if (!has_turn_) return next;
+  if (waits_for_condition_) return next_look;
   // What StartAfter names wakes it when it ends; its StartTime is known.
-  const bool may_skip = has_turn_ && !event().skip_when.text.empty();
-  if (may_skip || (has_turn_ && waits_for_condition_)) return next_look;
-  if (waits_for_others_ || waits_for_charge_) return std::nullopt;
-  if (!has_turn_ || !event().start_time) return next;
-  return std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
+  std::optional<SimTime> wake;
+  if (!waits_for_others_ && !waits_for_charge_) {
+    wake = next;
+    if (event().start_time) {
+      wake = std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
+    }
+  }
+  if (!event().skip_when.text.empty()) wake = std::min(wake.value_or(next_look), next_look);
+  return wake;
 }
 
 SimTime EventSequence::last_end() const {

@@ -68,6 +68,8 @@ class EventSequence {
 
   // Rows for the log since the last call, in order of happening.
   std::vector<std::size_t> take_changed_events();
+  // All that have had their turn are rows for the log again.
+  void write_events_anew();
   std::vector<PhaseRow> take_phases();
   std::vector<std::string> take_warnings();
 
@@ -80,7 +82,7 @@ class EventSequence {
 
   // Conditions are asked at first, then at whole seconds. False with a fault where its script
   // broke.
-  bool is_met(const PlanEvent::Condition& condition, bool is_first, SimTime now,
+  bool is_met(const char* name, const PlanEvent::Condition& condition, bool is_first, SimTime now,
               const RoverAgent& agent, ScriptHost& host, std::string& fault);
   void note(const char* decision, const PlanEvent::Condition& condition, RoverAgent& agent) const;
   bool take_turn(SimTime now, const RoverAgent& agent);

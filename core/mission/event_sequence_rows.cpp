@@ -44,6 +44,14 @@ std::vector<std::size_t> EventSequence::take_changed_events() {
   return std::exchange(changed_, {});
 }
 
+void EventSequence::write_events_anew() {
+  changed_.clear();
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    records_[i].is_written = true;
+    if (records_[i].ready || records_[i].end) changed(i);
+  }
+}
+
 std::vector<PhaseRow> EventSequence::take_phases() {
   if (running_) {
     for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));

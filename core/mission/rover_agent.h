@@ -95,6 +95,8 @@ class RoverAgent : public RoverPort {
   PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
                        const RouteSettings& settings) override;
   Vec3 ahead_S_m(double distance_m) const override;
+  std::optional<GroundView> ground_at(const Vec3& p_S_m) const override;
+  SkyView sky() const override { return surroundings_->sky(place_now()); }
   std::optional<Vec3> place_of_S_m(const std::string& id) const override {
     return surroundings_->place_S_m(id);
   }

@@ -137,6 +137,14 @@ PlannedWay RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t first,
   return way;
 }
 
+std::optional<GroundView> RoverAgent::ground_at(const Vec3& p_S_m) const {
+  const GroundSample sample = Ground::Probe(*ground_).sample(p_S_m);
+  if (!sample.is_ground()) return {};
+  return GroundView{p_S_m - sample.gap_m * sample.up_S, sample.elevation_m,
+                    std::acos(std::clamp(sample.normal_S.dot(sample.up_S), -1.0, 1.0)),
+                    ground_->soils()[static_cast<std::size_t>(sample.soil)].name};
+}
+
 Vec3 RoverAgent::ahead_S_m(double distance_m) const {
   const SiteFrame& site = ground_->site();
   const Vec3& p_S_m = view_.p_S_m;

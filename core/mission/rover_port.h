@@ -79,6 +79,21 @@ struct PairSight {
   bool is_visible = false, is_linked = false;
 };
 
+// The ground at a place.
+struct GroundView {
+  Vec3 p_S_m = Vec3::Zero();
+  double elevation_m = 0;  // raster datum
+  double slope_rad = 0;    // of its very surface there
+  std::string soil;
+};
+
+// Where Sun and Earth stand at a rover, at the last exchange: azimuth clockwise from true north,
+// elevation above the plane across the vertical. NaN: there is none.
+struct SkyView {
+  double sun_azimuth_rad = not_modelled, sun_elevation_rad = not_modelled;
+  double earth_azimuth_rad = not_modelled, earth_elevation_rad = not_modelled;
+};
+
 class RoverPort {
  public:
   virtual ~RoverPort() = default;
@@ -94,6 +109,9 @@ class RoverPort {
                                const RouteSettings& settings) = 0;
   // The place so far ahead of the rover, on the ground.
   virtual Vec3 ahead_S_m(double distance_m) const = 0;
+  // Under or over a place of the site; absent: there is no ground.
+  virtual std::optional<GroundView> ground_at(const Vec3& p_S_m) const = 0;
+  virtual SkyView sky() const = 0;
   // Of another rover or an asset, on the ground; absent: there is none with that id.
   virtual std::optional<Vec3> place_of_S_m(const std::string& id) const = 0;
   // What the last look at another rover, an asset or Earth found; absent: there was none yet, or

@@ -95,6 +95,7 @@ void Simulation::place_rovers() {
 }
 
 void Simulation::plan_ways() {
+  if (!setup_.plans_ahead) return;
   Faults faults;
   ways_ahead_.resize(rovers_.size());
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
@@ -128,7 +129,13 @@ void Simulation::find_rovers_in_each_other(Faults& faults) const {
 }
 
 void Simulation::start() {
-  for (Rover& rover : rovers_) rover.agent->routes().log_ahead(rover.agent->id());
+  for (Rover& rover : rovers_) {
+    rover.agent->routes().log_ahead(rover.agent->id());
+    rover.agent->observe();
+  }
+  // What is decided first knows what is in sight and in the Sun.
+  if (light_) watch_the_sun();
+  if (sight_) watch_sight();
   exchange();
 }
 

@@ -41,6 +41,8 @@ struct SimulationSetup {
   bool keeps_sight = false;
   // Legs that an earlier run has planned, see PlannedLegs.
   std::string kept_legs = {};
+  // Ways are planned before it starts. One that is made to go on from a saved state needs none.
+  bool plans_ahead = true;
 };
 
 // What became of one rover.
@@ -63,8 +65,9 @@ class Simulation : private EventSequence::Others, private Surroundings {
   explicit Simulation(SimulationSetup setup);
   ~Simulation() override;
 
-  // Where rows go; none are written without. Before `start`.
-  void set_log(LogWriter* log) { log_ = log; }
+  // Where rows go; none are written without. Before `start`; or later, of a log that begins anew:
+  // events that were under way or over by then are in it too.
+  void set_log(LogWriter* log);
   // Who is told each note that scripts and findings write. Before `start`.
   void set_note_listener(std::function<void(const NoteRow&)> listener) {
     note_listener_ = std::move(listener);
@@ -111,10 +114,9 @@ class Simulation : private EventSequence::Others, private Surroundings {
   const EventSequence* sequence(const std::string& rover_id) const;
   // One more event of a rover. Throws InputError where its turn is over.
   void dispatch(const PlanEvent& event);
-  // Goes on with other scripts from their next call.
-  void take_scripts(std::function<std::unique_ptr<ScriptHost>()> make_host);
-  // Goes on in another soil, rocks excepted.
-  void take_soil(const Soil& soil);
+  // A row in `notes` of what a hand has done to a rover. `fields_json`: an object with sorted keys.
+  void note_by_hand(const std::string& rover_id, const std::string& name,
+                    const std::string& fields_json);
 
   // All state, and back into a simulation of the same setup.
   std::string save();
@@ -164,6 +166,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   SimTime next_sample(const Rover& rover) const;
   const EventRecord& record(const PlanEvent::Reference& event) const override;
   std::optional<Vec3> place_S_m(const std::string& id) const override;
+  SkyView sky(const Geodetic& place) const override;
   std::optional<PairSight> sight(const std::string& id, const std::string& other) const override;
 
   SimulationSetup setup_;

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "mission/simulation.h"
-#include "mission/site.h"
 
 namespace lsos {
 
@@ -43,30 +42,13 @@ void Simulation::dispatch(const PlanEvent& event) {
   throw InputError(event.place, "there is no rover '" + event.rover_id + "'");
 }
 
-void Simulation::take_scripts(std::function<std::unique_ptr<ScriptHost>()> make_host) {
-  const std::string state = save();
-  setup_.make_host = std::move(make_host);
-  build();
-  restore(state);
-}
-
-void Simulation::take_soil(const Soil& soil) {
-  const std::string state = save();
-  setup_.terrain.soil = soil;
-  // Rovers, light and sight look at the ground: all of them are made again.
-  rovers_.clear();
-  light_.reset();
-  sight_.reset();
-  legs_.reset();
-  const Geodetic start = setup_.plan.rovers.front().start;
-  ground_ = ground_at(setup_.terrain, *setup_.plan.mission.planet, start, setup_.plan.mission.seed);
-  check_soil();
-  legs_ = std::make_unique<PlannedLegs>(*ground_, setup_.plan.mission.seed);
-  for (WayAhead& way : ways_ahead_) way.legs.clear();  // planned in the other soil
-  build();
-  make_light();
-  make_sight();
-  restore(state);
+void Simulation::note_by_hand(const std::string& rover_id, const std::string& name,
+                              const std::string& fields_json) {
+  const RoverAgent* rover = agent(rover_id);
+  LSOS_ASSERT(rover != nullptr);
+  const NoteRow row{now_, rover_id, 0, name, fields_json, rover->place_now()};
+  if (note_listener_) note_listener_(row);
+  if (log_ != nullptr) log_->write(row);
 }
 
 }  // namespace lsos

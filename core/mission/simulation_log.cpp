@@ -3,6 +3,11 @@
 
 namespace lsos {
 
+void Simulation::set_log(LogWriter* log) {
+  log_ = log;
+  for (Rover& rover : rovers_) rover.sequence.write_events_anew();
+}
+
 void Simulation::log_rows() {
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     Rover& rover = rovers_[i];

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "mission/simulation.h"
+#include "planet/sunlight.h"
 
 namespace lsos {
 
@@ -25,6 +26,19 @@ std::optional<Vec3> Simulation::place_S_m(const std::string& id) const {
     if (asset.plan.id == id) return asset.pose.p_S_m;
   }
   return {};
+}
+
+SkyView Simulation::sky(const Geodetic& place) const {
+  const Body& body = *setup_.plan.mission.planet;
+  const Instant at = setup_.plan.mission.start_time + now_;
+  const SkyPosition sun = sunlight(body, place, at, 0).seen;
+  const std::optional<SkyPosition> earth = lsos::sky(body, place, at).earth;
+  SkyView view{sun.azimuth_rad, sun.elevation_rad, not_modelled, not_modelled};
+  if (earth) {
+    view.earth_azimuth_rad = earth->azimuth_rad;
+    view.earth_elevation_rad = earth->elevation_rad;
+  }
+  return view;
 }
 
 std::optional<PairSight> Simulation::sight(const std::string& id, const std::string& other) const {

@@ -42,6 +42,7 @@ struct FieldDeclaration {
   NameOf names = NameOf::anything;   // text only
   bool is_required = false;
   std::optional<FieldValue> default_value;  // absent: the script sees nil
+  std::string example = {};  // what a form has for it, when that is more than the default
 };
 
 enum class GeometryKind { none, point, line, polygon };

@@ -64,3 +64,91 @@ lsos.scenario('a picture of where it stands, from the sun or the side', function
   sim:run()
   t:equal(sim:event('A/10').status, 'completed')
 end)
+
+local function driven_on(soil)
+  local sim = sim_of { 'Route', at = { 0, 60 } }
+  sim:run_for(10)
+  sim:set_soil(soil)
+  sim:save('out/by_hand_soil.state')
+  sim:run()
+  return sim, sim.rovers.A.drive_j
+end
+
+lsos.scenario('another soil is saved with the state, and in the log', function(t)
+  local sim, drive_j = driven_on 'ApolloLoose'
+  t:equal(#sim:notes('soil_set'), 1)
+  t:equal(sim:notes('soil_set')[1].fields.soil, 'ApolloLoose')
+  local other = sim_of { 'Route', at = { 0, 60 } }
+  other:load('out/by_hand_soil.state')
+  t:near(other.time_s, 10, 0)
+  other:run()
+  t:equal(other.rovers.A.drive_j, drive_j)
+  t:fails(function() sim:set_soil('Quicksand') end, "no soil 'Quicksand'")
+  t:equal(#sim.events, 1, 'all is as it was')
+end)
+
+lsos.scenario('dispatched events are saved with the state', function(t)
+  local sim = sim_of { 'Pause', Duration = 60 }
+  sim:run_for(10)
+  sim:dispatch('A', 'Pause', { Duration = 20, label = 'more' })
+  sim:save('out/by_hand_1.state')
+  sim:dispatch('A', 'Pause', { Duration = 30 })
+  sim:save('out/by_hand_2.state')
+  sim:load('out/by_hand_1.state')
+  t:equal(#sim.events, 2)
+  sim:run()
+  t:near(sim.time_s, 80, 1)
+  local other = sim_of { 'Pause', Duration = 60 }
+  other:load('out/by_hand_2.state')
+  t:equal(#other.events, 3)
+  other:run()
+  t:equal(other:event('more').status, 'completed')
+  t:near(other.time_s, 110, 1)
+end)
+
+lsos.scenario('what a hand does is in the notes', function(t)
+  local sim = sim_of { 'Route', at = { 0, 60 } }
+  sim:run_for(5)
+  sim:set_wheel('A', 'front_left_wheel_1', 'free')
+  sim:shade('A', 0.5)
+  sim:silence('A')
+  sim:stick_panel('A')
+  local names = {}
+  for _, note in ipairs(sim:notes()) do names[#names + 1] = note.name end
+  t:equal(names, { 'wheel_set', 'shaded', 'silenced', 'panel_stuck' })
+  t:equal(sim:notes('wheel_set')[1].fields, { mode = 'free', wheel = 'front_left_wheel_1' })
+  t:near(sim:notes('shaded')[1].time_s, 5, 0)
+end)
+
+lsos.scenario('dispatched events are checked as those of a plan', function(t)
+  local sim = sim_of { 'Pause', Duration = 60 }
+  local function add(event) return function() sim:dispatch('A', 'Pause', event) end end
+  t:fails(add { Duration = 1, StartWhen = 'chrage < 1' }, "did you mean 'charge'")
+  t:fails(function() sim:dispatch('A', 'Rendezvous', { With = 'nobody' }) end, 'nobody')
+  t:equal(#sim.events, 1)
+end)
+
+lsos.scenario('a plan that is wrong says so', function(t)
+  local function with(events)
+    return function() lsos.sim { rovers = { A = { type = 'SEV', events = events } } } end
+  end
+  t:fails(with(5), 'events: a list is wanted')
+  t:fails(with { { {} } }, 'an event is a table that begins with its type')
+  t:fails(with { { 123 } }, 'an event is a table that begins with its type')
+  t:fails(with { Pause = { Duration = 5 } }, 'a list without gaps')
+  t:fails(with { { 'Pause', Duration = 5 }, nil, { 'Pause', Duration = 5 } }, 'a list without gaps')
+end)
+
+lsos.scenario('the ground and the sky at a rover', function(t)
+  local sim = lsos.sim {
+    site = { 25, -89.5 },
+    rovers = { A = { type = 'SEV', events = { { 'Pause', Duration = 60 } } } },
+  }
+  local ground = sim.rovers.A:ground_at(lsos.vec3(30, 40, 100))
+  t:near(ground.position.x, '30 m', '1 cm')
+  t:near(ground.slope_rad, '0 deg', '0.01 deg')
+  t:equal(ground.soil, 'ApolloNominal')
+  local sky = sim.rovers.A:sky()
+  t:near(sky.sun_elevation_rad, '0 deg', '2.1 deg', 'near the pole the Sun stays low')
+  t:near(sky.earth_elevation_rad, '0 deg', '8 deg', 'so does Earth')
+end)

@@ -94,6 +94,39 @@ TEST(Scenarios, that_do_not_load_or_are_none_fail) {
   EXPECT_THAT(nowhere.err, HasSubstr("nowhere: there is no such file or folder of scenarios"));
 }
 
+TEST(Scenarios, that_do_harm_do_it_to_themselves_alone) {
+  const TempFolder folder;
+  folder.write("tests/scenarios/kept.lua", R"(local lsos = require 'lsos'
+local keep
+local function made() return lsos.sim { rovers = { A = { type = 'SEV' } } } end
+lsos.scenario('one', function() keep = made() end)
+lsos.scenario('two', function() return keep.time_s end)
+lsos.scenario('a-b', function(t) made() t:check(false) end)
+lsos.scenario('a b', made)
+lsos.scenario('caught', function(t) pcall(t.equal, t, 1, 2) end)
+lsos.scenario('a # TODO\nline', function(t) t:equal({ 1, x = { 2 } }, { 1, x = { 3 } }) end)
+lsos.scenario('wrong unit', function(t) t:near(2.5, '7.2 km/h', '1 m') end)
+lsos.scenario('late', function() lsos.scenario('x', made) end)
+)");
+  const Outcome outcome = test(folder, {"--junit", folder / "results.xml"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("ok 1 - tests/scenarios/kept.lua: one"));
+  EXPECT_THAT(outcome.out, HasSubstr("kept.lua:5: this simulation has ended with the scenario that "
+                                     "made it"));
+  EXPECT_TRUE(fs::exists(folder / "out/scenarios/kept/a_b/sim1/log.gpkg")) << "of the failed one";
+  EXPECT_THAT(outcome.out, HasSubstr("ok 4 - tests/scenarios/kept.lua: a b"));
+  EXPECT_THAT(outcome.out, HasSubstr("not ok 5 - tests/scenarios/kept.lua: caught"));
+  EXPECT_THAT(outcome.out, HasSubstr("not ok 6 - tests/scenarios/kept.lua: a \\# TODO line #"));
+  EXPECT_THAT(outcome.out, HasSubstr("expected { 1, x = { 3 } }, found { 1, x = { 2 } }"));
+  EXPECT_THAT(outcome.out, HasSubstr("'km/h' is a speed, 'm' a length"));
+  EXPECT_THAT(outcome.out, HasSubstr("only while a file of scenarios loads"));
+  const Outcome read = run_command({"python3", "-c",
+                                    "import sys, xml.etree.ElementTree as e; "
+                                    "print(len(e.parse(sys.argv[1]).getroot()))",
+                                    folder / "results.xml"});
+  EXPECT_EQ(read.out, "8\n") << read.err;
+}
+
 // The same plan by table and by file, and the events of the working folder.
 TEST(Scenarios, find_events_beside_them_and_read_plans) {
   const TempFolder folder;

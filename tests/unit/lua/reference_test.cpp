@@ -1,5 +1,6 @@
 // lua/README.md says what is bound to Lua, and its example works.
 #include <cstdlib>
+#include <map>
 #include <sstream>
 
 #include "lua/reference.h"
@@ -16,6 +17,38 @@ TEST(Reference, is_the_readme) {
   file << std::ifstream(readme).rdbuf();
   EXPECT_EQ(file.str(), api_reference())
       << "lua/README.md is out of date: LSOS_UPDATE_REFERENCE=1 with this test writes it anew";
+}
+
+TEST(Reference, is_the_library_of_editors) {
+  const std::string library = LSOS_SOURCE_DIR "/lua/library.d.lua";
+  if (std::getenv("LSOS_UPDATE_REFERENCE") != nullptr) std::ofstream(library) << api_library();
+  std::ostringstream file;
+  file << std::ifstream(library).rdbuf();
+  EXPECT_EQ(file.str(), api_library())
+      << "lua/library.d.lua is out of date: LSOS_UPDATE_REFERENCE=1 with this test writes it anew";
+}
+
+// A script that asks the module and the objects of a phase for all that the library says they have.
+TEST(Reference, is_what_scripts_find) {
+  const std::map<std::string, std::string> classes{{"lsos", "lsos"},
+                                                   {"lsos.rover", "rover"},
+                                                   {"lsos.ev", "ev"},
+                                                   {"lsos.rover.drive", "rover.drive"}};
+  std::istringstream lines(api_library());
+  std::string script, object;
+  int found = 0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string kind, name, type;
+    words >> kind >> name >> type;
+    if (kind == "---@class") object = classes.contains(name) ? classes.at(name) : "";
+    if (kind != "---@field" || object.empty()) continue;
+    EXPECT_FALSE(type.empty()) << line;
+    if (object == "rover" || type.starts_with("fun(")) ++found;
+    script += "local _ = " + object + "." + name + "\n";
+  }
+  EXPECT_GT(found, 60);
+  EXPECT_EQ(EventRun::of_phase("do " + script + " end")->error(), "no error");
 }
 
 TEST(Reference, example_loads_and_runs) {

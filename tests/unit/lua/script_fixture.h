@@ -49,6 +49,10 @@ class RecordingRover : public RoverPort {
                     std::to_string(waypoints_S_m.size()));
     return way;
   }
+  std::optional<GroundView> ground_at(const Vec3& p_S_m) const override {
+    return GroundView{{p_S_m.x(), p_S_m.y(), 7}, 107, 0.1, "ApolloNominal"};
+  }
+  SkyView sky() const override { return {1, 0.5, not_modelled, not_modelled}; }
   Vec3 ahead_S_m(double distance_m) const override {
     return rover.p_S_m + distance_m * Vec3::UnitY();
   }

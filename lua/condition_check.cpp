@@ -1,0 +1,153 @@
+// What is wrong with a condition before anything runs: its names, by its words; what it gives, by
+// trying it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <optional>
+
+#include "base/error.h"
+#include "lua/condition.h"
+#include "lua/sandbox.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+namespace {
+
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+struct Word {
+  enum class Kind { name, text, number, symbol };
+  Kind kind = Kind::symbol;
+  std::string text;
+};
+
+// Past the end of [==[ ... ]==] that begins at `at`; absent: none does.
+std::optional<std::size_t> long_text_end(const std::string& text, std::size_t at,
+                                         std::size_t& level) {
+  level = text.find_first_not_of('=', at + 1);
+  if (text[at] != '[' || level == std::string::npos || text[level] != '[') return {};
+  level -= at + 1;
+  const std::size_t end = text.find("]" + std::string(level, '=') + "]", at);
+  return end == std::string::npos ? text.size() : end + level + 2;
+}
+
+// As Lua reads it, without comments. What is no Lua is told by Lua's own parser.
+std::vector<Word> words_of(const std::string& text) {
+  std::vector<Word> words;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    const std::size_t begin = i;
+    std::size_t level = 0;
+    if (text.compare(i, 2, "--") == 0) {
+      const auto end =
+          i + 2 < text.size() ? long_text_end(text, i + 2, level) : std::optional<std::size_t>();
+      i = end ? *end : std::min(text.find('\n', i), text.size());
+    } else if (c == '\'' || c == '"') {
+      ++i;
+      while (i < text.size() && text[i] != c) i += text[i] == '\\' ? 2 : 1;
+      i = std::min(i, text.size());
+      words.push_back({Word::Kind::text, text.substr(begin + 1, i - begin - 1)});
+      ++i;
+    } else if (const auto end = long_text_end(text, i, level)) {
+      i = *end;
+      const std::size_t edge = level + 2;
+      words.push_back({Word::Kind::text, text.substr(begin + edge, i - begin - 2 * edge)});
+    } else if (std::isdigit(static_cast<unsigned char>(c)) != 0 ||
+               (c == '.' && i + 1 < text.size() &&
+                std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0)) {
+      while (i < text.size() && (is_letter(text[i]) || text[i] == '.')) ++i;
+      words.push_back({Word::Kind::number, text.substr(begin, i - begin)});
+    } else if (is_letter(c)) {
+      while (i < text.size() && is_letter(text[i])) ++i;
+      words.push_back({Word::Kind::name, text.substr(begin, i - begin)});
+    } else {
+      ++i;
+      if (std::isspace(static_cast<unsigned char>(c)) == 0) {
+        words.push_back({Word::Kind::symbol, {c}});
+      }
+    }
+  }
+  return words;
+}
+
+// The text that the question at `i` is asked with: sees('B'), sees 'B'; nullptr: not a plain one.
+const std::string* argument_of(const std::vector<Word>& words, std::size_t i) {
+  const std::size_t at =
+      i + 1 < words.size() && words[i + 1].text == "(" && words[i + 1].kind == Word::Kind::symbol
+          ? i + 2
+          : i + 1;
+  return at < words.size() && words[at].kind == Word::Kind::text ? &words[at].text : nullptr;
+}
+
+std::string unknown(const char* what, const std::string& name, const std::set<std::string>& known) {
+  const std::vector<std::string> names(known.begin(), known.end());
+  return fmt::format("there is no {} '{}'{}", what, name, did_you_mean(name, names));
+}
+
+std::string argument_fault(const std::string& question, const std::string& argument,
+                           const ConditionWorld& world) {
+  if (question == "resource") {
+    return world.resources.contains(argument)
+               ? ""
+               : unknown("resource of the rover", argument, world.resources);
+  }
+  std::set<std::string> ids = world.ids;
+  if (question != "distance_to") ids.insert("Earth");
+  return ids.contains(argument) ? "" : unknown("rover or asset", argument, ids);
+}
+
+std::string names_fault(lua_State* L, const std::vector<Word>& words, const ConditionWorld& world) {
+  static const std::set<std::string> lua_words{"and", "or", "not", "true", "false"};
+  std::vector<std::string> known;
+  for (const ConditionName& name : condition_names()) known.emplace_back(name.name);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i].text;
+    const bool is_member =
+        i > 0 && words[i - 1].kind == Word::Kind::symbol && words[i - 1].text == ".";
+    if (words[i].kind == Word::Kind::symbol && word == ":") {
+      return "a condition has no methods (:)";
+    }
+    if (words[i].kind != Word::Kind::name || lua_words.contains(word)) continue;
+    if (is_member) {
+      if (i < 2 || words[i - 2].text != "math")
+        return fmt::format("only math has members, as .{}", word);
+      const std::string fault = math_fault(L, word);
+      if (!fault.empty()) return fault;
+      continue;
+    }
+    if (word == "math") continue;
+    if (std::ranges::find(known, word) == known.end()) {
+      std::string hint = did_you_mean(word, known);
+      if (hint.empty()) hint = "; see lua/README.md, Conditions";
+      return fmt::format("a condition has no '{}'{}", word, hint);
+    }
+    if (!is_question(word)) continue;
+    const std::string* argument = argument_of(words, i);
+    if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
+    const std::string fault = argument_fault(word, *argument, world);
+    if (!fault.empty()) return fault;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world) {
+  const std::string syntax = condition_syntax_fault(L, text);
+  if (!syntax.empty()) return syntax;
+  const std::string names = names_fault(L, words_of(text), world);
+  if (!names.empty()) return names;
+  // Comparisons go one way and the other; what stands behind `and` and `or` is reached by one.
+  for (const double value : {0.0, 1.0, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
+    for (const bool answer : {false, true}) {
+      const std::string fault = condition_trial_fault(L, text, value, answer);
+      if (!fault.empty()) return fault;
+    }
+  }
+  return "";
+}
+
+}  // namespace lsos

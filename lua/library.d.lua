@@ -1,0 +1,587 @@
+---@meta lsos
+-- The lsos module for editors with the Lua language server, made from what is bound to Lua: point
+-- `workspace.library` of its settings to this file's folder. A phase is
+--   ---@param ev lsos.ev
+--   ---@param rover lsos.rover
+
+---@class vec3
+---@field x number
+---@field y number
+---@field z number
+---@field length fun(self: vec3): number
+---@field dot fun(self: vec3, other: vec3): number
+---@field cross fun(self: vec3, other: vec3): vec3
+---@operator add(vec3): vec3
+---@operator sub(vec3): vec3
+---@operator mul(number): vec3
+---@operator div(number): vec3
+---@operator unm: vec3
+
+---@class lsos.answer
+---@class lsos.made
+
+---The event that runs.
+---@class lsos.ev
+---@field params table The plan's fields by script key, SI, read-only.
+---@field geometry vec3[] Waypoints in the site frame, m, read-only.
+---@field state table What the event remembers; all that lives between two calls.
+---@field label string The event's name in the plan.
+---@field sequence integer Its Sequence in the plan.
+---@field time_s number Now, since the mission's start.
+---@field elapsed_s number Since the event's first phase began.
+---@field phase_elapsed_s number Since this phase began.
+---@field log fun(self: lsos.ev, name: string, fields?: table) Writes a row into the log's notes; fields is a table of plain values or nil.
+
+---The rover that the event belongs to, as it was at the last exchange. A quantity that is not modelled is nil.
+---@class lsos.rover
+---@field id string RoverId of the plan.
+---@field type string RoverType of the plan.
+---@field position vec3 Reference point, site frame (east, north, up), m.
+---@field lon_rad number Longitude, east positive.
+---@field lat_rad number Latitude.
+---@field elevation_m number Of the ground under it.
+---@field heading_rad number Clockwise from true north.
+---@field pitch_rad number Nose up positive.
+---@field roll_rad number Right side down positive.
+---@field speed_mps number Along the ground.
+---@field distance_m number Driven since the mission's start.
+---@field slope_rad number Of the ground under the wheels.
+---@field slip number Mean over driven wheels; nil when standing.
+---@field sinkage_m number Mean over wheels.
+---@field drive_w number Electrical power of the motors.
+---@field drive_j number Its integral since the mission's start.
+---@field cruise_speed_mps number The type's usual speed.
+---@field length_m number Of the ground that it covers, ahead.
+---@field is_parked boolean Brakes on and standing still.
+---@field drive lsos.rover.drive What became of the last rover:follow.
+---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
+---@field panels lsos.rover.panels Its solar panels.
+---@field antennas lsos.rover.antennas Its antennas.
+---@field follow fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, arrival_radius_m?: number, crab?: boolean, stray_max_m?: number }) Drives along waypoints (list of vec3, or one); then answer lsos.arrival.
+---@field plan_path fun(self: lsos.rover, waypoints: vec3[], settings?: { first?: integer, speed_mps?: number, slope_max_rad?: number, aim?: 'energy'|'risk', arrival_radius_m?: number, avoid?: vec3[], avoid_radius_m?: number }): table?, string?, vec3? A way over the ground through the waypoints from number `first` (default 1) on, with the least 'energy' (default) or 'risk', its aim; `arrival_radius_m` passes a first waypoint; `avoid` (list of vec3) and `avoid_radius_m` keep it off places. Gives { path = , legs = , length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and `last_point` besides; or nil, why there is none, and the place nearest to the waypoint that can be reached.
+---@field ahead fun(self: lsos.rover, distance_m: number): vec3 The place so far ahead of the rover, on the ground.
+---@field ground_at fun(self: lsos.rover, point: vec3): { position: vec3, elevation_m: number, slope_rad: number, soil: string }? The ground under or over it: { position = , elevation_m = , slope_rad = , soil = }; nil where there is none.
+---@field sky fun(self: lsos.rover): { sun_azimuth_rad: number, sun_elevation_rad: number, earth_azimuth_rad: number?, earth_elevation_rad: number? } Where Sun and Earth stand: { sun_azimuth_rad = , sun_elevation_rad = , earth_azimuth_rad = , earth_elevation_rad = }; Earth's nil on Earth.
+---@field brake fun(self: lsos.rover) Stops and holds.
+---@field work fun(self: lsos.rover, power_w: number) Power that the event uses until it ends.
+---@field resource fun(self: lsos.rover, name: string): number? What is left of it; nil when the rover carries none.
+---@field use fun(self: lsos.rover, name: string, amount: number): boolean Takes it; false, and nothing is taken, when there is not so much.
+---@field place_of fun(self: lsos.rover, id: string): vec3? Position of another rover or an asset; nil when there is none with that id.
+---@field sees fun(self: lsos.rover, id: string): boolean? Whether its antenna saw that of another rover, of an asset, or 'Earth', when they were last looked at; nil before.
+---@field is_linked_to fun(self: lsos.rover, id: string): boolean? The same, within range and with both antennas up.
+---@field distance_to_m fun(self: lsos.rover, point: vec3): number Straight distance from the reference point.
+
+---What became of the last rover:follow.
+---@class lsos.rover.drive
+---@field status string 'none', 'driving', 'arrived' or 'failed'.
+---@field reason string Why it failed, else ''.
+---@field remaining_m number Along the path.
+---@field next_point integer Number of the path's point that comes next.
+---@field is_blocked boolean It failed because of what lies ahead: ground it gets stuck on, another rover.
+
+---What the rover's battery holds, and what flows.
+---@class lsos.rover.battery
+---@field energy_j number What it holds.
+---@field capacity_j number When full.
+---@field charge number Their ratio, 0 to 1.
+---@field energy_rate_w number Into it; negative: out of it.
+---@field solar_w number From the panels, as far as it is used.
+---@field external_w number From outside.
+---@field load_w number Used by all but the wheel motors.
+---@field time_to_charge_s fun(self: lsos.rover.battery, charge: number): number? Until it holds that share, with what flows now; nil when it will not.
+---@field await_charge fun(self: lsos.rover.battery, charge: number) The phase is called when it holds that share, however long it sleeps; until the event ends.
+---@field set_energy fun(self: lsos.rover.battery, energy_j: number) Sets what it holds, at most its capacity.
+---@field supply fun(self: lsos.rover.battery, power_w: number) Power from outside until the event ends.
+---@field plug_into fun(self: lsos.rover.battery, asset_id: string, power_w?: number): boolean, string? Power from an asset within 20 m until the event ends, at most so much (default all that it has). Answers true, or false and why not.
+
+---The rover's solar panels.
+---@class lsos.rover.panels
+---@field sun_fraction number Share of their area that sees the Sun; nil without panels.
+---@field incidence number The same times the cosine of incidence.
+---@field turn_left_s number Until all have arrived where they turn; 0: none turns.
+---@field deploy fun(self: lsos.rover.panels, name?: string, duration_s?: number): number Puts up the panel of that name (nil: all). Answers how long that takes, s.
+---@field stow fun(self: lsos.rover.panels, name?: string, duration_s?: number): number Folds it away; the same.
+---@field steer fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', azimuth_rad?: number, elevation_rad?: number }) Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, 'fixed' angles about the rover.
+
+---The rover's antennas.
+---@class lsos.rover.antennas
+---@field deploy fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number Raises the one with that name (nil: all that can be stowed), in that time or its own. Answers how long it takes, s.
+---@field stow fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number The reverse.
+
+---A simulation in hand: of a scenario or the prompt. It stands still between two calls.
+---@class lsos.sim
+---@field time_s number Since the mission's start.
+---@field is_finished boolean No event is left.
+---@field rovers table<string, lsos.rover> By RoverId: all that `rover` has in a phase.
+---@field events table[] `rover`, `sequence`, `type`, `label`, `status`, `reason`, `ready_s`, `start_s`, `end_s`, `distance_m`, `energy_used_j`, `solar_j`.
+---@field folder string Where its log is.
+---@field step fun(self: lsos.sim, n?: integer) To the next exchange, n times: 0.1 s while something moves, else when something happens.
+---@field run_for fun(self: lsos.sim, duration_s: number) So long, or to the mission's end.
+---@field run_until fun(self: lsos.sim, is_enough: (fun(sim: lsos.sim): any), limit_s?: number): boolean Until the function of sim answers true; false when the limit or the end came first. It is asked at each exchange, over quiet time at whole seconds.
+---@field run fun(self: lsos.sim) To the mission's end.
+---@field step_phase fun(self: lsos.sim) Until a rover enters another phase.
+---@field where fun(self: lsos.sim): string What all rovers do, as a text.
+---@field event fun(self: lsos.sim, name: string): table The one with that label, or ROVER/SEQUENCE.
+---@field notes fun(self: lsos.sim, name?: string): table[] What events logged, findings, decisions: `time_s`, `rover`, `sequence`, `name`, `fields`; of that name, or all.
+---@field picture fun(self: lsos.sim, file?: string, view?: { from?: string, rover?: string, size_px?: integer }): string Draws it as it stands, as a PNG: from 'sun' (when left out), 'chase', 'east', 'above' or a rover. Answers the file: one beside the log when left out.
+---@field dispatch fun(self: lsos.sim, rover_id: string, type: string, fields?: table): integer One more event, after those that have begun; answers its Sequence.
+---@field save fun(self: lsos.sim, file: string) Writes all of its state.
+---@field load fun(self: lsos.sim, file: string) Goes back to it. The log begins anew there.
+---@field reload fun(self: lsos.sim) Reads event scripts anew: what has changed is called from the next phase on.
+---@field shade fun(self: lsos.sim, rover_id: string, share: number) So much of the sunlight reaches the rover's panels, 0 to 1.
+---@field set_wheel fun(self: lsos.sim, rover_id: string, wheel: string, mode?: 'locked'|'free'|'driven') A wheel fails: 'locked' (when left out), 'free'; or works again: 'driven'.
+---@field stick_panel fun(self: lsos.sim, rover_id: string, panel?: string, is_stuck?: boolean) A panel (all when left out) stays as it is.
+---@field silence fun(self: lsos.sim, rover_id: string, is_silent?: boolean) The rover's antennas work for nobody.
+---@field set_soil fun(self: lsos.sim, name: string) The ground is of another soil now.
+
+---What a scenario says its expectations to. One that does not hold ends the scenario; `what` is shown with it. Quantities are numbers in SI units, or texts with a unit: '200 m'.
+---@class lsos.t
+---@field equal fun(self: lsos.t, found: any, wanted: any, what?: string) The two are equal.
+---@field near fun(self: lsos.t, found: number, wanted: number|string, within: number|string, what?: string) The number found is not farther from that than this.
+---@field check fun(self: lsos.t, condition: any, what?: string) It is true.
+---@field fails fun(self: lsos.t, fails: fun(), text: string, what?: string) It raises an error that has this text in it.
+
+---@class lsos.event.keys
+---@field api integer Version of this interface: 1.
+---@field schema? string The file's name, for readers; nothing else is allowed.
+---@field doc string One sentence that a mission planner understands.
+---@field params? table Script key = lsos.number {...} or another field.
+---@field geometry? any 'none', 'point', 'line', 'polygon' or several (default { 'none', 'point' }).
+---@field drives? boolean A Point in the plan means: drive there (default false).
+---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
+---@field start? string The first phase; may be left out if there is one.
+---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
+---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil.
+---@field route? any For an event that plans its ways: gives what rover:plan_path will be told, so that they are planned and checked before the run.
+---@field on_abort? any Called once when the event is ended from outside.
+
+---@class lsos.sub_event.keys
+---@field event string Name of the event that this phase is.
+---@field params? table Its parameters by script key, or a function that gives them.
+---@field geometry? any Gives its waypoints: a vec3 or a list of them (default: none).
+---@field next? any The phase after it (default lsos.done).
+
+---@class lsos.number.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field unit? string Unit of a bare number in plans, and of min, max, default here.
+---@field min? number Smallest allowed value.
+---@field max? number Largest allowed value.
+---@field default? number Value when the plan gives none; without one the script sees nil.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.integer.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field min? integer Smallest allowed value.
+---@field max? integer Largest allowed value.
+---@field default? integer Value when the plan gives none; without one the script sees nil.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.boolean.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field default? boolean Value when the plan gives none.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.text.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field names? string What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the rover, a 'power_source', an asset that has power to give, or any 'other' rover or asset.
+---@field default? string Value when the plan gives none.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.choice.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field choices string[] The words that the plan may give.
+---@field default? string Value when the plan gives none.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.duration.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field unit? string Unit of a bare number in plans, and of min, max, default here.
+---@field min? number Smallest allowed value.
+---@field max? number Largest allowed value.
+---@field default? number Value when the plan gives none; without one the script sees nil.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.utc.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.rover.keys
+---@field api integer Version of this interface: 1.
+---@field name? string The file's name, for readers; nothing else is allowed.
+---@field doc string One sentence that a mission planner understands.
+---@field chassis any Body and load.
+---@field suspension any Springs or rockers, steering and wheels.
+---@field configurations? table[] What a plan's RoverConfig may name.
+---@field step_s number Physics step; divides 0.1 s.
+---@field cruise_speed_mps number When an event gives no speed.
+---@field speed_max_mps number On level ground.
+---@field acceleration_mps2 number Speeding up and slowing down along a path.
+---@field can_turn_on_spot? boolean Default false.
+---@field can_crab? boolean Drives in any direction without turning (default false).
+---@field turning_radius_min_m? number While driving (default 5).
+---@field limits? any Ground that planned ways keep off.
+---@field drive_calibration? number Electrical drive power is multiplied by this to match measurements (default 1).
+---@field drive_calibration_source? string The measurements; required unless drive_calibration is 1.
+---@field battery? any Without one the energy balance is not modelled (default).
+---@field panels? table[] Solar panels (default none).
+---@field loads? table[] What uses power besides wheel motors.
+---@field resources? table[] What events use up.
+---@field shapes? table[] What it looks like, and casts shadows with; wheels and what they hang on are drawn without being named (default: the chassis' box).
+---@field antennas? table[] In the order of preference: the first that is up is used (default: one on top, always up).
+---@field assumptions? string[] Sentences about numbers that have no source; they go into summary.json.
+
+---@class lsos.chassis.keys
+---@field mass_kg number With load, without suspension and wheels.
+---@field size_m vec3 Length, width, height of its box.
+---@field clearance_m number From the ground to the box's underside at rest.
+---@field center_of_mass_m vec3 Forward, left, up from the ground centre of the wheelbase at rest.
+---@field inertia_kgm2? vec3 Principal moments about its centre of mass (default: of the box, mass spread evenly).
+
+---@class lsos.limits.keys
+---@field slope_max_rad? number Steepest under its wheels, in any direction (default: 0.6 of what tips it over).
+---@field slip_max? number Of its wheels on a steady climb (default 0.6).
+---@field clearance_min_m? number Between chassis and ground (default: 0.3 of it at rest).
+---@field unevenness_max_m? number Of the ground at a wheel from the plane under the others (default: a wheel's radius).
+
+---@class lsos.configuration.keys
+---@field name string What a plan's RoverConfig says.
+---@field doc string One sentence that a mission planner understands.
+---@field joints? table Where joints stand at the start, by name; the others at 0.
+---@field free_wheels? string[] Wheels that turn without motor and brake, by name.
+---@field locked_wheels? string[] Wheels that do not turn at all, by name.
+---@field payload_mass_kg? number On the chassis besides its own mass, as a point; negative takes load off (default 0).
+---@field payload_position_m? vec3 Of its centre of mass: forward, left, up as for the chassis (default 0, 0, 0).
+
+---@class lsos.wishbone.keys
+---@field modules table[] Where wheel modules are.
+---@field arm_mass_kg number Of one module: moves with the spring, is not steered.
+---@field knuckle_mass_kg? number Of one: what is steered, without wheels; needed when any is steered.
+---@field steering? any Of each that is steered; needed when any is.
+---@field spring any Of one module.
+---@field wheel_offsets_m number[] Of a module's wheels along the axle from the steering axis, left positive.
+---@field wheel any Every wheel.
+---@field drive any The motor of every wheel.
+
+---@class lsos.module.keys
+---@field name string As in the log: 'front_left'.
+---@field position_m vec3 Of the steering axis: forward, left; z is 0.
+---@field is_steered? boolean Default true; without, it has no knuckle and no knuckle's mass.
+
+---@class lsos.spring.keys
+---@field stiffness_npm number At the wheel module.
+---@field damping_nspm number At the wheel module.
+---@field travel_up_m number Compression from rest to the stop.
+---@field travel_down_m number Droop from rest to the stop.
+
+---@class lsos.rocker_bogie.keys
+---@field stations table[] Where wheels are.
+---@field rocker any Of each side.
+---@field bogie? any On each rocker (default: none).
+---@field differential any Ties the rockers.
+---@field knuckle_mass_kg? number Of one: what is steered, without wheels; needed when any is steered.
+---@field steering? any Of each that is steered; needed when any is.
+---@field wheel any Every wheel.
+---@field drive any The motor of every wheel.
+
+---@class lsos.skid_steer.keys
+---@field stations table[] Where wheels are.
+---@field rocker? any Of each side (default: wheels on the chassis).
+---@field differential? any Ties the rockers; needed with them.
+---@field turning_track_ratio number It turns this much less than the speeds of its sides say, as its wheels slide.
+---@field wheel any Every wheel.
+---@field drive any The motor of every wheel.
+
+---@class lsos.station.keys
+---@field name string 'front': its wheels are front_left_wheel and front_right_wheel.
+---@field position_m vec3 Of the left wheel: forward, left; z is 0. The right one mirrors it.
+---@field is_steered? boolean Default false; without, it has no knuckle and no knuckle's mass.
+---@field is_driven? boolean Default true; without, its wheels turn freely.
+---@field on? string 'rocker' (default) or 'bogie': what carries it.
+
+---@class lsos.rocker.keys
+---@field pivot_m vec3 Of the left one at rest: forward, left, up. The right one mirrors it.
+---@field mass_kg number Of one, without knuckles and wheels.
+---@field center_of_mass_m? vec3 Of the left one at rest: forward, left, up (default: the middle of what it joins).
+---@field inertia_kgm2? vec3 Principal moments about its centre of mass (default: of a box round what it joins).
+---@field angle_max_rad number Either way from rest to its stop.
+---@field stop_stiffness_n_m_prad number Of the stop.
+---@field stop_damping_n_m_sprad number Of the stop.
+---@field damping_n_m_sprad? number Of the bearing (default 0).
+
+---@class lsos.bogie.keys
+---@field pivot_m vec3 Of the left one at rest: forward, left, up. The right one mirrors it.
+---@field mass_kg number Of one, without knuckles and wheels.
+---@field center_of_mass_m? vec3 Of the left one at rest: forward, left, up (default: the middle of what it joins).
+---@field inertia_kgm2? vec3 Principal moments about its centre of mass (default: of a box round what it joins).
+---@field angle_max_rad number Either way from rest to its stop.
+---@field stop_stiffness_n_m_prad number Of the stop.
+---@field stop_damping_n_m_sprad number Of the stop.
+---@field damping_n_m_sprad? number Of the bearing (default 0).
+
+---@class lsos.differential.keys
+---@field kind string 'bar' across the body or 'gear' on the rockers' shafts.
+---@field position_m vec3 Of its centre of mass: forward, left, up as for the chassis.
+---@field mass_kg number Moves with the chassis, besides its mass.
+---@field stiffness_n_m_prad number Against the rockers turning the same way on the chassis.
+---@field damping_n_m_sprad number Of the same.
+
+---@class lsos.steering.keys
+---@field angle_max_rad number Either way.
+---@field rate_max_radps number Turning rate.
+---@field torque_max_n_m number Of the motor.
+---@field stiffness_n_m_prad number Of the position servo; holds when parked.
+---@field damping_n_m_sprad number Of the position servo.
+
+---@class lsos.wheel.keys
+---@field radius_m number Of the rim, without grousers.
+---@field width_m number Of the tread.
+---@field mass_kg number Of one wheel.
+---@field inertia_kgm2? vec3 Principal moments: forward, axle, up; about the axle with what the drive turns behind its gear (default: of a solid disc).
+---@field normal_stiffness_npm number Of wheel and ground, along the ground's normal.
+---@field normal_damping_nspm number Along the ground's normal.
+---@field tangential_stiffness_npm? number Of wheel and ground, along the ground (default: as along the normal).
+---@field tangential_damping_nspm number Along the ground.
+---@field grouser_height_m? number From the rim (default 0: smooth).
+---@field grouser_count? integer Round the rim (default 0).
+---@field interface_friction_ratio? number Friction of rim on soil over friction within the soil; rough rims and treads have 1 (default 0.8).
+---@field rolling_resistance? number Of the wheel itself, a share of its load (default 0).
+
+---@class lsos.drive.keys
+---@field torque_max_n_m number At the wheel.
+---@field power_max_w number Mechanical, at the wheel.
+---@field no_load_speed_radps? number Of the wheel: the motor's torque falls linearly to nothing there (default: it does not).
+---@field efficiency number Mechanical out over electrical in.
+---@field servo_gain_n_m_sprad number Torque per speed error.
+---@field servo_integral_n_m_prad number Torque per accumulated speed error.
+---@field brake_torque_max_n_m number Of the brake, at the wheel.
+---@field brake_stiffness_n_m_prad number Of the brake's hold.
+---@field brake_damping_n_m_sprad number Of the brake's hold.
+
+---@class lsos.battery.keys
+---@field capacity_j number From empty to full.
+---@field charge_efficiency? number Of what goes in, the share that is kept (default 1).
+---@field discharge_efficiency? number Of what is taken out, the share that arrives (default 1).
+---@field charge_power_max_w? number The most that goes in (default no limit).
+---@field discharge_power_max_w? number The most that is given (default no limit).
+---@field reserve? number Charge, 0 to 1, above which the mission goes on after the battery was empty (default 0).
+
+---@class lsos.panel.keys
+---@field name string What a plan's Panel says.
+---@field position_m vec3 Of its middle, about which it turns: forward, left, up as for the chassis.
+---@field length_m number Along the nose when it faces straight up.
+---@field width_m number Across.
+---@field efficiency number Electrical power out of light in.
+---@field factor? number What dust, wiring and conversion leave (default 1).
+---@field azimuth_rad? number Where it faces at rest, clockwise from the nose (default 0).
+---@field elevation_rad? number The same above the deck (default pi/2: straight up).
+---@field azimuth_min_rad? number How far it turns, clockwise from the nose; -pi to pi: all round (default: it does not turn).
+---@field azimuth_max_rad? number The other end.
+---@field elevation_min_rad? number How far it tips, above the deck (default: it does not).
+---@field elevation_max_rad? number The other end.
+---@field rate_radps? number How fast it turns; required when it does.
+---@field motor_w? number While it turns (default 0).
+---@field stowable? boolean DeploySP and StowSP put it up and down (default false).
+---@field stowed? boolean At the start (default false).
+---@field deploy_s? number How long that takes when an event does not say (default 0).
+---@field deploy_w? number Meanwhile (default 0).
+
+---@class lsos.load.keys
+---@field name string For readers.
+---@field power_w number While it is on.
+---@field when? string 'always', 'dark' (no sunlight falls on the rover), 'parked' or 'driving' (default 'always').
+
+---@class lsos.resource.keys
+---@field name string What a plan's Resource says.
+---@field unit string For readers: 'kg', 'tubes'.
+---@field amount number At the start.
+
+---@class lsos.shape.keys
+---@field size_m? vec3 Of a box: length, width, height.
+---@field radius_m? number Of a cylinder, in place of size_m.
+---@field length_m? number The same.
+---@field axis? vec3 Of a cylinder: forward, left, up (default straight up).
+---@field position_m vec3 Of its middle: forward, left, up, at rest.
+---@field yaw_rad? number Of a box, to the left (default 0).
+---@field pitch_rad? number Of a box, nose up (default 0).
+---@field part? string The link that it moves with, by name (default: the chassis).
+---@field colour? string As '#c0c0c0', red, green and blue (default light grey).
+
+---@class lsos.antenna.keys
+---@field name string What a plan's Asset says.
+---@field position_m vec3 When up: forward, left, up.
+---@field stowed_position_m? vec3 When stowed, as it is at the start; without one it is always up.
+---@field deploy_s? number How long raising and lowering take when an event does not say (default 0).
+---@field deploy_w? number Meanwhile (default 0).
+---@field power_w? number While it is up (default 0).
+---@field range_max_m? number How far it links to rovers and assets (default no limit).
+---@field reaches_earth? boolean Links to Earth too (default true).
+
+---@class lsos.asset.keys
+---@field api integer Version of this interface: 1.
+---@field name? string The file's name, for readers; nothing else is allowed.
+---@field doc string One sentence that a mission planner understands.
+---@field antenna_height_m? number Above the ground, when the plan gives no Height (default 0).
+---@field antenna_range_max_m? number How far it links to rovers and assets (default no limit).
+---@field reaches_earth? boolean Links to Earth too (default true).
+---@field supply_w? number Power that it can give, besides that of its panels (default 0).
+---@field panels? table[] Solar panels (default none).
+---@field shapes? table[] What it looks like, and casts shadows with; wheels and what they hang on are drawn without being named (default: the chassis' box).
+---@field assumptions? string[] Sentences about numbers that have no source; they go into summary.json.
+
+---@class lsos.terrain.keys
+---@field api integer Version of this interface: 1.
+---@field doc string One sentence that a mission planner understands.
+---@field planet? string Moon, Mars or Earth, when it is a place there (default any).
+---@field surface? any Its shape, when there is one layer.
+---@field layers? any Its shape, fine to coarse; where a finer one ends, the next takes over.
+---@field detail? any What is finer than the layers (default nothing).
+---@field soil any A script in terrain/soils/, or the soil.
+---@field rock_soil? any Of rocks (default bare rock with friction 0.7).
+---@field optical_depth? number Of dust in the air, straight up (default 0.5 on Mars, else none).
+---@field soil_patches? table[] Ground of other soils; the first that holds a place decides.
+
+---@class lsos.plane.keys
+---@field height_m? number At the site's origin (default 0).
+---@field slope_rad? number Inclination (default 0).
+---@field downslope_azimuth_rad? number Where it falls to, clockwise from true north (default 0).
+
+---@class lsos.relief.keys
+---@field lon_deg number Of the middle of its map, east positive.
+---@field lat_deg number Of the middle of its map.
+---@field height_m? number Of the ground without landforms (default 0).
+---@field spacing_m? number Of its heights (default 16).
+---@field landforms table[] Craters and mountains; they add up.
+
+---@class lsos.landform.keys
+---@field name string As maps have it.
+---@field lon_deg number Of its centre, east positive.
+---@field lat_deg number Of its centre.
+---@field diameter_m number Rim crest to rim crest; of a mountain, its foot.
+---@field depth_m? number Of a crater, from its rim's crest to its floor; without it the landform is a mountain.
+---@field rim_height_m number Of the rim's crest or the mountain's top above the ground around.
+
+---@class lsos.detail.keys
+---@field craters? any Craters at random places (default none).
+---@field rocks? any Rocks at random places (default none).
+---@field roughness? any Of the ground between them (default none).
+---@field spacing_m? number Of the finest heights, about (default 0.25).
+
+---@class lsos.craters.keys
+---@field diameter_min_m? number Smallest (default 3).
+---@field diameter_max_m? number Largest (default 60).
+---@field age_gyr? number Age of the surface: numbers as such a lunar surface has, at most those in equilibrium. Without it they follow exponent and density_pm2.
+---@field exponent? number Of the cumulative size distribution (default 2).
+---@field density_pm2? number Craters larger than diameter_min_m per area (default 2e-4).
+---@field depth_to_diameter? number Of a fresh one (default 0.196).
+---@field degradation? number 0: all are fresh; 1: worn, of all ages up to the end of their lives (default 1 with an age, 0 without).
+
+---@class lsos.rocks.keys
+---@field cover? number Share of the ground that rocks cover (default 0.01).
+---@field diameter_min_m? number Smallest (default 0.15).
+---@field diameter_max_m? number Largest (default 4).
+---@field height_to_diameter? number Default 0.5.
+
+---@class lsos.roughness.keys
+---@field deviation_m? number RMS difference of height between points 1 m apart (default 0.01).
+---@field hurst? number How it grows with distance: as its power (default 0.7).
+---@field longest_m? number Longest wave (default 16); over a raster at most two of its cells.
+
+---@class lsos.soil_patch.keys
+---@field soil any A script in terrain/soils/, or the soil.
+---@field lon_deg? number[] Of a polygon's corners, east positive.
+---@field lat_deg? number[] Of the same corners.
+---@field raster? any A raster of classes, instead of a polygon.
+---@field values? number[] Its values that mean this soil.
+
+---@class lsos.raster.keys
+---@field file string A raster that GDAL opens, relative to the script.
+---@field band? any Its band of heights: the number from 1, or the description (default 1).
+---@field nodata? number The sample that stands for none, in place of what the file says.
+---@field unit? string Of its samples: m, km, dm, cm, mm, ft or us-ft.
+---@field is_radius? boolean Samples are distances from the body's centre, not heights (by default as their size says).
+---@field crs? string Coordinate reference system, in place of the file's: IAU_2015:30135, WKT, a PROJ string.
+
+---@class lsos.soil.keys
+---@field doc? string What it is and where its numbers are from.
+---@field is_rigid? boolean Rock: wheels do not sink, friction is of wheel on rock (default false).
+---@field k_c? number Bekker's cohesive modulus, N/m^(n+1). Without k_c, k_phi and n sinkage follows Terzaghi's bearing capacity.
+---@field k_phi? number Bekker's frictional modulus, N/m^(n+2).
+---@field n? number Bekker's sinkage exponent.
+---@field cohesion_pa number Mohr-Coulomb cohesion.
+---@field friction_rad number Internal friction angle.
+---@field density_kgpm3 number Bulk density.
+---@field shear_modulus_x_m number Janosi and Hanamoto's K along the wheel: the displacement over which shear builds up.
+---@field shear_modulus_y_m? number The same across the wheel (default: as along it).
+---@field slip_sinkage? number How fast sinkage grows with shear under the wheel, see core/vehicle (default 1).
+
+---@class lsos
+---@field fail fun(format: string, ...: any): lsos.answer Answer: the event has failed; the reason as string.format makes it.
+---@field sleep fun(time_s: number): lsos.answer Answer: call this phase again after that long.
+---@field sleep_until fun(time_s: number): lsos.answer Answer: call this phase again at that time since the mission's start.
+---@field vec3 fun(x: number, y: number, z?: number): vec3 A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out.
+---@field random fun(low?: number, high?: number): number A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed.
+---@field is_empty fun(table: table): boolean Whether a table has no entry.
+---@field sim fun(plan: string|table): lsos.sim A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
+---@field scenario fun(name: string, scenario: fun(t: lsos.t)) One more scenario of this file; `lsos-host test` runs them.
+---@field done lsos.answer Answer: the event is completed.
+---@field arrival lsos.answer Answer: call this phase again when rover:follow has ended (rover.drive says how).
+---@field event fun(keys: lsos.event.keys): lsos.made What a script in events/ returns: one event type, named as its file.
+---@field sub_event fun(keys: lsos.sub_event.keys): lsos.made A phase that is another event.
+---@field number fun(keys: lsos.number.keys): lsos.made A quantity. The script key ends in the SI suffix of its unit.
+---@field integer fun(keys: lsos.integer.keys): lsos.made A whole number.
+---@field boolean fun(keys: lsos.boolean.keys): lsos.made true or false.
+---@field text fun(keys: lsos.text.keys): lsos.made Any text.
+---@field choice fun(keys: lsos.choice.keys): lsos.made One of some words.
+---@field duration fun(keys: lsos.duration.keys): lsos.made A length of time, seconds in the script; the key ends in _s.
+---@field utc fun(keys: lsos.utc.keys): lsos.made A moment; in the script seconds since the mission's start; the key ends in _s.
+---@field rover fun(keys: lsos.rover.keys): lsos.made What a script in rovers/ returns.
+---@field chassis fun(keys: lsos.chassis.keys): lsos.made The body that the suspension carries.
+---@field limits fun(keys: lsos.limits.keys): lsos.made Ground that planned ways keep off.
+---@field configuration fun(keys: lsos.configuration.keys): lsos.made How a rover may stand and be loaded at the start.
+---@field wishbone fun(keys: lsos.wishbone.keys): lsos.made Suspension: independently sprung wheel modules, each with its wheels.
+---@field module fun(keys: lsos.module.keys): lsos.made One wheel module's place.
+---@field spring fun(keys: lsos.spring.keys): lsos.made Spring and damper of a wheel module.
+---@field rocker_bogie fun(keys: lsos.rocker_bogie.keys): lsos.made Suspension: rockers tied by a differential, with or without bogies on them.
+---@field skid_steer fun(keys: lsos.skid_steer.keys): lsos.made Suspension: wheels that do not steer, on the chassis or on rockers; it turns by sliding.
+---@field station fun(keys: lsos.station.keys): lsos.made A wheel on the left and one on the right of the last two suspensions.
+---@field rocker fun(keys: lsos.rocker.keys): lsos.made The arm on each side of the body.
+---@field bogie fun(keys: lsos.bogie.keys): lsos.made The arm on each rocker.
+---@field differential fun(keys: lsos.differential.keys): lsos.made What ties two rockers.
+---@field steering fun(keys: lsos.steering.keys): lsos.made Steering of a wheel or module.
+---@field wheel fun(keys: lsos.wheel.keys): lsos.made A wheel and its contact.
+---@field drive fun(keys: lsos.drive.keys): lsos.made A wheel's motor and brake.
+---@field battery fun(keys: lsos.battery.keys): lsos.made What stores energy.
+---@field panel fun(keys: lsos.panel.keys): lsos.made A flat rectangle that makes power of sunlight; it may turn about two axes.
+---@field load fun(keys: lsos.load.keys): lsos.made What uses power.
+---@field resource fun(keys: lsos.resource.keys): lsos.made What events use up.
+---@field shape fun(keys: lsos.shape.keys): lsos.made A box or a cylinder.
+---@field antenna fun(keys: lsos.antenna.keys): lsos.made What sees and is seen, and talks, on a mast that may be stowed.
+---@field asset fun(keys: lsos.asset.keys): lsos.made What a script in rovers/ returns of a thing that does not drive.
+---@field terrain fun(keys: lsos.terrain.keys): lsos.made What a script in terrain/ returns.
+---@field plane fun(keys: lsos.plane.keys): lsos.made Level or tilted ground.
+---@field relief fun(keys: lsos.relief.keys): lsos.made Ground of landforms at known places.
+---@field landform fun(keys: lsos.landform.keys): lsos.made A crater or a mountain.
+---@field detail fun(keys: lsos.detail.keys): lsos.made What is finer than the layers: by the plan's Seed, and over a raster such that its cells keep their heights.
+---@field craters fun(keys: lsos.craters.keys): lsos.made Craters at random places.
+---@field rocks fun(keys: lsos.rocks.keys): lsos.made Rocks at random places.
+---@field roughness fun(keys: lsos.roughness.keys): lsos.made A self-affine surface.
+---@field soil_patch fun(keys: lsos.soil_patch.keys): lsos.made Ground of another soil.
+---@field raster fun(keys: lsos.raster.keys): lsos.made Heights from a file.
+---@field soil fun(keys: lsos.soil.keys): lsos.made What a script in terrain/soils/ returns.
+local lsos = {}
+
+return lsos
