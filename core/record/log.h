@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "planet/utc.h"
+#include "record/columns.h"
 #include "record/rows.h"
 
 namespace lsos {
@@ -64,6 +65,13 @@ class LogWriter {
   std::unique_ptr<Impl> impl_;
 };
 
+// A row of any layer, as the digest has it.
+struct LogRow {
+  std::int64_t fid = 0;
+  std::vector<ColumnValue> values;  // in the order of the layer's columns
+  std::string geometry;             // ISO WKB; "" is NULL
+};
+
 // Reads a log back, of a finished, running or killed run. Rows in fid order.
 class LogReader {
  public:
@@ -84,6 +92,9 @@ class LogReader {
   void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;
   void for_each_joint(const std::function<void(const JointRow&)>& visit) const;
   void for_each_panel(const std::function<void(const PanelRow&)>& visit) const;
+  void for_each_pair(const std::function<void(const PairRow&)>& visit) const;
+  // The next rows of a layer of the contract, `count` at most, in fid order.
+  std::vector<LogRow> rows_after(std::string_view layer, std::int64_t fid, std::size_t count) const;
   // Of the row that was written last; 0 when there is none.
   SimTime last_sample_time() const;
   std::map<std::string, std::string> run() const;

@@ -53,15 +53,22 @@ void add_value(Sha256& hash, const ColumnValue& value) {
   }
 }
 
-void add_geometry(Sha256& hash, const OGRFeature& feature) {
+// "" where there is none.
+std::string geometry_wkb(const OGRFeature& feature) {
   const OGRGeometry* geometry = feature.GetGeometryRef();
-  if (geometry == nullptr) {
-    hash.add("n");
-    return;
-  }
+  if (geometry == nullptr) return {};
   std::string wkb(geometry->WkbSize(), '\0');
   geometry->exportToWkb(wkbNDR, reinterpret_cast<unsigned char*>(wkb.data()), wkbVariantIso);
-  add_text(hash, 'g', wkb);
+  return wkb;
+}
+
+void add_geometry(Sha256& hash, const OGRFeature& feature) {
+  const std::string wkb = geometry_wkb(feature);
+  if (wkb.empty()) {
+    hash.add("n");
+  } else {
+    add_text(hash, 'g', wkb);
+  }
 }
 
 }  // namespace
@@ -166,6 +173,32 @@ void LogReader::for_each_joint(const std::function<void(const JointRow&)>& visit
 }
 void LogReader::for_each_panel(const std::function<void(const PanelRow&)>& visit) const {
   impl_->for_each_row<PanelRow>(visit);
+}
+void LogReader::for_each_pair(const std::function<void(const PairRow&)>& visit) const {
+  impl_->for_each_row<PairRow>(visit);
+}
+
+std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t fid,
+                                          std::size_t count) const {
+  const LayerSpec& spec = impl_->spec(layer);
+  OGRLayer& source = impl_->layer(spec);
+  const std::vector<int> numbers = field_numbers(source, spec, impl_->file);
+  const gpkg::QuietErrors errors;
+  source.SetAttributeFilter(fmt::format("{} > {}", source.GetFIDColumn(), fid).c_str());
+  source.ResetReading();
+  std::vector<LogRow> rows;
+  while (rows.size() < count) {
+    const gpkg::Feature feature{source.GetNextFeature()};
+    if (feature == nullptr) break;
+    LogRow& row = rows.emplace_back(LogRow{feature->GetFID(), {}, {}});
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      row.values.push_back(gpkg::value(*feature, numbers[i], spec.columns[i].type));
+    }
+    if (spec.geometry != LayerGeometry::none) row.geometry = geometry_wkb(*feature);
+  }
+  source.SetAttributeFilter(nullptr);
+  if (errors.has_failed()) throw InputError({impl_->file}, "cannot be read: " + errors.message());
+  return rows;
 }
 
 SimTime LogReader::last_sample_time() const {
