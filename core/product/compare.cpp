@@ -1,0 +1,224 @@
+#include "product/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace lsos {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view equal_text = "equal";
+
+class Collector {
+ public:
+  explicit Collector(std::vector<Difference>& found) : found_(found) {}
+
+  void add(const std::string& of, const std::string& quantity, const Json& a, const Json& b) {
+    if (a == b) return;
+    Difference difference{of, quantity, a.dump(), b.dump(), {}};
+    if (a.is_number() && b.is_number()) difference.change = b.get<double>() - a.get<double>();
+    found_.push_back(std::move(difference));
+  }
+  // Each value of two objects; what one of them lacks is null.
+  void add_all(const std::string& of, const Json& a, const Json& b) {
+    for (const auto& [key, value] : a.items()) add(of, key, value, at(b, key));
+    for (const auto& [key, value] : b.items()) {
+      if (!a.contains(key)) add(of, key, nullptr, value);
+    }
+  }
+  static Json at(const Json& object, const std::string& key) {
+    return object.is_object() && object.contains(key) ? object[key] : Json();
+  }
+
+ private:
+  std::vector<Difference>& found_;
+};
+
+// What both or one of them has, each once, in order.
+std::vector<std::string> keys(const Json& a, const Json& b) {
+  std::vector<std::string> all;
+  for (const Json* object : {&a, &b}) {
+    for (const auto& [key, value] : object->items()) all.push_back(key);
+  }
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
+}
+
+void compare_rovers(const Json& a, const Json& b, Collector& found) {
+  for (const std::string& id : keys(a, b)) {
+    const std::string of = "rover " + id;
+    if (!a.contains(id) || !b.contains(id)) {
+      found.add(of, "in the run", a.contains(id), b.contains(id));
+    } else {
+      found.add_all(of, a[id], b[id]);
+    }
+  }
+}
+
+// By rover and sequence.
+std::map<std::pair<std::string, std::int64_t>, Json> events_by_key(const Json& summary) {
+  std::map<std::pair<std::string, std::int64_t>, Json> events;
+  for (const Json& event : summary.value("events", Json::array())) {
+    events[{event.at("rover_id").get<std::string>(), event.at("sequence").get<std::int64_t>()}] =
+        event;
+  }
+  return events;
+}
+
+void compare_events(const Json& a, const Json& b, Collector& found) {
+  auto events_a = events_by_key(a), events_b = events_by_key(b);
+  std::map<std::pair<std::string, std::int64_t>, bool> all;
+  for (const auto& [key, event] : events_a) all[key] = true;
+  for (const auto& [key, event] : events_b) all[key] = true;
+  for (const auto& [key, is_there] : all) {
+    const bool in_a = events_a.contains(key), in_b = events_b.contains(key);
+    const Json& event = in_a ? events_a[key] : events_b[key];
+    const std::string of =
+        fmt::format("event {}/{} {}", key.first, key.second, event.at("label").get<std::string>());
+    if (!in_a || !in_b) {
+      found.add(of, "in the run", in_a, in_b);
+    } else {
+      found.add_all(of, events_a[key], events_b[key]);
+    }
+  }
+}
+
+// Numbers as people read them; texts without their quotes.
+std::string shown(const std::string& json) {
+  const Json value = Json::parse(json, nullptr, false);
+  if (value.is_null()) return "-";
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (value.is_string()) {
+    const std::string text = value.get<std::string>();
+    constexpr std::size_t most = 28;
+    return text.size() > most ? text.substr(0, most - 3) + "..." : text;
+  }
+  return json;
+}
+
+std::string lines(const std::vector<Difference>& differences) {
+  std::string text, of;
+  for (const Difference& difference : differences) {
+    if (difference.of != of) text += fmt::format("\n{}\n", difference.of);
+    of = difference.of;
+    text += fmt::format("  {:<20} {:>28} {:>28}", difference.quantity, shown(difference.a),
+                        shown(difference.b));
+    if (difference.change) text += fmt::format(" {:>+14.6g}", *difference.change);
+    text += '\n';
+  }
+  return text;
+}
+
+Json json_of(const std::vector<Difference>& differences) {
+  Json array = Json::array();
+  for (const Difference& difference : differences) {
+    array.push_back({{"of", difference.of},
+                     {"quantity", difference.quantity},
+                     {"a", Json::parse(difference.a)},
+                     {"b", Json::parse(difference.b)},
+                     {"change", difference.change ? Json(*difference.change) : Json()}});
+  }
+  return array;
+}
+
+Json json_of(const ColumnValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return nullptr;
+}
+
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Comparison compare(const std::string& summary_a, const std::string& summary_b,
+                   const std::map<std::string, std::string>& run_a,
+                   const std::map<std::string, std::string>& run_b) {
+  const Json a = Json::parse(summary_a), b = Json::parse(summary_b);
+  Comparison comparison;
+  comparison.has_equal_logs = Collector::at(a, "log_sha256") == Collector::at(b, "log_sha256");
+  Collector found(comparison.differences);
+  for (const char* key : {"status", "sim_s"}) {
+    found.add("run", key, Collector::at(a, key), Collector::at(b, key));
+  }
+  compare_rovers(a.value("rovers", Json::object()), b.value("rovers", Json::object()), found);
+  compare_events(a, b, found);
+  for (const char* key : {"warnings", "assumptions"}) {
+    const Json none = Json::array();
+    const Json texts_a = a.value(key, none), texts_b = b.value(key, none);
+    if (texts_a != texts_b) found.add("run", key, texts_a.size(), texts_b.size());
+  }
+  Collector(comparison.made_of).add_all("made of", Json(run_a), Json(run_b));
+  return comparison;
+}
+
+ExactComparison compare_exactly(const LogReader& a, const LogReader& b) {
+  ExactComparison found{{a.sha256(), b.sha256()}, {}};
+  if (found.sha256[0] != found.sha256[1]) found.difference = first_difference(a, b);
+  return found;
+}
+
+std::string to_json(const Comparison& found) {
+  return dumped({{"equal", found.is_equal()},
+                 {"equal_logs", found.has_equal_logs},
+                 {"differences", json_of(found.differences)},
+                 {"made_of", json_of(found.made_of)}});
+}
+
+std::string to_text(const Comparison& found, const std::array<std::string, 2>& names) {
+  std::string text = fmt::format("A {}\nB {}\n", names[0], names[1]);
+  if (found.is_equal()) {
+    text += fmt::format("{}: every rover and event came to the same; the logs are {}\n", equal_text,
+                        found.has_equal_logs ? "equal too" : "not equal (--exact)");
+  } else {
+    text += fmt::format("\n  {:<20} {:>28} {:>28} {:>14}", "", "A", "B", "B - A");
+    text += lines(found.differences);
+  }
+  if (!found.made_of.empty()) text += lines(found.made_of);
+  return text;
+}
+
+std::string to_json(const ExactComparison& found) {
+  Json answer = {{"equal", !found.difference},
+                 {"log_sha256", {found.sha256[0], found.sha256[1]}},
+                 {"difference", nullptr}};
+  if (const auto& at = found.difference) {
+    answer["difference"] = {{"layer", at->layer},
+                            {"row", at->row},
+                            {"column", at->column.empty() ? Json() : Json(at->column)},
+                            {"where", at->where},
+                            {"a", json_of(at->a)},
+                            {"b", json_of(at->b)}};
+  }
+  return dumped(answer);
+}
+
+std::string to_text(const ExactComparison& found, const std::array<std::string, 2>& names) {
+  if (!found.difference) return fmt::format("{}: log_sha256 {}\n", equal_text, found.sha256[0]);
+  const LogDifference& at = *found.difference;
+  const auto value = [](const ColumnValue& any) {
+    const std::string text = to_text(any);
+    return text.empty() ? std::string("NULL") : text;
+  };
+  std::string text =
+      fmt::format("A {}  {}\nB {}  {}\n", names[0], found.sha256[0], names[1], found.sha256[1]);
+  text += fmt::format("first difference: layer {}, row {}", at.layer, at.row);
+  if (!at.where.empty()) text += fmt::format(" ({})", at.where);
+  if (at.column.empty()) {
+    const bool only_a = !std::holds_alternative<std::monostate>(at.a);
+    return text + fmt::format(": only {} has this row\n", only_a ? "A" : "B");
+  }
+  if (at.column == "geometry") return text + ", its geometry\n";
+  return text + fmt::format(", {}: {} in A, {} in B\n", at.column, value(at.a), value(at.b));
+}
+
+}  // namespace lsos

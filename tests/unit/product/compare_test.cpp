@@ -1,0 +1,123 @@
+// What differs between two runs.
+#include "product/compare.h"
+
+#include <gmock/gmock.h>
+
+#include "unit/record/log_fixture.h"
+
+namespace lsos {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+RunSummary test_summary() {
+  RunSummary summary;
+  summary.plan = "plan.kml";
+  summary.log_sha256 = "1";
+  summary.rovers["SEV1"].distance_m = 100;
+  summary.events = {test_event()};
+  return summary;
+}
+
+Comparison comparison(const RunSummary& a, const RunSummary& b) {
+  return compare(to_json(a), to_json(b), {{"seed", "0"}}, {{"seed", "0"}});
+}
+
+TEST(Compare, finds_nothing_in_equal_runs) {
+  RunSummary other = test_summary();
+  other.wall_s = 99;
+  other.plan = "elsewhere/plan.kml";
+  const Comparison found = comparison(test_summary(), other);
+  EXPECT_TRUE(found.is_equal());
+  EXPECT_TRUE(found.has_equal_logs);
+  EXPECT_THAT(found.made_of, IsEmpty());
+}
+
+TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
+  RunSummary other = test_summary();
+  other.log_sha256 = "2";
+  other.rovers["SEV1"].distance_m = 125;
+  other.events[0].status = EventStatus::failed;
+  const Comparison found = comparison(test_summary(), other);
+  EXPECT_FALSE(found.has_equal_logs);
+  ASSERT_THAT(found.differences, ElementsAre(Field(&Difference::quantity, "distance_m"),
+                                             Field(&Difference::quantity, "status")));
+  EXPECT_EQ(found.differences[0].of, "rover SEV1");
+  EXPECT_EQ(found.differences[0].change, 25);
+  EXPECT_EQ(found.differences[1].of, "event SEV1/10 Route 10");
+  EXPECT_EQ(found.differences[1].b, "\"failed\"");
+  EXPECT_THAT(to_text(found, {"x", "y"}), HasSubstr("rover SEV1"));
+}
+
+TEST(Compare, tells_rovers_and_events_that_only_one_run_has) {
+  RunSummary other = test_summary();
+  other.rovers["SEV2"] = {};
+  other.events[0].sequence = 20;
+  const Comparison found = comparison(test_summary(), other);
+  ASSERT_EQ(found.differences.size(), 3u);
+  EXPECT_EQ(found.differences[0].of, "rover SEV2");
+  EXPECT_EQ(found.differences[0].a, "false");
+  EXPECT_EQ(found.differences[1].of, "event SEV1/10 Route 10");
+  EXPECT_EQ(found.differences[1].b, "false");
+}
+
+TEST(Compare, tells_what_runs_were_made_of_apart_from_what_they_came_to) {
+  const Comparison found =
+      compare(to_json(test_summary()), to_json(test_summary()), {{"seed", "0"}}, {{"seed", "1"}});
+  EXPECT_TRUE(found.is_equal());
+  ASSERT_THAT(found.made_of, ElementsAre(Field(&Difference::quantity, "seed")));
+}
+
+class ExactCompare : public ::testing::Test {
+ protected:
+  // Ten samples; of number `changed` the slip is another.
+  std::string log(const std::string& name, int changed, int count = 10) const {
+    LogWriter writer(folder / name, moon_crs, test_start());
+    for (int i = 0; i < count; ++i) {
+      SampleRow row = test_sample(i);
+      if (i == changed) row.slip += 1e-16;
+      writer.write(row);
+    }
+    writer.write(test_event());
+    writer.finish();
+    return folder / name;
+  }
+  ExactComparison compared(const std::string& a, const std::string& b) const {
+    return compare_exactly(LogReader(a), LogReader(b));
+  }
+
+  TestFolder folder;
+};
+
+TEST_F(ExactCompare, finds_equal_logs_equal) {
+  const ExactComparison found = compared(log("a.gpkg", -1), log("b.gpkg", -1));
+  EXPECT_FALSE(found.difference);
+  EXPECT_EQ(found.sha256[0], found.sha256[1]);
+}
+
+TEST_F(ExactCompare, names_the_first_value_that_differs) {
+  const ExactComparison found = compared(log("a.gpkg", -1), log("b.gpkg", 6));
+  ASSERT_TRUE(found.difference);
+  EXPECT_EQ(found.difference->layer, "samples");
+  EXPECT_EQ(found.difference->row, 7);
+  EXPECT_EQ(found.difference->column, "slip");
+  EXPECT_EQ(found.difference->where, "time_s 12, rover_id SEV1, phase drive");
+  EXPECT_THAT(to_text(found, {"x", "y"}),
+              HasSubstr("first difference: layer samples, row 7 (time_s 12, rover_id SEV1, "
+                        "phase drive), slip: "
+                        "0.05 in A"));
+}
+
+TEST_F(ExactCompare, names_a_row_that_one_log_lacks) {
+  const ExactComparison found = compared(log("a.gpkg", -1), log("b.gpkg", -1, 9));
+  ASSERT_TRUE(found.difference);
+  EXPECT_EQ(found.difference->row, 10);
+  EXPECT_EQ(found.difference->column, "");
+  EXPECT_THAT(to_text(found, {"x", "y"}), HasSubstr("only A has this row"));
+}
+
+}  // namespace
+}  // namespace lsos
