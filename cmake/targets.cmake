@@ -24,3 +24,17 @@ function(lsos_library name)
   list(TRANSFORM ARG_USES PREPEND lsos_)
   target_link_libraries(lsos_${name} PUBLIC lsos_options ${ARG_USES} PRIVATE ${ARG_LIBRARIES})
 endfunction()
+
+# embed_files(lsos_x assets NAME FILES NAME FILES ...): assets.cpp with a std::string_view lsos::NAME
+# each, of the files one after the other. Made again when one of them changes.
+function(embed_files target output)
+  set(written ${CMAKE_CURRENT_BINARY_DIR}/${output}.cpp)
+  set(inputs ${ARGN})
+  list(FILTER inputs INCLUDE REGEX "/")
+  string(REPLACE ";" "|" words "${ARGN}")
+  add_custom_command(OUTPUT ${written}
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${written} "-DWORDS=${words}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake VERBATIM)
+  target_sources(${target} PRIVATE ${written})
+endfunction()

@@ -7,6 +7,10 @@
 
 namespace lsos {
 
+// Red, green and blue bytes, or with `has_alpha` grey and alpha ones; rows from the top.
+std::string png_bytes(int width, int height, std::span<const std::uint8_t> pixels,
+                      bool has_alpha = false);
+
 // Writes red, green and blue bytes, rows from the top, as PNG. Throws InputError when the file
 // cannot be written; then none is left.
 void write_png(const std::string& file, int width, int height, std::span<const std::uint8_t> rgb);

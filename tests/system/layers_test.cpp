@@ -37,6 +37,8 @@ const std::vector<Library>& libraries() {
       {std::regex("png.h"), {"product"}},
       {std::regex("png\\.h"), {"view"}},
       {std::regex("ft2build\\.h"), {"product"}},  // letters: captions of pictures
+      {std::regex("jpeglib\\.h"), {"product"}},
+      {std::regex("cairo/cairo\\.h"), {"product"}},  // figures for papers
       {std::regex("ompl/.*"), {"route"}},
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},

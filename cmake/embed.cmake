@@ -1,0 +1,26 @@
+# Writes OUTPUT, C++ with the bytes of files. WORDS: NAME|FILE|FILE|NAME|FILE ...; files have a '/'.
+string(REPLACE "|" ";" words "${WORDS}")
+set(name "")
+set(code "// Made by cmake/embed.cmake.\n#include <string_view>\n\nnamespace lsos {\n")
+macro(finish)
+  if(name)
+    string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
+    string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+    string(APPEND code "namespace {\nconst unsigned char ${name}_bytes[] = {\n${bytes}};\n}\n"
+      "extern const std::string_view ${name};\n"
+      "const std::string_view ${name}(reinterpret_cast<const char*>(${name}_bytes), "
+      "sizeof ${name}_bytes);\n")
+  endif()
+endmacro()
+foreach(word ${words})
+  if(word MATCHES "/")
+    file(READ ${word} more HEX)
+    string(APPEND bytes "${more}")
+  else()
+    finish()
+    set(name ${word})
+    set(bytes "")
+  endif()
+endforeach()
+finish()
+file(WRITE ${OUTPUT} "${code}}  // namespace lsos\n")

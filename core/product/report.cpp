@@ -1,0 +1,268 @@
+#include "product/report.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "product/base64.h"
+#include "product/event_kinds.h"
+#include "record/columns.h"
+
+namespace lsos {
+
+// Files of report/ and of dygraphs, as embed.cmake writes them.
+extern const std::string_view report_page, report_style, report_script, dygraphs;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Little-endian, as browsers have it.
+template <class Number>
+std::string packed(const std::vector<double>& values, double per_unit) {
+  std::string bytes(values.size() * sizeof(Number), '\0');
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    Number number{};
+    if constexpr (std::is_integral_v<Number>) {
+      number = static_cast<Number>(std::llround(values[k] * per_unit));
+    } else {
+      number = static_cast<Number>(values[k] * per_unit);
+    }
+    std::memcpy(bytes.data() + k * sizeof number, &number, sizeof number);
+  }
+  return base64(bytes);
+}
+
+// Logged at multiples of 0.1 s.
+std::string times(const ThinnedRows& rows) { return packed<std::int32_t>(rows.times_s(), 10); }
+std::string numbers(const ThinnedRows& rows, std::size_t column) {
+  return packed<float>(rows.column(column), 1);
+}
+
+Json series(const ThinnedRows& rows) {
+  if (!rows.has_values(0)) return nullptr;
+  return {{"t", times(rows)}, {"v", numbers(rows, 0)}};
+}
+
+Json line(const MapLine& points) {
+  Json flat = Json::array();
+  for (const MapPoint& point : points) {
+    flat.push_back(std::round(point.x_m * 100) / 100);
+    flat.push_back(std::round(point.y_m * 100) / 100);
+  }
+  return flat;
+}
+
+Json lines(const std::vector<MapLine>& all) {
+  Json array = Json::array();
+  for (const MapLine& points : all) array.push_back(line(points));
+  return array;
+}
+
+Json position(const ThinnedRows& rows) {
+  // 1e-7 degrees are a centimetre on Earth.
+  constexpr double per_degree = 1e7;
+  return {{"t", times(rows)},
+          {"x_m", numbers(rows, position_x)},
+          {"y_m", numbers(rows, position_y)},
+          {"lon_e7deg", packed<std::int32_t>(rows.column(position_lon_deg), per_degree)},
+          {"lat_e7deg", packed<std::int32_t>(rows.column(position_lat_deg), per_degree)},
+          {"heading_rad", numbers(rows, position_heading_rad)}};
+}
+
+Json rovers(const ReportData& data) {
+  Json array = Json::array();
+  for (const ReportRover& rover : data.rovers) {
+    Json object = {{"id", rover.id},
+                   {"type", rover.type},
+                   {"colour", rover.colour},
+                   {"samples", rover.samples},
+                   {"last_s", rover.last_s},
+                   {"distance_m", rover.distance_m},
+                   {"drawn", lines(rover.drawn)},
+                   {"planned", lines(rover.planned)},
+                   {"position", position(rover.position)}};
+    for (const auto& [name, rows] : rover.series) object[name] = series(rows);
+    array.push_back(std::move(object));
+  }
+  return array;
+}
+
+Json value_of(const ColumnValue& value) {
+  if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return nullptr;
+}
+
+Json events(const ReportData& data, const SiteFrame& site) {
+  Json array = Json::array();
+  for (const EventRow& event : data.events) {
+    Json object = Json::object();
+    for (const Column<EventRow>& column : columns<EventRow>()) {
+      object[std::string(column.name)] = value_of(column.value(event, {}));
+    }
+    if (event.place) {
+      const Vec3 p_S_m = site.p_S_m(*event.place);
+      object["x_m"] = std::round(p_S_m.x() * 100) / 100;
+      object["y_m"] = std::round(p_S_m.y() * 100) / 100;
+    }
+    array.push_back(std::move(object));
+  }
+  return array;
+}
+
+Json pairs(const ReportData& data) {
+  const auto flat = [](const std::vector<std::pair<double, double>>& intervals) {
+    Json array = Json::array();
+    for (const auto& [start_s, end_s] : intervals) {
+      array.push_back(start_s);
+      array.push_back(end_s);
+    }
+    return array;
+  };
+  Json array = Json::array();
+  for (const ReportPair& pair : data.pairs) {
+    array.push_back({{"from", pair.from_id},
+                     {"to", pair.to_id},
+                     {"visible", flat(pair.visible_s)},
+                     {"link", flat(pair.link_s)}});
+  }
+  return array;
+}
+
+Json distances(const ReportData& data) {
+  Json array = Json::array();
+  for (const ReportDistance& pair : data.distances) {
+    array.push_back(
+        {{"from", pair.from_id}, {"to", pair.to_id}, {"series", series(pair.distance_m)}});
+  }
+  return array;
+}
+
+std::string data_uri(const EmbeddedPicture& picture) {
+  return "data:" + picture.mime + ";base64," + base64(picture.bytes);
+}
+
+Json map_of(const std::optional<ReportMap>& map) {
+  if (!map) return nullptr;
+  Json object = {{"left_m", map->left_m},           {"bottom_m", map->bottom_m},
+                 {"right_m", map->right_m},         {"top_m", map->top_m},
+                 {"lowest_m", map->lowest_m},       {"highest_m", map->highest_m},
+                 {"relief", data_uri(map->relief)}, {"shadow", nullptr}};
+  if (map->shadow) {
+    object["shadow"] = data_uri(*map->shadow);
+    object["shadow_s"] = map->shadow_s;
+    object["sunlit_share"] = map->sunlit_share;
+  }
+  return object;
+}
+
+Json pictures(const std::vector<ReportPicture>& all) {
+  Json array = Json::array();
+  for (const ReportPicture& picture : all) {
+    array.push_back({{"rover_id", picture.rover_id},
+                     {"time_s", picture.time_s},
+                     {"title", picture.title},
+                     {"view", picture.view},
+                     {"src", data_uri(picture.picture)}});
+  }
+  return array;
+}
+
+Json assets(const ReportData& data) {
+  Json array = Json::array();
+  for (const ReportAsset& asset : data.assets) {
+    array.push_back({{"id", asset.id},
+                     {"type", asset.type},
+                     {"x_m", asset.place.x_m},
+                     {"y_m", asset.place.y_m}});
+  }
+  return array;
+}
+
+Json kinds() {
+  Json array = Json::array();
+  for (const EventKind& kind : event_kinds()) {
+    array.push_back({{"name", kind.name}, {"colour", kind.colour}, {"types", kind.types}});
+  }
+  return array;
+}
+
+// Inside <script> no "<" may stand: "</script>" in a label would end it.
+std::string script_safe(const std::string& json) {
+  std::string safe;
+  safe.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+// Its last line names a file that only its makers have.
+std::string_view without_source_map(std::string_view script) {
+  const std::size_t at = script.rfind("//# sourceMappingURL=");
+  return at == std::string_view::npos ? script : script.substr(0, at);
+}
+
+}  // namespace
+
+std::string report_json(const ReportData& data, const Plan& plan, const SiteFrame& site,
+                        const std::string& summary, const ReportExtras& extras) {
+  Json parsed = Json::parse(summary, nullptr, false);
+  if (!parsed.is_object()) parsed = nullptr;
+  if (parsed.is_object()) parsed.erase("events");  // as in the log
+  const Json document = {
+      {"plan", plan.file},
+      {"body", std::string(plan.mission.planet->name)},
+      {"start_utc", format_utc(data.start)},
+      {"end_utc", format_utc(data.start + from_seconds(data.end_s))},
+      {"end_s", data.end_s},
+      {"site", {{"lon_deg", lon_deg(site.origin())}, {"lat_deg", lat_deg(site.origin())}}},
+      {"summary", parsed},
+      {"rovers", rovers(data)},
+      {"assets", assets(data)},
+      {"events", events(data, site)},
+      {"kinds", kinds()},
+      {"sight", pairs(data)},
+      {"distances", distances(data)},
+      {"map", map_of(extras.map)},
+      {"pictures", pictures(extras.pictures)},
+      {"left_out", extras.left_out},
+      {"run", data.run},
+      {"stretches", report_stretches},
+  };
+  return script_safe(document.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string report_html(const ReportData& data, const Plan& plan, const SiteFrame& site,
+                        const std::string& summary, const ReportExtras& extras) {
+  const std::string json = report_json(data, plan, site, summary, extras);
+  const std::array<std::pair<std::string_view, std::string_view>, 4> parts{
+      {{"/* STYLE */", report_style},
+       {"/* DATA */", json},
+       {"/* DYGRAPHS */", without_source_map(dygraphs)},
+       {"/* SCRIPT */", report_script}}};
+  std::string page;
+  std::size_t at = 0;
+  for (const auto& [mark, text] : parts) {
+    const std::size_t found = report_page.find(mark, at);
+    LSOS_ASSERT(found != std::string_view::npos);
+    page += report_page.substr(at, found - at);
+    page += text;
+    at = found + mark.size();
+  }
+  page += report_page.substr(at);
+  return page;
+}
+
+}  // namespace lsos

@@ -1,0 +1,87 @@
+// Which plots there are, and when they are drawn: those on the screen at once, others when they come.
+function linesOf(name, change = v => v) {
+  return rovers.filter(rover => rover[name]).map(rover => ({
+    t: rover[name].t, v: change(rover[name].v), name: rover.id, colour: rover.ink, rovers: [rover],
+  }));
+}
+function greatest(lines) {
+  let most = 0;
+  for (const line of lines) for (const v of line.v) if (Math.abs(v) > most) most = Math.abs(v);
+  return most;
+}
+const relative = v => {
+  const first = v.find(value => !Number.isNaN(value)) ?? 0;
+  return v.map(value => value - first);
+};
+const metres = lines => (greatest(lines) >= 10000 ? {unit: 'km', scale: 1e-3} : {unit: 'm', scale: 1});
+
+function plotSpecs() {
+  const east = rovers.map(r => ({t: r.position.t, v: r.position.x, name: `${r.id} east`, colour: r.ink, rovers: [r]}));
+  const north = rovers.map(r => ({t: r.position.t, v: r.position.y, name: `${r.id} north`, colour: r.ink, dash: [5, 3], rovers: [r]}));
+  const position = rovers.flatMap((r, k) => [east[k], north[k]]);
+  const elevation = linesOf('elevation_m', relative), energy = linesOf('energy_j');
+  const rate = linesOf('energy_rate_w'), speed = linesOf('speed_mps');
+  const inks = ['#35424f', '#8a6d3b', '#5f4b8b', '#1f7a78', '#a04668', '#6b7783'];
+  const distance = page.distances.filter(pair => pair.series).map((pair, k) => ({
+    ...unpackSeries(pair.series), name: `${pair.from} – ${pair.to}`, colour: inks[k % inks.length],
+    rovers: [roverOf(pair.from), roverOf(pair.to)],
+  }));
+  const isSlow = greatest(speed) < 0.2;
+  return [
+    {key: 'position', title: 'Position', lines: position, ...metres(position)},
+    {key: 'elevation', title: 'Relative elevation', lines: elevation, unit: 'm', scale: 1},
+    {key: 'energy', title: 'Energy', lines: energy, digits: 5, ...(greatest(energy) >= 3.6e6 ? {unit: 'kWh', scale: 1 / 3.6e6} : {unit: 'Wh', scale: 1 / 3600})},
+    {key: 'rate', title: 'Energy rate', lines: rate, includesZero: true, ...(greatest(rate) >= 2000 ? {unit: 'kW', scale: 1e-3} : {unit: 'W', scale: 1})},
+    {key: 'speed', title: 'Speed', lines: speed, unit: isSlow ? 'cm/s' : 'm/s', scale: isSlow ? 100 : 1, includesZero: true},
+    {key: 'slip', title: 'Slip', lines: linesOf('slip'), unit: '%', scale: 100, includesZero: true},
+    {key: 'sun', title: 'Sun on the panels', lines: linesOf('sun_fraction'), unit: '% of their area', scale: 100, includesZero: true},
+    {key: 'distance', title: 'Distance between rovers', lines: distance, includesZero: true, ...metres(distance)},
+  ].filter(spec => spec.lines.length > 0);
+}
+
+const plots = plotSpecs().map(spec => new Plot(spec));
+if (page.sight.length > 0) plots.push(new SightPlot());
+
+function showPlots() {
+  const place = document.getElementById('plots');
+  const watcher = new IntersectionObserver(entries => {
+    for (const entry of entries) {
+      const plot = plots.find(p => p.element === entry.target);
+      plot.isSeen = entry.isIntersecting;
+      if (plot.isSeen && plot.isDirty) plot.update();
+      else if (plot.isSeen) plot.moveCursor();
+    }
+  }, {rootMargin: '200px'});
+  for (const plot of plots) {
+    place.append(plot.element);
+    viewers.push(plot);
+    watcher.observe(plot.element);
+  }
+  let timer = 0;
+  window.addEventListener('resize', () => {
+    clearTimeout(timer);
+    timer = setTimeout(() => [map, ...plots].forEach(part => part.resized()), 120);
+  });
+  // Paper is narrower than most screens, and finer.
+  const drawAll = scale => {
+    printScale = scale;
+    map.resized();
+    for (const plot of plots) {
+      plot.isSeen = true;
+      plot.resized();
+    }
+  };
+  window.addEventListener('beforeprint', () => {
+    document.body.classList.add('printing');
+    drawAll(3);
+  });
+  window.addEventListener('afterprint', () => {
+    document.body.classList.remove('printing');
+    drawAll(1);
+  });
+  const used = kinds.filter(kind => page.events.some(event => event.start_s !== null && kindOf(event) === kind));
+  const failed = page.events.some(event => event.status === 'failed' && event.start_s !== null);
+  document.getElementById('kinds').append(
+    ...used.map(kind => make('span', {}, make('i', {style: `background:${kind.colour}`}), kind.name)),
+    ...(failed ? [make('span', {}, make('i', {style: 'background:repeating-linear-gradient(135deg,#c62828 0 1.5px,#fff 1.5px 4px)'}), 'failed')] : []));
+}

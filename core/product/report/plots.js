@@ -1,0 +1,256 @@
+// The plots over time: a quantity of each rover, with the record of events as bars beneath.
+const gutter = 64, rightGap = 10, barHeight = 9, axisHeight = 17;
+// Remembered until it is drawn anew: asking for it costs a layout of the page.
+const plotWidths = new WeakMap();
+function measure(surface) {
+  plotWidths.set(surface, Math.max(10, surface.clientWidth - gutter - rightGap));
+}
+function plotWidth(surface) {
+  if (!plotWidths.has(surface)) measure(surface);
+  return plotWidths.get(surface);
+}
+const timeX = (time, width) => gutter + ((time - view.from) / (view.to - view.from)) * width;
+let printScale = 1;
+const pixelRatio = () => Math.max(printScale, window.devicePixelRatio || 1);
+
+// A canvas as wide as its place, in CSS pixels.
+function paper(canvas, height) {
+  const ratio = pixelRatio(), width = plotWidth(canvas.parentElement) + gutter + rightGap;
+  canvas.width = Math.round(width * ratio);
+  canvas.height = Math.round(height * ratio);
+  canvas.style.height = `${height}px`;
+  const pen = canvas.getContext('2d');
+  pen.scale(ratio, ratio);
+  return pen;
+}
+function drawTimeAxis(pen, top, width) {
+  pen.font = '11px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
+  pen.fillStyle = '#55626f';
+  pen.strokeStyle = '#b6c0ca';
+  pen.lineWidth = 1;
+  pen.textAlign = 'center';
+  pen.textBaseline = 'top';
+  for (const tick of timeTicks(view.from, view.to, width)) {
+    const x = Math.round(timeX(tick.v, width)) + 0.5;
+    pen.beginPath();
+    pen.moveTo(x, top);
+    pen.lineTo(x, top + 4);
+    pen.stroke();
+    const half = pen.measureText(tick.label).width / 2;
+    pen.fillText(tick.label, Math.max(gutter - 4 + half, Math.min(x, gutter + width + rightGap - half)), top + 5);
+  }
+}
+function hatch(pen, x, y, w, h) {
+  pen.save();
+  pen.beginPath();
+  pen.rect(x, y, w, h);
+  pen.clip();
+  pen.strokeStyle = '#c62828';
+  pen.lineWidth = 1.4;
+  for (let at = x - h; at < x + w; at += 4) {
+    pen.beginPath();
+    pen.moveTo(at, y + h);
+    pen.lineTo(at + h, y);
+    pen.stroke();
+  }
+  pen.restore();
+}
+// One row a rover: what it did, by kind; red lines across what failed.
+function drawEvents(pen, top, width) {
+  rovers.forEach((rover, row) => {
+    const y = top + row * (barHeight + 1);
+    pen.fillStyle = rover.isShown ? rover.ink : '#d5dbe1';
+    pen.fillRect(gutter - 7, y, 4, barHeight);
+    pen.fillStyle = '#f1f4f6';
+    pen.fillRect(gutter, y, width, barHeight);
+    if (!rover.isShown) return;
+    for (const event of rover.events) {
+      if (event.start_s === null) continue;
+      const x0 = Math.max(gutter, timeX(event.start_s, width));
+      const x1 = Math.min(gutter + width, Math.max(timeX(event.end_s ?? endS, width), x0 + 1));
+      if (x1 <= gutter || x0 >= gutter + width) continue;
+      pen.fillStyle = kindOf(event).colour;
+      pen.fillRect(x0, y, Math.max(1, x1 - x0 - (x1 - x0 > 3 ? 1 : 0)), barHeight);
+      if (event.status === 'failed' || event.status === 'incomplete') hatch(pen, x0, y, x1 - x0, barHeight);
+    }
+  });
+}
+
+// Rows for dygraphs of lines {t, v} that need not share their times: null where a line has no
+// sample, NaN where it has one without a value.
+function merged(lines, scale) {
+  const rows = [], at = lines.map(() => 0);
+  for (;;) {
+    let time = Infinity;
+    lines.forEach((line, k) => {
+      if (at[k] < line.t.length) time = Math.min(time, line.t[at[k]]);
+    });
+    if (time === Infinity) return rows;
+    const row = [time];
+    lines.forEach((line, k) => {
+      if (at[k] < line.t.length && line.t[at[k]] === time) row.push(line.v[at[k]++] * scale);
+      else row.push(null);
+    });
+    rows.push(row);
+  }
+}
+
+class Plot {
+  // `lines`: {t, v, name, colour, dash, rovers: [...]}.
+  constructor(spec) {
+    Object.assign(this, spec);
+    this.isDirty = true;
+    this.isSeen = false;
+    // As many places for all values of a plot: no digit comes and goes.
+    const most = this.scale * greatest(this.lines), digits = this.digits || 4;
+    this.places = most > 0 ? Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(most)))) : 1;
+    this.outputs = this.lines.map(() => make('output', {}, '–'));
+    this.dots = this.lines.map(line => make('div', {class: 'dot', style: `background:${line.colour}`}));
+    this.chosen = make('div', {class: 'chosen', hidden: ''});
+    this.cursor = make('div', {class: 'cursor'});
+    this.graphPlace = make('div', {class: 'graph'});
+    this.bar = make('canvas', {class: 'bar'});
+    this.surface = make('div', {class: 'surface'}, this.graphPlace, this.bar, make('div', {class: 'shield'}), this.chosen, this.cursor, ...this.dots);
+    const keys = this.lines.map((line, k) => make('span', {},
+      draw('svg', {viewBox: '0 0 18 8'}, draw('line', {
+        x1: 0, x2: 18, y1: 4, y2: 4, stroke: line.colour, 'stroke-width': 2.2, 'stroke-dasharray': (line.dash || []).join(' '),
+      })), line.name, this.outputs[k]));
+    this.element = make('figure', {class: 'plot', id: `plot-${this.key}`},
+      make('figcaption', {}, make('h3', {}, this.title, make('span', {}, ` ${this.unit}`)), make('div', {class: 'keys'}, ...keys)),
+      this.surface);
+    this.barTop = 4;
+    const rowsHeight = rovers.length * (barHeight + 1);
+    this.bar.style.height = `${this.barTop + rowsHeight + axisHeight + 1}px`;
+    followPointer(this.surface, () => gutter, () => plotWidth(this.surface), (from, to) => this.choose(from, to));
+  }
+  choose(from, to) {
+    this.chosen.hidden = from === null;
+    if (from === null) return;
+    const width = plotWidth(this.surface), a = timeX(Math.min(from, to), width), b = timeX(Math.max(from, to), width);
+    this.chosen.style.transform = `translateX(${a}px)`;
+    this.chosen.style.width = `${b - a}px`;
+  }
+  create() {
+    const fixed = value => numberText(value, 4);
+    this.graph = new Dygraph(this.graphPlace, merged(this.lines, this.scale), {
+      labels: ['time', ...this.lines.map(line => line.name)],
+      colors: this.lines.map(line => line.colour),
+      series: Object.fromEntries(this.lines.map(line => [line.name, {strokePattern: line.dash || null}])),
+      visibility: this.lines.map(line => line.rovers.every(rover => rover.isShown)),
+      dateWindow: [view.from, view.to],
+      strokeWidth: 1.5, connectSeparatedPoints: true, legend: 'never', highlightCircleSize: 0,
+      interactionModel: {}, rightGap, yRangePad: 5, includeZero: this.includesZero || false,
+      gridLineColor: '#dfe5ea', axisLineColor: '#b6c0ca', pixelRatio: pixelRatio(),
+      axes: {
+        x: {drawAxis: false, drawGrid: true, ticker: (a, b, pixels) => timeTicks(a, b, pixels)},
+        y: {axisLabelWidth: gutter - 4, pixelsPerLabel: 24, axisLabelFormatter: value => fixed(Math.abs(value) < 1e-9 ? 0 : +value.toPrecision(6)).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '')},
+      },
+    });
+  }
+  update() {
+    this.isDirty = false;
+    measure(this.surface);
+    const shown = this.lines.map(line => line.rovers.every(rover => rover.isShown));
+    if (!this.graph) this.create();
+    else {
+      this.graph.updateOptions({dateWindow: [view.from, view.to], visibility: shown});
+    }
+    const width = plotWidth(this.surface), rowsHeight = rovers.length * (barHeight + 1);
+    const pen = paper(this.bar, this.barTop + rowsHeight + axisHeight + 1);
+    drawEvents(pen, this.barTop, width);
+    drawTimeAxis(pen, this.barTop + rowsHeight, width);
+    this.moveCursor();
+  }
+  moveCursor() {
+    const width = plotWidth(this.surface), x = timeX(view.cursor, width);
+    const isIn = view.cursor >= view.from && view.cursor <= view.to;
+    this.cursor.style.transform = `translateX(${Math.round(x)}px)`;
+    this.cursor.style.visibility = isIn ? 'visible' : 'hidden';
+    this.lines.forEach((line, k) => {
+      const dot = this.dots[k];
+      const isShown = line.rovers.every(rover => rover.isShown);
+      const at = nearest(line.t, view.cursor), value = line.v[at] * this.scale;
+      this.outputs[k].textContent = isShown ? placesText(value, this.places) : '';
+      const isDrawn = isShown && isIn && !Number.isNaN(value) && this.graph && line.t[at] >= view.from && line.t[at] <= view.to;
+      dot.style.visibility = isDrawn ? 'visible' : 'hidden';
+      if (isDrawn) dot.style.transform = `translate(${timeX(line.t[at], width)}px, ${this.graph.toDomYCoord(value)}px)`;
+    });
+  }
+  refresh() {
+    this.isDirty = true;
+    if (this.isSeen) this.update();
+  }
+  windowChanged() { this.refresh(); }
+  roversChanged() { this.refresh(); }
+  cursorChanged() { if (this.isSeen && !this.isDirty) this.moveCursor(); }
+  resized() {
+    this.graph?.destroy();
+    this.graph = null;
+    this.refresh();
+  }
+}
+
+// Who saw and could talk to whom: a pale bar is seen, a dark one in it linked.
+class SightPlot {
+  constructor() {
+    this.key = 'sight';
+    this.rowHeight = 27;
+    this.isDirty = true;
+    this.isSeen = false;
+    this.bar = make('canvas', {class: 'bar'});
+    this.chosen = make('div', {class: 'chosen', hidden: ''});
+    this.cursor = make('div', {class: 'cursor'});
+    this.states = page.sight.map(() => make('span', {class: 'state'}));
+    this.names = make('div', {class: 'sight-names'}, ...page.sight.flatMap((pair, k) => {
+      const name = make('span', {style: `left:${gutter}px;top:${k * this.rowHeight + 2}px`}, `${pair.from} – ${pair.to}`);
+      this.states[k].style.top = `${k * this.rowHeight + 2}px`;
+      return [name, this.states[k]];
+    }));
+    this.surface = make('div', {class: 'surface'}, this.bar, this.names, this.chosen, this.cursor);
+    const key = (colour, text) => make('span', {}, make('i', {class: 'kind', style: `background:${colour}`}), text);
+    this.element = make('figure', {class: 'plot', id: 'plot-sight'},
+      make('figcaption', {}, make('h3', {}, 'Lines of sight'), make('div', {class: 'keys'}, key('#b9d3c4', 'visible'), key('#2c7a53', 'linked'))),
+      this.surface);
+    this.height = page.sight.length * this.rowHeight + 3;
+    this.bar.style.height = `${this.height + axisHeight}px`;
+    followPointer(this.surface, () => gutter, () => plotWidth(this.surface), (from, to) => Plot.prototype.choose.call(this, from, to));
+  }
+  isOn(pair) { return [pair.from, pair.to].every(id => !roverOf(id) || roverOf(id).isShown); }
+  update() {
+    this.isDirty = false;
+    measure(this.surface);
+    const pen = paper(this.bar, this.height + axisHeight), width = plotWidth(this.surface);
+    page.sight.forEach((pair, k) => {
+      const y = k * this.rowHeight + 15;
+      pen.fillStyle = '#f1f4f6';
+      pen.fillRect(gutter, y, width, 9);
+      if (!this.isOn(pair)) return;
+      for (const [spans, colour, inset] of [[pair.visible, '#b9d3c4', 0], [pair.link, '#2c7a53', 2.5]]) {
+        pen.fillStyle = colour;
+        for (let i = 0; i < spans.length; i += 2) {
+          const x0 = Math.max(gutter, timeX(spans[i], width)), x1 = Math.min(gutter + width, timeX(spans[i + 1], width));
+          if (x1 >= gutter && x0 <= gutter + width) pen.fillRect(x0, y + inset, Math.max(1, x1 - x0), 9 - 2 * inset);
+        }
+      }
+    });
+    drawTimeAxis(pen, this.height, width);
+    this.moveCursor();
+  }
+  moveCursor() {
+    const isIn = view.cursor >= view.from && view.cursor <= view.to;
+    this.cursor.style.transform = `translateX(${Math.round(timeX(view.cursor, plotWidth(this.surface)))}px)`;
+    this.cursor.style.visibility = isIn ? 'visible' : 'hidden';
+    const holds = spans => {
+      for (let i = 0; i < spans.length; i += 2) if (view.cursor >= spans[i] && view.cursor <= spans[i + 1]) return true;
+      return false;
+    };
+    page.sight.forEach((pair, k) => {
+      this.states[k].textContent = !this.isOn(pair) ? '' : holds(pair.link) ? 'linked' : holds(pair.visible) ? 'visible' : 'hidden';
+    });
+  }
+  refresh() { Plot.prototype.refresh.call(this); }
+  windowChanged() { this.refresh(); }
+  roversChanged() { this.refresh(); }
+  cursorChanged() { if (this.isSeen && !this.isDirty) this.moveCursor(); }
+  resized() { this.refresh(); }
+}

@@ -1,0 +1,140 @@
+// Words and numbers: what was found, what each rover and each event came to, pictures, origins.
+const summary = page.summary;
+
+function fillHead() {
+  const name = page.plan.replace(/^.*\//, '').replace(/\.km[lz]$/, '');
+  document.title = `${name}: mission report`;
+  document.getElementById('title').textContent = name;
+  document.getElementById('subtitle').textContent =
+    `${page.body}, ${page.start_utc.slice(0, 16).replace('T', ' ')} to ${page.end_utc.slice(0, 16).replace('T', ' ')} UTC`;
+  const done = page.events.filter(event => event.status === 'completed').length;
+  const facts = [
+    ['Result', summary ? statusText(summary.status) : 'not finished', summary ? summary.status : 'incomplete'],
+    ['Events completed', `${done} of ${page.events.length}`],
+    ['Simulated', durationText(page.end_s)],
+    ['Driven', distanceText(rovers.reduce((sum, rover) => sum + rover.distance_m, 0))],
+  ];
+  if (summary?.wall_s > 0) facts.push(['Computed in', durationText(summary.wall_s)]);
+  document.getElementById('facts').append(...facts.map(([term, text, kind]) =>
+    make('div', {}, make('dt', {}, term), make('dd', kind ? {class: kind} : {}, text))));
+}
+
+function fillFindings() {
+  const list = items => make('ul', items.length > 4 ? {class: 'long'} : {}, ...items.map(item => make('li', {}, item)));
+  const box = (kind, title, ...more) => make('div', {class: `finding ${kind}`}, make('h3', {}, title), ...more);
+  const place = document.getElementById('findings');
+  if (!summary) place.append(box('bad', 'This run has not finished', make('p', {}, 'The page shows what its log held when the page was written.')));
+  const bad = page.events.filter(event => event.status === 'failed' || event.status === 'incomplete');
+  if (bad.length > 0) {
+    place.append(box('bad', `${bad.length} event${bad.length > 1 ? 's' : ''} not completed`,
+      list(bad.map(event => `${event.rover_id}, ${event.label}: ${statusText(event.status)}${event.reason ? ', ' + event.reason : ''}`))));
+  }
+  const warnings = summary?.warnings || [], assumptions = summary?.assumptions || [];
+  place.append(warnings.length > 0
+    ? box('warn', `${warnings.length} warning${warnings.length > 1 ? 's' : ''}`, list(warnings))
+    : box('good', 'No warnings', make('p', {}, 'Neither the plan’s checks nor the run had any.')));
+  place.append(assumptions.length > 0
+    ? box('', `${assumptions.length} assumption${assumptions.length > 1 ? 's' : ''}`, list(assumptions))
+    : box('', 'No assumptions listed'));
+  if (page.left_out.length > 0) place.append(box('warn', 'Not in this page', list(page.left_out)));
+}
+
+// `columns`: [heading, cell of a row, is it a number].
+function table(columns, rows, dress = () => {}) {
+  return make('table', {}, make('thead', {}, make('tr', {}, ...columns.map(([name, , isNumber]) => make('th', isNumber ? {class: 'number'} : {}, name)))),
+    make('tbody', {}, ...rows.map(row => {
+      const line = make('tr', {}, ...columns.map(([name, cell, isNumber]) =>
+        make('td', isNumber ? {class: 'number'} : name.startsWith('Re') && name !== 'Result' ? {class: 'reason'} : {}, cell(row))));
+      dress(line, row);
+      return line;
+    })));
+}
+const swatch = (rover, text) => make('span', {}, make('i', {class: 'rover', style: `background:${rover ? rover.ink : '#888'}`}), text);
+
+function fillTables() {
+  const about = rover => summary?.rovers?.[rover.id] || {};
+  const degrees = value => (value === null || value === undefined ? '–' : `${((value * 180) / Math.PI).toFixed(1)}°`);
+  const percent = value => (value === null || value === undefined ? '–' : `${(100 * value).toFixed(1)} %`);
+  const has = name => rovers.some(rover => about(rover)[name] !== null && about(rover)[name] !== undefined);
+  const columns = [
+    ['Rover', rover => swatch(rover, rover.id)],
+    ['Type', rover => rover.type || '–'],
+    ['Distance', rover => distanceText(rover.distance_m), true],
+    ['Duration', rover => durationText(about(rover).duration_s), true],
+    ['Driving', rover => durationText(about(rover).drive_s), true],
+    ['Energy at start', rover => energyText(about(rover).energy_start_j), true],
+    ['at end', rover => energyText(about(rover).energy_end_j), true],
+    ['used', rover => energyText(about(rover).energy_used_j), true],
+    ['from the Sun', rover => energyText(about(rover).solar_j), true],
+    ['Climbed', rover => distanceText(about(rover).elevation_gain_m), true],
+    ['Steepest', rover => degrees(about(rover).max_slope_rad), true],
+    ['Most slip', rover => percent(about(rover).max_slip), true],
+    ['Samples', rover => String(rover.samples), true],
+  ];
+  if (has('resources')) {
+    columns.splice(-1, 0, ['Resources left', rover => Object.entries(about(rover).resources || {}).map(([name, left]) => `${name} ${numberText(left)}`).join(', ') || '–']);
+  }
+  document.getElementById('rover-table').append(table(columns, rovers));
+  const at = time => (time === null ? '–' : elapsedText(time));
+  document.getElementById('event-table').append(table([
+    ['Rover', event => swatch(roverOf(event.rover_id), event.rover_id)],
+    ['No', event => String(event.sequence), true],
+    ['Event', event => event.label],
+    ['Type', event => event.type],
+    ['Result', event => make('span', {class: `result ${event.status}`}, `${statusMarks[event.status] || ''} ${statusText(event.status)}`)],
+    ['Start', event => at(event.start_s), true],
+    ['End', event => at(event.end_s), true],
+    ['Took', event => (event.start_s === null || event.end_s === null ? '–' : durationText(event.end_s - event.start_s)), true],
+    ['Distance', event => distanceText(event.distance_m), true],
+    ['Energy used', event => energyText(event.energy_used_j), true],
+    ['From the Sun', event => energyText(event.solar_j), true],
+    ['Reason', event => event.reason || ''],
+  ], page.events, (line, event) => {
+    line.title = event.start_s === null ? 'It did not start' : 'Show it in the plots';
+    line.addEventListener('click', () => showEvent(event));
+  }));
+}
+
+// The plots go to an event, with as much again around it.
+function showEvent(event) {
+  if (event.start_s === null) return;
+  const end = event.end_s ?? endS, around = Math.max((end - event.start_s) / 2, endS / 200);
+  setWindow(event.start_s - around, end + around);
+  setCursor(event.start_s);
+  document.getElementById('course').scrollIntoView({block: 'start'});
+}
+
+function fillPictures() {
+  const place = document.getElementById('picture-list');
+  const moments = new Map();
+  for (const picture of page.pictures) {
+    const key = `${picture.rover_id}\n${picture.time_s}`;
+    if (!moments.has(key)) moments.set(key, []);
+    moments.get(key).push(picture);
+  }
+  if (moments.size === 0) document.getElementById('pictures').remove();
+  for (const group of moments.values()) {
+    const {rover_id, title, time_s} = group[0];
+    const go = make('button', {type: 'button'}, elapsedText(time_s));
+    go.addEventListener('click', () => {
+      setCursor(time_s);
+      document.getElementById('course').scrollIntoView({block: 'start'});
+    });
+    place.append(make('figure', {},
+      make('div', {class: 'frames'}, ...group.map(picture => make('img', {src: picture.src, alt: `${rover_id}, ${title}, ${picture.view}`, title: picture.view}))),
+      make('figcaption', {}, swatch(roverOf(rover_id), ''), make('b', {}, title), make('span', {}, ` ${rover_id}, ${group.map(p => p.view).join('; ')}, `), go)));
+  }
+}
+
+function fillOrigins() {
+  const most = Math.max(0, ...rovers.map(rover => rover.samples));
+  const samples = rovers.reduce((sum, rover) => sum + rover.samples, 0);
+  document.getElementById('thinned').textContent =
+    `Move over a plot for values, drag to zoom, double-click for the whole run, click to hold the cursor (arrow keys move it). ` +
+    (most > 4 * page.stretches
+      ? `Of the log’s ${samples.toLocaleString('en')} samples each line shows the first, last, least and greatest of ${page.stretches.toLocaleString('en')} stretches of time, so no extreme is missing; log.gpkg has all.`
+      : `Lines show the log’s samples as they are (${samples.toLocaleString('en')}).`);
+  const rows = [['plan', page.plan], ['log_sha256', summary?.log_sha256 || ''], ...Object.entries(page.run)];
+  document.getElementById('made').append(make('details', {}, make('summary', {}, 'What this run was made of'),
+    make('table', {}, make('tbody', {}, ...rows.map(([key, value]) => make('tr', {}, make('td', {}, key), make('td', {}, value)))))));
+}

@@ -1,0 +1,190 @@
+#include "product/report_data.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "product/rover_colors.h"
+
+namespace lsos {
+
+namespace {
+
+struct Quantity {
+  const char* name;
+  double SampleRow::*value;
+};
+constexpr std::array quantities{
+    Quantity{"elevation_m", &SampleRow::elevation_m},
+    Quantity{"energy_j", &SampleRow::energy_j},
+    Quantity{"energy_rate_w", &SampleRow::energy_rate_w},
+    Quantity{"speed_mps", &SampleRow::speed_mps},
+    Quantity{"slip", &SampleRow::slip},
+    Quantity{"sun_fraction", &SampleRow::sun_fraction},
+};
+
+constexpr double line_tolerance_m = 0.2;
+
+double distance_to_m(const MapPoint& p, const MapPoint& a, const MapPoint& b) {
+  const double x = b.x_m - a.x_m, y = b.y_m - a.y_m, square = x * x + y * y;
+  const double share =
+      square > 0 ? std::clamp(((p.x_m - a.x_m) * x + (p.y_m - a.y_m) * y) / square, 0.0, 1.0) : 0;
+  return std::hypot(p.x_m - a.x_m - share * x, p.y_m - a.y_m - share * y);
+}
+
+// Douglas and Peucker: without the points that nobody would miss.
+MapLine simplified(const MapLine& line) {
+  if (line.size() < 3) return line;
+  std::vector<bool> kept(line.size(), false);
+  kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
+  while (!open.empty()) {
+    const auto [from, to] = open.back();
+    open.pop_back();
+    std::size_t farthest = from;
+    double most_m = line_tolerance_m;
+    for (std::size_t k = from + 1; k < to; ++k) {
+      const double away_m = distance_to_m(line[k], line[from], line[to]);
+      if (away_m > most_m) {
+        most_m = away_m;
+        farthest = k;
+      }
+    }
+    if (farthest == from) continue;
+    kept[farthest] = true;
+    open.push_back({from, farthest});
+    open.push_back({farthest, to});
+  }
+  MapLine simple;
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    if (kept[k]) simple.push_back(line[k]);
+  }
+  return simple;
+}
+
+MapPoint map_point(const SiteFrame& site, const Geodetic& place) {
+  const Vec3 p_S_m = site.p_S_m({place.lon_rad, place.lat_rad, site.origin().height_m});
+  return {p_S_m.x(), p_S_m.y()};
+}
+
+MapLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) {
+  MapLine line;
+  for (const Geodetic& place : places) line.push_back(map_point(site, place));
+  return simplified(line);
+}
+
+void read_samples(const LogReader& log, ReportData& data) {
+  std::map<std::string, ReportRover> rovers;
+  log.for_each_sample([&](const SampleRow& row) {
+    ReportRover& rover = rovers.try_emplace(row.rover_id, row.rover_id, data.end_s).first->second;
+    const double time_s = seconds(row.time);
+    ++rover.samples;
+    rover.position.add(time_s, std::array{row.p_S_m.x(), row.p_S_m.y(), lon_deg(row.place),
+                                          lat_deg(row.place), row.heading_rad});
+    for (std::size_t k = 0; k < quantities.size(); ++k) {
+      rover.series[k].second.add(time_s, std::array{row.*quantities[k].value});
+    }
+    rover.distance_m = row.distance_m;
+    rover.last_s = time_s;
+  });
+  for (auto& [id, rover] : rovers) {
+    rover.position.finish();
+    for (auto& [name, series] : rover.series) series.finish();
+    rover.colour = web_colour(data.rovers.size());
+    data.rovers.push_back(std::move(rover));
+  }
+}
+
+ReportRover* find_rover(ReportData& data, const std::string& id) {
+  const auto found = std::ranges::find(data.rovers, id, &ReportRover::id);
+  return found == data.rovers.end() ? nullptr : &*found;
+}
+
+void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, ReportData& data) {
+  for (const PlanRover& planned : plan.rovers) {
+    if (ReportRover* rover = find_rover(data, planned.id)) rover->type = planned.type;
+  }
+  for (const PlanEvent& event : plan.events) {
+    ReportRover* rover = find_rover(data, event.rover_id);
+    if (rover == nullptr || event.geometry.points.size() < 2) continue;
+    MapLine line = map_line(site, event.geometry.points);
+    if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
+    rover->drawn.push_back(std::move(line));
+  }
+  for (const PlannedPathRow& path : log.planned_paths()) {
+    if (ReportRover* rover = find_rover(data, path.rover_id)) {
+      rover->planned.push_back(map_line(site, path.line));
+    }
+  }
+  for (const PlanAsset& asset : plan.assets) {
+    data.assets.push_back({asset.id, asset.type, map_point(site, asset.position)});
+  }
+}
+
+void read_pairs(const LogReader& log, ReportData& data) {
+  std::map<std::pair<std::string, std::string>, ThinnedRows> distances;
+  log.for_each_pair([&](const PairRow& row) {
+    if (!find_rover(data, row.from_id) || !find_rover(data, row.to_id)) return;
+    const auto [at, is_new] =
+        distances.try_emplace({row.from_id, row.to_id}, data.end_s, report_stretches, 1, 1);
+    at->second.add(seconds(row.time), std::array{row.distance_m});
+  });
+  for (auto& [ids, series] : distances) {
+    series.finish();
+    data.distances.push_back({ids.first, ids.second, std::move(series)});
+  }
+  std::map<std::pair<std::string, std::string>, ReportPair> pairs;
+  for (const SightIntervalRow& row : log.sight_intervals()) {
+    ReportPair& pair = pairs[{row.from_id, row.to_id}];
+    pair.from_id = row.from_id;
+    pair.to_id = row.to_id;
+    auto& intervals = row.kind == "link" ? pair.link_s : pair.visible_s;
+    intervals.emplace_back(seconds(row.start), seconds(row.end));
+  }
+  for (auto& [ids, pair] : pairs) data.pairs.push_back(std::move(pair));
+}
+
+}  // namespace
+
+ReportRover::ReportRover(const std::string& rover_id, double end_s)
+    : id(rover_id), position(end_s, report_stretches, position_columns, 2) {
+  for (const Quantity& quantity : quantities) {
+    series.emplace_back(quantity.name, ThinnedRows(end_s, report_stretches, 1, 1));
+  }
+}
+
+std::string web_colour(std::size_t place) {
+  const std::string_view bgr = rover_colors[place % rover_colors.size()];
+  return fmt::format("#{}{}{}", bgr.substr(4, 2), bgr.substr(2, 2), bgr.substr(0, 2));
+}
+
+SiteFrame site_of(const LogReader& log, const Plan& plan) {
+  LSOS_ASSERT(plan.mission.planet != nullptr);
+  std::optional<SampleRow> first;
+  log.for_each_sample([&](const SampleRow& row) {
+    if (!first || (row.time == first->time && row.rover_id < first->rover_id)) first = row;
+  });
+  return SiteFrame(*plan.mission.planet, first ? first->place : Geodetic{});
+}
+
+ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site) {
+  ReportData data;
+  data.start = log.start();
+  data.end_s = seconds(log.last_sample_time());
+  data.run = log.run();
+  read_samples(log, data);
+  read_lines(log, plan, site, data);
+  data.events = log.events();
+  std::ranges::sort(data.events, {}, [](const EventRow& event) {
+    return std::pair(event.rover_id, event.sequence);
+  });
+  read_pairs(log, data);
+  return data;
+}
+
+}  // namespace lsos

@@ -1,0 +1,83 @@
+// What a report shows of a run, read from its log in one pass over each layer.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plan/plan.h"
+#include "planet/site_frame.h"
+#include "product/thinned_rows.h"
+#include "record/log.h"
+
+namespace lsos {
+
+// Points of a series at most are about four times as many; the log has all.
+inline constexpr int report_stretches = 1000;
+
+// On the map: metres east and north in the site's frame.
+struct MapPoint {
+  double x_m = 0, y_m = 0;
+};
+using MapLine = std::vector<MapPoint>;
+
+// Columns of ReportRover::position.
+enum PositionColumn : std::size_t {
+  position_x,
+  position_y,
+  position_lon_deg,
+  position_lat_deg,
+  position_heading_rad,
+  position_columns
+};
+
+struct ReportRover {
+  ReportRover(const std::string& rover_id, double end_s);
+
+  std::string id, type;
+  std::string colour;  // #rrggbb
+  std::size_t samples = 0;
+  ThinnedRows position;
+  std::vector<std::pair<std::string, ThinnedRows>> series;  // by column of the log
+  std::vector<MapLine> drawn, planned;
+  // Of the last sample, for a run without a summary.
+  double distance_m = 0, last_s = 0;
+};
+
+struct ReportPair {
+  std::string from_id, to_id;
+  std::vector<std::pair<double, double>> visible_s, link_s;
+};
+
+struct ReportDistance {
+  std::string from_id, to_id;
+  ThinnedRows distance_m;
+};
+
+struct ReportAsset {
+  std::string id, type;
+  MapPoint place;
+};
+
+struct ReportData {
+  Instant start;
+  double end_s = 0;
+  std::vector<ReportRover> rovers;  // in order of ids
+  std::vector<EventRow> events;     // by rover, then sequence
+  std::vector<ReportPair> pairs;
+  std::vector<ReportDistance> distances;  // between rovers
+  std::vector<ReportAsset> assets;
+  std::map<std::string, std::string> run;
+};
+
+// `site`: the frame of the log's x_m, y_m.
+ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site);
+
+// The frame of a log, from the log itself; good enough to draw a map.
+SiteFrame site_of(const LogReader& log, const Plan& plan);
+
+// "#ff0000" of the rover at that place in the order of ids.
+std::string web_colour(std::size_t place);
+
+}  // namespace lsos

@@ -1,0 +1,123 @@
+// The data of report.html: valid JSON whatever labels hold, and numbers as in the log.
+#include "product/report.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "product/base64.h"
+#include "product/figure.h"
+#include "unit/record/log_fixture.h"
+
+namespace lsos {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+std::string decoded(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0, count = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
+    if ((count += 6) >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 255u);
+  }
+  return bytes;
+}
+
+template <class Number>
+std::vector<Number> unpacked(const std::string& text) {
+  const std::string bytes = decoded(text);
+  std::vector<Number> numbers(bytes.size() / sizeof(Number));
+  std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  return numbers;
+}
+
+class ReportTest : public ::testing::Test {
+ protected:
+  ReportTest() {
+    plan.file = "plans/<hostile> & \"plan\".kml";
+    plan.mission.planet = find_body("Moon");
+    LogWriter log(folder / "log.gpkg", moon_crs, test_start());
+    for (int i = 0; i < 20; ++i) {
+      SampleRow row = test_sample(i);
+      row.energy_j = 1e6 - 1000 * i;
+      log.write(row);
+    }
+    EventRow event = test_event();
+    event.label = "</script><script>alert(\"1\")</script> '\\ \xff <!--";
+    event.status = EventStatus::failed;
+    event.reason = "stuck & \"lost\"";
+    event.end = SimTime{30'000'000};
+    log.write(event);
+    log.finish();
+  }
+  ReportData data() const {
+    const LogReader log(folder / "log.gpkg");
+    return read_report_data(log, plan, site());
+  }
+  SiteFrame site() const { return SiteFrame(*plan.mission.planet, test_sample(0).place); }
+
+  TestFolder folder;
+  Plan plan;
+};
+
+TEST_F(ReportTest, holds_valid_json_whatever_labels_say) {
+  const std::string text = report_json(data(), plan, site(), R"({"warnings": ["</script>"]})", {});
+  EXPECT_THAT(text, Not(HasSubstr("<")));
+  const json page = json::parse(text);
+  EXPECT_EQ(page["plan"], plan.file);
+  EXPECT_EQ(page["summary"]["warnings"][0], "</script>");
+  EXPECT_THAT(page["events"][0]["label"].get<std::string>(),
+              StartsWith("</script><script>alert(\"1\")</script> '\\ "));
+  EXPECT_EQ(page["events"][0]["reason"], "stuck & \"lost\"");
+}
+
+TEST_F(ReportTest, holds_the_numbers_of_the_log) {
+  const json page = json::parse(report_json(data(), plan, site(), "", {}));
+  const json& rover = page["rovers"][0];
+  EXPECT_EQ(rover["samples"], 20);
+  const auto times = unpacked<std::int32_t>(rover["energy_j"]["t"]);
+  const auto energies = unpacked<float>(rover["energy_j"]["v"]);
+  ASSERT_EQ(times.size(), 20u);
+  EXPECT_EQ(times[7], 140);  // tenths of a second
+  EXPECT_EQ(energies[7], 993000.0f);
+  EXPECT_EQ(unpacked<float>(rover["position"]["x_m"])[7], 7.0f);
+  EXPECT_EQ(unpacked<std::int32_t>(rover["position"]["lat_e7deg"])[7], -892500000);
+  EXPECT_TRUE(rover["energy_rate_w"].is_null());  // not modelled
+  EXPECT_TRUE(page["summary"].is_null());
+}
+
+TEST_F(ReportTest, is_one_page_that_loads_nothing) {
+  const std::string page = report_html(data(), plan, site(), "", {});
+  EXPECT_THAT(page, StartsWith("<!doctype html>"));
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
+  EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
+  EXPECT_THAT(page, Not(HasSubstr("sourceMappingURL")));
+  EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
+}
+
+TEST_F(ReportTest, has_a_figure_of_its_plots) {
+  const std::string png = figure_png(data(), 100);
+  EXPECT_THAT(png, StartsWith("\x89PNG"));
+  // 18 cm.
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(png[at]); };
+  EXPECT_EQ(byte(18) << 8 | byte(19), 709);
+}
+
+TEST(Base64, is_as_everywhere) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace lsos
