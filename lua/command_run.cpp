@@ -9,6 +9,7 @@
 #include "lua/commands.h"
 #include "lua/mission_files.h"
 #include "lua/progress.h"
+#include "lua/report_run.h"
 #include "lua/run_record.h"
 #include "plan/kml_text.h"
 
@@ -75,7 +76,10 @@ int run_command(const RunOptions& options) {
   const int stopped_by = simulate(simulation, options.is_quiet);
   keep_legs(options.plan, simulation.kept_legs());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  const RunSummary summary = record.finish(files, simulation, wall.count());
+  const RunSummary summary =
+      record.finish(files, simulation, wall.count(), [&](const RunSummary& came_to) {
+        if (options.has_report) write_report(folder.path(), files, simulation.ground(), came_to);
+      });
 
   for (const std::string& warning : simulation.warnings()) {
     if (!options.is_quiet) fmt::print(stderr, "warning: {}\n", warning);

@@ -2,6 +2,7 @@
 // incomplete, 130/143 stopped by a signal; wrong input is thrown as InputError.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct RunOptions {
   bool is_quiet = false;
   bool is_json = false;
   bool is_forced = false;  // replace an unfinished run
+  bool has_report = true;  // report.html
   int threads = 1;
   std::optional<std::uint64_t> seed;  // instead of the plan's
   bool save_every_exchange = false;
@@ -127,6 +129,25 @@ struct PictureOptions {
   bool is_quiet = false;
 };
 int picture_command(const PictureOptions& options);
+
+struct ReportOptions {
+  std::string folder;     // of a run
+  std::string file;       // "": DIR/report.html, DIR/report.png
+  std::string shadow_at;  // UTC, or a time from the start; "": the start
+  bool has_pictures = true;
+  bool is_figure = false;  // a PNG for a paper
+  std::optional<int> dpi;
+  int threads = 2;
+  bool is_json = false;
+};
+int report_command(const ReportOptions& options);
+
+struct CompareOptions {
+  std::array<std::string, 2> folders;
+  bool is_exact = false;  // value by value of the logs
+  bool is_json = false;
+};
+int compare_command(const CompareOptions& options);
 
 int overlay_command(const std::string& folder, bool is_json);
 

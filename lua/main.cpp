@@ -14,11 +14,11 @@ namespace {
 
 using lsos::InputError;
 
-const std::vector<std::string> built{"run",    "check",   "fsm",     "light",   "list",
-                                     "new",    "overlay", "picture", "repl",    "rig",
+const std::vector<std::string> built{"run",    "check",   "compare", "fsm",     "light",  "list",
+                                     "new",    "overlay", "picture", "repl",    "report", "rig",
                                      "schema", "sight",   "sun",     "terrain", "test"};
 // Named in the manual, not there yet.
-const std::vector<std::string> unbuilt{"resume", "report", "compare", "import", "export"};
+const std::vector<std::string> unbuilt{"resume", "import", "export"};
 
 // `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; anything else that is no command is
 // told which one was meant.
@@ -124,6 +124,31 @@ CLI::App* add_picture(CLI::App& app, lsos::PictureOptions& picture, bool& is_jso
   return command;
 }
 
+CLI::App* add_report(CLI::App& app, lsos::ReportOptions& report) {
+  CLI::App* command = app.add_subcommand("report", "Write report.html of a run again from its log");
+  command->add_option("DIR", report.folder, "Folder of a run")->required();
+  command->add_option("-o,--output", report.file, "DIR/report.html, or with --png DIR/report.png");
+  command->add_option("--shadow-at", report.shadow_at,
+                      "UTC, or a time from the start: of the shadow on the map (the start)");
+  command->add_flag("!--no-pictures", report.has_pictures, "Leave them out");
+  command->add_flag("--png", report.is_figure, "Its plots as a figure for a paper");
+  command->add_option("--dpi", report.dpi, "Of the figure, 18 cm wide (300)")
+      ->check(CLI::Range(50, 1200));
+  command->add_option("--threads", report.threads, "Threads that work on the map")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--json", report.is_json, "The name of the file as JSON");
+  return command;
+}
+
+CLI::App* add_compare(CLI::App& app, lsos::CompareOptions& compare) {
+  CLI::App* command = app.add_subcommand("compare", "What differs between two runs");
+  command->add_option("A", compare.folders[0], "Folder of a run")->required();
+  command->add_option("B", compare.folders[1], "Folder of another")->required();
+  command->add_flag("--exact", compare.is_exact, "The first differing value of the logs");
+  command->add_flag("--json", compare.is_json, "The answer as JSON");
+  return command;
+}
+
 CLI::App* add_sun(CLI::App& app, lsos::SunOptions& sun, bool& is_json) {
   CLI::App* command = app.add_subcommand("sun", "Sun and Earth in the sky of a place");
   command->add_option("--planet", sun.planet, "Moon, Mars or Earth")->required();
@@ -147,6 +172,7 @@ int run_program(std::vector<std::string> arguments) {
   run_command->add_option("PLAN", run.plan, "A KML or KMZ plan")->required();
   run_command->add_option("-o,--output", run.folder, "Folder of the results (out/PLAN-NAME)");
   run_command->add_flag("--force", run.is_forced, "Replace an unfinished run");
+  run_command->add_flag("!--no-report", run.has_report, "No report.html, which takes some seconds");
   run_command->add_flag("--quiet", run.is_quiet, "No progress");
   run_command->add_flag("--json", run.is_json, "The summary as JSON");
   bool is_watched = false;
@@ -245,6 +271,12 @@ int run_program(std::vector<std::string> arguments) {
   lsos::PictureOptions picture;
   CLI::App* picture_command = add_picture(app, picture, is_json);
 
+  lsos::ReportOptions report;
+  CLI::App* report_command = add_report(app, report);
+
+  lsos::CompareOptions compare;
+  CLI::App* compare_command = add_compare(app, compare);
+
   lsos::SunOptions sun;
   CLI::App* sun_command = add_sun(app, sun, is_json);
 
@@ -260,6 +292,8 @@ int run_program(std::vector<std::string> arguments) {
   if (rig_command->parsed()) return lsos::rig_command(rig);
   if (terrain_command->parsed()) return lsos::terrain_command(terrain);
   if (picture_command->parsed()) return lsos::picture_command(picture);
+  if (report_command->parsed()) return lsos::report_command(report);
+  if (compare_command->parsed()) return lsos::compare_command(compare);
   if (light_command->parsed()) return lsos::light_command(light);
   if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);

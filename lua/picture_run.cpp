@@ -16,15 +16,6 @@ namespace {
 
 constexpr int film_pictures = 250, film_pictures_max = 20000;
 
-SimTime time_of(const std::string& text, Instant start) {
-  if (const Parsed<double> time_s = parse_quantity(text, *find_unit("s")))
-    return from_seconds(*time_s.value);
-  if (const Parsed<Instant> at = parse_utc(text)) return *at.value - start;
-  throw InputError({}, fmt::format("--at {}: UTC or a time from the start is wanted, as "
-                                   "2026-07-01T00:10:00Z or 10 min",
-                                   text));
-}
-
 // Scripts and rasters may lie beside the plan that was run; the seed may have been an option.
 MissionFiles mission_of(const std::string& folder, const std::map<std::string, std::string>& run) {
   std::string plan_file = folder + "/plan.kml";
@@ -81,28 +72,48 @@ std::vector<SimTime> film_times(const std::string& every, SimTime end) {
 
 }  // namespace
 
-PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every) {
-  const LogReader log(folder + "/log.gpkg");
+SimTime time_since_start(const std::string& option, const std::string& text, Instant start) {
+  if (const Parsed<double> time_s = parse_quantity(text, *find_unit("s")))
+    return from_seconds(*time_s.value);
+  if (const Parsed<Instant> at = parse_utc(text)) return *at.value - start;
+  throw InputError({}, fmt::format("{} {}: UTC or a time from the start is wanted, as "
+                                   "2026-07-01T00:10:00Z or 10 min",
+                                   option, text));
+}
+
+PictureRun open_run(const std::string& folder, const LogReader& log) {
   PictureRun run{
       mission_of(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}, {}};
-  if (at.empty()) {
-    run.times = film_times(every, run.end);
-  } else {
-    run.times = {time_of(at, run.start)};
-    if (run.times[0] < SimTime{} || run.times[0] > run.end) {
-      throw InputError({}, fmt::format("--at {}: the run is from {} to {}", at,
-                                       format_utc(run.start), format_utc(run.start + run.end)));
-    }
-  }
   const MissionInfo& mission = run.files.plan.mission;
   run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
                          mission.seed);
-  run.logged = read_logged(log, run.times, *run.ground, mission.log_interval);
-  for (const auto& [id, track] : run.logged.tracks) run.rovers.push_back(id);
   for (const std::string& what : changed_since(run.files, *run.ground, log.run())) {
     run.warnings.push_back(
         fmt::format("{} is not what it was when {} was run: the picture may differ", what, folder));
   }
+  return run;
+}
+
+void read_moments(PictureRun& run, const LogReader& log, const std::vector<SimTime>& times) {
+  run.times = times;
+  run.logged = read_logged(log, run.times, *run.ground, run.files.plan.mission.log_interval);
+  run.rovers.clear();
+  for (const auto& [id, track] : run.logged.tracks) run.rovers.push_back(id);
+}
+
+PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every) {
+  const LogReader log(folder + "/log.gpkg");
+  PictureRun run = open_run(folder, log);
+  if (at.empty()) {
+    read_moments(run, log, film_times(every, run.end));
+    return run;
+  }
+  const SimTime time = time_since_start("--at", at, run.start);
+  if (time < SimTime{} || time > run.end) {
+    throw InputError({}, fmt::format("--at {}: the run is from {} to {}", at, format_utc(run.start),
+                                     format_utc(run.start + run.end)));
+  }
+  read_moments(run, log, {time});
   return run;
 }
 

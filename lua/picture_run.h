@@ -26,6 +26,12 @@ struct PictureRun {
 // `at`: "" for a film. `every`: of a film, "" for some 250 pictures. Throws InputError: no such
 // run, or no such time in it.
 PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every);
+// The same without any moments yet.
+PictureRun open_run(const std::string& folder, const LogReader& log);
+// `times` ascend.
+void read_moments(PictureRun& run, const LogReader& log, const std::vector<SimTime>& times);
+// "10 min", or UTC, of `option`. Throws InputError.
+SimTime time_since_start(const std::string& option, const std::string& text, Instant start);
 
 // One moment, and how the Sun shone on one of its rovers.
 struct PictureMoment {

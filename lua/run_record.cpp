@@ -55,12 +55,13 @@ RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const Mis
   simulation.set_log(&log_);
 }
 
-RunSummary RunRecord::finish(const MissionFiles& files, const Simulation& simulation,
-                             double wall_s) {
+RunSummary RunRecord::finish(const MissionFiles& files, const Simulation& simulation, double wall_s,
+                             const std::function<void(const RunSummary&)>& write_more) {
   log_.finish();
   RunSummary summary = summarise(simulation, files, wall_s);
   summary.log_sha256 = LogReader(folder_.file("log.gpkg")).sha256();
   write_overlay(folder_.path(), files.plan);
+  if (write_more) write_more(summary);
   write_summary(folder_.path(), summary);
   return summary;
 }

@@ -1,6 +1,7 @@
 // What a run leaves behind: its folder with the log, the overlay and the summary.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "lua/mission_files.h"
@@ -19,7 +20,9 @@ class RunRecord {
 
   LogWriter& log() { return log_; }
   // Ends the log; writes overlay and summary, once the simulation has been terminated.
-  RunSummary finish(const MissionFiles& files, const Simulation& simulation, double wall_s);
+  // `write_more`: what else is made of the log; the summary comes last of all.
+  RunSummary finish(const MissionFiles& files, const Simulation& simulation, double wall_s,
+                    const std::function<void(const RunSummary&)>& write_more = {});
 
  private:
   RunFolder& folder_;

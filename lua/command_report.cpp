@@ -1,0 +1,92 @@
+// `lsos-host report`: writes report.html, or a figure for a paper, from a run's log.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "lua/commands.h"
+#include "lua/output_file.h"
+#include "lua/report_run.h"
+#include "product/figure.h"
+#include "product/files.h"
+
+namespace lsos {
+
+namespace {
+
+struct OpenedRun {
+  PictureRun run;
+  std::vector<std::string> left_out;
+};
+
+// What the plan had beside it (scripts, rasters) may be elsewhere now: then without the ground.
+OpenedRun opened(const std::string& folder, const LogReader& log) {
+  OpenedRun opened;
+  try {
+    opened.run = open_run(folder, log);
+    for (const std::string& warning : opened.run.warnings) opened.left_out.push_back(warning);
+    return opened;
+  } catch (const InputError& error) {
+    opened.left_out.push_back(fmt::format("map and pictures: {}", error.what()));
+  }
+  MissionFiles files = read_mission(folder + "/plan.kml");
+  if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
+  opened.run.files = std::move(files);
+  opened.run.start = log.start();
+  opened.run.end = log.last_sample_time();
+  return opened;
+}
+
+void check(const ReportOptions& options) {
+  const std::string& folder = options.folder;
+  Faults faults;
+  check_output("-o", options.file, {options.is_figure ? ".png" : ".html"},
+               {folder + "/plan.kml", folder + "/log.gpkg"}, faults);
+  if (!options.is_figure && options.dpi) faults.error({}, "--dpi: only with --png");
+  if (options.is_figure && !options.shadow_at.empty()) {
+    faults.error({}, "--shadow-at: there is no map in the figure of --png");
+  }
+  faults.throw_if_errors();
+  for (const char* name : {"plan.kml", "log.gpkg"}) {
+    if (std::filesystem::is_regular_file(folder + "/" + name)) continue;
+    throw InputError({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
+  }
+}
+
+SimTime shadow_time(const ReportOptions& options, const PictureRun& run) {
+  if (options.shadow_at.empty()) return {};
+  const SimTime time = time_since_start("--shadow-at", options.shadow_at, run.start);
+  if (time >= SimTime{} && time <= run.end) return time;
+  throw InputError({}, fmt::format("--shadow-at {}: the run is from {} to {}", options.shadow_at,
+                                   format_utc(run.start), format_utc(run.start + run.end)));
+}
+
+}  // namespace
+
+int report_command(const ReportOptions& options) {
+  check(options);
+  const std::string& folder = options.folder;
+  const LogReader log(folder + "/log.gpkg");
+  const OpenedRun from = opened(folder, log);
+  std::string file = options.file;
+  if (options.is_figure) {
+    if (file.empty()) file = folder + "/report.png";
+    const SiteFrame site =
+        from.run.ground ? from.run.ground->site() : site_of(log, from.run.files.plan);
+    const int dpi = options.dpi.value_or(figure_dpi);
+    write_file(file, figure_png(read_report_data(log, from.run.files.plan, site), dpi));
+  } else {
+    if (file.empty()) file = folder + "/report.html";
+    const ReportWish wish{shadow_time(options, from.run), options.has_pictures, options.threads};
+    const std::string summary = read_file(folder + "/summary.json").value_or("");
+    write_file(file, report_of(from.run, log, summary, wish, from.left_out));
+  }
+  if (options.is_json) {
+    fmt::print("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
+  } else {
+    fmt::print("{}\n", file);
+  }
+  return 0;
+}
+
+}  // namespace lsos

@@ -1,0 +1,22 @@
+// The moments of a run that its report has pictures of: the start, each stop in the Sun, the end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "product/report_data.h"
+#include "record/log.h"
+
+namespace lsos {
+
+struct ReportMoment {
+  SimTime time{};
+  std::string rover_id;
+  std::string title;
+  bool is_solar = false;  // its panels were up: what the Sun sees is shown too
+};
+
+// In order of time; some dozen at most.
+std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data);
+
+}  // namespace lsos

@@ -1,0 +1,35 @@
+// How much of the Sun's disc the ground of a map sees: for a look at a whole mission, in a second.
+// GroundLightProbe (view/) looks in all directions of the disc at the ground's full detail; this
+// goes along the Sun's azimuth over grids that get coarser with distance.
+#pragma once
+
+#include <vector>
+
+#include "planet/sunlight.h"
+#include "terrain/ground.h"
+
+namespace lsos {
+
+// Cells of a map in the site's frame, rows from the top.
+struct MapCells {
+  double left_m = 0, top_m = 0, cell_m = 1;
+  int columns = 0, rows = 0;
+
+  std::size_t size() const { return static_cast<std::size_t>(columns) * rows; }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * columns + column;
+  }
+  // Its middle.
+  Vec3 p_S_m(int column, int row) const {
+    return {left_m + (column + 0.5) * cell_m, top_m - (row + 0.5) * cell_m, 0};
+  }
+};
+
+// Of each cell; NaN: no ground.
+std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, int threads);
+
+// Share of the disc that each cell sees, 0..1; NaN where there is no ground.
+std::vector<double> sunlit_shares(const Ground& ground, const MapCells& cells, Instant at,
+                                  int threads);
+
+}  // namespace lsos
