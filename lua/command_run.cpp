@@ -1,6 +1,7 @@
 // `lsos-host run`: reads, checks, simulates, and leaves the results in a folder.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -78,7 +79,11 @@ int run_command(const RunOptions& options) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   const RunSummary summary =
       record.finish(files, simulation, wall.count(), [&](const RunSummary& came_to) {
-        if (options.has_report) write_report(folder.path(), files, simulation.ground(), came_to);
+        // Who stops a run does not want to wait for pictures.
+        const ReportWish wish{{}, stopped_by == 0, std::max(2, options.threads)};
+        if (options.has_report) {
+          write_report(folder.path(), files, simulation.ground(), came_to, wish);
+        }
       });
 
   for (const std::string& warning : simulation.warnings()) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double margin_share = 0.14, margin_least_m = 25;
 constexpr double flattest = 0.62, steepest = 1.1;  // height over width
-constexpr int relief_px = 760, shadow_px = 260;    // of the longer side
+constexpr int relief_px = 600, shadow_px = 200;    // of the longer side
 constexpr double lit_from_rad = radians(315), lit_rad = radians(45);
 constexpr double wanted_slope = 0.35;  // of the steep places, as they are drawn
 constexpr double exaggeration_most = 6;
@@ -143,7 +143,7 @@ void add_shadow(ReportMap& map, const Ground& ground, Instant at, int threads) {
 ReportMap report_map(const Ground& ground, const ReportData& data, SimTime shadow_at, int threads) {
   ReportMap map = bounds_of(data).map();
   const MapCells grid = cells_over(map, relief_px);
-  const std::vector<double> heights_m = elevations_m(ground, grid, threads);
+  const std::vector<double> heights_m = elevations_m(ground, grid, grid.cell_m, threads);
   map.lowest_m = 1e300;
   map.highest_m = -1e300;
   for (const double height_m : heights_m) {

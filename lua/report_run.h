@@ -24,6 +24,6 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
 // DIR/report.html of a run that has just ended. Where it cannot be made, says so on standard error:
 // the run is none the worse.
 void write_report(const std::string& run_dir, const MissionFiles& files, const Ground& ground,
-                  const RunSummary& summary);
+                  const RunSummary& summary, const ReportWish& wish);
 
 }  // namespace lsos

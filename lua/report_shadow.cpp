@@ -14,6 +14,8 @@ constexpr double level_factor = 4;      // each grid is so much larger and coars
 constexpr double farthest_m = 250'000;  // a rise of 10 km is seen so far on the Moon
 constexpr double level_share = 0.45;    // of a grid's shorter side, marched over before the next
 
+constexpr double far_cells = 8;  // resolution of the larger grids, in their cells
+
 struct Level {
   MapCells cells;
   std::vector<double> heights_m;
@@ -40,7 +42,9 @@ std::vector<Level> levels_of(const Ground& ground, const MapCells& cells, int th
   for (;;) {
     Level& level = levels.emplace_back();
     level.cells = now;
-    level.heights_m = elevations_m(ground, now, threads);
+    // Small craters far away throw no shadow on the map.
+    const double resolution_m = levels.size() == 1 ? now.cell_m : far_cells * now.cell_m;
+    level.heights_m = elevations_m(ground, now, resolution_m, threads);
     // From any cell of the map, along any way, there is so much of the grid.
     level.reach_m = level_share * std::min(now.columns, now.rows) * now.cell_m;
     if (levels.size() == 1) level.reach_m = 2 * now.cell_m * std::max(now.columns, now.rows);
@@ -78,11 +82,12 @@ double horizon(const std::vector<Level>& levels, const Vec3& from_S_m, double he
 
 }  // namespace
 
-std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, int threads) {
+std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, double resolution_m,
+                                 int threads) {
   std::vector<double> heights_m(cells.size());
   WorkerPool pool(threads);
   pool.for_each(static_cast<std::size_t>(threads), [&](std::size_t part) {
-    Ground::Probe probe(ground, cells.cell_m);
+    Ground::Probe probe(ground, resolution_m);
     for (int row = static_cast<int>(part); row < cells.rows; row += threads) {
       for (int column = 0; column < cells.columns; ++column) {
         heights_m[cells.index(column, row)] = probe.sample(cells.p_S_m(column, row)).elevation_m;

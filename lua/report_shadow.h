@@ -25,8 +25,9 @@ struct MapCells {
   }
 };
 
-// Of each cell; NaN: no ground.
-std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, int threads);
+// Of each cell; NaN: no ground. `resolution_m`: of the look at the ground, as Ground has it.
+std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, double resolution_m,
+                                 int threads);
 
 // Share of the disc that each cell sees, 0..1; NaN where there is no ground.
 std::vector<double> sunlit_shares(const Ground& ground, const MapCells& cells, Instant at,

@@ -78,8 +78,11 @@ class MissionMap {
   }
   drawMarks() {
     this.events = [];
-    rovers.forEach(rover => rover.events.forEach(event => {
-      if (event.x_m === undefined || event.start_s === null) return;
+    // What failed lies on top.
+    const started = page.events.filter(event => event.x_m !== undefined && event.start_s !== null);
+    started.sort((a, b) => (a.status === 'failed') - (b.status === 'failed'));
+    started.forEach(event => {
+      const rover = roverOf(event.rover_id);
       const title = `${rover.id}: ${event.label} (${event.type}), ${statusText(event.status)}${event.reason ? ': ' + event.reason : ''}`;
       const mark = draw('g', {style: 'cursor:pointer'},
         draw('circle', {r: 4.6, fill: statusColours[event.status], stroke: '#fff', 'stroke-width': 1.5}), draw('title', {}, title));
@@ -88,7 +91,7 @@ class MissionMap {
       mark.addEventListener('click', () => showEvent(event));
       this.marks.append(mark, label);
       this.events.push({rover, x: event.x_m, y: event.y_m, mark, label, text: event.label});
-    }));
+    });
     this.assets = page.assets.map(asset => {
       const mark = draw('g', {}, draw('rect', {x: -5, y: -5, width: 10, height: 10, fill: '#17212b', stroke: '#fff', 'stroke-width': 1.5}),
         draw('title', {}, `${asset.id} (${asset.type})`));
