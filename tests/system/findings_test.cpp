@@ -73,7 +73,8 @@ struct Ran {
 
 Ran run_plan(const TempFolder& folder, const std::vector<Mark>& marks) {
   const std::string plan = folder.write("plan.kml", kml(marks));
-  Ran result{run({plan, "-o", folder / "run", "--quiet"}), {}, folder / "run" / "log.gpkg"};
+  Ran result{
+      run({plan, "-o", folder / "run", "--quiet", "--no-report"}), {}, folder / "run" / "log.gpkg"};
   EXPECT_EQ(result.outcome.err, "");
   result.summary = summary(folder / "run");
   return result;
@@ -166,7 +167,7 @@ TEST(Findings, are_the_same_when_all_state_is_saved_and_read_at_each_exchange) {
   std::string digests[2];
   for (const int i : {0, 1}) {
     const std::string out = folder / (i == 0 ? "plain" : "saved");
-    Words words{plan, "-o", out, "--quiet"};
+    Words words{plan, "-o", out, "--quiet", "--no-report"};
     if (i == 1) words.push_back("--save-every-exchange");
     run(words);
     digests[i] = summary(out)["log_sha256"];

@@ -11,7 +11,8 @@ namespace lsos::test {
 // A run of a plan; keeps its folder.
 struct PlanRun {
   explicit PlanRun(const std::vector<Mark>& plan, const Words& options = {}) {
-    Words words{"run", folder.write("plan.kml", kml(plan)), "-o", folder / "run", "--quiet"};
+    Words words{"run",        folder.write("plan.kml", kml(plan)), "-o", folder / "run", "--quiet",
+                "--no-report"};
     words.insert(words.end(), options.begin(), options.end());
     outcome = test::run(words);
   }

@@ -22,7 +22,8 @@ nlohmann::json summary(const fs::path& run_folder) {
 
 std::string digest_of(const TempFolder& folder, const std::vector<Mark>& plan,
                       const Words& options) {
-  Words arguments = {folder.write("plan.kml", kml(plan)), "--quiet", "-o", folder / "run"};
+  Words arguments = {folder.write("plan.kml", kml(plan)), "--quiet", "--no-report", "-o",
+                     folder / "run"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = run(arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
