@@ -105,7 +105,7 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
     if (!wheel.motor) held_n += drag_n(wheel, soil, load_n, gravity_mps2);
   }
   const double pull_n = held_n / driven;
-  SlopeDrive drive{0, 0, speed_mps};
+  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity()};
   // Wheels that are alike are worked out once.
   std::optional<SingleWheelPoint> point;
   const DrivenWheel* of = nullptr;
@@ -120,9 +120,10 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
     if (!left_mps) return std::nullopt;
     const double slip = std::max(0.0, point->slip);
     drive.slip = std::max(drive.slip, slip);
-    drive.speed_mps = std::min(drive.speed_mps, *left_mps);
-    // Rim metres for a metre of travel: 1 / (1 - slip) driving, 1 + slip braking.
+    // Rim metres for a metre of travel: 1 / (1 - slip) driving, 1 + slip braking. Rims go at the
+    // speed that is asked for.
     const double turned = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
+    drive.speed_mps = std::min({drive.speed_mps, *left_mps, speed_mps / turned});
     drive.energy_jpm +=
         std::max(0.0, point->torque_n_m) / radius_m * turned / wheel.motor->efficiency;
   }
@@ -185,6 +186,21 @@ double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<Driven
   return std::max(1.0, side_n / angle_rad);
 }
 
+// To where wheels point round the middle, and back. They begin to turn before they point there and
+// lose about this angle's time less, see wheel_targets().
+double steer_s(const VehicleConfig& vehicle) {
+  constexpr double driven_rad = 0.5;
+  const WheelLayout layout = wheel_layout(vehicle);
+  double longest_s = 0;
+  for (const WheelLayout::Steering& steering : layout.steerings) {
+    const Vec2 at_m(steering.p_B_m.x() - layout.turning_x_B_m, steering.p_B_m.y());
+    const double angle_rad = std::atan2(std::abs(at_m.x()), std::abs(at_m.y()));
+    const auto& motor = vehicle.links[static_cast<std::size_t>(steering.link)].steering;
+    longest_s = std::max(longest_s, (angle_rad - driven_rad) / motor->rate_max_radps);
+  }
+  return 2 * longest_s;
+}
+
 // What stopping and turning on the spot add to driving: the speed that is lost, and wheels that
 // roll round the middle. Wheels that cannot steer are dragged there, which is not counted.
 void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
@@ -215,6 +231,7 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
     cost.turn_jprad = cost.soils.front().at(0).energy_jpm * reach_m;
   }
   cost.turn_sprad = 1 / turn_rate_radps(vehicle);
+  cost.steer_s = steer_s(vehicle);
 }
 
 }  // namespace

@@ -61,13 +61,15 @@ struct DriveCost {
   // soil's drag does not take.
   double slow_j = 0;
   double turn_jprad = 0, turn_sprad = 0;
+  // Of steering wheels to where they turn the rover on the spot, and back.
+  double steer_s = 0;
   // Greatest acceleration across the way in an arc. Of a radian of one at full speed, times its
   // radius: wheels that hold the rover in it roll at an angle.
   double lateral_mps2 = 0.2, arc_drag_jmprad = 0;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(lateral_mps2)(arc_drag_jmprad)(rough_jpm2);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(lateral_mps2)(arc_drag_jmprad)(rough_jpm2);
   }
 };
 

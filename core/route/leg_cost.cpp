@@ -54,6 +54,7 @@ Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& a
   const auto holds = [&](const Disc2& disc) { return disc.holds(at_m); };
   if (std::ranges::any_of(avoided_, holds)) return Hazard::avoided;
   if (finder_.is_calm(stance)) return Hazard::none;
+  if (leaving_.holds(at_m)) return hazard(stance, finder_.cost(), leaving_limits_);
   const Hazard here = hazard(stance, finder_.cost());
   if (here != Hazard::none || demand(stance, finder_.cost()) < near_limit) return here;
   if (std::ranges::any_of(tight_, holds)) return here;
@@ -132,13 +133,21 @@ LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
   const double room_m = std::min(in_m.norm(), out_m.norm()) / 2;
   const double radius_m = corner_radius_m(bend_rad, room_m, corner_offset_m);
   if (radius_m < cost.turning_radius_min_m) {
-    return {cost.stop_j + cost.turn_jprad * bend_rad, cost.stop_s + cost.turn_sprad * bend_rad};
+    const Cornering turned = turning(bend_rad);
+    return {cost.stop_j + turned.energy_j, cost.stop_s + turned.duration_s};
   }
   const double arc_mps = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2);
   const double share = arc_mps / cost.speed_mps, left = 1 - share;
   return {cost.stop_j * (1 - share * share) +
               cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m,
           cost.stop_s * left * left + radius_m * bend_rad * (1 / arc_mps - 1 / cost.speed_mps)};
+}
+
+LegCosts::Cornering LegCosts::turning(double by_rad) const {
+  constexpr double straight_rad = 0.03;  // as for following, see PathFollower
+  const DriveCost& cost = finder_.cost();
+  if (by_rad < straight_rad) return {};
+  return {cost.turn_jprad * by_rad, cost.steer_s + cost.turn_sprad * by_rad};
 }
 
 double LegCosts::corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const {

@@ -45,14 +45,28 @@ class LegCosts {
   // Ground within which the rover may come as near to a hazard as it likes: where it stands, where
   // it is to stand. Elsewhere it keeps off by as much as it may stray to either side.
   void set_tight(std::vector<Disc2> tight) { tight_ = std::move(tight); }
+  // Where the rover stands beyond a limit it may leave over ground that is no worse.
+  void set_leaving(const Disc2& disc, const DriveLimits& limits) {
+    leaving_ = disc;
+    leaving_limits_ = limits;
+  }
 
   // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
   // where a hazard lies on it.
   double straight(const Vec2& from_m, const Vec2& to_m);
+  bool is_free(const Vec2& from_m, const Vec2& to_m) {
+    return std::isfinite(straight(from_m, to_m));
+  }
   // Of the corner `at_m` of a line: of slowing down for the arc that rounds it, and of the arc;
   // where there is no room for one, of stopping there and turning on the spot. Rovers that cannot
   // are planned in arcs: nothing.
   double corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
+  // What a corner adds, and what turning so far on the spot does, from rest to rest.
+  struct Cornering {
+    double energy_j = 0, duration_s = 0;
+  };
+  Cornering cornering(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
+  Cornering turning(double by_rad) const;
   // Of a line: the sum of its pieces and corners.
   double along(const Line2& line);
   // The same with all that is told of it; energy and duration with what arcs add, which searching
@@ -69,11 +83,6 @@ class LegCosts {
   GroundMap& map() { return map_; }
 
  private:
-  struct Cornering {
-    double energy_j = 0, duration_s = 0;
-  };
-  // What a corner adds.
-  Cornering cornering(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   // What all arcs of a line add: at each of its bends one that begins and ends half a piece away.
   Cornering arcs(const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
@@ -85,6 +94,8 @@ class LegCosts {
   const StanceFinder& finder_;
   RouteAim aim_;
   std::vector<Disc2> avoided_, tight_;
+  Disc2 leaving_;  // nothing, without a radius
+  DriveLimits leaving_limits_;
   double least_per_metre_ = 1, per_rise_ = 0;
   double cost_per_j_ = 1;  // of corners
 };

@@ -29,7 +29,8 @@ struct LegRequest {
   Vec3 start_S_m = Vec3::Zero(), goal_S_m = Vec3::Zero();
   RouteAim aim = RouteAim::energy;
   std::uint64_t seed = 0;
-  // Of the rover at the start, clockwise from north; only one that cannot turn on the spot minds.
+  // Of the rover at the start, clockwise from north. The way of one that turns on the spot is the
+  // same; what turning takes is told with it.
   double start_heading_rad = 0;
   // Then what setting off and stopping at the end of the drive take is told with it.
   bool starts_at_rest = false;

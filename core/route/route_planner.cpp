@@ -6,8 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/units.h"
+#include "route/explain.h"
 #include "route/grid_search.h"
+#include "route/reach.h"
 #include "route/refine.h"
 #include "route/turning_search.h"
 
@@ -20,73 +21,19 @@ constexpr double corridors[] = {0.25, 1, 2.5};
 constexpr double corridor_min_m = 20;
 // The same for rovers that cannot turn on the spot, in radii of their turns.
 constexpr double turning_room = 5;
-constexpr int directions = 16;
 // A leg shorter than this leads nowhere.
 constexpr double same_m = 1e-3;
 // About start and goal, where nothing is kept off.
 constexpr double tight_m = 2;
+// Where a rover stands beyond a limit it may leave over ground that is so much worse, over so much
+// of its own reach.
+constexpr double leaving_worse = 1.1, leaving_clearance_m = 0.02, leaving_reaches = 1.5;
 // A leg is planned so often at most, and once more each so many metres, until a closer look finds
 // nothing wrong with it.
 constexpr int closer_looks = 12;
 constexpr double closer_look_m = 50;
 // A map has no more nodes than this: a gigabyte is used for some 60 million.
 constexpr double nodes_max = 6e7;
-
-// The best stance that a rover can take at a place, turning there.
-Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
-  Stance best;
-  Hazard least = Hazard::no_ground;
-  for (int k = 0; k < directions; ++k) {
-    const double yaw_rad = 2 * std::numbers::pi * k / directions;
-    const Stance stance = finder.at(map, at_m, {std::cos(yaw_rad), std::sin(yaw_rad)});
-    const Hazard now = hazard(stance, finder.cost());
-    if (now == Hazard::none) return stance;
-    if (k == 0 || least == Hazard::no_ground) {
-      best = stance;
-      least = now;
-    }
-  }
-  return best;
-}
-
-std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost) {
-  const DriveLimits& limits = cost.limits;
-  switch (hazard) {
-    case Hazard::none:
-      return "free";
-    case Hazard::no_ground:
-      return "where the terrain is not known";
-    case Hazard::slope:
-      return fmt::format("on a slope of {:.0f} degrees, {:.0f} are allowed",
-                         degrees(stance.slope_rad), degrees(limits.slope_max_rad));
-    case Hazard::uneven:
-      return fmt::format("uneven by {:.2f} m at a wheel, {:.2f} are allowed", stance.unevenness_m,
-                         limits.unevenness_max_m);
-    case Hazard::clearance:
-      return fmt::format("with {:.2f} m under the chassis, {:.2f} are wanted", stance.clearance_m,
-                         limits.clearance_min_m);
-    case Hazard::climb:
-      if (cost.soils[static_cast<std::size_t>(stance.soil)].last_rad() < 0) {
-        return "on soil that its wheels do not drive on, not even on the level";
-      }
-      return fmt::format("on a slope of {:.0f} degrees, its wheels climb {:.0f} on this soil",
-                         degrees(stance.slope_rad),
-                         degrees(cost.soils[static_cast<std::size_t>(stance.soil)].last_rad()));
-    case Hazard::slide:
-      return fmt::format("on a slope across its way of {:.0f} degrees, where it slides",
-                         degrees(std::abs(stance.bank_rad)));
-    case Hazard::avoided:
-      return "where the rover was stuck";
-  }
-  return {};
-}
-
-// "" where the rover can stand.
-std::string fault_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
-  const Stance stance = best_stance(map, finder, at_m);
-  const Hazard found = hazard(stance, finder.cost());
-  return found == Hazard::none ? "" : say(found, stance, finder.cost());
-}
 
 Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
   const Vec3 p_S_m = map.frame().p_S_m(at_m);
@@ -152,15 +99,20 @@ class LegPlanner {
     };
     GroundMap map(ground_, frame_, whole(start_m.cwiseMin(goal_m_) - Vec2::Constant(aside_m)),
                   start_m.cwiseMax(goal_m_) + Vec2::Constant(aside_m), spacing_m_);
-    const std::string at_start = fault_at(map, finder_, start_m);
-    if (!at_start.empty()) return refuse(map, "the start is " + at_start, start_m);
+    find_leaving(map);
     Vec2 nearest_m;
+    Reach reach;
     std::optional<Vec2> passed_m;
     const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
     for (int k = 0; k < looks; ++k) {
       passed_m.reset();
       LegCosts costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
+      costs.set_leaving(leaving_, leaving_limits_);
+      // Cheap beside the search, which would look at all that can be reached before it gave up.
+      reach = look_for_reach(costs, start_m, goal_m_);
+      nearest_m = reach.nearest_m;
+      if (reach.answer != Reach::Answer::joined) break;
       const std::optional<Refined> way = finder_.cost().can_turn_on_spot
                                              ? over_nodes(costs, nearest_m)
                                              : over_poses(costs, nearest_m);
@@ -178,7 +130,8 @@ class LegPlanner {
     }
     const std::string at_goal = fault_at(map, finder_, goal_m_);
     if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
-    if (!is_last) return false;
+    const bool is_joined = reach.answer == Reach::Answer::joined;
+    if (!is_last && (is_joined || reach.is_at_border)) return false;
     if (passed_m) {
       const Stance there = best_stance(map, finder_, *passed_m);
       const Hazard found = hazard(there, finder_.cost());
@@ -193,20 +146,53 @@ class LegPlanner {
       return refuse(map, "there is a way, but none with turns as wide as this rover needs",
                     nearest_m);
     }
-    const double off_m = (goal_m_ - nearest_m).norm();
-    const Vec2 on_m =
-        off_m > 0 ? nearest_m + (goal_m_ - nearest_m) / off_m * 2 * spacing_m_ : goal_m_;
-    const std::string beyond = fault_at(map, finder_, on_m);
-    return refuse(map,
-                  fmt::format("no way comes nearer to the goal than {:.0f} m; ahead the ground is "
-                              "{}",
-                              off_m, beyond.empty() ? "cut off" : beyond),
-                  nearest_m);
+    return refuse(map, why_cut_off(map, reach), nearest_m);
+  }
+
+  std::string why_cut_off(GroundMap& map, const Reach& reach) const {
+    if (reach.answer == Reach::Answer::start_closed) {
+      const std::string at_start = fault_at(map, finder_, Vec2::Zero());
+      if (!at_start.empty()) return fmt::format("no way leads on from the start, {}", at_start);
+    }
+    const Vec2 left_m = goal_m_ - reach.nearest_m;
+    const double off_m = left_m.norm();
+    const Vec2 ahead = left_m.normalized(), on_m = reach.nearest_m + ahead * 2 * spacing_m_;
+    std::string beyond = fault_at(map, finder_, on_m);
+    if (beyond.empty()) beyond = fault_ahead(map, finder_, on_m, ahead);
+    if (beyond.empty()) beyond = "cut off";
+    if (reach.answer == Reach::Answer::given_up) {
+      return fmt::format(
+          "no way was found among {:.1f} million places; the nearest that was "
+          "reached is {:.0f} m from the goal, ahead the ground is {}",
+          static_cast<double>(reach.looked_at) / 1e6, off_m, beyond);
+    }
+    return fmt::format("no way comes nearer to the goal than {:.0f} m; ahead the ground is {}",
+                       off_m, beyond);
+  }
+
+  // A rover that stands where it should not shall leave: over ground that is no worse.
+  void find_leaving(GroundMap& map) {
+    leaving_.radius_m = 0;
+    const Stance stance = best_stance(map, finder_, Vec2::Zero());
+    if (!stance.is_on_ground || hazard(stance, finder_.cost()) == Hazard::none) return;
+    double reach_m = tight_m;
+    for (const Vec2& wheel_B_m : finder_.cost().wheels_B_m) {
+      reach_m = std::max(reach_m, leaving_reaches * wheel_B_m.norm());
+    }
+    leaving_ = {Vec2::Zero(), reach_m};
+    leaving_limits_ = finder_.cost().limits;
+    DriveLimits& limits = leaving_limits_;
+    limits.slope_max_rad = std::max(limits.slope_max_rad, leaving_worse * stance.slope_rad);
+    limits.unevenness_max_m =
+        std::max(limits.unevenness_max_m, leaving_worse * stance.unevenness_m);
+    limits.clearance_min_m =
+        std::min(limits.clearance_min_m, stance.clearance_m - leaving_clearance_m);
   }
 
   // Longer than the steps that costs are summed in.
   double step_m() const { return 1.6 * spacing_m_; }
   bool is_near_end(const Vec2& at_m) const {
+    if (leaving_.holds(at_m)) return true;
     return std::min(at_m.norm(), (at_m - goal_m_).norm()) < tight_m + step_m();
   }
 
@@ -225,7 +211,7 @@ class LegPlanner {
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
     const TurningRoute way = search_turning(costs, start, goal_m_, radius_m_);
     turns_too_wide_ = way.line.empty() && !way.is_cut_off;
-    nearest_m = way.is_cut_off ? search_grid(costs, start.at_m, goal_m_).nearest_m : way.nearest_m;
+    nearest_m = way.nearest_m;
     if (way.line.empty()) return std::nullopt;
     const RouteSteering steering = RouteSteering::in_turns(radius_m_, spacing_m_);
     Refined best = refined(costs, steering, way.poses, request_.seed);
@@ -245,10 +231,7 @@ class LegPlanner {
     leg_.length_m = told.length_m;
     leg_.duration_s = told.duration_s;
     leg_.energy_j = told.energy_j;
-    if (request_.starts_at_rest) {
-      leg_.energy_j += finder_.cost().stop_j;
-      leg_.duration_s += finder_.cost().stop_s;
-    }
+    tell_start(costs, way.line);
     leg_.slope_max_rad = told.slope_max_rad;
     leg_.steepest_S_m = on_ground(map, probe_, told.steepest_m);
     leg_.messages = way.messages;
@@ -261,6 +244,28 @@ class LegPlanner {
     leg_.end_heading_rad = std::atan2(last_S_m.dot(ground_.site().east_S(goal_S_m)),
                                       last_S_m.dot(ground_.site().north_S(goal_S_m)));
     if (goal_m_.norm() < same_m) leg_.end_heading_rad = request_.start_heading_rad;
+  }
+
+  // Setting off from rest; or the corner that the way before this one ends in, which is taken to
+  // end in as long a piece as this one begins with.
+  void tell_start(const LegCosts& costs, const Line2& line) {
+    const DriveCost& cost = finder_.cost();
+    if (request_.starts_at_rest) {
+      leg_.energy_j += cost.stop_j;
+      leg_.duration_s += cost.stop_s;
+    }
+    if (!cost.can_turn_on_spot || goal_m_.norm() < same_m) return;
+    const Vec2 first_m = line[1] - line[0];
+    const double heading_rad = request_.start_heading_rad;
+    const Vec2 ahead(std::sin(heading_rad), std::cos(heading_rad));
+    const double bend_rad =
+        std::abs(std::atan2(ahead.x() * first_m.y() - ahead.y() * first_m.x(), ahead.dot(first_m)));
+    const LegCosts::Cornering turn =
+        request_.starts_at_rest
+            ? costs.turning(bend_rad)
+            : costs.cornering(line[0] - first_m.norm() * ahead, line[0], line[1]);
+    leg_.energy_j += turn.energy_j;
+    leg_.duration_s += turn.duration_s;
   }
 
   void refuse_length() {
@@ -284,6 +289,8 @@ class LegPlanner {
   double spacing_m_, radius_m_;
   Vec2 goal_m_;
   std::vector<Disc2> avoided_;
+  Disc2 leaving_;
+  DriveLimits leaving_limits_;
   bool turns_too_wide_ = false;
   Ground::Probe probe_;
   PlannedLeg leg_;

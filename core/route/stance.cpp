@@ -188,8 +188,11 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
 }
 
 Hazard hazard(const Stance& stance, const DriveCost& cost) {
+  return hazard(stance, cost, cost.limits);
+}
+
+Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& limits) {
   if (!stance.is_on_ground) return Hazard::no_ground;
-  const DriveLimits& limits = cost.limits;
   if (stance.slope_rad > limits.slope_max_rad) return Hazard::slope;
   if (stance.unevenness_m > limits.unevenness_max_m) return Hazard::uneven;
   if (stance.clearance_m < limits.clearance_min_m) return Hazard::clearance;

@@ -65,8 +65,11 @@ class StanceFinder {
   Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights_;
 };
 
-// At a stance that drives ahead. A descent is held to the limit of slopes as a climb is.
+// At a stance that drives ahead. A descent is held to the limit of slopes as a climb is; what its
+// wheels climb matters only uphill.
 Hazard hazard(const Stance& stance, const DriveCost& cost);
+// The same with other limits.
+Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& limits);
 
 // Share of the limit that it comes nearest to, 0..1; where there is no hazard.
 double demand(const Stance& stance, const DriveCost& cost);
