@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "base/units.h"
 #include "lua/commands.h"
 #include "lua/mission_files.h"
+#include "lua/planning_watch.h"
 
 namespace lsos {
 
@@ -18,28 +21,46 @@ struct PlannedLegLine {
   std::int64_t sequence = 0, waypoint = 0;
   double length_m = 0, duration_s = 0, energy_j = 0, slope_max_deg = 0;
   double steepest_lon_deg = 0, steepest_lat_deg = 0;
+  bool is_passed = false;  // the rover stands there already: there is no way
 };
+
+// Without the -0 that rounding makes.
+double told_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
 
 std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
   std::vector<PlannedLegLine> lines;
   for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
+    const auto label = [&](std::int64_t sequence) {
+      return std::ranges::find_if(simulation.plan().events,
+                                  [&](const PlanEvent& e) {
+                                    return e.rover_id == way.rover_id && e.sequence == sequence;
+                                  })
+          ->label;
+    };
+    for (const PassedWaypoint& passed : way.passed) {
+      PlannedLegLine line{way.rover_id, label(passed.sequence), passed.sequence, passed.waypoint};
+      line.is_passed = true;
+      lines.push_back(std::move(line));
+    }
     for (const LegAhead& ahead : way.legs) {
       if (!ahead.leg.is_found()) continue;
-      const auto event = std::ranges::find_if(simulation.plan().events, [&](const PlanEvent& e) {
-        return e.rover_id == way.rover_id && e.sequence == ahead.sequence;
-      });
       const Geodetic steepest = simulation.ground().site().geodetic(ahead.leg.steepest_S_m);
-      lines.push_back({way.rover_id, event->label, ahead.sequence, ahead.waypoint,
+      lines.push_back({way.rover_id, label(ahead.sequence), ahead.sequence, ahead.waypoint,
                        ahead.leg.length_m, ahead.leg.duration_s, ahead.leg.energy_j,
-                       degrees(ahead.leg.slope_max_rad), lon_deg(steepest), lat_deg(steepest)});
+                       degrees(ahead.leg.slope_max_rad), told_deg(lon_deg(steepest)),
+                       told_deg(lat_deg(steepest))});
     }
   }
+  std::ranges::stable_sort(lines, {}, [](const PlannedLegLine& line) {
+    return std::tuple(line.rover_id, line.sequence, line.waypoint);
+  });
   return lines;
 }
 
 std::string json_text(const MissionFiles& files, const std::vector<PlannedLegLine>& ways) {
   nlohmann::ordered_json paths = nlohmann::ordered_json::array();
   for (const PlannedLegLine& leg : ways) {
+    if (leg.is_passed) continue;
     paths.push_back({{"rover_id", leg.rover_id},
                      {"sequence", leg.sequence},
                      {"leg", leg.waypoint},
@@ -104,6 +125,11 @@ std::string people_text(const MissionFiles& files, const std::vector<PlannedLegL
       counted(files.plan.events.size(), "event"),
       counted(static_cast<std::size_t>(files.plan.decoration_count), "other Placemark"));
   for (const PlannedLegLine& leg : ways) {
+    if (leg.is_passed) {
+      text += fmt::format("  planned: {} '{}' to waypoint {}: already there\n", leg.rover_id,
+                          leg.label, leg.waypoint);
+      continue;
+    }
     text += fmt::format(
         "  planned: {} '{}' to waypoint {}: {:.1f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} deg at "
         "{:.6f},{:.6f}\n",
@@ -123,8 +149,12 @@ int check_command(const CheckOptions& options) {
   if (!files.faults.has_errors()) {
     try {
       // The machine's `initialise`: rovers are put on the ground, ways are planned, nothing moves.
-      const Simulation simulation(simulation_setup(files));
-      keep_legs(options.plan, simulation.kept_legs());
+      PlanningWatch watch(options.is_quiet);
+      SimulationSetup setup = simulation_setup(files);
+      setup.keep_legs = [&](const std::string& bytes) { keep_legs(options.plan, bytes); };
+      setup.on_planning = [&](const std::string& what) { watch.plan(what); };
+      files.faults.add(kept_legs_advice(options.plan));
+      const Simulation simulation(std::move(setup));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
       ways = planned_legs(simulation);

@@ -12,6 +12,9 @@ namespace lsos {
 
 namespace {
 
+// Without what converting units adds to the last digits.
+double told(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+
 using Json = nlohmann::ordered_json;
 
 const char* to_text(FieldKind kind) {
@@ -47,8 +50,8 @@ Json field_json(const FieldDeclaration& field) {
             {"doc", field.doc}};
   if (field.unit != nullptr) json["unit"] = field.unit->symbol;
   const double factor = si_factor(field);
-  if (field.min_si) json["min"] = *field.min_si / factor;
-  if (field.max_si) json["max"] = *field.max_si / factor;
+  if (field.min_si) json["min"] = told(*field.min_si / factor);
+  if (field.max_si) json["max"] = told(*field.max_si / factor);
   if (!field.choices.empty()) json["choices"] = field.choices;
   if (field.default_value) json["default"] = default_text(field);
   return json;
@@ -58,8 +61,8 @@ std::string field_text(const FieldDeclaration& field) {
   std::string text = fmt::format("  {:<16} {}", field.name, to_text(field.kind));
   if (field.unit != nullptr) text += fmt::format(", {}", field.unit->symbol);
   const double factor = si_factor(field);
-  if (field.min_si) text += fmt::format(", at least {}", *field.min_si / factor);
-  if (field.max_si) text += fmt::format(", at most {}", *field.max_si / factor);
+  if (field.min_si) text += fmt::format(", at least {}", told(*field.min_si / factor));
+  if (field.max_si) text += fmt::format(", at most {}", told(*field.max_si / factor));
   if (!field.choices.empty()) text += fmt::format(": {}", fmt::join(field.choices, ", "));
   if (field.is_required) text += ", required";
   if (field.default_value) text += fmt::format(", default {}", default_text(field));

@@ -9,6 +9,7 @@
 
 #include "lua/commands.h"
 #include "lua/mission_files.h"
+#include "lua/planning_watch.h"
 #include "lua/progress.h"
 #include "lua/report_run.h"
 #include "lua/run_record.h"
@@ -50,6 +51,7 @@ int run_command(const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   MissionFiles files = read_mission(options.plan, options.seed);
   files.faults.throw_if_errors();
+  files.faults.add(kept_legs_advice(options.plan));
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
   }
@@ -59,9 +61,11 @@ int run_command(const RunOptions& options) {
   setup.threads = options.threads;
   setup.keeps_sight = true;
   setup.save_every_exchange = options.save_every_exchange;
+  PlanningWatch watch(options.is_quiet);
+  setup.keep_legs = [&](const std::string& bytes) { keep_legs(options.plan, bytes); };
+  setup.on_planning = [&](const std::string& what) { watch.plan(what); };
   // The last checks: whether the plan fits the terrain. Only then the old run may go.
   Simulation simulation(std::move(setup));
-  keep_legs(options.plan, simulation.kept_legs());
   for (const Fault& fault : simulation.advice()) {
     files.faults.add({fault});
     if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));

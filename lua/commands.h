@@ -28,6 +28,7 @@ int watch_command(RunOptions options);
 struct CheckOptions {
   std::string plan;
   bool is_json = false;
+  bool is_quiet = false;
 };
 int check_command(const CheckOptions& options);
 

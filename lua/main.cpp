@@ -187,6 +187,7 @@ int run_program(std::vector<std::string> arguments) {
   CLI::App* check_command = app.add_subcommand("check", "Read and check a plan");
   check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
   check_command->add_flag("--json", check.is_json, "The answer as JSON");
+  check_command->add_flag("--quiet", check.is_quiet, "No progress");
 
   bool is_json = false;
   std::string fsm_plan;

@@ -182,13 +182,29 @@ SimulationSetup simulation_setup(const MissionFiles& files) {
 }
 
 std::string read_kept_legs(const std::string& plan_file) {
-  const std::string bytes = read_file(plan_file + kept_legs_suffix).value_or("");
+  const std::string file = plan_file + kept_legs_suffix;
+  std::error_code ignored;
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+    return "";
+  }
+  const std::string bytes = read_file(file).value_or("");
   const std::string stamp = program_stamp();
   return bytes.starts_with(stamp) ? bytes.substr(stamp.size()) : "";
 }
 
+std::vector<Fault> kept_legs_advice(const std::string& plan_file) {
+  const std::string file = plan_file + kept_legs_suffix;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored)) {
+    return {};
+  }
+  return {{Severity::warning,
+           {file, 0},
+           "it is no file: planned ways would be kept under this name, and are not"}};
+}
+
 void keep_legs(const std::string& plan_file, const std::string& bytes) {
-  if (bytes.empty()) return;
+  if (bytes.empty() || !kept_legs_advice(plan_file).empty()) return;
   try {
     write_file(plan_file + kept_legs_suffix, program_stamp() + bytes);
   } catch (const std::runtime_error&) {

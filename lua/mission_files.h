@@ -52,6 +52,8 @@ SimulationSetup simulation_setup(const MissionFiles& files);
 
 // Legs planned in earlier runs of this very program lie beside the plan: NAME.kml.routes.
 std::string read_kept_legs(const std::string& plan_file);
+// A warning where something else has that name: then nothing is kept.
+std::vector<Fault> kept_legs_advice(const std::string& plan_file);
 // Where the plan's folder is not ours to write to, nothing is kept: the next run plans again.
 void keep_legs(const std::string& plan_file, const std::string& bytes);
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "mission/event_sequence.h"
+#include "mission/site.h"
+#include "plan/field_reader.h"
 
 namespace lsos {
 
@@ -20,9 +22,11 @@ double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Ve
 // Goes through a rover's events and knows where it is, as far as the plan says that.
 class Ahead {
  public:
-  Ahead(const Ground& ground, RoverRoutes& routes, const LegStart& start)
+  Ahead(const Ground& ground, RoverRoutes& routes, const LegStart& start,
+        const std::function<void(const std::string&)>& on_planning)
       : ground_(ground),
         routes_(routes),
+        on_planning_(on_planning),
         place_S_m_(start.p_S_m),
         heading_rad_(start.heading_rad) {}
 
@@ -45,19 +49,25 @@ class Ahead {
     bool is_first = true;
     std::int64_t waypoint = 0;
     for (const Vec3& goal_S_m : geometry_S_m(event.geometry, ground_)) {
-      ++waypoint;
+      const Geodetic& point = event.geometry.points[static_cast<std::size_t>(waypoint++)];
       if (is_first && place_S_m_ && RoverRoutes::is_passed(settings, *place_S_m_, goal_S_m)) {
+        result_.passed.push_back({event.sequence, waypoint});
         continue;
       }
       const bool is_at_rest = std::exchange(is_first, false);
       if (!place_S_m_ || (!heading_rad_ && !routes_.can_turn_on_spot())) {
+        if (!ground_.elevation_m(point)) add_fault(event, unknown_ground_text(waypoint, point));
         go_to(goal_S_m);
         continue;
       }
       const LegStart start{*place_S_m_, heading_rad_.value_or(0), is_at_rest};
+      tell(fmt::format("{} '{}' to waypoint {}", event.rover_id, event.label, waypoint));
       PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
+      tell("");
       const bool is_found = leg.is_found();
-      if (!is_found) add_fault(event, waypoint, goal_S_m, leg);
+      if (!is_found) {
+        add_fault(event, RoverRoutes::no_way_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
+      }
       result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg)});
       if (!is_found) {
         place_S_m_ = start_S_m;
@@ -68,6 +78,16 @@ class Ahead {
       heading_rad_ = result_.legs.back().leg.end_heading_rad;
     }
     return true;
+  }
+
+  // The script's key for KML's Speed.
+  void warn_of_speed(const PlanEvent& event) {
+    const double* speed_mps = find_value<double>(event.params, "speed_mps");
+    if (speed_mps == nullptr || *speed_mps <= routes_.speed_max_mps()) return;
+    add_fault(
+        {Severity::warning, event.place,
+         fmt::format("{} '{}': Speed is {:.3g} m/s, a {} does {:.3g} m/s at most", event.type,
+                     event.label, *speed_mps, routes_.rover_type(), routes_.speed_max_mps())});
   }
 
   void add_fault(Fault fault) { result_.faults.push_back(std::move(fault)); }
@@ -84,18 +104,21 @@ class Ahead {
     place_S_m_ = to_S_m;
   }
 
-  void add_fault(const PlanEvent& event, std::int64_t waypoint, const Vec3& goal_S_m,
-                 const PlannedLeg& leg) {
+  void tell(const std::string& what) const {
+    if (on_planning_) on_planning_(what);
+  }
+
+  void add_fault(const PlanEvent& event, const std::string& what) {
     const Severity severity =
         event.on_failure == OnFailure::stop ? Severity::error : Severity::warning;
     add_fault({severity,
                {event.place.file, event.geometry.line},
-               fmt::format("{} '{}': {}", event.type, event.label,
-                           RoverRoutes::no_way_text(ground_, waypoint, goal_S_m, leg))});
+               fmt::format("{} '{}': {}", event.type, event.label, what)});
   }
 
   const Ground& ground_;
   RoverRoutes& routes_;
+  const std::function<void(const std::string&)>& on_planning_;
   std::optional<Vec3> place_S_m_;
   std::optional<double> heading_rad_;
   RouteAhead result_;
@@ -105,15 +128,17 @@ class Ahead {
 
 RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
                       double start_heading_rad, ScriptHost& host, const Ground& ground,
-                      RoverRoutes& routes) {
+                      RoverRoutes& routes,
+                      const std::function<void(const std::string& what)>& on_planning) {
   const Geodetic& start = machine.rover.start;
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
-  Ahead ahead(ground, routes, {start_S_m, start_heading_rad});
+  Ahead ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
   std::optional<std::int64_t> gone_to;  // a failure leads there
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
+    ahead.warn_of_speed(event.event);
     std::optional<RouteSettings> settings;
     try {
       settings =

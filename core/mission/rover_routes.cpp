@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mission/drive_table.h"
+#include "planet/meridian.h"
 #include "route/route_planner.h"
 
 namespace lsos {
@@ -52,8 +53,7 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   request.aim = settings.aim;
   request.avoided = settings.avoided;
   request.starts_at_rest = start.is_at_rest;
-  // One that turns on the spot leaves in any direction: its plans are the same.
-  if (!vehicle_->can_turn_on_spot) request.start_heading_rad = start.heading_rad;
+  request.start_heading_rad = start.heading_rad;
   return legs_->leg(cost(settings), request);
 }
 
@@ -63,13 +63,27 @@ bool RoverRoutes::is_passed(const RouteSettings& settings, const Vec3& p_S_m,
 }
 
 std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint,
-                                     const Vec3& goal_S_m, const PlannedLeg& leg) {
+                                     const Vec3& start_S_m, const Vec3& goal_S_m,
+                                     const PlannedLeg& leg) {
+  // On the map.
+  const auto off_m = [&](const Vec3& p_S_m) {
+    const Vec3 way_S_m = p_S_m - goal_S_m, up_S = ground.site().up_S(goal_S_m);
+    return (way_S_m - way_S_m.dot(up_S) * up_S).norm();
+  };
+  if ((leg.nearest_S_m - start_S_m).norm() < on_start_m) {
+    return fmt::format(
+        "the leg to waypoint {}: {}; no place nearer to it than the start can be reached, {:.0f} m "
+        "from it",
+        waypoint, leg.reason, off_m(start_S_m));
+  }
   const Geodetic nearest = ground.site().geodetic(leg.nearest_S_m);
+  // Adding 0 makes -0 a 0; so does rounding first.
+  const auto told_deg = [](double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; };
   return fmt::format(
       "the leg to waypoint {}: {}; the nearest place that can be reached is {:.6f},{:.6f}, "
       "{:.0f} m from it",
-      waypoint, leg.reason, lon_deg(nearest), lat_deg(nearest),
-      (leg.nearest_S_m - goal_S_m).norm());
+      waypoint, leg.reason, told_deg(lon_deg(nearest)), told_deg(lat_deg(nearest)),
+      off_m(leg.nearest_S_m));
 }
 
 void RoverRoutes::log_ahead(const std::string& rover_id) {
@@ -119,7 +133,10 @@ PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int6
           fmt::format("{}: planning the leg to waypoint {}: {}", rover_id, waypoint, message));
     }
     if (!planned.is_found()) {
-      return {{}, {}, no_way_text(*ground_, waypoint, goal_S_m, planned), planned.nearest_S_m};
+      return {{},
+              {},
+              no_way_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
+              planned.nearest_S_m};
     }
     // The next begins where the last ends.
     way.path_S_m.insert(way.path_S_m.end(), planned.path_S_m.begin() + (way.legs.empty() ? 0 : 1),
@@ -146,6 +163,7 @@ void RoverRoutes::log(const std::string& rover_id, SimTime now, std::int64_t seq
   row.energy_j = leg.energy_j;
   row.slope_max_rad = leg.slope_max_rad;
   for (const Vec3& p_S_m : leg.path_S_m) row.line.push_back(ground_->site().geodetic(p_S_m));
+  row.line = unrolled(std::move(row.line));
   rows_.push_back(std::move(row));
 }
 

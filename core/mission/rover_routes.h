@@ -38,6 +38,8 @@ class RoverRoutes {
               PlannedLegs& legs);
 
   bool can_turn_on_spot() const { return vehicle_->can_turn_on_spot; }
+  double speed_max_mps() const { return vehicle_->speed_max_mps; }
+  const std::string& rover_type() const { return vehicle_->type; }
   PlannedLeg leg(const RouteSettings& settings, const LegStart& start, const Vec3& goal_S_m);
   void set_ahead(const std::vector<LegAhead>& ahead) { ahead_ = &ahead; }
   // Rows of what was planned ahead.
@@ -51,8 +53,8 @@ class RoverRoutes {
   // Whether a rover that is to go through this waypoint next need not drive to it.
   static bool is_passed(const RouteSettings& settings, const Vec3& p_S_m, const Vec3& waypoint_S_m);
   // "the leg to waypoint 2: the goal is on ...; the nearest place that it can reach is ..."
-  static std::string no_way_text(const Ground& ground, std::int64_t waypoint, const Vec3& goal_S_m,
-                                 const PlannedLeg& leg);
+  static std::string no_way_text(const Ground& ground, std::int64_t waypoint, const Vec3& start_S_m,
+                                 const Vec3& goal_S_m, const PlannedLeg& leg);
 
   std::vector<PlannedPathRow> take_rows();
   std::vector<std::string> take_warnings();

@@ -82,13 +82,21 @@ void Simulation::build() {
 
 void Simulation::place_rovers() {
   Faults faults;
+  const auto plans_its_way = [&](const PlanEvent& event) {
+    try {
+      return host_->route_settings(event.type, {event.params, {}}, machine_.mission.start_time)
+          .has_value();
+    } catch (const ScriptError&) {
+      return false;  // plan_ways() tells it
+    }
+  };
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     try {
       rovers_[i].agent->place(default_heading_rad(machine_.rovers[i], ground_->site()));
     } catch (const InputError& error) {
       faults.add(error.faults());
     }
-    faults.add(site_faults(machine_.rovers[i], *ground_));
+    faults.add(site_faults(machine_.rovers[i], *ground_, plans_its_way));
   }
   if (!faults.has_errors()) find_rovers_in_each_other(faults);
   faults.throw_if_errors();
@@ -101,11 +109,13 @@ void Simulation::plan_ways() {
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     RoverAgent& agent = *rovers_[i].agent;
     RouteAhead ahead = plan_ahead(machine_.rovers[i], machine_.mission, agent.view().heading_rad,
-                                  *host_, *ground_, agent.routes());
+                                  *host_, *ground_, agent.routes(), setup_.on_planning);
     faults.add(ahead.faults);
-    ways_ahead_[i] = {agent.id(), std::move(ahead.legs)};
+    ways_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed)};
     agent.routes().set_ahead(ways_ahead_[i].legs);
   }
+  // Where a way is missing too: to find that takes longest.
+  if (setup_.keep_legs) setup_.keep_legs(legs_->kept());
   faults.throw_if_errors();
   way_faults_ = faults.sorted();
 }

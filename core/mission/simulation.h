@@ -43,6 +43,10 @@ struct SimulationSetup {
   std::string kept_legs = {};
   // Ways are planned before it starts. One that is made to go on from a saved state needs none.
   bool plans_ahead = true;
+  // Called with those to keep once the ways are planned, also where one is missing.
+  std::function<void(const std::string& bytes)> keep_legs = {};
+  // Told what is planned as that begins, "" at its end.
+  std::function<void(const std::string& what)> on_planning = {};
 };
 
 // What became of one rover.
@@ -98,6 +102,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   struct WayAhead {
     std::string rover_id;
     std::vector<LegAhead> legs;
+    std::vector<PassedWaypoint> passed;
   };
   const std::vector<WayAhead>& ways_ahead() const { return ways_ahead_; }
   // Legs for the next run to take up; "" when it would learn nothing new.

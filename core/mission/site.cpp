@@ -42,7 +42,13 @@ double default_heading_rad(const RoverMachine& machine, const SiteFrame& site) {
   return 0;
 }
 
-std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground) {
+std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point) {
+  return fmt::format("waypoint {} ({:.6f},{:.6f}) is where the terrain is not known", waypoint,
+                     lon_deg(point), lat_deg(point));
+}
+
+std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground,
+                               const std::function<bool(const PlanEvent&)>& plans_its_way) {
   std::vector<Fault> faults;
   const PlanRover& rover = machine.rover;
   if (!ground.elevation_m(rover.start)) {
@@ -53,16 +59,15 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
   }
   for (const EventMachine& event : machine.events) {
     if (!event.declaration.drives || !event.event.is_enabled) continue;
-    int number = 0;
+    if (plans_its_way(event.event)) continue;
+    std::int64_t number = 0;
     for (const Geodetic& point : event.event.geometry.points) {
       ++number;
       if (ground.elevation_m(point)) continue;
-      faults.push_back(
-          {Severity::error,
-           {event.event.place.file, event.event.geometry.line},
-           fmt::format("{} '{}': waypoint {} ({:.6f},{:.6f}) is where the terrain is not known",
-                       event.event.type, event.event.label, number, lon_deg(point),
-                       lat_deg(point))});
+      faults.push_back({Severity::error,
+                        {event.event.place.file, event.event.geometry.line},
+                        fmt::format("{} '{}': {}", event.event.type, event.event.label,
+                                    unknown_ground_text(number, point))});
     }
   }
   return faults;

@@ -2,7 +2,9 @@
 // lie where there is no terrain.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "mission/machine.h"
@@ -18,7 +20,11 @@ std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
 // Clockwise from true north: from the rover's start to its first waypoint elsewhere, else 0.
 double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
 
-// An error for a start, and for each event that would drive to a place, without ground.
-std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground);
+// An error for a start, and for each event that would drive to a place, without ground; but for
+// events that plan their ways, whose plans say so.
+std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground,
+                               const std::function<bool(const PlanEvent&)>& plans_its_way);
+// "waypoint 2 (10.000000,20.000000) is where the terrain is not known"
+std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point);
 
 }  // namespace lsos

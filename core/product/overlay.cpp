@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "plan/kml_writer.h"
+#include "planet/meridian.h"
 #include "product/files.h"
 #include "product/rover_colors.h"
 #include "product/rover_track.h"
@@ -122,7 +123,7 @@ KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const Rover
     KmlPlacemark line;
     line.name = fmt::format("{} {} (plan)", rover_id, event.label);
     line.style_id = style.plan_id;
-    line.geometry = {KmlGeometryKind::line, std::move(points)};
+    line.geometry = {KmlGeometryKind::line, unrolled(std::move(points))};
     folder.placemarks.push_back(std::move(line));
   }
   return folder;
@@ -154,7 +155,7 @@ KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
   KmlPlacemark line;
   line.name = rover_id + " driven";
   line.style_id = style.driven_id;
-  line.geometry = {KmlGeometryKind::line, track.line()};
+  line.geometry = {KmlGeometryKind::line, unrolled(track.line())};
   if (line.geometry.points.size() >= 2) folder.placemarks.push_back(std::move(line));
   return folder;
 }
