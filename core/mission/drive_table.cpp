@@ -13,8 +13,8 @@ namespace lsos {
 namespace {
 
 // Rows of the table.
-const double first_rad = radians(-40), step_rad = radians(2.5);
-constexpr int rows_max = 33;
+const double first_rad = radians(-40), step_rad = radians(1.25);
+constexpr int rows_max = 65;
 // Slips that wheels are tried at; a climb takes the least that pulls enough.
 constexpr int slips = 24;
 constexpr double slip_least = -0.5;
@@ -186,6 +186,28 @@ double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<Driven
   return std::max(1.0, side_n / angle_rad);
 }
 
+// What speeding up from rest loses of a drive at full speed: wheels speed up as they are told or as
+// their motors' power lets them, the rover slips behind them.
+double speeding_up_s(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
+                     double drag_n, double slip, double speed_mps) {
+  constexpr int steps = 50;
+  double lost_s = 0;
+  for (int k = 0; k < steps; ++k) {
+    const double now_mps = speed_mps * (k + 0.5) / steps;
+    double pull_n = 0;
+    for (const DrivenWheel& wheel : wheels) {
+      if (!wheel.motor) continue;
+      pull_n += std::min(wheel.motor->torque_max_n_m / wheel.wheel.radius_m,
+                         wheel.motor->power_max_w / now_mps);
+    }
+    const double left_mps2 = (pull_n - drag_n) / vehicle.mass_kg();
+    const double gained_mps2 =
+        std::clamp(left_mps2, 0.1 * vehicle.acceleration_mps2, vehicle.acceleration_mps2);
+    lost_s += speed_mps / steps / gained_mps2 * (1 - now_mps / speed_mps);
+  }
+  return lost_s + slip * speed_mps / vehicle.acceleration_mps2 / 2;
+}
+
 // To where wheels point round the middle, and back. They begin to turn before they point there and
 // lose about this angle's time less, see wheel_targets().
 double steer_s(const VehicleConfig& vehicle) {
@@ -226,8 +248,13 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
   cost.arc_drag_jmprad = price * mass_kg * mass_kg * speed2 * speed2 / side_npr;
   cost.rough_jpm2 = price * mass_kg * gravity_mps2 * (rough_share_1pm + rough_share_s2pm3 * speed2);
-  cost.stop_s = cost.speed_mps / vehicle.acceleration_mps2;
+  const double braking_s = cost.speed_mps / vehicle.acceleration_mps2 / 2;
+  cost.stop_s = 2 * braking_s;
   if (!cost.soils.front().by_slope.empty()) {
+    const double as_steep_rad = std::atan(vehicle.acceleration_mps2 / gravity_mps2);
+    const double slip =
+        std::max(0.0, cost.soils.front().at(as_steep_rad).slip - cost.soils.front().at(0).slip);
+    cost.stop_s = speeding_up_s(vehicle, wheels, drag_n, slip, cost.speed_mps) + braking_s;
     cost.turn_jprad = cost.soils.front().at(0).energy_jpm * reach_m;
   }
   cost.turn_sprad = 1 / turn_rate_radps(vehicle);

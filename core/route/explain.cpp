@@ -56,14 +56,18 @@ std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost) {
       return told_apart("with {} m under the chassis, {} are wanted", stance.clearance_m,
                         limits.clearance_min_m, 2);
     case Hazard::climb: {
-      const double climbs_rad = cost.soils[static_cast<std::size_t>(stance.soil)].last_rad();
-      if (climbs_rad < 0) {
+      const double climb_rad = climbs_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
+      if (climb_rad < 0) {
         return "on soil that its wheels do not drive on, not even on the level";
       }
       return told_apart("up a slope of {} degrees, its wheels climb {} on this soil",
-                        degrees(stance.slope_rad), degrees(climbs_rad), 0);
+                        degrees(stance.slope_rad), degrees(climb_rad), 0);
     }
     case Hazard::slide:
+      if (stance.pitch_rad < -std::abs(stance.bank_rad)) {
+        return fmt::format("down a slope of {:.0f} degrees, where brakes do not hold it",
+                           degrees(stance.slope_rad));
+      }
       return fmt::format("across a slope of {:.0f} degrees, where it slides",
                          degrees(std::abs(stance.bank_rad)));
     case Hazard::avoided:

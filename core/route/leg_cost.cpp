@@ -39,6 +39,20 @@ bool walk(GroundMap& map, const StanceFinder& finder, const Vec2& from_m, const 
 
 }  // namespace
 
+double arc_energy_j(const DriveCost& cost, double radius_m, double bend_rad) {
+  constexpr double straight_rad = 1e-3;
+  if (bend_rad < straight_rad) return 0;
+  const double share = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2) / cost.speed_mps;
+  return cost.slow_j * (1 - share * share) +
+         cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m;
+}
+
+double arc_price_m(const DriveCost& cost, double radius_m, double bend_rad) {
+  const SoilDrive& soil = cost.soils.front();
+  if (soil.by_slope.empty()) return 0;
+  return arc_energy_j(cost, radius_m, bend_rad) / std::max(1e-9, soil.at(0).energy_jpm);
+}
+
 LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
                    std::vector<Disc2> avoided)
     : map_(map), finder_(finder), aim_(aim), avoided_(std::move(avoided)) {
@@ -97,16 +111,37 @@ void LegCosts::find_least() {
   least_per_metre_ = std::max(0.0, least_per_metre_);
 }
 
-double LegCosts::energy_jpm(const Stance& stance) const {
+// The soil holds a rover up a slope by slipping downhill, whichever way it heads: across its way
+// that takes a share of what it takes along it (`across`: of MER, Husky and SEV, driven across 10
+// degrees). Else going up in zigzags would slip less and cost less, which it does not.
+SlopeDrive LegCosts::drive_at(const Stance& stance) const {
+  constexpr double across = 0.35, none_rad = 0.01;
   const DriveCost& cost = finder_.cost();
-  return cost.soils[static_cast<std::size_t>(stance.soil)].at(stance.pitch_rad).energy_jpm +
-         cost.rough_jpm2 * stance.roughness_m;
+  const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
+  SlopeDrive drive = soil.at(stance.pitch_rad);
+  const bool is_up = stance.pitch_rad > 0;
+  const double held_rad = is_up ? stance.slope_rad : std::abs(stance.bank_rad);
+  if (held_rad > std::max(0.0, stance.pitch_rad) + none_rad) {
+    const SlopeDrive held = soil.at(held_rad), level = is_up ? drive : soil.at(0);
+    const double uphill = is_up ? stance.pitch_rad / held_rad : 0;
+    const double share = uphill * uphill + across * (1 - uphill * uphill);
+    drive.energy_jpm +=
+        share * std::max(0.0, held.energy_jpm * held.slip - level.energy_jpm * level.slip);
+    // Rims go along the way and up the slope.
+    const double slid = held.slip / std::max(0.05, 1 - held.slip);
+    const double along = std::max(cost.speed_mps / drive.speed_mps, 1 + slid * uphill);
+    const double aside = across * slid;
+    drive.speed_mps =
+        cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
+  }
+  drive.energy_jpm += cost.rough_jpm2 * stance.roughness_m;
+  return drive;
 }
 
 double LegCosts::rate(const Stance& stance) const {
   const DriveCost& cost = finder_.cost();
   if (aim_ == RouteAim::risk) return 1 / std::max(share_left_min, 1 - demand(stance, cost));
-  return energy_jpm(stance);
+  return drive_at(stance).energy_jpm;
 }
 
 double LegCosts::straight(const Vec2& from_m, const Vec2& to_m) {
@@ -124,13 +159,14 @@ double LegCosts::straight(const Vec2& from_m, const Vec2& to_m) {
 LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
                                         const Vec2& after_m) const {
   const DriveCost& cost = finder_.cost();
-  if (!cost.can_turn_on_spot) return {};
+  if (!cost.can_turn_on_spot && !is_rounding_) return {};
   const Vec2 in_m = at_m - before_m, out_m = after_m - at_m;
   const double bend_rad =
       std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
   constexpr double straight_rad = 0.01;
   if (bend_rad < straight_rad) return {};
   const double room_m = std::min(in_m.norm(), out_m.norm()) / 2;
+  if (is_rounding_) return rounding(bend_rad, room_m);
   const double radius_m = corner_radius_m(bend_rad, room_m, corner_offset_m);
   if (radius_m < cost.turning_radius_min_m) {
     const Cornering turned = turning(bend_rad);
@@ -141,6 +177,18 @@ LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
   return {cost.stop_j * (1 - share * share) +
               cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m,
           cost.stop_s * left * left + radius_m * bend_rad * (1 / arc_mps - 1 / cost.speed_mps)};
+}
+
+// By an arc that begins so far before the corner.
+LegCosts::Cornering LegCosts::rounding(double bend_rad, double room_m) const {
+  const DriveCost& cost = finder_.cost();
+  const double radius_m = room_m / std::tan(bend_rad / 2);
+  const double arc_j = arc_energy_j(cost, radius_m, bend_rad);
+  // Where the tightest has no room, more than any arc costs, the more the less room there is.
+  if (radius_m < cost.turning_radius_min_m) {
+    return {arc_j + cost.slow_j * cost.turning_radius_min_m / radius_m, 0};
+  }
+  return {arc_j, 0};
 }
 
 LegCosts::Cornering LegCosts::turning(double by_rad) const {
@@ -163,6 +211,12 @@ double LegCosts::along(const Line2& line) {
   return sum;
 }
 
+double LegCosts::driven(const Line2& line) {
+  const double sum = along(line);
+  if (finder_.cost().can_turn_on_spot || is_rounding_ || !std::isfinite(sum)) return sum;
+  return sum + cost_per_j_ * arcs(line).energy_j;
+}
+
 LegCosts::Cornering LegCosts::arcs(const Line2& line) const {
   const DriveCost& cost = finder_.cost();
   Cornering sum;
@@ -172,7 +226,7 @@ LegCosts::Cornering LegCosts::arcs(const Line2& line) const {
     free_m += in_m.norm();
     const double bend_rad =
         std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
-    constexpr double straight_rad = 1e-3;
+    constexpr double straight_rad = 0.01;  // no arc is driven there, see driving_line()
     if (bend_rad < straight_rad) continue;
     const double length_m = std::min(in_m.norm(), out_m.norm()), radius_m = length_m / bend_rad;
     free_m = std::max(0.0, free_m - length_m / 2);
@@ -229,12 +283,11 @@ LegCost LegCosts::of(const Line2& line) {
              sum.hazard_m = at_m;
              return false;
            }
-           const SlopeDrive drive =
-               cost.soils[static_cast<std::size_t>(stance.soil)].at(stance.pitch_rad);
+           const SlopeDrive drive = drive_at(stance);
            const double along_m = step_m / std::cos(stance.pitch_rad);
            sum.cost += rate(stance) * along_m;
            sum.length_m += along_m;
-           sum.energy_j += energy_jpm(stance) * along_m;
+           sum.energy_j += drive.energy_jpm * along_m;
            sum.duration_s += along_m / drive.speed_mps;
            if (stance.slope_rad > sum.slope_max_rad) {
              sum.slope_max_rad = stance.slope_rad;
@@ -254,6 +307,7 @@ LegCost LegCosts::of(const Line2& line) {
   }
   if (!cost.can_turn_on_spot && sum.hazard == Hazard::none) {
     const Cornering turned = arcs(line);
+    sum.cost += cost_per_j_ * turned.energy_j;
     sum.energy_j += turned.energy_j;
     sum.duration_s += turned.duration_s;
   }

@@ -38,6 +38,11 @@ struct LegCost {
   Vec2 hazard_m = Vec2::Zero();  // the first
 };
 
+// Of slowing down for an arc from full speed and up again after it, and of the arc: its energy, and
+// that as metres on the level.
+double arc_energy_j(const DriveCost& cost, double radius_m, double bend_rad);
+double arc_price_m(const DriveCost& cost, double radius_m, double bend_rad);
+
 class LegCosts {
  public:
   LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
@@ -69,8 +74,13 @@ class LegCosts {
   Cornering turning(double by_rad) const;
   // Of a line: the sum of its pieces and corners.
   double along(const Line2& line);
-  // The same with all that is told of it; energy and duration with what arcs add, which searching
-  // does not count.
+  // The same with slowing down for the arcs of a rover that cannot turn on the spot, which
+  // searching does not count.
+  double driven(const Line2& line);
+  // For lines of such a rover whose corners are rounded later, by arcs as wide as there is room
+  // for: corner() tells what those cost.
+  void set_rounding(bool is_rounding) { is_rounding_ = is_rounding; }
+  // driven() with all that is told of a line.
   LegCost of(const Line2& line);
   // Places of a line where a limit is passed, so far apart, looked at three times as closely as
   // costs are and without room to stray.
@@ -83,10 +93,11 @@ class LegCosts {
   GroundMap& map() { return map_; }
 
  private:
+  Cornering rounding(double bend_rad, double room_m) const;
   // What all arcs of a line add: at each of its bends one that begins and ends half a piece away.
   Cornering arcs(const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
-  double energy_jpm(const Stance& stance) const;
+  SlopeDrive drive_at(const Stance& stance) const;
   double rate(const Stance& stance) const;
   void find_least();
 
@@ -96,6 +107,7 @@ class LegCosts {
   std::vector<Disc2> avoided_, tight_;
   Disc2 leaving_;  // nothing, without a radius
   DriveLimits leaving_limits_;
+  bool is_rounding_ = false;
   double least_per_metre_ = 1, per_rise_ = 0;
   double cost_per_j_ = 1;  // of corners
 };

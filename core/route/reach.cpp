@@ -4,7 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <queue>
-#include <utility>
+#include <tuple>
+#include <vector>
 
 namespace lsos {
 
@@ -36,35 +37,21 @@ class Flood {
   double nearest_off_m() const { return nearest_off_m_; }
   const Vec2& nearest_m() const { return nearest_m_; }
 
-  void add(int column, int row) {
-    auto& marks = marks_[static_cast<std::size_t>(number(column, row))];
-    if ((marks & mark_) != 0) return;
-    marks |= mark_;
-    has_met_ = has_met_ || marks != mark_;
-    is_at_border_ = is_at_border_ || column == 0 || row == 0 || column + 1 == map_.columns() ||
-                    row + 1 == map_.rows();
-    ++size_;
-    const auto off_m = static_cast<float>((map_.place_m(column, row) - to_m_).norm());
-    queue_.push({off_m, number(column, row)});
-  }
+  // A node that it begins with.
+  void add(int column, int row) { come_to(number(column, row)); }
 
+  // Comes to the next node, or to none. Pieces are looked at when their nodes come first: mostly
+  // one of eight.
   void look_on() {
-    const std::int32_t node = queue_.top().second;
+    const auto [off_m, node, from] = queue_.top();
     queue_.pop();
-    const int column = node % map_.columns(), row = node / map_.columns();
-    const Vec2 here_m = map_.place_m(column, row);
-    for (int y = row - 1; y <= row + 1; ++y) {
-      for (int x = column - 1; x <= column + 1; ++x) {
-        if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
-        if ((marks_[static_cast<std::size_t>(number(x, y))] & mark_) != 0) continue;
-        const Vec2 there_m = map_.place_m(x, y);
-        const bool is_free =
-            is_backward_ ? costs_.is_free(there_m, here_m) : costs_.is_free(here_m, there_m);
-        if (!is_free) continue;
-        add(x, y);
-        if (!is_backward_) count_as_nearest(there_m, here_m);
-      }
-    }
+    if ((marks_[static_cast<std::size_t>(node)] & mark_) != 0) return;
+    const Vec2 here_m = place(node), before_m = place(from);
+    const bool is_free =
+        is_backward_ ? costs_.is_free(here_m, before_m) : costs_.is_free(before_m, here_m);
+    if (!is_free) return;
+    come_to(node);
+    if (!is_backward_) count_as_nearest(here_m, before_m);
   }
 
   void set_nearest(const Vec2& at_m) {
@@ -74,6 +61,29 @@ class Flood {
 
  private:
   std::int32_t number(int column, int row) const { return row * map_.columns() + column; }
+  Vec2 place(std::int32_t node) const {
+    return map_.place_m(node % map_.columns(), node / map_.columns());
+  }
+
+  void come_to(std::int32_t node) {
+    auto& marks = marks_[static_cast<std::size_t>(node)];
+    if ((marks & mark_) != 0) return;
+    marks |= mark_;
+    ++size_;
+    has_met_ = has_met_ || marks != mark_;
+    const int column = node % map_.columns(), row = node / map_.columns();
+    for (int y = row - 1; y <= row + 1; ++y) {
+      for (int x = column - 1; x <= column + 1; ++x) {
+        if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) {
+          is_at_border_ = true;
+          continue;
+        }
+        const std::int32_t next = number(x, y);
+        if ((marks_[static_cast<std::size_t>(next)] & mark_) != 0) continue;
+        queue_.push({static_cast<float>((place(next) - to_m_).norm()), next, node});
+      }
+    }
+  }
 
   void count_as_nearest(const Vec2& at_m, const Vec2& from_m) {
     const double off_m = (at_m - to_m_).norm();
@@ -92,7 +102,7 @@ class Flood {
   std::size_t size_ = 0;
   double nearest_off_m_ = 0;
   Vec2 nearest_m_ = Vec2::Zero();
-  using Entry = std::pair<float, std::int32_t>;
+  using Entry = std::tuple<float, std::int32_t, std::int32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 

@@ -11,8 +11,11 @@ namespace lsos {
 namespace {
 
 // Across a slope a rover slides about as much as it slips more up one that is as steep than on the
-// level. More than this and what follows a line does not hold it.
-constexpr double side_slip_max = 0.2;
+// level. What follows a line heads uphill of it by so much; up to this it holds the line within
+// some centimetres (MER across 10 degrees: 0.1 m), beyond it that is not to be relied on.
+constexpr double side_slip_max = 0.4;
+// Down a slope where brakes hold it only with more than this a rover slides.
+constexpr double braking_slip_max = 0.3;
 
 // A map has so many nodes over the shortest side of the rectangle of its wheels, within bounds.
 constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
@@ -34,15 +37,22 @@ double side_slip(const SoilDrive& soil, double bank_rad) {
   return std::max(0.0, soil.at(std::abs(bank_rad)).slip - soil.at(0).slip);
 }
 
+// Of wheels that hold the rover back: by so much it is faster than their rims.
+double braking_slip(const SoilDrive& soil, double pitch_rad, const DriveCost& cost) {
+  if (pitch_rad >= 0) return 0;
+  return std::max(0.0, 1 - cost.speed_mps / soil.at(pitch_rad).speed_mps);
+}
+
 // The least slope, along or across, that takes up so much of a limit on any soil.
 double calm_rad(const DriveCost& cost) {
   constexpr double step_rad = 0.001;
   const double most_rad = StanceFinder::calm_share * cost.limits.slope_max_rad;
   double slope_rad = 0;
   const auto is_calm = [&](const SoilDrive& soil) {
-    return slope_rad < soil.last_rad() &&
+    return slope_rad < climbs_rad(soil) &&
            soil.at(slope_rad).slip < StanceFinder::calm_share * cost.limits.slip_max &&
-           side_slip(soil, slope_rad) < StanceFinder::calm_share * side_slip_max;
+           side_slip(soil, slope_rad) < StanceFinder::calm_share * side_slip_max &&
+           braking_slip(soil, -slope_rad, cost) < StanceFinder::calm_share * braking_slip_max;
   };
   while (slope_rad < most_rad && std::ranges::all_of(cost.soils, is_calm)) slope_rad += step_rad;
   return slope_rad - step_rad;
@@ -197,10 +207,21 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
   if (stance.unevenness_m > limits.unevenness_max_m) return Hazard::uneven;
   if (stance.clearance_m < limits.clearance_min_m) return Hazard::clearance;
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
-  // What the soil does not hold the rover against up the slope it does not hold across it.
-  if (stance.slope_rad > soil.last_rad()) return Hazard::climb;
-  if (side_slip(soil, stance.bank_rad) > side_slip_max) return Hazard::slide;
+  // Down a slope it goes that it does not climb. What the soil does not hold the rover against up
+  // the slope it does not hold across it.
+  if (soil.last_rad() < 0) return Hazard::climb;
+  if (stance.pitch_rad > 0 && stance.slope_rad > climbs_rad(soil)) return Hazard::climb;
+  if (std::abs(stance.bank_rad) > soil.last_rad() ||
+      side_slip(soil, stance.bank_rad) > side_slip_max ||
+      braking_slip(soil, stance.pitch_rad, cost) > braking_slip_max) {
+    return Hazard::slide;
+  }
   return Hazard::none;
+}
+
+double climbs_rad(const SoilDrive& soil) {
+  constexpr double climb_share = 0.95;
+  return soil.last_rad() > 0 ? climb_share * soil.last_rad() : soil.last_rad();
 }
 
 double demand(const Stance& stance, const DriveCost& cost) {
@@ -209,8 +230,9 @@ double demand(const Stance& stance, const DriveCost& cost) {
   return std::max({stance.slope_rad / limits.slope_max_rad,
                    (underside_level_m(cost) - stance.clearance_m) / clearance_left_m(cost),
                    stance.unevenness_m / limits.unevenness_max_m,
-                   soil.at(stance.slope_rad).slip / limits.slip_max,
-                   side_slip(soil, stance.bank_rad) / side_slip_max});
+                   stance.pitch_rad > 0 ? soil.at(stance.slope_rad).slip / limits.slip_max : 0,
+                   side_slip(soil, stance.bank_rad) / side_slip_max,
+                   braking_slip(soil, stance.pitch_rad, cost) / braking_slip_max});
 }
 
 }  // namespace lsos

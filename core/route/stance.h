@@ -71,6 +71,10 @@ Hazard hazard(const Stance& stance, const DriveCost& cost);
 // The same with other limits.
 Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& limits);
 
+// The steepest slope that it is planned to climb there: less than its wheels just pull up, for
+// loads are never even.
+double climbs_rad(const SoilDrive& soil);
+
 // Share of the limit that it comes nearest to, 0..1; where there is no hazard.
 double demand(const Stance& stance, const DriveCost& cost);
 

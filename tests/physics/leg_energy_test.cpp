@@ -100,9 +100,8 @@ TEST(Corners, cost_what_they_cost_the_simulated_rover) {
   }
 }
 
-// Arcs and the slowing down for them, over the pole's rough ground: told too high, by a half at
-// most in the mean.
-TEST(PlannedTurns, cost_no_less_than_they_cost_the_simulated_rover) {
+// Arcs and the slowing down for them, over the pole's rough ground.
+TEST(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
   int found = 0;
   double planned_sum_j = 0, driven_sum_j = 0, worst_m = 0;
   for (std::uint64_t seed = 1; found < 6 && seed < 100; ++seed) {
@@ -130,11 +129,11 @@ TEST(PlannedTurns, cost_no_less_than_they_cost_the_simulated_rover) {
     planned_sum_j += planned.energy_j;
     driven_sum_j += driven.drive_j;
     worst_m = std::max(worst_m, driven.worst_m);
-    EXPECT_GT(planned.energy_j, driven.drive_j) << "seed " << seed;
-    EXPECT_LT(planned.energy_j, 1.7 * driven.drive_j) << "seed " << seed;
+    EXPECT_NEAR(planned.energy_j, driven.drive_j, 0.2 * driven.drive_j) << "seed " << seed;
   }
   EXPECT_EQ(found, 6);
-  EXPECT_LT(planned_sum_j, 1.5 * driven_sum_j);
+  EXPECT_NEAR(planned_sum_j, driven_sum_j, 0.15 * driven_sum_j);
+  RecordProperty("planned_to_driven", fmt::format("{:.3f}", planned_sum_j / driven_sum_j));
   RecordProperty("worst_m", fmt::format("{:.3f}", worst_m));
 }
 

@@ -66,7 +66,17 @@ TEST(Stance, is_a_hazard_beyond_each_limit) {
   stance.slope_rad = 12 * deg;
   cost = simple_rover();
   EXPECT_EQ(hazard(stance, cost), Hazard::none);
-  stance.bank_rad = 12 * deg;  // it slips by 0.21 up so steep a slope
+  // Down a slope and across it goes that it does not climb; not across one that is much steeper.
+  cost.soils[0].by_slope.resize(8);
+  stance.pitch_rad = -12 * deg;
+  EXPECT_EQ(hazard(stance, cost), Hazard::none);
+  stance.pitch_rad = 0;
+  stance.bank_rad = 12 * deg;
+  EXPECT_EQ(hazard(stance, cost), Hazard::slide);
+  cost = simple_rover();
+  cost.limits.slope_max_rad = 40 * deg;
+  EXPECT_EQ(hazard(stance, cost), Hazard::none);
+  stance.slope_rad = stance.bank_rad = 24 * deg;  // it slips by 0.42 up so steep a slope
   EXPECT_EQ(hazard(stance, cost), Hazard::slide);
 }
 
