@@ -45,7 +45,7 @@ std::vector<Pose2> cheapest_over(LegCosts& costs, const RouteSteering& steering,
     for (std::size_t over = 1; over <= std::min(reach, to); ++over) {
       const std::size_t from = to - over;
       if (over > 1 && (poses[to].at_m - poses[from].at_m).norm() > longest_m) break;
-      const double piece = costs.along(steering.way(poses[from], poses[to]));
+      const double piece = costs.driven(steering.way(poses[from], poses[to]));
       if (piece == infinite) continue;
       Arrival& best = arrivals[to][over];
       if (from == 0) best.cost = piece;
@@ -82,21 +82,21 @@ std::vector<Pose2> with_fewer_poses(LegCosts& costs, const RouteSteering& steeri
   for (std::size_t k = 0; k + 1 < poses.size(); ++k) {
     length_m += steering.length_m(poses[k], poses[k + 1]);
   }
-  double least = costs.along(steering.line(poses));
+  double least = costs.driven(steering.line(poses));
   bool gains = true;
   // At the end without poses between, as long as that is worth the work.
   for (double apart_m = first_apart_spacings * costs.map().spacing_m(); apart_m < length_m || gains;
        apart_m *= growth) {
     std::vector<Pose2> fewer = cheapest_over(
         costs, steering, with_poses_between(steering, poses, apart_m), reach_aparts * apart_m);
-    const double cost = costs.along(steering.line(fewer));
+    const double cost = costs.driven(steering.line(fewer));
     gains = cost < (1 - gain_worth) * least;
     if (!(cost < least)) continue;
     least = cost;
     poses = std::move(fewer);
   }
   const std::vector<Pose2> direct{poses.front(), poses.back()};
-  const double straight = costs.along(steering.line(direct));
+  const double straight = costs.driven(steering.line(direct));
   return straight < infinite && straight <= least ? direct : poses;
 }
 

@@ -49,7 +49,7 @@ class PoseSpace : public ob::SE2StateSpace {
     se2->setYaw(std::remainder(pose.yaw_rad, 2 * std::numbers::pi));
   }
   double cost(LegCosts& costs, const ob::State* from, const ob::State* to) const {
-    return costs.along(steering_.way(pose(from), pose(to)));
+    return costs.driven(steering_.way(pose(from), pose(to)));
   }
   double distance(const ob::State* from, const ob::State* to) const override {
     return steering_.length_m(pose(from), pose(to));
@@ -170,7 +170,7 @@ Refined refined(LegCosts& costs, const RouteSteering& steering, const std::vecto
   const std::vector<Pose2> now =
       with_fewer_poses(costs, steering, moved(costs, information_on(steering, costs.map()), best));
   Refined answer{steering.line(best), {}};
-  if (Line2 line = steering.line(now); costs.along(line) < costs.along(answer.line)) {
+  if (Line2 line = steering.line(now); costs.driven(line) < costs.driven(answer.line)) {
     answer.line = std::move(line);
   }
   answer.messages = messages.texts;

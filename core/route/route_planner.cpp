@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "route/explain.h"
+#include "route/fewer_points.h"
 #include "route/grid_search.h"
 #include "route/reach.h"
 #include "route/refine.h"
@@ -32,6 +34,16 @@ constexpr double leaving_worse = 1.1, leaving_clearance_m = 0.02, leaving_reache
 // nothing wrong with it.
 constexpr int closer_looks = 12;
 constexpr double closer_look_m = 50;
+// Points nearer than this to the line between their neighbours are left out.
+constexpr double thinned_m = 0.01;
+constexpr double thinned_worth = 1.001;
+// Poses are searched where the rounded way costs so much more than that over the lattice; and no
+// more than so many of them, where there is a rounded way and where there is none.
+constexpr double poses_worth = 1.05;
+constexpr std::size_t poses_to_better = 200'000, poses_max = 1'000'000;
+// Of the room beside the tightest turn that what must be avoided may take up.
+constexpr double passing_share = 0.9;
+constexpr double infinite = std::numeric_limits<double>::infinity();
 // A map has no more nodes than this: a gigabyte is used for some 60 million.
 constexpr double nodes_max = 6e7;
 
@@ -66,7 +78,7 @@ class LegPlanner {
         goal_m_(frame_.at(request.goal_S_m)),
         probe_(ground) {
     for (const AvoidedDisc& disc : request.avoided) {
-      avoided_.push_back({frame_.at(disc.center_S_m), disc.radius_m});
+      avoided_.push_back(passable({frame_.at(disc.center_S_m), disc.radius_m}));
     }
   }
 
@@ -88,6 +100,20 @@ class LegPlanner {
   double aside_min_m() const {
     return finder_.cost().can_turn_on_spot ? corridor_min_m
                                            : std::max(corridor_min_m, turning_room * radius_m_);
+  }
+
+  // What lies close ahead of a rover that cannot turn on the spot cuts all ways that it can take:
+  // it is made so small that the tightest of them passes it.
+  Disc2 passable(const Disc2& disc) const {
+    if (finder_.cost().can_turn_on_spot) return disc;
+    const double heading_rad = request_.start_heading_rad;
+    const Vec2 left(-std::cos(heading_rad), std::sin(heading_rad));
+    double room_m = 0;
+    for (const double side : {1.0, -1.0}) {
+      const double away_m = (disc.center_m - side * radius_m_ * left).norm();
+      room_m = std::max(room_m, std::abs(away_m - radius_m_));
+    }
+    return {disc.center_m, std::min(disc.radius_m, passing_share * room_m)};
   }
 
   // False where a wider corridor might hold a way.
@@ -160,14 +186,15 @@ class LegPlanner {
     std::string beyond = fault_at(map, finder_, on_m);
     if (beyond.empty()) beyond = fault_ahead(map, finder_, on_m, ahead);
     if (beyond.empty()) beyond = "cut off";
+    const std::string told = fmt::format("{:.{}f}", off_m, off_m < 10 ? 1 : 0);
     if (reach.answer == Reach::Answer::given_up) {
       return fmt::format(
           "no way was found among {:.1f} million places; the nearest that was "
           "reached is {:.0f} m from the goal, ahead the ground is {}",
           static_cast<double>(reach.looked_at) / 1e6, off_m, beyond);
     }
-    return fmt::format("no way comes nearer to the goal than {:.0f} m; ahead the ground is {}",
-                       off_m, beyond);
+    return fmt::format("no way comes nearer to the goal than {} m; ahead the ground is {}", told,
+                       beyond);
   }
 
   // A rover that stands where it should not shall leave: over ground that is no worse.
@@ -207,22 +234,68 @@ class LegPlanner {
     return best;
   }
 
+  // The way over the lattice with its corners rounded is found at once and mostly smooth; poses are
+  // searched where it costs more than that of a rover without turns to make.
   std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
-    const TurningRoute way = search_turning(costs, start, goal_m_, radius_m_);
-    turns_too_wide_ = way.line.empty() && !way.is_cut_off;
-    nearest_m = way.nearest_m;
-    if (way.line.empty()) return std::nullopt;
-    const RouteSteering steering = RouteSteering::in_turns(radius_m_, spacing_m_);
-    Refined best = refined(costs, steering, way.poses, request_.seed);
-    // What its poses are joined by may look at other places than the search did.
-    if (!std::isfinite(costs.along(best.line))) best.line = way.line;
+    const RouteSteering steering =
+        RouteSteering::in_turns(radius_m_, spacing_m_, [&](double radius_m, double bend_rad) {
+          return arc_price_m(finder_.cost(), radius_m, bend_rad);
+        });
+    const GridRoute over_lattice = search_grid(costs, start.at_m, goal_m_);
+    std::optional<Refined> best = rounded(costs, steering, start, over_lattice.line);
+    double least = best ? costs.driven(best->line) : infinite;
+    const auto offer = [&](Refined other) {
+      const double cost = costs.driven(other.line);
+      if (!(cost < least)) return;
+      least = cost;
+      best = std::move(other);
+    };
+    if (!(least <= poses_worth * over_lattice.cost)) {
+      const TurningRoute way =
+          search_turning(costs, start, goal_m_, radius_m_, best ? poses_to_better : poses_max);
+      turns_too_wide_ = way.line.empty() && !best;
+      nearest_m = way.nearest_m;
+      if (!way.line.empty()) {
+        offer(refined(costs, steering, way.poses, request_.seed));
+        // What its poses are joined by may look at other places than the search did.
+        offer({way.line, {}});
+      }
+    }
+    if (!best) return std::nullopt;
     // The yaw at the goal is free.
     for (const bool to_left : {true, false}) {
-      auto direct = arc_and_straight(start, goal_m_, radius_m_, to_left, spacing_m_);
-      if (direct && costs.along(*direct) <= costs.along(best.line)) best.line = std::move(*direct);
+      for (const double wider : {1, 2, 4, 8}) {
+        auto direct = arc_and_straight(start, goal_m_, wider * radius_m_, to_left, spacing_m_);
+        if (direct) offer({std::move(*direct), {}});
+      }
     }
+    // Points so near to each other that the rover slows down for corners that are none.
+    Line2 thin = with_fewer_points(best->line, thinned_m);
+    if (costs.driven(thin) <= thinned_worth * least) best->line = std::move(thin);
     return best;
+  }
+
+  // A line with sharp corners made as cheap as their rounding lets it be, then rounded: by way of
+  // the middle of each of its pieces.
+  std::optional<Refined> rounded(LegCosts& costs, const RouteSteering& steering, const Pose2& start,
+                                 const Line2& over_lattice) const {
+    if (over_lattice.empty()) return std::nullopt;
+    std::vector<Pose2> poses;
+    for (const Vec2& at_m : corners(over_lattice)) poses.push_back({at_m, 0});
+    costs.set_rounding(true);
+    const Line2 sharp = refined(costs, RouteSteering::on_the_spot(), poses, request_.seed).line;
+    costs.set_rounding(false);
+    poses = {start};
+    for (std::size_t k = 0; k + 1 < sharp.size(); ++k) {
+      const Vec2 way_m = sharp[k + 1] - sharp[k];
+      if (way_m.norm() < same_m) continue;
+      const double yaw_rad = std::atan2(way_m.y(), way_m.x());
+      const bool is_last = k + 2 == sharp.size();
+      poses.push_back({is_last ? sharp[k + 1] : Vec2(sharp[k] + way_m / 2), yaw_rad});
+    }
+    if (poses.size() < 2 || !std::isfinite(costs.driven(steering.line(poses)))) return std::nullopt;
+    return refined(costs, steering, poses, request_.seed);
   }
 
   void tell(GroundMap& map, LegCosts& costs, const Refined& way) {

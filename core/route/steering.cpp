@@ -1,23 +1,33 @@
 #include "route/steering.h"
 
+#include <cmath>
+#include <limits>
+
 namespace lsos {
 
 namespace {
 
-// Arcs are as wide as that makes a way no longer than so much: wide ones are driven faster.
-constexpr double wider[] = {16, 8, 4, 2};
-constexpr double longer = 1.02;
+// Arcs are tried this much wider than the tightest.
+constexpr double wider[] = {16, 8, 4, 2, 1};
 
 }  // namespace
 
 TurningWay RouteSteering::turns(const Pose2& from, const Pose2& to) const {
-  const TurningWay tightest = shortest_turns(from, to, radius_m_);
-  const double most_m = longer * lsos::length_m(tightest);
+  TurningWay best{};
+  double least_m = std::numeric_limits<double>::infinity();
   for (const double ratio : wider) {
     const TurningWay way = shortest_turns(from, to, ratio * radius_m_);
-    if (lsos::length_m(way) <= most_m) return way;
+    double sum_m = lsos::length_m(way);
+    if (sum_m >= least_m) continue;
+    for (const TurningPiece& piece : way) {
+      const double bend_rad = std::abs(piece.curvature_1pm) * piece.length_m;
+      if (bend_rad > 0) sum_m += price_m_(ratio * radius_m_, bend_rad);
+    }
+    if (sum_m >= least_m) continue;
+    least_m = sum_m;
+    best = way;
   }
-  return tightest;
+  return best;
 }
 
 double RouteSteering::length_m(const Pose2& from, const Pose2& to) const {

@@ -1,17 +1,25 @@
 // How a rover gets from pose to pose.
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "route/turning.h"
 
 namespace lsos {
 
 // Straight on where it turns on the spot, and the yaws of poses mean nothing; else by arcs and
-// straight pieces: about the shortest, in arcs as wide as can be.
+// straight pieces, in arcs so wide that length and arcs together cost least.
 class RouteSteering {
  public:
-  static RouteSteering on_the_spot() { return {0, 1}; }
+  // What an arc of a radius costs besides its length: so many metres of driving on.
+  using ArcPrice = std::function<double(double radius_m, double bend_rad)>;
+
+  static RouteSteering on_the_spot() { return {0, 1, {}}; }
   // Arcs are drawn as points `step_m` apart at most.
-  static RouteSteering in_turns(double radius_m, double step_m) { return {radius_m, step_m}; }
+  static RouteSteering in_turns(double radius_m, double step_m, ArcPrice price) {
+    return {radius_m, step_m, std::move(price)};
+  }
 
   double length_m(const Pose2& from, const Pose2& to) const;
   // The pose that share (0..1) of the way.
@@ -22,12 +30,14 @@ class RouteSteering {
   Line2 line(const std::vector<Pose2>& poses) const;
 
  private:
-  RouteSteering(double radius_m, double step_m) : radius_m_(radius_m), step_m_(step_m) {}
+  RouteSteering(double radius_m, double step_m, ArcPrice price)
+      : radius_m_(radius_m), step_m_(step_m), price_m_(std::move(price)) {}
 
   bool is_straight() const { return radius_m_ == 0; }
   TurningWay turns(const Pose2& from, const Pose2& to) const;
 
   double radius_m_, step_m_;
+  ArcPrice price_m_;
 };
 
 }  // namespace lsos

@@ -15,7 +15,12 @@ inline constexpr double turning_margin = 1.1;
 // An arc of `length_m`, to the left with a positive curvature; the pose that it ends in.
 Pose2 along_arc(const Pose2& from, double curvature_1pm, double length_m);
 
-// Its points, `step_m` apart at most, with both ends.
+// Points of arcs lie so near to each other that the chords between them are no farther off it.
+// With more of them a rover that follows the line would slow down for corners that rounding makes.
+inline constexpr double chord_off_m = 0.03;
+
+// Its points, evenly, with both ends: `step_m` apart at most, or as far as chord_off_m lets them
+// be.
 Line2 arc_line(const Pose2& from, double curvature_1pm, double length_m, double step_m);
 
 // An arc of `radius_m` to one side and then straight to a place. Absent where the place lies within
@@ -35,7 +40,7 @@ TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m);
 double length_m(const TurningWay& way);
 // The pose so far along it.
 Pose2 along_turns(const Pose2& from, const TurningWay& way, double so_far_m);
-// Its points, `step_m` apart at most, with both ends.
+// Its points as those of its arcs.
 Line2 turns_line(const Pose2& from, const TurningWay& way, double step_m);
 
 }  // namespace lsos

@@ -24,9 +24,6 @@ constexpr double closing_radii = 4;
 // route that is no more than about this share costlier. Refining makes up for it.
 constexpr double haste = 1.03;
 
-// Among more poses than these there is no way that is worth the search.
-constexpr std::size_t reached_max = 2'000'000;
-
 struct Reached {
   Pose2 pose;
   double cost = 0;
@@ -51,8 +48,10 @@ struct Candidate {
 
 class Search {
  public:
-  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, double radius_m)
-      : costs_(costs),
+  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, double radius_m,
+         std::size_t reached_max)
+      : reached_max_(reached_max),
+        costs_(costs),
         map_(costs.map()),
         goal_m_(goal_m),
         to_go_(costs, start_m, goal_m),
@@ -69,7 +68,7 @@ class Search {
     if (route.is_cut_off) return route;
     reached_.push_back({start, 0, -1, 0});
     queue_.push({left(start.at_m), 0, 0});
-    while (!queue_.empty() && reached_.size() < reached_max) {
+    while (!queue_.empty() && reached_.size() < reached_max_) {
       const Candidate best = queue_.top();
       queue_.pop();
       if (best.is_at_goal) {
@@ -156,6 +155,7 @@ class Search {
     route.nearest_m = goal_m_;
   }
 
+  std::size_t reached_max_;
   LegCosts& costs_;
   GroundMap& map_;
   Vec2 goal_m_;
@@ -170,8 +170,8 @@ class Search {
 }  // namespace
 
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
-                            double radius_m) {
-  return Search(costs, start.at_m, goal_m, radius_m).run(start);
+                            double radius_m, std::size_t reached_max) {
+  return Search(costs, start.at_m, goal_m, radius_m, reached_max).run(start);
 }
 
 }  // namespace lsos

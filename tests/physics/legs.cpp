@@ -5,6 +5,7 @@
 #include <map>
 #include <queue>
 
+#include "base/corner.h"
 #include "base/random.h"
 #include "lua/mission_files.h"
 #include "mission/drive_table.h"
@@ -120,56 +121,100 @@ double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S
 
 double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
   constexpr int headings = 36;
+  constexpr double curvatures[] = {0, 1, -1, 0.3, -0.3, 0.13, -0.13};  // in tightest turns
+  constexpr std::size_t kinds = std::size(curvatures);
   const StanceFinder finder(cost);
   const MapFrame frame(ground.site(), Vec3::Zero());
   const Vec2 goal_m = frame.at(request.goal_S_m);
   GroundMap map = map_about(ground, cost, frame, goal_m);
   LegCosts costs(map, finder, request.aim);
   costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
+  const double level_jpm = cost.soils.front().at(0).energy_jpm;
+  const double per_j = request.aim == RouteAim::risk ? 1 / level_jpm : 1;
   const double step_m = 2 * map.spacing_m();
-  const auto cell = [&](const Vec2& at_m, double yaw_rad) {
+  // What a pose costs depends on the turn that it is come to by: into another one the rover slows
+  // down.
+  const auto cell = [&](const Vec2& at_m, double yaw_rad, std::size_t kind) {
     const Vec2 place = (at_m - map.low_m()) / map.spacing_m();
     const double turn = yaw_rad / (2 * std::numbers::pi);
-    const int heading = static_cast<int>((turn - std::floor(turn)) * headings) % headings;
-    return (static_cast<int>(place.y()) * map.columns() + static_cast<int>(place.x())) * headings +
-           heading;
+    const auto heading = static_cast<std::size_t>((turn - std::floor(turn)) * headings) % headings;
+    const auto node =
+        static_cast<std::size_t>(place.y()) * static_cast<std::size_t>(map.columns()) +
+        static_cast<std::size_t>(place.x());
+    return (node * headings + heading) * kinds + kind;
   };
-  std::vector<bool> is_closed(static_cast<std::size_t>(map.columns() * map.rows() * headings));
-  using Entry = std::tuple<double, double, double, double, double>;
+  const auto share = [&](double curvature) {
+    if (curvature == 0) return 1.0;
+    const double radius_m = cost.turning_radius_min_m / std::abs(curvature);
+    return arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2) / cost.speed_mps;
+  };
+  struct Node {
+    Vec2 at_m;
+    double yaw_rad = 0;
+    std::size_t kind = 0;
+    std::int64_t before = -1;
+    Line2 line;  // from the one before
+  };
+  std::vector<Node> nodes{
+      {Vec2::Zero(), std::numbers::pi / 2 - request.start_heading_rad, 0, -1, {Vec2::Zero()}}};
+  std::vector<bool> is_closed(static_cast<std::size_t>(map.columns() * map.rows() * headings) *
+                              kinds);
+  using Entry = std::tuple<double, double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  queue.push({0, 0, 0, 0, std::numbers::pi / 2 - request.start_heading_rad});
-  double best = infinite;
+  queue.push({0, 0, 0});
+  double best = infinite, least = infinite;
   while (!queue.empty()) {
-    const auto [total, here, x_m, y_m, yaw_rad] = queue.top();
+    const auto [total, here, number] = queue.top();
     queue.pop();
-    if (total >= best) break;
-    const Vec2 here_m(x_m, y_m);
-    const auto now = static_cast<std::size_t>(cell(here_m, yaw_rad));
+    if (total >= least) break;
+    const Vec2 here_m = nodes[number].at_m;
+    const double yaw_rad = nodes[number].yaw_rad;
+    const std::size_t before_kind = nodes[number].kind;
+    const std::size_t now = cell(here_m, yaw_rad, before_kind);
     if (is_closed[now]) continue;
     is_closed[now] = true;
     const Vec2 off_m = goal_m - here_m;
     const double ahead_m = off_m.dot(Vec2(std::cos(yaw_rad), std::sin(yaw_rad)));
     if (off_m.norm() < 2 * step_m && ahead_m > 0.97 * off_m.norm()) {
-      best = std::min(best, here + costs.straight(here_m, goal_m));
+      const double whole = here + costs.straight(here_m, goal_m);
+      if (whole < least) {
+        least = whole;
+        std::vector<const Node*> way;
+        for (auto k = static_cast<std::int64_t>(number); k >= 0;
+             k = nodes[static_cast<std::size_t>(k)].before) {
+          way.push_back(&nodes[static_cast<std::size_t>(k)]);
+        }
+        Line2 line;
+        for (auto node = way.rbegin(); node != way.rend(); ++node) {
+          line.insert(line.end(), (*node)->line.begin(), (*node)->line.end());
+        }
+        line.push_back(goal_m);
+        best = std::min(best, costs.of(line).cost);
+      }
     }
-    for (const double turn : {0.0, 1.0, -1.0}) {
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
       // By small straight pieces, as an arc is driven.
       constexpr int pieces = 4;
-      Vec2 at_m = here_m;
-      double heading_rad = yaw_rad, edge = 0;
+      Node next{here_m, yaw_rad, kind, static_cast<std::int64_t>(number), {}};
+      const double by_rad = curvatures[kind] * step_m / pieces / cost.turning_radius_min_m;
+      double edge = 0;
       for (int k = 0; k < pieces; ++k) {
-        const double by_rad = turn * step_m / pieces / cost.turning_radius_min_m;
-        const Vec2 next_m =
-            at_m + step_m / pieces *
-                       Vec2(std::cos(heading_rad + by_rad / 2), std::sin(heading_rad + by_rad / 2));
-        edge += costs.straight(at_m, next_m);
-        at_m = next_m;
-        heading_rad += by_rad;
+        const double to_rad = next.yaw_rad + by_rad / 2;
+        const Vec2 next_m = next.at_m + step_m / pieces * Vec2(std::cos(to_rad), std::sin(to_rad));
+        edge += costs.straight(next.at_m, next_m);
+        next.at_m = next_m;
+        next.yaw_rad += by_rad;
+        next.line.push_back(next_m);
       }
-      if (!std::isfinite(edge) || std::isnan(map.height_m(at_m))) continue;
-      if (is_closed[static_cast<std::size_t>(cell(at_m, heading_rad))]) continue;
-      queue.push({here + edge + left_at_least(costs, at_m, goal_m), here + edge, at_m.x(), at_m.y(),
-                  heading_rad});
+      if (!std::isfinite(edge) || std::isnan(map.height_m(next.at_m))) continue;
+      if (is_closed[cell(next.at_m, next.yaw_rad, kind)]) continue;
+      const double was = share(curvatures[before_kind]), is = share(curvatures[kind]);
+      edge += per_j * (cost.slow_j * std::max(0.0, was * was - is * is) +
+                       cost.arc_drag_jmprad * std::pow(is, 4) * std::abs(by_rad) * pieces *
+                           std::abs(curvatures[kind]) / cost.turning_radius_min_m);
+      const double left = left_at_least(costs, next.at_m, goal_m);
+      queue.push({here + edge + left, here + edge, nodes.size()});
+      nodes.push_back(std::move(next));
     }
   }
   return best;

@@ -28,7 +28,7 @@ DriveCost cost_of(const SeededLeg& leg, const Ground& ground);
 double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S_m, RouteAim aim);
 
 // The same over (x, y, heading) for a rover that cannot turn on the spot: straight steps and arcs
-// of its tightest turn.
+// of its tightest turn and of wider ones, slowing down for them counted.
 double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& request);
 
 }  // namespace lsos::test

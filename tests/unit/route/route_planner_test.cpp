@@ -103,8 +103,9 @@ TEST(PlanLeg, goes_around_what_is_too_steep_and_costs_less_than_the_grid) {
 // On the level there is nothing better than the straight line: 1000 J/m.
 TEST(PlanLeg, over_level_ground_is_straight) {
   const Site site({});
-  const PlannedLeg leg =
-      plan_leg(site.ground(), simple_rover(), {{0, 0, 0}, {60, 35, 0}, RouteAim::energy, 1});
+  LegRequest request{{0, 0, 0}, {60, 35, 0}, RouteAim::energy, 1};
+  request.start_heading_rad = std::atan2(60, 35);
+  const PlannedLeg leg = plan_leg(site.ground(), simple_rover(), request);
   ASSERT_EQ(leg.path_S_m.size(), 2u);
   EXPECT_NEAR(leg.length_m, std::hypot(60, 35), 1e-3);
   EXPECT_NEAR(leg.energy_j, 1000 * std::hypot(60, 35), 30);
@@ -118,12 +119,20 @@ TEST(PlanLeg, from_rest_tells_what_setting_off_takes) {
   cost.stop_j = 250;
   cost.stop_s = 4;
   LegRequest request{{0, 0, 0}, {60, 35, 0}, RouteAim::energy, 1};
+  request.start_heading_rad = std::atan2(60, 35);
   const PlannedLeg rolling = plan_leg(site.ground(), cost, request);
   request.starts_at_rest = true;
   const PlannedLeg leg = plan_leg(site.ground(), cost, request);
   EXPECT_EQ(leg.path_S_m, rolling.path_S_m);
   EXPECT_DOUBLE_EQ(leg.energy_j, rolling.energy_j + 250);
   EXPECT_DOUBLE_EQ(leg.duration_s, rolling.duration_s + 4);
+  // Turning right round first, at half a radian a second, with wheels that steer there and back.
+  cost.turn_sprad = 2;
+  cost.steer_s = 3;
+  request.start_heading_rad -= 180 * deg;
+  const PlannedLeg turned = plan_leg(site.ground(), cost, request);
+  EXPECT_EQ(turned.path_S_m, rolling.path_S_m);
+  EXPECT_NEAR(turned.duration_s, leg.duration_s + 2 * std::numbers::pi + 3, 1e-6);
 }
 
 TEST(PlanLeg, ends_at_its_goal_however_far_and_deep) {
@@ -196,7 +205,40 @@ TEST(PlanLeg, says_why_there_is_no_way_and_how_near_one_comes) {
   EXPECT_GT((inside.nearest_S_m - Vec3(60, 0, 0)).norm(), 10);
   EXPECT_TRUE(plan({0, 0, 0}, inside.nearest_S_m).is_found());
   EXPECT_THAT(plan({0, 0, 0}, {46, 0, 0}).reason, HasSubstr("the goal is on a slope of "));
-  EXPECT_THAT(plan({46, 0, 0}, {0, 0, 0}).reason, HasSubstr("the start is on a slope of "));
+}
+
+TEST(PlanLeg, leaves_a_start_that_is_steeper_than_its_limit) {
+  // A bowl whose wall is some 25 degrees steep there and falls to a level floor.
+  const Site site({{60, 0, 40, 7, 0.5}});
+  const DriveCost cost = simple_rover();
+  const auto plan = [&](const Vec3& from_m, const Vec3& to_m) {
+    return plan_leg(site.ground(), cost, {from_m, to_m, RouteAim::energy, 1});
+  };
+  const PlannedLeg down = plan({53, 0, 0}, {60, 0, 0});
+  EXPECT_TRUE(down.is_found()) << down.reason;
+  // Up it gets steeper.
+  EXPECT_FALSE(plan({53, 0, 0}, {0, 0, 0}).is_found());
+}
+
+// What lies close ahead of a rover that cannot turn on the spot is passed beside, not run into.
+TEST(PlanLeg, passes_what_it_was_stuck_at_in_its_tightest_turn) {
+  const Site site({});
+  DriveCost cost = simple_rover();
+  cost.can_turn_on_spot = false;
+  cost.turning_radius_min_m = 3.1;
+  LegRequest request{{0, 0, 0}, {40, 0, 0}, RouteAim::energy, 1};
+  request.start_heading_rad = 90 * deg;
+  request.avoided = {{{3.9, 0, 0}, 3.1}};
+  const PlannedLeg leg = plan_leg(site.ground(), cost, request);
+  ASSERT_TRUE(leg.is_found()) << leg.reason;
+  double nearest_m = 100;
+  for (std::size_t k = 0; k + 1 < leg.path_S_m.size(); ++k) {
+    for (double share = 0; share <= 1; share += 0.05) {
+      const Vec3 p_m = leg.path_S_m[k] + share * (leg.path_S_m[k + 1] - leg.path_S_m[k]);
+      nearest_m = std::min(nearest_m, (p_m - Vec3(3.9, 0, 0)).head<2>().norm());
+    }
+  }
+  EXPECT_GT(nearest_m, 1.3);
 }
 
 }  // namespace
