@@ -1,4 +1,5 @@
-// A route made better off the lattice, by OMPL: corners cut and poses moved while its cost falls.
+// A route made better off the lattice, by OMPL's PathSimplifier: corners cut and poses moved while
+// its cost falls. Of its planners none is used: README.md says why.
 #pragma once
 
 #include <cstdint>
