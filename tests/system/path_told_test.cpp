@@ -1,0 +1,144 @@
+// What check tells of planned ways, and keeps of them: times as driven, legs without a way, lines
+// over the meridian of 180 degrees.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "base/units.h"
+#include "system/plan_run.h"
+#include "system/source_files.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Of a rover from a place to others, so many metres east and north of it.
+std::vector<Mark> way(const std::string& rover, const std::string& terrain,
+                      const std::vector<std::pair<double, double>>& to_m, double lon_deg = 20,
+                      double lat_deg = 10, const Fields& more = {}) {
+  const double radius_m = 1737400;
+  std::string places;
+  for (const auto& [east_m, north_m] : to_m) {
+    const double by_deg = degrees(east_m / (radius_m * std::cos(radians(lat_deg))));
+    places += fmt::format("{:.9f},{:.9f} ", std::remainder(lon_deg + by_deg, 360),
+                          lat_deg + degrees(north_m / radius_m));
+  }
+  return {{"MissionInfo",
+           {{"Planet", "Moon"},
+            {"StartTime", "2026-01-01T00:00:00Z"},
+            {"Terrain", terrain},
+            {"LogInterval", "60"}},
+           ""},
+          {"Rover",
+           {{"RoverId", "R"}, {"RoverType", rover}},
+           point(fmt::format("{:.9f},{:.9f}", lon_deg, lat_deg))},
+          event("PathPlanRoute", "R", 1, more, to_m.size() == 1 ? point(places) : line(places))};
+}
+
+struct Told {
+  const char *rover, *terrain;
+  std::vector<std::pair<double, double>> to_m;
+  double within;  // of the time driven
+};
+
+class PathPlanTime : public testing::TestWithParam<Told> {};
+
+TEST_P(PathPlanTime, is_what_the_drive_takes) {
+  const Told& told = GetParam();
+  const PlanRun run(way(told.rover, told.terrain, told.to_m));
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  double planned_s = 0;
+  for (const PlannedPathRow& path : run.log().planned_paths()) planned_s += path.duration_s;
+  const std::vector<EventRow> events = run.log().events();
+  ASSERT_EQ(events.size(), 1u);
+  const double driven_s = seconds(*events[0].end) - seconds(*events[0].start);
+  RecordProperty("planned_to_driven", fmt::format("{:.3f}", planned_s / driven_s));
+  EXPECT_NEAR(planned_s, driven_s, told.within * driven_s);
+}
+
+// On the level, with a corner that is turned at, and without; up, down and across 10 degrees.
+INSTANTIATE_TEST_SUITE_P(
+    Rovers, PathPlanTime,
+    testing::Values(Told{"SEV", "Flat", {{80, 0}, {80, 60}}, 0.05},
+                    Told{"MER", "Flat", {{20, 0}, {20, 15}}, 0.05},
+                    Told{"Husky", "Flat", {{40, 0}, {40, 30}}, 0.05},
+                    Told{"LRV", "Flat", {{120, 0}}, 0.05}, Told{"SEV", "Slope", {{0, -80}}, 0.1},
+                    Told{"SEV", "Slope", {{60, 60}}, 0.1}, Told{"Husky", "Slope", {{0, -30}}, 0.1},
+                    Told{"Husky", "Slope", {{0, 30}}, 0.1}, Told{"LRV", "Slope", {{0, -100}}, 0.1},
+                    Told{"LRV", "Slope", {{100, 0}}, 0.1}, Told{"MER", "Slope", {{0, 20}}, 0.1}),
+    [](const auto& tested) {
+      return fmt::format("{}{}{}", tested.param.rover, tested.param.terrain, tested.index);
+    });
+
+TEST(PathPlanTold, no_way_is_kept_and_told_at_once_the_second_time) {
+  const TempFolder folder;
+  const std::string plan =
+      folder.write("plan.kml", read_text(repository() / "tests/messages/mission/no_way.kml"));
+  folder.write("terrain/Walled.lua",
+               read_text(repository() / "tests/messages/mission/terrain/Walled.lua"));
+  const Outcome first = run({"check", plan});
+  EXPECT_EQ(first.exit_code, 2);
+  const std::filesystem::path kept = plan + ".routes";
+  ASSERT_TRUE(std::filesystem::exists(kept));
+  const auto written = std::filesystem::last_write_time(kept);
+  const Outcome second = run({"check", plan});
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_EQ(std::filesystem::last_write_time(kept), written) << "it was planned again";
+}
+
+// A small rover, a way of 300 m to the floor of a pit.
+TEST(PathPlanTold, no_way_is_found_out_in_seconds) {
+  const TempFolder folder;
+  folder.write("terrain/Pit.lua",
+               "local lsos = require 'lsos'\n"
+               "return lsos.terrain { api = 1, doc = 'Test.', soil = 'ApolloNominal',\n"
+               "  surface = lsos.relief { lon_deg = 20, lat_deg = 10, landforms = {\n"
+               "    lsos.landform { name = 'pit', lon_deg = 20, lat_deg = 10.009893,\n"
+               "      diameter_m = 40, depth_m = 14, rim_height_m = 2 } } } }\n");
+  const std::string plan = folder.write("plan.kml", kml(way("MER", "Pit", {{0, 300}})));
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome check = run({"check", plan, "--quiet"});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(check.exit_code, 2);
+  EXPECT_THAT(check.out, HasSubstr("no way comes nearer to the goal than "));
+  EXPECT_LT(took.count(), 30) << "it took minutes";
+}
+
+TEST(PathPlanTold, a_folder_where_ways_would_be_kept_is_warned_of) {
+  const TempFolder folder;
+  const std::string plan = folder.write("plan.kml", kml(way("SEV", "Flat", {{20, 0}})));
+  std::filesystem::create_directory(plan + ".routes");
+  const Outcome check = run({"check", plan});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("plan.kml.routes: warning: it is no file"));
+  EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 1: "));
+}
+
+TEST(PathPlanTold, a_waypoint_that_it_stands_on_is_told_too) {
+  const TempFolder folder;
+  const Outcome check =
+      run({"check", folder.write("plan.kml", kml(way("SEV", "Flat", {{0, 0}, {20, 0}})))});
+  EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 1: already there"));
+  EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 2: 20"));
+}
+
+TEST(PathPlanTold, lines_go_on_over_the_meridian) {
+  const PlanRun run(way("SEV", "Craters", {{0, 0}, {100, 30}}, 179.999, 10, {}));
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const std::vector<PlannedPathRow> paths = run.log().planned_paths();
+  ASSERT_EQ(paths.size(), 1u);
+  for (const Geodetic& place : paths[0].line) {
+    EXPECT_GT(degrees(place.lon_rad), 179.99);
+    EXPECT_LT(degrees(place.lon_rad), 180.01);
+  }
+  // No coordinate of a line lies on the other side of the body.
+  EXPECT_THAT(read_text(run.folder / "run" / "overlay.kml"), HasSubstr(" 180.00"));
+}
+
+}  // namespace
+}  // namespace lsos::test
