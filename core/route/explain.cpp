@@ -30,8 +30,10 @@ Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m)
     const double yaw_rad = 2 * std::numbers::pi * k / directions;
     const Stance stance = finder.at(map, at_m, {std::cos(yaw_rad), std::sin(yaw_rad)});
     if (!stance.is_on_ground) continue;
-    if (hazard(stance, finder.cost()) == Hazard::none) return stance;
-    const double now = demand(stance, finder.cost());
+    const Hazard found = hazard(stance, finder.cost());
+    if (found == Hazard::none) return stance;
+    // That it does not climb there says little of a place.
+    const double now = demand(stance, finder.cost()) + (found == Hazard::climb ? 1e3 : 0);
     if (now >= least) continue;
     least = now;
     best = stance;

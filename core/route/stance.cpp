@@ -14,8 +14,9 @@ namespace {
 // level. What follows a line heads uphill of it by so much; up to this it holds the line within
 // some centimetres (MER across 10 degrees: 0.1 m), beyond it that is not to be relied on.
 constexpr double side_slip_max = 0.4;
-// Down a slope where brakes hold it only with more than this a rover slides.
-constexpr double braking_slip_max = 0.3;
+// Down a slope where brakes hold it only with more than this a rover slides (Husky down 28 degrees,
+// 0.2 on the mean, comes down).
+constexpr double braking_slip_max = 0.4;
 
 // A map has so many nodes over the shortest side of the rectangle of its wheels, within bounds.
 constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
