@@ -43,7 +43,8 @@ int answer_fail(lua_State* L) {
   lua_insert(L, 1);
   lua_pop(L, 2);
   lua_call(L, lua_gettop(L) - 1, 1);
-  push_answer(L, Fail{error_text(L, -1)});
+  constexpr std::size_t reason_bytes_max = 4000;
+  push_answer(L, Fail{error_text(L, -1).substr(0, reason_bytes_max)});
   return 1;
 }
 
@@ -71,7 +72,7 @@ PhaseAnswer read_answer(lua_State* L, int base, const EventDeclaration& event) {
         "lsos.sleep_until(s) or lsos.arrival, not {}",
         describe(L, -1)));
   }
-  return GoTo{find_phase(event, lua_tostring(L, -1)).name};
+  return GoTo{find_phase(event, key_text(L, -1)).name};
 }
 
 }  // namespace lsos

@@ -40,8 +40,7 @@ int read_param(lua_State* L) {
   lua_pushvalue(L, 2);
   lua_rawget(L, lua_upvalueindex(2));
   if (lua_isnil(L, -1)) {
-    push_text(L, 2);
-    const std::string key = lua_tostring(L, -1);
+    const std::string key = key_text(L, 2);
     throw std::runtime_error(
         fmt::format("{} has no parameter '{}'{}", event.name, key, known_keys(event, key)));
   }
@@ -167,6 +166,7 @@ std::map<std::string, FieldValue> read_params(lua_State* L, int index,
 }
 
 Path3 read_path(lua_State* L, int index, const std::string& what) {
+  constexpr std::int64_t instructions_per_point = 20;
   index = lua_absindex(L, index);
   if (const std::optional<Vec3> point = to_vec3(L, index)) return {*point};
   if (const Path3* waypoints = to_geometry(L, index)) return *waypoints;
@@ -177,6 +177,7 @@ Path3 read_path(lua_State* L, int index, const std::string& what) {
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
   Path3 path;
   for (lua_Integer i = 1; i <= count; ++i, lua_pop(L, 1)) {
+    charge(L, instructions_per_point);
     lua_rawgeti(L, index, i);
     const std::optional<Vec3> point = to_vec3(L, -1);
     if (!point) {

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "lua/script_memory.h"
 #include "mission/script_host.h"
 
 struct lua_State;
@@ -21,6 +22,13 @@ struct Limits {
   std::int64_t instructions = 10'000'000;
   std::size_t memory_bytes = std::size_t{256} << 20;
 };
+
+// What one call may allocate, whether it keeps it or not.
+inline constexpr std::int64_t bytes_per_instruction = 40;
+
+// What one phase call may write into the log.
+inline constexpr int notes_max = 1000;
+inline constexpr std::size_t note_bytes_max = std::size_t{1} << 20;
 
 // The phase call that is going on.
 struct EventCall {
@@ -42,15 +50,21 @@ class RoversInHand {
 };
 
 struct LuaContext {
+  explicit LuaContext(const Limits& limits_) : limits(limits_), memory(limits_.memory_bytes) {}
+
   Limits limits;
-  std::size_t memory_bytes = 0;
-  std::int64_t instructions_left = 0;
+  ScriptMemory memory;
+  // A script's call is going on; otherwise nothing is charged.
+  bool is_charging = false;
+  std::int64_t instructions_max = 0, instructions_left = 0;  // of the call
+  // What the call has written into the log.
+  int notes = 0;
+  std::size_t note_bytes = 0;
+  // Where there is one, of a prompt: whether the user wants what runs to stop.
+  bool (*is_stop_wanted)() = nullptr;
 
   // Set when a budget is spent: the message, with the script's line. No script may catch that.
   std::string spent;
-  // Where the allocator last refused ("file:line: "); the error itself carries no position.
-  char refused_at[160] = "";
-  lua_State* L = nullptr;
 
   // A fault of ours that travels through Lua as an error.
   std::exception_ptr internal_error;
@@ -69,5 +83,12 @@ const EventCall& running_call(lua_State* L, const char* what);
 
 // Takes `instructions` off the budget for work that no count hook sees. Raises when it is spent.
 void charge(lua_State* L, std::int64_t instructions);
+// The same for handling that many bytes in C.
+void charge_bytes(lua_State* L, std::size_t bytes);
+
+// Writes a row of the phase that runs into the log's notes. Throws std::runtime_error beyond what
+// one call may write.
+void write_note(lua_State* L, const EventCall& call, const std::string& name,
+                const std::string& fields_json);
 
 }  // namespace lsos

@@ -24,23 +24,28 @@ std::string registry_name(const HandleType& type) {
 
 // Upvalue 2: method functions by name.
 int read_key(lua_State* L) {
+  constexpr std::int64_t instructions_per_read = 20;
+  charge(L, instructions_per_read);
   const HandleType& type = type_of_closure(L);
   if (lua_type(L, 2) != LUA_TSTRING) refuse_handle_key(type, luaL_typename(L, 2));
-  const std::string_view key = lua_tostring(L, 2);
+  std::size_t size = 0;
+  const char* bytes = lua_tolstring(L, 2, &size);
+  const std::string_view key(bytes, size);
   for (const HandleField& field : type.fields) {
     if (key != field.name) continue;
     lua_settop(L, 1);
     return field.read(L);
   }
+  lua_pushvalue(L, 2);
   lua_rawget(L, lua_upvalueindex(2));
-  if (lua_isnil(L, -1)) refuse_handle_key(type, std::string(key).c_str());
+  if (lua_isnil(L, -1)) refuse_handle_key(type, key_text(L, 2).c_str());
   return 1;
 }
 
 int refuse_write(lua_State* L) {
   const HandleType& type = type_of_closure(L);
   throw std::runtime_error(fmt::format("{} is read-only, '{}' cannot be assigned", type.name,
-                                       lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "?"));
+                                       lua_type(L, 2) == LUA_TSTRING ? key_text(L, 2) : "?"));
 }
 
 int to_string(lua_State* L) {

@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "lua/context.h"
+#include "lua/state.h"
 #include "lua/vec3.h"
 
 namespace lsos {
@@ -20,6 +21,9 @@ constexpr std::int64_t api_version_min = 1, api_version_max = 1;
 constexpr std::pair<std::string_view, std::string_view> compound_units[] = {
     {"_npm", "N/m"},    {"_nspm", "N s/m"}, {"_n_m_prad", "N m/rad"}, {"_n_m_sprad", "N m s/rad"},
     {"_kgm2", "kg m2"}, {"_pm2", "1/m2"}};
+
+constexpr std::int64_t instructions_per_key = 10;
+constexpr int faults_max = 50;  // of one table
 
 std::string range_text(const Range& range, const std::string& unit) {
   const std::string u = unit.empty() ? "" : " " + unit;
@@ -83,10 +87,14 @@ TableReader::TableReader(lua_State* L, int index, std::string what, Place place,
 TableReader::TableReader(std::vector<KeyDoc>& keys) : keys_(&keys) {}
 
 void TableReader::fault(const std::string& text) {
+  constexpr std::int64_t instructions_per_fault = 200;
+  if (L_ != nullptr) charge(L_, instructions_per_fault);
+  if (++fault_count_ > faults_max) return;
   faults_->error(place_, fmt::format("{}: {}", what_, text));
 }
 
 bool TableReader::take(Need need, const char* key, const char* type, const char* doc) {
+  if (L_ != nullptr) charge(L_, instructions_per_key);
   known_.emplace_back(key);
   if (keys_ != nullptr) {
     keys_->push_back({key, type, need == required, doc});
@@ -179,6 +187,7 @@ void TableReader::numbers(Need need, const char* key, std::vector<double>& value
     return;
   value.clear();
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
+    charge(L_, instructions_per_key);
     const std::string name = fmt::format("{}[{}]", key, i);
     if (lua_type(L_, -1) != LUA_TNUMBER) {
       fault(fmt::format("{}: a number is wanted, found {}", name, describe(L_, -1)));
@@ -194,6 +203,7 @@ void TableReader::texts(Need need, const char* key, std::vector<std::string>& va
   if (!get(need, key, "list of texts", doc, LUA_TTABLE, "a list of texts")) return;
   value.clear();
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
+    charge(L_, instructions_per_key);
     if (lua_type(L_, -1) == LUA_TSTRING) {
       value.emplace_back(lua_tostring(L_, -1));
     } else {
@@ -237,6 +247,7 @@ void TableReader::made_list(Need need, const char* key, const char* kind, const 
   const std::string type = fmt::format("list of lsos.{}", kind);
   if (!get(need, key, type, doc, LUA_TTABLE, ("a " + type).c_str())) return;
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
+    charge(L_, instructions_per_key);
     const Made* found = to_made(L_, -1);
     if (found != nullptr && found->kind == kind) {
       add(*found);
@@ -254,8 +265,9 @@ void TableReader::finish() {
   lua_pushnil(L_);
   while (lua_next(L_, index_) != 0) {
     lua_pop(L_, 1);
+    charge(L_, instructions_per_key);
     if (lua_type(L_, -1) == LUA_TSTRING) {
-      const std::string key = lua_tostring(L_, -1);
+      const std::string key = key_text(L_, -1);
       if (std::ranges::find(known_, key) == known_.end()) unknown.push_back(key);
     } else if (lua_type(L_, -1) == LUA_TNUMBER) {
       unknown.push_back(fmt::format("[{}]", lua_tonumber(L_, -1)));
@@ -266,6 +278,7 @@ void TableReader::finish() {
   std::ranges::sort(unknown);
   std::ranges::sort(known_);
   for (const std::string& key : unknown) {
+    if (fault_count_ > faults_max) break;
     const std::string near = suggest_key(key, known_);
     fault(
         fmt::format("unknown key '{}'{}", key,

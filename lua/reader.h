@@ -136,6 +136,7 @@ class TableReader {
 
   lua_State* L_ = nullptr;
   int index_ = 0;
+  int fault_count_ = 0;
   std::string what_;
   Place place_;
   Faults* faults_ = nullptr;

@@ -13,8 +13,8 @@ namespace lsos {
 namespace {
 
 // Taken from Lua as they are.
-constexpr const char* base_functions[] = {"assert", "error",  "ipairs",   "rawequal", "rawget",
-                                          "rawlen", "select", "tonumber", "type"};
+constexpr const char* base_functions[] = {"assert", "error",  "ipairs", "rawequal",
+                                          "rawget", "rawlen", "select", "type"};
 // Absent from libraries: what is not repeatable (random, randomseed) and binary code (dump).
 constexpr const char* math_absent[] = {"random", "randomseed"};
 constexpr const char* string_absent[] = {"dump"};
@@ -48,8 +48,7 @@ std::vector<std::string> text_keys(lua_State* L, int index) {
 // Upvalues: the table, its name ("" for the globals).
 int missing_key(lua_State* L) {
   const std::string name = lua_tostring(L, lua_upvalueindex(2));
-  push_text(L, 2);
-  const std::string key = lua_tostring(L, -1);
+  const std::string key = key_text(L, 2);
   const std::string near = did_you_mean(key, text_keys(L, lua_upvalueindex(1)));
   throw std::runtime_error(name.empty() ? fmt::format("no global '{}'{}", key, near)
                                         : fmt::format("{} has no '{}'{}", name, key, near));
@@ -57,8 +56,7 @@ int missing_key(lua_State* L) {
 
 int refuse_write(lua_State* L) {
   const std::string name = lua_tostring(L, lua_upvalueindex(1));
-  push_text(L, 2);
-  const char* key = lua_tostring(L, -1);
+  const std::string key = key_text(L, 2);
   throw std::runtime_error(
       name.empty() ? fmt::format("assignment to global '{}': make it local", key)
                    : fmt::format("{} is read-only, '{}' cannot be assigned", name, key));
@@ -109,6 +107,7 @@ void make_sandbox(lua_State* L) {
   lua_setfield(L, -2, "__index");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
+  replace_text_arithmetic(L);
   lua_pop(L, 2);
   make_read_only(L, "string");
   lua_setfield(L, -2, "string");
@@ -124,6 +123,7 @@ void make_sandbox(lua_State* L) {
   lua_setfield(L, -2, "table");
 
   push_library(L, LUA_UTF8LIBNAME, luaopen_utf8);
+  replace_utf8_functions(L);
   make_read_only(L, "utf8");
   lua_setfield(L, -2, "utf8");
 

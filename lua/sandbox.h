@@ -27,6 +27,10 @@ void push_sorted_keys(lua_State* L, int index);
 
 // Replacements, each in its own file; `L`'s top is the library's table.
 void replace_string_functions(lua_State* L);
+void replace_pattern_functions(lua_State* L);
 void replace_table_functions(lua_State* L);
+void replace_utf8_functions(lua_State* L);
+// The top is the metatable of texts: '10' + 1 reads a number.
+void replace_text_arithmetic(lua_State* L);
 
 }  // namespace lsos

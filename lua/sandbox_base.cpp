@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +21,7 @@ struct Key {
   bool is_integer = false;
   lua_Integer integer = 0;
   lua_Number number = 0;
-  std::string text;
+  std::string_view text;  // the table holds it
 };
 
 bool comes_before(const Key& a, const Key& b) {
@@ -56,10 +57,15 @@ int pairs(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_settop(L, 1);
   push_sorted_keys(L, 1);
-  charge(L, static_cast<lua_Integer>(lua_rawlen(L, 2)));
   lua_pushinteger(L, 0);
   lua_pushcclosure(L, guard<sorted_next>, 3);
   return 1;
+}
+
+// Upvalue 1: Lua's own.
+int to_number(lua_State* L) {
+  if (lua_type(L, 1) == LUA_TSTRING) charge_bytes(L, 4 * lua_rawlen(L, 1));
+  return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
 int to_text(lua_State* L) {
@@ -68,8 +74,10 @@ int to_text(lua_State* L) {
   return 1;
 }
 
-// After a protected call that failed: an error that no script may catch goes on.
+// After a protected call that failed: an error that no script may catch goes on. The others cost
+// what a C++ exception does.
 void pass_on_fatal(lua_State* L, int status) {
+  constexpr std::int64_t instructions_per_exception = 300;
   LuaContext& ctx = context(L);
   if (status == LUA_ERRMEM) note_memory_spent(L);
   if (!ctx.spent.empty()) {
@@ -77,6 +85,7 @@ void pass_on_fatal(lua_State* L, int status) {
     lua_error(L);
   }
   if (ctx.internal_error) lua_error(L);
+  charge(L, instructions_per_exception);
 }
 
 int protected_call(lua_State* L) {
@@ -91,7 +100,9 @@ int protected_call(lua_State* L) {
 // A spent budget is raised inside the count hook, where no further hook fires: the script's handler
 // (upvalue 1) could then loop without an end.
 int handle_error(lua_State* L) {
+  constexpr std::int64_t instructions_per_handler = 200;  // it may raise, and be called of that
   if (!context(L).spent.empty()) return 1;
+  charge(L, instructions_per_handler);
   lua_pushvalue(L, lua_upvalueindex(1));
   lua_insert(L, 1);
   lua_call(L, 1, 1);
@@ -122,7 +133,9 @@ int set_metatable(lua_State* L) {
   luaL_argexpected(L, lua_istable(L, 2) || lua_isnil(L, 2), 2, "nil or table");
   if (is_protected(L, 1)) throw std::runtime_error("this metatable cannot be changed");
   if (lua_istable(L, 2)) {
-    // Finalizers and weak tables act when the collector runs, which is not repeatable.
+    // Finalizers and weak tables act when the collector runs, which is not repeatable. Set later
+    // neither has an effect: Lua looks for '__gc' here only, and the collector is not shown a
+    // '__mode' (see ScriptMemory). So that the metatable remains the script's own, to change.
     for (const char* name : {"__gc", "__mode"}) {
       lua_pushstring(L, name);
       lua_rawget(L, 2);
@@ -133,6 +146,9 @@ int set_metatable(lua_State* L) {
       }
       lua_pop(L, 1);
     }
+    lua_pushvalue(L, 2);
+    context(L).memory.note_metatable(L);
+    lua_pop(L, 1);
   }
   lua_settop(L, 2);
   lua_setmetatable(L, 1);
@@ -167,13 +183,20 @@ int require(lua_State* L) {
 
 // Goes to the notes of the log, under the name "print"; at a prompt it is printed.
 int print(lua_State* L) {
+  constexpr std::int64_t instructions_per_print = 200;
   std::string line;
   const int count = lua_gettop(L);
   for (int i = 1; i <= count; ++i) {
     push_text(L, i);
+    charge_bytes(L, lua_rawlen(L, -1));
+    if (line.size() + lua_rawlen(L, -1) > note_bytes_max) {
+      throw std::runtime_error(
+          fmt::format("print of more than {} KiB in one line", note_bytes_max >> 10));
+    }
     line += (i > 1 ? "\t" : "") + error_text(L, -1);
     lua_pop(L, 1);
   }
+  charge(L, instructions_per_print);
   lua_settop(L, 0);
   if (context(L).in_hand != nullptr) {
     context(L).in_hand->say(line);
@@ -183,22 +206,28 @@ int print(lua_State* L) {
   lua_newtable(L);
   lua_pushlstring(L, line.data(), line.size());
   lua_setfield(L, 1, "text");
-  call.phase.rover.note("print", fields_json(L, 1));
+  write_note(L, call, "print", fields_json(L, 1));
   return 0;
 }
 
 }  // namespace
 
 void push_sorted_keys(lua_State* L, int index) {
+  // Of the sort and of the new table; before it, as nothing looks at the budget meanwhile.
+  constexpr std::int64_t instructions_per_key = 8;
   index = lua_absindex(L, index);
   std::vector<Key> keys;
   lua_pushnil(L);
   while (lua_next(L, index) != 0) {
     lua_pop(L, 1);
+    charge(L, instructions_per_key + std::bit_width(keys.size()));
+    if (lua_type(L, -1) == LUA_TSTRING) charge_bytes(L, lua_rawlen(L, -1));
     Key key;
     if (lua_type(L, -1) == LUA_TSTRING) {
       key.is_text = true;
-      key.text = error_text(L, -1);
+      std::size_t size = 0;
+      const char* bytes = lua_tolstring(L, -1, &size);
+      key.text = {bytes, size};
     } else if (lua_type(L, -1) == LUA_TNUMBER) {
       key.is_integer = lua_isinteger(L, -1) != 0;
       key.integer = key.is_integer ? lua_tointeger(L, -1) : 0;
@@ -221,11 +250,13 @@ void push_sorted_keys(lua_State* L, int index) {
 }
 
 void push_text(lua_State* L, int index) {
+  constexpr std::int64_t instructions_per_number = 20;
   index = lua_absindex(L, index);
   const int type = lua_type(L, index);
   const bool is_plain =
       type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING;
   if (is_plain) {
+    if (type == LUA_TNUMBER) charge(L, instructions_per_number);
     luaL_tolstring(L, index, nullptr);
     return;
   }
@@ -250,6 +281,9 @@ void add_base_functions(lua_State* L) {
                                     {"print", guard<print>},
                                     {nullptr, nullptr}};
   luaL_setfuncs(L, functions, 0);
+  lua_getglobal(L, "tonumber");
+  lua_pushcclosure(L, guard<to_number>, 1);
+  lua_setfield(L, -2, "tonumber");
 }
 
 }  // namespace lsos

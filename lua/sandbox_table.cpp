@@ -2,7 +2,9 @@
 // on every run (Lua's own picks pivots by the clock in bad cases).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@ namespace lsos {
 namespace {
 
 constexpr lua_Integer elements_max = 10'000'000;
+constexpr lua_Integer values_max = 10'000;  // that one call gives
 
 // A metatable could answer for a length without an end.
 void check_plain_table(lua_State* L, int index) {
@@ -27,16 +30,46 @@ void check_plain_table(lua_State* L, int index) {
 
 int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
-// insert, remove, concat, unpack
-int plain(lua_State* L) {
+// Elements that insert and remove move.
+int shifting(lua_State* L) {
   check_plain_table(L, 1);
-  charge(L, static_cast<std::int64_t>(lua_rawlen(L, 1)) / 8);
+  const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
+  // With a position: insert has three arguments then, remove two.
+  const bool is_remove = lua_gettop(L) == 2 && lua_toboolean(L, lua_upvalueindex(2)) != 0;
+  if (lua_gettop(L) == 3 || is_remove) {
+    const lua_Integer position = luaL_checkinteger(L, 2);
+    if (position >= 1 && position <= length) charge(L, 4 * (length - position));
+  }
   return call_original(L);
 }
 
+int concat(lua_State* L) {
+  check_plain_table(L, 1);
+  const lua_Integer first = luaL_optinteger(L, 3, 1);
+  const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
+  const lua_Integer last = luaL_optinteger(L, 4, length);
+  // Beyond what it holds it ends with an error; a number among them becomes a text.
+  if (last >= first && first <= length) {
+    charge(L, 20 * (std::min(last, length) - std::max<lua_Integer>(1, first) + 1));
+  }
+  const int count = call_original(L);
+  charge_bytes(L, lua_rawlen(L, -1));
+  return count;
+}
+
 int unpack(lua_State* L) {
-  // ev.geometry and the like answer by metatable; unpack is bounded by Lua's stack anyway.
-  if (lua_type(L, 1) == LUA_TTABLE) charge(L, static_cast<std::int64_t>(lua_rawlen(L, 1)) / 8);
+  // ev.geometry and the like answer by metatable.
+  const lua_Integer first = luaL_optinteger(L, 2, 1);
+  const lua_Integer last = lua_isnoneornil(L, 3) ? luaL_len(L, 1) : luaL_checkinteger(L, 3);
+  const double count = static_cast<double>(last) - static_cast<double>(first) + 1;
+  if (count > values_max) {
+    throw std::runtime_error(
+        fmt::format("table.unpack of {:.0f} values; at most {}", count, values_max));
+  }
+  charge(L, static_cast<std::int64_t>(std::max(0.0, count)));
+  lua_settop(L, 1);
+  lua_pushinteger(L, first);
+  lua_pushinteger(L, last);
   return call_original(L);
 }
 
@@ -50,15 +83,19 @@ int move(lua_State* L) {
     throw std::runtime_error(
         fmt::format("table.move of {:.0f} elements; at most {}", count, elements_max));
   }
-  charge(L, static_cast<std::int64_t>(count > 0 ? count : 0));
+  charge(L, 4 * static_cast<std::int64_t>(std::max(0.0, count)));
   return call_original(L);
 }
 
 // Stack: 1 the table, 2 the comparison or nil, 3 the elements.
 bool is_less(lua_State* L, int a, int b) {
+  charge(L, instructions_per_call);
   if (lua_isnil(L, 2)) {
     lua_rawgeti(L, 3, a);
     lua_rawgeti(L, 3, b);
+    if (lua_type(L, -1) == LUA_TSTRING && lua_type(L, -2) == LUA_TSTRING) {
+      charge_bytes(L, std::min(lua_rawlen(L, -1), lua_rawlen(L, -2)));
+    }
     const bool less = lua_compare(L, -2, -1, LUA_OPLT) != 0;
     lua_pop(L, 2);
     return less;
@@ -112,15 +149,22 @@ int sort(lua_State* L) {
   return 0;
 }
 
+int pack(lua_State* L) {
+  charge(L, 2 * lua_gettop(L));
+  return call_original(L);
+}
+
 }  // namespace
 
 void replace_table_functions(lua_State* L) {
-  constexpr luaL_Reg replacements[] = {{"insert", guard<plain>}, {"remove", guard<plain>},
-                                       {"concat", guard<plain>}, {"unpack", guard<unpack>},
-                                       {"move", guard<move>},    {"sort", guard<sort>}};
+  constexpr luaL_Reg replacements[] = {{"insert", guard<shifting>}, {"remove", guard<shifting>},
+                                       {"concat", guard<concat>},   {"unpack", guard<unpack>},
+                                       {"move", guard<move>},       {"sort", guard<sort>},
+                                       {"pack", guard<pack>}};
   for (const luaL_Reg& replacement : replacements) {
     lua_getfield(L, -1, replacement.name);
-    lua_pushcclosure(L, replacement.func, 1);
+    lua_pushboolean(L, std::string_view(replacement.name) == "remove");
+    lua_pushcclosure(L, replacement.func, 2);
     lua_setfield(L, -2, replacement.name);
   }
 }

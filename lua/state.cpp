@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 #include <utility>
@@ -16,56 +18,33 @@ namespace {
 // Instructions between two looks of the count hook.
 constexpr int hook_interval = 1000;
 
-// Writes the place of the innermost script function without allocating.
-void note_place(lua_State* L, char* text, std::size_t size) {
-  lua_Debug ar;
-  text[0] = '\0';
-  for (int level = 0; lua_getstack(L, level, &ar) == 1; ++level) {
-    if (lua_getinfo(L, "Sl", &ar) == 0 || ar.currentline < 0) continue;
-    std::snprintf(text, size, "%s:%d: ", ar.short_src, ar.currentline);
-    return;
-  }
-}
-
-void* allocate(void* data, void* block, std::size_t old_size, std::size_t new_size) {
-  auto& context = *static_cast<LuaContext*>(data);
-  if (block == nullptr) old_size = 0;  // then it is the kind of object
-  if (new_size == 0) {
-    std::free(block);
-    context.memory_bytes -= old_size;
-    return nullptr;
-  }
-  if (new_size > old_size &&
-      context.memory_bytes - old_size + new_size > context.limits.memory_bytes) {
-    if (context.L != nullptr) note_place(context.L, context.refused_at, sizeof context.refused_at);
-    return nullptr;
-  }
-  void* moved = std::realloc(block, new_size);
-  if (moved != nullptr) context.memory_bytes += new_size - old_size;
-  return moved;
-}
-
+// Once the budget is spent every later look raises again.
 void raise_spent(lua_State* L, const char* place) {
   LuaContext& ctx = context(L);
   if (ctx.spent.empty()) {
     ctx.spent = fmt::format("{}more than {} instructions in one call (a loop without an end?)",
-                            place, ctx.limits.instructions);
+                            place, ctx.instructions_max);
   }
   lua_pushstring(L, ctx.spent.c_str());
   lua_error(L);
 }
 
-// luaL_error finds no position inside a hook, so the place comes from the hook's own record. Once
-// the budget is spent every later look raises again.
-void count_hook(lua_State* L, lua_Debug* ar) {
+void raise_if_spent(lua_State* L) {
   LuaContext& ctx = context(L);
-  ctx.instructions_left -= hook_interval;
-  if (ctx.instructions_left > 0 && ctx.spent.empty()) return;
-  char place[sizeof ctx.refused_at] = "";
-  if (lua_getinfo(L, "Sl", ar) != 0) {
-    std::snprintf(place, sizeof place, "%s:%d: ", ar->short_src, ar->currentline);
-  }
+  const bool is_stopped = ctx.is_stop_wanted != nullptr && ctx.is_stop_wanted();
+  const bool may_go_on = ctx.instructions_left > 0 && ctx.spent.empty();
+  if (may_go_on && !is_stopped) return;
+  char place[160];
+  write_place(L, place, sizeof place);
+  if (ctx.spent.empty() && is_stopped) ctx.spent = std::string(place) + "stopped";
   raise_spent(L, place);
+}
+
+void count_hook(lua_State* L, lua_Debug*) {
+  LuaContext& ctx = context(L);
+  ctx.instructions_left -= hook_interval * ctx.memory.weight();
+  ctx.instructions_left -= ctx.memory.collect_if_due(L);
+  raise_if_spent(L);
 }
 
 }  // namespace
@@ -73,14 +52,45 @@ void count_hook(lua_State* L, lua_Debug* ar) {
 void note_memory_spent(lua_State* L) {
   LuaContext& ctx = context(L);
   if (!ctx.spent.empty()) return;
-  ctx.spent = fmt::format("{}more than {} MiB of memory for all scripts together", ctx.refused_at,
-                          ctx.limits.memory_bytes >> 20);
+  const ScriptMemory& memory = ctx.memory;
+  const std::string_view why = memory.refusal() == nullptr ? "memory" : memory.refusal();
+  ctx.spent = memory.refused_at();
+  if (why == "traffic") {
+    ctx.spent += fmt::format("more than {} MiB of texts and tables made in one call",
+                             memory.traffic_max() >> 20);
+  } else if (why == "stack") {
+    ctx.spent += "too many values on the stack (a recursion without an end?)";
+  } else {
+    ctx.spent += fmt::format("more than {} MiB of memory for all scripts together",
+                             memory.bytes_max() >> 20);
+  }
 }
 
 namespace {
 
+// A message as long as anybody reads.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t bytes_max = 4000;
+  return message.size() <= bytes_max ? message : message.substr(0, bytes_max) + "...";
+}
+
+// Whether a message begins as "file:12: " does.
+bool has_place(std::string_view message) {
+  const std::size_t end = message.substr(0, 200).find(": ");
+  if (end == std::string_view::npos || end == 0) return false;
+  std::size_t digits = end;
+  while (digits > 0 && std::isdigit(static_cast<unsigned char>(message[digits - 1])) != 0) --digits;
+  return digits < end && digits > 1 && message[digits - 1] == ':';
+}
+
+// An error may come without a place: its value is no text, or C code called C code.
 int keep_traceback(lua_State* L) {
-  const std::string message = error_text(L, 1);
+  std::string message = shortened(error_text(L, 1));
+  if (!has_place(message)) {
+    char place[160];
+    write_place(L, place, sizeof place);
+    message.insert(0, place);
+  }
   luaL_traceback(L, L, nullptr, 1);
   context(L).traceback = lua_tostring(L, -1);
   lua_pushlstring(L, message.data(), message.size());
@@ -104,12 +114,11 @@ int call_body(lua_State* L) {
 
 LuaContext& context(lua_State* L) { return **static_cast<LuaContext**>(lua_getextraspace(L)); }
 
-LuaState::LuaState(const Limits& limits) : context_(std::make_unique<LuaContext>()) {
-  context_->limits = limits;
-  L_ = lua_newstate(allocate, context_.get());
+LuaState::LuaState(const Limits& limits) : context_(std::make_unique<LuaContext>(limits)) {
+  L_ = lua_newstate(ScriptMemory::allocate, &context_->memory);
   LSOS_ASSERT(L_ != nullptr);
   *static_cast<LuaContext**>(lua_getextraspace(L_)) = context_.get();
-  context_->L = L_;
+  lua_gc(L_, LUA_GCSTOP);  // ScriptMemory decides
   try {
     run([](lua_State* L) {
       make_sandbox(L);
@@ -150,19 +159,29 @@ std::optional<LuaFailure> load_text(lua_State* L, const std::string& source,
   return failure;
 }
 
-std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int result_count) {
+std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int result_count,
+                                      double share) {
   LuaContext& ctx = context(L);
-  ctx.instructions_left = ctx.limits.instructions;
+  ctx.instructions_max =
+      static_cast<std::int64_t>(static_cast<double>(ctx.limits.instructions) * share);
+  ctx.instructions_left = ctx.instructions_max;
   ctx.spent.clear();
   ctx.traceback.clear();
-  ctx.refused_at[0] = '\0';
+  ctx.notes = 0;
+  ctx.note_bytes = 0;
+  const std::int64_t traffic_max =
+      std::min<std::int64_t>(ctx.instructions_max, 1 << 30) * bytes_per_instruction;
+  ctx.memory.begin_call(L, static_cast<std::size_t>(traffic_max));
 
   const int handler = lua_gettop(L) - argument_count;
   lua_pushcfunction(L, keep_traceback);
   lua_insert(L, handler);
+  ctx.is_charging = true;
   lua_sethook(L, count_hook, LUA_MASKCOUNT, hook_interval);
   const int status = lua_pcall(L, argument_count, result_count, handler);
   lua_sethook(L, nullptr, 0, 0);
+  ctx.is_charging = false;
+  ctx.memory.end_call();
   lua_remove(L, handler);
   if (status == LUA_OK) return {};
 
@@ -176,11 +195,30 @@ std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int resu
 
 void charge(lua_State* L, std::int64_t instructions) {
   LuaContext& ctx = context(L);
+  if (!ctx.is_charging) return;
   ctx.instructions_left -= instructions;
-  if (ctx.instructions_left > 0 && ctx.spent.empty()) return;
-  char place[sizeof ctx.refused_at];
-  note_place(L, place, sizeof place);
-  raise_spent(L, place);
+  ctx.instructions_left -= ctx.memory.collect_if_due(L);
+  const bool may_go_on = ctx.instructions_left > 0 && ctx.spent.empty();
+  if (!may_go_on || ctx.is_stop_wanted != nullptr) raise_if_spent(L);
+}
+
+void charge_bytes(lua_State* L, std::size_t bytes) {
+  constexpr std::size_t bytes_per_charge = 16;  // in about the time of one Lua instruction
+  charge(L, static_cast<std::int64_t>(bytes / bytes_per_charge));
+}
+
+void write_note(lua_State* L, const EventCall& call, const std::string& name,
+                const std::string& fields_json) {
+  LuaContext& ctx = context(L);
+  ctx.notes += 1;
+  ctx.note_bytes += name.size() + fields_json.size();
+  if (ctx.notes > notes_max || ctx.note_bytes > note_bytes_max) {
+    throw std::runtime_error(fmt::format(
+        "a phase call may write {} notes of {} KiB together into the log; this is number {} with "
+        "{} KiB",
+        notes_max, note_bytes_max >> 10, ctx.notes, ctx.note_bytes >> 10));
+  }
+  call.phase.rover.note(name, fields_json);
 }
 
 const EventCall& running_call(lua_State* L, const char* what) {
@@ -199,6 +237,20 @@ std::string error_text(lua_State* L, int index) {
   }
   return fmt::format("an error whose value is a {} (only texts say what went wrong)",
                      luaL_typename(L, index));
+}
+
+std::string key_text(lua_State* L, int index) {
+  constexpr std::size_t bytes_max = 60;
+  if (lua_type(L, index) != LUA_TSTRING) {
+    push_text(L, index);
+    const std::string text = error_text(L, -1).substr(0, bytes_max);
+    lua_pop(L, 1);
+    return text;
+  }
+  std::size_t size = 0;
+  const char* bytes = lua_tolstring(L, index, &size);
+  if (size <= bytes_max) return {bytes, size};
+  return std::string(bytes, bytes_max) + "...";
 }
 
 std::pair<Place, std::string> split_place(const std::string& message, const std::string& file) {
@@ -225,7 +277,8 @@ Place caller_place(lua_State* L) {
   return {source.starts_with('@') ? source.substr(1) : source, std::max(0, ar.currentline)};
 }
 
-void raise_error(lua_State* L, const std::string& message) {
+void raise_error(lua_State* L, const std::string& whole) {
+  const std::string message = shortened(whole);
   luaL_where(L, 1);
   const bool says_where = message.starts_with(lua_tostring(L, -1));  // a fault with its place
   lua_pushlstring(L, message.data(), message.size());

@@ -42,14 +42,19 @@ std::optional<LuaFailure> load_text(lua_State* L, const std::string& source,
                                     const std::string& file);
 
 // Calls the script function below its arguments, with fresh budgets. Pops both; pushes the results
-// if the call went well. Throws only what our own broken promises throw.
-std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int result_count);
+// if the call went well. Throws only what our own broken promises throw. The call may take a share
+// of what the limits allow.
+std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int result_count,
+                                      double share = 1);
 
 // Says that the memory is spent, with the place where the allocator last refused.
 void note_memory_spent(lua_State* L);
 
 // The error value at `index` as text; other than strings are named by type.
 std::string error_text(lua_State* L, int index);
+
+// A key as messages show it: long ones are cut.
+std::string key_text(lua_State* L, int index);
 
 // Splits "file:line: what". The place is the whole `file` when the message has none.
 std::pair<Place, std::string> split_place(const std::string& message, const std::string& file);
@@ -60,11 +65,15 @@ Place caller_place(lua_State* L);
 [[noreturn]] void raise_error(lua_State* L, const std::string& message);
 void keep_internal_error(lua_State* L);
 
+// A call of one of our functions costs about as much.
+inline constexpr std::int64_t instructions_per_call = 10;
+
 // What is registered with Lua goes through this: a C++ exception becomes a Lua error with the
 // script's place. It catches std::exception only, since Lua's own errors are C++ exceptions too,
 // and raises after the catch block is left.
 template <int (*function)(lua_State*)>
 int guard(lua_State* L) {
+  charge(L, instructions_per_call);
   std::string message;
   try {
     return function(L);

@@ -69,9 +69,8 @@ int cross(lua_State* L) {
 }
 
 int refuse_key(lua_State* L) {
-  push_text(L, 2);
   throw std::runtime_error(
-      fmt::format("a vec3 has x, y, z and no other keys, '{}' cannot be set", lua_tostring(L, -1)));
+      fmt::format("a vec3 has x, y, z and no other keys, '{}' cannot be set", key_text(L, 2)));
 }
 
 void push_metatable(lua_State* L) {

@@ -77,6 +77,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> known) {
+  constexpr std::size_t name_bytes_max = 64;  // no name that we know is longer; the cost is squared
+  if (name.size() > name_bytes_max) return "";
   const auto lower = [](std::string_view text) {
     std::string copy(text);
     std::ranges::transform(copy, copy.begin(),

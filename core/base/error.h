@@ -62,7 +62,7 @@ class Faults {
 // Levenshtein distance in bytes.
 int edit_distance(std::string_view a, std::string_view b);
 
-// "; did you mean 'Speed'?" when a known name is near enough to `name`, else "".
+// "; did you mean 'Speed'?" when a known name is near enough to `name`, else "". No long name is.
 std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
 [[noreturn]] void broken_promise(const char* condition, const char* file, int line);
