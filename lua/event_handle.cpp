@@ -59,13 +59,13 @@ int log(lua_State* L) {
   if (name.empty()) throw std::runtime_error("ev:log wants a name that is not empty");
   if (!lua_isnoneornil(L, 3)) luaL_checktype(L, 3, LUA_TTABLE);
   lua_settop(L, 3);
-  call.phase.rover.note(name, fields_json(L, 3));
+  write_note(L, call, name, fields_json(L, 3));
   return 0;
 }
 
 int write(lua_State* L) {
   call_of(L);
-  const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "?";
+  const std::string key = lua_type(L, 2) == LUA_TSTRING ? key_text(L, 2) : "?";
   if (key != "state") {
     throw std::runtime_error(fmt::format(
         "ev is read-only, '{}' cannot be assigned; what an event remembers goes into ev.state",
