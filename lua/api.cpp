@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "lua/answer.h"
 #include "lua/sandbox.h"
 #include "lua/scenario.h"
@@ -32,6 +34,9 @@ int random(lua_State* L) {
   const EventCall& call = running_call(L, "lsos.random");
   const double low = luaL_optnumber(L, 1, 0), high = luaL_optnumber(L, 2, 1);
   if (!(low <= high)) throw std::runtime_error("lsos.random(low, high): low is above high");
+  if (!std::isfinite(high - low)) {
+    throw std::runtime_error("lsos.random(low, high): both must be finite");
+  }
   if (!call.random) {
     call.random.emplace(call.phase.seed, call.phase.rover_id, call.phase.sequence,
                         fmt::format("script {}", call.phase.script_number));

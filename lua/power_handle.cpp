@@ -35,14 +35,22 @@ double check_not_negative(lua_State* L, int argument, const char* what) {
   return value;
 }
 
+double check_charge(lua_State* L, const char* what) {
+  const double charge = luaL_checknumber(L, 2);
+  if (charge >= 0 && charge <= 1) return charge;
+  throw std::runtime_error(fmt::format("{}({}): a charge of 0..1 is wanted", what, charge));
+}
+
 int time_to_charge_s(lua_State* L) {
-  const double time_s = battery_of(L).time_to_charge_s(luaL_checknumber(L, 2));
+  PowerPort& battery = battery_of(L);
+  const double time_s = battery.time_to_charge_s(check_charge(L, "battery:time_to_charge_s"));
   push_quantity(L, std::isfinite(time_s) ? time_s : not_modelled);
   return 1;
 }
 
 int await_charge(lua_State* L) {
-  battery_of(L).await_charge(luaL_checknumber(L, 2));
+  PowerPort& battery = battery_of(L);
+  battery.await_charge(check_charge(L, "battery:await_charge"));
   return 0;
 }
 

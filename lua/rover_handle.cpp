@@ -1,6 +1,7 @@
 // `rover` and `rover.drive`: a rover's state at the last exchange, and the commands to it.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 #include "lua/arguments.h"
@@ -65,7 +66,10 @@ int panels(lua_State* L) {
 
 int work(lua_State* L) {
   const double power_w = luaL_checknumber(L, 2);
-  if (!(power_w >= 0)) throw std::runtime_error("rover:work wants a power of 0 W or more");
+  if (!(power_w >= 0 && std::isfinite(power_w))) {
+    throw std::runtime_error(
+        fmt::format("rover:work({}): a power of 0 W or more is wanted", power_w));
+  }
   rover_of(L).power().set_work(power_w);
   return 0;
 }
@@ -78,7 +82,10 @@ int resource(lua_State* L) {
 
 int use(lua_State* L) {
   const double amount = luaL_checknumber(L, 3);
-  if (!(amount >= 0)) throw std::runtime_error("rover:use wants an amount of 0 or more");
+  if (!(amount >= 0 && std::isfinite(amount))) {
+    throw std::runtime_error(
+        fmt::format("rover:use: {}; an amount of 0 or more is wanted", amount));
+  }
   lua_pushboolean(L, rover_of(L).power().use(luaL_checkstring(L, 2), amount));
   return 1;
 }
@@ -110,6 +117,8 @@ int follow(lua_State* L) {
 }
 
 int plan_path(lua_State* L) {
+  // It takes milliseconds a leg, more than anything else that a script can ask for.
+  constexpr std::int64_t instructions_per_plan = 500'000, instructions_per_leg = 1000;
   RoverPort& rover = rover_of(L);
   lua_settop(L, 3);
   const Path3 waypoints = read_path(L, 2, "rover:plan_path");
@@ -118,6 +127,8 @@ int plan_path(lua_State* L) {
     throw std::runtime_error(fmt::format("rover:plan_path: first = {}, there are {} waypoints",
                                          options.first, waypoints.size()));
   }
+  const std::int64_t legs = static_cast<std::int64_t>(waypoints.size()) - options.first + 1;
+  charge(L, instructions_per_plan + legs * instructions_per_leg);
   const PlannedWay way = rover.plan_path(waypoints, options.first, options.settings);
   if (way.is_found()) {
     push_way(L, way);
@@ -131,7 +142,12 @@ int plan_path(lua_State* L) {
 }
 
 int ahead(lua_State* L) {
-  push_vec3(L, rover_of(L).ahead_S_m(luaL_checknumber(L, 2)));
+  const double distance_m = luaL_checknumber(L, 2);
+  if (!std::isfinite(distance_m)) {
+    throw std::runtime_error(
+        fmt::format("rover:ahead({}): a number of metres is wanted", distance_m));
+  }
+  push_vec3(L, rover_of(L).ahead_S_m(distance_m));
   return 1;
 }
 

@@ -127,6 +127,25 @@ TEST(Handle, log_refuses_what_has_no_json_form) {
               HasSubstr("nested too deep"));
 }
 
+TEST(Handle, log_loses_no_key_no_byte_and_stays_json) {
+  EXPECT_THAT(EventRun::of_phase("ev:log('x', { t = { 1, 2, 3, name = 'lost' } })")->error(),
+              HasSubstr("t: a list with a key 'name' besides cannot be written to the log"));
+  auto run = EventRun::of_phase(
+      "ev:log('x', { t = 'a\\0b', u = '\\xFF', i = math.huge, n = -math.huge }) return lsos.done");
+  expect_done(*run);
+  EXPECT_THAT(
+      run->rover.calls,
+      ElementsAre("note x {\"i\":null,\"n\":null,\"t\":\"a\\u0000b\",\"u\":\"\xEF\xBF\xBD\"}"));
+}
+
+TEST(Handle, numbers_that_are_not_finite_are_refused) {
+  const auto error = [](const std::string& text) { return EventRun::of_phase(text)->error(); };
+  EXPECT_THAT(error("rover:work(math.huge)"), HasSubstr("a power of 0 W or more is wanted"));
+  EXPECT_THAT(error("rover:use('x', math.huge)"), HasSubstr("an amount of 0 or more is wanted"));
+  EXPECT_THAT(error("rover:ahead(0/0)"), HasSubstr("a number of metres is wanted"));
+  EXPECT_THAT(error("lsos.random(-math.huge, math.huge)"), HasSubstr("both must be finite"));
+}
+
 TEST(Handle, answers_outside_a_phase_are_refused) {
   try {
     EventRun run("local x = lsos.random()", "phases = { go = function() return x end }");
