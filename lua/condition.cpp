@@ -66,6 +66,8 @@ constexpr std::array<ConditionName, 4> questions{
      {"is_linked_to", "is_linked_to(id): the same, in range, and both antennas up"},
      {"resource", "resource(name): what is left of it"}}};
 
+constexpr double share_of_call = 0.01;  // of a call's budgets: an expression needs no more
+
 // Upvalue 1 of the functions: the rover.
 const RoverPort& rover_of(lua_State* L) {
   return *static_cast<const RoverPort*>(lua_touserdata(L, lua_upvalueindex(1)));
@@ -130,7 +132,7 @@ std::string cause_of(const LuaFailure& failure) {
 // Pops the function with its environment below it; answers what is wrong with what it gives.
 std::string call_fault(lua_State* L, bool* holds) {
   const int top = lua_gettop(L) - 1;
-  if (const auto failure = call_script(L, 0, 1)) return cause_of(*failure);
+  if (const auto failure = call_script(L, 0, 1, share_of_call)) return cause_of(*failure);
   const bool is_answer = lua_type(L, -1) == LUA_TBOOLEAN;
   const std::string found = luaL_typename(L, -1);
   if (holds != nullptr) *holds = lua_toboolean(L, -1) != 0;

@@ -107,8 +107,10 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
     const std::string& word = words[i].text;
     const bool is_member =
         i > 0 && words[i - 1].kind == Word::Kind::symbol && words[i - 1].text == ".";
-    if (words[i].kind == Word::Kind::symbol && word == ":") {
-      return "a condition has no methods (:)";
+    // With the methods of texts, or what can be indexed, it could do all that a script can.
+    if (words[i].kind == Word::Kind::symbol &&
+        std::string_view(":[{").find(word) != std::string::npos) {
+      return fmt::format("a condition has no '{}'", word);
     }
     if (words[i].kind != Word::Kind::name || lua_words.contains(word)) continue;
     if (is_member) {
