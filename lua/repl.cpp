@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <atomic>
+#include <csignal>
+#include <regex>
 
 #include "lua/api.h"
 #include "lua/handle.h"
@@ -16,12 +18,34 @@ namespace {
 
 constexpr const char* shown_file = "prompt";
 
+// Set by Ctrl-C while a line runs; it stops a script, and SimSession stops a run.
+std::atomic<bool> is_stop_wanted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal's handler sets it
+
+class StopByInterrupt {
+ public:
+  StopByInterrupt() {
+    is_stop_wanted = false;
+    SimSession::forget_interrupt();
+    before_ = std::signal(SIGINT, [](int) {
+      is_stop_wanted = true;
+      SimSession::interrupt();
+    });
+  }
+  ~StopByInterrupt() { std::signal(SIGINT, before_); }
+  StopByInterrupt(const StopByInterrupt&) = delete;
+  StopByInterrupt& operator=(const StopByInterrupt&) = delete;
+
+ private:
+  void (*before_)(int);
+};
+
 std::string value_text(lua_State* L, int index) {
   if (lua_type(L, index) == LUA_TNUMBER && lua_isinteger(L, index) == 0) {
     return fmt::format("{:.9g}", lua_tonumber(L, index));
   }
   push_text(L, index);
-  std::string text = lua_tostring(L, -1);
+  std::string text = error_text(L, -1);
   lua_pop(L, 1);
   return text;
 }
@@ -32,6 +56,18 @@ std::string quantity_text(lua_State* L, int index, const std::string& name) {
   const std::string unit = si_unit_of(name);
   if (lua_type(L, index) == LUA_TNUMBER && !unit.empty()) text += " " + unit;
   return text;
+}
+
+// "a boolean" when a key is neither a number nor a text, so that keys have no order.
+std::string other_key(lua_State* L, int index) {
+  std::string found;
+  lua_pushnil(L);
+  for (; lua_next(L, index) != 0; lua_pop(L, 1)) {
+    const int type = lua_type(L, -2);
+    if (type != LUA_TNUMBER && type != LUA_TSTRING)
+      found = "a " + std::string(luaL_typename(L, -2));
+  }
+  return found;
 }
 
 // The fields of a handle, or what a table holds, a line each.
@@ -45,22 +81,32 @@ void add_members(lua_State* L, int index, std::string& text) {
     }
     return;
   }
+  if (const std::string other = other_key(L, index); !other.empty()) {
+    text += fmt::format("\n  (with {} as a key)", other);
+    return;
+  }
+  constexpr lua_Integer members_max = 200;
   push_sorted_keys(L, index);
-  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= std::min(count, members_max); ++i, lua_pop(L, 1)) {
+    lua_rawgeti(L, -1, i);
     const std::string key = value_text(L, -1);
     lua_pushvalue(L, -1);
     lua_rawget(L, index);
     text += fmt::format("\n  {} = {}", key, quantity_text(L, -1, key));
     lua_pop(L, 1);
   }
-  lua_pop(L, 2);
+  if (count > members_max) text += fmt::format("\n  and {} more", count - members_max);
+  lua_pop(L, 1);
 }
 
 std::string shown(lua_State* L, int index, const std::string& name) {
   std::string text = quantity_text(L, index, name);
-  const bool has_members =
-      handle_type(L, index) != nullptr ||
-      (lua_istable(L, index) && luaL_getmetafield(L, index, "__tostring") == 0);
+  bool has_members = handle_type(L, index) != nullptr || lua_istable(L, index);
+  if (lua_istable(L, index) && luaL_getmetafield(L, index, "__tostring") != LUA_TNIL) {
+    lua_pop(L, 1);
+    has_members = false;
+  }
   if (has_members) add_members(L, index, text);
   return text;
 }
@@ -109,6 +155,7 @@ constexpr const char* general_help =
     "sim:where()         what all rovers do\n"
     "sim.rovers.SEV1     a rover: help(sim.rovers.SEV1)\n"
     "lsos.sim {...}      another one: help 'sim'\n"
+    "x = 5               keeps a value; a local lasts to the end of its line\n"
     "Ctrl-C stops a run, Ctrl-D ends.";
 
 int help(lua_State* L) {
@@ -122,6 +169,32 @@ int help(lua_State* L) {
   }
   context(L).in_hand->say(text);
   return 0;
+}
+
+// Says the values at 2 and above; 1 is the name that the line ends in. As a call of its own, since
+// a value's text may be made by a script.
+int say_values(lua_State* L) {
+  const int count = lua_gettop(L);
+  const std::string name = lua_tostring(L, 1);
+  for (int i = 2; i <= count; ++i) {
+    if (lua_isnil(L, i) && count == 2) break;
+    context(L).in_hand->say(shown(L, i, name));
+  }
+  return 0;
+}
+
+// Names that a line makes local: "x", "y" of "local x, y = 1, 2".
+std::vector<std::string> locals_in(const std::string& text) {
+  static const std::regex statement(R"((?:^|[;\s])local\s+(?:function\s+)?([\w\s,<>]+))");
+  static const std::regex word(R"([A-Za-z_]\w*)");
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), statement), end; at != end; ++at) {
+    const std::string list = (*at)[1];
+    for (std::sregex_iterator name(list.begin(), list.end(), word); name != end; ++name) {
+      names.push_back(name->str());
+    }
+  }
+  return names;
 }
 
 // Names of what the value at the top has.
@@ -151,6 +224,7 @@ Repl::Repl(const std::string& plan_file, const std::string& folder,
            std::function<void(const std::string&)> say)
     : say_(std::move(say)), lua_(at_a_prompt()), sims_(folder, say_) {
   lua_.context().in_hand = &sims_;
+  lua_.context().is_stop_wanted = [] { return is_stop_wanted.load(); };
   std::optional<ScriptInstance> number;
   if (!plan_file.empty()) number = sims_.open(plan_file);
   lua_.run([&](lua_State* L) {
@@ -168,7 +242,7 @@ Repl::Repl(const std::string& plan_file, const std::string& folder,
 }
 
 Repl::Outcome Repl::run(const std::string& text, int line) {
-  SimSession::forget_interrupt();
+  const StopByInterrupt stop;
   Outcome outcome = Outcome::failed;
   try {
     lua_.run([&](lua_State* L) { outcome = run_in(L, text, line); });
@@ -196,16 +270,36 @@ Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   lua_setupvalue(L, -2, 1);  // _ENV
   if (const auto failure = call_script(L, 0, LUA_MULTRET)) {
     tell_news();
-    say_(failure->message);
+    say_(failure->message + local_hint(failure->message));
     return Outcome::failed;
   }
   tell_news();
-  for (int i = top + 1; i <= lua_gettop(L); ++i) {
-    if (lua_isnil(L, i) && lua_gettop(L) == top + 1) break;
-    say_(shown(L, i, last_name(text)));
+  if (is_statement) {
+    const std::vector<std::string> names = locals_in(text);
+    locals_.insert(names.begin(), names.end());
   }
+  luaL_checkstack(L, 4, "too many values");
+  lua_pushcfunction(L, guard<say_values>);
+  lua_insert(L, top + 1);
+  lua_pushstring(L, last_name(text).c_str());
+  lua_insert(L, top + 2);
+  const auto failure = call_script(L, lua_gettop(L) - top - 1, 0);
   lua_settop(L, top);
+  if (failure) {
+    say_(failure->message);
+    return Outcome::failed;
+  }
   return Outcome::done;
+}
+
+// A local of one line is not known on the next, as each line is a chunk of its own.
+std::string Repl::local_hint(const std::string& message) const {
+  constexpr std::string_view mark = "no global '";
+  const std::size_t at = message.find(mark);
+  if (at == std::string::npos) return "";
+  const std::string rest = message.substr(at + mark.size());
+  if (!locals_.contains(rest.substr(0, rest.find('\'')))) return "";
+  return "; a local lasts to the end of its line here: leave out 'local'";
 }
 
 std::vector<std::string> Repl::completions(const std::string& text) {

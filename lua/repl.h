@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,13 @@ class Repl {
 
  private:
   Outcome run_in(lua_State* L, const std::string& text, int line);
+  std::string local_hint(const std::string& message) const;
 
   std::function<void(const std::string&)> say_;
   LuaState lua_;
   Sims sims_;
   int environment_ = LUA_NOREF;
+  std::set<std::string> locals_;  // names that earlier lines made local
 };
 
 }  // namespace lsos

@@ -1,0 +1,79 @@
+// What the prompt says, without a simulation.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "lua/repl.h"
+
+namespace lsos {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class PromptLines : public ::testing::Test {
+ protected:
+  std::vector<std::string> said(const std::string& line) {
+    lines_.clear();
+    repl_.run(line);
+    return lines_;
+  }
+  // Ctrl-C, while the line runs.
+  std::vector<std::string> said_when_interrupted(const std::string& line) {
+    std::thread user([] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(300));
+      ::kill(::getpid(), SIGINT);
+    });
+    const std::vector<std::string> lines = said(line);
+    user.join();
+    return lines;
+  }
+
+ private:
+  std::vector<std::string> lines_;
+  Repl repl_{"", ::testing::TempDir(), [this](const std::string& line) { lines_.push_back(line); }};
+};
+
+TEST_F(PromptLines, show_values_and_what_tables_hold) {
+  EXPECT_THAT(said("lsos.vec3(1, 2, 3)"), ElementsAre("(1, 2, 3)"));
+  EXPECT_THAT(said("{ b = 2, a = 'x' }"), ElementsAre("table\n  a = x\n  b = 2"));
+  EXPECT_THAT(said("{ [true] = 1 }"), ElementsAre("table\n  (with a boolean as a key)"));
+  EXPECT_THAT(said("1, nil, 'two'"), ElementsAre("1", "nil", "two"));
+  EXPECT_THAT(said("x = 5"), IsEmpty());
+  EXPECT_THAT(said("x"), ElementsAre("5"));
+  EXPECT_THAT(
+      said("(function() local t = {} for i = 1, 300 do t[i] = i end return t end)()").front(),
+      HasSubstr("\n  200 = 200\n  and 100 more"));
+}
+
+TEST_F(PromptLines, a_value_that_cannot_be_shown_is_an_error_like_others) {
+  EXPECT_THAT(said("setmetatable({}, { __tostring = function() error('no text') end })"),
+              ElementsAre("prompt:1: no text"));
+  EXPECT_THAT(said("setmetatable({}, { __tostring = function() return 5 end })"),
+              ElementsAre(HasSubstr("'__tostring' must give a text")));
+}
+
+TEST_F(PromptLines, a_local_of_an_earlier_line_is_explained) {
+  said("local depth_m, width_m = 5, 6");
+  EXPECT_THAT(said("depth_m * 2"),
+              ElementsAre(HasSubstr("no global 'depth_m'; a local lasts to the end of its line")));
+  EXPECT_THAT(said("height_m").front(), Not(HasSubstr("a local lasts")));
+}
+
+TEST_F(PromptLines, are_stopped_by_ctrl_c) {
+  EXPECT_THAT(said_when_interrupted("while true do end"), ElementsAre("prompt:1: stopped"));
+  EXPECT_THAT(said_when_interrupted("while true do pcall(error) end"),
+              ElementsAre("prompt:1: stopped"));
+  EXPECT_THAT(
+      said_when_interrupted("setmetatable({}, { __tostring = function() while true do end end })"),
+      ElementsAre("prompt:1: stopped"));
+  EXPECT_THAT(said("'still here'"), ElementsAre("still here"));
+}
+
+}  // namespace
+}  // namespace lsos
