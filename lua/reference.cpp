@@ -73,8 +73,13 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - `lsos.random` is the only source of chance. There is no clock, file, `os`, `io`, `load` or
   `coroutine`.
 - Assigning a global, or reading one that is not there, is an error.
-- A call may take {0} million instructions, all scripts together {1} MiB of memory.
-- A text pattern with many repetitions (`* + - %b`) works on short texts only.
+- A call may take {0} million instructions and make {2} MiB of texts and tables, all scripts together
+  {1} MiB of memory. What functions do counts too: steps of a text pattern, keys of `pairs`, bytes of a
+  text, 300 for an error that `pcall` catches, half a million for `rover:plan_path`. An instruction
+  counts more while there are texts of more than 2 KiB, a deep recursion or dozens of metatables.
+  `pcall` catches no spent budget.
+- A call may write 1000 rows into the log's notes, of 1 MiB together; `ev.state` may take 1 MiB.
+- A metatable with `__gc` or `__mode` is refused; set later, neither has an effect.
 - `print` writes a row into the log's notes.
 
 An editor with the Lua language server completes and checks scripts by `lua/library.d.lua`.
@@ -87,6 +92,8 @@ constexpr const char* conditions = R"(
 comparisons and `math`, over these quantities of its rover: `charge < 0.3 and sun_fraction == 0`.
 They are asked when the event's turn comes (or it starts), then at whole seconds. A quantity that is
 not modelled is not-a-number: no comparison with it holds. What was decided is in the log's notes.
+Texts stand for ids: they have no methods here, and there are no tables. A condition may take a
+hundredth of the instructions of a call.
 )";
 
 constexpr const char* scenarios = R"(
@@ -159,6 +166,7 @@ std::string api_reference() {
     text.replace(text.find(mark), mark.size(), value);
   };
   fill_in("{0}", std::to_string(limits.instructions / 1'000'000));
+  fill_in("{2}", std::to_string((limits.instructions * bytes_per_instruction) >> 20));
   fill_in("{1}", std::to_string(limits.memory_bytes >> 20));
 
   text += "\n## Objects that a phase is given\n";

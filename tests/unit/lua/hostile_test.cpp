@@ -1,0 +1,143 @@
+// That no script can hang the program: each of hostile_scripts.h ends soon, in an error that names
+// its line. The time is the processor's; the bound is a promise to whoever runs a foreign script.
+#include <ctime>
+
+#include "hostile_scripts.h"
+#include "script_fixture.h"
+#include "support/sanitizer.h"
+
+namespace lsos {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// Twice what is promised, for a busy machine.
+constexpr double cpu_max_s = test::is_sanitized ? 2 * test::slowness : 2;
+
+class CpuTime {
+ public:
+  double seconds() const {
+    return static_cast<double>(std::clock() - begin_) / static_cast<double>(CLOCKS_PER_SEC);
+  }
+
+ private:
+  std::clock_t begin_ = std::clock();
+};
+
+std::vector<const char*> all_scripts() {
+  return {std::begin(hostile_scripts), std::end(hostile_scripts)};
+}
+
+class Hostile : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Hostile, phase_ends_soon_with_its_line) {
+  auto run = EventRun::of_phase(GetParam());
+  const CpuTime time;
+  const std::string error = run->error();
+  RecordProperty("cpu_s", std::to_string(time.seconds()));
+  EXPECT_THAT(error, ContainsRegex("^events/Probe\\.lua:[23]: ")) << GetParam();
+  EXPECT_LT(time.seconds(), cpu_max_s) << GetParam() << "\n" << error.substr(0, 300);
+  EXPECT_LT(error.size(), 20000U);
+}
+
+TEST_P(Hostile, fails_at_the_same_place_again) {
+  const std::string error = EventRun::of_phase(GetParam())->error();
+  EXPECT_EQ(EventRun::of_phase(GetParam())->error(), error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sandbox, Hostile, ::testing::ValuesIn(all_scripts()));
+
+// While a script loads there is no ev and no rover.
+class HostileLoad : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(HostileLoad, of_a_rover_ends_soon_with_its_line) {
+  ScriptDirectory directory;
+  directory.write("rovers/Probe.lua",
+                  std::string("local lsos = require 'lsos'\n") + GetParam() + "\n");
+  const CpuTime time;
+  const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}});
+  const std::string errors = errors_of(catalog, ScriptKind::rover, "Probe");
+  EXPECT_THAT(errors, StartsWith("rovers/Probe.lua:2: "));
+  EXPECT_LT(time.seconds(), cpu_max_s);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sandbox, HostileLoad,
+    ::testing::Values("while true do end", "local s = 'x' while true do s = s .. s end",
+                      "for i = 1, 1e9 do lsos.wheel {} end",
+                      "local t = {} for i = 1, 1e5 do t['k' .. i] = 1 end while true do "
+                      "lsos.wheel(t) end",
+                      "string.find(('a'):rep(40), ('a?'):rep(40) .. ('a'):rep(40) .. 'b')",
+                      "local function f() return 1 + f() end f()", "error({})"));
+
+class HostileCondition : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(HostileCondition, is_refused_or_ends_soon) {
+  auto run = EventRun::of_phase("return");
+  const CpuTime time;
+  const std::string fault = run->host->condition_fault(GetParam(), {"A"});
+  std::string error;
+  try {
+    run->host->holds(GetParam(), {}, run->rover);
+  } catch (const ScriptError& failure) {
+    error = failure.what();
+  }
+  EXPECT_THAT(error, StartsWith("condition '"));
+  EXPECT_LT(time.seconds(), 0.1 * cpu_max_s);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sandbox, HostileCondition,
+    ::testing::Values("('a'):rep(1e6):find('a') == 1", "(function() while true do end end)()",
+                      "('x').rep('x', 1e9) == ''", "('x')['rep']('x', 1e9) == ''", "#{ 1, 2 } == 2",
+                      "string.rep('x', 1e9) == ''", "[[x]] == charge", "pcall(error) == charge",
+                      "charge .. '' .. missing == ''"));
+
+TEST(Sandbox, condition_may_take_little) {
+  std::string text = "1 > 0";
+  for (int i = 0; i < 3000; ++i) text += " and math.sin(charge) ~= 5";
+  auto run = EventRun::of_phase("return", {}, {1'000'000, std::size_t{64} << 20});
+  try {
+    run->host->holds(text, {}, run->rover);
+    FAIL() << "no error";
+  } catch (const ScriptError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("more than 10000 instructions in one call"));
+  }
+}
+
+TEST(Sandbox, says_what_was_spent) {
+  const auto error = [](const char* text) { return EventRun::of_phase(text)->error(); };
+  EXPECT_THAT(error("local s = ('x'):rep(1e6) for i = 1, 1e6 do local t = s .. i end"),
+              HasSubstr("of texts and tables made in one call"));
+  EXPECT_THAT(error("local function f() return 1 + f() end f()"),
+              HasSubstr("too many values on the stack (a recursion without an end?)"));
+  EXPECT_THAT(error("local t = ev.state for i = 1, 15e5 do t[i] = i end"),
+              HasSubstr("ev.state takes more than 1024 KiB, at ev.state["));
+  EXPECT_THAT(error("while true do ev:log('x') end"),
+              HasSubstr("a phase call may write 1000 notes of 1024 KiB together"));
+}
+
+TEST(Sandbox, an_ordinary_call_fits_its_budget) {
+  auto run = EventRun::of_phase(R"(
+    local path = {}
+    for i = 1, 10000 do path[#path + 1] = lsos.vec3(i, math.sin(i), 0) end
+    local length_m = 0
+    for i = 2, #path do length_m = length_m + (path[i] - path[i - 1]):length() end
+    local words = {}
+    for word in ('the quick brown fox '):rep(500):gmatch('%a+') do words[#words + 1] = word end
+    table.sort(words)
+    local count = {}
+    for _, word in ipairs(words) do count[word] = (count[word] or 0) + 1 end
+    for word, n in pairs(count) do ev:log(word, { n = n }) end
+    local function depth(n) return n == 0 and 0 or 1 + depth(n - 1) end
+    assert(depth(1000) == 1000)
+    rover:follow(path)
+    ev.state.text = table.concat(words, ' ')
+    return lsos.done)");
+  EXPECT_TRUE(std::holds_alternative<Done>(run->run()));
+}
+
+}  // namespace
+}  // namespace lsos
