@@ -12,6 +12,17 @@ constexpr double wider[] = {16, 8, 4, 2, 1};
 
 }  // namespace
 
+std::vector<Pose2> poses_along(const Line2& line, const Pose2& start) {
+  std::vector<Pose2> poses{start};
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Vec2 in = (line[k] - line[k - 1]).normalized();
+    const Vec2 out = k + 1 < line.size() ? (line[k + 1] - line[k]).normalized() : in;
+    const Vec2 along = in + out;
+    poses.push_back({line[k], std::atan2(along.y(), along.x())});
+  }
+  return poses;
+}
+
 TurningWay RouteSteering::turns(const Pose2& from, const Pose2& to) const {
   TurningWay best{};
   double least_m = std::numeric_limits<double>::infinity();
