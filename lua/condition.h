@@ -3,20 +3,15 @@
 #pragma once
 
 #include <lua.hpp>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "lua/condition_world.h"
 #include "mission/rover_port.h"
 #include "record/rows.h"
 
 namespace lsos {
 
-// What the questions of a condition can be asked about.
-struct ConditionWorld {
-  std::set<std::string> ids;        // of rovers and assets
-  std::set<std::string> resources;  // that the event's rover carries
-};
 // What is wrong with it before anything runs; "" when it is well (condition_check.cpp).
 std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world);
 

@@ -6,12 +6,11 @@
 #include <string>
 
 #include "lua/catalog.h"
+#include "lua/condition_world.h"
 #include "lua/context.h"
 #include "mission/script_host.h"
 
 namespace lsos {
-
-struct ConditionWorld;
 
 class LuaHost : public ScriptHost {
  public:

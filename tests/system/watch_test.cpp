@@ -40,7 +40,8 @@ TEST(Watch, runs_again_when_plan_or_script_changes_and_ends_at_a_signal) {
   ASSERT_EQ(form.exit_code, 0) << form.err;
   folder.write("say.kml", form.out);
   Process watched(program({"run", "say.kml", "--watch"}), {folder.path()});
-  const fs::path overlay = folder / "out/say/overlay.kml", summary = folder / "out/say/summary.json";
+  const fs::path overlay = folder / "out/say/overlay.kml",
+                 summary = folder / "out/say/summary.json";
   ASSERT_TRUE(comes(overlay, "11.0"));
   ASSERT_TRUE(comes(summary, "completed"));
 
