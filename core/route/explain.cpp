@@ -84,6 +84,16 @@ std::string fault_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_
   return found == Hazard::none ? "" : say(found, stance, finder.cost());
 }
 
+std::string fault_to_stop_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
+  const std::string fault = fault_at(map, finder, at_m);
+  if (!fault.empty()) return fault;
+  const Stance stance = best_stance(map, finder, at_m);
+  if (is_held(stance, finder.cost())) return "";
+  const SoilDrive& soil = finder.cost().soils[static_cast<std::size_t>(stance.soil)];
+  return told_apart("on a slope of {} degrees, its wheels climb {} on this soil",
+                    degrees(stance.slope_rad), degrees(climbs_rad(soil)), 0);
+}
+
 std::string fault_ahead(GroundMap& map, const StanceFinder& finder, const Vec2& at_m,
                         const Vec2& ahead) {
   const Stance stance = finder.at(map, at_m, ahead);

@@ -15,6 +15,8 @@ std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost);
 
 // "" where the rover can stand in some direction.
 std::string fault_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);
+// "" where it can also stop.
+std::string fault_to_stop_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);
 // Driving ahead (unit).
 std::string fault_ahead(GroundMap& map, const StanceFinder& finder, const Vec2& at_m,
                         const Vec2& ahead);

@@ -268,7 +268,8 @@ std::vector<Vec2> LegCosts::hazards(const Line2& line, double apart_m) {
 }
 
 bool LegCosts::can_stand(const Vec2& at_m, const Vec2& ahead) {
-  return hazard_at(finder_.at(map_, at_m, ahead), at_m, ahead) == Hazard::none;
+  const Stance stance = finder_.at(map_, at_m, ahead);
+  return hazard_at(stance, at_m, ahead) == Hazard::none && is_held(stance, finder_.cost());
 }
 
 LegCost LegCosts::of(const Line2& line) {

@@ -85,7 +85,8 @@ class LegCosts {
   // Places of a line where a limit is passed, so far apart, looked at three times as closely as
   // costs are and without room to stray.
   std::vector<Vec2> hazards(const Line2& line, double apart_m);
-  // Whether the rover can stand there, driving ahead (unit).
+  // Whether the rover can stop there, driving ahead (unit): what it does not climb it does not
+  // stand on safely either, nor leave again.
   bool can_stand(const Vec2& at_m, const Vec2& ahead);
   // Of a metre at least, after `per_rise` for each metre of climb: what guides the search.
   double least_per_metre() const { return least_per_metre_; }

@@ -108,7 +108,7 @@ class Flood {
 
 }  // namespace
 
-Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
+Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, bool only_nearest) {
   GroundMap& map = costs.map();
   std::vector<std::uint8_t> marks(static_cast<std::size_t>(map.columns()) *
                                   static_cast<std::size_t>(map.rows()));
@@ -129,14 +129,14 @@ Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
       if (std::isfinite(costs.straight(from_m, goal_m))) to_goal.add(x, y);
     }
   }
-  while (!from_start.has_met() && !to_goal.has_met()) {
+  while (!only_nearest && !from_start.has_met() && !to_goal.has_met()) {
     if (from_start.is_closed() || to_goal.is_closed()) break;
     if (from_start.size() + to_goal.size() > looked_at_max) break;
     Flood& smaller = to_goal.size() < from_start.size() ? to_goal : from_start;
     smaller.look_on();
   }
   Reach reach;
-  if (from_start.has_met() || to_goal.has_met()) return reach;
+  if (!only_nearest && (from_start.has_met() || to_goal.has_met())) return reach;
   const bool is_start = from_start.is_closed();
   reach.is_at_border = is_start ? from_start.is_at_border() : to_goal.is_at_border();
   reach.answer = is_start              ? Reach::Answer::start_closed

@@ -16,12 +16,15 @@ struct Reach {
   Answer answer = Answer::joined;
   bool is_at_border = false;  // of what is closed: a wider map may open it
   std::size_t looked_at = 0;  // nodes
-  Vec2 nearest_m;             // where it is not joined: the nearest to the goal that can be reached
+  Vec2 nearest_m =
+      Vec2::Zero();  // where it is not joined: the nearest to the goal that can be reached
 };
 
 // Looks from both ends in turn, at what is nearest to the other end first, over the pieces that
 // search_grid() may take: each side stops where it is shut in, or has met the other. Start and goal
 // must be on the map; the start is taken at the nearest node.
-Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
+// `only_nearest`: the goal is no place to go to; only what is nearest to it is looked for.
+Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m,
+                     bool only_nearest = false);
 
 }  // namespace lsos

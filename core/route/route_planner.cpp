@@ -132,6 +132,7 @@ class LegPlanner {
     Vec2 nearest_m;
     Reach reach;
     std::optional<Vec2> passed_m;
+    const std::string at_goal = fault_to_stop_at(map, finder_, goal_m_);
     const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
     for (int k = 0; k < looks; ++k) {
       passed_m.reset();
@@ -139,7 +140,7 @@ class LegPlanner {
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       costs.set_leaving(leaving_, leaving_limits_);
       // Cheap beside the search, which would look at all that can be reached before it gave up.
-      reach = look_for_reach(costs, start_m, goal_m_);
+      reach = look_for_reach(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
       if (reach.answer != Reach::Answer::joined) break;
       const std::optional<Refined> way = finder_.cost().can_turn_on_spot
@@ -157,7 +158,6 @@ class LegPlanner {
         return true;
       }
     }
-    const std::string at_goal = fault_at(map, finder_, goal_m_);
     if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
     const bool is_joined = reach.answer == Reach::Answer::joined;
     if (!is_last && (is_joined || reach.is_at_border)) return false;

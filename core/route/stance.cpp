@@ -225,6 +225,10 @@ double climbs_rad(const SoilDrive& soil) {
   return soil.last_rad() > 0 ? climb_share * soil.last_rad() : soil.last_rad();
 }
 
+bool is_held(const Stance& stance, const DriveCost& cost) {
+  return stance.slope_rad <= climbs_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
+}
+
 double demand(const Stance& stance, const DriveCost& cost) {
   const DriveLimits& limits = cost.limits;
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];

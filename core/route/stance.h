@@ -75,6 +75,9 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
 // loads are never even.
 double climbs_rad(const SoilDrive& soil);
 
+// Whether it can stop there, whatever its direction, and set off again.
+bool is_held(const Stance& stance, const DriveCost& cost);
+
 // Share of the limit that it comes nearest to, 0..1; where there is no hazard.
 double demand(const Stance& stance, const DriveCost& cost);
 
