@@ -143,7 +143,7 @@ KmlFolder planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
         fmt::format("{:.0f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} degrees", path.length_m,
                     path.duration_s, path.energy_j / 3600, degrees(path.slope_max_rad));
     line.style_id = style.planned_id;
-    line.geometry = {KmlGeometryKind::line, path.line};
+    line.geometry = {KmlGeometryKind::line, unrolled(path.line)};
     folder.placemarks.push_back(std::move(line));
   }
   return folder;

@@ -105,7 +105,7 @@ TEST(PathPlanTold, no_way_is_found_out_in_seconds) {
   const Outcome check = run({"check", plan, "--quiet"});
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(check.exit_code, 2);
-  EXPECT_THAT(check.out, HasSubstr("no way comes nearer to the goal than "));
+  EXPECT_THAT(check.out, HasSubstr("the nearest place that can be reached is "));
   EXPECT_LT(took.count(), 30) << "it took minutes";
 }
 
@@ -130,14 +130,10 @@ TEST(PathPlanTold, a_waypoint_that_it_stands_on_is_told_too) {
 TEST(PathPlanTold, lines_go_on_over_the_meridian) {
   const PlanRun run(way("SEV", "Craters", {{0, 0}, {100, 30}}, 179.999, 10, {}));
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
-  const std::vector<PlannedPathRow> paths = run.log().planned_paths();
-  ASSERT_EQ(paths.size(), 1u);
-  for (const Geodetic& place : paths[0].line) {
-    EXPECT_GT(degrees(place.lon_rad), 179.99);
-    EXPECT_LT(degrees(place.lon_rad), 180.01);
-  }
-  // No coordinate of a line lies on the other side of the body.
-  EXPECT_THAT(read_text(run.folder / "run" / "overlay.kml"), HasSubstr(" 180.00"));
+  // No point of a line is told as if it lay on the other side of the body.
+  const std::string overlay = read_text(run.folder / "run" / "overlay.kml");
+  EXPECT_TRUE(overlay.find(" 180.00") != std::string::npos);
+  EXPECT_TRUE(overlay.find(" -179.99") == std::string::npos);
 }
 
 }  // namespace
