@@ -39,7 +39,9 @@ TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
                                          slope_deg, table.energy_jpm, driven_jpm);
     RecordProperty(fmt::format("slope_{}", slope_deg), what);
     EXPECT_NEAR(table.energy_jpm, driven_jpm, 0.02 * driven_jpm) << what;
-    EXPECT_EQ(table.speed_mps, climb.speed_mps);
+    // Wheels turn as they are told: over the ground it is slower by their slip, and faster where
+    // grousers roll on a wider circle than the rim, by a twentieth for MER.
+    EXPECT_NEAR(table.speed_mps, climb.speed_mps * (1 - table.slip), 0.05 * climb.speed_mps);
   }
 }
 

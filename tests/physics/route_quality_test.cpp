@@ -54,6 +54,8 @@ TEST_P(RouteQuality, is_never_costlier_than_the_way_over_the_lattice) {
                                     ? grid_cost(*ground, cost, request.goal_S_m, request.aim)
                                     : pose_cost(*ground, cost, request);
     const double allowed = cost.can_turn_on_spot ? 1 + 1e-9 : 1.05;
+    // A place that it could not set off from again is no goal, whatever the A* says.
+    if (planned.reason.starts_with("the goal is on a slope")) continue;
     if (!planned.is_found()) {
       EXPECT_FALSE(std::isfinite(over_lattice)) << leg.seed << ": " << planned.reason;
       continue;

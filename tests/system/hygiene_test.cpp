@@ -14,6 +14,7 @@ constexpr std::size_t lines_max = 400;
 
 TEST(SourceFiles, are_no_longer_than_a_reader_can_hold) {
   for (const SourceFile& file : source_files({".h", ".cpp", ".lua"})) {
+    if (file.path == "lua/library.d.lua") continue;  // for editors, made from the registry
     EXPECT_LE(file.lines.size(), lines_max) << file.path;
   }
 }
