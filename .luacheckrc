@@ -3,3 +3,5 @@ std = 'lua54'
 max_line_length = 100
 -- Wrong on purpose.
 exclude_files = { 'tests/messages/**' }
+-- Written from what is bound to Lua: one line a field, as the language server wants it.
+files['lua/library.d.lua'] = { max_line_length = false }
