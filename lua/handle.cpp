@@ -12,14 +12,12 @@ namespace lsos {
 
 namespace {
 
-constexpr const char* type_key = "lsos.type";
+// Its address is the key of the HandleType in a metatable; that of a HandleType the key of its
+// metatable in the registry: no text is to be made to look them up.
+constexpr char type_key = 0;
 
 const HandleType& type_of_closure(lua_State* L) {
   return *static_cast<const HandleType*>(lua_touserdata(L, lua_upvalueindex(1)));
-}
-
-std::string registry_name(const HandleType& type) {
-  return fmt::format("lsos.handle.{}", type.name);
 }
 
 // Upvalue 2: method functions by name.
@@ -54,10 +52,14 @@ int to_string(lua_State* L) {
 }
 
 void push_metatable(lua_State* L, const HandleType& type) {
-  if (luaL_newmetatable(L, registry_name(type).c_str()) == 0) return;
+  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &type) != LUA_TNIL) return;
+  lua_pop(L, 1);
+  lua_newtable(L);
+  lua_pushvalue(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &type);
   void* data = const_cast<HandleType*>(&type);
   lua_pushlightuserdata(L, data);
-  lua_setfield(L, -2, type_key);
+  lua_rawsetp(L, -2, &type_key);
   lua_pushlightuserdata(L, data);
   lua_newtable(L);
   for (const HandleMethod& method : type.methods) {
@@ -95,22 +97,20 @@ void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance) 
 
 const HandleType* handle_type(lua_State* L, int index) {
   if (lua_type(L, index) != LUA_TUSERDATA || lua_getmetatable(L, index) == 0) return nullptr;
-  lua_getfield(L, -1, type_key);
+  lua_rawgetp(L, -1, &type_key);
   const auto* type = static_cast<const HandleType*>(lua_touserdata(L, -1));
   lua_pop(L, 2);
   return type;
 }
 
 ScriptInstance handle_id(lua_State* L, const HandleType& type) {
-  const auto* id =
-      static_cast<const ScriptInstance*>(luaL_testudata(L, 1, registry_name(type).c_str()));
-  if (id == nullptr) {
+  if (handle_type(L, 1) != &type) {
     throw std::runtime_error(fmt::format(
         "a method of {0} is called with a colon, as in {0}:{1}(); "
         "found {2} in place of {0}",
         type.name, type.methods.empty() ? "f" : type.methods.front().name, describe(L, 1)));
   }
-  return *id;
+  return *static_cast<const ScriptInstance*>(lua_touserdata(L, 1));
 }
 
 RoverPort& handle_rover(lua_State* L, const HandleType& type) {

@@ -234,13 +234,11 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
   PhaseAnswer answer;
   impl_->library.lua().run([&](lua_State* L) {
     const EventCall call{script.declaration, instance.arguments, id, context, instance.random};
-    Place defined{script.file, 0};
     try {
       lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
       lua_getfield(L, -1, "phases");
       const EventDeclaration::Phase& phase = find_phase(script.declaration, phase_name);
       lua_getfield(L, -1, phase_name.c_str());
-      if (lua_isfunction(L, -1)) defined.line = definition_line(L);
       answer = phase.sub_event.empty() ? impl_->run_function(L, id, instance, call, where)
                                        : impl_->run_sub_event(L, id, instance, call, phase, where);
       instance.last_phase = phase_name;
@@ -250,7 +248,11 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
     } catch (const std::runtime_error& error) {
       // What was answered, or left in ev.state: by the phase as a whole.
       std::string message = error.what();
-      if (defined.line > 0) message = to_string({Severity::error, defined, message});
+      lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
+      lua_getfield(L, -1, "phases");
+      if (lua_getfield(L, -1, phase_name.c_str()) == LUA_TFUNCTION) {
+        message = to_string({Severity::error, {script.file, definition_line(L)}, message});
+      }
       throw ScriptError(phase_failure({message, ""}, script, where, context));
     }
   });

@@ -11,11 +11,11 @@ namespace lsos {
 
 namespace {
 
-constexpr const char* metatable_name = "lsos.made";
+// Its address is the key of the metatable in the registry: no text is to be made to look it up.
+constexpr char metatable_key = 0;
 
-Made& made_at(lua_State* L, int index) {
-  return *static_cast<Made*>(luaL_checkudata(L, index, metatable_name));
-}
+// For the metatable's own functions, which scripts cannot get hold of.
+Made& made_at(lua_State* L, int index) { return *static_cast<Made*>(lua_touserdata(L, index)); }
 
 int collect(lua_State* L) {
   made_at(L, 1).~Made();
@@ -33,7 +33,11 @@ int refuse_access(lua_State* L) {
 }
 
 void push_metatable(lua_State* L) {
-  if (luaL_newmetatable(L, metatable_name) == 0) return;
+  if (lua_rawgetp(L, LUA_REGISTRYINDEX, &metatable_key) != LUA_TNIL) return;
+  lua_pop(L, 1);
+  lua_newtable(L);
+  lua_pushvalue(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_key);
   constexpr luaL_Reg functions[] = {{"__gc", collect},
                                     {"__tostring", guard<to_string>},
                                     {"__index", guard<refuse_access>},
@@ -60,7 +64,12 @@ void push_made(lua_State* L, Made made) {
 }
 
 const Made* to_made(lua_State* L, int index) {
-  return static_cast<const Made*>(luaL_testudata(L, index, metatable_name));
+  auto* made = static_cast<const Made*>(lua_touserdata(L, index));
+  if (made == nullptr || lua_getmetatable(L, index) == 0) return nullptr;
+  lua_rawgetp(L, LUA_REGISTRYINDEX, &metatable_key);
+  const bool is_made = lua_rawequal(L, -1, -2) != 0;
+  lua_pop(L, 2);
+  return is_made ? made : nullptr;
 }
 
 std::string describe(lua_State* L, int index) {
