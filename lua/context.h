@@ -17,10 +17,13 @@ struct lua_State;
 namespace lsos {
 
 // What scripts may use up. The budget of instructions is per call and also pays for long work
-// inside C functions; the memory is that of the whole state.
+// inside C functions; the memory is that of the whole state. The processor's time is a last resort:
+// only instructions that take a hundred times as long as others, such as % of numbers far apart,
+// spend it first. What the engine does for a script is not counted.
 struct Limits {
-  std::int64_t instructions = 10'000'000;
+  std::int64_t instructions = 3'000'000;
   std::size_t memory_bytes = std::size_t{256} << 20;
+  double cpu_s = 0.8;
 };
 
 // What one call may allocate, whether it keeps it or not.
@@ -57,6 +60,7 @@ struct LuaContext {
   // A script's call is going on; otherwise nothing is charged.
   bool is_charging = false;
   std::int64_t instructions_max = 0, instructions_left = 0;  // of the call
+  std::optional<double> cpu_end_s;  // of the call, by cpu_now_s(); set at its first look
   // What the call has written into the log.
   int notes = 0;
   std::size_t note_bytes = 0;
@@ -77,6 +81,24 @@ struct LuaContext {
 };
 
 LuaContext& context(lua_State* L);
+
+// Time that this thread has had of a processor.
+double cpu_now_s();
+
+// While it lives the engine works for a script, as long as that takes: planning, making ground.
+class EngineWork {
+ public:
+  explicit EngineWork(lua_State* L) : context_(context(L)), begin_s_(cpu_now_s()) {}
+  ~EngineWork() {
+    if (context_.cpu_end_s) *context_.cpu_end_s += cpu_now_s() - begin_s_;
+  }
+  EngineWork(const EngineWork&) = delete;
+  EngineWork& operator=(const EngineWork&) = delete;
+
+ private:
+  LuaContext& context_;
+  double begin_s_;
+};
 
 // The running phase call. Throws std::runtime_error naming `what` when there is none.
 const EventCall& running_call(lua_State* L, const char* what);

@@ -75,8 +75,9 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - Assigning a global, or reading one that is not there, is an error.
 - A call may take {0} million instructions and make {2} MiB of texts and tables, all scripts together
   {1} MiB of memory. What functions do counts too: steps of a text pattern, keys of `pairs`, bytes of a
-  text, 300 for an error that `pcall` catches, half a million for `rover:plan_path`. An instruction
-  counts more while there are texts of more than 2 KiB, a deep recursion or dozens of metatables.
+  text, 300 for an error that `pcall` catches, 150 000 for `rover:plan_path`. An instruction counts
+  more while there are texts of more than 2 KiB, a deep recursion or dozens of metatables. A call that
+  still takes more than {3} s of the processor's time, as no ordinary one can, is stopped as well.
   `pcall` catches no spent budget.
 - A call may write 1000 rows into the log's notes, of 1 MiB together; `ev.state` may take 1 MiB.
 - A metatable with `__gc` or `__mode` is refused; set later, neither has an effect.
@@ -167,6 +168,7 @@ std::string api_reference() {
   };
   fill_in("{0}", std::to_string(limits.instructions / 1'000'000));
   fill_in("{2}", std::to_string((limits.instructions * bytes_per_instruction) >> 20));
+  fill_in("{3}", fmt::format("{}", limits.cpu_s));
   fill_in("{1}", std::to_string(limits.memory_bytes >> 20));
 
   text += "\n## Objects that a phase is given\n";

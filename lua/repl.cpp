@@ -215,6 +215,7 @@ std::vector<std::string> member_names(lua_State* L) {
 Limits at_a_prompt() {
   Limits limits;
   limits.instructions = 2'000'000'000;  // some 20 s
+  limits.cpu_s = 1e9;
   return limits;
 }
 

@@ -118,7 +118,7 @@ int follow(lua_State* L) {
 
 int plan_path(lua_State* L) {
   // It takes milliseconds a leg, more than anything else that a script can ask for.
-  constexpr std::int64_t instructions_per_plan = 500'000, instructions_per_leg = 1000;
+  constexpr std::int64_t instructions_per_plan = 150'000, instructions_per_leg = 1000;
   RoverPort& rover = rover_of(L);
   lua_settop(L, 3);
   const Path3 waypoints = read_path(L, 2, "rover:plan_path");
@@ -129,7 +129,10 @@ int plan_path(lua_State* L) {
   }
   const std::int64_t legs = static_cast<std::int64_t>(waypoints.size()) - options.first + 1;
   charge(L, instructions_per_plan + legs * instructions_per_leg);
-  const PlannedWay way = rover.plan_path(waypoints, options.first, options.settings);
+  const PlannedWay way = [&] {
+    const EngineWork work(L);
+    return rover.plan_path(waypoints, options.first, options.settings);
+  }();
   if (way.is_found()) {
     push_way(L, way);
     return 1;
@@ -207,7 +210,10 @@ int drive_remaining_m(lua_State* L) {
 int ground_at(lua_State* L) {
   const auto p_S_m = to_vec3(L, 2);
   if (!p_S_m) luaL_typeerror(L, 2, "vec3");
-  const auto ground = rover_of(L).ground_at(*p_S_m);
+  const auto ground = [&] {
+    const EngineWork work(L);
+    return rover_of(L).ground_at(*p_S_m);
+  }();
   if (!ground) {
     lua_pushnil(L);
     return 1;

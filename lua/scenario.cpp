@@ -257,6 +257,7 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
 
   Limits limits;
   limits.instructions = instructions_max;
+  limits.cpu_s = 1e9;
   LuaState lua(limits);
   lua.run([&](lua_State* L) {
     // On standard error: standard output is the report.

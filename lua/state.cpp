@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <time.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -22,8 +24,9 @@ constexpr int hook_interval = 1000;
 void raise_spent(lua_State* L, const char* place) {
   LuaContext& ctx = context(L);
   if (ctx.spent.empty()) {
-    ctx.spent = fmt::format("{}more than {} instructions in one call (a loop without an end?)",
-                            place, ctx.instructions_max);
+    ctx.spent =
+        fmt::format("{}more than {} instructions in one call (a loop or recursion without an end?)",
+                    place, ctx.instructions_max);
   }
   lua_pushstring(L, ctx.spent.c_str());
   lua_error(L);
@@ -40,14 +43,32 @@ void raise_if_spent(lua_State* L) {
   raise_spent(L, place);
 }
 
+void look_at_clock(lua_State* L) {
+  LuaContext& ctx = context(L);
+  const double now_s = cpu_now_s();
+  if (!ctx.cpu_end_s) ctx.cpu_end_s = now_s + ctx.limits.cpu_s;
+  if (now_s <= *ctx.cpu_end_s || !ctx.spent.empty()) return;
+  char place[160];
+  write_place(L, place, sizeof place);
+  ctx.spent =
+      fmt::format("{}more than {} s of the processor's time in one call", place, ctx.limits.cpu_s);
+}
+
 void count_hook(lua_State* L, lua_Debug*) {
   LuaContext& ctx = context(L);
+  look_at_clock(L);
   ctx.instructions_left -= hook_interval * ctx.memory.weight();
   ctx.instructions_left -= ctx.memory.collect_if_due(L);
   raise_if_spent(L);
 }
 
 }  // namespace
+
+double cpu_now_s() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 void note_memory_spent(lua_State* L) {
   LuaContext& ctx = context(L);
@@ -165,6 +186,7 @@ std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int resu
   ctx.instructions_max =
       static_cast<std::int64_t>(static_cast<double>(ctx.limits.instructions) * share);
   ctx.instructions_left = ctx.instructions_max;
+  ctx.cpu_end_s.reset();
   ctx.spent.clear();
   ctx.traceback.clear();
   ctx.notes = 0;

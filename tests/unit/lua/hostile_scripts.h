@@ -133,6 +133,9 @@ inline constexpr const char* hostile_scripts[] = {
     "do end",
     "while true do math.floor(1.5) math.max(1, 2, 3) end",
     "while true do local x = 2.0 ^ 0.5 // 1 end",
+    "local a, b, x = 1e308, 3e-308 while true do x = a % b x = a % b x = a % b x = a % b end",
+    "local a, b, x = 1e308, -3e-308 while true do x = a .. b x = b .. a x = a .. a x = b .. b end",
+    "local t = {} for i = 1, 1e6 do t['key' .. i] = i end",
     "error(('x'):rep(1e6))",
     "error(setmetatable({}, { __tostring = function() while true do end end }))",
     // What the host offers.

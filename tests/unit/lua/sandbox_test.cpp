@@ -176,7 +176,7 @@ TEST(Sandbox, patterns_and_method_calls_are_there) {
 TEST(Sandbox, a_mode_that_comes_later_has_no_effect) {
   EXPECT_EQ(text_of("(function() local m = {} local t = setmetatable({}, m) m.__mode = 'v' "
                     "m.__gc = print t[1] = {} "
-                    "for i = 1, 1e5 do local garbage = { {}, {}, {}, {} } end "
+                    "for i = 1, 2e4 do local garbage = { {}, {}, {}, {} } end "
                     "return type(t[1]) .. m.__mode end)()"),
             "tablev");
 }
