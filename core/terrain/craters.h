@@ -18,21 +18,29 @@ struct Crater {
 
 inline constexpr double crater_reach = 3;  // crater radii
 
+// The bowl, to a radius of 1: a parabola, and from a share of the radius on a rounded crest.
+// Without a branch, for long loops.
+inline double crater_bowl_m(double r, double depth_m, double rim_m) {
+  constexpr double bowl_share = 0.8;
+  const double bowl_m = rim_m - depth_m + depth_m / bowl_share * r * r;
+  const double crest_m = rim_m - depth_m / (1 - bowl_share) * (1 - r) * (1 - r);
+  return r <= bowl_share ? bowl_m : crest_m;
+}
+
+// The ejecta from there to crater_reach, which thin out as r^-3 (McGetchin et al. 1973). This
+// polynomial follows that within a third of the rim height, is level at the crest and ends
+// smoothly.
+inline double crater_blanket_m(double r, double rim_m) {
+  const double s = (crater_reach - r) / (crater_reach - 1);
+  const double s2 = s * s;
+  return rim_m * s2 * s2 * s * (6 - 5 * s);
+}
+
 // Height above the ground before the impact, at a distance of r radii from the centre: a parabolic
 // bowl with a rounded rim, outside it an ejecta blanket that ends at `crater_reach` radii. C1.
 inline double crater_height_m(double r, double depth_m, double rim_m) {
-  // The bowl is a parabola to this share of the radius and a rounded crest from there on.
-  constexpr double bowl_share = 0.8;
-  if (r > 1) {
-    if (r >= crater_reach) return 0;
-    // Ejecta thin out as r^-3 (McGetchin et al. 1973). This polynomial follows that within a third
-    // of the rim height, is level at the crest and ends smoothly.
-    const double s = (crater_reach - r) / (crater_reach - 1);
-    const double s2 = s * s;
-    return rim_m * s2 * s2 * s * (6 - 5 * s);
-  }
-  if (r <= bowl_share) return rim_m - depth_m + depth_m / bowl_share * r * r;
-  return rim_m - depth_m / (1 - bowl_share) * (1 - r) * (1 - r);
+  if (r >= crater_reach) return 0;
+  return r > 1 ? crater_blanket_m(r, rim_m) : crater_bowl_m(r, depth_m, rim_m);
 }
 
 // Rim of a fresh simple crater by its depth: 0.036 D to 0.196 D (Pike 1977, Size-dependence in the

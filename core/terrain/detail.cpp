@@ -6,6 +6,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "terrain/crater_rows.h"
 #include "terrain/rocks.h"
 
 namespace lsos {
@@ -217,11 +218,8 @@ void DetailField::add_craters(HeightTile& tile, const NodeLattice& at) const {
       const double half = std::sqrt(left / growth);
       const int i_low = static_cast<int>(std::max(0.0, std::ceil(nearest - half)));
       const int i_high = static_cast<int>(std::min(nodes - 1.0, std::floor(nearest + half)));
-      for (int i = i_low; i <= i_high; ++i) {
-        const double x = x_by_U * (i - U) + x_V;
-        const double y = y_by_U * (i - U) + y_V;
-        row_m[i] += crater_height_m(std::sqrt(x * x + y * y), crater.depth_m, crater.rim_m);
-      }
+      const CraterLine line{x_V - x_by_U * U, y_V - y_by_U * U, x_by_U, y_by_U};
+      add_crater(row_m, i_low, i_high, line, crater.depth_m, crater.rim_m);
     }
   }
 }

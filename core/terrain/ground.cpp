@@ -197,9 +197,11 @@ std::optional<double> Ground::elevation_m(const Geodetic& place, double resoluti
 }
 
 struct Ground::Probe::Impl {
-  Impl(Ground::Impl& of, double resolution_m)
+  Impl(Ground::Impl& of, double resolution_m, double detail_nodes)
       : ground(of), is_close(resolution_m == 0), verticals(of.plane.site()) {
-    for (const auto& layer : of.layers) layers.emplace_back(*layer, layer->look(resolution_m));
+    for (const auto& layer : of.layers) {
+      layers.emplace_back(*layer, layer->look(resolution_m, detail_nodes));
+    }
   }
   // Close looks come one beside the other; looks from afar would make a cell each.
   Standing standing(const Vec3& p_S_m) {
@@ -214,7 +216,11 @@ struct Ground::Probe::Impl {
 };
 
 Ground::Probe::Probe(const Ground& ground, double resolution_m)
-    : impl_(std::make_unique<Impl>(*ground.impl_, resolution_m)) {}
+    : Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown)) {}
+Ground::Probe::Probe(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Ground::Probe Ground::Probe::rough(const Ground& ground, double resolution_m) {
+  return Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, 1));
+}
 Ground::Probe::~Probe() = default;
 Ground::Probe::Probe(Probe&&) noexcept = default;
 Ground::Probe& Ground::Probe::operator=(Probe&&) noexcept = default;

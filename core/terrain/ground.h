@@ -38,6 +38,8 @@ class Ground {
    public:
     // `resolution_m`: as in elevation_m().
     explicit Probe(const Ground& ground, double resolution_m = 0);
+    // The same with detail at the resolution itself: what is lower than some of it may be missing.
+    static Probe rough(const Ground& ground, double resolution_m);
     ~Probe();
     Probe(Probe&&) noexcept;
     Probe& operator=(Probe&&) noexcept;
@@ -45,6 +47,7 @@ class Ground {
 
    private:
     struct Impl;
+    explicit Probe(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
   };
 

@@ -62,14 +62,13 @@ void Layer::add_detail(const Detail& detail, const Stereographic& map, const Det
   detail_ = std::make_unique<DetailField>(detail, *grid_, map, setting, seed);
 }
 
-Look Layer::look(double resolution_m) const {
+Look Layer::look(double resolution_m, double detail_nodes) const {
   Look look;
   look.level = level_for(resolution_m, cell_m_, grid_->coarsest_level());
   look.has_detail = detail_ != nullptr && resolution_m < detail_->largest_m();
   if (look.has_detail) {
-    // Detail is rough on every scale: sixteen nodes for what is just large enough to be shown.
     look.detail_level =
-        level_for(resolution_m / 16, detail_->spacing_m(), DetailField::coarsest_level);
+        level_for(resolution_m / detail_nodes, detail_->spacing_m(), DetailField::coarsest_level);
   }
   return look;
 }

@@ -52,6 +52,8 @@ class Layer {
  public:
   // A layer that fades needs twice that across.
   static constexpr int fade_cells_min = 4;
+  // Detail is rough on every scale.
+  static constexpr double detail_nodes_shown = 16;
 
   // `cell_m`: mean side of the grid's cells; infinite where that is not known.
   Layer(std::unique_ptr<HeightGrid> grid, double cell_m, LayerPlace place);
@@ -60,8 +62,9 @@ class Layer {
   double cell_m() const { return cell_m_; }
   void add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
                   std::uint64_t seed);
-  // The coarsest look that still shows what is as large as the resolution; 0: all there is.
-  Look look(double resolution_m) const;
+  // The coarsest look that still shows what is as large as the resolution; 0: all there is. Detail
+  // has so many nodes for what is just large enough.
+  Look look(double resolution_m, double detail_nodes = detail_nodes_shown) const;
 
   class Probe {
    public:

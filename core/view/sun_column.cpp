@@ -35,7 +35,7 @@ class Strip {
     const Vec3 along_S = level_S.norm() > 1e-9 ? level_S.normalized() : up_S.unitOrthogonal();
     axes_S_ << along_S, up_S.cross(along_S), up_S;
     elevation_rad_ = std::atan2(sine, level_S.norm());
-    const auto start = node(0, 0);
+    const auto start = node(probe(0), 0, 0);
     last_height_m_ = start ? ground.site().height_m(column.eye_S_m + axes_S_ * *start) : 0;
   }
 
@@ -70,8 +70,14 @@ class Strip {
     return lowest_ray_m(x_m) + drop_m > highest_ground_m(body) - eye_m;
   }
   // The ground there, in the strip's axes. Beyond its end the last height that was found.
-  Vec3 point(double x_m, double y_m) {
-    if (const auto found = node(x_m, y_m)) {
+  Vec3 point(double x_m, double y_m) { return point(probe(x_m), x_m, y_m); }
+  // The same without what is smaller than the rows first looked at are apart: `rise_max` allows for
+  // that too.
+  Vec3 first_point(double x_m) { return point(rough_probe(x_m), x_m, 0); }
+
+ private:
+  Vec3 point(Ground::Probe& probe, double x_m, double y_m) {
+    if (const auto found = node(probe, x_m, y_m)) {
       last_height_m_ = ground_.site().height_m(column_.eye_S_m + axes_S_ * *found);
       return *found;
     }
@@ -81,10 +87,9 @@ class Strip {
            (p_S_m - (at.height_m - last_height_m_) * at.up_S - column_.eye_S_m);
   }
 
- private:
-  std::optional<Vec3> node(double x_m, double y_m) {
+  std::optional<Vec3> node(Ground::Probe& probe, double x_m, double y_m) {
     const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
-    const GroundSample sample = probe(x_m).sample(p_S_m);
+    const GroundSample sample = probe.sample(p_S_m);
     if (!sample.is_ground()) return {};
     return axes_S_.transpose() * (p_S_m - sample.gap_m * sample.up_S - column_.eye_S_m);
   }
@@ -97,13 +102,20 @@ class Strip {
     const double resolution_m = octave == 0 ? 0 : std::ldexp(drawn_rows_m, octave - 1);
     return probes_.emplace(octave, Ground::Probe(ground_, resolution_m)).first->second;
   }
+  Ground::Probe& rough_probe(double x_m) {
+    const int octave = std::ilogb(std::max(1.0, first_share * x_m / first_rows_m));
+    const auto found = rough_probes_.find(octave);
+    if (found != rough_probes_.end()) return found->second;
+    const double resolution_m = std::ldexp(first_rows_m, octave);
+    return rough_probes_.emplace(octave, Ground::Probe::rough(ground_, resolution_m)).first->second;
+  }
 
   const Ground& ground_;
   const SunColumn& column_;
   Mat3 axes_S_;
   double elevation_rad_ = 0;
   double last_height_m_ = 0;
-  std::map<int, Ground::Probe> probes_;
+  std::map<int, Ground::Probe> probes_, rough_probes_;
 };
 
 // Adds a row of nodes across the strip; joined to the last row when that is the one before.
@@ -156,11 +168,11 @@ class StripMesh {
 Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   Strip strip(ground, column);
   StripMesh mesh(strip);
-  bool is_open = false;                         // the last row drawn is where this stretch begins
-  double x_m = 0, z_m = strip.point(0, 0).z();  // of the middle line
+  bool is_open = false;  // the last row drawn is where this stretch begins
+  double x_m = 0, z_m = strip.first_point(0).z();  // of the middle line
   while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
     const double next_m = next_row_m(x_m, first_rows_m, first_share);
-    const double next_z_m = strip.point(next_m, 0).z(), height_m = std::max(z_m, next_z_m);
+    const double next_z_m = strip.first_point(next_m).z(), height_m = std::max(z_m, next_z_m);
     z_m = next_z_m;
     const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m));
     const double highest_m = height_m + rise_m;

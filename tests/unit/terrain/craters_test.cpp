@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "ground_fixture.h"
+#include "terrain/crater_rows.h"
 
 namespace lsos {
 namespace {
@@ -33,6 +34,25 @@ TEST(CraterProfile, rises_to_the_rim_and_falls_beyond) {
   for (double r = 0; r < 2.99; r += 0.01) {
     const double rise = crater_height_m(r + 0.01, 3, 0.5) - crater_height_m(r, 3, 0.5);
     EXPECT_TRUE(r + 0.01 < 1.001 ? rise > 0 : rise < 0) << r;
+  }
+}
+
+// Lines through the bowl, beside it, and along its edge; parts of them; points that are far apart.
+TEST(CraterRows, are_the_profile_at_each_point) {
+  for (const double past : {0.0, 0.3, 0.8, 0.9999, 1.0, 1.7, 2.9}) {
+    for (const double step : {0.01, 0.13, 0.9}) {
+      const CraterLine line{-2.5, past, step, 0.1 * step};
+      const int low = 3, high = static_cast<int>(4.9 / step);
+      std::vector<double> heights_m(static_cast<std::size_t>(high) + 5, 7.0);
+      add_crater(heights_m.data(), low, high, line, 0.2, 0.04);
+      for (int i = 0; i < static_cast<int>(heights_m.size()); ++i) {
+        const double x = line.x + i * line.x_step, y = line.y + i * line.y_step;
+        const double r = std::hypot(x, y);
+        if (r >= crater_reach) continue;  // the caller asks for none
+        const double added_m = i < low || i > high ? 0 : crater_height_m(r, 0.2, 0.04);
+        ASSERT_NEAR(heights_m[static_cast<std::size_t>(i)], 7 + added_m, 1e-14) << past << " " << i;
+      }
+    }
   }
 }
 
