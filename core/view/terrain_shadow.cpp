@@ -29,12 +29,19 @@ std::size_t node_at(int row, int column) { return static_cast<std::size_t>(row *
 // Each row is swept on its own: without this their shadows' ends would be a comb.
 void smooth(std::vector<float>& share) {
   std::vector<float> before = share;
-  for (const std::size_t s : {std::size_t{nodes}, std::size_t{nodes}, std::size_t{1}}) {
-    for (std::size_t k = s; k + s < share.size(); ++k) {
-      share[k] = 0.25f * before[k - s] + 0.5f * before[k] + 0.25f * before[k + s];
+  const auto pass = [&](int rows, int columns) {
+    for (int j = rows; j < nodes - rows; ++j) {
+      for (int i = columns; i < nodes - columns; ++i) {
+        share[node_at(j, i)] = 0.25f * before[node_at(j - rows, i - columns)] +
+                               0.5f * before[node_at(j, i)] +
+                               0.25f * before[node_at(j + rows, i + columns)];
+      }
     }
     before = share;
-  }
+  };
+  pass(1, 0);
+  pass(1, 0);
+  pass(0, 1);
 }
 
 double slope_of(double elevation_rad) {
@@ -42,8 +49,18 @@ double slope_of(double elevation_rad) {
   return std::tan(std::clamp(elevation_rad, -highest_rad, highest_rad));
 }
 
-double share_of(double height_m, double dark_m, double lit_m, double cell_m) {
-  return std::clamp((height_m - dark_m) / std::max(lit_m - dark_m, soft_cells * cell_m), 0.0, 1.0);
+// Of a disc of radius 1 under a level line, -1..1.
+double area_under(double level) {
+  return 0.5 + (std::asin(level) + level * std::sqrt(1 - level * level)) / std::numbers::pi;
+}
+
+template <class Limits>
+Limits between(const Limits& a, const Limits& b, double share) {
+  Limits found;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    found[k] = static_cast<float>(a[k] + share * (b[k] - a[k]));
+  }
+  return found;
 }
 
 }  // namespace
@@ -58,14 +75,16 @@ TerrainShadow::TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Ve
   along_S_ = level_S.norm() > 1e-6 ? level_S.normalized() : ground.site().north_S(eye_S_m);
   across_S_ = up_S_.cross(along_S_);
   const double elevation_rad = std::asin(sine);
-  top_slope_ = slope_of(elevation_rad + disc_rad);
-  low_slope_ = slope_of(elevation_rad - disc_rad);
+  const auto level_of = [](int edge) { return 2.0 * edge / slices - 1; };
+  for (int k = 0; k <= slices; ++k) slopes_[k] = slope_of(elevation_rad + level_of(k) * disc_rad);
+  for (int k = 0; k < slices; ++k)
+    areas_[k] = area_under(level_of(k + 1)) - area_under(level_of(k));
   const Body& body = ground.site().body();
   const double over_m = highest_ground_m(body) - ground.site().height_m(eye_S_m);
   for (double half_m = finest_half_m; half_m < farthest_half_m; half_m *= 2) {
     levels_.push_back(sampled(ground, eye_S_m, half_m));
     const double drop_m = half_m * half_m / (2 * body.equatorial_radius_m);
-    if (half_m * low_slope_ + drop_m > over_m) break;
+    if (half_m * slopes_.front() + drop_m > over_m) break;
   }
   march(ground, eye_S_m);
   for (std::size_t k = levels_.size(); k-- > 0;) {
@@ -75,7 +94,7 @@ TerrainShadow::TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Ve
 
 TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& eye_S_m,
                                             double half_m) const {
-  Level level{half_m, 2 * half_m / (nodes - 1), {}, {}, {}, {}};
+  Level level{half_m, 2 * half_m / (nodes - 1), {}, {}, {}};
   level.ground_m.assign(node_at(nodes, 0), none);
   const double radius_m = ground.site().body().equatorial_radius_m;
   const Level* finer = levels_.empty() ? nullptr : &levels_.back();
@@ -120,20 +139,22 @@ void TerrainShadow::march(const Ground& ground, const Vec3& eye_S_m) {
   const Level& last = levels_.back();
   const Body& body = ground.site().body();
   const double over_m = highest_ground_m(body) - ground.site().height_m(eye_S_m);
-  edge_.assign(marches, {none, none});
+  edge_.assign(marches, unobstructed());
   const auto one = [&](GroundLadder& look, int k) {
-    Limits& limits = edge_[static_cast<std::size_t>(k)];
+    Limits& limits_m = edge_[static_cast<std::size_t>(k)];
     const double y_m = last.half_m * (2.0 * k / (marches - 1) - 1);
     for (double x_m = last.half_m;; x_m *= 1 + march_share) {
       const double drop_m = (x_m * x_m + y_m * y_m) / (2 * body.equatorial_radius_m);
       const double from_edge_m = x_m - last.half_m;
-      if (from_edge_m * low_slope_ + drop_m > over_m + last.half_m) break;
+      if (from_edge_m * slopes_.front() + drop_m > over_m + last.half_m) break;
       const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
       const GroundSample sample = look.sample(eye_S_m + p_m, march_resolution_share * x_m);
       if (!sample.is_ground()) continue;
       const double height_m = (p_m - sample.gap_m * sample.up_S).dot(up_S_);
-      limits.dark_m = std::max(limits.dark_m, height_m - top_slope_ * from_edge_m);
-      limits.lit_m = std::max(limits.lit_m, height_m - low_slope_ * from_edge_m);
+      for (int s = 0; s <= slices; ++s) {
+        limits_m[s] =
+            std::max(limits_m[s], static_cast<float>(height_m - slopes_[s] * from_edge_m));
+      }
     }
   };
   share_rows(
@@ -144,25 +165,37 @@ TerrainShadow::Limits TerrainShadow::at_edge(double across_m) const {
   const double k = (across_m / levels_.back().half_m + 1) / 2 * (marches - 1);
   const auto low = static_cast<std::size_t>(std::clamp(k, 0.0, marches - 2.0));
   const double up = k - static_cast<double>(low);
-  const Limits &a = edge_[low], &b = edge_[low + 1];
-  return {a.dark_m + up * (b.dark_m - a.dark_m), a.lit_m + up * (b.lit_m - a.lit_m)};
+  return between(edge_[low], edge_[low + 1], up);
+}
+
+void TerrainShadow::raise(Limits& limits_m, double ground_m) const {
+  for (float& limit_m : limits_m) limit_m = std::max(limit_m, static_cast<float>(ground_m));
+}
+
+void TerrainShadow::lower(Limits& limits_m, double by_m) const {
+  for (int k = 0; k <= slices; ++k) limits_m[k] -= static_cast<float>(slopes_[k] * by_m);
+}
+
+double TerrainShadow::share_of(double height_m, const Limits& limits_m, double cell_m) const {
+  double share = 0;
+  for (int k = 0; k < slices; ++k) {
+    const double all_m = limits_m[k], none_m = limits_m[k + 1];
+    const double rise_m = std::max(all_m - none_m, soft_cells * cell_m);
+    share += areas_[k] * std::clamp((height_m - none_m) / rise_m, 0.0, 1.0);
+  }
+  return share;
 }
 
 void TerrainShadow::sweep(Level& level, const Level* coarser) const {
-  level.dark_m.assign(level.ground_m.size(), none);
-  level.lit_m = level.dark_m;
+  level.limits_m.assign(level.ground_m.size(), unobstructed());
   level.share.assign(level.ground_m.size(), 1);
   const double under_eye_m =
       std::max<double>(-10, levels_.front().ground_m[node_at((nodes - 1) / 2, (nodes - 1) / 2)]);
   for (int j = 0; j < nodes; ++j) {
     const double across_m = j * level.cell_m - level.half_m;
-    auto [dark_m, lit_m] = at_edge(across_m);
-    if (coarser) {
-      const Spot at =
-          spot(level.half_m, across_m, static_cast<std::size_t>(coarser - levels_.data()));
-      dark_m = value(coarser->dark_m, at);
-      lit_m = value(coarser->lit_m, at);
-    }
+    Limits limits_m = coarser ? limits_at(spot(level.half_m, across_m,
+                                               static_cast<std::size_t>(coarser - levels_.data())))
+                              : at_edge(across_m);
     for (int i = nodes - 1, end = first_seen(level, j); i >= end; --i) {
       const std::size_t k = node_at(j, i);
       const double ground_m = level.ground_m[k];
@@ -170,19 +203,15 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
         // Where no ground is known it is taken to lie as under the eye, and throws no shadow.
         const double along_m = i * level.cell_m - level.half_m;
         const double drop_m = (along_m * along_m + across_m * across_m) / (2 * radius_m_);
-        level.dark_m[k] = static_cast<float>(dark_m);
-        level.lit_m[k] = static_cast<float>(lit_m);
-        level.share[k] =
-            static_cast<float>(share_of(under_eye_m - drop_m, dark_m, lit_m, level.cell_m));
-        dark_m -= top_slope_ * level.cell_m;
-        lit_m -= low_slope_ * level.cell_m;
+        level.limits_m[k] = limits_m;
+        level.share[k] = static_cast<float>(share_of(under_eye_m - drop_m, limits_m, level.cell_m));
+        lower(limits_m, level.cell_m);
         continue;
       }
-      level.dark_m[k] = static_cast<float>(dark_m);
-      level.lit_m[k] = static_cast<float>(lit_m);
-      level.share[k] = static_cast<float>(share_of(ground_m, dark_m, lit_m, level.cell_m));
-      dark_m = std::max(dark_m, ground_m) - top_slope_ * level.cell_m;
-      lit_m = std::max(lit_m, ground_m) - low_slope_ * level.cell_m;
+      level.limits_m[k] = limits_m;
+      level.share[k] = static_cast<float>(share_of(ground_m, limits_m, level.cell_m));
+      raise(limits_m, ground_m);
+      lower(limits_m, level.cell_m);
     }
   }
   smooth(level.share);
@@ -201,24 +230,32 @@ TerrainShadow::Spot TerrainShadow::spot(double along_m, double across_m, std::si
   return {nullptr, 0, 0, 0};
 }
 
-double TerrainShadow::value(const std::vector<float>& values, const Spot& spot) {
+TerrainShadow::Limits TerrainShadow::unobstructed() {
+  Limits limits_m;
+  limits_m.fill(none);
+  return limits_m;
+}
+
+TerrainShadow::Limits TerrainShadow::limits_at(const Spot& spot) {
+  const std::vector<Limits>& at = spot.level->limits_m;
   const std::size_t k = spot.node;
-  const double below = values[k] + spot.right * (values[k + 1] - values[k]);
-  const double above = values[k + nodes] + spot.right * (values[k + nodes + 1] - values[k + nodes]);
-  return below + spot.up * (above - below);
+  return between(between(at[k], at[k + 1], spot.right),
+                 between(at[k + nodes], at[k + nodes + 1], spot.right), spot.up);
 }
 
 double TerrainShadow::on_ground(const Vec3& p_m) const {
   const Spot at = spot(p_m.dot(along_S_), p_m.dot(across_S_));
-  if (at.level) return value(at.level->share, at);
-  return low_slope_ > 0 ? 1 : 0;
+  if (!at.level) return slopes_.front() > 0 ? 1 : 0;
+  const std::vector<float>& share = at.level->share;
+  const std::size_t k = at.node;
+  return std::lerp(std::lerp(share[k], share[k + 1], at.right),
+                   std::lerp(share[k + nodes], share[k + nodes + 1], at.right), at.up);
 }
 
 double TerrainShadow::at(const Vec3& p_m) const {
   const Spot at = spot(p_m.dot(along_S_), p_m.dot(across_S_));
-  if (!at.level) return low_slope_ > 0 ? 1 : 0;
-  return share_of(p_m.dot(up_S_), value(at.level->dark_m, at), value(at.level->lit_m, at),
-                  at.level->cell_m);
+  if (!at.level) return slopes_.front() > 0 ? 1 : 0;
+  return share_of(p_m.dot(up_S_), limits_at(at), at.level->cell_m);
 }
 
 }  // namespace lsos

@@ -66,6 +66,37 @@ TEST(TerrainShadow, is_where_marching_has_it) {
   }
 }
 
+// A range on the horizon that hides the disc's lower part, over rough ground near by.
+TEST(TerrainShadow, of_a_range_far_away_hides_a_part_of_the_disc) {
+  TerrainSpec spec = bowl_and_hill();
+  std::get<ReliefSurface>(spec.layers[0])
+      .landforms.push_back({"range", 0, -84.2 * deg, 20e3, 0, 1800});
+  spec.detail = Detail{};
+  spec.detail->roughness = Roughness{};
+  const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(0, -85));
+  const Ground ground(spec, site, 1);
+  const Vec3 eye_S_m(-300, -300, 20);
+  GroundLightProbe march(ground, 0.5);
+  Ground::Probe probe(ground);
+  for (const double elevation_deg : {3.8, 3.95, 4.1, 4.25}) {
+    const Vec3 sun_S = direction(0, elevation_deg * deg);
+    const TerrainShadow shadow(ground, eye_S_m, sun_S, disc_rad);
+    double drawn = 0, marched = 0;
+    int count = 0;
+    for (double x_m = -40; x_m <= 40; x_m += 7) {
+      for (double y_m = -40; y_m <= 40; y_m += 7, ++count) {
+        const Vec3 over_m(x_m, y_m, 0);
+        const GroundSample sample = probe.sample(eye_S_m + over_m);
+        const Vec3 p_m = over_m - sample.gap_m * sample.up_S;
+        drawn += shadow.on_ground(p_m);
+        marched += march.at(site.geodetic(eye_S_m + p_m), sun_S, disc_rad)->sun_fraction;
+      }
+    }
+    std::printf("%.2f deg: %.3f, marched %.3f\n", elevation_deg, drawn / count, marched / count);
+    EXPECT_NEAR(drawn / count, marched / count, 0.06) << elevation_deg;
+  }
+}
+
 TEST(TerrainShadow, is_the_same_in_a_sector_alone) {
   Relief relief;
   for (const double azimuth_deg : {20.0, 200.0}) {
