@@ -10,7 +10,7 @@
 
 namespace lsos {
 
-int overlay_command(const std::string& folder, bool is_json) {
+int overlay_command(const std::string& folder, bool is_packed, bool is_json) {
   const std::string plan_file = folder + "/plan.kml";
   if (!std::filesystem::exists(plan_file) || !std::filesystem::exists(folder + "/log.gpkg")) {
     throw InputError({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
@@ -19,8 +19,8 @@ int overlay_command(const std::string& folder, bool is_json) {
   // may be elsewhere now and is not needed to draw it.
   const MissionFiles files = read_mission(plan_file);
   if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
-  write_overlay(folder, files.plan);
-  const std::string file = folder + "/overlay.kml";
+  (is_packed ? write_packed_overlay : write_overlay)(folder, files.plan);
+  const std::string file = folder + (is_packed ? "/overlay.kmz" : "/overlay.kml");
   if (is_json) {
     fmt::print("{}\n", nlohmann::json{{"overlay", file}}.dump());
   } else {

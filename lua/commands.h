@@ -150,6 +150,6 @@ struct CompareOptions {
 };
 int compare_command(const CompareOptions& options);
 
-int overlay_command(const std::string& folder, bool is_json);
+int overlay_command(const std::string& folder, bool is_packed, bool is_json);
 
 }  // namespace lsos

@@ -233,10 +233,13 @@ int run_program(std::vector<std::string> arguments) {
   new_command->add_option("NAME", new_name, "What it shall be called: DropBeacon")->required();
 
   std::string overlay_folder;
+  bool overlay_is_packed = false;
   CLI::App* overlay_command =
       app.add_subcommand("overlay", "Write overlay.kml of a run again from its log");
   overlay_command->add_option("DIR", overlay_folder, "Folder of a run")->required();
 
+  overlay_command->add_flag("--kmz", overlay_is_packed,
+                            "Write overlay.kmz, some ten times smaller");
   overlay_command->add_flag("--json", is_json, "The name of the file as JSON");
 
   lsos::RigOptions rig;
@@ -303,7 +306,7 @@ int run_program(std::vector<std::string> arguments) {
   if (new_command->parsed()) return lsos::new_event_command(new_name);
   if (test_command->parsed()) return lsos::test_command(test);
   if (list_command->parsed()) return lsos::list_command(list);
-  return lsos::overlay_command(overlay_folder, is_json);
+  return lsos::overlay_command(overlay_folder, overlay_is_packed, is_json);
 }
 
 }  // namespace

@@ -52,6 +52,7 @@ class Writer {
     printer_.PushHeader(false, true);
     open("kml");
     printer_.PushAttribute("xmlns", "http://www.opengis.net/kml/2.2");
+    printer_.PushAttribute("xmlns:gx", "http://www.google.com/kml/ext/2.2");
     open("Document");
     element("name", document.name);
     optional_element("description", document.description);
@@ -102,6 +103,11 @@ class Writer {
       element("width", fmt::format("{}", style.line_width));
       close();
     }
+    if (!style.balloon_text.empty()) {
+      open("BalloonStyle");
+      element("text", style.balloon_text);
+      close();
+    }
     close();
   }
 
@@ -109,13 +115,16 @@ class Writer {
     open("Schema");
     attribute("name", schema.name);
     attribute("id", schema.id);
-    for (const KmlField& field : schema.fields) {
-      open("SimpleField");
-      attribute("type", field.type);
-      attribute("name", field.name);
-      optional_element("displayName", field.display_name);
-      close();
-    }
+    for (const KmlField& each : schema.fields) field("SimpleField", each);
+    for (const KmlField& each : schema.array_fields) field("gx:SimpleArrayField", each);
+    close();
+  }
+
+  void field(const char* kind, const KmlField& field) {
+    open(kind);
+    attribute("type", field.type);
+    attribute("name", field.name);
+    optional_element("displayName", field.display_name);
     close();
   }
 
@@ -134,8 +143,39 @@ class Writer {
     optional_element("description", placemark.description);
     time(placemark);
     if (!placemark.style_id.empty()) element("styleUrl", "#" + placemark.style_id);
-    if (!placemark.schema_id.empty()) data(placemark);
-    geometry(placemark.geometry);
+    const bool is_track = !placemark.track.points.empty();
+    if (!placemark.schema_id.empty() && !is_track) data(placemark);
+    if (is_track) {
+      track(placemark);
+    } else {
+      geometry(placemark.geometry);
+    }
+    close();
+  }
+
+  void track(const KmlPlacemark& placemark) {
+    const KmlTrack& track = placemark.track;
+    LSOS_ASSERT(track.when_utc.size() == track.points.size());
+    open("gx:Track");
+    element("altitudeMode", "clampToGround");
+    for (const std::string& utc : track.when_utc) element("when", utc);
+    for (const Geodetic& point : track.points) {
+      element("gx:coord", fmt::format("{:.9f} {:.9f} 0", lon_deg(point), lat_deg(point)));
+    }
+    if (!track.arrays.empty()) {
+      open("ExtendedData");
+      open("SchemaData");
+      attribute("schemaUrl", "#" + placemark.schema_id);
+      for (const auto& [name, texts] : track.arrays) {
+        LSOS_ASSERT(texts.size() == track.points.size());
+        open("gx:SimpleArrayData");
+        attribute("name", name);
+        for (const std::string& text : texts) element("gx:value", text);
+        close();
+      }
+      close();
+      close();
+    }
     close();
   }
 

@@ -1,4 +1,5 @@
-// Writes KML 2.2 documents that are valid against the OGC schema, from plain values.
+// Writes KML 2.2 documents that are valid against the OGC schema and Google's extension of it
+// (gx:Track), from plain values.
 #pragma once
 
 #include <string>
@@ -19,6 +20,7 @@ struct KmlSchema {
   std::string id;
   std::string name;
   std::vector<KmlField> fields;
+  std::vector<KmlField> array_fields = {};  // of tracks: one value a time
 };
 
 // Colours are eight hexadecimal digits: alpha, blue, green, red ("ff0000ff" is opaque red).
@@ -30,6 +32,7 @@ struct KmlStyle {
   double icon_scale = 1;
   std::string icon_href;  // "": the viewer's own icon
   double label_scale = 1;
+  std::string balloon_text;  // HTML; $[schema/field] stands for a value; "": the viewer's own
 };
 
 enum class KmlGeometryKind { none, point, line, polygon };
@@ -42,6 +45,14 @@ struct KmlGeometry {
   bool clamp_to_ground = true;
 };
 
+// Places in the order of time; a viewer moves an icon along them.
+struct KmlTrack {
+  std::vector<std::string> when_utc;  // ISO 8601
+  std::vector<Geodetic> points;       // as many, on the ground
+  // Names of the schema's array fields; as many texts each.
+  std::vector<std::pair<std::string, std::vector<std::string>>> arrays;
+};
+
 struct KmlPlacemark {
   std::string name;
   std::string description;  // "": none
@@ -50,6 +61,7 @@ struct KmlPlacemark {
   std::string begin_utc;    // with end_utc: a TimeSpan, either end may be ""; not with when_utc
   std::string end_utc;
   KmlGeometry geometry;
+  KmlTrack track;         // in place of a geometry, when it has points
   std::string schema_id;  // of a schema of the document; "": no data
   std::vector<std::pair<std::string, std::string>> data;  // field name, text
 };
@@ -72,5 +84,8 @@ struct KmlDocument {
 
 // The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
 std::string write_kml(const KmlDocument& document);
+
+// The same document as the one file of a KMZ archive. Throws InputError when it cannot be written.
+void write_kmz(const std::string& file, const std::string& kml);
 
 }  // namespace lsos

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "plan/kml_text.h"
+#include "plan/kml_writer.h"
 
 namespace lsos {
 
@@ -92,6 +93,35 @@ KmlText unpack_kmz(const std::string& bytes, const std::string& file, std::size_
     if (text.utf8.size() > max_bytes) {
       throw InputError({text.file, 0}, fmt::format("unpacks to more than {} MiB", max_bytes >> 20));
     }
+  }
+}
+
+void write_kmz(const std::string& file, const std::string& kml) {
+  const auto fail = [&](const std::string& why) {
+    throw InputError({file, 0}, "cannot be written: " + why);
+  };
+  int code = 0;
+  zip_t* archive = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
+  if (archive == nullptr) {
+    zip_error_t error;
+    zip_error_init_with_code(&error, code);
+    const std::string why = message(&error);
+    zip_error_fini(&error);
+    fail(why);
+  }
+  zip_source_t* source = zip_source_buffer(archive, kml.data(), kml.size(), 0);
+  const zip_int64_t index =
+      source == nullptr ? -1 : zip_file_add(archive, "doc.kml", source, ZIP_FL_ENC_UTF_8);
+  if (index < 0 && source != nullptr) zip_source_free(source);
+  // The same document gives the same bytes at any time: archives know none before 1980.
+  constexpr std::int64_t year_1980_s = 315'532'800;
+  if (index >= 0) {
+    zip_file_set_mtime(archive, static_cast<zip_uint64_t>(index), year_1980_s, 0);
+  }
+  if (index < 0 || zip_close(archive) != 0) {
+    const std::string why = message(zip_get_error(archive));
+    zip_discard(archive);
+    fail(why);
   }
 }
 

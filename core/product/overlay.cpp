@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "base/error.h"
 #include "base/units.h"
 #include "plan/kml_writer.h"
@@ -26,6 +29,12 @@ template <>
 const std::string schema_id<PlannedPathRow> = "lsos_planned_paths";
 template <>
 const std::string schema_id<NoteRow> = "lsos_notes";
+const std::string track_schema_id = "lsos_track";
+
+// What of a rover's samples the viewer plots along its track.
+constexpr std::array track_columns{"elevation_m", "speed_mps",     "slope_rad", "slip",
+                                   "charge",      "energy_rate_w", "solar_w",   "load_w",
+                                   "drive_w",     "sun_fraction"};
 
 const char* kml_type(ColumnType type) {
   switch (type) {
@@ -46,6 +55,39 @@ KmlSchema schema() {
     schema.fields.push_back({std::string(column.name), kml_type(column.type), ""});
   }
   return schema;
+}
+
+KmlSchema track_schema() {
+  KmlSchema schema{track_schema_id, track_schema_id, {}};
+  for (const char* column : track_columns) schema.array_fields.push_back({column, "float", ""});
+  return schema;
+}
+
+// What a balloon says of a sample: what a planner asks first.
+std::string sample_balloon() {
+  constexpr std::pair<const char*, const char*> lines[] = {
+      {"Time", "utc"},
+      {"Event", "event"},
+      {"Phase", "phase"},
+      {"Longitude, degrees", "lon_deg"},
+      {"Latitude, degrees", "lat_deg"},
+      {"Elevation, m", "elevation_m"},
+      {"Driven, m", "distance_m"},
+      {"Speed, m/s", "speed_mps"},
+      {"Slope, rad", "slope_rad"},
+      {"Slip, mean", "slip"},
+      {"Charge, 0 to 1", "charge"},
+      {"Energy rate, W", "energy_rate_w"},
+      {"From panels, W", "solar_w"},
+      {"Loads, W", "load_w"},
+      {"Driving, W", "drive_w"},
+      {"Sun on panels, 0 to 1", "sun_fraction"}};
+  std::string text = "<h3>$[name]</h3><table>";
+  for (const auto& [what, column] : lines) {
+    text += fmt::format("<tr><td>{}</td><td align=\"right\">$[{}/{}]</td></tr>", what,
+                        schema_id<SampleRow>, column);
+  }
+  return text + "</table>";
 }
 
 // A Placemark that carries every column of the row that is not NULL.
@@ -107,6 +149,7 @@ struct RoverStyle {
     sample.icon_color_abgr = "c0" + color_;
     sample.icon_scale = 0.3;
     sample.label_scale = 0;  // thousands of labels would hide the ground
+    sample.balloon_text = sample_balloon();
     styles.insert(styles.end(), {plan, planned, driven, event, sample});
   }
 
@@ -190,6 +233,37 @@ KmlFolder sample_points(const RoverTrack& track, Instant start, const std::strin
   return folder;
 }
 
+KmlFolder moving_point(const RoverTrack& track, Instant start, const std::string& rover_id,
+                       const RoverStyle& style) {
+  KmlFolder folder = named_folder(rover_id + " track");
+  KmlPlacemark mark;
+  mark.name = rover_id;
+  mark.style_id = style.event_id;
+  mark.schema_id = track_schema_id;
+  std::vector<const SampleRow*> rows;
+  for (const SampleRow& row : track.track()) {
+    std::string utc = xml_time(start + row.time);
+    if (utc.empty()) continue;
+    mark.track.when_utc.push_back(std::move(utc));
+    mark.track.points.push_back(row.place);
+    rows.push_back(&row);
+  }
+  for (const Column<SampleRow>& column : columns<SampleRow>()) {
+    if (std::ranges::find(track_columns, column.name) == track_columns.end()) continue;
+    std::vector<std::string> texts;
+    bool is_known = false;
+    for (const SampleRow* row : rows) {
+      const ColumnValue value = column.value(*row, start);
+      const auto* number = std::get_if<double>(&value);
+      is_known |= number != nullptr;
+      texts.push_back(number == nullptr ? "" : fmt::format("{:.6g}", *number));
+    }
+    if (is_known) mark.track.arrays.emplace_back(column.name, std::move(texts));
+  }
+  if (!rows.empty()) folder.placemarks.push_back(std::move(mark));
+  return folder;
+}
+
 KmlFolder note_points(const std::vector<NoteRow>& notes, Instant start) {
   KmlFolder folder = named_folder("notes");
   for (const NoteRow& note : notes) {
@@ -205,11 +279,14 @@ KmlFolder note_points(const std::vector<NoteRow>& notes, Instant start) {
 
 std::map<std::string, RoverTrack> tracks(const LogReader& log, const MissionInfo& mission) {
   LSOS_ASSERT(mission.planet != nullptr);
-  const SimTime interval = sample_interval(log.last_sample_time(), overlay_samples_max,
-                                           mission.log_interval, mission.parked_log_interval);
+  const auto interval = [&](int count) {
+    return sample_interval(log.last_sample_time(), count, mission.log_interval,
+                           mission.parked_log_interval);
+  };
+  const SimTime of_samples = interval(overlay_samples_max), of_track = interval(overlay_track_max);
   std::map<std::string, RoverTrack> tracks;
   log.for_each_sample([&](const SampleRow& row) {
-    tracks.try_emplace(row.rover_id, *mission.planet, interval).first->second.add(row);
+    tracks.try_emplace(row.rover_id, *mission.planet, of_samples, of_track).first->second.add(row);
   });
   return tracks;
 }
@@ -225,7 +302,7 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
   document.description = fmt::format("simulated from {}", format_utc(start));
   const std::vector<PlannedPathRow> paths = log.planned_paths();
   document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<PlannedPathRow>(),
-                      schema<NoteRow>()};
+                      schema<NoteRow>(), track_schema()};
   std::size_t i = 0;
   for (const auto& [rover_id, track] : tracks(log, plan.mission)) {
     const RoverStyle style(i++);
@@ -233,9 +310,9 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
     rover.folders = {
-        drawn_lines(plan, rover_id, style), planned_lines(paths, start, rover_id, style),
-        driven_line(track, rover_id, style), event_points(events, start, rover_id, style),
-        sample_points(track, start, rover_id, style)};
+        drawn_lines(plan, rover_id, style),          planned_lines(paths, start, rover_id, style),
+        driven_line(track, rover_id, style),         event_points(events, start, rover_id, style),
+        moving_point(track, start, rover_id, style), sample_points(track, start, rover_id, style)};
     document.folders.push_back(std::move(rover));
   }
   document.folders.push_back(note_points(log.notes(), start));
@@ -244,6 +321,10 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
 
 void write_overlay(const std::string& run_dir, const Plan& plan) {
   write_file(run_dir + "/overlay.kml", overlay_kml(LogReader(run_dir + "/log.gpkg"), plan));
+}
+
+void write_packed_overlay(const std::string& run_dir, const Plan& plan) {
+  write_kmz(run_dir + "/overlay.kmz", overlay_kml(LogReader(run_dir + "/log.gpkg"), plan));
 }
 
 }  // namespace lsos

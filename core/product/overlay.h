@@ -8,14 +8,17 @@
 
 namespace lsos {
 
-// Sample Placemarks of one rover at most; the log has them all.
-inline constexpr int overlay_samples_max = 2000;
+// Sample Placemarks of one rover at most, and places of its track; the log has them all.
+inline constexpr int overlay_samples_max = 2000, overlay_track_max = 50'000;
 
 // The document: for each rover its drawn lines, the line that it drove, its events where they
-// happened, and samples uniform in time with every column of the log; then the notes.
+// happened, a track that a time slider plays, and samples uniform in time with every column of the
+// log; then the notes.
 std::string overlay_kml(const LogReader& log, const Plan& plan);
 
 // Reads DIR/log.gpkg and writes DIR/overlay.kml. Throws InputError when there is no log.
 void write_overlay(const std::string& run_dir, const Plan& plan);
+// The same as DIR/overlay.kmz, some ten times smaller.
+void write_packed_overlay(const std::string& run_dir, const Plan& plan);
 
 }  // namespace lsos

@@ -23,11 +23,15 @@ SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime pa
   return fits ? parked_too : interval;
 }
 
+void RoverTrack::Thinned::add(const SampleRow& row) {
+  if (row.time < next) return;
+  rows.push_back(row);
+  next = row.time / interval * interval + interval;
+}
+
 void RoverTrack::add(const SampleRow& row) {
-  if (row.time >= next_) {
-    samples_.push_back(row);
-    next_ = row.time / interval_ * interval_ + interval_;
-  }
+  samples_.add(row);
+  track_.add(row);
   last_ = row.place;
   if (line_.empty() || surface_distance_m(*body_, line_.back(), row.place) >= vertex_spacing_m) {
     line_.push_back(row.place);

@@ -15,7 +15,9 @@ SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime pa
 
 class RoverTrack {
  public:
-  RoverTrack(const Body& body, SimTime interval) : body_(&body), interval_(interval) {}
+  // Intervals of samples() and of track().
+  RoverTrack(const Body& body, SimTime interval, SimTime track_interval)
+      : body_(&body), samples_(interval), track_(track_interval) {}
 
   // In order of time.
   void add(const SampleRow& row);
@@ -23,13 +25,21 @@ class RoverTrack {
   // Where it drove, every 0.5 m or so; fewer than two points when it never moved.
   std::vector<Geodetic> line() const;
   // The first sample of each interval.
-  const std::vector<SampleRow>& samples() const { return samples_; }
+  const std::vector<SampleRow>& samples() const { return samples_.rows; }
+  const std::vector<SampleRow>& track() const { return track_.rows; }
 
  private:
+  // The first row of each interval.
+  struct Thinned {
+    explicit Thinned(SimTime interval_) : interval(interval_) {}
+    void add(const SampleRow& row);
+
+    SimTime interval, next{};
+    std::vector<SampleRow> rows;
+  };
+
   const Body* body_;
-  SimTime interval_;
-  SimTime next_{};
-  std::vector<SampleRow> samples_;
+  Thinned samples_, track_;
   std::vector<Geodetic> line_;
   Geodetic last_;
 };

@@ -69,10 +69,9 @@ function fillTables() {
     ['Climbed', rover => distanceText(about(rover).elevation_gain_m), true],
     ['Steepest', rover => degrees(about(rover).max_slope_rad), true],
     ['Most slip', rover => percent(about(rover).max_slip), true],
-    ['Samples', rover => String(rover.samples), true],
   ];
   if (has('resources')) {
-    columns.splice(-1, 0, ['Resources left', rover => Object.entries(about(rover).resources || {}).map(([name, left]) => `${name} ${numberText(left)}`).join(', ') || '–']);
+    columns.push(['Resources left', rover => Object.entries(about(rover).resources || {}).map(([name, left]) => `${name} ${numberText(left)}`).join(', ') || '–']);
   }
   document.getElementById('rover-table').append(table(columns, rovers));
   const at = time => (time === null ? '–' : elapsedText(time));

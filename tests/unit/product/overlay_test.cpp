@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "plan/kml_text.h"
 #include "product/files.h"
 #include "product/rover_track.h"
 #include "support/reference_data.h"
@@ -127,6 +128,39 @@ TEST(Overlay, has_at_most_2000_samples_a_rover) {
   EXPECT_EQ(count_of(kml, "#lsos_samples"), 2 * 1667);
 }
 
+TEST(Overlay, has_a_track_at_full_rate_that_a_time_slider_plays) {
+  const TestFolder folder;
+  const std::string kml = overlay_of(folder, 5000);
+
+  EXPECT_EQ(count_of(kml, "<gx:Track>"), 2);
+  EXPECT_EQ(count_of(kml, "<gx:coord>"), 2 * 5000);
+  EXPECT_THAT(kml, HasSubstr("<gx:SimpleArrayField type=\"float\" name=\"speed_mps\"/>"));
+  const auto begin = kml.find("<gx:SimpleArrayData name=\"speed_mps\">");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string array = kml.substr(begin, kml.find("</gx:SimpleArrayData>", begin) - begin);
+  EXPECT_EQ(count_of(array, "<gx:value>"), 5000);
+  EXPECT_THAT(array, HasSubstr("<gx:value>0.3</gx:value>"));
+  EXPECT_THAT(kml, Not(HasSubstr("SimpleArrayData name=\"charge\""))) << "not modelled";
+}
+
+TEST(Overlay, says_of_a_sample_in_its_balloon_what_a_planner_asks) {
+  const TestFolder folder;
+  EXPECT_THAT(overlay_of(folder, 3), HasSubstr("Speed, m/s&lt;/td&gt;&lt;td align=\"right\"&gt;$["
+                                               "lsos_samples/speed_mps]"));
+}
+
+TEST(Overlay, is_packed_on_request_the_same_each_time) {
+  const TestFolder folder;
+  overlay_of(folder, 50);
+  write_packed_overlay(folder.path(), test_plan());
+  const std::string packed = read_file(folder / "overlay.kmz").value_or("");
+  EXPECT_LT(packed.size(), read_file(folder / "overlay.kml").value_or("").size() / 5);
+  EXPECT_EQ(unpack_kmz(packed, "overlay.kmz").utf8, read_file(folder / "overlay.kml"));
+  write_packed_overlay(folder.path(), test_plan());
+  EXPECT_EQ(packed, read_file(folder / "overlay.kmz"));
+  EXPECT_THROW(write_packed_overlay(folder / "none", test_plan()), InputError);
+}
+
 TEST(Overlay, is_valid_against_the_schema_of_kml) {
   LSOS_NEEDS_REFERENCE("kml/xsd/ogckml22.xsd");
   const std::string schema = reference_file("kml/xsd/ogckml22.xsd");
@@ -181,7 +215,7 @@ TEST(SampleInterval, falls_on_the_rows_of_parked_rovers) {
 }
 
 TEST(RoverTrack, has_a_line_that_ends_where_the_rover_stands) {
-  RoverTrack track(*find_body("Moon"), SimTime{2'000'000});
+  RoverTrack track(*find_body("Moon"), SimTime{2'000'000}, SimTime{2'000'000});
   for (int i = 0; i <= 10; ++i) {
     SampleRow row = test_sample(i);
     // 0.2 m a sample northward on a sphere of the Moon's radius.
