@@ -27,6 +27,7 @@ std::vector<std::string> names(const std::string& folder, const std::string& end
 
 TEST(ShippedPlan, completes) {
   for (const std::string& plan : names("plans", ".kml")) {
+    if (plan == "lunar_traverse") continue;  // has a test of its own
     const TempFolder folder;
     const Outcome outcome =
         run({repository() / "plans" / (plan + ".kml"), "-o", folder / "run", "--quiet"});

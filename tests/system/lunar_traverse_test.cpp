@@ -1,0 +1,175 @@
+// plans/lunar_traverse.kml, the paper's first study: what its log must hold, row by row. What a
+// planner expects of it in words is in tests/scenarios/lunar_traverse.lua.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <regex>
+
+#include "base/units.h"
+#include "record/log.h"
+#include "system/run_folder.h"
+#include "system/source_files.h"
+#include "terrain/craters.h"
+#include "terrain/stereographic.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path plan = repository() / "plans" / "lunar_traverse.kml";
+
+void expect_energy_to_close(const std::vector<SampleRow>& rows) {
+  const double start_j = rows.front().energy_j;
+  for (const SampleRow& row : rows) {
+    const double in_j = row.solar_j + row.external_j;
+    const double out_j = row.load_j + row.drive_j + row.loss_j;
+    ASSERT_NEAR(row.energy_j, start_j + in_j - out_j, 1e-9 * start_j) << seconds(row.time);
+    ASSERT_NEAR(row.energy_rate_w,
+                row.solar_w + row.external_w - row.load_w - row.drive_w - row.loss_w, 1e-9);
+  }
+}
+
+void expect_light_at_stops(const std::vector<SampleRow>& rows) {
+  std::map<std::string, int> count;
+  for (const SampleRow& row : rows) {
+    if (!row.event.starts_with("Stop ")) continue;
+    ++count[row.event];
+    if (row.event == "Stop 1" || row.event == "Stop 4") {
+      ASSERT_GT(row.energy_rate_w, 0) << row.event << " " << seconds(row.time);
+    } else {
+      ASSERT_EQ(row.solar_w, 0) << row.event << " " << seconds(row.time);
+      ASSERT_EQ(row.energy_rate_w, -(row.load_w + row.loss_w)) << row.event;
+    }
+  }
+  EXPECT_EQ(count.size(), 4u);
+  for (const auto& [stop, samples] : count) EXPECT_GT(samples, 30 * 30) << stop;
+}
+
+void expect_half_a_hertz(const std::vector<SampleRow>& rows) {
+  for (std::size_t k = 0; k + 2 < rows.size(); ++k) {
+    ASSERT_EQ(rows[k].time, from_seconds(2.0 * static_cast<double>(k)));
+  }
+}
+
+void expect_slip(const std::vector<SampleRow>& rows) {
+  int slipping = 0, driving = 0;
+  for (const SampleRow& row : rows) {
+    driving += row.speed_mps > 1;
+    slipping += row.speed_mps > 1 && std::abs(row.slip_max) > 0.01;
+  }
+  EXPECT_GT(driving, 500);
+  EXPECT_GT(slipping, 0.8 * driving);
+}
+
+void expect_earth_to_come_and_go(const LogReader& log) {
+  std::vector<SightIntervalRow> seen;
+  for (const SightIntervalRow& row : log.sight_intervals()) {
+    if (row.from_id == "SEV1" && row.to_id == "Earth" && row.kind == "visible") seen.push_back(row);
+  }
+  ASSERT_GE(seen.size(), 2u);
+  EXPECT_EQ(seen.front().start, SimTime{});
+  double dark_s = 0;  // longest
+  for (std::size_t k = 1; k < seen.size(); ++k) {
+    dark_s = std::max(dark_s, seconds(seen[k].start - seen[k - 1].end));
+  }
+  EXPECT_GT(dark_s, 3600) << "on the crater's floor";
+}
+
+// Places of a line, no farther apart than a wheel is wide.
+std::vector<PlanePoint> dense(const std::vector<PlanePoint>& line) {
+  std::vector<PlanePoint> points;
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const double x_m = line[k + 1].x_m - line[k].x_m, y_m = line[k + 1].y_m - line[k].y_m;
+    const int steps = std::max(1, static_cast<int>(std::hypot(x_m, y_m) / 0.3));
+    for (int i = 0; i < steps; ++i) {
+      points.push_back({line[k].x_m + x_m * i / steps, line[k].y_m + y_m * i / steps});
+    }
+  }
+  return points;
+}
+
+// Craters about as large as the rover, 4.5 to 20 m, with walls steeper than 18 degrees (a bowl of
+// depth d and diameter D is inclined by 4 d / D at its wall): how many the line goes through.
+int craters_on(const std::vector<PlanePoint>& line) {
+  CraterPopulation population;  // of terrain/LunarSouthPole.lua
+  population.age_gyr = 3.9;
+  population.diameter_min_m = 1;
+  population.diameter_max_m = 2000;
+  PlaneRectangle box{line.front(), line.front()};
+  for (const PlanePoint& p : line) {
+    box.low = {std::min(box.low.x_m, p.x_m), std::min(box.low.y_m, p.y_m)};
+    box.high = {std::max(box.high.x_m, p.x_m), std::max(box.high.y_m, p.y_m)};
+  }
+  int through = 0, steep = 0;
+  const std::vector<PlanePoint> points = dense(line);
+  for (const Crater& crater : craters_touching(population, 0, box, 4.5, 20)) {
+    if (4 * crater.depth_m < std::tan(radians(18)) * crater.diameter_m) continue;
+    ++steep;
+    through += std::ranges::any_of(points, [&](const PlanePoint& p) {
+      return std::hypot(p.x_m - crater.centre.x_m, p.y_m - crater.centre.y_m) <
+             crater.diameter_m / 2;
+    });
+  }
+  EXPECT_GT(steep, 300) << "in the area";
+  return through;
+}
+
+void expect_to_dodge_craters(const std::vector<SampleRow>& rows) {
+  const Stereographic map(*find_body("Moon"), 0, -std::numbers::pi / 2);
+  std::vector<PlanePoint> driven, drawn;
+  for (const SampleRow& row : rows) driven.push_back(map.at(row.place));
+  const std::string text = read_text(plan);
+  const std::regex line("<LineString>[^]*?<coordinates>([^<]*)</coordinates>"),
+      point("([-0-9.]+),([-0-9.]+)");
+  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it) {
+    const std::string points = (*it)[1];
+    for (std::sregex_iterator p(points.begin(), points.end(), point); p != end; ++p) {
+      drawn.push_back(map.at(geodetic_from_degrees(std::stod((*p)[1]), std::stod((*p)[2]))));
+    }
+  }
+  const int straight = craters_on(drawn), dodged = craters_on(driven);
+  std::printf("craters on the way: drawn %d, driven %d\n", straight, dodged);
+  EXPECT_EQ(dodged, 0);
+  EXPECT_GT(straight, 20);
+}
+
+void expect_overlay(const fs::path& file) {
+  const std::string text = read_text(file);
+  const auto count = [&](const std::string& what) {
+    std::size_t found = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  const std::size_t samples = count("schemaUrl=\"#lsos_samples");
+  EXPECT_GT(samples, 1000u);
+  EXPECT_LE(samples, 2000u);
+  EXPECT_EQ(count("<gx:Track>"), 1u);
+  EXPECT_GT(count("<when>"), 8000u) << "at full rate";
+}
+
+TEST(LunarTraverse, is_what_the_paper_tells) {
+  const TempFolder folder;
+  const Outcome outcome = run({plan, "-o", folder / "run", "--quiet"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const LogReader log(folder / "run" / "log.gpkg");
+  const std::vector<SampleRow> rows = log.samples();
+  expect_energy_to_close(rows);
+  expect_light_at_stops(rows);
+  expect_half_a_hertz(rows);
+  expect_slip(rows);
+  expect_earth_to_come_and_go(log);
+  expect_to_dodge_craters(rows);
+  expect_overlay(folder / "run" / "overlay.kml");
+  const auto rover = summary(folder / "run")["rovers"]["SEV1"];
+  EXPECT_LT(rover["drive_s"], 7200) << "driven";
+  EXPECT_NEAR(seconds(rows.back().time), 5 * 3600, 600);
+  EXPECT_TRUE(fs::exists(folder / "run" / "report.html"));
+}
+
+}  // namespace
+}  // namespace lsos::test
