@@ -171,5 +171,20 @@ TEST(LunarTraverse, is_what_the_paper_tells) {
   EXPECT_TRUE(fs::exists(folder / "run" / "report.html"));
 }
 
+// The README's promise: one changed line.
+TEST(LunarTraverse, is_planned_on_a_raster_by_one_changed_line) {
+  const TempFolder folder;
+  const Outcome exported = run({"terrain", "LunarSouthPole", "--site", "80,-84.7", "--window",
+                                "79.95,-84.71,80.5,-84.68", "--resolution", "5", "--export",
+                                folder / "amundsen_5m.tif"});
+  ASSERT_EQ(exported.exit_code, 0) << exported.err;
+  std::string text = read_text(plan);
+  const std::string name = ">LunarSouthPole<";
+  text.replace(text.find(name), name.size(), ">amundsen_5m.tif<");
+  const Outcome check = run({"check", "--json", folder.write("plan.kml", text)});
+  ASSERT_EQ(check.exit_code, 0) << check.out << check.err;
+  EXPECT_EQ(nlohmann::json::parse(check.out)["planned_paths"].size(), 7u);
+}
+
 }  // namespace
 }  // namespace lsos::test

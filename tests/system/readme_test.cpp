@@ -166,16 +166,6 @@ TEST(TerrainReadme, shows_a_terrain_of_rasters_that_works) {
   }
 }
 
-TEST(ReadmePicture, can_be_drawn_from_a_run) {
-  const TempFolder folder;
-  const std::string plan = folder.write("plan.kml", kml(short_drive()));
-  ASSERT_EQ(run({plan, "-o", folder / "run", "--quiet"}).exit_code, 0);
-  const Outcome outcome = run_command({"/usr/bin/python3", repository() / "docs" / "plot_run.py",
-                                       folder / "run", folder / "picture.png"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_GT(fs::file_size(folder / "picture.png"), 10000u);
-}
-
 TEST(ScriptRun, is_the_program_from_any_folder) {
   const TempFolder folder;
   const Outcome direct = run({"list", "events"}, {.folder = folder.path()});
