@@ -116,7 +116,7 @@ double Vehicle::brake_torque_n_m(const DriveMotor& motor, double angle_rad, doub
 }
 
 // A speed servo within what the motor can give: its torque, its power, and the line from stall to
-// no load in the direction that it turns.
+// no load in the direction that it turns. What it cannot hold back the brake holds.
 double Vehicle::motor_torque_n_m(const DriveMotor& motor, double spin_radps, double step_s,
                                  WheelState& wheel) const {
   // The line is steeper than the servo: followed step by step it would shake a light wheel. It is
@@ -132,15 +132,18 @@ double Vehicle::motor_torque_n_m(const DriveMotor& motor, double spin_radps, dou
   const double integral_rad = wheel.servo_integral_rad + error_radps * step_s;
   const double wanted_n_m =
       motor.servo_gain_n_m_sprad * error_radps + motor.servo_integral_n_m_prad * integral_rad;
-  double torque_n_m = std::clamp(wanted_n_m, smooth_radps < 0 ? -driving_n_m : -most_n_m,
-                                 smooth_radps > 0 ? driving_n_m : most_n_m);
+  const double holding_n_m = most_n_m + motor.brake_torque_max_n_m;
+  const double low_n_m = smooth_radps < 0 ? -driving_n_m : -holding_n_m;
+  const double high_n_m = smooth_radps > 0 ? driving_n_m : holding_n_m;
+  double torque_n_m = std::clamp(wanted_n_m, low_n_m, high_n_m);
   // At its limit the motor accumulates no error that it could not act on, only what unwinds it.
   if (torque_n_m == wanted_n_m || (wanted_n_m - torque_n_m) * error_radps < 0) {
     wheel.servo_integral_rad = integral_rad;
   }
   if (torque_n_m != wanted_n_m) {
     torque_n_m = std::clamp(torque_n_m + motor.servo_gain_n_m_sprad * (smooth_radps - spin_radps),
-                            -motor.torque_max_n_m, motor.torque_max_n_m);
+                            std::min(-motor.torque_max_n_m, low_n_m),
+                            std::max(motor.torque_max_n_m, high_n_m));
   }
   return torque_n_m;
 }
@@ -158,7 +161,10 @@ double Vehicle::apply_drives(double step_s) {
       work_.brakes_j += wheel.torque_n_m * spin_radps * step_s;
     } else {
       wheel.torque_n_m = motor_torque_n_m(*part.motor, spin_radps, step_s, wheel);
-      work_.motors_j += wheel.torque_n_m * spin_radps * step_s;
+      const double motor_n_m =
+          std::clamp(wheel.torque_n_m, -part.motor->torque_max_n_m, part.motor->torque_max_n_m);
+      work_.motors_j += motor_n_m * spin_radps * step_s;
+      work_.brakes_j += (wheel.torque_n_m - motor_n_m) * spin_radps * step_s;
       electrical_w += std::max(0.0, wheel.torque_n_m * spin_radps) / part.motor->efficiency;
     }
     bodies_.add_joint_force(part.link, wheel.torque_n_m);

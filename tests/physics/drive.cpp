@@ -86,6 +86,7 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
     vehicle.command(follower.update(pose_of(report), seconds(exchange_period)));
     vehicle.advance(exchange_period);
     report = vehicle.report();
+    result.duration_s += seconds(exchange_period);
     result.worst_m = std::max(result.worst_m, distance_to_line_m(report.p_S_m.head<2>(), line));
   }
   result.failure = follower.reason();

@@ -35,6 +35,7 @@ struct DriveResult {
   std::string failure;  // "" when it arrived
   VehicleReport end;
   double distance_m = 0, drive_j = 0, worst_m = 0;  // worst: farthest from the drawn line
+  double duration_s = 0;
   WorkDone work;
   double energy_change_j = 0;  // kinetic and potential
 };

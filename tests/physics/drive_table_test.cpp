@@ -39,15 +39,15 @@ TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
                                          slope_deg, table.energy_jpm, driven_jpm);
     RecordProperty(fmt::format("slope_{}", slope_deg), what);
     EXPECT_NEAR(table.energy_jpm, driven_jpm, 0.02 * driven_jpm) << what;
-    // Wheels turn as they are told: over the ground it is slower by their slip, and faster where
-    // grousers roll on a wider circle than the rim, by a twentieth for MER.
-    EXPECT_NEAR(table.speed_mps, climb.speed_mps * (1 - table.slip), 0.05 * climb.speed_mps);
+    const double driven_mps =
+        (far.distance_m - near.distance_m) / (far.duration_s - near.duration_s);
+    EXPECT_NEAR(table.speed_mps, driven_mps, 0.02 * driven_mps) << what;
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
                          testing::Values(Climb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
-                                         Climb{"LRV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
+                                         Climb{"LRV", "Moon", "ApolloNominal", 1, 60, {0, 8, 15}},
                                          Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
                                          Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
                          [](const auto& tested) { return std::string(tested.param.rover); });

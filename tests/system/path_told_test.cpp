@@ -69,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Told{"LRV", "Flat", {{120, 0}}, 0.05}, Told{"SEV", "Slope", {{0, -80}}, 0.1},
                     Told{"SEV", "Slope", {{60, 60}}, 0.1}, Told{"Husky", "Slope", {{0, -30}}, 0.1},
                     Told{"Husky", "Slope", {{0, 30}}, 0.1}, Told{"LRV", "Slope", {{0, -100}}, 0.1},
-                    Told{"LRV", "Slope", {{100, 0}}, 0.1}, Told{"MER", "Slope", {{0, 20}}, 0.1}),
+                    Told{"LRV", "Slope", {{100, 0}}, 0.1}, Told{"LRV", "Slope", {{0, 100}}, 0.1},
+                    Told{"MER", "Slope", {{0, 20}}, 0.1}),
     [](const auto& tested) {
       return fmt::format("{}{}{}", tested.param.rover, tested.param.terrain, tested.index);
     });
