@@ -19,7 +19,8 @@ namespace lsos {
 // What scripts may use up. The budget of instructions is per call and also pays for long work
 // inside C functions; the memory is that of the whole state. The processor's time is a last resort:
 // only instructions that take a hundred times as long as others, such as % of numbers far apart,
-// spend it first. What the engine does for a script is not counted.
+// spend it first. What the engine does for a script, planning and making ground and sky, is not
+// counted there.
 struct Limits {
   std::int64_t instructions = 3'000'000;
   std::size_t memory_bytes = std::size_t{256} << 20;

@@ -55,8 +55,6 @@ void push_metatable(lua_State* L, const HandleType& type) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &type) != LUA_TNIL) return;
   lua_pop(L, 1);
   lua_newtable(L);
-  lua_pushvalue(L, -1);
-  lua_rawsetp(L, LUA_REGISTRYINDEX, &type);
   void* data = const_cast<HandleType*>(&type);
   lua_pushlightuserdata(L, data);
   lua_rawsetp(L, -2, &type_key);
@@ -76,6 +74,11 @@ void push_metatable(lua_State* L, const HandleType& type) {
   lua_setfield(L, -2, "__tostring");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
+  lua_pushstring(L, type.name);
+  lua_setfield(L, -2, "__name");  // for Lua's own messages
+  // Last: should memory end before, it is made anew.
+  lua_pushvalue(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &type);
 }
 
 }  // namespace

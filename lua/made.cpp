@@ -36,8 +36,6 @@ void push_metatable(lua_State* L) {
   if (lua_rawgetp(L, LUA_REGISTRYINDEX, &metatable_key) != LUA_TNIL) return;
   lua_pop(L, 1);
   lua_newtable(L);
-  lua_pushvalue(L, -1);
-  lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_key);
   constexpr luaL_Reg functions[] = {{"__gc", collect},
                                     {"__tostring", guard<to_string>},
                                     {"__index", guard<refuse_access>},
@@ -46,6 +44,11 @@ void push_metatable(lua_State* L) {
   luaL_setfuncs(L, functions, 0);
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
+  lua_pushstring(L, "lsos object");
+  lua_setfield(L, -2, "__name");  // for Lua's own messages
+  // Last: should memory end before, it is made anew.
+  lua_pushvalue(L, -1);
+  lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_key);
 }
 
 std::string with_article(const std::string& noun) {

@@ -239,7 +239,7 @@ int run_program(std::vector<std::string> arguments) {
   overlay_command->add_option("DIR", overlay_folder, "Folder of a run")->required();
 
   overlay_command->add_flag("--kmz", overlay_is_packed,
-                            "Write overlay.kmz, some ten times smaller");
+                            "Write overlay.kmz instead, about a tenth of the size");
   overlay_command->add_flag("--json", is_json, "The name of the file as JSON");
 
   lsos::RigOptions rig;

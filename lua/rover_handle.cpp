@@ -15,6 +15,9 @@ namespace lsos {
 
 namespace {
 
+// Looking at ground or sky may have to make it first.
+constexpr std::int64_t instructions_per_look = 1000;
+
 RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
 const RoverView& view_of(lua_State* L) { return rover_of(L).view(); }
 
@@ -117,7 +120,8 @@ int follow(lua_State* L) {
 }
 
 int plan_path(lua_State* L) {
-  // It takes milliseconds a leg, more than anything else that a script can ask for.
+  // The dearest that a script can ask for: a leg may take a second. A mission's own route of
+  // hundreds of legs must fit.
   constexpr std::int64_t instructions_per_plan = 150'000, instructions_per_leg = 1000;
   RoverPort& rover = rover_of(L);
   lua_settop(L, 3);
@@ -150,7 +154,12 @@ int ahead(lua_State* L) {
     throw std::runtime_error(
         fmt::format("rover:ahead({}): a number of metres is wanted", distance_m));
   }
-  push_vec3(L, rover_of(L).ahead_S_m(distance_m));
+  charge(L, instructions_per_look);
+  const Vec3 place_S_m = [&] {
+    const EngineWork work(L);
+    return rover_of(L).ahead_S_m(distance_m);
+  }();
+  push_vec3(L, place_S_m);
   return 1;
 }
 
@@ -210,6 +219,7 @@ int drive_remaining_m(lua_State* L) {
 int ground_at(lua_State* L) {
   const auto p_S_m = to_vec3(L, 2);
   if (!p_S_m) luaL_typeerror(L, 2, "vec3");
+  charge(L, instructions_per_look);
   const auto ground = [&] {
     const EngineWork work(L);
     return rover_of(L).ground_at(*p_S_m);
@@ -231,7 +241,11 @@ int ground_at(lua_State* L) {
 }
 
 int sky(lua_State* L) {
-  const SkyView sky = rover_of(L).sky();
+  charge(L, instructions_per_look);
+  const SkyView sky = [&] {
+    const EngineWork work(L);
+    return rover_of(L).sky();
+  }();
   lua_createtable(L, 0, 4);
   for (const auto& [name, angle_rad] : {std::pair{"sun_azimuth_rad", sky.sun_azimuth_rad},
                                         {"sun_elevation_rad", sky.sun_elevation_rad},

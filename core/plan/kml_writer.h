@@ -85,7 +85,7 @@ struct KmlDocument {
 // The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
 std::string write_kml(const KmlDocument& document);
 
-// The same document as the one file of a KMZ archive. Throws InputError when it cannot be written.
-void write_kmz(const std::string& file, const std::string& kml);
+// A KMZ archive that holds the document alone. Throws std::runtime_error when memory runs out.
+std::string pack_kmz(const std::string& kml);
 
 }  // namespace lsos

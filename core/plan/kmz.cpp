@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <memory>
+#include <stdexcept>
 
 #include "base/error.h"
 #include "plan/kml_text.h"
@@ -20,6 +22,10 @@ struct CloseArchive {
 struct CloseEntry {
   void operator()(zip_file_t* entry) const { zip_fclose(entry); }
 };
+struct FreeSource {
+  void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+using Source = std::unique_ptr<zip_source_t, FreeSource>;
 using ZipArchive = std::unique_ptr<zip_t, CloseArchive>;
 using Entry = std::unique_ptr<zip_file_t, CloseEntry>;
 
@@ -96,33 +102,40 @@ KmlText unpack_kmz(const std::string& bytes, const std::string& file, std::size_
   }
 }
 
-void write_kmz(const std::string& file, const std::string& kml) {
-  const auto fail = [&](const std::string& why) {
-    throw InputError({file, 0}, "cannot be written: " + why);
+std::string pack_kmz(const std::string& kml) {
+  const auto fail = [](zip_error_t* error) {
+    throw std::runtime_error("a KMZ cannot be packed: " + message(error));
   };
-  int code = 0;
-  zip_t* archive = zip_open(file.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code);
-  if (archive == nullptr) {
-    zip_error_t error;
-    zip_error_init_with_code(&error, code);
-    const std::string why = message(&error);
-    zip_error_fini(&error);
-    fail(why);
-  }
-  zip_source_t* source = zip_source_buffer(archive, kml.data(), kml.size(), 0);
+  zip_error_t error;
+  zip_error_init(&error);
+  const Source packed(zip_source_buffer_create(nullptr, 0, 0, &error));
+  if (!packed) fail(&error);
+  zip_source_keep(packed.get());  // the archive lets go of its own
+  ZipArchive archive(zip_open_from_source(packed.get(), ZIP_TRUNCATE, &error));
+  if (!archive) fail(&error);
+  zip_source_t* source = zip_source_buffer(archive.get(), kml.data(), kml.size(), 0);
   const zip_int64_t index =
-      source == nullptr ? -1 : zip_file_add(archive, "doc.kml", source, ZIP_FL_ENC_UTF_8);
+      source == nullptr ? -1 : zip_file_add(archive.get(), "doc.kml", source, ZIP_FL_ENC_UTF_8);
   if (index < 0 && source != nullptr) zip_source_free(source);
-  // The same document gives the same bytes at any time: archives know none before 1980.
-  constexpr std::int64_t year_1980_s = 315'532'800;
-  if (index >= 0) {
-    zip_file_set_mtime(archive, static_cast<zip_uint64_t>(index), year_1980_s, 0);
+  // The same document gives the same bytes at any time: all are of 1 January 1980.
+  constexpr zip_uint16_t first_day = 0x21;
+  if (index < 0 ||
+      zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, first_day, 0) != 0) {
+    fail(zip_get_error(archive.get()));
   }
-  if (index < 0 || zip_close(archive) != 0) {
-    const std::string why = message(zip_get_error(archive));
-    zip_discard(archive);
-    fail(why);
+  if (zip_close(archive.get()) != 0) fail(zip_get_error(archive.get()));
+  archive.release();
+  std::string bytes;
+  if (zip_source_open(packed.get()) != 0 || zip_source_seek(packed.get(), 0, SEEK_END) != 0) {
+    fail(zip_source_error(packed.get()));
   }
+  bytes.resize(static_cast<std::size_t>(zip_source_tell(packed.get())));
+  const bool is_read = zip_source_seek(packed.get(), 0, SEEK_SET) == 0 &&
+                       zip_source_read(packed.get(), bytes.data(), bytes.size()) ==
+                           static_cast<zip_int64_t>(bytes.size());
+  zip_source_close(packed.get());
+  if (!is_read) fail(zip_source_error(packed.get()));
+  return bytes;
 }
 
 }  // namespace lsos

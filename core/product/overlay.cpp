@@ -63,8 +63,8 @@ KmlSchema track_schema() {
   return schema;
 }
 
-// What a balloon says of a sample: what a planner asks first.
-std::string sample_balloon() {
+// What the balloons of a rover's samples say: what a planner asks first, of what all of them have.
+std::string sample_balloon(const std::vector<SampleRow>& samples, Instant start) {
   constexpr std::pair<const char*, const char*> lines[] = {
       {"Time", "utc"},
       {"Event", "event"},
@@ -74,7 +74,7 @@ std::string sample_balloon() {
       {"Elevation, m", "elevation_m"},
       {"Driven, m", "distance_m"},
       {"Speed, m/s", "speed_mps"},
-      {"Slope, rad", "slope_rad"},
+      {"Slope, radians", "slope_rad"},
       {"Slip, mean", "slip"},
       {"Charge, 0 to 1", "charge"},
       {"Energy rate, W", "energy_rate_w"},
@@ -83,9 +83,16 @@ std::string sample_balloon() {
       {"Driving, W", "drive_w"},
       {"Sun on panels, 0 to 1", "sun_fraction"}};
   std::string text = "<h3>$[name]</h3><table>";
-  for (const auto& [what, column] : lines) {
+  for (const auto& [what, name] : lines) {
+    const auto all = columns<SampleRow>();
+    const auto column = std::ranges::find(all, name, &Column<SampleRow>::name);
+    LSOS_ASSERT(column != all.end());
+    const bool is_known = std::ranges::all_of(samples, [&](const SampleRow& row) {
+      return !std::holds_alternative<std::monostate>(column->value(row, start));
+    });
+    if (!is_known) continue;
     text += fmt::format("<tr><td>{}</td><td align=\"right\">$[{}/{}]</td></tr>", what,
-                        schema_id<SampleRow>, column);
+                        schema_id<SampleRow>, name);
   }
   return text + "</table>";
 }
@@ -130,7 +137,7 @@ struct RoverStyle {
         sample_id(fmt::format("sample-{}", i)),
         color_(rover_colors[i % rover_colors.size()]) {}
 
-  void add_to(std::vector<KmlStyle>& styles) const {
+  void add_to(std::vector<KmlStyle>& styles, const std::string& sample_balloon) const {
     KmlStyle plan;
     plan.id = plan_id;
     plan.line_color_abgr = "80" + color_;
@@ -149,7 +156,7 @@ struct RoverStyle {
     sample.icon_color_abgr = "c0" + color_;
     sample.icon_scale = 0.3;
     sample.label_scale = 0;  // thousands of labels would hide the ground
-    sample.balloon_text = sample_balloon();
+    sample.balloon_text = sample_balloon;
     styles.insert(styles.end(), {plan, planned, driven, event, sample});
   }
 
@@ -256,7 +263,8 @@ KmlFolder moving_point(const RoverTrack& track, Instant start, const std::string
       const ColumnValue value = column.value(*row, start);
       const auto* number = std::get_if<double>(&value);
       is_known |= number != nullptr;
-      texts.push_back(number == nullptr ? "" : fmt::format("{:.6g}", *number));
+      // Not modelled, or not now: no number, and not 0.
+      texts.push_back(number == nullptr ? "nan" : fmt::format("{:.6g}", *number));
     }
     if (is_known) mark.track.arrays.emplace_back(column.name, std::move(texts));
   }
@@ -277,13 +285,17 @@ KmlFolder note_points(const std::vector<NoteRow>& notes, Instant start) {
   return folder;
 }
 
-std::map<std::string, RoverTrack> tracks(const LogReader& log, const MissionInfo& mission) {
+std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan) {
+  const MissionInfo& mission = plan.mission;
   LSOS_ASSERT(mission.planet != nullptr);
   const auto interval = [&](int count) {
     return sample_interval(log.last_sample_time(), count, mission.log_interval,
                            mission.parked_log_interval);
   };
-  const SimTime of_samples = interval(overlay_samples_max), of_track = interval(overlay_track_max);
+  const SimTime of_samples = interval(overlay_samples_max),
+                of_track = interval(std::max(
+                    overlay_samples_max,
+                    overlay_track_max / std::max(1, static_cast<int>(plan.rovers.size()))));
   std::map<std::string, RoverTrack> tracks;
   log.for_each_sample([&](const SampleRow& row) {
     tracks.try_emplace(row.rover_id, *mission.planet, of_samples, of_track).first->second.add(row);
@@ -304,9 +316,9 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
   document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<PlannedPathRow>(),
                       schema<NoteRow>(), track_schema()};
   std::size_t i = 0;
-  for (const auto& [rover_id, track] : tracks(log, plan.mission)) {
+  for (const auto& [rover_id, track] : tracks(log, plan)) {
     const RoverStyle style(i++);
-    style.add_to(document.styles);
+    style.add_to(document.styles, sample_balloon(track.samples(), start));
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
     rover.folders = {
@@ -324,7 +336,8 @@ void write_overlay(const std::string& run_dir, const Plan& plan) {
 }
 
 void write_packed_overlay(const std::string& run_dir, const Plan& plan) {
-  write_kmz(run_dir + "/overlay.kmz", overlay_kml(LogReader(run_dir + "/log.gpkg"), plan));
+  write_file(run_dir + "/overlay.kmz",
+             pack_kmz(overlay_kml(LogReader(run_dir + "/log.gpkg"), plan)));
 }
 
 }  // namespace lsos

@@ -8,7 +8,8 @@
 
 namespace lsos {
 
-// Sample Placemarks of one rover at most, and places of its track; the log has them all.
+// Sample Placemarks of one rover at most, and places of all tracks together (or as many as there
+// are samples, where rovers are many); the log has them all.
 inline constexpr int overlay_samples_max = 2000, overlay_track_max = 50'000;
 
 // The document: for each rover its drawn lines, the line that it drove, its events where they

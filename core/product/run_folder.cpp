@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // The summary goes first: without it a run is unfinished, whatever else is still there.
-constexpr std::array run_files{"summary.json", "overlay.kml", "report.html",  "report.png",
-                               "plan.kml",     "log.gpkg",    "log.gpkg-wal", "log.gpkg-shm"};
+constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz",
+                               "report.html",  "report.png",   "plan.kml",
+                               "log.gpkg",     "log.gpkg-wal", "log.gpkg-shm"};
 
 // Empty while a folder is looked at; holds `run_mark` from `prepare` on.
 constexpr const char* lock_name = ".lsos-host.lock";

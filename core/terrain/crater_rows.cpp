@@ -38,6 +38,7 @@ LSOS_WIDE void add_blanket(double* heights_m, int low, int high, const CraterLin
 
 void add_crater(double* heights_m, int low, int high, const CraterLine& line, double depth_m,
                 double rim_m) {
+  if (high < low) return;
   const double growth = line.x_step * line.x_step + line.y_step * line.y_step;
   const double across = line.x_step * line.y - line.y_step * line.x;
   const double left = 1 - across * across / growth;  // of the unit circle, on this line

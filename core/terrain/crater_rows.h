@@ -12,7 +12,7 @@ struct CraterLine {
 };
 
 // Adds crater_height_m() to the heights of points low..high of the line, none of them farther than
-// crater_reach. Their first is heights_m[low].
+// crater_reach; none when high < low. Their first is heights_m[low].
 void add_crater(double* heights_m, int low, int high, const CraterLine& line, double depth_m,
                 double rim_m);
 

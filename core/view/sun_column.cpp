@@ -71,8 +71,8 @@ class Strip {
   }
   // The ground there, in the strip's axes. Beyond its end the last height that was found.
   Vec3 point(double x_m, double y_m) { return point(probe(x_m), x_m, y_m); }
-  // The same without what is smaller than the rows first looked at are apart: `rise_max` allows for
-  // that too.
+  // The same without detail of less than two nodes; they are as far apart as the rows first looked
+  // at. What is missing is at most twice as high, rocks as high as wide.
   Vec3 first_point(double x_m) { return point(rough_probe(x_m), x_m, 0); }
 
  private:
@@ -174,7 +174,8 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
     const double next_m = next_row_m(x_m, first_rows_m, first_share);
     const double next_z_m = strip.first_point(next_m).z(), height_m = std::max(z_m, next_z_m);
     z_m = next_z_m;
-    const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m));
+    const double missing_m = 2 * (next_m - x_m);
+    const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m)) + missing_m;
     const double highest_m = height_m + rise_m;
     const bool is_hidden =
         strip.is_past_reach(x_m) && std::max(strip.steepest({x_m, 0, highest_m}),

@@ -55,12 +55,20 @@ double area_under(double level) {
 }
 
 template <class Limits>
-Limits between(const Limits& a, const Limits& b, double share) {
-  Limits found;
+std::array<double, std::tuple_size_v<Limits>> between(const Limits& a, const Limits& b,
+                                                      double share) {
+  std::array<double, std::tuple_size_v<Limits>> found;
   for (std::size_t k = 0; k < found.size(); ++k) {
-    found[k] = static_cast<float>(a[k] + share * (b[k] - a[k]));
+    found[k] = std::lerp(static_cast<double>(a[k]), static_cast<double>(b[k]), share);
   }
   return found;
+}
+
+template <std::size_t count>
+std::array<float, count> kept(const std::array<double, count>& limits_m) {
+  std::array<float, count> floats;
+  std::ranges::transform(limits_m, floats.begin(), [](double h) { return static_cast<float>(h); });
+  return floats;
 }
 
 }  // namespace
@@ -152,8 +160,7 @@ void TerrainShadow::march(const Ground& ground, const Vec3& eye_S_m) {
       if (!sample.is_ground()) continue;
       const double height_m = (p_m - sample.gap_m * sample.up_S).dot(up_S_);
       for (int s = 0; s <= slices; ++s) {
-        limits_m[s] =
-            std::max(limits_m[s], static_cast<float>(height_m - slopes_[s] * from_edge_m));
+        limits_m[s] = std::max(limits_m[s], height_m - slopes_[s] * from_edge_m);
       }
     }
   };
@@ -169,11 +176,11 @@ TerrainShadow::Limits TerrainShadow::at_edge(double across_m) const {
 }
 
 void TerrainShadow::raise(Limits& limits_m, double ground_m) const {
-  for (float& limit_m : limits_m) limit_m = std::max(limit_m, static_cast<float>(ground_m));
+  for (double& limit_m : limits_m) limit_m = std::max(limit_m, ground_m);
 }
 
 void TerrainShadow::lower(Limits& limits_m, double by_m) const {
-  for (int k = 0; k <= slices; ++k) limits_m[k] -= static_cast<float>(slopes_[k] * by_m);
+  for (int k = 0; k <= slices; ++k) limits_m[k] -= slopes_[k] * by_m;
 }
 
 double TerrainShadow::share_of(double height_m, const Limits& limits_m, double cell_m) const {
@@ -187,7 +194,7 @@ double TerrainShadow::share_of(double height_m, const Limits& limits_m, double c
 }
 
 void TerrainShadow::sweep(Level& level, const Level* coarser) const {
-  level.limits_m.assign(level.ground_m.size(), unobstructed());
+  level.limits_m.assign(level.ground_m.size(), kept(unobstructed()));
   level.share.assign(level.ground_m.size(), 1);
   const double under_eye_m =
       std::max<double>(-10, levels_.front().ground_m[node_at((nodes - 1) / 2, (nodes - 1) / 2)]);
@@ -203,12 +210,12 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
         // Where no ground is known it is taken to lie as under the eye, and throws no shadow.
         const double along_m = i * level.cell_m - level.half_m;
         const double drop_m = (along_m * along_m + across_m * across_m) / (2 * radius_m_);
-        level.limits_m[k] = limits_m;
+        level.limits_m[k] = kept(limits_m);
         level.share[k] = static_cast<float>(share_of(under_eye_m - drop_m, limits_m, level.cell_m));
         lower(limits_m, level.cell_m);
         continue;
       }
-      level.limits_m[k] = limits_m;
+      level.limits_m[k] = kept(limits_m);
       level.share[k] = static_cast<float>(share_of(ground_m, limits_m, level.cell_m));
       raise(limits_m, ground_m);
       lower(limits_m, level.cell_m);
@@ -237,7 +244,7 @@ TerrainShadow::Limits TerrainShadow::unobstructed() {
 }
 
 TerrainShadow::Limits TerrainShadow::limits_at(const Spot& spot) {
-  const std::vector<Limits>& at = spot.level->limits_m;
+  const std::vector<KeptLimits>& at = spot.level->limits_m;
   const std::size_t k = spot.node;
   return between(between(at[k], at[k + 1], spot.right),
                  between(at[k + nodes], at[k + nodes + 1], spot.right), spot.up);

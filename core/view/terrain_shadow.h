@@ -34,12 +34,13 @@ class TerrainShadow {
   static constexpr int slices = 16;
   // Heights at one place, over the eye's plane: from there on one sees past all terrain along a ray
   // to the lower edge of the slice with that number; the last is the top of the disc.
-  using Limits = std::array<float, slices + 1>;
+  using Limits = std::array<double, slices + 1>;
+  using KeptLimits = std::array<float, slices + 1>;
   // Nodes in rows towards the Sun.
   struct Level {
     double half_m = 0, cell_m = 0;
     std::vector<float> ground_m;  // over the eye's plane
-    std::vector<Limits> limits_m;
+    std::vector<KeptLimits> limits_m;
     std::vector<float> share;  // seen by the ground
   };
   struct Spot {

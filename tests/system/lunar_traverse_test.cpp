@@ -28,7 +28,9 @@ void expect_energy_to_close(const std::vector<SampleRow>& rows) {
   for (const SampleRow& row : rows) {
     const double in_j = row.solar_j + row.external_j;
     const double out_j = row.load_j + row.drive_j + row.loss_j;
-    ASSERT_NEAR(row.energy_j, start_j + in_j - out_j, 1e-9 * start_j) << seconds(row.time);
+    // Of what went through, and what a number of 115 MJ can show.
+    const double within_j = 1e-9 * (in_j + out_j) + 1e-15 * start_j;
+    ASSERT_NEAR(row.energy_j, start_j + in_j - out_j, within_j) << seconds(row.time);
     ASSERT_NEAR(row.energy_rate_w,
                 row.solar_w + row.external_w - row.load_w - row.drive_w - row.loss_w, 1e-9);
   }
@@ -51,7 +53,7 @@ void expect_light_at_stops(const std::vector<SampleRow>& rows) {
 }
 
 void expect_half_a_hertz(const std::vector<SampleRow>& rows) {
-  for (std::size_t k = 0; k + 2 < rows.size(); ++k) {
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
     ASSERT_EQ(rows[k].time, from_seconds(2.0 * static_cast<double>(k)));
   }
 }
@@ -138,7 +140,7 @@ void expect_to_dodge_craters(const std::vector<SampleRow>& rows) {
   EXPECT_GT(straight, 20);
 }
 
-void expect_overlay(const fs::path& file) {
+void expect_overlay(const fs::path& file, std::size_t rows) {
   const std::string text = read_text(file);
   const auto count = [&](const std::string& what) {
     std::size_t found = 0;
@@ -149,7 +151,7 @@ void expect_overlay(const fs::path& file) {
   EXPECT_GT(samples, 1000u);
   EXPECT_LE(samples, 2000u);
   EXPECT_EQ(count("<gx:Track>"), 1u);
-  EXPECT_GT(count("<when>"), 8000u) << "at full rate";
+  EXPECT_EQ(count("<gx:coord>"), rows) << "at full rate";
 }
 
 TEST(LunarTraverse, is_what_the_paper_tells) {
@@ -164,9 +166,9 @@ TEST(LunarTraverse, is_what_the_paper_tells) {
   expect_slip(rows);
   expect_earth_to_come_and_go(log);
   expect_to_dodge_craters(rows);
-  expect_overlay(folder / "run" / "overlay.kml");
+  expect_overlay(folder / "run" / "overlay.kml", rows.size());
   const auto rover = summary(folder / "run")["rovers"]["SEV1"];
-  EXPECT_LT(rover["drive_s"], 7200) << "driven";
+  EXPECT_NEAR(rover["drive_s"].get<double>(), 1800, 300) << "driven";
   EXPECT_NEAR(seconds(rows.back().time), 5 * 3600, 600);
   EXPECT_TRUE(fs::exists(folder / "run" / "report.html"));
 }

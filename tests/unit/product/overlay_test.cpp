@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 #include "plan/kml_text.h"
@@ -156,9 +157,14 @@ TEST(Overlay, is_packed_on_request_the_same_each_time) {
   const std::string packed = read_file(folder / "overlay.kmz").value_or("");
   EXPECT_LT(packed.size(), read_file(folder / "overlay.kml").value_or("").size() / 5);
   EXPECT_EQ(unpack_kmz(packed, "overlay.kmz").utf8, read_file(folder / "overlay.kml"));
+  EXPECT_EQ(packed.substr(10, 4), std::string("\0\0!\0", 4)) << "of 1980-01-01, 00:00:00";
   write_packed_overlay(folder.path(), test_plan());
   EXPECT_EQ(packed, read_file(folder / "overlay.kmz"));
   EXPECT_THROW(write_packed_overlay(folder / "none", test_plan()), InputError);
+  std::filesystem::remove(folder / "overlay.kmz");
+  std::filesystem::create_directory(folder / "overlay.kmz");
+  EXPECT_THROW(write_packed_overlay(folder.path(), test_plan()), std::runtime_error);
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "overlay.kmz"));
 }
 
 TEST(Overlay, is_valid_against_the_schema_of_kml) {

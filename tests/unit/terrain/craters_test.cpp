@@ -38,6 +38,14 @@ TEST(CraterProfile, rises_to_the_rim_and_falls_beyond) {
 }
 
 // Lines through the bowl, beside it, and along its edge; parts of them; points that are far apart.
+TEST(CraterRows, of_no_points_change_nothing) {
+  for (const int high : {2, 1, -5}) {
+    std::vector<double> heights_m(5, 7.0);
+    add_crater(heights_m.data(), 3, high, {-0.5, 0.1, 0.1, 0}, 0.2, 0.04);
+    EXPECT_EQ(heights_m, std::vector<double>(5, 7.0)) << high;
+  }
+}
+
 TEST(CraterRows, are_the_profile_at_each_point) {
   for (const double past : {0.0, 0.3, 0.8, 0.9999, 1.0, 1.7, 2.9}) {
     for (const double step : {0.01, 0.13, 0.9}) {
