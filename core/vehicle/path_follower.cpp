@@ -29,6 +29,7 @@ constexpr double turning_progress_rad = 0.05;  // the same for turning on the sp
 constexpr double drift_smoothing_s = 1;        // across a slope a rover slides steadily
 constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing of it
 constexpr double drift_max_rad = 0.6;
+constexpr double steering_off_m = 1;  // way over which wheels that are off are steered, at most
 constexpr double swing_accelerations = 2;  // across the travel, of the one along it
 constexpr double crab_turn_rate = 0.5;     // 1/s: how fast a heading error is turned back
 constexpr double stopping_limit_s = 30;    // brakes that take longer than this do not hold
@@ -150,12 +151,18 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
                      left_m / (lookahead_m * lookahead_m) -
                      2 * turning_share(heading_error_rad + drift_rad_) / lookahead_m,
                  -most_1pm, most_1pm);
+  const double off_1pm = std::abs(wanted_1pm - command_curvature_1pm_);
   command_curvature_1pm_ =
       std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);
   // Where it swings round without an arc laid for it, no faster than the ground holds it.
   const double turn_1pm = std::max(std::abs(command_curvature_1pm_), 1e-6);
   const double swing_mps2 = swing_accelerations * limits_.acceleration_mps2;
   command_mps_ = std::min(command_mps_, std::max(creep_mps, std::sqrt(swing_mps2 / turn_1pm)));
+  // Nor so fast that its wheels are not steered in time; it slows down no faster than twice as it
+  // speeds up.
+  const double steered_mps = steering_off_m * curvature_rate_1pms / std::max(off_1pm, 1e-6);
+  const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
+  command_mps_ = std::min(command_mps_, std::max({creep_mps, steered_mps, slowed_mps}));
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
 
