@@ -160,6 +160,10 @@ std::string listed_text(const Listed& one) {
 
 int list_command(const ListOptions& options) {
   const auto catalog = read_catalog("");
+  // What is broken or hidden is not listed, but not passed over either.
+  for (const Fault& fault : catalog->faults().sorted()) {
+    fmt::print(stderr, "{}\n", to_string(fault));
+  }
   std::vector<Listed> all = listed(*catalog, options.what);
   if (!options.name.empty()) {
     std::vector<std::string> names;

@@ -97,6 +97,10 @@ int schema_command(const std::vector<std::string>& names) {
   Faults faults;
   for (const std::string& name : names) {
     if (events.contains(name)) continue;
+    if (const auto broken = catalog->faults_of(ScriptKind::event, name); !broken.empty()) {
+      faults.add(broken);
+      continue;
+    }
     faults.error({}, fmt::format("there is no event '{}'{}", name, did_you_mean(name, known)));
   }
   faults.throw_if_errors();

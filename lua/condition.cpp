@@ -120,8 +120,17 @@ void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
 std::string push_function(lua_State* L, const std::string& text) {
   const auto failure = load_text(L, "return (\n" + text + "\n)", "condition");
   if (!failure) return "";
-  const auto [place, what] = split_place(failure->message, "condition");
-  return what;
+  std::string what = split_place(failure->message, "condition").second;
+  // The parenthesis is ours.
+  const std::string ours = "')' expected (to close '(' at line 1)";
+  if (const auto at = what.find(ours); at != std::string::npos) {
+    what.replace(at, ours.size(), "the condition cannot go on");
+  }
+  if (what.ends_with("near '='")) return what + "; '==' compares";
+  const bool has_number = text.find_first_of("0123456789") != std::string::npos;
+  return what + (has_number ? "; numbers are in SI units and have none written, words are 'and', "
+                              "'or', 'not'"
+                            : "; words are 'and', 'or', 'not'");
 }
 
 // Of the call that failed; the line of our own wrapping says nothing.

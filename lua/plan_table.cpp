@@ -88,7 +88,7 @@ class PlanTableReader {
     std::optional<double> log_interval_s, parked_log_interval_s, max_duration_s;
     t.number(optional, "log_interval_s", log_interval_s, positive, "Between samples (2).");
     t.number(optional, "parked_log_interval_s", parked_log_interval_s, positive, "While parked.");
-    t.number(optional, "max_duration_s", max_duration_s, positive, "The mission's end.");
+    t.number(optional, "max_duration_s", max_duration_s, positive, "The mission's end (a day).");
     std::vector<double> site{0, 0};
     t.numbers(optional, "site", site, any_number,
               "{ lon_deg, lat_deg } of east 0, north 0 (0, 0).");
@@ -107,7 +107,9 @@ class PlanTableReader {
     if (parked_log_interval_s) {
       set(mission, "ParkedLogInterval", fmt::format("{}", *parked_log_interval_s));
     }
-    if (max_duration_s) set(mission, "MaxDuration", fmt::format("{}", *max_duration_s));
+    // A mission made by hand that has no end is a mistake in it, to be seen within seconds.
+    constexpr double longest_s = 86'400;
+    set(mission, "MaxDuration", fmt::format("{}", max_duration_s.value_or(longest_s)));
     for_each_named(t, required, "rovers", "Id = { type = 'SEV', at = {0, 0}, events = {...} }",
                    [&](const std::string& id) { read_rover(id, frame, plan.source); });
     for_each_named(t, optional, "assets", "Id = { type = 'Habitat', at = {0, 0} }",

@@ -97,7 +97,11 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       continue;
     }
     if (!is_due) return;
-    switch (running_->call(now, mission_, agent, host)) {
+    const RunningEvent::Progress progress = running_->call(now, mission_, agent, host);
+    if (const std::string advice = running_->take_advice(); !advice.empty()) {
+      warnings_.push_back(advice);
+    }
+    switch (progress) {
       case RunningEvent::Progress::waits:
         if (is_timed_out(now)) break;
         return;
@@ -320,8 +324,13 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
   index_ = index;
 }
 
-void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host,
-                         const std::string& reason, bool is_failure) {
+void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host, const std::string& why,
+                         bool is_failure) {
+  std::string reason = why;
+  if (running_ && !is_failure) {
+    reason += fmt::format(", in phase '{}' since {:.0f} s", running_->phase(),
+                          seconds(running_->phase_start()));
+  }
   if (running_) abort(now, agent, host);
   if (has_turn_) {
     const bool has_started = current().start.has_value();

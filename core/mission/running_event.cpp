@@ -9,6 +9,7 @@ namespace lsos {
 
 namespace {
 
+constexpr SimTime long_stay{3'600'000'000};
 constexpr std::size_t frames_max = 8;  // events within events
 
 }  // namespace
@@ -64,6 +65,17 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
                                           const RoverAgent& agent) {
   wake_ = Wake::at_time;
   wake_at_ = now + exchange_period;
+  // Once, at the exchange at which it is over.
+  const SimTime stayed = now - frames_.back().phase_start;
+  if (std::holds_alternative<Stay>(answer) && stayed >= long_stay &&
+      stayed - exchange_period < long_stay && agent.drive().status != DriveState::Status::driving) {
+    advice_ =
+        to_string({Severity::warning, place_,
+                   fmt::format("{} '{}': phase '{}' of {} answers nothing since an hour and is "
+                               "called every 0.1 s, while nothing drives; does a 'return "
+                               "lsos.done' lack, or an lsos.sleep?",
+                               rover_id_, label_, frames_.back().phase, frames_.back().type)});
+  }
   if (const auto* sleep = std::get_if<SleepUntil>(&answer)) {
     wake_at_ = std::max(wake_at_, round_up_to_exchange(sleep->time));
   }

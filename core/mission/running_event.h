@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mission/rover_agent.h"
@@ -34,6 +35,9 @@ class RunningEvent {
   const std::string& reason() const { return reason_; }
   // Of the plan's event, not of those within it.
   const std::string& phase() const { return frames_.front().phase; }
+  SimTime phase_start() const { return frames_.front().phase_start; }
+  // A warning since the last call: what is most likely forgotten in its script; else "".
+  std::string take_advice() { return std::exchange(advice_, ""); }
   // The phases that have ended since the last call.
   std::vector<PhaseRow> take_phases();
 
@@ -71,7 +75,7 @@ class RunningEvent {
   std::vector<Frame> frames_;  // the plan's event first
   Wake wake_ = Wake::next_exchange;
   SimTime wake_at_{};
-  std::string reason_;
+  std::string reason_, advice_;
   std::vector<PhaseRow> phases_;
 };
 

@@ -356,10 +356,10 @@ std::vector<std::string> Simulation::assumptions() const {
   add_light_assumptions(assumptions);
   if (setup_.terrain.is_synthetic) {
     const bool is_placed = std::holds_alternative<ReliefSurface>(setup_.terrain.layers.back());
-    assumptions.push_back(
-        fmt::format("{}: the terrain is synthetic{}", setup_.terrain.name,
-                    is_placed ? ": landforms at their places, no measured heights"
-                              : " and laid out from the start of the first rover"));
+    assumptions.push_back(fmt::format("{}: the terrain is synthetic{}", setup_.terrain.name,
+                                      is_placed
+                                          ? ": landforms at their places, no measured heights"
+                                          : " and laid out from the start of the first rover"));
   }
   return assumptions;
 }

@@ -182,7 +182,8 @@ std::string in_plain_words(const tinyxml2::XMLDocument& document) {
     case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
       return fmt::format("nests elements more than {} deep", TINYXML2_MAX_ELEMENT_DEPTH);
     default:
-      return "is no XML: a tag is malformed, or the document ends too early";
+      return "is no XML: a tag is malformed (is a '<' meant that reads '&lt;' in XML?), or the "
+             "document ends too early";
   }
 }
 

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "system/plan_text.h"
 #include "system/process.h"
+#include "system/run_folder.h"
 #include "system/temp_folder.h"
 
 namespace lsos::test {
@@ -181,6 +183,41 @@ TEST(Schema, is_a_plan_that_reads) {
   const Outcome wrong = run({"schema", "Puase"}, {folder.path()});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("there is no event 'Puase'; did you mean 'Pause'?"));
+  folder.write("events/Nap.lua", "local lsos = require 'lsos'\nreturn lsos.event { api = 1 }\n");
+  const Outcome broken = run({"schema", "Nap"}, {folder.path()});
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_THAT(broken.err, HasSubstr("events/Nap.lua:2: "));
+}
+
+// The likeliest slip in a script, which is no fault of its own: a phase may answer nothing.
+TEST(ForgottenReturn, is_warned_of_after_an_hour_and_ends_with_the_scenario_s_day) {
+  const TempFolder folder;
+  folder.write(
+      "events/Nap.lua",
+      "local lsos = require 'lsos'\nlocal function go() local x = lsos.done end\n"
+      "return lsos.event { api = 1, doc = 'Test.', start = 'go', phases = { go = go } }\n");
+  const std::string scenario = folder.write(
+      "nap.lua",
+      "local lsos = require 'lsos'\nlsos.scenario('nap', function(t)\n"
+      "  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Nap' } } } } }\n"
+      "  sim:run()\n  t:near(sim.time_s, '1 d', '1 s')\n"
+      "  t:equal(sim:event('A/10').reason,\n"
+      "    \"MaxDuration is over, in phase 'go' since 0 s\")\nend)\n");
+  const Outcome outcome = test(folder, {scenario});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+
+  folder.write("nap.kml", kml({{"MissionInfo",
+                                {{"Planet", "Moon"},
+                                 {"StartTime", "2026-01-01"},
+                                 {"Terrain", "Flat"},
+                                 {"MaxDuration", "2 h"}},
+                                ""},
+                               {"Rover", {{"RoverId", "A"}, {"RoverType", "SEV"}}, point("0,0")},
+                               event("Nap", "A", 1, {}, "")}));
+  run({"run", "nap.kml", "--quiet", "--no-report"}, {folder.path()});
+  const auto warnings = summary(folder / "out" / "nap")["warnings"].dump();
+  EXPECT_THAT(warnings, HasSubstr("phase 'go' of Nap answers nothing since an hour"));
+  EXPECT_THAT(warnings, HasSubstr("does a 'return lsos.done' lack"));
 }
 
 }  // namespace

@@ -147,6 +147,7 @@ TEST(List, leaves_out_what_cannot_be_used) {
       run({"list", "soils"}, {.environment = {"LSOS_PATH=" + folder.path().string()}});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out.find("Broken"), std::string::npos) << outcome.out;
+  EXPECT_THAT(outcome.err, ::testing::HasSubstr("terrain/soils/Broken.lua")) << "but it says so";
 }
 
 TEST(FirstDrive, holds_its_line_within_half_a_metre) {

@@ -138,7 +138,7 @@ TEST_F(Energy, above_the_reserve_is_wanted_to_go_on) {
   const auto events = mission.run();
   EXPECT_EQ(events[1].status, EventStatus::completed);
   EXPECT_EQ(events[2].status, EventStatus::not_started);
-  EXPECT_EQ(events[2].reason, "MaxDuration is over");
+  EXPECT_EQ(events[2].reason, "MaxDuration is over");  // no phase: it had not begun
 }
 
 TEST_F(Energy, is_the_same_when_all_state_is_saved_at_each_exchange) {
