@@ -71,7 +71,7 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
       stayed - exchange_period < long_stay && agent.drive().status != DriveState::Status::driving) {
     advice_ =
         to_string({Severity::warning, place_,
-                   fmt::format("{} '{}': phase '{}' of {} answers nothing since an hour and is "
+                   fmt::format("{} '{}': phase '{}' of {} has answered nothing for an hour and is "
                                "called every 0.1 s, while nothing drives; does a 'return "
                                "lsos.done' lack, or an lsos.sleep?",
                                rover_id_, label_, frames_.back().phase, frames_.back().type)});

@@ -15,27 +15,30 @@ local function check_flows(t, battery, what)
   t:check(loss_w >= 0 and loss_w < 0.05 * (battery.solar_w + battery.load_w), what .. ': losses')
 end
 
-local function stop_in_the_sun(t, sim, label, minutes)
+-- Calls `check` with the rover in each of so many minutes from the beginning of an event.
+local function each_minute(sim, label, minutes, check)
   go_to(sim, label)
-  local rover = sim.rovers.SEV1
   for _ = 1, minutes do
     sim:run_for(60)
-    t:check(rover.panels.sun_fraction > 0.7, label .. ': the Sun is on the panel')
-    t:check(rover.battery.energy_rate_w > 1000, label .. ': the battery is charged')
-    check_flows(t, rover.battery, label)
+    check(sim.rovers.SEV1)
   end
 end
 
+local function stop_in_the_sun(t, sim, label, minutes)
+  each_minute(sim, label, minutes, function(rover)
+    t:check(rover.panels.sun_fraction > 0.7, label .. ': the Sun is on the panel')
+    t:check(rover.battery.energy_rate_w > 1000, label .. ': the battery is charged')
+    check_flows(t, rover.battery, label)
+  end)
+end
+
 local function stop_in_the_shadow(t, sim, label, minutes)
-  go_to(sim, label)
-  local rover = sim.rovers.SEV1
-  for _ = 1, minutes do
-    sim:run_for(60)
+  each_minute(sim, label, minutes, function(rover)
     t:equal(rover.panels.sun_fraction, 0, label .. ': no Sun on the panel')
     t:equal(rover.battery.solar_w, 0, label .. ': no power of it')
     -- 550 W of cabin and radio, 300 W of heaters in the dark, by a battery that gives 0.96 of it.
     t:near(rover.battery.energy_rate_w, -850 / 0.96, '1 mW', label .. ': the static power draw')
-  end
+  end)
 end
 
 lsos.scenario('the lunar traverse is as its plan means it', function(t)

@@ -216,7 +216,7 @@ TEST(ForgottenReturn, is_warned_of_after_an_hour_and_ends_with_the_scenario_s_da
                                event("Nap", "A", 1, {}, "")}));
   run({"run", "nap.kml", "--quiet", "--no-report"}, {folder.path()});
   const auto warnings = summary(folder / "out" / "nap")["warnings"].dump();
-  EXPECT_THAT(warnings, HasSubstr("phase 'go' of Nap answers nothing since an hour"));
+  EXPECT_THAT(warnings, HasSubstr("phase 'go' of Nap has answered nothing for an hour"));
   EXPECT_THAT(warnings, HasSubstr("does a 'return lsos.done' lack"));
 }
 
