@@ -1,21 +1,24 @@
 // What events are, by type, and the colour of it in bars under plots.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "record/rows.h"
+
 namespace lsos {
 
 struct EventKind {
-  std::string_view name;
-  std::string_view colour;  // #rrggbb
-  std::vector<std::string_view> types;
+  std::string name;
+  std::string colour;  // #rrggbb
+  std::vector<std::string> types;
 };
 
-// The last is that of all other types: events of a user's own.
-std::span<const EventKind> event_kinds();
-const EventKind& kind_of(std::string_view event_type);
+// Of the shipped types; then one for each type of a user's own that is among the events, as far as
+// there are colours; the last is that of all other types.
+std::vector<EventKind> event_kinds(const std::vector<EventRow>& events);
+
+const EventKind& kind_of(const std::vector<EventKind>& kinds, std::string_view event_type);
 
 }  // namespace lsos

@@ -139,6 +139,7 @@ class Figure {
   Figure(const ReportData& data, int dpi)
       : data_(data),
         unit_(time_unit(data.end_s)),
+        kinds_(event_kinds(data.events)),
         map_mm_(map_height_mm()),
         pen_(width_mm, height_mm(), dpi) {}
 
@@ -168,7 +169,7 @@ class Figure {
   }
   double height_mm() const {
     return top_mm + map_mm_ + below_axis_mm + between_mm +
-           3 * (panel_mm + bars_mm() + below_axis_mm + between_mm) + key_row_mm;
+           3 * (panel_mm + bars_mm() + below_axis_mm + between_mm) + kind_keys_mm();
   }
   Range extent(std::size_t column) const {
     Range range;
@@ -280,28 +281,46 @@ class Figure {
         const double from = x_mm(*event.start);
         const double to = x_mm(event.end.value_or(from_seconds(data_.end_s)));
         const PaperBox bar{from, top, std::max(0.15, to - from - 0.15), bar_mm};
-        pen_.fill(bar, std::string(kind_of(event.type).colour));
+        pen_.fill(bar, kind_of(kinds_, event.type).colour);
         if (event.status == EventStatus::failed) pen_.hatch(bar, failed, 1);
       }
       top += bar_mm + bar_apart_mm;
     }
   }
 
-  void kind_keys(double top) {
-    double x_mm = left_mm;
-    for (const EventKind& kind : event_kinds()) {
+  // Of the kinds that began; a row takes some six.
+  std::vector<const EventKind*> used_kinds() const {
+    std::vector<const EventKind*> used;
+    for (const EventKind& kind : kinds_) {
       const bool is_used = std::ranges::any_of(data_.events, [&](const EventRow& event) {
-        return event.start && &kind_of(event.type) == &kind;
+        return event.start && &kind_of(kinds_, event.type) == &kind;
       });
-      if (!is_used) continue;
-      pen_.fill({x_mm, top, 5, bar_mm}, std::string(kind.colour));
-      pen_.write(std::string(kind.name), {x_mm + 6.2, top + 2.1}, small_mm, Anchor::left);
-      x_mm += 6.2 + pen_.text_width_mm(std::string(kind.name), small_mm) + 6;
+      if (is_used) used.push_back(&kind);
+    }
+    return used;
+  }
+  double kind_keys_mm() const {
+    constexpr std::size_t in_a_row = 6;
+    return key_row_mm * static_cast<double>(1 + used_kinds().size() / in_a_row);
+  }
+  void kind_keys(double top) {
+    constexpr double sample_mm = 6.2, apart_mm = 6;
+    double x_mm = left_mm;
+    for (const EventKind* kind : used_kinds()) {
+      const double long_mm = sample_mm + pen_.text_width_mm(kind->name, small_mm);
+      if (x_mm + long_mm > width_mm - right_margin_mm) {
+        x_mm = left_mm;
+        top += key_row_mm;
+      }
+      pen_.fill({x_mm, top, 5, bar_mm}, kind->colour);
+      pen_.write(kind->name, {x_mm + sample_mm, top + 2.1}, small_mm, Anchor::left);
+      x_mm += long_mm + apart_mm;
     }
   }
 
   const ReportData& data_;
   TimeUnit unit_;
+  std::vector<EventKind> kinds_;
   double map_mm_;
   FigurePen pen_;
 };

@@ -100,19 +100,30 @@ Json value_of(const ColumnValue& value) {
   return nullptr;
 }
 
-Json events(const ReportData& data, const SiteFrame& site) {
+// All columns of each row, and where on the map it is.
+template <class Row>
+Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
   Json array = Json::array();
-  for (const EventRow& event : data.events) {
+  for (const Row& row : rows) {
     Json object = Json::object();
-    for (const Column<EventRow>& column : columns<EventRow>()) {
-      object[std::string(column.name)] = value_of(column.value(event, {}));
+    for (const Column<Row>& column : columns<Row>()) {
+      object[std::string(column.name)] = value_of(column.value(row, {}));
     }
-    if (event.place) {
-      const Vec3 p_S_m = site.p_S_m(*event.place);
+    if (const std::optional<Geodetic> place = row.place) {
+      const Vec3 p_S_m = site.p_S_m(*place);
       object["x_m"] = std::round(p_S_m.x() * 100) / 100;
       object["y_m"] = std::round(p_S_m.y() * 100) / 100;
     }
     array.push_back(std::move(object));
+  }
+  return array;
+}
+
+// With their fields as an object.
+Json notes(const ReportData& data, const SiteFrame& site) {
+  Json array = placed_rows(data.notes, site);
+  for (Json& note : array) {
+    note["fields"] = Json::parse(note["fields"].get<std::string>(), nullptr, false);
   }
   return array;
 }
@@ -186,9 +197,9 @@ Json assets(const ReportData& data) {
   return array;
 }
 
-Json kinds() {
+Json kinds(const ReportData& data) {
   Json array = Json::array();
-  for (const EventKind& kind : event_kinds()) {
+  for (const EventKind& kind : event_kinds(data.events)) {
     array.push_back({{"name", kind.name}, {"colour", kind.colour}, {"types", kind.types}});
   }
   return array;
@@ -231,8 +242,10 @@ std::string report_json(const ReportData& data, const Plan& plan, const SiteFram
       {"summary", parsed},
       {"rovers", rovers(data)},
       {"assets", assets(data)},
-      {"events", events(data, site)},
-      {"kinds", kinds()},
+      {"events", placed_rows(data.events, site)},
+      {"notes", notes(data, site)},
+      {"notes_in_log", data.notes_in_log},
+      {"kinds", kinds(data)},
       {"sight", pairs(data)},
       {"distances", distances(data)},
       {"map", map_of(extras.map)},

@@ -183,6 +183,9 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
   std::ranges::sort(data.events, {}, [](const EventRow& event) {
     return std::pair(event.rover_id, event.sequence);
   });
+  data.notes = log.notes();
+  data.notes_in_log = data.notes.size();
+  data.notes.resize(std::min(data.notes.size(), report_notes_max));
   read_pairs(log, data);
   return data;
 }

@@ -15,6 +15,8 @@ namespace lsos {
 
 // Points of a series at most are about four times as many; the log has all.
 inline constexpr int report_stretches = 1000;
+// The first ones of a log.
+inline constexpr std::size_t report_notes_max = 2000;
 
 // On the map: metres east and north in the site's frame.
 struct MapPoint {
@@ -65,6 +67,8 @@ struct ReportData {
   double end_s = 0;
   std::vector<ReportRover> rovers;  // in order of ids
   std::vector<EventRow> events;     // by rover, then sequence
+  std::vector<NoteRow> notes;       // report_notes_max at most
+  std::size_t notes_in_log = 0;
   std::vector<ReportPair> pairs;
   std::vector<ReportDistance> distances;  // between rovers
   std::vector<ReportAsset> assets;

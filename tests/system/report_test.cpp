@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "record/log.h"
 #include "system/browser.h"
@@ -49,7 +50,8 @@ class Report : public ::testing::Test {
     std::string text = kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
                             event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
                             event("Pause", "A", 2, {{"Duration", "20"}}),
-                            event("Pause", "B", 1, {{"Duration", "50"}})});
+                            event("Drill", "B", 1, {{"Duration", "30"}, {"Depth", "2"}}),
+                            event("Pause", "B", 2, {{"Duration", "20"}})});
     const std::string mark = "<Placemark>";
     text.insert(text.rfind(mark) + mark.size(),
                 "<name>&lt;/script&gt;&lt;b&gt;'&quot;&amp;</name>");
@@ -92,7 +94,7 @@ TEST_F(Report, holds_the_run) {
   EXPECT_EQ(data["rovers"].size(), 2u);
   EXPECT_EQ(std::to_string(data["rovers"][0]["samples"].get<int>()),
             query(log(), "SELECT count(*) FROM samples WHERE rover_id = 'A'"));
-  EXPECT_EQ(data["events"][2]["label"], "</script><b>'\"&");
+  EXPECT_EQ(data["events"][3]["label"], "</script><b>'\"&");
   EXPECT_FALSE(data["map"].is_null());
   EXPECT_FALSE(data["sight"].empty());
   EXPECT_EQ(data["distances"].size(), 1u);
@@ -105,6 +107,7 @@ TEST_F(Report, shows_values_of_the_log_under_the_cursor) {
     const energy = plot('energy');
     energy.scrollIntoView();
     await rest();
+    await move(energy, 0);
     const before = document.querySelector('#rover-A').getAttribute('transform');
     await move(energy, 0.1);
     const outputs = key => [...document.querySelectorAll(`#plot-${key} output`)].map(o => o.textContent);
@@ -114,11 +117,11 @@ TEST_F(Report, shows_values_of_the_log_under_the_cursor) {
     await rest();
     return {before, early, position: outputs('position'), unit: text('#plot-energy h3'),
             events: document.querySelectorAll('#event-table tbody tr').length,
-            label: text('#event-table tbody tr:nth-child(3) td:nth-child(3)'),
+            label: text('#event-table tbody tr:nth-child(4) td:nth-child(3)'),
             bold: document.querySelectorAll('#event-table b').length};
   )js");
   ASSERT_FALSE(seen.contains("error")) << seen;
-  EXPECT_EQ(seen["events"], 3);
+  EXPECT_EQ(seen["events"], 4);
   EXPECT_EQ(seen["label"], "</script><b>'\"&");
   EXPECT_EQ(seen["bold"], 0);
   const double time_s = 0.1 * std::stod(query(log(), "SELECT max(time_s) FROM samples"));
@@ -183,6 +186,35 @@ TEST_F(Report, hides_a_rover_and_holds_the_cursor) {
   EXPECT_NE(seen["shown"][0], "");
   EXPECT_THAT(seen["held"].get<std::string>(), HasSubstr("(held)"));
   EXPECT_EQ(seen["held"], seen["still"]);
+}
+
+TEST_F(Report, shows_what_events_noted_and_goes_to_its_time) {
+  if (browser().empty()) GTEST_SKIP() << "no Chromium is installed";
+  const json seen = in_page(R"js(
+    plot('energy').scrollIntoView();
+    await rest();
+    const before = text('#clock-elapsed');
+    const row = document.querySelector('#note-table tbody tr');
+    const cells = [...row.children].map(cell => cell.textContent);
+    await click(row);
+    const after = text('#clock-elapsed');
+    const mark = document.querySelector('.note-mark');
+    await click(document.querySelectorAll('.chip')[1]);
+    const ticks = [...document.querySelectorAll('#plot-energy .dygraph-axis-label-y')];
+    return {before, after, cells, title: mark.textContent, hidden: mark.getAttribute('visibility'),
+            legend: text('.map-legend'), ticks: ticks.map(tick => tick.textContent)};
+  )js");
+  ASSERT_FALSE(seen.contains("error")) << seen;
+  EXPECT_EQ(seen["cells"], json({"00:30:00", "B", "Drill 1", "hole", "depth_m 2.000"}));
+  EXPECT_NE(seen["before"], seen["after"]);
+  EXPECT_THAT(seen["after"].get<std::string>(), StartsWith("00:30:00"));
+  EXPECT_THAT(seen["title"].get<std::string>(), HasSubstr("hole depth_m 2"));
+  EXPECT_EQ(seen["hidden"], "hidden");
+  EXPECT_THAT(seen["legend"].get<std::string>(), HasSubstr("note"));
+  // No two of an axis read the same.
+  const auto ticks = seen["ticks"].get<std::vector<std::string>>();
+  EXPECT_GT(ticks.size(), 2u);
+  EXPECT_EQ(std::set(ticks.begin(), ticks.end()).size(), ticks.size());
 }
 
 TEST(ReportScripts, are_javascript) {

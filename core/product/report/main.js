@@ -2,6 +2,7 @@
 fillHead();
 fillFindings();
 fillTables();
+fillNotes();
 fillPictures();
 fillOrigins();
 

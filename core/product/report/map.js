@@ -1,3 +1,5 @@
+const placedNotes = () => page.notes.filter(note => note.x_m !== undefined && roverOf(note.rover_id));
+
 // The map: ground, drawn, planned and driven lines, events, and the rovers at the cursor's time.
 class MissionMap {
   constructor(place) {
@@ -77,6 +79,16 @@ class MissionMap {
     });
   }
   drawMarks() {
+    // Beneath the events: where something was noted, a diamond of its rover's colour.
+    this.notes = placedNotes().map(note => {
+      const rover = roverOf(note.rover_id);
+      const mark = draw('g', {class: 'note-mark', style: 'cursor:pointer'},
+        draw('path', {d: 'M0 -4.5 L4.5 0 L0 4.5 L-4.5 0 Z', fill: '#fff', stroke: rover.ink, 'stroke-width': 1.6}),
+        draw('title', {}, `${rover.id}, ${elapsedText(note.time_s)}: ${note.name.replaceAll('_', ' ')} ${noteText(note)}`));
+      mark.addEventListener('click', () => showTime(note.time_s));
+      this.marks.append(mark);
+      return {rover, x: note.x_m, y: note.y_m, mark};
+    });
     this.events = [];
     // What failed lies on top.
     const started = page.events.filter(event => event.x_m !== undefined && event.start_s !== null);
@@ -123,6 +135,9 @@ class MissionMap {
     for (const status of new Set(page.events.filter(e => e.start_s !== null).map(e => e.status))) {
       legend.append(make('span', {}, draw('svg', {viewBox: '0 0 10 10', style: 'width:10px!important'}, draw('circle', {cx: 5, cy: 5, r: 4, fill: statusColours[status]})), `event ${statusText(status)}`));
     }
+    if (placedNotes().length > 0) {
+      legend.append(make('span', {}, draw('svg', {viewBox: '0 0 10 10', style: 'width:10px!important'}, draw('path', {d: 'M5 1 L9 5 L5 9 L1 5 Z', fill: '#fff', stroke: '#44515d', 'stroke-width': 1.6})), 'note'));
+    }
     if (page.map?.shadow) {
       const box = make('input', {type: 'checkbox', checked: '', id: 'shadow-on'});
       box.addEventListener('change', () => this.svg.querySelector('#shadow').setAttribute('visibility', box.checked ? 'visible' : 'hidden'));
@@ -159,6 +174,10 @@ class MissionMap {
     const s = this.scale, [x0, y0] = this.screen(0, 0);
     this.world.setAttribute('transform', `matrix(${s} 0 0 ${-s} ${x0} ${y0})`);
     rovers.forEach((rover, k) => this.layers[k].setAttribute('visibility', rover.isShown ? 'visible' : 'hidden'));
+    for (const note of this.notes) {
+      note.mark.setAttribute('transform', `translate(${this.screen(note.x, note.y).join(' ')})`);
+      note.mark.setAttribute('visibility', note.rover.isShown ? 'visible' : 'hidden');
+    }
     const taken = [];
     for (const mark of [...this.assets, ...this.events]) {
       const [x, y] = this.screen(mark.x, mark.y), isShown = !mark.rover || mark.rover.isShown;

@@ -95,6 +95,15 @@ function merged(lines, scale) {
   }
 }
 
+// With as many places as tell one from the next.
+function valueTicks(from, to, pixels, options, graph) {
+  const ticks = Dygraph.numericTicks(from, to, pixels, options, graph);
+  const step = ticks.length > 1 ? Math.abs(ticks[1].v - ticks[0].v) : 1;
+  const places = Math.max(0, Math.min(9, -Math.floor(Math.log10(step) + 1e-9)));
+  for (const tick of ticks) tick.label = placesText(tick.v, places);
+  return ticks;
+}
+
 class Plot {
   // `lines`: {t, v, name, colour, dash, rovers: [...]}.
   constructor(spec) {
@@ -131,7 +140,6 @@ class Plot {
     this.chosen.style.width = `${b - a}px`;
   }
   create() {
-    const fixed = value => numberText(value, 4);
     this.graph = new Dygraph(this.graphPlace, merged(this.lines, this.scale), {
       labels: ['time', ...this.lines.map(line => line.name)],
       colors: this.lines.map(line => line.colour),
@@ -143,7 +151,7 @@ class Plot {
       gridLineColor: '#dfe5ea', axisLineColor: '#b6c0ca', pixelRatio: pixelRatio(),
       axes: {
         x: {drawAxis: false, drawGrid: true, ticker: (a, b, pixels) => timeTicks(a, b, pixels)},
-        y: {axisLabelWidth: gutter - 4, pixelsPerLabel: 24, axisLabelFormatter: value => fixed(Math.abs(value) < 1e-9 ? 0 : +value.toPrecision(6)).replace(/(\.\d*?)0+$/, '$1').replace(/\.$/, '')},
+        y: {axisLabelWidth: gutter - 4, pixelsPerLabel: 24, ticker: valueTicks},
       },
     });
   }

@@ -94,6 +94,34 @@ function fillTables() {
   }));
 }
 
+const noteText = note => Object.entries(note.fields || {}).map(([name, value]) =>
+  `${name} ${typeof value === 'number' ? numberText(value) : typeof value === 'object' ? JSON.stringify(value) : value}`).join(', ');
+
+// What events logged, what was found and decided.
+function fillNotes() {
+  if (page.notes.length === 0) return document.getElementById('notes').remove();
+  document.getElementById('notes-about').textContent = page.notes.length < page.notes_in_log
+    ? `The first ${page.notes.length.toLocaleString('en')} of ${page.notes_in_log.toLocaleString('en')}; log.gpkg has all.`
+    : 'What events logged, what was found and decided.';
+  const labelOf = note => roverOf(note.rover_id)?.events.find(event => event.sequence === note.sequence)?.label || '';
+  document.getElementById('note-table').append(table([
+    ['Time', note => elapsedText(note.time_s), true],
+    ['Rover', note => swatch(roverOf(note.rover_id), note.rover_id)],
+    ['Event', labelOf],
+    ['Note', note => note.name.replaceAll('_', ' ')],
+    ['Reading', noteText],
+  ], page.notes, (line, note) => {
+    line.title = 'Show its time in the plots';
+    line.addEventListener('click', () => showTime(note.time_s));
+  }));
+}
+
+function showTime(time) {
+  if (time < view.from || time > view.to) setWindow(0, endS);
+  setCursor(time);
+  document.getElementById('course').scrollIntoView({block: 'start'});
+}
+
 // The plots go to an event, with as much again around it.
 function showEvent(event) {
   if (event.start_s === null) return;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "product/base64.h"
+#include "product/event_kinds.h"
 #include "product/figure.h"
 #include "unit/record/log_fixture.h"
 
@@ -55,6 +56,12 @@ class ReportTest : public ::testing::Test {
     event.reason = "stuck & \"lost\"";
     event.end = SimTime{30'000'000};
     log.write(event);
+    log.write(NoteRow{.time = SimTime{8'000'000},
+                      .rover_id = "SEV1",
+                      .sequence = 10,
+                      .name = "beacon",
+                      .fields_json = R"({"n":3,"text":"</script>"})",
+                      .place = test_sample(4).place});
     log.finish();
   }
   ReportData data() const {
@@ -91,6 +98,31 @@ TEST_F(ReportTest, holds_the_numbers_of_the_log) {
   EXPECT_EQ(unpacked<std::int32_t>(rover["position"]["lat_e7deg"])[7], -892500000);
   EXPECT_TRUE(rover["energy_rate_w"].is_null());  // not modelled
   EXPECT_TRUE(page["summary"].is_null());
+}
+
+TEST_F(ReportTest, holds_what_was_noted_and_where) {
+  const json page = json::parse(report_json(data(), plan, site(), "", {}));
+  ASSERT_EQ(page["notes"].size(), 1u);
+  EXPECT_EQ(page["notes_in_log"], 1);
+  const json& note = page["notes"][0];
+  EXPECT_EQ(note["time_s"], 8);
+  EXPECT_EQ(note["name"], "beacon");
+  EXPECT_EQ(note["fields"], json::parse(R"({"n": 3, "text": "</script>"})"));
+  // 4e-4 degrees of longitude at 89.25 degrees south: 1737.4 km x cos(89.25 deg) x 6.98e-6.
+  EXPECT_NEAR(note["x_m"].get<double>(), 0.159, 0.006);
+}
+
+TEST_F(ReportTest, names_types_of_a_users_own) {
+  const auto row = [](const char* type) {
+    EventRow event;
+    event.type = type;
+    return event;
+  };
+  const auto kinds = event_kinds({row("Route"), row("Trench"), row("Beacon"), row("Trench")});
+  EXPECT_EQ(kind_of(kinds, "Route").name, "driving");
+  EXPECT_EQ(kind_of(kinds, "Trench").name, "Trench");
+  EXPECT_NE(kind_of(kinds, "Trench").colour, kind_of(kinds, "Beacon").colour);
+  EXPECT_EQ(kind_of(kinds, "Another").name, "other");
 }
 
 TEST_F(ReportTest, is_one_page_that_loads_nothing) {
