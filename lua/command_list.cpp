@@ -7,6 +7,7 @@
 
 #include "lua/commands.h"
 #include "lua/mission_files.h"
+#include "plan/geometry.h"
 
 namespace lsos {
 
@@ -20,6 +21,11 @@ using Json = nlohmann::ordered_json;
 const char* to_text(FieldKind kind) {
   constexpr const char* names[] = {"number", "integer",  "boolean", "text",
                                    "choice", "duration", "utc"};
+  return names[static_cast<int>(kind)];
+}
+
+const char* to_text(GeometryKind kind) {
+  constexpr const char* names[] = {"none", "point", "line", "polygon"};
   return names[static_cast<int>(kind)];
 }
 
@@ -59,7 +65,8 @@ Json field_json(const FieldDeclaration& field) {
 
 std::string field_text(const FieldDeclaration& field) {
   std::string text = fmt::format("  {:<16} {}", field.name, to_text(field.kind));
-  if (field.unit != nullptr) text += fmt::format(", {}", field.unit->symbol);
+  const bool has_unit = field.unit != nullptr && field.unit->symbol != "1";
+  if (has_unit) text += fmt::format(", {}", field.unit->symbol);
   const double factor = si_factor(field);
   if (field.min_si) text += fmt::format(", at least {}", told(*field.min_si / factor));
   if (field.max_si) text += fmt::format(", at most {}", told(*field.max_si / factor));
@@ -72,6 +79,7 @@ std::string field_text(const FieldDeclaration& field) {
 
 struct Listed {
   std::string name, doc;
+  std::vector<GeometryKind> geometries = {};  // of an event
   std::vector<FieldDeclaration> fields = {};
   std::optional<RoverModel> rover = {};
   bool is_asset = false;
@@ -89,7 +97,7 @@ std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
   const Declarations& declarations = catalog.declarations();
   if (what == "events") {
     for (const auto& [name, event] : declarations.events) {
-      all.push_back({name, event.doc, event.fields});
+      all.push_back({name, event.doc, event.geometries, event.fields});
     }
   } else if (what == "rovers") {
     for (const auto& [name, rover] : declarations.rover_types) {
@@ -114,6 +122,9 @@ std::vector<Listed> listed(const Catalog& catalog, const std::string& what) {
 Json listed_json(const Listed& one) {
   Json json{{"name", one.name}, {"doc", one.doc}, {"fields", Json::array()}};
   for (const FieldDeclaration& field : one.fields) json["fields"].push_back(field_json(field));
+  for (const GeometryKind geometry : one.geometries) {
+    json["geometries"].push_back(to_text(geometry));
+  }
   if (one.rover || one.is_asset) json["is_asset"] = one.is_asset;
   if (!one.rover) return json;
   json["configurations"] = Json::array();
@@ -135,6 +146,9 @@ Json listed_json(const Listed& one) {
 std::string listed_text(const Listed& one) {
   std::string text = fmt::format("{}{}{}{}\n", one.name, one.is_asset ? " (asset)" : "",
                                  one.doc.empty() ? "" : ": ", one.doc);
+  if (!one.geometries.empty()) {
+    text += fmt::format("  drawn as {}\n", geometries_text(one.geometries));
+  }
   for (const FieldDeclaration& field : one.fields) text += field_text(field);
   if (!one.rover) return text;
   for (const RoverConfiguration& configuration : one.rover->spec.configurations) {

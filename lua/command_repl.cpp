@@ -53,7 +53,9 @@ int talk(Repl& repl) {
     text += (text.empty() ? "" : "\n") + std::string(line);
     if (*line != '\0') add_history(line);
     std::free(line);
-    if (repl.run(text) != Repl::Outcome::incomplete) text.clear();
+    const Repl::Outcome outcome = repl.run(text);
+    if (outcome == Repl::Outcome::ended) break;
+    if (outcome != Repl::Outcome::incomplete) text.clear();
   }
   if (!history.empty()) write_history(history.c_str());
   fmt::print("\n");
@@ -70,6 +72,7 @@ int follow_script(Repl& repl) {
     text += (text.empty() ? "" : "\n") + line;
     const Repl::Outcome outcome = repl.run(text, first);
     if (outcome == Repl::Outcome::incomplete) continue;
+    if (outcome == Repl::Outcome::ended) return has_failed ? 1 : 0;
     has_failed |= outcome == Repl::Outcome::failed;
     text.clear();
     first = number + 1;

@@ -116,8 +116,8 @@
 ---@field events table[] `rover`, `sequence`, `type`, `label`, `status`, `reason`, `ready_s`, `start_s`, `end_s`, `distance_m`, `energy_used_j`, `solar_j`.
 ---@field folder string Where its log is.
 ---@field step fun(self: lsos.sim, n?: integer) To the next exchange, n times: 0.1 s while something moves, else when something happens.
----@field run_for fun(self: lsos.sim, duration_s: number) So long, or to the mission's end.
----@field run_until fun(self: lsos.sim, is_enough: (fun(sim: lsos.sim): any), limit_s?: number): boolean Until the function of sim answers true; false when the limit or the end came first. It is asked at each exchange, over quiet time at whole seconds.
+---@field run_for fun(self: lsos.sim, duration_s: number|string) So long, or to the mission's end: seconds, or a text such as '20 min'.
+---@field run_until fun(self: lsos.sim, is_enough: (fun(sim: lsos.sim): any), limit_s?: number|string): boolean Until the function of sim answers true; false when the limit or the end came first. It is asked at each exchange, over quiet time at whole seconds.
 ---@field run fun(self: lsos.sim) To the mission's end.
 ---@field step_phase fun(self: lsos.sim) Until a rover enters another phase.
 ---@field where fun(self: lsos.sim): string What all rovers do, as a text.

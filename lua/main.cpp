@@ -24,6 +24,10 @@ const std::vector<std::string> unbuilt{"resume", "import", "export"};
 // told which one was meant.
 void insert_run(std::vector<std::string>& arguments) {
   if (arguments.empty()) return;
+  if (arguments.front() == "help") {  // "help run" is "run --help"
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+  }
   const std::string& first = arguments.front();
   if (first == "-h" || first == "--help" || first == "--version") return;
   if (std::ranges::count(built, first) > 0) return;

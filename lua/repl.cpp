@@ -9,8 +9,9 @@
 
 #include "lua/api.h"
 #include "lua/handle.h"
-#include "lua/reader.h"
+#include "lua/prompt_help.h"
 #include "lua/sandbox.h"
+#include "lua/shown_value.h"
 
 namespace lsos {
 
@@ -40,77 +41,6 @@ class StopByInterrupt {
   void (*before_)(int);
 };
 
-std::string value_text(lua_State* L, int index) {
-  if (lua_type(L, index) == LUA_TNUMBER && lua_isinteger(L, index) == 0) {
-    return fmt::format("{:.9g}", lua_tonumber(L, index));
-  }
-  push_text(L, index);
-  std::string text = error_text(L, -1);
-  lua_pop(L, 1);
-  return text;
-}
-
-// With the unit that its name says: "1.97 m/s" of speed_mps.
-std::string quantity_text(lua_State* L, int index, const std::string& name) {
-  std::string text = value_text(L, index);
-  const std::string unit = si_unit_of(name);
-  if (lua_type(L, index) == LUA_TNUMBER && !unit.empty()) text += " " + unit;
-  return text;
-}
-
-// "a boolean" when a key is neither a number nor a text, so that keys have no order.
-std::string other_key(lua_State* L, int index) {
-  std::string found;
-  lua_pushnil(L);
-  for (; lua_next(L, index) != 0; lua_pop(L, 1)) {
-    const int type = lua_type(L, -2);
-    if (type != LUA_TNUMBER && type != LUA_TSTRING)
-      found = "a " + std::string(luaL_typename(L, -2));
-  }
-  return found;
-}
-
-// The fields of a handle, or what a table holds, a line each.
-void add_members(lua_State* L, int index, std::string& text) {
-  index = lua_absindex(L, index);
-  if (const HandleType* type = handle_type(L, index)) {
-    for (const HandleField& field : type->fields) {
-      lua_getfield(L, index, field.name);
-      text += fmt::format("\n  {} = {}", field.name, quantity_text(L, -1, field.name));
-      lua_pop(L, 1);
-    }
-    return;
-  }
-  if (const std::string other = other_key(L, index); !other.empty()) {
-    text += fmt::format("\n  (with {} as a key)", other);
-    return;
-  }
-  constexpr lua_Integer members_max = 200;
-  push_sorted_keys(L, index);
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
-  for (lua_Integer i = 1; i <= std::min(count, members_max); ++i, lua_pop(L, 1)) {
-    lua_rawgeti(L, -1, i);
-    const std::string key = value_text(L, -1);
-    lua_pushvalue(L, -1);
-    lua_rawget(L, index);
-    text += fmt::format("\n  {} = {}", key, quantity_text(L, -1, key));
-    lua_pop(L, 1);
-  }
-  if (count > members_max) text += fmt::format("\n  and {} more", count - members_max);
-  lua_pop(L, 1);
-}
-
-std::string shown(lua_State* L, int index, const std::string& name) {
-  std::string text = quantity_text(L, index, name);
-  bool has_members = handle_type(L, index) != nullptr || lua_istable(L, index);
-  if (lua_istable(L, index) && luaL_getmetafield(L, index, "__tostring") != LUA_TNIL) {
-    lua_pop(L, 1);
-    has_members = false;
-  }
-  if (has_members) add_members(L, index, text);
-  return text;
-}
-
 // "speed_mps" of "sim.rovers.A.speed_mps".
 std::string last_name(const std::string& text) {
   const auto is_letter = [](char c) {
@@ -123,43 +53,8 @@ std::string last_name(const std::string& text) {
   return {begin, end};
 }
 
-std::string help_of(const HandleType& type) {
-  std::string text = fmt::format("{}: {}", type.name, type.doc);
-  for (const HandleField& field : type.fields) {
-    text += fmt::format("\n  .{:<18} {:<10} {}", field.name, field.type, field.doc);
-  }
-  for (const HandleMethod& method : type.methods) {
-    text += fmt::format("\n  {}\n      {}", method.signature, method.doc);
-  }
-  return text;
-}
-
-std::string help_of(const std::string& name) {
-  for (const ApiFunction& entry : api_functions()) {
-    if (name == entry.name) return fmt::format("{}\n  {}", entry.signature, entry.doc);
-  }
-  for (const ApiSection& section : api_sections()) {
-    for (const Constructor& entry : section.constructors) {
-      if (name == entry.name) return fmt::format("lsos.{} {{...}}\n  {}", name, entry.doc);
-    }
-  }
-  std::vector<std::string> known;
-  for (const ApiFunction& entry : api_functions()) known.emplace_back(entry.name);
-  return fmt::format("there is no lsos.{}{}", name, did_you_mean(name, known));
-}
-
-constexpr const char* general_help =
-    "sim                 the simulation: help(sim)\n"
-    "sim:run_for(60)     a minute; sim:step(n), sim:run_until(function), sim:step_phase(), "
-    "sim:run()\n"
-    "sim:where()         what all rovers do\n"
-    "sim.rovers.SEV1     a rover: help(sim.rovers.SEV1)\n"
-    "lsos.sim {...}      another one: help 'sim'\n"
-    "x = 5               keeps a value; a local lasts to the end of its line\n"
-    "Ctrl-C stops a run, Ctrl-D ends.";
-
 int help(lua_State* L) {
-  std::string text = general_help;
+  std::string text = general_help();
   if (lua_type(L, 1) == LUA_TSTRING) {
     text = help_of(lua_tostring(L, 1));
   } else if (const HandleType* type = handle_type(L, 1)) {
@@ -178,7 +73,7 @@ int say_values(lua_State* L) {
   const std::string name = lua_tostring(L, 1);
   for (int i = 2; i <= count; ++i) {
     if (lua_isnil(L, i) && count == 2) break;
-    context(L).in_hand->say(shown(L, i, name));
+    context(L).in_hand->say(shown_value(L, i, name));
   }
   return 0;
 }
@@ -212,6 +107,12 @@ std::vector<std::string> member_names(lua_State* L) {
   return names;
 }
 
+// "quit" and "exit", as other prompts know them.
+bool is_farewell(const std::string& text) {
+  static const std::regex word(R"(\s*(quit|exit)\s*(\(\s*\))?\s*)");
+  return std::regex_match(text, word);
+}
+
 Limits at_a_prompt() {
   Limits limits;
   limits.instructions = 2'000'000'000;  // some 20 s
@@ -243,6 +144,7 @@ Repl::Repl(const std::string& plan_file, const std::string& folder,
 }
 
 Repl::Outcome Repl::run(const std::string& text, int line) {
+  if (is_farewell(text)) return Outcome::ended;
   const StopByInterrupt stop;
   Outcome outcome = Outcome::failed;
   try {

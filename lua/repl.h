@@ -18,9 +18,9 @@ class Repl {
   Repl(const std::string& plan_file, const std::string& folder,
        std::function<void(const std::string&)> say);
 
-  enum class Outcome { done, incomplete, failed };
+  enum class Outcome { done, incomplete, failed, ended };
   // Runs a piece of text that begins in that line; says what an expression gives, or what is wrong.
-  // Incomplete: more lines belong to it.
+  // Incomplete: more lines belong to it. Ended: it is the word that leaves the prompt.
   Outcome run(const std::string& text, int line = 1);
 
   // What the name at the end of `text` may go on as, whole: "sim.ro" to "sim.rovers".

@@ -7,10 +7,11 @@
 #include <filesystem>
 #include <set>
 
-#include "base/units.h"
 #include "lua/handle.h"
 #include "lua/loader.h"
+#include "lua/quantity.h"
 #include "lua/sandbox.h"
+#include "lua/shown_value.h"
 #include "lua/sims.h"
 #include "lua/state.h"
 #include "product/files.h"
@@ -21,33 +22,7 @@ namespace {
 
 constexpr const char* scenarios_key = "lsos.scenarios";   // list of { name, function }
 constexpr std::int64_t instructions_max = 2'000'000'000;  // some 20 s
-constexpr int depth_max = 16;                             // of tables that are compared or shown
-
-// Shown as it is written: 'text', { 1, 2, name = 'x' }.
-std::string text_of(lua_State* L, int index, int depth = 0) {
-  index = lua_absindex(L, index);
-  if (lua_istable(L, index) && depth < depth_max) {
-    std::string members;
-    push_sorted_keys(L, index);
-    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
-      if (!members.empty()) members += ", ";
-      if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) != i) {
-        members += fmt::format("{} = ", luaL_tolstring(L, -1, nullptr));
-        lua_pop(L, 1);
-      }
-      lua_pushvalue(L, -1);
-      lua_rawget(L, index);
-      members += text_of(L, -1, depth + 1);
-      lua_pop(L, 1);
-    }
-    lua_pop(L, 2);
-    return members.empty() ? "{}" : "{ " + members + " }";
-  }
-  push_text(L, index);
-  std::string text = error_text(L, -1);
-  lua_pop(L, 1);
-  return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;
-}
+constexpr int depth_max = 16;                             // of tables that are compared
 
 // Tables are equal when all that they hold is.
 bool are_equal(lua_State* L, int a, int b, int depth = 0) {
@@ -88,7 +63,7 @@ int expect_equal(lua_State* L) {
   luaL_checkany(L, 3);
   lua_settop(L, 4);
   if (are_equal(L, 2, 3)) return 0;
-  std::string wanted = text_of(L, 3), found = text_of(L, 2);
+  std::string wanted = written_value(L, 3), found = written_value(L, 2);
   if (wanted == found && lua_type(L, 2) == LUA_TNUMBER) {
     wanted = fmt::format("{:.17g}", lua_tonumber(L, 3));
     found = fmt::format("{:.17g}", lua_tonumber(L, 2));
@@ -101,26 +76,7 @@ int expect_true(lua_State* L) {
   luaL_checkany(L, 2);
   lua_settop(L, 3);
   if (lua_toboolean(L, 2) != 0) return 0;
-  fail(L, 3, fmt::format("expected true, found {}", text_of(L, 2)));
-}
-
-struct Quantity {
-  double value_si = 0;
-  const Unit* unit = nullptr;  // of a text
-};
-
-// A number, or a text with a unit: '200 m'.
-Quantity check_quantity(lua_State* L, int argument) {
-  if (lua_type(L, argument) != LUA_TSTRING) return {luaL_checknumber(L, argument), nullptr};
-  const std::string text = lua_tostring(L, argument);
-  const std::size_t end = text.find_first_not_of("+-.0123456789eE");
-  const std::size_t begin = end == std::string::npos ? end : text.find_first_not_of(' ', end);
-  const std::string symbol = begin == std::string::npos ? "1" : text.substr(begin);
-  const Unit* unit = find_unit(symbol);
-  if (unit == nullptr) throw std::runtime_error(fmt::format("'{}': no unit '{}'", text, symbol));
-  const auto parsed = parse_quantity(text, *unit);
-  if (!parsed) throw std::runtime_error(fmt::format("'{}': {}", text, parsed.why));
-  return {*parsed.value, unit};
+  fail(L, 3, fmt::format("expected true, found {}", written_value(L, 2)));
 }
 
 int expect_near(lua_State* L) {
@@ -141,7 +97,7 @@ int expect_near(lua_State* L) {
                            : fmt::format("{:.6g} {}", value_si / unit->si_factor, unit->symbol);
   };
   const std::string found =
-      lua_type(L, 2) == LUA_TNUMBER ? shown(lua_tonumber(L, 2), wanted.unit) : text_of(L, 2);
+      lua_type(L, 2) == LUA_TNUMBER ? shown(lua_tonumber(L, 2), wanted.unit) : written_value(L, 2);
   fail(L, 5,
        fmt::format("expected {} within {}, found {}", shown(wanted.value_si, wanted.unit),
                    shown(within.value_si, within.unit), found));

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "lua/handle.h"
+#include "lua/quantity.h"
 #include "lua/sim_functions.h"
 #include "lua/state.h"
 #include "product/files.h"
@@ -19,16 +20,8 @@ int step(lua_State* L) {
   return 0;
 }
 
-double check_duration(lua_State* L, int argument, const char* what) {
-  constexpr double longest_s = 1e9;
-  const double duration_s = luaL_checknumber(L, argument);
-  if (duration_s >= 0 && duration_s <= longest_s) return duration_s;
-  throw std::runtime_error(
-      fmt::format("{}: {} s; 0 to {} are allowed", what, duration_s, longest_s));
-}
-
 int run_for(lua_State* L) {
-  sim_session(L).run_for(check_duration(L, 2, "sim:run_for"));
+  sim_session(L).run_for(check_duration_s(L, 2, "sim:run_for"));
   return 0;
 }
 
@@ -36,7 +29,7 @@ int run_until(lua_State* L) {
   SimSession& session = sim_session(L);
   luaL_checktype(L, 2, LUA_TFUNCTION);
   const double limit_s =
-      lua_isnoneornil(L, 3) ? 366 * 86400.0 : check_duration(L, 3, "sim:run_until");
+      lua_isnoneornil(L, 3) ? 366 * 86400.0 : check_duration_s(L, 3, "sim:run_until");
   lua_settop(L, 2);
   lua_pushvalue(L, 1);
   const bool is_enough = session.run_until(
@@ -120,12 +113,14 @@ const HandleType& sim_handle_type() {
       {{"step", guard<step>, "sim:step(n)",
         "To the next exchange, n times: 0.1 s while something moves, else when something happens.",
         "fun(self: lsos.sim, n?: integer)"},
-       {"run_for", guard<run_for>, "sim:run_for(duration_s)", "So long, or to the mission's end.",
-        "fun(self: lsos.sim, duration_s: number)"},
+       {"run_for", guard<run_for>, "sim:run_for(duration_s)",
+        "So long, or to the mission's end: seconds, or a text such as '20 min'.",
+        "fun(self: lsos.sim, duration_s: number|string)"},
        {"run_until", guard<run_until>, "sim:run_until(function, limit_s)",
         "Until the function of sim answers true; false when the limit or the end came first. It is "
         "asked at each exchange, over quiet time at whole seconds.",
-        "fun(self: lsos.sim, is_enough: (fun(sim: lsos.sim): any), limit_s?: number): boolean"},
+        "fun(self: lsos.sim, is_enough: (fun(sim: lsos.sim): any), limit_s?: number|string): "
+        "boolean"},
        {"run", guard<run>, "sim:run()", "To the mission's end.", "fun(self: lsos.sim)"},
        {"step_phase", guard<step_phase>, "sim:step_phase()", "Until a rover enters another phase.",
         "fun(self: lsos.sim)"},

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -56,6 +57,16 @@ void for_each_event(lua_State* L, const Visit& visit) {
   }
 }
 
+// sim.rovers.X where there is none.
+int refuse_rover(lua_State* L) {
+  std::vector<std::string> ids;
+  for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) ids.push_back(key_text(L, -2));
+  std::ranges::sort(ids);
+  const std::string wanted = key_text(L, 2);
+  throw std::runtime_error(fmt::format("there is no rover '{}'{}; there are {}", wanted,
+                                       did_you_mean(wanted, ids), fmt::join(ids, ", ")));
+}
+
 void push_json(lua_State* L, const nlohmann::json& value) {
   if (value.is_object()) {
     lua_newtable(L);
@@ -104,6 +115,10 @@ int sim_rovers(lua_State* L) {
   const ScriptInstance number = sim_number(L);
   Sims& sims = running_sims(L, "sim");
   lua_newtable(L);
+  lua_newtable(L);
+  lua_pushcfunction(L, guard<refuse_rover>);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
   for (const std::string& id : sims.at(number).simulation().rover_ids()) {
     push_handle(L, rover_handle_type(), sims.handle(number, id));
     lua_setfield(L, -2, id.c_str());

@@ -18,24 +18,6 @@ struct CoordinateFault {
   int line;
 };
 
-// "a LineString, a Point or no geometry"
-std::string in_words(std::span<const GeometryKind> wanted) {
-  std::vector<std::string> words;
-  const auto add = [&](GeometryKind kind, const char* word) {
-    if (std::ranges::find(wanted, kind) != wanted.end()) words.emplace_back(word);
-  };
-  add(GeometryKind::polygon, "a Polygon");
-  add(GeometryKind::line, "a LineString");
-  add(GeometryKind::point, "a Point");
-  add(GeometryKind::none, "no geometry");
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 // One lon,lat[,alt] at a time. Blanks after or before a comma, which KML forbids but people write,
@@ -148,6 +130,23 @@ std::vector<Geodetic> read_places(const SourceGeometry& source,
 
 }  // namespace
 
+std::string geometries_text(std::span<const GeometryKind> wanted) {
+  std::vector<std::string> words;
+  const auto add = [&](GeometryKind kind, const char* word) {
+    if (std::ranges::find(wanted, kind) != wanted.end()) words.emplace_back(word);
+  };
+  add(GeometryKind::polygon, "a Polygon");
+  add(GeometryKind::line, "a LineString");
+  add(GeometryKind::point, "a Point");
+  add(GeometryKind::none, "no geometry");
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == words.size() ? " or " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
 PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const GeometryKind> wanted,
                            const Subject& subject, Faults& faults) {
   const auto refuse = [&](int line, const std::string& what) {
@@ -159,7 +158,8 @@ PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const Geo
   };
   if (placemark.geometries.empty()) {
     if (is_wanted(GeometryKind::none)) return {};
-    return refuse(placemark.line, fmt::format("has no geometry; {} is wanted", in_words(wanted)));
+    return refuse(placemark.line,
+                  fmt::format("has no geometry; {} is wanted", geometries_text(wanted)));
   }
   const SourceGeometry& source = placemark.geometries.front();
   if (placemark.geometries.size() > 1) {
@@ -173,7 +173,7 @@ PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const Geo
   if (source.kind == "Polygon") geometry.kind = GeometryKind::polygon;
   if (geometry.kind == GeometryKind::none || !is_wanted(geometry.kind)) {
     return refuse(source.line,
-                  fmt::format("has a {}; {} is wanted", source.kind, in_words(wanted)));
+                  fmt::format("has a {}; {} is wanted", source.kind, geometries_text(wanted)));
   }
   geometry.line = source.line;
   std::vector<CoordinateFault> wrong;

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "plan/field_reader.h"
 #include "plan/kml_reader.h"
 #include "plan/plan.h"
 
 namespace lsos {
+
+// "a LineString, a Point or no geometry".
+std::string geometries_text(std::span<const GeometryKind> wanted);
 
 // The one geometry of the Placemark if it is of a wanted kind (`none` among them: there may be
 // none) and its coordinates are right. Otherwise a fault, and kind `none`.

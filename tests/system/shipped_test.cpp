@@ -124,6 +124,9 @@ TEST(List, says_what_a_plan_can_name_and_what_that_is) {
                                  "  antennas: Mast (stowed at the start), Whip\n"
                                  "  resources: oxygen (kg), sample bags (bags)\n"));
   EXPECT_THAT(run({"list", "rovers", "Habitat"}).out, testing::StartsWith("Habitat (asset): "));
+  EXPECT_THAT(run({"list", "events", "Pause"}).out,
+              testing::HasSubstr("\n  drawn as a Point or no geometry\n  Duration "));
+  EXPECT_THAT(run({"list", "events", "Consume"}).out, testing::HasSubstr(" number, at least 0 - "));
   EXPECT_EQ(run({"list", "soils", "Rock"}).out, "Rock: Bare rock (assumed friction 0.7).\n");
   EXPECT_EQ(run({"list", "terrains", "Flat"}).out, "Flat: Level ground of nominal lunar soil.\n");
 }
@@ -135,6 +138,7 @@ TEST(List, gives_configurations_of_rovers_as_json) {
             nlohmann::json::parse(R"([{"name": "Unloaded", "doc": "Without its payload."}])"));
   const auto wait = nlohmann::json::parse(run({"list", "events", "Wait", "--json"}).out).at(0);
   EXPECT_FALSE(wait.contains("configurations"));
+  EXPECT_EQ(wait.at("geometries"), nlohmann::json::parse(R"(["none", "point"])"));
   EXPECT_EQ(sev.at("antennas").at(0),
             nlohmann::json::parse(R"({"name": "Mast", "is_stowable": true})"));
   EXPECT_EQ(sev.at("panels"), nlohmann::json::parse(R"(["Roof"])"));

@@ -13,8 +13,10 @@ namespace lsos {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 class PromptLines : public ::testing::Test {
  protected:
@@ -23,6 +25,7 @@ class PromptLines : public ::testing::Test {
     repl_.run(line);
     return lines_;
   }
+  Repl::Outcome outcome(const std::string& line) { return repl_.run(line); }
   // Ctrl-C, while the line runs.
   std::vector<std::string> said_when_interrupted(const std::string& line) {
     std::thread user([] {
@@ -49,6 +52,37 @@ TEST_F(PromptLines, show_values_and_what_tables_hold) {
   EXPECT_THAT(
       said("(function() local t = {} for i = 1, 300 do t[i] = i end return t end)()").front(),
       HasSubstr("\n  200 = 200\n  and 100 more"));
+}
+
+TEST_F(PromptLines, show_tables_within_tables_on_their_line) {
+  EXPECT_THAT(
+      said("{ { name = 'drop', fields = { n = 3 } }, { lsos.vec3(1, 2, 3) } }"),
+      ElementsAre("table\n  1 = { fields = { n = 3 }, name = 'drop' }\n  2 = { (1, 2, 3) }"));
+  EXPECT_THAT(said("{ { [true] = 1 } }"), ElementsAre("table\n  1 = { with a boolean as a key }"));
+  EXPECT_THAT(said("{ { string.rep('x', 300) } }").front(), EndsWith("xxx..."));
+}
+
+TEST_F(PromptLines, help_knows_all_that_scripts_are_given) {
+  EXPECT_THAT(said("help()").front(), HasSubstr("sim:run_for(60)"));
+  EXPECT_THAT(said("help 'sleep'").front(), StartsWith("lsos.sleep(time_s)\n"));
+  EXPECT_THAT(said("help 'lsos.sleep'"), said("help 'sleep'"));
+  EXPECT_THAT(said("help 'done'").front(),
+              HasSubstr("lsos.done\n  Answer: the event is completed"));
+  EXPECT_THAT(said("help 'event'").front(), HasSubstr("lsos.event {...}\n"));
+  EXPECT_THAT(said("help 'ev'").front(), StartsWith("ev: "));
+  EXPECT_THAT(said("help 't'").front(), HasSubstr("t:near(found, wanted, within, what)"));
+  EXPECT_THAT(said("help 'run_for'").front(), StartsWith("sim:run_for(duration_s)\n"));
+  EXPECT_THAT(said("help 'rover.speed_mps'").front(), StartsWith("rover.speed_mps  (number)\n"));
+  EXPECT_THAT(
+      said("help 'sleeep'"),
+      ElementsAre("there is no 'sleeep'; did you mean 'sleep'?; help() says what there is"));
+}
+
+TEST_F(PromptLines, quit_and_exit_end) {
+  for (const std::string line : {"quit", "exit", "quit()", " exit () "}) {
+    EXPECT_EQ(outcome(line), Repl::Outcome::ended) << line;
+  }
+  EXPECT_EQ(outcome("x = 'quit'"), Repl::Outcome::done);
 }
 
 TEST_F(PromptLines, a_value_that_cannot_be_shown_is_an_error_like_others) {

@@ -1,0 +1,134 @@
+#include "lua/shown_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lua/handle.h"
+#include "lua/reader.h"
+#include "lua/sandbox.h"
+#include "lua/state.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr int depth_max = 16;  // of tables that are shown
+
+bool has_text_of_its_own(lua_State* L, int index) {
+  if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return false;
+  lua_pop(L, 1);
+  return true;
+}
+
+// "a boolean" when a key is neither a number nor a text, so that keys have no order.
+std::string other_key(lua_State* L, int index) {
+  std::string found;
+  lua_pushnil(L);
+  for (; lua_next(L, index) != 0; lua_pop(L, 1)) {
+    const int type = lua_type(L, -2);
+    if (type != LUA_TNUMBER && type != LUA_TSTRING)
+      found = "a " + std::string(luaL_typename(L, -2));
+  }
+  return found;
+}
+
+std::string written(lua_State* L, int index, int depth) {
+  index = lua_absindex(L, index);
+  if (lua_istable(L, index) && depth < depth_max && !has_text_of_its_own(L, index)) {
+    if (const std::string other = other_key(L, index); !other.empty()) {
+      return fmt::format("{{ with {} as a key }}", other);
+    }
+    std::string members;
+    push_sorted_keys(L, index);
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+      if (!members.empty()) members += ", ";
+      if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) != i) {
+        members += fmt::format("{} = ", luaL_tolstring(L, -1, nullptr));
+        lua_pop(L, 1);
+      }
+      lua_pushvalue(L, -1);
+      lua_rawget(L, index);
+      members += written(L, -1, depth + 1);
+      lua_pop(L, 1);
+    }
+    lua_pop(L, 2);
+    return members.empty() ? "{}" : "{ " + members + " }";
+  }
+  push_text(L, index);
+  std::string text = error_text(L, -1);
+  lua_pop(L, 1);
+  return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;
+}
+
+std::string value_text(lua_State* L, int index) {
+  if (lua_type(L, index) == LUA_TNUMBER && lua_isinteger(L, index) == 0) {
+    return fmt::format("{:.9g}", lua_tonumber(L, index));
+  }
+  push_text(L, index);
+  std::string text = error_text(L, -1);
+  lua_pop(L, 1);
+  return text;
+}
+
+// With the unit that its name says: "1.97 m/s" of speed_mps.
+std::string quantity_text(lua_State* L, int index, const std::string& name) {
+  std::string text = value_text(L, index);
+  const std::string unit = si_unit_of(name);
+  if (lua_type(L, index) == LUA_TNUMBER && !unit.empty()) text += " " + unit;
+  return text;
+}
+
+// On the line of what holds it: a table is written, as far as a line goes.
+std::string member_text(lua_State* L, int index, const std::string& name) {
+  constexpr std::size_t bytes_max = 200;
+  if (!lua_istable(L, index) || has_text_of_its_own(L, index)) {
+    return quantity_text(L, index, name);
+  }
+  const std::string text = written(L, index, 0);
+  return text.size() <= bytes_max ? text : text.substr(0, bytes_max) + "...";
+}
+
+// The fields of a handle, or what a table holds, a line each.
+void add_members(lua_State* L, int index, std::string& text) {
+  index = lua_absindex(L, index);
+  if (const HandleType* type = handle_type(L, index)) {
+    for (const HandleField& field : type->fields) {
+      lua_getfield(L, index, field.name);
+      text += fmt::format("\n  {} = {}", field.name, member_text(L, -1, field.name));
+      lua_pop(L, 1);
+    }
+    return;
+  }
+  if (const std::string other = other_key(L, index); !other.empty()) {
+    text += fmt::format("\n  (with {} as a key)", other);
+    return;
+  }
+  constexpr lua_Integer members_max = 200;
+  push_sorted_keys(L, index);
+  const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
+  for (lua_Integer i = 1; i <= std::min(count, members_max); ++i, lua_pop(L, 1)) {
+    lua_rawgeti(L, -1, i);
+    const std::string key = value_text(L, -1);
+    lua_pushvalue(L, -1);
+    lua_rawget(L, index);
+    text += fmt::format("\n  {} = {}", key, member_text(L, -1, key));
+    lua_pop(L, 1);
+  }
+  if (count > members_max) text += fmt::format("\n  and {} more", count - members_max);
+  lua_pop(L, 1);
+}
+
+}  // namespace
+
+std::string written_value(lua_State* L, int index) { return written(L, index, 0); }
+
+std::string shown_value(lua_State* L, int index, const std::string& name) {
+  std::string text = quantity_text(L, index, name);
+  const bool has_members =
+      handle_type(L, index) != nullptr || (lua_istable(L, index) && !has_text_of_its_own(L, index));
+  if (has_members) add_members(L, index, text);
+  return text;
+}
+
+}  // namespace lsos
