@@ -246,8 +246,11 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   cost.stop_j = price * mass_kg * speed2 / 2 * braking_n / (braking_n + drag_n);
   cost.lateral_mps2 = vehicle.acceleration_mps2;
   const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
+  cost.drift_s2pm = mass_kg / side_npr;
+  cost.gravity_mps2 = gravity_mps2;
   cost.arc_drag_jmprad = price * mass_kg * mass_kg * speed2 * speed2 / side_npr;
-  cost.rough_jpm2 = price * mass_kg * gravity_mps2 * (rough_share_1pm + rough_share_s2pm3 * speed2);
+  cost.rough_jpm2 = price * mass_kg * gravity_mps2 * rough_share_1pm;
+  cost.rough_js2pm4 = price * mass_kg * gravity_mps2 * rough_share_s2pm3;
   const double braking_s = cost.speed_mps / vehicle.acceleration_mps2 / 2;
   cost.stop_s = 2 * braking_s;
   if (!cost.soils.front().by_slope.empty()) {

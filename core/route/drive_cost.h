@@ -53,8 +53,8 @@ struct DriveCost {
   bool can_turn_on_spot = true;
   double speed_mps = 1;
   // For each metre of way and of `Stance::roughness_m`: wheels that climb one bump while others
-  // come down from theirs give back less than they take.
-  double rough_jpm2 = 0;
+  // come down from theirs give back less than they take. At a crawl, and with the square of speed.
+  double rough_jpm2 = 0, rough_js2pm4 = 0;
   // Of stopping at a corner and driving off again, and of turning there on the spot.
   double stop_j = 0, stop_s = 0;
   // Of slowing down for an arc and speeding up again, from full speed to next to none: what the
@@ -66,10 +66,13 @@ struct DriveCost {
   // Greatest acceleration across the way in an arc. Of a radian of one at full speed, times its
   // radius: wheels that hold the rover in it roll at an angle.
   double lateral_mps2 = 0.2, arc_drag_jmprad = 0;
+  // Angle of its travel to its heading for each m/s2 across, which a slope takes of gravity and an
+  // arc of speed.
+  double drift_s2pm = 0, gravity_mps2 = 0;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(lateral_mps2)(arc_drag_jmprad)(rough_jpm2);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(lateral_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/corner.h"
+#include "base/drift.h"
 
 namespace lsos {
 
@@ -39,10 +40,15 @@ bool walk(GroundMap& map, const StanceFinder& finder, const Vec2& from_m, const 
 
 }  // namespace
 
+double arc_speed_mps(const DriveCost& cost, double radius_m) {
+  return std::min(arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2),
+                  drift_arc_speed_mps(radius_m, cost.drift_s2pm));
+}
+
 double arc_energy_j(const DriveCost& cost, double radius_m, double bend_rad) {
   constexpr double straight_rad = 1e-3;
   if (bend_rad < straight_rad) return 0;
-  const double share = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2) / cost.speed_mps;
+  const double share = arc_speed_mps(cost, radius_m) / cost.speed_mps;
   return cost.slow_j * (1 - share * share) +
          cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m;
 }
@@ -134,7 +140,10 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
     drive.speed_mps =
         cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
-  drive.energy_jpm += cost.rough_jpm2 * stance.roughness_m;
+  const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * std::sin(stance.bank_rad);
+  drive.speed_mps = std::min(drive.speed_mps, drift_speed_mps(drift_rad));
+  const double speed2 = drive.speed_mps * drive.speed_mps;
+  drive.energy_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
   return drive;
 }
 
@@ -172,7 +181,7 @@ LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
     const Cornering turned = turning(bend_rad);
     return {cost.stop_j + turned.energy_j, cost.stop_s + turned.duration_s};
   }
-  const double arc_mps = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2);
+  const double arc_mps = arc_speed_mps(cost, radius_m);
   const double share = arc_mps / cost.speed_mps, left = 1 - share;
   return {cost.stop_j * (1 - share * share) +
               cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m,
@@ -230,7 +239,7 @@ LegCosts::Cornering LegCosts::arcs(const Line2& line) const {
     if (bend_rad < straight_rad) continue;
     const double length_m = std::min(in_m.norm(), out_m.norm()), radius_m = length_m / bend_rad;
     free_m = std::max(0.0, free_m - length_m / 2);
-    const double now = arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2) / cost.speed_mps;
+    const double now = arc_speed_mps(cost, radius_m) / cost.speed_mps;
     // Between two arcs it speeds up for half of the way and slows down again.
     const double gained = free_m / (cost.stop_s * cost.speed_mps);
     const double reached = std::sqrt((share * share + now * now) / 2 + gained);

@@ -38,6 +38,8 @@ struct LegCost {
   Vec2 hazard_m = Vec2::Zero();  // the first
 };
 
+// How fast the rover drives an arc.
+double arc_speed_mps(const DriveCost& cost, double radius_m);
 // Of slowing down for an arc from full speed and up again after it, and of the arc: its energy, and
 // that as metres on the level.
 double arc_energy_j(const DriveCost& cost, double radius_m, double bend_rad);

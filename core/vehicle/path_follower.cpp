@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/corner.h"
+#include "base/drift.h"
 
 namespace lsos {
 
@@ -26,7 +27,8 @@ constexpr double progress_m = 0.5;      // less than this in stuck_s is being st
 constexpr double progress_share = 0.1;  // drives, less than this share of what is asked
 constexpr double stuck_s = 60;
 constexpr double turning_progress_rad = 0.05;  // the same for turning on the spot
-constexpr double drift_smoothing_s = 1;        // across a slope a rover slides steadily
+constexpr double drift_smoothing_s = 0.5;      // to see how drift changes
+constexpr double drift_lead_s = 1;             // what it will be is told for so far ahead
 constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing of it
 constexpr double drift_max_rad = 0.6;
 constexpr double steering_off_m = 1;  // way over which wheels that are off are steered, at most
@@ -131,17 +133,24 @@ void PathFollower::ramp_speed(double to_end_m, double period_s) {
                            std::max(creep_mps, braking_mps)});
 }
 
+PathFollower::Drift PathFollower::drift(const FollowerPose& pose, double period_s) {
+  if (pose.speed_mps <= drift_speed_min_mps) return {drift_rad_, drift_rad_};
+  const double ahead_mps =
+      std::sqrt(std::max(0.0, pose.speed_mps * pose.speed_mps - pose.left_mps * pose.left_mps));
+  const double now_rad =
+      std::clamp(std::atan2(pose.left_mps, std::max(ahead_mps, drift_speed_min_mps)),
+                 -drift_max_rad, drift_max_rad);
+  const double changed_rad = now_rad - drift_rad_;
+  const double soon_rad = drift_rad_ + drift_lead_s / drift_smoothing_s * changed_rad;
+  drift_rad_ += std::min(1.0, period_s / drift_smoothing_s) * changed_rad;
+  return {now_rad, soon_rad};
+}
+
 DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
                                  double heading_error_rad, double period_s) {
   ramp_speed(to_end_m, period_s);
   // On a cross slope a rover goes not where it points. What must lie along the line is its travel.
-  if (pose.speed_mps > drift_speed_min_mps) {
-    const double ahead_mps =
-        std::sqrt(std::max(0.0, pose.speed_mps * pose.speed_mps - pose.left_mps * pose.left_mps));
-    const double drift_rad = std::atan2(pose.left_mps, std::max(ahead_mps, drift_speed_min_mps));
-    drift_rad_ += (std::clamp(drift_rad, -drift_max_rad, drift_max_rad) - drift_rad_) *
-                  std::min(1.0, period_s / drift_smoothing_s);
-  }
+  const auto [drift_rad, drift_soon_rad] = drift(pose, period_s);
   // Distance to the line decays critically damped over the lookahead l: in distance travelled,
   // e'' + (2/l) e' + e/l^2 = 0 about the arc's own curvature.
   const double lookahead_m = std::max(limits_.lookahead_min_m, lookahead_s * pose.speed_mps);
@@ -149,7 +158,7 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double wanted_1pm =
       std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) -
                      left_m / (lookahead_m * lookahead_m) -
-                     2 * turning_share(heading_error_rad + drift_rad_) / lookahead_m,
+                     2 * turning_share(heading_error_rad + drift_rad) / lookahead_m,
                  -most_1pm, most_1pm);
   const double off_1pm = std::abs(wanted_1pm - command_curvature_1pm_);
   command_curvature_1pm_ =
@@ -158,11 +167,12 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double turn_1pm = std::max(std::abs(command_curvature_1pm_), 1e-6);
   const double swing_mps2 = swing_accelerations * limits_.acceleration_mps2;
   command_mps_ = std::min(command_mps_, std::max(creep_mps, std::sqrt(swing_mps2 / turn_1pm)));
-  // Nor so fast that its wheels are not steered in time; it slows down no faster than twice as it
-  // speeds up.
+  // Nor so fast that its wheels are not steered in time, or that it drifts off; it slows down no
+  // faster than twice as it speeds up.
   const double steered_mps = steering_off_m * curvature_rate_1pms / std::max(off_1pm, 1e-6);
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
-  command_mps_ = std::min(command_mps_, std::max({creep_mps, steered_mps, slowed_mps}));
+  const double kept_mps = std::min(steered_mps, drift_speed_mps(drift_soon_rad));
+  command_mps_ = std::min(command_mps_, std::max({creep_mps, kept_mps, slowed_mps}));
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
 

@@ -71,6 +71,11 @@ class PathFollower {
   DriveCommand stop(const FollowerPose& pose, double period_s);
   DriveCommand crab(const FollowerPose& pose, double to_end_m, double left_m, double period_s);
   void ramp_speed(double to_end_m, double period_s);
+  // Of the travel from the heading, to the left positive: how far the rover slides.
+  struct Drift {
+    double now_rad = 0, soon_rad = 0;
+  };
+  Drift drift(const FollowerPose& pose, double period_s);
   bool makes_no_progress(double heading_error_rad, double period_s);
   void lay_line();
 
@@ -83,7 +88,7 @@ class PathFollower {
   bool is_stopping_ = false;
   double command_mps_ = 0;  // ramped
   double command_curvature_1pm_ = 0;
-  double drift_rad_ = 0;    // of the travel from the heading, smoothed: how far the rover slides
+  double drift_rad_ = 0;    // smoothed
   double heading_rad_ = 0;  // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;

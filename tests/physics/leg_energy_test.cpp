@@ -100,12 +100,16 @@ TEST(Corners, cost_what_they_cost_the_simulated_rover) {
   }
 }
 
-// Arcs and the slowing down for them, over the pole's rough ground.
-TEST(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
+class PlannedTurns : public testing::TestWithParam<Series> {};
+
+// Arcs and the slowing down for them and where it drifts, over the pole's rough ground. And the
+// rover stays by its line.
+TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
+  const Series& series = GetParam();
   int found = 0;
-  double planned_sum_j = 0, driven_sum_j = 0, worst_m = 0;
-  for (std::uint64_t seed = 1; found < 6 && seed < 100; ++seed) {
-    const SeededLeg leg{"LRV", "LunarSouthPole", seed, 120};
+  double planned_sum_j = 0, driven_sum_j = 0, planned_sum_s = 0, driven_sum_s = 0, worst_m = 0;
+  for (std::uint64_t seed = 1; found < series.legs && seed < 100; ++seed) {
+    const SeededLeg leg{series.rover, "LunarSouthPole", seed, series.length_m};
     const auto ground = leg.ground();
     const DriveCost cost = cost_of(leg, *ground);
     LegRequest request;
@@ -116,7 +120,7 @@ TEST(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
     const PlannedLeg planned = plan_leg(*ground, cost, request);
     if (!planned.is_found()) continue;
     const VehicleConfig rover = make_vehicle(
-        shipped_rover("LRV"), "", gravity_mps2(*find_body("Moon"), ground->site().origin()));
+        shipped_rover(series.rover), "", gravity_mps2(*find_body("Moon"), ground->site().origin()));
     std::vector<Vec2> waypoints_m;
     for (std::size_t k = 1; k < planned.path_S_m.size(); ++k) {
       waypoints_m.push_back(planned.path_S_m[k].head<2>());
@@ -124,18 +128,30 @@ TEST(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
     const DriveResult driven = drive(rover, *ground, waypoints_m, cost.speed_mps);
     if (!driven.failure.empty()) continue;
     ++found;
-    fmt::print("seed {}: planned {:.1f} kJ, driven {:.1f} kJ, {:.2f} m beside the line\n", seed,
-               planned.energy_j / 1000, driven.drive_j / 1000, driven.worst_m);
     planned_sum_j += planned.energy_j;
     driven_sum_j += driven.drive_j;
+    planned_sum_s += planned.duration_s;
+    driven_sum_s += driven.duration_s;
     worst_m = std::max(worst_m, driven.worst_m);
-    EXPECT_NEAR(planned.energy_j, driven.drive_j, 0.2 * driven.drive_j) << "seed " << seed;
+    EXPECT_LT(driven.worst_m, 0.5) << "seed " << seed;
+    // Down a slope it is told too much: what one bump gives back takes it over the next.
+    const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
+    const bool is_down = driven.drive_j < 0.5 * level_j;
+    EXPECT_NEAR(planned.energy_j, driven.drive_j, is_down ? 0.3 * level_j : 0.2 * driven.drive_j)
+        << "seed " << seed;
+    EXPECT_NEAR(planned.duration_s, driven.duration_s, 0.25 * driven.duration_s) << "seed " << seed;
   }
-  EXPECT_EQ(found, 6);
-  EXPECT_NEAR(planned_sum_j, driven_sum_j, 0.15 * driven_sum_j);
+  ASSERT_EQ(found, series.legs);
+  EXPECT_NEAR(planned_sum_j / driven_sum_j, 1, 0.1);
+  EXPECT_NEAR(planned_sum_s / driven_sum_s, 1, 0.12);
   RecordProperty("planned_to_driven", fmt::format("{:.3f}", planned_sum_j / driven_sum_j));
+  RecordProperty("planned_to_driven_time", fmt::format("{:.3f}", planned_sum_s / driven_sum_s));
   RecordProperty("worst_m", fmt::format("{:.3f}", worst_m));
 }
+
+INSTANTIATE_TEST_SUITE_P(Rovers, PlannedTurns,
+                         testing::Values(Series{"LRV", 120, 16}, Series{"SEV", 120, 16}),
+                         [](const auto& tested) { return std::string(tested.param.rover); });
 
 }  // namespace
 }  // namespace lsos::test

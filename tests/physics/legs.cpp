@@ -146,7 +146,7 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
   const auto share = [&](double curvature) {
     if (curvature == 0) return 1.0;
     const double radius_m = cost.turning_radius_min_m / std::abs(curvature);
-    return arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2) / cost.speed_mps;
+    return arc_speed_mps(cost, radius_m) / cost.speed_mps;
   };
   struct Node {
     Vec2 at_m;
