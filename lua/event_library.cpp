@@ -46,8 +46,11 @@ void EventLibrary::load(const Script& script, Faults& faults) {
   lua_.run([&](lua_State* L) {
     const Made* made = load_script(L, script, event_kind, faults);
     if (made == nullptr) return;
-    EventScript event{std::any_cast<const EventDeclaration&>(made->value), script.file};
+    EventScript event;
+    event.declaration = std::any_cast<const EventDeclaration&>(made->value);
+    event.file = script.file;
     lua_getiuservalue(L, -1, 1);
+    event.locals = FileLocals(L, -1);
     event.functions = luaL_ref(L, LUA_REGISTRYINDEX);
     events_.insert_or_assign(event.declaration.name, std::move(event));
   });

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lua/file_locals.h"
 #include "lua/script.h"
 #include "lua/state.h"
 #include "plan/declaration.h"
@@ -15,6 +16,7 @@ struct EventScript {
   EventDeclaration declaration;
   std::string file;
   int functions = LUA_NOREF;  // registry reference, see event_constructors.h
+  FileLocals locals;
 };
 
 class EventLibrary {

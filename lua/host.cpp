@@ -84,7 +84,8 @@ struct LuaHost::Impl {
     lua_setfield(L, -2, "ev");
   }
 
-  // Calls the script function at the top with (ev, rover), pops it, leaves `results` values.
+  // Calls the script function at the top with (ev, rover), pops it, leaves `results` values. Throws
+  // std::runtime_error for what it may not leave behind.
   void call(lua_State* L, ScriptInstance id, Instance& instance, const EventCall& call,
             const std::string& where, int results) {
     push_table(L, id, instance, call);
@@ -92,9 +93,14 @@ struct LuaHost::Impl {
     lua_getfield(L, -2, "rover");
     lua_remove(L, -3);
     const CallScope scope(library.lua().context(), call);
-    if (const auto failure = call_script(L, 2, results)) {
-      throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
-    }
+    const auto failure = call_script(L, 2, results);
+    const std::string changed = instance.script->locals.restore(L);
+    if (failure) throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
+    if (changed.empty()) return;
+    throw std::runtime_error(
+        fmt::format("it changed '{}', a local of the file, which all events of the type would "
+                    "share and no mission saves; keep it in ev.state",
+                    changed));
   }
 
   PhaseAnswer run_function(lua_State* L, ScriptInstance id, Instance& instance,
@@ -264,9 +270,18 @@ void LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
   impl_->library.lua().run([&](lua_State* L) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.script->functions);
     if (lua_getfield(L, -1, "on_abort") != LUA_TFUNCTION) return;
+    const int line = definition_line(L);
     const EventCall call{instance.script->declaration, instance.arguments, id, context,
                          instance.random};
-    impl_->call(L, id, instance, call, "on_abort", 0);
+    try {
+      impl_->call(L, id, instance, call, "on_abort", 0);
+    } catch (const ScriptError&) {
+      throw;
+    } catch (const std::runtime_error& error) {
+      const Fault fault{Severity::error, {instance.script->file, line}, error.what()};
+      throw ScriptError(
+          phase_failure({to_string(fault), ""}, *instance.script, "on_abort", context));
+    }
   });
 }
 

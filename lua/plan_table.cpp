@@ -273,6 +273,9 @@ class PlanTableReader {
     if (lua_istable(L_, -1)) {
       const int table = lua_gettop(L_);
       push_sorted_keys(L_, table);
+      if (need == required && lua_rawlen(L_, -1) == 0) {
+        t.fault(fmt::format("{} is empty; at least one is wanted: {}", key, doc));
+      }
       for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
         if (lua_type(L_, -1) != LUA_TSTRING) {
           t.fault(fmt::format("{}: entries have names: {}", key, doc));

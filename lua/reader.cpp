@@ -102,7 +102,11 @@ bool TableReader::take(Need need, const char* key, const char* type, const char*
   }
   lua_pushstring(L_, key);
   lua_rawget(L_, index_);
-  if (need == required && lua_isnil(L_, -1)) fault(fmt::format("'{}' is missing", key));
+  if (need == required && lua_isnil(L_, -1)) {
+    std::string_view what = doc;
+    if (what.ends_with('.')) what.remove_suffix(1);
+    fault(fmt::format("'{}' is missing: {}", key, what));
+  }
   return true;
 }
 

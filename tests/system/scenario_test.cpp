@@ -129,6 +129,70 @@ lsos.scenario('late', function() lsos.scenario('x', made) end)
   EXPECT_EQ(read.out, "8\n") << read.err;
 }
 
+// Each mistake that a table of lsos.sim or a call of a simulation can have.
+TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
+  const auto plan = [](const std::string& events) {
+    return "lsos.sim { rovers = { A = { type = 'SEV', events = " + events + " } } }";
+  };
+  const std::string sim = "local sim = " + plan("{ { 'Pause', Duration = 60 } }") + " ";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"lsos.sim {}", "lsos.sim: 'rovers' is missing: Id = { type = 'SEV', "},
+      {"lsos.sim { rovers = {} }",
+       "rovers is empty; at least one is wanted: Id = { type = 'SEV', "},
+      {"lsos.sim { rovers = 'SEV' }", "rovers: a table is wanted, found a text"},
+      {"lsos.sim { rovers = { {} } }", "rovers: entries have names: Id = { type = 'SEV', "},
+      {"lsos.sim { rovers = { A = 'SEV' } }", "rovers: A: a table is wanted, found a text"},
+      {"lsos.sim { rovers = { A = {} } }", "rover A: 'type' is missing: Its script in rovers/"},
+      {"lsos.sim { rovers = { A = { type = 'SEW' } } }", "there is no such rover type; did you mean 'SEV'?"},
+      {"lsos.sim { rover = { A = { type = 'SEV' } } }", "did you mean 'rovers'?"},
+      {"lsos.sim { site = { 1 }, rovers = { A = { type = 'SEV' } } }",
+       "site: { lon_deg, lat_deg } is wanted"},
+      {"lsos.sim { rovers = { A = { type = 'SEV', at = 'here' } } }",
+       "at: { east_m, north_m } is wanted"},
+      {plan("'Pause'"), "events: a list is wanted, found a text"},
+      {plan("{ 'Pause' }"), "an event is a table that begins with its type: { 'Pause', Duration"},
+      {plan("{ x = { 'Pause' } }"), "rover A: events: a list without gaps is wanted"},
+      {plan("{ { 'Pause', { 1 } } }"), "Pause: a list has no place here"},
+      {plan("{ { 'Pause', Duration = {} } }"),
+       "Pause: Duration: a number, text or boolean is wanted, found a table"},
+      {plan("{ { 'Route', at = 'home' } }"), "Route: at: { east_m, north_m } is wanted"},
+      {plan("{ { 'Route', path = 'home' } }"),
+       "Route: path: a list of { east_m, north_m } is wanted, found a text"},
+      {plan("{ { 'Route', path = { { 1, 2 }, {} } } }"),
+       "Route: path[2]: { east_m, north_m } is wanted"},
+      {"lsos.sim 'nowhere.kml'", "nowhere.kml"},
+      {sim + "sim:run_for('1 parsec')", "'parsec'"},
+      {sim + "sim:run_for('1 kg')", "'kg'"},
+      {sim + "sim:run_for(-1)", "run_for: -1 s; 0 to "},
+      {sim + "sim:event('A/20')", "there is no event 'A/20'"},
+      {sim + "return sim.rovers.B", "there is no rover 'B'; did you mean 'A'?; there are A"},
+      {sim + "sim:shade('A', 2)", "sim:shade: 2; a share of the sunlight is 0 to 1"},
+      {sim + "sim:shade('B', 0)", "there is no rover 'B'; did you mean 'A'?"},
+      {sim + "sim:load('nowhere')", "nowhere cannot be read"},
+      {sim + "t:near(1, '1 parsec', 1)", "'1 parsec': no unit 'parsec'"},
+      {sim + "t:near(1, 'a m', 1)", "'a m': "},
+      {sim + "t:fails(function() end, 'broken')", "expected an error with 'broken', found none"},
+      {sim + "t:fails(function() error('torn') end, 'broken')",
+       "expected an error with 'broken', found '"},
+  };
+  std::string text = "local lsos = require 'lsos'\n";
+  for (const auto& [mistake, message] : cases) {
+    text += "lsos.scenario([==[" + mistake + "]==], function(t) " + mistake + " end)\n";
+  }
+  const TempFolder folder;
+  folder.write("tests/scenarios/wrong.lua", text);
+  const Outcome outcome = test(folder, {"--json"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const json results = json::parse(outcome.out);
+  ASSERT_EQ(results.size(), cases.size());
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    const std::string line = "tests/scenarios/wrong.lua:" + std::to_string(k + 2) + ": ";
+    const auto failure = results[k]["failure"].get<std::string>();
+    EXPECT_THAT(failure, HasSubstr(line)) << cases[k].first;
+    EXPECT_THAT(failure, HasSubstr(cases[k].second)) << cases[k].first;
+  }
+}
+
 // The same plan by table and by file, and the events of the working folder.
 TEST(Scenarios, find_events_beside_them_and_read_plans) {
   const TempFolder folder;

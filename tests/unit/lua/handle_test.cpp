@@ -96,8 +96,11 @@ TEST(Handle, method_called_with_a_dot_is_explained) {
 
 TEST(Handle, kept_beyond_its_call_is_refused) {
   EventRun run(R"(
-    local kept
-    local function go(ev, rover) kept = kept or rover return lsos.fail('%s', kept.id) end)",
+    local kept = {}
+    local function go(ev, rover)
+      kept[1] = kept[1] or rover
+      return lsos.fail('%s', kept[1].id)
+    end)",
                "phases = { go = go }");
   run.rover.rover.id = "A";
   EXPECT_EQ(std::get<Fail>(run.run()).reason, "A");

@@ -114,6 +114,30 @@ TEST(Host, waypoints_cannot_be_changed) {
           ->run()));
 }
 
+// What functions share would differ between a mission that goes on and one that was loaded.
+TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
+  EventRun run(R"(
+    local limit, count, text = 3, 0, nil
+    local function add(by) count = count + by end
+    local function go(ev)
+      if ev.label == 'probe 1' then add(1) end
+      return count < limit and 'go' or lsos.done
+    end
+    local function keeps(ev) text = text or ev.label end
+    local function breaks() text = 'kept' error('broken') end
+    local function stays() return text == nil and lsos.done end)",
+               "phases = { go = go, keeps = keeps, breaks = breaks, stays = stays }, "
+               "on_abort = function() add(1) end");
+  EXPECT_THAT(run.error("go"),
+              StartsWith("events/Probe.lua:5: Probe 'probe 1' in phase go at 0 s: it "
+                         "changed 'count', a local of the file, which all events of "
+                         "the type would share and no mission saves; keep it in "
+                         "ev.state"));
+  EXPECT_THAT(run.error("keeps"), HasSubstr("it changed 'text', a local of the file"));
+  EXPECT_THAT(run.error("breaks"), HasSubstr("broken"));
+  EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
+}
+
 TEST(Host, state_lasts_between_calls) {
   auto run = EventRun::of_phase(
       "ev.state.n = (ev.state.n or 0) + 1 if ev.state.n == 3 then return lsos.done end");
