@@ -41,9 +41,8 @@ constexpr double thinned_worth = 1.001;
 // more than so many of them, where there is a rounded way and where there is none.
 constexpr double poses_worth = 1.05;
 constexpr std::size_t poses_to_better = 200'000, poses_max = 1'000'000;
-// A winding way is refined so often at most, as long as that gains so much.
-constexpr std::uint64_t rounds_max = 6;
-constexpr double round_worth = 0.003;
+// A winding way is refined so often at most, as long as that gains.
+constexpr std::uint64_t rounds_max = 12;
 // Of the room beside the tightest turn that what must be avoided may take up.
 constexpr double passing_share = 0.9;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -264,21 +263,21 @@ class LegPlanner {
         // What its poses are joined by may look at other places than the search did.
         offer({way.line, {}});
       }
+      // The yaw at the goal is free.
+      for (const bool to_left : {true, false}) {
+        for (const double wider : {1, 2, 4, 8}) {
+          auto direct = arc_and_straight(start, goal_m_, wider * radius_m_, to_left, spacing_m_);
+          if (direct) offer({std::move(*direct), {}});
+        }
+      }
       // A winding way gains from more moves, each time others.
       for (std::uint64_t round = 1; best && round <= rounds_max; ++round) {
         const double before = least;
         offer(refined(costs, steering, poses_along(best->line, start), request_.seed + round));
-        if (least > (1 - round_worth) * before) break;
+        if (!(least < before)) break;
       }
     }
     if (!best) return std::nullopt;
-    // The yaw at the goal is free.
-    for (const bool to_left : {true, false}) {
-      for (const double wider : {1, 2, 4, 8}) {
-        auto direct = arc_and_straight(start, goal_m_, wider * radius_m_, to_left, spacing_m_);
-        if (direct) offer({std::move(*direct), {}});
-      }
-    }
     // Points so near to each other that the rover slows down for corners that are none.
     Line2 thin = with_fewer_points(best->line, thinned_m);
     if (costs.driven(thin) <= thinned_worth * least) best->line = std::move(thin);
