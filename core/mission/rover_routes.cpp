@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "mission/drive_table.h"
-#include "planet/meridian.h"
 #include "route/route_planner.h"
 
 namespace lsos {
@@ -163,7 +162,6 @@ void RoverRoutes::log(const std::string& rover_id, SimTime now, std::int64_t seq
   row.energy_j = leg.energy_j;
   row.slope_max_rad = leg.slope_max_rad;
   for (const Vec3& p_S_m : leg.path_S_m) row.line.push_back(ground_->site().geodetic(p_S_m));
-  row.line = unrolled(std::move(row.line));
   rows_.push_back(std::move(row));
 }
 

@@ -247,8 +247,9 @@ KmlFolder moving_point(const RoverTrack& track, Instant start, const std::string
   mark.name = rover_id;
   mark.style_id = style.event_id;
   mark.schema_id = track_schema_id;
+  const std::vector<SampleRow> samples = track.track();
   std::vector<const SampleRow*> rows;
-  for (const SampleRow& row : track.track()) {
+  for (const SampleRow& row : samples) {
     std::string utc = xml_time(start + row.time);
     if (utc.empty()) continue;
     mark.track.when_utc.push_back(std::move(utc));
@@ -292,10 +293,13 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan)
     return sample_interval(log.last_sample_time(), count, mission.log_interval,
                            mission.parked_log_interval);
   };
-  const SimTime of_samples = interval(overlay_samples_max),
-                of_track = interval(std::max(
-                    overlay_samples_max,
-                    overlay_track_max / std::max(1, static_cast<int>(plan.rovers.size()))));
+  const SimTime of_samples = interval(overlay_samples_max);
+  const int of_a_rover = std::max(
+      overlay_samples_max, overlay_track_max / std::max(1, static_cast<int>(plan.rovers.size())));
+  std::size_t most = 0;
+  for (const auto& [id, count] : log.sample_counts()) most = std::max(most, count);
+  const bool is_whole = most <= static_cast<std::size_t>(of_a_rover);
+  const SimTime of_track = is_whole ? SimTime{} : interval(of_a_rover);
   std::map<std::string, RoverTrack> tracks;
   log.for_each_sample([&](const SampleRow& row) {
     tracks.try_emplace(row.rover_id, *mission.planet, of_samples, of_track).first->second.add(row);

@@ -78,14 +78,21 @@ MapLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) {
   return simplified(line);
 }
 
-void read_samples(const LogReader& log, ReportData& data) {
+// North is not the same everywhere: near a pole it turns with each step.
+double heading_on_map_rad(const SiteFrame& site, const SampleRow& row) {
+  const Vec3 ahead_S = std::sin(row.heading_rad) * site.east_S(row.p_S_m) +
+                       std::cos(row.heading_rad) * site.north_S(row.p_S_m);
+  return std::atan2(ahead_S.x(), ahead_S.y());
+}
+
+void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data) {
   std::map<std::string, ReportRover> rovers;
+  for (const auto& [id, count] : log.sample_counts()) rovers.try_emplace(id, id, count);
   log.for_each_sample([&](const SampleRow& row) {
-    ReportRover& rover = rovers.try_emplace(row.rover_id, row.rover_id, data.end_s).first->second;
+    ReportRover& rover = rovers.at(row.rover_id);
     const double time_s = seconds(row.time);
-    ++rover.samples;
     rover.position.add(time_s, std::array{row.p_S_m.x(), row.p_S_m.y(), lon_deg(row.place),
-                                          lat_deg(row.place), row.heading_rad});
+                                          lat_deg(row.place), heading_on_map_rad(site, row)});
     for (std::size_t k = 0; k < quantities.size(); ++k) {
       rover.series[k].second.add(time_s, std::array{row.*quantities[k].value});
     }
@@ -128,10 +135,11 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
 
 void read_pairs(const LogReader& log, ReportData& data) {
   std::map<std::pair<std::string, std::string>, ThinnedRows> distances;
+  const std::size_t rows = log.pair_count();
   log.for_each_pair([&](const PairRow& row) {
     if (!find_rover(data, row.from_id) || !find_rover(data, row.to_id)) return;
     const auto [at, is_new] =
-        distances.try_emplace({row.from_id, row.to_id}, data.end_s, report_stretches, 1, 1);
+        distances.try_emplace({row.from_id, row.to_id}, rows, report_stretches, 1, 1);
     at->second.add(seconds(row.time), std::array{row.distance_m});
   });
   for (auto& [ids, series] : distances) {
@@ -151,10 +159,12 @@ void read_pairs(const LogReader& log, ReportData& data) {
 
 }  // namespace
 
-ReportRover::ReportRover(const std::string& rover_id, double end_s)
-    : id(rover_id), position(end_s, report_stretches, position_columns, 2) {
+ReportRover::ReportRover(const std::string& rover_id, std::size_t sample_count)
+    : id(rover_id),
+      samples(sample_count),
+      position(sample_count, report_stretches, position_columns, 2) {
   for (const Quantity& quantity : quantities) {
-    series.emplace_back(quantity.name, ThinnedRows(end_s, report_stretches, 1, 1));
+    series.emplace_back(quantity.name, ThinnedRows(sample_count, report_stretches, 1, 1));
   }
 }
 
@@ -177,7 +187,7 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
   data.start = log.start();
   data.end_s = seconds(log.last_sample_time());
   data.run = log.run();
-  read_samples(log, data);
+  read_samples(log, site, data);
   read_lines(log, plan, site, data);
   data.events = log.events();
   std::ranges::sort(data.events, {}, [](const EventRow& event) {

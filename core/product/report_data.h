@@ -30,16 +30,16 @@ enum PositionColumn : std::size_t {
   position_y,
   position_lon_deg,
   position_lat_deg,
-  position_heading_rad,
+  position_heading_rad,  // on the map: clockwise from the site's north
   position_columns
 };
 
 struct ReportRover {
-  ReportRover(const std::string& rover_id, double end_s);
+  ReportRover(const std::string& rover_id, std::size_t sample_count);
 
   std::string id, type;
-  std::string colour;  // #rrggbb
-  std::size_t samples = 0;
+  std::string colour;   // #rrggbb
+  std::size_t samples;  // in the log
   ThinnedRows position;
   std::vector<std::pair<std::string, ThinnedRows>> series;  // by column of the log
   std::vector<MapLine> drawn, planned;

@@ -1,6 +1,7 @@
 // What the overlay shows of one rover's samples, gathered in one pass over a log of any length.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "planet/body.h"
@@ -15,7 +16,7 @@ SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime pa
 
 class RoverTrack {
  public:
-  // Intervals of samples() and of track().
+  // Intervals of samples() and of track(); without one track() has every sample.
   RoverTrack(const Body& body, SimTime interval, SimTime track_interval)
       : body_(&body), samples_(interval), track_(track_interval) {}
 
@@ -26,7 +27,9 @@ class RoverTrack {
   std::vector<Geodetic> line() const;
   // The first sample of each interval.
   const std::vector<SampleRow>& samples() const { return samples_.rows; }
-  const std::vector<SampleRow>& track() const { return track_.rows; }
+  // The same, with the samples between which the rover sets off or comes to rest, and the last: who
+  // stands is not seen creeping.
+  std::vector<SampleRow> track() const;
 
  private:
   // The first row of each interval.
@@ -37,9 +40,12 @@ class RoverTrack {
     SimTime interval, next{};
     std::vector<SampleRow> rows;
   };
+  void add_to_track(const SampleRow& row);
 
   const Body* body_;
   Thinned samples_, track_;
+  std::optional<SampleRow> passed_;  // the last sample, where the track left it out
+  bool was_moving_ = false;
   std::vector<Geodetic> line_;
   Geodetic last_;
 };

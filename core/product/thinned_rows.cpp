@@ -12,13 +12,13 @@ constexpr std::size_t few_rows = 4;
 
 }  // namespace
 
-ThinnedRows::ThinnedRows(double end_s, int stretches, std::size_t columns, std::size_t deciding)
-    : stretch_s_(end_s > 0 ? end_s / stretches : 1), deciding_(deciding), columns_(columns) {}
+ThinnedRows::ThinnedRows(std::size_t rows, int stretches, std::size_t columns, std::size_t deciding)
+    : stretch_rows_(rows / static_cast<std::size_t>(stretches) + 1),
+      deciding_(deciding),
+      columns_(columns) {}
 
 void ThinnedRows::add(double time_s, std::span<const double> values) {
-  const auto place = static_cast<std::size_t>(std::max(0.0, time_s / stretch_s_));
-  if (place != stretch_place_) finish();
-  stretch_place_ = place;
+  if (stretch_.size() == stretch_rows_) finish();
   stretch_.push_back({time_s, {values.begin(), values.end()}});
 }
 

@@ -1,4 +1,4 @@
-// A long series with few points that looks the same: of each stretch of time the rows with its
+// A long series with few points that looks the same: of each stretch of its rows those with the
 // first, last, least and greatest value are kept.
 #pragma once
 
@@ -10,9 +10,9 @@ namespace lsos {
 
 class ThinnedRows {
  public:
-  // Time 0..end_s is cut into `stretches`. Rows have `columns` values; the first `deciding` of them
-  // say which rows are kept.
-  ThinnedRows(double end_s, int stretches, std::size_t columns, std::size_t deciding);
+  // So many rows, as come to be added, are cut into `stretches`; where that leaves few in each, all
+  // are kept. Rows have `columns` values; the first `deciding` of them say which rows are kept.
+  ThinnedRows(std::size_t rows, int stretches, std::size_t columns, std::size_t deciding);
 
   // In order of time. A value that is not modelled is NaN; a gap keeps one row in each stretch.
   void add(double time_s, std::span<const double> values);
@@ -31,10 +31,8 @@ class ThinnedRows {
   };
   void keep(const Row& row);
 
-  double stretch_s_;
-  std::size_t deciding_;
+  std::size_t stretch_rows_, deciding_;
   std::vector<Row> stretch_;  // that goes on
-  std::size_t stretch_place_ = 0;
   std::vector<double> times_s_;
   std::vector<std::vector<double>> columns_;
 };

@@ -93,6 +93,9 @@ class LogReader {
   void for_each_joint(const std::function<void(const JointRow&)>& visit) const;
   void for_each_panel(const std::function<void(const PanelRow&)>& visit) const;
   void for_each_pair(const std::function<void(const PairRow&)>& visit) const;
+  // Samples of each rover; rows of the pair that has most.
+  std::map<std::string, std::size_t> sample_counts() const;
+  std::size_t pair_count() const;
   // The next rows of a layer of the contract, `count` at most, in fid order.
   std::vector<LogRow> rows_after(std::string_view layer, std::int64_t fid, std::size_t count) const;
   // Of the row that was written last; 0 when there is none.

@@ -92,6 +92,13 @@ struct LogReader::Impl {
     broken_promise("rows belong to a layer of the contract", __FILE__, __LINE__);
   }
 
+  void query(const std::string& statement,
+             const std::function<void(const OGRFeature&)>& visit) const {
+    const gpkg::QuietErrors errors;
+    gpkg::run_sql(*dataset, statement, visit);
+    if (errors.has_failed()) throw InputError({file}, "cannot be read: " + errors.message());
+  }
+
   // Visits the features of a layer in fid order, which is the order of the table.
   template <class Visit>
   void for_each_feature(OGRLayer& layer, Visit visit) const {
@@ -201,12 +208,27 @@ std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t f
   return rows;
 }
 
+std::map<std::string, std::size_t> LogReader::sample_counts() const {
+  std::map<std::string, std::size_t> counts;
+  impl_->query(
+      "SELECT rover_id, count(*) FROM samples GROUP BY rover_id", [&](const OGRFeature& row) {
+        counts[row.GetFieldAsString(0)] = static_cast<std::size_t>(row.GetFieldAsInteger64(1));
+      });
+  return counts;
+}
+
+std::size_t LogReader::pair_count() const {
+  std::size_t most = 0;
+  impl_->query(
+      "SELECT count(*) AS n FROM pairs GROUP BY from_id, to_id ORDER BY n DESC LIMIT 1",
+      [&](const OGRFeature& row) { most = static_cast<std::size_t>(row.GetFieldAsInteger64(0)); });
+  return most;
+}
+
 SimTime LogReader::last_sample_time() const {
   SimTime last{};
-  const gpkg::QuietErrors errors;
-  gpkg::run_sql(*impl_->dataset, "SELECT time_s FROM samples ORDER BY fid DESC LIMIT 1",
-                [&](const OGRFeature& row) { last = from_seconds(row.GetFieldAsDouble(0)); });
-  if (errors.has_failed()) throw InputError({impl_->file}, "cannot be read: " + errors.message());
+  impl_->query("SELECT time_s FROM samples ORDER BY fid DESC LIMIT 1",
+               [&](const OGRFeature& row) { last = from_seconds(row.GetFieldAsDouble(0)); });
   return last;
 }
 

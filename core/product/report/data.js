@@ -48,7 +48,9 @@ function nearest(times, time) {
   return low > 0 && time - times[low - 1] <= times[low] - time ? low - 1 : low;
 }
 
-const startMs = Date.parse(page.start_utc);
+// A leap second is shown as the one after it.
+const leaps = page.start_utc.includes(':60');
+const startMs = Date.parse(page.start_utc.replace(':60', ':59')) + (leaps ? 1000 : 0);
 const endS = Math.max(page.end_s, 1e-3);
 const two = n => String(n).padStart(2, '0');
 

@@ -30,10 +30,11 @@ function fillFindings() {
       list(bad.map(event => `${event.rover_id}, ${event.label}: ${statusText(event.status)}${event.reason ? ', ' + event.reason : ''}`))));
   }
   const warnings = summary?.warnings || [], assumptions = summary?.assumptions || [];
-  place.append(warnings.length > 0
+  // Without a summary nobody knows.
+  if (summary) place.append(warnings.length > 0
     ? box('warn', `${warnings.length} warning${warnings.length > 1 ? 's' : ''}`, list(warnings))
     : box('good', 'No warnings', make('p', {}, 'Neither the plan’s checks nor the run had any.')));
-  place.append(assumptions.length > 0
+  if (summary) place.append(assumptions.length > 0
     ? box('', `${assumptions.length} assumption${assumptions.length > 1 ? 's' : ''}`, list(assumptions))
     : box('', 'No assumptions listed'));
   if (page.left_out.length > 0) place.append(box('warn', 'Not in this page', list(page.left_out)));
@@ -159,7 +160,7 @@ function fillOrigins() {
   document.getElementById('thinned').append(
     make('span', {class: 'hint'}, 'Move over a plot for values, drag to zoom, double-click for the whole run, click to hold the cursor (arrow keys move it). '),
     most > 4 * page.stretches
-      ? `Of the log’s ${samples.toLocaleString('en')} samples each line shows the first, last, least and greatest of ${page.stretches.toLocaleString('en')} stretches of time, so no extreme is missing; log.gpkg has all.`
+      ? `Of the log’s ${samples.toLocaleString('en')} samples each line shows the first, last, least and greatest of ${page.stretches.toLocaleString('en')} stretches, so no extreme is missing; log.gpkg has all.`
       : `Lines show the log’s samples as they are (${samples.toLocaleString('en')}).`);
   const rows = [['plan', page.plan], ['log_sha256', summary?.log_sha256 || ''], ...Object.entries(page.run)];
   document.getElementById('made').append(make('details', {}, make('summary', {}, 'What this run was made of'),

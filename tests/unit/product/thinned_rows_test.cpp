@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ThinnedRows, keep_all_of_a_short_series) {
-  ThinnedRows rows(10, 1000, 1, 1);
+  ThinnedRows rows(11, 1000, 1, 1);
   for (int k = 0; k <= 10; ++k) rows.add(k, std::array{0.5 * k});
   rows.finish();
   EXPECT_EQ(rows.size(), 11u);
@@ -24,7 +24,7 @@ TEST(ThinnedRows, keep_all_of_a_short_series) {
 }
 
 TEST(ThinnedRows, keep_least_and_greatest_of_each_stretch) {
-  constexpr int count = 100'000, stretches = 50;
+  constexpr int count = 99'990, stretches = 50;  // 2000 in each, but for the last
   ThinnedRows rows(count, stretches, 1, 1);
   std::array<double, stretches> least, greatest;
   least.fill(1e9);
@@ -32,7 +32,7 @@ TEST(ThinnedRows, keep_least_and_greatest_of_each_stretch) {
   for (int k = 0; k < count; ++k) {
     // Single peaks that an even choice of samples would miss.
     const double value = std::sin(k * 0.001) + (k % 1999 == 0 ? 5 : 0) - (k % 1777 == 0 ? 5 : 0);
-    const auto stretch = static_cast<std::size_t>(k / (count / stretches));
+    const auto stretch = static_cast<std::size_t>(k / 2000);
     least[stretch] = std::min(least[stretch], value);
     greatest[stretch] = std::max(greatest[stretch], value);
     rows.add(k, std::array{value});
@@ -46,6 +46,14 @@ TEST(ThinnedRows, keep_least_and_greatest_of_each_stretch) {
     EXPECT_THAT(rows.column(0), Contains(least[k]));
     EXPECT_THAT(rows.column(0), Contains(greatest[k]));
   }
+}
+
+// As in a log of a short drive and a long wait.
+TEST(ThinnedRows, keep_what_happens_in_little_of_the_time) {
+  ThinnedRows rows(700, 1000, 1, 1);
+  for (int k = 0; k < 700; ++k) rows.add(k < 200 ? 2 * k : 3600 * k, std::array{std::sin(0.1 * k)});
+  rows.finish();
+  EXPECT_EQ(rows.size(), 700u);
 }
 
 TEST(ThinnedRows, keep_gaps) {
@@ -67,7 +75,7 @@ TEST(ThinnedRows, keep_extremes_of_all_that_decides_and_the_rest_beside_it) {
 }
 
 TEST(ThinnedRows, know_whether_there_is_any_value) {
-  ThinnedRows rows(10, 10, 1, 1);
+  ThinnedRows rows(2, 10, 1, 1);
   rows.add(0, std::array{nan});
   rows.add(1, std::array{nan});
   rows.finish();
