@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lua/handle.h"
+#include "lua/quantity.h"
 #include "lua/state.h"
 
 namespace lsos {
@@ -15,14 +16,7 @@ template <bool up>
 int deploy(lua_State* L) {
   RoverPort& rover = handle_rover(L, antennas_handle_type());
   std::optional<double> duration_s;
-  if (!lua_isnoneornil(L, 3)) {
-    duration_s = luaL_checknumber(L, 3);
-    constexpr double longest_s = 366 * 86400.0;
-    if (!(*duration_s >= 0 && *duration_s <= longest_s)) {
-      throw std::runtime_error(
-          fmt::format("antennas: a duration of {} s; 0 to {} are allowed", *duration_s, longest_s));
-    }
-  }
+  if (!lua_isnoneornil(L, 3)) duration_s = check_deploying_s(L, 3, "antennas");
   lua_pushnumber(L, rover.deploy_antenna(luaL_optstring(L, 2, ""), up, duration_s));
   return 1;
 }

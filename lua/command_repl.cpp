@@ -16,6 +16,7 @@ namespace lsos {
 namespace {
 
 Repl* completed_by = nullptr;  // of the one prompt of a process
+volatile std::sig_atomic_t is_interrupted = 0;
 
 char* next_completion(const char*, int state) {
   static std::vector<std::string> found;
@@ -48,7 +49,14 @@ int talk(Repl& repl) {
   if (!history.empty()) read_history(history.c_str());
   std::string text;
   for (;;) {
+    is_interrupted = 0;
     char* line = readline(text.empty() ? "> " : ">> ");
+    if (line == nullptr && is_interrupted != 0) {  // what was begun is given up
+      text.clear();
+      std::clearerr(stdin);
+      fmt::print("\n");
+      continue;
+    }
     if (line == nullptr) break;
     text += (text.empty() ? "" : "\n") + std::string(line);
     if (*line != '\0') add_history(line);
@@ -93,7 +101,10 @@ int repl_command(const std::string& plan_file) {
     fmt::print("{}\n", text);
     std::fflush(stdout);
   });
-  std::signal(SIGINT, [](int) { SimSession::interrupt(); });
+  std::signal(SIGINT, [](int) {
+    is_interrupted = 1;
+    SimSession::interrupt();
+  });
   return isatty(STDIN_FILENO) != 0 ? talk(repl) : follow_script(repl);
 }
 

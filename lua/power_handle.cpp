@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lua/handle.h"
+#include "lua/quantity.h"
 #include "lua/reader.h"
 #include "lua/state.h"
 
@@ -79,7 +80,7 @@ std::string panel_name(lua_State* L) { return luaL_optstring(L, 2, ""); }
 template <bool up>
 int deploy(lua_State* L) {
   std::optional<double> duration_s;
-  if (!lua_isnoneornil(L, 3)) duration_s = check_not_negative(L, 3, "panels:deploy");
+  if (!lua_isnoneornil(L, 3)) duration_s = check_deploying_s(L, 3, "panels");
   lua_pushnumber(L, panels_of(L).deploy_panel(panel_name(L), up, duration_s));
   return 1;
 }

@@ -35,4 +35,12 @@ double check_duration_s(lua_State* L, int argument, const char* what) {
       fmt::format("{}: {} s; 0 to {} are allowed", what, duration_s, longest_s));
 }
 
+double check_deploying_s(lua_State* L, int argument, const char* what) {
+  constexpr double longest_s = 366 * 86400.0;
+  const double duration_s = luaL_checknumber(L, argument);
+  if (duration_s >= 0 && duration_s <= longest_s) return duration_s;
+  throw std::runtime_error(
+      fmt::format("{}: a duration of {} s; 0 to {} are allowed", what, duration_s, longest_s));
+}
+
 }  // namespace lsos

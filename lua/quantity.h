@@ -20,4 +20,7 @@ Quantity check_quantity(lua_State* L, int argument);
 // begins with `what`.
 double check_duration_s(lua_State* L, int argument, const char* what);
 
+// How long something takes to go up or down, s. Throws std::runtime_error beyond 366 days.
+double check_deploying_s(lua_State* L, int argument, const char* what);
+
 }  // namespace lsos

@@ -222,6 +222,7 @@ std::vector<std::string> Repl::completions(const std::string& text) {
       const std::string name = path.substr(at, end - at);
       const std::vector<std::string> members = member_names(L);
       if (std::ranges::find(members, name) == members.end()) return;
+      luaL_checkstack(L, 8, "a path of names");
       lua_getfield(L, -1, name.c_str());
       known = path.substr(0, end + 1);
       at = end + 1;

@@ -26,6 +26,7 @@ constexpr int depth_max = 16;                             // of tables that are 
 
 // Tables are equal when all that they hold is.
 bool are_equal(lua_State* L, int a, int b, int depth = 0) {
+  luaL_checkstack(L, 8, "tables in tables");
   a = lua_absindex(L, a);
   b = lua_absindex(L, b);
   if (lua_compare(L, a, b, LUA_OPEQ) != 0) return true;

@@ -19,6 +19,7 @@ constexpr std::size_t bytes_per_value = 16;
 constexpr std::size_t stack_bytes_max = 25'000 * bytes_per_value;
 constexpr std::size_t stack_spare_bytes = 5 * bytes_per_value;  // that Lua adds to each stack
 constexpr std::size_t values_per_weight = 128;
+constexpr std::size_t deep_stack_bytes = 4 * values_per_weight * bytes_per_value;
 
 // A chain of __index or __call through so many metatables is gone through in one instruction.
 constexpr std::size_t metatables_per_weight = 24;
@@ -109,11 +110,13 @@ void ScriptMemory::refuse(const char* why) {
   if (L_ != nullptr) write_place(L_, refused_at_, sizeof refused_at_);
 }
 
-void ScriptMemory::begin_call(lua_State* L, std::size_t traffic_max) {
+void ScriptMemory::begin_call(lua_State* L, std::size_t traffic_max, bool is_phase) {
   L_ = L;
-  // Texts that are garbage must not count: a mission that was resumed does not have them.
-  if (has_new_long_text_) collect(L);
+  // Texts that are garbage must not count, nor a stack that was deep.
+  if (has_new_long_text_ || stack_bytes_ > deep_stack_bytes) collect(L);
   collect_if_due(L);
+  is_phase_ = is_phase;
+  if (is_phase) metatables_ = metatables_kept_;
   has_new_long_text_ = false;
   longest_text_ = 0;
   for (const auto& [block, bytes] : long_texts_) longest_text_ = std::max(longest_text_, bytes);
@@ -122,6 +125,11 @@ void ScriptMemory::begin_call(lua_State* L, std::size_t traffic_max) {
   traffic_ = 0;
   traffic_max_ = traffic_max;
   is_in_call_ = true;
+}
+
+void ScriptMemory::end_call() {
+  is_in_call_ = false;
+  if (!is_phase_) metatables_kept_ = metatables_;
 }
 
 std::int64_t ScriptMemory::weight() const {

@@ -20,9 +20,11 @@ class ScriptMemory {
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
 
   // From here on what is allocated counts, and a refusal is final until end_call(): Lua's own
-  // emergency collection, whose moment no rule of ours decides, can then be seen by no script.
-  void begin_call(lua_State* L, std::size_t traffic_max);
-  void end_call() { is_in_call_ = false; }
+  // emergency collection, whose moment no rule of ours decides, can then be seen by no script. What
+  // earlier calls of phases left does not count in one of a phase: a mission that was resumed does
+  // not have it.
+  void begin_call(lua_State* L, std::size_t traffic_max, bool is_phase);
+  void end_call();
 
   // Why the allocator refused in this call, as "more than ..."; nullptr when it did not.
   const char* refusal() const { return refusal_; }
@@ -67,7 +69,9 @@ class ScriptMemory {
   void* newest_ = nullptr;  // block that was made last
   std::size_t newest_bytes_ = 0;
 
-  std::size_t metatables_ = 0;  // of scripts
+  std::size_t metatables_ = 0;       // of scripts
+  std::size_t metatables_kept_ = 0;  // not made by phases
+  bool is_phase_ = false;
 
   std::unordered_map<const void*, std::size_t> long_texts_;  // bytes by block; looked up only
   bool has_new_long_text_ = false;

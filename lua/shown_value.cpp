@@ -34,6 +34,7 @@ std::string other_key(lua_State* L, int index) {
 }
 
 std::string written(lua_State* L, int index, int depth) {
+  luaL_checkstack(L, 12, "tables in tables");
   index = lua_absindex(L, index);
   if (lua_istable(L, index) && depth < depth_max && !has_text_of_its_own(L, index)) {
     if (const std::string other = other_key(L, index); !other.empty()) {

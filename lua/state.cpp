@@ -193,7 +193,7 @@ std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int resu
   ctx.note_bytes = 0;
   const std::int64_t traffic_max =
       std::min<std::int64_t>(ctx.instructions_max, 1 << 30) * bytes_per_instruction;
-  ctx.memory.begin_call(L, static_cast<std::size_t>(traffic_max));
+  ctx.memory.begin_call(L, static_cast<std::size_t>(traffic_max), ctx.call != nullptr);
 
   const int handler = lua_gettop(L) - argument_count;
   lua_pushcfunction(L, keep_traceback);

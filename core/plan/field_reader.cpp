@@ -137,8 +137,9 @@ std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration
 Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
                                        const std::string& text) const {
   switch (declaration.kind) {
+    case FieldKind::duration:  // seconds, whatever it is shown in
+      return as_field_value(parse_quantity(text, *find_unit("s")));
     case FieldKind::number:
-    case FieldKind::duration:
       return as_field_value(parse_quantity(text, unit_of(declaration)));
     case FieldKind::integer:
       return as_field_value(parse_integer(text));

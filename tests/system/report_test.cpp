@@ -50,7 +50,7 @@ class Report : public ::testing::Test {
     std::string text = kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
                             event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
                             event("Pause", "A", 2, {{"Duration", "20"}}),
-                            event("Drill", "B", 1, {{"Duration", "30"}, {"Depth", "2"}}),
+                            event("Drill", "B", 1, {{"Duration", "30 min"}, {"Depth", "2"}}),
                             event("Pause", "B", 2, {{"Duration", "20"}})});
     const std::string mark = "<Placemark>";
     text.insert(text.rfind(mark) + mark.size(),

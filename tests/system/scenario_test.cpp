@@ -143,7 +143,8 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
       {"lsos.sim { rovers = { {} } }", "rovers: entries have names: Id = { type = 'SEV', "},
       {"lsos.sim { rovers = { A = 'SEV' } }", "rovers: A: a table is wanted, found a text"},
       {"lsos.sim { rovers = { A = {} } }", "rover A: 'type' is missing: Its script in rovers/"},
-      {"lsos.sim { rovers = { A = { type = 'SEW' } } }", "there is no such rover type; did you mean 'SEV'?"},
+      {"lsos.sim { rovers = { A = { type = 'SEW' } } }",
+       "there is no such rover type; did you mean 'SEV'?"},
       {"lsos.sim { rover = { A = { type = 'SEV' } } }", "did you mean 'rovers'?"},
       {"lsos.sim { site = { 1 }, rovers = { A = { type = 'SEV' } } }",
        "site: { lon_deg, lat_deg } is wanted"},
@@ -191,6 +192,20 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
     EXPECT_THAT(failure, HasSubstr(line)) << cases[k].first;
     EXPECT_THAT(failure, HasSubstr(cases[k].second)) << cases[k].first;
   }
+}
+
+// Deeper than a C function's share of Lua's stack.
+TEST(Scenarios, compare_and_show_tables_in_tables) {
+  const TempFolder folder;
+  folder.write("tests/scenarios/deep.lua", R"(local lsos = require 'lsos'
+local function deep(n, leaf) return n == 0 and leaf or { deep(n - 1, leaf) } end
+lsos.scenario('equal', function(t) t:equal(deep(15, 1), deep(15, 1)) end)
+lsos.scenario('another', function(t) t:equal(deep(15, 1), deep(15, 2)) end)
+)");
+  const Outcome outcome = test(folder, {});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("\nok 1 - "));
+  EXPECT_THAT(outcome.out, HasSubstr("expected { { { {"));
 }
 
 // The same plan by table and by file, and the events of the working folder.

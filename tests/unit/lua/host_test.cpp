@@ -138,6 +138,31 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
   EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
 }
 
+// What earlier calls left as garbage makes no later one dearer: a mission that was resumed does not
+// have it.
+TEST(Host, budgets_forget_earlier_calls) {
+  EventRun run(R"(
+    local defaults = { step = 1 }
+    local function work()
+      local sum = 0
+      for _ = 1, 20000 do sum = sum + 1 end
+      return sum
+    end
+    local function go() return setmetatable({}, { __index = defaults }).step + work() > 0 and 'go' end
+    local function deep(ev)
+      local function down(n) if n == 0 then return 0 end return 1 + down(n - 1) end
+      if not ev.state.was_deep then
+        ev.state.was_deep = down(1500) > 0
+      else
+        for _ = 1, 20 do work() end
+      end
+    end)",
+               "phases = { go = go, deep = deep }");
+  for (int k = 0; k < 3000; ++k) run.run("go");
+  EXPECT_EQ(run.error("deep"), "no error");
+  EXPECT_EQ(run.error("deep"), "no error");
+}
+
 TEST(Host, state_lasts_between_calls) {
   auto run = EventRun::of_phase(
       "ev.state.n = (ev.state.n or 0) + 1 if ev.state.n == 3 then return lsos.done end");
