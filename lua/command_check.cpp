@@ -144,7 +144,7 @@ std::string people_text(const MissionFiles& files, const std::vector<PlannedLegL
 }  // namespace
 
 int check_command(const CheckOptions& options) {
-  MissionFiles files = read_mission(options.plan);
+  MissionFiles files = read_mission(options.plan, options.seed);
   std::vector<PlannedLegLine> ways;
   if (!files.faults.has_errors()) {
     try {

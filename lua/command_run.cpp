@@ -73,11 +73,10 @@ int run_command(const RunOptions& options) {
   if (!options.is_quiet && !simulation.renderer().empty()) {
     fmt::print(stderr, "light is drawn by {}\n", simulation.renderer());
   }
-  const std::string plan_bytes = read_bytes(options.plan);  // it may lie in the folder itself
   // Until here a signal may end it at once: there is nothing to write out.
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
-  RunRecord record(folder, plan_bytes, files, simulation);
+  RunRecord record(folder, files.plan_bytes, files, simulation);
   const int stopped_by = simulate(simulation, options.is_quiet);
   keep_legs(options.plan, simulation.kept_legs());
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;

@@ -27,6 +27,7 @@ int watch_command(RunOptions options);
 
 struct CheckOptions {
   std::string plan;
+  std::optional<std::uint64_t> seed;
   bool is_json = false;
   bool is_quiet = false;
 };

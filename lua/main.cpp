@@ -190,6 +190,7 @@ int run_program(std::vector<std::string> arguments) {
   lsos::CheckOptions check;
   CLI::App* check_command = app.add_subcommand("check", "Read and check a plan");
   check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
+  check_command->add_option("--seed", check.seed, "Instead of the plan's Seed");
   check_command->add_flag("--json", check.is_json, "The answer as JSON");
   check_command->add_flag("--quiet", check.is_quiet, "No progress");
 
@@ -287,6 +288,17 @@ int run_program(std::vector<std::string> arguments) {
 
   lsos::SunOptions sun;
   CLI::App* sun_command = add_sun(app, sun, is_json);
+
+  // Every command takes what any may be given, so that scripts need not know which has a use for
+  // it.
+  bool is_quiet = false;
+  int threads = 1;
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_option_no_throw("--quiet")) command->add_flag("--quiet", is_quiet)->group("");
+    if (!command->get_option_no_throw("--threads")) {
+      command->add_option("--threads", threads)->check(CLI::Range(1, 256))->group("");
+    }
+  }
 
   try {
     std::ranges::reverse(arguments);  // as CLI11 takes them

@@ -148,6 +148,7 @@ void read_models(MissionFiles& files) {
 
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
   MissionFiles files;
+  files.plan_bytes = read_file(plan_file).value_or("");
   files.catalog = read_catalog(plan_file);
   files.plan = read_plan(plan_file, files.catalog->declarations(), files.faults);
   if (seed) files.plan.mission.seed = *seed;
@@ -161,6 +162,7 @@ PlanSource read_plan_source(const std::string& plan_file) {
 
 MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog) {
   MissionFiles files;
+  files.plan_bytes = source.bytes;
   files.catalog = std::move(catalog);
   files.plan = read_plan(source.file, source.kml, files.catalog->declarations(), files.faults);
   read_models(files);

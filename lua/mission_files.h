@@ -21,7 +21,8 @@ struct MissionFiles {
   std::map<std::string, AssetModel> asset_models;  // by AssetType
   TerrainSpec terrain;
   std::vector<std::string> assumptions;
-  Faults faults;  // warnings too
+  Faults faults;           // warnings too
+  std::string plan_bytes;  // of the plan's file when it was read; it may change while it is run
 };
 
 // Of the scripts that a plan can use, or that any plan can for "".

@@ -21,7 +21,7 @@ std::string bytes_of(auto value) {
 
 PlannedLegs::PlannedLegs(const Ground& ground, std::uint64_t seed) : ground_(&ground), seed_(seed) {
   Archive a = Archive::writer();
-  std::string terrain = ground.hash();
+  std::string terrain = ground.stamp();
   Geodetic origin = ground.site().origin();
   a.tag(tag)(terrain)(seed_)(origin.lon_rad)(origin.lat_rad)(origin.height_m);
   ground_key_ = a.bytes();

@@ -96,8 +96,7 @@ std::string shown(const std::string& json) {
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
   if (value.is_string()) {
     const std::string text = value.get<std::string>();
-    constexpr std::size_t most = 28;
-    return text.size() > most ? text.substr(0, most - 3) + "..." : text;
+    return text;
   }
   return json;
 }
@@ -107,8 +106,13 @@ std::string lines(const std::vector<Difference>& differences) {
   for (const Difference& difference : differences) {
     if (difference.of != of) text += fmt::format("\n{}\n", difference.of);
     of = difference.of;
-    text += fmt::format("  {:<20} {:>28} {:>28}", difference.quantity, shown(difference.a),
-                        shown(difference.b));
+    const std::string a = shown(difference.a), b = shown(difference.b);
+    constexpr std::size_t column = 28;
+    if (std::max(a.size(), b.size()) > column) {
+      text += fmt::format("  {}\n    {}\n    {}\n", difference.quantity, a, b);
+      continue;
+    }
+    text += fmt::format("  {:<20} {:>28} {:>28}", difference.quantity, a, b);
     if (difference.change) text += fmt::format(" {:>+14.6g}", *difference.change);
     text += '\n';
   }
@@ -155,7 +159,19 @@ Comparison compare(const std::string& summary_a, const std::string& summary_b,
   for (const char* key : {"warnings", "assumptions"}) {
     const Json none = Json::array();
     const Json texts_a = a.value(key, none), texts_b = b.value(key, none);
-    if (texts_a != texts_b) found.add("run", key, texts_a.size(), texts_b.size());
+    if (texts_a == texts_b) continue;
+    const auto lacking = [](const Json& all, const Json& of) {
+      Json rest = Json::array();
+      for (const Json& text : all) {
+        if (std::ranges::find(of, text) == of.end()) rest.push_back(text);
+      }
+      return rest;
+    };
+    const Json only_a = lacking(texts_a, texts_b), only_b = lacking(texts_b, texts_a);
+    for (std::size_t k = 0; k < std::max(only_a.size(), only_b.size()); ++k) {
+      const auto told = [&](const Json& texts) { return k < texts.size() ? texts[k] : Json(); };
+      found.add("run", key, told(only_a), told(only_b));
+    }
   }
   Collector(comparison.made_of).add_all("made of", Json(run_a), Json(run_b));
   return comparison;

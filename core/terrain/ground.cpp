@@ -179,6 +179,13 @@ std::string Ground::hash() const {
   return hash.hex();
 }
 
+std::string Ground::stamp() const {
+  Sha256 hash;
+  hash.add(this->hash());
+  for (const auto& layer : impl_->layers) layer->grid().add_change_to(hash);
+  return hash.hex();
+}
+
 std::vector<Fault> Ground::advice() const {
   std::vector<Fault> faults;
   for (const auto& layer : impl_->layers) {

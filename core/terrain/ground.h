@@ -60,6 +60,8 @@ class Ground {
   const std::vector<Soil>& soils() const;
   // SHA-256 of what makes this ground: script values and raster bytes' metadata and samples.
   std::string hash() const;
+  // Also tells apart large rasters that hash() may take for the same, by when they were changed.
+  std::string stamp() const;
   // Warnings about what makes it slow.
   std::vector<Fault> advice() const;
 

@@ -60,6 +60,8 @@ class HeightGrid {
   virtual std::optional<Geodetic> place(const GridCoordinates& at) const = 0;
   // All that decides the heights.
   virtual void add_to(Sha256& hash) const = 0;
+  // Of what add_to() leaves out, when it was last changed on this machine.
+  virtual void add_change_to(Sha256&) const {}
   // What would make it faster; "" for nothing.
   virtual std::string advice() const { return {}; }
 

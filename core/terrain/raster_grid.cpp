@@ -57,6 +57,10 @@ class RasterGrid : public HeightGrid {
     if (band.nodata()) hash.add(fmt::format("nodata {}", *band.nodata()));
     add_samples(band.band(), hash);
   }
+  void add_change_to(Sha256& hash) const override {
+    const std::lock_guard lock(mutex_);
+    add_change(raster_.band().band(), hash);
+  }
   std::string advice() const override {
     const std::lock_guard lock(mutex_);
     return raster_advice(raster_.band().band(), file_);

@@ -5,6 +5,7 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <vector>
 
 #include "base/error.h"
@@ -50,6 +51,14 @@ void add_samples(GDALRasterBand& band, Sha256& hash) {
     }
     hash.add({block.data(), block.size()});
   }
+}
+
+void add_change(GDALRasterBand& band, Sha256& hash) {
+  if (spread_blocks(band, most_cells).is_all) return;
+  add_file_size(band, hash);
+  std::error_code none;
+  const auto changed = std::filesystem::last_write_time(band.GetDataset()->GetDescription(), none);
+  if (!none) hash.add(fmt::format("changed {}", changed.time_since_epoch().count()));
 }
 
 }  // namespace lsos

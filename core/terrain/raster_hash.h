@@ -13,4 +13,7 @@ namespace lsos {
 // blocks.
 void add_samples(GDALRasterBand& band, Sha256& hash);
 
+// Where add_samples() does not read all: when the file was changed, and how large it is.
+void add_change(GDALRasterBand& band, Sha256& hash);
+
 }  // namespace lsos

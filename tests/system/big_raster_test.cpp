@@ -110,6 +110,28 @@ std::string terrain_hash(const std::string& raster, const TempFolder& folder) {
   return query(folder / "run" / "log.gpkg", "select value from run where key = 'terrain_sha256'");
 }
 
+// Its hash does not see each change, but when it was changed is seen.
+TEST(BigRaster, that_was_changed_is_planned_on_again) {
+  const TempFolder folder;
+  const std::string raster = SparseRaster{.side = 8192}.write(folder, "a.tif");
+  const std::string plan = folder.write(
+      "way.kml", kml({{"MissionInfo",
+                       {{"Planet", "Moon"}, {"StartTime", "2026-01-01"}, {"Terrain", raster}},
+                       ""},
+                      sev("A", "0,-89.9967"),
+                      event("PathPlanRoute", "A", 1, {}, point("0,-89.996"))}));
+  const auto kept = [&] {
+    const Outcome outcome = run({"check", plan});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return read_text(plan + ".routes");
+  };
+  const std::string first = kept();
+  EXPECT_EQ(kept(), first);
+  const auto changed = std::filesystem::last_write_time(raster);
+  std::filesystem::last_write_time(raster, changed + std::chrono::seconds(1));
+  EXPECT_NE(kept(), first);
+}
+
 // 32 x 32 blocks, of which every eighth is read.
 TEST(BigRaster, has_a_hash_of_what_it_holds) {
   const TempFolder folder;

@@ -200,6 +200,17 @@ return lsos.event {
   EXPECT_NEAR(summary(folder / "run")["sim_s"].get<double>(), 120, 0.2);
 }
 
+// What the contract lets any command be given.
+TEST(CommonOptions, are_taken_where_there_is_no_use_for_them) {
+  const TempFolder folder;
+  const std::string plan = folder.write("plan.kml", kml(two_rovers()));
+  const std::vector<Words> commands = {{"fsm", plan, "--quiet"},
+                                       {"check", plan, "--seed", "3", "--threads", "2", "--quiet"},
+                                       {"list", "events", "--quiet"},
+                                       {"schema", "Pause", "--quiet", "--threads", "2"}};
+  for (const Words& words : commands) EXPECT_EQ(run(words).exit_code, 0) << words[0];
+}
+
 TEST(Fsm, is_a_graph_that_graphviz_draws) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(two_rovers()));

@@ -36,6 +36,19 @@ TEST(Compare, finds_nothing_in_equal_runs) {
   EXPECT_THAT(found.made_of, IsEmpty());
 }
 
+// As many of them, but others.
+TEST(Compare, tells_warnings_that_one_run_has_alone_in_full) {
+  RunSummary one = test_summary(), other = test_summary();
+  const std::string begin = "the way of SEV1 to its first waypoint is longer than ";
+  one.warnings = {"the same in both", begin + "2986 m"};
+  other.warnings = {begin + "5973 m", "the same in both"};
+  const Comparison found = comparison(one, other);
+  EXPECT_FALSE(found.is_equal());
+  ASSERT_THAT(found.differences, ElementsAre(Field(&Difference::quantity, "warnings")));
+  EXPECT_THAT(to_text(found, {"a", "b"}), HasSubstr("2986 m"));
+  EXPECT_THAT(to_text(found, {"a", "b"}), HasSubstr("5973 m"));
+}
+
 TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
   RunSummary other = test_summary();
   other.log_sha256 = "2";
