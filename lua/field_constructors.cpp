@@ -146,8 +146,9 @@ void read_choice(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::choice;
   read_common(t, field);
   t.texts(required, "choices", field.choices, "The words that the plan may give.");
-  if (t.L() != nullptr && field.choices.empty())
+  if (t.L() != nullptr && field.choices.empty()) {
     t.fault(fmt::format("'{}': choices is empty", field.name));
+  }
   read_text_default(t, field);
   if (field.default_value) {
     const std::string& text = std::get<std::string>(*field.default_value);

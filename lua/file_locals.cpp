@@ -37,6 +37,12 @@ void add_functions(lua_State* L, int list, int deep) {
   }
 }
 
+// Not-a-number is what it was when it is one still.
+bool are_same(lua_State* L, int a, int b) {
+  if (lua_type(L, a) != lua_type(L, b)) return false;
+  return lua_rawequal(L, a, b) != 0 || (lua_rawequal(L, a, a) == 0 && lua_rawequal(L, b, b) == 0);
+}
+
 }  // namespace
 
 FileLocals::FileLocals(lua_State* L, int index) {
@@ -88,8 +94,7 @@ std::string FileLocals::restore(lua_State* L) const {
     lua_rawgeti(L, kept, local.function);
     lua_rawgeti(L, kept, local.function + 1);
     lua_getupvalue(L, kept + 1, local.upvalue);
-    const bool is_same = lua_type(L, -1) == lua_type(L, -2) && lua_rawequal(L, -1, -2) != 0;
-    if (!is_same) {
+    if (!are_same(L, -1, -2)) {
       if (changed.empty()) changed = local.name;
       lua_pop(L, 1);
       lua_setupvalue(L, kept + 1, local.upvalue);

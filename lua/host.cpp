@@ -141,7 +141,9 @@ struct LuaHost::Impl {
       const auto fail = [&](const std::string& what) {
         throw ScriptError(fmt::format("{}: {}: {}", script.file, function, what));
       };
-      if (const auto failure = call_script(L, 1, 1)) fail(failure->message);
+      const auto failure = call_script(L, 1, 1);
+      script.locals.restore(L);
+      if (failure) fail(failure->message);
       try {
         read(L);
       } catch (const std::runtime_error& error) {

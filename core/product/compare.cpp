@@ -94,10 +94,7 @@ std::string shown(const std::string& json) {
   if (value.is_null()) return "-";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
-  if (value.is_string()) {
-    const std::string text = value.get<std::string>();
-    return text;
-  }
+  if (value.is_string()) return value.get<std::string>();
   return json;
 }
 

@@ -117,7 +117,7 @@ TEST(Host, waypoints_cannot_be_changed) {
 // What functions share would differ between a mission that goes on and one that was loaded.
 TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
   EventRun run(R"(
-    local limit, count, text = 3, 0, nil
+    local limit, count, text, unknown = 3, 0, nil, 0 / 0
     local function add(by) count = count + by end
     local function go(ev)
       if ev.label == 'probe 1' then add(1) end
@@ -125,7 +125,7 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
     end
     local function keeps(ev) text = text or ev.label end
     local function breaks() text = 'kept' error('broken') end
-    local function stays() return text == nil and lsos.done end)",
+    local function stays() return text == nil and unknown ~= unknown and lsos.done end)",
                "phases = { go = go, keeps = keeps, breaks = breaks, stays = stays }, "
                "on_abort = function() add(1) end");
   EXPECT_THAT(run.error("go"),
