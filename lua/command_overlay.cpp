@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
-#include "lua/mission_files.h"
+#include "lua/run_mission.h"
 #include "product/overlay.h"
+#include "record/log.h"
 
 namespace lsos {
 
@@ -17,8 +18,12 @@ int overlay_command(const std::string& folder, bool is_packed, bool is_json) {
   }
   // The plan passed its checks when it was run; what its folder had beside it (scripts, rasters)
   // may be elsewhere now and is not needed to draw it.
-  const MissionFiles files = read_mission(plan_file);
+  const MissionFiles files = mission_of_run(folder, LogReader(folder + "/log.gpkg").run());
   if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
+  for (const Fault& fault : files.faults.sorted()) {
+    if (fault.severity != Severity::error) continue;
+    fmt::print(stderr, "warning: what the plan drew may be incomplete: {}\n", to_string(fault));
+  }
   (is_packed ? write_packed_overlay : write_overlay)(folder, files.plan);
   const std::string file = folder + (is_packed ? "/overlay.kmz" : "/overlay.kml");
   if (is_json) {

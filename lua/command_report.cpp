@@ -7,6 +7,7 @@
 #include "lua/commands.h"
 #include "lua/output_file.h"
 #include "lua/report_run.h"
+#include "lua/run_mission.h"
 #include "product/figure.h"
 #include "product/files.h"
 
@@ -29,7 +30,7 @@ OpenedRun opened(const std::string& folder, const LogReader& log) {
   } catch (const InputError& error) {
     opened.left_out.push_back(fmt::format("map and pictures: {}", error.what()));
   }
-  MissionFiles files = read_mission(folder + "/plan.kml");
+  MissionFiles files = mission_of_run(folder, log.run());
   if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
   opened.run.files = std::move(files);
   opened.run.start = log.start();
@@ -81,6 +82,7 @@ int report_command(const ReportOptions& options) {
     const std::string summary = read_file(folder + "/summary.json").value_or("");
     write_file(file, report_of(from.run, log, summary, wish, from.left_out));
   }
+  for (const std::string& what : from.left_out) fmt::print(stderr, "warning: {}\n", what);
   if (options.is_json) {
     fmt::print("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
   } else {

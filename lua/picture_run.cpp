@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
+#include "lua/run_mission.h"
 #include "mission/site.h"
 #include "product/files.h"
 
@@ -15,23 +16,6 @@ namespace lsos {
 namespace {
 
 constexpr int film_pictures = 250, film_pictures_max = 20000;
-
-// Scripts and rasters may lie beside the plan that was run; the seed may have been an option.
-MissionFiles mission_of(const std::string& folder, const std::map<std::string, std::string>& run) {
-  std::string plan_file = folder + "/plan.kml";
-  const auto summary =
-      nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
-  if (summary.is_object() && summary.contains("plan")) {
-    const std::string original = summary["plan"].get<std::string>();
-    if (std::filesystem::is_regular_file(original)) plan_file = original;
-  }
-  const std::uint64_t seed = std::stoull(run.at("seed"));
-  MissionFiles files = read_mission(plan_file, seed);
-  if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
-  files = read_mission(folder + "/plan.kml", seed);
-  files.faults.throw_if_errors();
-  return files;
-}
 
 // Of the scripts and the ground that the run names, those that are not what they were.
 std::vector<std::string> changed_since(const MissionFiles& files, const Ground& ground,
@@ -83,7 +67,8 @@ SimTime time_since_start(const std::string& option, const std::string& text, Ins
 
 PictureRun open_run(const std::string& folder, const LogReader& log) {
   PictureRun run{
-      mission_of(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}, {}};
+      mission_of_run(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}, {}};
+  run.files.faults.throw_if_errors();
   const MissionInfo& mission = run.files.plan.mission;
   run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
                          mission.seed);

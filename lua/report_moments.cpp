@@ -1,5 +1,7 @@
 #include "lua/report_moments.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -80,7 +82,8 @@ std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& 
 
 }  // namespace
 
-std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data) {
+std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data,
+                                         std::vector<std::string>& left_out) {
   const PanelTimes panels(log);
   std::vector<ReportMoment> moments;
   for (std::size_t k = 0; k < std::min(rovers_most, data.rovers.size()); ++k) {
@@ -92,6 +95,14 @@ std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData&
   const std::vector<ReportMoment> stops = solar_stops(data, panels);
   // Of too many some of all parts of the mission.
   const std::size_t count = std::min(stops_most, stops.size());
+  if (count < stops.size()) {
+    left_out.push_back(fmt::format("pictures of {} of the {} stops with panels up",
+                                   stops.size() - count, stops.size()));
+  }
+  if (data.rovers.size() > rovers_most) {
+    left_out.push_back(fmt::format("pictures of start and end of {} of the {} rovers",
+                                   data.rovers.size() - rovers_most, data.rovers.size()));
+  }
   for (std::size_t k = 0; k < count; ++k) {
     moments.push_back(stops[k * stops.size() / count]);
   }

@@ -16,7 +16,8 @@ struct ReportMoment {
   bool is_solar = false;  // its panels were up: what the Sun sees is shown too
 };
 
-// In order of time; some dozen at most.
-std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data);
+// In order of time; some dozen at most. What had no room among them is added to `left_out`.
+std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data,
+                                         std::vector<std::string>& left_out);
 
 }  // namespace lsos

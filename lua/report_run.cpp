@@ -16,8 +16,9 @@ namespace {
 
 constexpr int chase_px = 800, sun_px = 450, quality = 80;
 
-std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const ReportData& data) {
-  const std::vector<ReportMoment> moments = report_moments(log, data);
+std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const ReportData& data,
+                                    std::vector<std::string>& left_out) {
+  const std::vector<ReportMoment> moments = report_moments(log, data, left_out);
   std::vector<SimTime> times;
   for (const ReportMoment& moment : moments) times.push_back(moment.time);
   times.erase(std::ranges::unique(times).begin(), times.end());
@@ -55,7 +56,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
     extras.map = report_map(*run.ground, data, wish.shadow_at, wish.threads);
     // No font, no way to draw: all else is still worth reading.
     try {
-      if (wish.has_pictures) extras.pictures = pictures(run, log, data);
+      if (wish.has_pictures) extras.pictures = pictures(run, log, data, extras.left_out);
     } catch (const std::exception& error) {
       extras.left_out.push_back(fmt::format("pictures: {}", error.what()));
     }

@@ -1,5 +1,7 @@
 #include "lua/run_record.h"
 
+#include <filesystem>
+
 #include "product/files.h"
 #include "product/overlay.h"
 
@@ -9,7 +11,8 @@ namespace {
 
 RunSummary summarise(const Simulation& simulation, const MissionFiles& files, double wall_s) {
   RunSummary summary;
-  summary.plan = files.plan.file;
+  // Whole, so that what lies beside it is found again from any folder.
+  summary.plan = std::filesystem::absolute(files.plan.file).lexically_normal().string();
   summary.events = simulation.events();
   summary.status = run_status(summary.events);
   summary.sim_s = seconds(simulation.now());

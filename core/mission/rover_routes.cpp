@@ -161,6 +161,7 @@ void RoverRoutes::log(const std::string& rover_id, SimTime now, std::int64_t seq
   row.duration_s = leg.duration_s;
   row.energy_j = leg.energy_j;
   row.slope_max_rad = leg.slope_max_rad;
+  row.steepest = ground_->site().geodetic(leg.steepest_S_m);
   for (const Vec3& p_S_m : leg.path_S_m) row.line.push_back(ground_->site().geodetic(p_S_m));
   rows_.push_back(std::move(row));
 }

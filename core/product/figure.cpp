@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "product/event_kinds.h"
 #include "product/figure_pen.h"
@@ -13,13 +14,14 @@ namespace lsos {
 
 namespace {
 
-constexpr double width_mm = 180, left_mm = 18, right_margin_mm = 4, top_mm = 9;
+constexpr double width_mm = 180, left_mm = 18, right_margin_mm = 4, top_least_mm = 9;
 constexpr double map_least_mm = 42, map_most_mm = 85, panel_mm = 34;
 constexpr double bar_mm = 2.4, bar_apart_mm = 0.5, bars_below_mm = 1.2;
-constexpr double below_axis_mm = 10.5, between_mm = 3, key_row_mm = 4.2;
+constexpr double below_axis_mm = 10.5, between_mm = 3, key_row_mm = 4.2, kind_sample_mm = 6.2;
 constexpr double letters_mm = 2.6, small_mm = 2.3;
 
-const Stroke axis{"#000000", 0.22, {}}, grid{"#dddddd", 0.14, {}}, failed{"#c62828", 0.25, {}};
+const Stroke axis{"#000000", 0.22, {}}, grid{"#dddddd", 0.14, {}}, failed{"#c62828", 0.25, {}},
+    incomplete{"#555555", 0.2, {}};
 
 // 1, 2 or 5 times a power of ten.
 double round_step(double least) {
@@ -140,13 +142,15 @@ class Figure {
       : data_(data),
         unit_(time_unit(data.end_s)),
         kinds_(event_kinds(data.events)),
+        ruler_(std::make_unique<FigurePen>(1, 1, dpi)),
+        top_mm_(top_least_mm + (data.rovers.empty() ? 0 : rover_places().back().y_mm)),
         map_mm_(map_height_mm()),
         pen_(width_mm, height_mm(), dpi) {}
 
   std::string draw() {
-    keys();
+    rover_keys();
     plan_view();
-    double top = top_mm + map_mm_ + below_axis_mm + between_mm;
+    double top = top_mm_ + map_mm_ + below_axis_mm + between_mm;
     for (const Panel& panel : panels()) {
       time_panel(panel, top);
       top += panel_mm + bars_mm() + below_axis_mm + between_mm;
@@ -168,7 +172,7 @@ class Figure {
     return bars_below_mm + static_cast<double>(data_.rovers.size()) * (bar_mm + bar_apart_mm);
   }
   double height_mm() const {
-    return top_mm + map_mm_ + below_axis_mm + between_mm +
+    return top_mm_ + map_mm_ + below_axis_mm + between_mm +
            3 * (panel_mm + bars_mm() + below_axis_mm + between_mm) + kind_keys_mm();
   }
   Range extent(std::size_t column) const {
@@ -207,19 +211,41 @@ class Figure {
   }
 
   // The rovers, above all panels.
-  void keys() {
-    double x_mm = left_mm;
-    for (const ReportRover& rover : data_.rovers) {
-      pen_.line({{x_mm, 4}, {x_mm + 7, 4}}, line_of(rover, 0.6));
-      pen_.write(rover.id, {x_mm + 8.5, 4.9}, letters_mm, Anchor::left);
-      x_mm += 8.5 + pen_.text_width_mm(rover.id, letters_mm) + 7;
+  std::vector<PaperPoint> rover_places() const {
+    std::vector<std::string> names;
+    for (const ReportRover& rover : data_.rovers) names.push_back(rover.id);
+    return in_rows(names, letters_mm, 8.5);
+  }
+  void rover_keys() {
+    const std::vector<PaperPoint> places = rover_places();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const ReportRover& rover = data_.rovers[k];
+      const double x_mm = places[k].x_mm, y_mm = 4 + places[k].y_mm;
+      pen_.line({{x_mm, y_mm}, {x_mm + 7, y_mm}}, line_of(rover, 0.6));
+      pen_.write(rover.id, {x_mm + 8.5, y_mm + 0.9}, letters_mm, Anchor::left);
     }
+  }
+  // Where keys begin that have a sample before each name, from a first row at 0 downwards.
+  std::vector<PaperPoint> in_rows(const std::vector<std::string>& names, double size_mm,
+                                  double sample_mm) const {
+    constexpr double apart_mm = 6;
+    std::vector<PaperPoint> places;
+    PaperPoint at{left_mm, 0};
+    for (const std::string& name : names) {
+      const double long_mm = sample_mm + ruler_->text_width_mm(name, size_mm);
+      if (at.x_mm > left_mm && at.x_mm + long_mm > width_mm - right_margin_mm) {
+        at = {left_mm, at.y_mm + key_row_mm};
+      }
+      places.push_back(at);
+      at.x_mm += long_mm + apart_mm;
+    }
+    return places;
   }
 
   // Metres are as long to the north as to the east.
   void plan_view() {
     Range x = extent(position_x), y = extent(position_y);
-    const PaperBox box{left_mm, top_mm, box_width_mm(), map_mm_};
+    const PaperBox box{left_mm, top_mm_, box_width_mm(), map_mm_};
     const double m_a_mm = std::max(x.span() / box.width_mm, y.span() / box.height_mm);
     const auto widen = [&](Range& range, double length_mm) {
       const double more = (m_a_mm * length_mm - range.span()) / 2;
@@ -232,6 +258,14 @@ class Figure {
     for (const ReportRover& rover : data_.rovers) {
       axes.line(rover.position.column(position_x), rover.position.column(position_y),
                 line_of(rover, 0.4));
+    }
+    // Where each begins: of one that never moves it is all there is.
+    constexpr double dot_mm = 1.6;
+    for (const ReportRover& rover : data_.rovers) {
+      if (rover.position.times_s().empty()) continue;
+      const PaperPoint at = axes.at(rover.position.column(position_x).front(),
+                                    rover.position.column(position_y).front());
+      pen_.fill({at.x_mm - dot_mm / 2, at.y_mm - dot_mm / 2, dot_mm, dot_mm}, rover.colour);
     }
     axes.frame();
     letter("(a)", box);
@@ -283,12 +317,13 @@ class Figure {
         const PaperBox bar{from, top, std::max(0.15, to - from - 0.15), bar_mm};
         pen_.fill(bar, kind_of(kinds_, event.type).colour);
         if (event.status == EventStatus::failed) pen_.hatch(bar, failed, 1);
+        if (event.status == EventStatus::incomplete) pen_.hatch(bar, incomplete, 1);
       }
       top += bar_mm + bar_apart_mm;
     }
   }
 
-  // Of the kinds that began; a row takes some six.
+  // Of the kinds that began.
   std::vector<const EventKind*> used_kinds() const {
     std::vector<const EventKind*> used;
     for (const EventKind& kind : kinds_) {
@@ -299,28 +334,30 @@ class Figure {
     }
     return used;
   }
+  std::vector<PaperPoint> kind_places() const {
+    std::vector<std::string> names;
+    for (const EventKind* kind : used_kinds()) names.push_back(kind->name);
+    return in_rows(names, small_mm, kind_sample_mm);
+  }
   double kind_keys_mm() const {
-    constexpr std::size_t in_a_row = 6;
-    return key_row_mm * static_cast<double>(1 + used_kinds().size() / in_a_row);
+    const std::vector<PaperPoint> places = kind_places();
+    return key_row_mm + (places.empty() ? 0 : places.back().y_mm);
   }
   void kind_keys(double top) {
-    constexpr double sample_mm = 6.2, apart_mm = 6;
-    double x_mm = left_mm;
-    for (const EventKind* kind : used_kinds()) {
-      const double long_mm = sample_mm + pen_.text_width_mm(kind->name, small_mm);
-      if (x_mm + long_mm > width_mm - right_margin_mm) {
-        x_mm = left_mm;
-        top += key_row_mm;
-      }
-      pen_.fill({x_mm, top, 5, bar_mm}, kind->colour);
-      pen_.write(kind->name, {x_mm + sample_mm, top + 2.1}, small_mm, Anchor::left);
-      x_mm += long_mm + apart_mm;
+    const std::vector<const EventKind*> used = used_kinds();
+    const std::vector<PaperPoint> places = kind_places();
+    for (std::size_t k = 0; k < used.size(); ++k) {
+      const double x_mm = places[k].x_mm, y_mm = top + places[k].y_mm;
+      pen_.fill({x_mm, y_mm, 5, bar_mm}, used[k]->colour);
+      pen_.write(used[k]->name, {x_mm + kind_sample_mm, y_mm + 2.1}, small_mm, Anchor::left);
     }
   }
 
   const ReportData& data_;
   TimeUnit unit_;
   std::vector<EventKind> kinds_;
+  std::unique_ptr<FigurePen> ruler_;  // measures letters before there is a sheet
+  double top_mm_;
   double map_mm_;
   FigurePen pen_;
 };

@@ -133,10 +133,28 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
   }
 }
 
+// Between two ends, since when one has seen the other, or been linked to it.
+struct OpenSight {
+  std::optional<SimTime> visible, link;
+
+  void add(const PairRow& row) {
+    const auto follow = [&](std::optional<SimTime>& since, bool is_on) {
+      if (!is_on) since.reset();
+      if (is_on && !since) since = row.time;
+    };
+    follow(visible, row.visible != 0);
+    follow(link, row.link != 0);
+  }
+};
+
 void read_pairs(const LogReader& log, ReportData& data) {
   std::map<std::pair<std::string, std::string>, ThinnedRows> distances;
   const std::size_t rows = log.pair_count();
+  std::map<std::pair<std::string, std::string>, OpenSight> open;
+  SimTime last{};
   log.for_each_pair([&](const PairRow& row) {
+    open[{row.from_id, row.to_id}].add(row);
+    last = row.time;
     if (!find_rover(data, row.from_id) || !find_rover(data, row.to_id)) return;
     const auto [at, is_new] =
         distances.try_emplace({row.from_id, row.to_id}, rows, report_stretches, 1, 1);
@@ -147,12 +165,19 @@ void read_pairs(const LogReader& log, ReportData& data) {
     data.distances.push_back({ids.first, ids.second, std::move(series)});
   }
   std::map<std::pair<std::string, std::string>, ReportPair> pairs;
-  for (const SightIntervalRow& row : log.sight_intervals()) {
+  const auto add = [&](const SightIntervalRow& row) {
     ReportPair& pair = pairs[{row.from_id, row.to_id}];
     pair.from_id = row.from_id;
     pair.to_id = row.to_id;
     auto& intervals = row.kind == "link" ? pair.link_s : pair.visible_s;
+    // Those of a log that ends in its midst are added last: a whole one has them already.
+    if (!intervals.empty() && intervals.back().second >= seconds(row.end)) return;
     intervals.emplace_back(seconds(row.start), seconds(row.end));
+  };
+  for (const SightIntervalRow& row : log.sight_intervals()) add(row);
+  for (const auto& [ids, since] : open) {
+    if (since.visible) add({ids.first, ids.second, "visible", *since.visible, last, 0});
+    if (since.link) add({ids.first, ids.second, "link", *since.link, last, 0});
   }
   for (auto& [ids, pair] : pairs) data.pairs.push_back(std::move(pair));
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/units.h"
 
 namespace lsos {
 
@@ -78,8 +79,7 @@ Column<Row> optional_time(std::string_view name) {
           }};
 }
 
-// Columns of `samples` that are part of a member. Longitude and latitude are not taken back: the
-// point of the row gives the place.
+// Columns of `samples` that are part of a member.
 Column<SampleRow> utc() {
   return {
       "utc", ColumnType::text,
@@ -87,10 +87,23 @@ Column<SampleRow> utc() {
       nullptr};
 }
 
-template <double (*degrees)(const Geodetic&)>
-Column<SampleRow> place_deg(std::string_view name) {
+// Of a member that is a place.
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> lon(std::string_view name) {
   return {name, ColumnType::real,
-          [](const SampleRow& row, Instant) { return from_number(degrees(row.place)); }, nullptr};
+          [](const Row& row, Instant) { return from_number(lon_deg(row.*member)); },
+          [](Row& row, const ColumnValue& value) {
+            (row.*member).lon_rad = radians(to_number(value));
+          }};
+}
+
+template <auto member, class Row = decltype(row_of(member))>
+Column<Row> lat(std::string_view name) {
+  return {name, ColumnType::real,
+          [](const Row& row, Instant) { return from_number(lat_deg(row.*member)); },
+          [](Row& row, const ColumnValue& value) {
+            (row.*member).lat_rad = radians(to_number(value));
+          }};
 }
 
 template <int axis>
@@ -128,8 +141,8 @@ std::span<const Column<SampleRow>> columns<SampleRow>() {
       time<&R::time>("time_s"),
       utc(),
       text<&R::rover_id>("rover_id"),
-      place_deg<lon_deg>("lon_deg"),
-      place_deg<lat_deg>("lat_deg"),
+      lon<&R::place>("lon_deg"),
+      lat<&R::place>("lat_deg"),
       real<&R::elevation_m>("elevation_m"),
       coordinate<0>("x_m"),
       coordinate<1>("y_m"),
@@ -272,6 +285,8 @@ std::span<const Column<PlannedPathRow>> columns<PlannedPathRow>() {
       real<&R::duration_s>("duration_s"),
       real<&R::energy_j>("energy_j"),
       real<&R::slope_max_rad>("slope_max_rad"),
+      lon<&R::steepest>("steepest_lon_deg"),
+      lat<&R::steepest>("steepest_lat_deg"),
   };
   return table;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/archive.h"
 #include "base/sim_time.h"
 #include "base/vector.h"
 #include "planet/body.h"
@@ -121,6 +122,7 @@ struct PlannedPathRow {
   std::int64_t leg = 0;       // number of the waypoint that it leads to, from 1
   std::int64_t attempt = 0;   // counted from 0
   double length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
+  Geodetic steepest;  // where slope_max_rad is
   std::vector<Geodetic> line;
 };
 
@@ -132,6 +134,10 @@ struct NoteRow {
   std::string name;
   std::string fields_json;  // an object, keys sorted
   Geodetic place;
+
+  void archive(Archive& a) {
+    a(time)(rover_id)(sequence)(name)(fields_json)(place.lon_rad)(place.lat_rad)(place.height_m);
+  }
 };
 
 }  // namespace lsos

@@ -55,6 +55,7 @@ TEST(PathPlan, is_driven_as_it_was_planned) {
   for (const PlannedPathRow& path : paths) {
     EXPECT_EQ(path.time, SimTime{});
     EXPECT_EQ(path.attempt, 0);
+    EXPECT_LT(off_m(paths, path.steepest), 0.1);
     length_m += path.length_m;
     energy_j += path.energy_j;
     duration_s += path.duration_s;

@@ -258,6 +258,32 @@ TEST_F(Report, of_a_run_without_a_summary_says_that_it_has_not_finished) {
   EXPECT_TRUE(data_of(read_text(copy / "report.html"))["summary"].is_null());
 }
 
+TEST(ReportElsewhere, finds_the_scripts_beside_the_plan_that_was_run) {
+  const TempFolder folder, elsewhere;
+  folder.write("events/Nap.lua",
+               "local lsos = require 'lsos'\nreturn lsos.event { api = 1, doc = 'Nap.', "
+               "phases = { nap = function() return lsos.done end } }\n");
+  folder.write("nap.kml", run({"schema", "Nap"}, {folder.path()}).out);
+  ASSERT_EQ(run({"nap.kml", "--quiet", "--no-report"}, {folder.path()}).exit_code, 0);
+  const std::string done = folder / "out/nap";
+  const Outcome overlay = run({"overlay", done}, {elsewhere.path()});
+  EXPECT_EQ(overlay.exit_code, 0);
+  EXPECT_EQ(overlay.err, "");
+  EXPECT_THAT(read_text(done + "/overlay.kml"), HasSubstr("Nap"));
+  const Outcome report = run({"report", done, "--no-pictures"}, {elsewhere.path()});
+  EXPECT_EQ(report.err, "");
+  EXPECT_FALSE(data_of(read_text(done + "/report.html"))["map"].is_null());
+
+  std::filesystem::remove_all(folder / "events");
+  const Outcome gone = run({"overlay", done}, {elsewhere.path()});
+  EXPECT_EQ(gone.exit_code, 0);
+  EXPECT_THAT(gone.err, HasSubstr("warning: what the plan drew may be incomplete: "));
+  EXPECT_THAT(gone.err, HasSubstr("Nap"));
+  const Outcome bare = run({"report", done, "--no-pictures"}, {elsewhere.path()});
+  EXPECT_EQ(bare.exit_code, 0);
+  EXPECT_THAT(bare.err, HasSubstr("warning: map and pictures: "));
+}
+
 TEST_F(Report, compare_finds_a_run_equal_to_itself_and_not_to_another) {
   const std::string plan = folder_->write("other.kml", read_text(*folder_ / "run/plan.kml"));
   std::string text = read_text(plan);

@@ -75,6 +75,7 @@ TEST(Log, gives_back_planned_paths_with_their_lines) {
   row.attempt = 1;
   row.length_m = 123.5;
   row.slope_max_rad = 0.2;
+  row.steepest = geodetic_from_degrees(-18.5, 80.75);
   row.line = {geodetic_from_degrees(-20, 80, 5), geodetic_from_degrees(-19, 81, -6),
               geodetic_from_degrees(-18, 80.5, 7)};
   log.write(row);
@@ -85,6 +86,8 @@ TEST(Log, gives_back_planned_paths_with_their_lines) {
   EXPECT_EQ(rows[0].leg, 2);
   EXPECT_EQ(rows[0].attempt, 1);
   EXPECT_EQ(rows[0].length_m, 123.5);
+  EXPECT_NEAR(lon_deg(rows[0].steepest), -18.5, 1e-12);
+  EXPECT_NEAR(lat_deg(rows[0].steepest), 80.75, 1e-12);
   ASSERT_EQ(rows[0].line.size(), 3u);
   EXPECT_NEAR(lat_deg(rows[0].line[1]), 81, 1e-12);
   EXPECT_NEAR(rows[0].line[1].height_m, -6, 1e-9);

@@ -1,0 +1,25 @@
+#include "lua/run_mission.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "product/files.h"
+
+namespace lsos {
+
+MissionFiles mission_of_run(const std::string& folder,
+                            const std::map<std::string, std::string>& run) {
+  const std::uint64_t seed = std::stoull(run.at("seed"));  // it may have been an option
+  const auto summary =
+      nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
+  if (summary.is_object() && summary.contains("plan") && summary["plan"].is_string()) {
+    const std::string original = summary["plan"].get<std::string>();
+    if (std::filesystem::is_regular_file(original)) {
+      MissionFiles files = read_mission(original, seed);
+      if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
+    }
+  }
+  return read_mission(folder + "/plan.kml", seed);
+}
+
+}  // namespace lsos

@@ -1,0 +1,17 @@
+// The mission that a run was made of, read again from its folder.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "lua/mission_files.h"
+
+namespace lsos {
+
+// From the plan's own file where that is what was run, since scripts and rasters may lie beside it;
+// else from the copy in the folder. With its faults, which the caller weighs: those of scripts that
+// are gone leave the rest of the plan. `run`: values of the log's layer.
+MissionFiles mission_of_run(const std::string& folder,
+                            const std::map<std::string, std::string>& run);
+
+}  // namespace lsos
