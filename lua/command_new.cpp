@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "lua/commands.h"
@@ -71,7 +72,7 @@ std::string filled_in(std::string text, const std::string& name) {
 
 }  // namespace
 
-int new_event_command(const std::string& name) {
+int new_event_command(const std::string& name, bool is_json) {
   const bool is_word =
       !name.empty() && std::isupper(static_cast<unsigned char>(name.front())) != 0 &&
       std::ranges::all_of(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)); });
@@ -97,6 +98,11 @@ int new_event_command(const std::string& name) {
   fs::create_directories("tests/scenarios");
   write_file(event, filled_in(event_text, name));
   write_file(scenario, filled_in(scenario_text, name));
+  if (is_json) {
+    const nlohmann::ordered_json wrote{{"event", event}, {"scenario", scenario}};
+    fmt::print("{}\n", wrote.dump());
+    return 0;
+  }
   fmt::print("wrote {} and {}\ntry it: lsos-host test {}\n", event, scenario, scenario);
   return 0;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
 #include "lua/mission_files.h"
@@ -12,6 +13,8 @@
 namespace lsos {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 constexpr const char* rover_id = "A";
 constexpr const char* asset_id = "Base";
@@ -45,7 +48,14 @@ std::string example(const FieldDeclaration& field) {
     case FieldKind::utc:
       return "2026-07-01T00:00:00Z";
     case FieldKind::number:
-    case FieldKind::integer:
+    case FieldKind::integer: {
+      // 1 where that is allowed, else the nearest that is.
+      const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
+      double value = 1;
+      if (field.max_si) value = std::min(value, *field.max_si / factor);
+      if (field.min_si) value = std::max(value, *field.min_si / factor);
+      return fmt::format("{:.9g}", value);
+    }
     case FieldKind::boolean:
       return "1";
     case FieldKind::text:
@@ -87,9 +97,27 @@ void add(KmlDocument& document, const Kind& kind, int number) {
   document.placemarks.push_back(std::move(placemark));
 }
 
+// The Placemarks have their values in the order of their schema's fields.
+Json kinds_json(const KmlDocument& document) {
+  Json kinds = Json::array();
+  for (std::size_t k = 0; k < document.schemas.size(); ++k) {
+    const KmlSchema& schema = document.schemas[k];
+    Json fields = Json::array();
+    for (std::size_t i = 0; i < schema.fields.size(); ++i) {
+      const KmlField& field = schema.fields[i];
+      fields.push_back({{"name", field.name},
+                        {"type", field.type},
+                        {"doc", field.display_name},
+                        {"example", document.placemarks[k].data[i].second}});
+    }
+    kinds.push_back({{"name", schema.id}, {"fields", fields}});
+  }
+  return kinds;
+}
+
 }  // namespace
 
-int schema_command(const std::vector<std::string>& names) {
+int schema_command(const std::vector<std::string>& names, bool is_json) {
   const std::shared_ptr<const Catalog> catalog = read_catalog("");
   const auto& events = catalog->declarations().events;
   std::vector<std::string> known;
@@ -122,7 +150,11 @@ int schema_command(const std::vector<std::string>& names) {
     kind.fields.insert(kind.fields.end(), common.begin(), common.end());
     add(document, kind, number += 10);
   }
-  fmt::print("{}", write_kml(document));
+  if (is_json) {
+    fmt::print("{}\n", kinds_json(document).dump(2));
+  } else {
+    fmt::print("{}", write_kml(document));
+  }
   return 0;
 }
 

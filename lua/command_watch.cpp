@@ -80,22 +80,39 @@ void end_with_parent(pid_t parent) {
   if (getppid() != parent) _exit(0);
 }
 
+// Forks with both signals held back, so that none reaches the child while our handler is still
+// there to swallow it.
+pid_t fork_with_own_signals() {
+  sigset_t both, before;
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  sigprocmask(SIG_BLOCK, &both, &before);
+  const pid_t process = fork();
+  if (process == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  return process;
+}
+
 }  // namespace
 
 int watch_command(RunOptions options) {
   const pid_t self = getpid();
   Written written = written_now(options.plan);
+  const auto note = [](int signal) { asked_to_stop = signal; };
+  std::signal(SIGINT, note);
+  std::signal(SIGTERM, note);
   for (;;) {
     std::fflush(nullptr);
-    const pid_t process = fork();
+    const pid_t process = fork_with_own_signals();
     if (process < 0) throw std::runtime_error("no process for a run");
     if (process == 0) {
       end_with_parent(self);
       return run_command(options);
     }
-    const auto note = [](int signal) { asked_to_stop = signal; };
-    std::signal(SIGINT, note);
-    std::signal(SIGTERM, note);
     const std::string changed = wait_for_change(options.plan, written);
     // A run that goes on is out of date; one that has ended takes no notice.
     kill(process, asked_to_stop != 0 ? static_cast<int>(asked_to_stop) : SIGTERM);

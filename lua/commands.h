@@ -49,9 +49,9 @@ int test_command(const TestOptions& options);
 int repl_command(const std::string& plan_file);
 
 // KML <Schema> elements, and a plan with one Placemark each, of these events or of all.
-int schema_command(const std::vector<std::string>& names);
+int schema_command(const std::vector<std::string>& names, bool is_json);
 // A skeleton in events/, and a scenario in tests/scenarios/.
-int new_event_command(const std::string& name);
+int new_event_command(const std::string& name, bool is_json);
 
 struct ListOptions {
   std::string what;  // events, rovers, terrains, soils

@@ -172,6 +172,10 @@ bool is_question(const std::string& name) {
   return std::ranges::any_of(questions, [&](const ConditionName& q) { return name == q.name; });
 }
 
+bool gives_number(const std::string& question) {
+  return question == "distance_to" || question == "resource";
+}
+
 std::string condition_syntax_fault(lua_State* L, const std::string& text) {
   std::string fault = push_function(L, text);
   if (fault.empty()) lua_pop(L, 1);
@@ -201,10 +205,8 @@ std::string condition_trial_fault(lua_State* L, const std::string& text, double 
     set(quantity.name, [&] { lua_pushnumber(L, value); });
   }
   for (const ConditionName& question : questions) {
-    const bool gives_number = question.name == std::string_view("distance_to") ||
-                              question.name == std::string_view("resource");
     set(question.name, [&] {
-      if (gives_number) {
+      if (gives_number(question.name)) {
         lua_pushnumber(L, value);
       } else {
         lua_pushboolean(L, answer);

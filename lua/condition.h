@@ -28,6 +28,8 @@ struct ConditionName {
 const std::vector<ConditionName>& condition_names();
 // Whether the name is one that is asked with a text: sees('SEV2').
 bool is_question(const std::string& name);
+// Whether that question's answer is a number; else it is true or false.
+bool gives_number(const std::string& question);
 
 // Parts of condition_fault, "" when well: whether Lua can read it; whether math has that; whether
 // it runs and gives true or false when all quantities are `value`, all answers `answer`.

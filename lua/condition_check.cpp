@@ -94,9 +94,64 @@ std::string argument_fault(const std::string& question, const std::string& argum
                ? ""
                : unknown("resource of the rover", argument, world.resources);
   }
+  if (argument == world.own_id) {
+    return fmt::format("'{}' is the event's own rover; {} asks of another rover or an asset",
+                       argument, question);
+  }
   std::set<std::string> ids = world.ids;
+  ids.erase(world.own_id);
   if (question != "distance_to") ids.insert("Earth");
   return ids.contains(argument) ? "" : unknown("rover or asset", argument, ids);
+}
+
+// What an operand of == or ~= is, where one word or one question says it.
+enum class Operand { unclear, number, truth, text };
+
+Operand operand_of(const Word& word) {
+  if (word.kind == Word::Kind::number) return Operand::number;
+  if (word.kind == Word::Kind::text) return Operand::text;
+  if (word.kind != Word::Kind::name) return Operand::unclear;
+  if (word.text == "true" || word.text == "false") return Operand::truth;
+  if (is_question(word.text)) return gives_number(word.text) ? Operand::number : Operand::truth;
+  const bool is_quantity = std::ranges::any_of(
+      condition_names(), [&](const ConditionName& name) { return name.name == word.text; });
+  return is_quantity ? Operand::number : Operand::unclear;
+}
+
+// Where the operand that ends at `i` begins: sees('B') and sees 'B' are one.
+std::size_t operand_begin(const std::vector<Word>& words, std::size_t i) {
+  const auto asks = [&](std::size_t at) {
+    return words[at].kind == Word::Kind::name && is_question(words[at].text);
+  };
+  if (i >= 3 && words[i].text == ")" && words[i - 2].text == "(" && asks(i - 3)) return i - 3;
+  if (i >= 1 && words[i].kind == Word::Kind::text && asks(i - 1)) return i - 1;
+  return i;
+}
+
+// Lua compares a number with a truth or a text without complaint: they never are the same.
+std::string equality_fault(const std::vector<Word>& words) {
+  static constexpr const char* names[] = {"", "a number", "true or false", "a text"};
+  const auto is_one_of = [&](std::size_t at, std::string_view symbols) {
+    return words[at].kind == Word::Kind::symbol &&
+           symbols.find(words[at].text) != std::string_view::npos;
+  };
+  for (std::size_t i = 1; i + 2 < words.size(); ++i) {
+    if (!is_one_of(i, "=~") || !is_one_of(i + 1, "=")) continue;
+    const std::size_t left = operand_begin(words, i - 1), right = i + 2;
+    if (left > 0 && is_one_of(left - 1, "<>=")) continue;  // a < b == c compares with a < b
+    const Operand a = operand_of(words[left]), b = operand_of(words[right]);
+    if (a == Operand::unclear || b == Operand::unclear || a == b) continue;
+    std::string fault =
+        fmt::format("'{}=' compares {} with {}, and they never are the same", words[i].text,
+                    names[static_cast<int>(a)], names[static_cast<int>(b)]);
+    for (const std::size_t at : {left, right}) {
+      if (is_question(words[at].text) && operand_of(words[at]) == Operand::truth) {
+        fault += fmt::format("; {} needs no comparison: 'not' turns it round", words[at].text);
+      }
+    }
+    return fault;
+  }
+  return "";
 }
 
 std::string names_fault(lua_State* L, const std::vector<Word>& words, const ConditionWorld& world) {
@@ -140,8 +195,11 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
 std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world) {
   const std::string syntax = condition_syntax_fault(L, text);
   if (!syntax.empty()) return syntax;
-  const std::string names = names_fault(L, words_of(text), world);
+  const std::vector<Word> words = words_of(text);
+  const std::string names = names_fault(L, words, world);
   if (!names.empty()) return names;
+  const std::string equality = equality_fault(words);
+  if (!equality.empty()) return equality;
   // Comparisons go one way and the other; what stands behind `and` and `or` is reached by one.
   for (const double value : {0.0, 1.0, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     for (const bool answer : {false, true}) {

@@ -7,6 +7,7 @@
 namespace lsos {
 
 struct ConditionWorld {
+  std::string own_id;               // of the event's rover
   std::set<std::string> ids;        // of rovers and assets
   std::set<std::string> resources;  // that the event's rover carries
 };

@@ -103,6 +103,9 @@ void read_geometry(TableReader& t, EventDeclaration& event) {
   if (lua_istable(t.L(), -1)) {
     for (lua_Integer i = 1; lua_rawgeti(t.L(), -1, i) != LUA_TNIL; ++i, lua_pop(t.L(), 1)) add();
     lua_pop(t.L(), 1);
+    if (lua_rawlen(t.L(), -1) == 0) {
+      t.fault("geometry: the list is empty; an event without one has geometry = 'none'");
+    }
   } else if (!lua_isnil(t.L(), -1)) {
     add();
   } else {

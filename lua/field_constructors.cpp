@@ -98,15 +98,15 @@ void read_integer(TableReader& t, FieldDeclaration& field) {
     t.integer(optional, key, whole, any_number, doc);
     if (whole) value = static_cast<double>(*whole);
   };
-  std::optional<double> default_value;
+  std::optional<std::int64_t> default_value;
   read("min", field.min_si, "Smallest allowed value.");
   read("max", field.max_si, "Largest allowed value.");
-  read("default", default_value,
-       "Value when the plan gives none; without one the script sees nil.");
+  t.integer(optional, "default", default_value, any_number,
+            "Value when the plan gives none; without one the script sees nil.");
   check_limits(t, field);
   if (default_value) {
-    check_default(t, field, *default_value);
-    field.default_value = static_cast<std::int64_t>(*default_value);
+    check_default(t, field, static_cast<double>(*default_value));
+    field.default_value = *default_value;
   }
   read_required(t, field);
 }
@@ -146,11 +146,8 @@ void read_choice(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::choice;
   read_common(t, field);
   t.texts(required, "choices", field.choices, "The words that the plan may give.");
-  if (t.L() != nullptr && field.choices.empty()) {
-    t.fault(fmt::format("'{}': choices is empty", field.name));
-  }
   read_text_default(t, field);
-  if (field.default_value) {
+  if (field.default_value && !field.choices.empty()) {
     const std::string& text = std::get<std::string>(*field.default_value);
     if (std::ranges::find(field.choices, text) == field.choices.end()) {
       t.fault(fmt::format("'{}': the default '{}' is not among the choices {}", field.name, text,

@@ -9,6 +9,7 @@ namespace {
 
 constexpr lua_Integer functions_max = 1000;
 constexpr std::size_t locals_max = 100;
+constexpr std::size_t entries_max = 10'000;
 constexpr int tables_deep = 3;
 
 // Adds the function at the top to the list at `list` once; pops it.
@@ -48,7 +49,7 @@ bool are_same(lua_State* L, int a, int b) {
 FileLocals::FileLocals(lua_State* L, int index) {
   index = lua_absindex(L, index);
   const int top = lua_gettop(L);
-  luaL_checkstack(L, 2 * tables_deep + 10, nullptr);
+  luaL_checkstack(L, 8 * tables_deep + 10, nullptr);
   lua_newtable(L);
   const int kept = lua_gettop(L);
   lua_newtable(L);
@@ -64,14 +65,17 @@ FileLocals::FileLocals(lua_State* L, int index) {
         add_function(L, list);
         continue;
       }
-      const bool is_plain = lua_isnil(L, -1) || lua_isboolean(L, -1) ||
-                            lua_type(L, -1) == LUA_TNUMBER || lua_type(L, -1) == LUA_TSTRING;
-      const bool is_new = is_plain && seen.insert(lua_upvalueid(L, function, n)).second;
-      if (!is_new || locals_.size() >= locals_max) {
+      const bool is_new = seen.insert(lua_upvalueid(L, function, n)).second;
+      if (!is_new || name == std::string_view("_ENV") || locals_.size() >= locals_max) {
         lua_pop(L, 1);
         continue;
       }
-      const lua_Integer at = 2 * static_cast<lua_Integer>(locals_.size()) + 1;
+      if (lua_istable(L, -1)) {
+        add_functions(L, list, tables_deep);
+        add_table(L, kept, name, tables_deep);
+      }
+      const lua_Integer at = kept_count_ + 1;
+      kept_count_ += 2;
       lua_rawseti(L, kept, at + 1);
       lua_pushvalue(L, function);
       lua_rawseti(L, kept, at);
@@ -81,8 +85,79 @@ FileLocals::FileLocals(lua_State* L, int index) {
   lua_pushvalue(L, kept);
   kept_ = luaL_ref(L, LUA_REGISTRYINDEX);
   lua_settop(L, top);
-  std::ranges::sort(locals_, {},
-                    [](const Local& local) { return std::pair(local.name, local.function); });
+  const auto by_name = [](const auto& local) -> const std::string& { return local.name; };
+  std::ranges::stable_sort(locals_, {}, by_name);
+  std::ranges::stable_sort(tables_, {}, by_name);
+}
+
+void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
+  const int table = lua_gettop(L);
+  for (const Table& known : tables_) {
+    lua_rawgeti(L, kept, known.at);
+    const bool is_known = lua_rawequal(L, -1, table) != 0;
+    lua_pop(L, 1);
+    if (is_known) return;
+  }
+  lua_newtable(L);
+  const int copy = lua_gettop(L);
+  std::size_t entries = 0;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (++entries_ > entries_max) return lua_settop(L, table);
+    ++entries;
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, copy);
+  }
+  const lua_Integer at = kept_count_ + 1;
+  kept_count_ += 2;
+  lua_rawseti(L, kept, at + 1);
+  lua_pushvalue(L, table);
+  lua_rawseti(L, kept, at);
+  tables_.push_back({name, at, entries});
+  if (deep == 1) return;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (lua_istable(L, -1)) add_table(L, kept, name, deep - 1);
+  }
+}
+
+std::string FileLocals::restore_tables(lua_State* L) const {
+  if (tables_.empty()) return {};
+  const int top = lua_gettop(L);
+  luaL_checkstack(L, 8, nullptr);
+  lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
+  const int table = top + 2, copy = top + 3;
+  std::string changed;
+  for (const Table& known : tables_) {
+    lua_rawgeti(L, top + 1, known.at);
+    lua_rawgeti(L, top + 1, known.at + 1);
+    std::size_t entries = 0;
+    bool is_same = true;
+    for (lua_pushnil(L); is_same && lua_next(L, table) != 0; lua_pop(L, 1)) {
+      lua_pushvalue(L, -2);
+      lua_rawget(L, copy);
+      is_same = are_same(L, -1, -2) && ++entries <= known.entries;
+      lua_pop(L, 1);
+    }
+    lua_settop(L, top + 1);
+    if (is_same && entries == known.entries) continue;
+    if (changed.empty()) changed = known.name;
+    lua_rawgeti(L, top + 1, known.at);
+    lua_rawgeti(L, top + 1, known.at + 1);
+    for (lua_pushnil(L); lua_next(L, table) != 0;) {
+      lua_pop(L, 1);
+      lua_pushvalue(L, -1);
+      lua_pushnil(L);
+      lua_rawset(L, table);
+    }
+    for (lua_pushnil(L); lua_next(L, copy) != 0; lua_pop(L, 1)) {
+      lua_pushvalue(L, -2);
+      lua_pushvalue(L, -2);
+      lua_rawset(L, table);
+    }
+    lua_settop(L, top + 1);
+  }
+  lua_settop(L, top);
+  return changed;
 }
 
 std::string FileLocals::restore(lua_State* L) const {

@@ -11,21 +11,35 @@ namespace lsos {
 class FileLocals {
  public:
   FileLocals() = default;
-  // Numbers, texts, booleans and nils that the functions in the table at `index`, and in tables in
-  // it, can reach; as they are now. Of a script that has more than anybody writes, the first.
+  // Those that the functions in the table at `index`, and in tables in it, can reach; as they are
+  // now. Of a script that has more than anybody writes, the first.
   FileLocals(lua_State* L, int index);
 
-  // Makes all what they were again. Name of one that was not, the first by bytes; "" when all were.
+  // Makes all what they were again, but for what tables hold. Name of one that was not, the first
+  // by bytes; "" when all were.
   std::string restore(lua_State* L) const;
+  // The same for what tables hold, in a time that grows with them.
+  std::string restore_tables(lua_State* L) const;
 
  private:
+  // Adds the table at the top, and the tables in it; leaves it there.
+  void add_table(lua_State* L, int kept, const char* name, int deep);
+
   struct Local {
     std::string name;
     int upvalue;           // of the function
     lua_Integer function;  // in the kept table; its value is the next
   };
+  struct Table {
+    std::string name;  // of the local through which it is reached
+    lua_Integer at;    // in the kept table; the next is a copy
+    std::size_t entries;
+  };
   std::vector<Local> locals_;
-  int kept_ = LUA_NOREF;  // registry reference
+  std::vector<Table> tables_;
+  std::size_t entries_ = 0;     // of all tables
+  lua_Integer kept_count_ = 0;  // places in the kept table
+  int kept_ = LUA_NOREF;        // registry reference
 };
 
 }  // namespace lsos

@@ -96,18 +96,28 @@ struct LuaHost::Impl {
     const auto failure = call_script(L, 2, results);
     const std::string changed = instance.script->locals.restore(L);
     if (failure) throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
-    if (changed.empty()) return;
+    refuse(changed);
+  }
+
+  static void refuse(const std::string& changed_local) {
+    if (changed_local.empty()) return;
     throw std::runtime_error(
         fmt::format("it changed '{}', a local of the file, which all events of the type would "
                     "share and no mission saves; keep it in ev.state",
-                    changed));
+                    changed_local));
   }
 
   PhaseAnswer run_function(lua_State* L, ScriptInstance id, Instance& instance,
                            const EventCall& event_call, const std::string& where) {
     const int base = lua_gettop(L) - 1;
     call(L, id, instance, event_call, where, LUA_MULTRET);
-    return read_answer(L, base, instance.script->declaration);
+    PhaseAnswer answer = read_answer(L, base, instance.script->declaration);
+    // Tables may be long: they are looked through at the end of each phase, not at each call.
+    const bool waits = std::holds_alternative<Stay>(answer) ||
+                       std::holds_alternative<SleepUntil>(answer) ||
+                       std::holds_alternative<Arrival>(answer);
+    if (!waits) refuse(instance.script->locals.restore_tables(L));
+    return answer;
   }
 
   PhaseAnswer run_sub_event(lua_State* L, ScriptInstance id, Instance& instance,

@@ -230,12 +230,14 @@ int run_program(std::vector<std::string> arguments) {
   CLI::App* schema_command = app.add_subcommand(
       "schema", "KML <Schema> elements of events, and a plan with one Placemark of each");
   schema_command->add_option("NAME", schemas, "Events (all)");
+  schema_command->add_flag("--json", is_json, "The fields of each as JSON, in place of KML");
 
   std::string new_what, new_name;
   CLI::App* new_command =
       app.add_subcommand("new", "A script that works, to begin from, and a scenario that tests it");
   new_command->add_option("WHAT", new_what, "event")->required()->check(CLI::IsMember({"event"}));
   new_command->add_option("NAME", new_name, "What it shall be called: DropBeacon")->required();
+  new_command->add_flag("--json", is_json, "The names of the files as JSON");
 
   std::string overlay_folder;
   bool overlay_is_packed = false;
@@ -318,8 +320,8 @@ int run_program(std::vector<std::string> arguments) {
   if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);
   if (repl_command->parsed()) return lsos::repl_command(repl_plan);
-  if (schema_command->parsed()) return lsos::schema_command(schemas);
-  if (new_command->parsed()) return lsos::new_event_command(new_name);
+  if (schema_command->parsed()) return lsos::schema_command(schemas, is_json);
+  if (new_command->parsed()) return lsos::new_event_command(new_name, is_json);
   if (test_command->parsed()) return lsos::test_command(test);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, overlay_is_packed, is_json);

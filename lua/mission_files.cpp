@@ -83,7 +83,7 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
       const std::string fault =
-          host.condition_fault(condition.text, {ids, resources[event.rover_id]});
+          host.condition_fault(condition.text, {event.rover_id, ids, resources[event.rover_id]});
       if (fault.empty()) return;
       faults.error({event.place.file, condition.line},
                    fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
@@ -157,7 +157,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 }
 
 PlanSource read_plan_source(const std::string& plan_file) {
-  return {plan_file, read_kml(plan_file), "", read_bytes(plan_file)};
+  return {plan_file, read_kml(plan_file), "", read_bytes(plan_file), true};
 }
 
 MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog) {

@@ -37,8 +37,9 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 struct PlanSource {
   std::string file;  // what relative paths are relative to
   KmlSource kml;
-  std::string soil;   // that the ground is made of; "": the terrain's own
-  std::string bytes;  // the same as a KML or KMZ file
+  std::string soil;     // that the ground is made of; "": the terrain's own
+  std::string bytes;    // the same as a KML or KMZ file
+  bool is_file = true;  // its scripts are found as those of `file`; else as those of any plan
 };
 // Throws InputError.
 PlanSource read_plan_source(const std::string& plan_file);

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
+
+#include "product/files.h"
 
 namespace lsos {
 
@@ -27,6 +30,13 @@ void check_output(const std::string& option, const std::string& file,
     if (!fs::equivalent(file, input, is_absent)) continue;
     faults.error({}, fmt::format("{}: the command reads this file; another name is wanted", asked));
   }
+}
+
+void check_replaceable(const std::string& file, std::string_view mark) {
+  const auto found = read_file(file);
+  if (!found || found->starts_with(mark)) return;
+  throw std::runtime_error(
+      fmt::format("{} is there and is something else; another name is wanted", file));
 }
 
 }  // namespace lsos

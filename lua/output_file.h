@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -13,5 +14,9 @@ namespace lsos {
 void check_output(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
                   Faults& faults);
+
+// Throws std::runtime_error where the file is there and does not begin with `mark`: what is written
+// in its place is asked for by scripts, and those are tried out beside plans and notes.
+void check_replaceable(const std::string& file, std::string_view mark);
 
 }  // namespace lsos

@@ -93,8 +93,11 @@ class PlanTableReader {
     t.numbers(optional, "site", site, any_number,
               "{ lon_deg, lat_deg } of east 0, north 0 (0, 0).");
     const Body* body = find_body(planet);
-    if (site.size() != 2) t.fault("site: { lon_deg, lat_deg } is wanted");
-    site.resize(2);
+    const bool is_place = site.size() == 2 && std::abs(site[0]) <= 360 && std::abs(site[1]) <= 90;
+    if (!is_place) {
+      t.fault("site: { lon_deg, lat_deg } is wanted, -360..360 and -90..90");
+      site = {0, 0};
+    }
     const SiteFrame frame(body == nullptr ? *find_body("Moon") : *body,
                           geodetic_from_degrees(site[0], site[1]));
 

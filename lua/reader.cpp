@@ -206,6 +206,7 @@ void TableReader::texts(Need need, const char* key, std::vector<std::string>& va
                         const char* doc) {
   if (!get(need, key, "list of texts", doc, LUA_TTABLE, "a list of texts")) return;
   value.clear();
+  if (need == required && lua_rawlen(L_, -1) == 0) fault(fmt::format("{}: is empty", key));
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
     charge(L_, instructions_per_key);
     if (lua_type(L_, -1) == LUA_TSTRING) {

@@ -88,6 +88,7 @@ class TableReader {
     check_word(key, *found, names);
   }
   void numbers(Need, const char* key, std::vector<double>& value, const Range&, const char* doc);
+  // One that is required must not be empty.
   void texts(Need, const char* key, std::vector<std::string>& value, const char* doc);
   // api = 1
   void api_version();

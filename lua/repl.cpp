@@ -18,6 +18,7 @@ namespace lsos {
 namespace {
 
 constexpr const char* shown_file = "prompt";
+constexpr int tables_behind = 4;  // one another, by __index
 
 // Set by Ctrl-C while a line runs; it stops a script, and SimSession stops a run.
 std::atomic<bool> is_stop_wanted{false};
@@ -92,17 +93,31 @@ std::vector<std::string> locals_in(const std::string& text) {
   return names;
 }
 
-// Names of what the value at the top has.
+// Adds the texts among the keys of the table at the top.
+void add_keys(lua_State* L, std::vector<std::string>& names) {
+  for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
+    if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+  }
+}
+
+// Names of what the value at the top has. A library cannot be written to: what it has is in a table
+// behind it.
 std::vector<std::string> member_names(lua_State* L) {
   std::vector<std::string> names;
   if (const HandleType* type = handle_type(L, -1)) {
     for (const HandleField& field : type->fields) names.emplace_back(field.name);
     for (const HandleMethod& method : type->methods) names.emplace_back(method.name);
   } else if (lua_istable(L, -1)) {
-    for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
-      if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
+    luaL_checkstack(L, 8 + 2 * tables_behind, "names of members");
+    add_keys(L, names);
+    const int top = lua_gettop(L);
+    while (luaL_getmetafield(L, -1, "__index") != LUA_TNIL && lua_istable(L, -1) &&
+           lua_gettop(L) < top + tables_behind) {
+      add_keys(L, names);
     }
+    lua_settop(L, top);
     std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
   }
   return names;
 }

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "lua/handle.h"
+#include "lua/output_file.h"
 #include "lua/quantity.h"
 #include "lua/sim_functions.h"
 #include "lua/state.h"
@@ -58,6 +59,7 @@ int step_phase(lua_State* L) {
 
 int save(lua_State* L) {
   const std::filesystem::path file = luaL_checkstring(L, 2);
+  check_replaceable(file, SimSession::saved_mark);
   if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path());
   write_file(file, sim_session(L).save());
   return 0;

@@ -6,10 +6,12 @@
 
 #include "base/error.h"
 #include "lua/handle.h"
+#include "lua/output_file.h"
 #include "lua/picture_in_hand.h"
 #include "lua/reader.h"
 #include "lua/sim_functions.h"
 #include "lua/state.h"
+#include "product/png.h"
 
 namespace lsos {
 
@@ -217,6 +219,7 @@ int sim_picture(lua_State* L) {
   }
   const std::string picture =
       file.empty() ? fmt::format("{}/{}_s.png", session.folder(), seconds(session.now())) : file;
+  check_replaceable(picture, png_mark);
   write_picture(session, wish, picture);
   lua_pushstring(L, picture.c_str());
   return 1;

@@ -17,8 +17,10 @@ namespace {
 std::atomic<bool> is_interrupted{false};
 
 constexpr SimTime quiet_look{1'000'000};
-constexpr std::string_view tag = "lsos-host session 2";
 constexpr std::size_t hash_bytes = 64;
+
+// Its number changes with what is saved.
+std::string saved_head() { return std::string(SimSession::saved_mark) + " 3\n"; }
 
 // One more event, checked as those of a plan's file are. Throws InputError.
 PlanEvent checked_event(const SourcePlacemark& placemark, const Plan& plan,
@@ -171,7 +173,7 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
 }
 
 void SimSession::reload() {
-  go_on_with(files_with(source_.soil, read_catalog(source_.file)), true);
+  go_on_with(files_with(source_.soil, read_catalog(source_.is_file ? source_.file : "")), true);
 }
 
 void SimSession::set_soil(const std::string& name) {
@@ -207,19 +209,22 @@ std::string SimSession::save() {
   std::string plan = files_.plan.hash(), soil = source_.soil;
   std::string dispatched = dispatched_.empty() ? "" : kml_of({source_.file, dispatched_});
   std::string state = simulation_->save();
-  a.tag(tag)(plan)(soil)(dispatched)(state);
-  return sha256_hex(a.bytes()) + a.bytes();
+  a(plan)(soil)(dispatched)(notes_)(state);
+  return saved_head() + sha256_hex(a.bytes()) + a.bytes();
 }
 
 void SimSession::load(const std::string& bytes) {
-  const std::string content = bytes.substr(std::min(hash_bytes, bytes.size()));
-  if (bytes.substr(0, hash_bytes) != sha256_hex(content)) {
-    throw InputError({}, "is not what sim:save wrote, or damaged");
+  if (!bytes.starts_with(saved_head())) {
+    throw InputError({}, "is not what sim:save of this version of the program wrote");
   }
+  const std::string marked = bytes.substr(saved_head().size());
+  const std::string content = marked.substr(std::min(hash_bytes, marked.size()));
+  if (marked.substr(0, hash_bytes) != sha256_hex(content)) throw InputError({}, "is damaged");
   std::string plan, soil, dispatched_kml, state;
+  std::vector<NoteRow> notes;
   try {
     Archive a = Archive::reader(content);
-    a.tag(tag)(plan)(soil)(dispatched_kml)(state);
+    a(plan)(soil)(dispatched_kml)(notes)(state);
     MissionFiles files = files_with(soil, files_.catalog);
     if (files.plan.hash() != plan) throw InputError({}, "was saved with another plan");
     std::vector<SourcePlacemark> dispatched;
@@ -227,13 +232,13 @@ void SimSession::load(const std::string& bytes) {
     std::unique_ptr<Simulation> simulation = made(files, true, dispatched);
     simulation->restore(state);
     dispatched_ = std::move(dispatched);
+    notes_ = std::move(notes);
     files_ = std::move(files);
     source_.soil = soil;
     take(std::move(simulation), true);
   } catch (const Archive::Mismatch& error) {
     throw InputError({}, fmt::format("is of another version of the program: {}", error.what()));
   }
-  std::erase_if(notes_, [&](const NoteRow& row) { return row.time > now(); });
   told_.clear();
   told_warnings_ = 0;
   take_news();  // what had come until then was told

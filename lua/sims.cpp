@@ -43,7 +43,7 @@ ScriptInstance Sims::open(const std::string& plan_file) {
 ScriptInstance Sims::open(lua_State* L, int table, const Place& place) {
   const PlanTable plan = read_plan_table(L, table, place);
   if (!catalog_) catalog_ = read_catalog("");
-  return add({plan.source.file, plan.source, plan.soil, kml_of(plan.source)}, catalog_);
+  return add({plan.source.file, plan.source, plan.soil, kml_of(plan.source), false}, catalog_);
 }
 
 std::vector<std::string> Sims::take_news() {

@@ -69,12 +69,10 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
   const SimTime stayed = now - frames_.back().phase_start;
   if (std::holds_alternative<Stay>(answer) && stayed >= long_stay &&
       stayed - exchange_period < long_stay && agent.drive().status != DriveState::Status::driving) {
-    advice_ =
-        to_string({Severity::warning, place_,
-                   fmt::format("{} '{}': phase '{}' of {} has answered nothing for an hour and is "
-                               "called every 0.1 s, while nothing drives; does a 'return "
-                               "lsos.done' lack, or an lsos.sleep?",
-                               rover_id_, label_, frames_.back().phase, frames_.back().type)});
+    advice_ = fmt::format(
+        "{}:{}: {} '{}': phase '{}' of {} has answered nothing for an hour and is called every "
+        "0.1 s, while nothing drives; does a 'return lsos.done' lack, or an lsos.sleep?",
+        place_.file, place_.line, rover_id_, label_, frames_.back().phase, frames_.back().type);
   }
   if (const auto* sleep = std::get_if<SleepUntil>(&answer)) {
     wake_at_ = std::max(wake_at_, round_up_to_exchange(sleep->time));

@@ -4,8 +4,12 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace lsos {
+
+// What a PNG begins with.
+inline constexpr std::string_view png_mark = "\x89PNG\r\n";
 
 // Red, green and blue bytes, or with `has_alpha` grey and alpha ones; rows from the top.
 std::string png_bytes(int width, int height, std::span<const std::uint8_t> pixels,

@@ -106,6 +106,26 @@ lsos.scenario('dispatched events are saved with the state', function(t)
   t:near(other.time_s, 110, 1)
 end)
 
+lsos.scenario('notes are saved with the state', function(t)
+  local sim = sim_of { 'Pause', Duration = 60 }
+  sim:shade('A', 0.5)
+  sim:save('out/by_hand_noted.state')
+  local other = sim_of { 'Pause', Duration = 60 }
+  other:silence('A')
+  other:load('out/by_hand_noted.state')
+  t:equal(#other:notes(), 1)
+  t:equal(other:notes()[1].name, 'shaded')
+end)
+
+lsos.scenario('nothing else is replaced by what is saved or drawn', function(t)
+  local sim = sim_of { 'Pause', Duration = 60 }
+  sim:save('out/by_hand_kept.state')
+  sim:save('out/by_hand_kept.state')
+  t:fails(function() sim:picture('out/by_hand_kept.state') end, 'is there and is something else')
+  t:fails(function() sim:save(sim.folder .. '/plan.kml') end, 'plan.kml is there and is something')
+  sim:load('out/by_hand_kept.state')
+end)
+
 lsos.scenario('what a hand does is in the notes', function(t)
   local sim = sim_of { 'Route', at = { 0, 60 } }
   sim:run_for(5)
@@ -123,9 +143,17 @@ end)
 lsos.scenario('dispatched events are checked as those of a plan', function(t)
   local sim = sim_of { 'Pause', Duration = 60 }
   local function add(event) return function() sim:dispatch('A', 'Pause', event) end end
-  t:fails(add { Duration = 1, StartWhen = 'chrage < 1' }, "did you mean 'charge'")
+  local function condition(text, fault) t:fails(add { Duration = 1, StartWhen = text }, fault) end
+  condition('chrage < 1', "did you mean 'charge'")
+  condition("distance_to('A') < 5", "'A' is the event's own rover")
+  condition("sees('Earth') == 1",
+    "'==' compares true or false with a number, and they never are the same; sees needs no " ..
+    "comparison: 'not' turns it round")
+  condition('true ~= charge', "'~=' compares true or false with a number")
+  condition("charge == 'full'", "'==' compares a number with a text")
+  add { Duration = 1, StartWhen = "charge < 2 == true and sees('Earth') == false or charge == 1" }()
   t:fails(function() sim:dispatch('A', 'Rendezvous', { With = 'nobody' }) end, 'nobody')
-  t:equal(#sim.events, 1)
+  t:equal(#sim.events, 2)
 end)
 
 lsos.scenario('a plan that is wrong says so', function(t)

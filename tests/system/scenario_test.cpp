@@ -148,6 +148,8 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
       {"lsos.sim { rover = { A = { type = 'SEV' } } }", "did you mean 'rovers'?"},
       {"lsos.sim { site = { 1 }, rovers = { A = { type = 'SEV' } } }",
        "site: { lon_deg, lat_deg } is wanted"},
+      {"lsos.sim { site = { 500, 100 }, rovers = { A = { type = 'SEV' } } }",
+       "site: { lon_deg, lat_deg } is wanted, -360..360 and -90..90"},
       {"lsos.sim { rovers = { A = { type = 'SEV', at = 'here' } } }",
        "at: { east_m, north_m } is wanted"},
       {plan("'Pause'"), "events: a list is wanted, found a text"},
@@ -240,12 +242,52 @@ TEST(NewEvent, is_a_script_and_a_scenario_that_passes) {
   const Outcome outcome = run({"test"}, there);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("ok 1 - tests/scenarios/DropBeacon.lua"));
+  const Outcome other = run({"new", "event", "Fetch", "--json"}, there);
+  EXPECT_EQ(other.out,
+            "{\"event\":\"events/Fetch.lua\",\"scenario\":\"tests/scenarios/Fetch.lua\"}\n");
   const Outcome again = run({"new", "event", "DropBeacon"}, there);
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.err, HasSubstr("there is an event 'DropBeacon' already"));
   const Outcome wrong = run({"new", "event", "drop-beacon"}, there);
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("'drop-beacon' cannot be an event's name"));
+}
+
+TEST(Scenarios, reload_scripts_from_where_they_found_them) {
+  const TempFolder folder;
+  folder.write("events/Nap.lua",
+               "local lsos = require 'lsos'\nreturn lsos.event { api = 1, doc = 'Nap.', "
+               "phases = { nap = function() return lsos.done end } }\n");
+  folder.write("checks/nap.lua",
+               "local lsos = require 'lsos'\nlsos.scenario('nap', function(t)\n"
+               "  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Pause', "
+               "Duration = 5 }, { 'Nap' } } } } }\n"
+               "  sim:reload()\n  sim:run()\n  t:equal(sim:event('A/20').status, 'completed')\n"
+               "end)\n");
+  const Outcome outcome = test(folder, {"checks/nap.lua"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+TEST(Schema, gives_its_fields_as_json_and_examples_within_their_limits) {
+  const TempFolder folder;
+  folder.write("events/Nap.lua",
+               "local lsos = require 'lsos'\nreturn lsos.event { api = 1, doc = 'Nap.', "
+               "phases = { nap = function() return lsos.done end }, params = { depth_m = "
+               "lsos.number { kml = 'Depth', unit = 'km', min = 2.5, required = true, doc = 'Of "
+               "the bed.' } } }\n");
+  const Outcome outcome = run({"schema", "Nap", "--json"}, {folder.path()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json kinds = json::parse(outcome.out);
+  EXPECT_EQ(kinds[0]["name"], "MissionInfo");
+  EXPECT_EQ(kinds.back()["name"], "Nap");
+  const json& fields = kinds.back()["fields"];
+  const auto depth =
+      std::ranges::find_if(fields, [](const json& f) { return f["name"] == "Depth"; });
+  ASSERT_NE(depth, fields.end());
+  EXPECT_EQ((*depth)["doc"], "Of the bed.");
+  EXPECT_EQ((*depth)["example"], "2.5");
+  folder.write("form.kml", run({"schema", "Nap"}, {folder.path()}).out);
+  EXPECT_EQ(run({"check", "form.kml"}, {folder.path()}).exit_code, 0);
 }
 
 TEST(Schema, is_a_plan_that_reads) {

@@ -1,4 +1,4 @@
--- expect: choice: 'Mode': choices is empty
+-- expect: choice: choices: is empty
 -- as: events
 local lsos = require 'lsos'
 return lsos.event {

@@ -138,6 +138,30 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
   EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
 }
 
+TEST(Host, refuses_what_a_phase_keeps_in_a_table_of_the_file) {
+  EventRun run(R"(
+    local seen, here = { deep = { first = 1 } }, nil
+    local counter = {}
+    function counter.add(ev) counter[ev.label] = true end
+    local function go(ev) seen.deep.second = 2 return lsos.done end
+    local function removes() seen.deep.first = nil return lsos.done end
+    local function replaces() seen = {} return lsos.done end
+    local function adds(ev) counter.add(ev) return lsos.done end
+    local function moves(_, rover) here = rover.position return lsos.done end
+    local function stays()
+      local first, second = seen.deep.first, seen.deep.second
+      return first == 1 and second == nil and counter['probe 1'] == nil and not here and lsos.done
+    end)",
+               "phases = { go = go, removes = removes, replaces = replaces, adds = adds, "
+               "moves = moves, stays = stays }");
+  for (const char* phase : {"go", "removes", "replaces"}) {
+    EXPECT_THAT(run.error(phase), HasSubstr("it changed 'seen', a local of the file")) << phase;
+  }
+  EXPECT_THAT(run.error("adds"), HasSubstr("it changed 'counter', a local of the file"));
+  EXPECT_THAT(run.error("moves"), HasSubstr("it changed 'here', a local of the file"));
+  EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
+}
+
 // What earlier calls left as garbage makes no later one dearer: a mission that was resumed does not
 // have it.
 TEST(Host, budgets_forget_earlier_calls) {

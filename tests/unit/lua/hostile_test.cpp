@@ -78,7 +78,7 @@ class HostileCondition : public ::testing::TestWithParam<const char*> {};
 TEST_P(HostileCondition, is_refused_and_would_end_soon) {
   auto run = EventRun::of_phase("return");
   const CpuTime time;
-  EXPECT_NE(run->host->condition_fault(GetParam(), {{"A"}, {}}), "");
+  EXPECT_NE(run->host->condition_fault(GetParam(), {"B", {"A"}, {}}), "");
   try {
     run->host->holds(GetParam(), {}, run->rover);
   } catch (const ScriptError&) {

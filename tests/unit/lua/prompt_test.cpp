@@ -25,6 +25,7 @@ class PromptLines : public ::testing::Test {
     repl_.run(line);
     return lines_;
   }
+  std::vector<std::string> completions(const std::string& text) { return repl_.completions(text); }
   Repl::Outcome outcome(const std::string& line) { return repl_.run(line); }
   // Ctrl-C, while the line runs.
   std::vector<std::string> said_when_interrupted(const std::string& line) {
@@ -52,6 +53,15 @@ TEST_F(PromptLines, show_values_and_what_tables_hold) {
   EXPECT_THAT(
       said("(function() local t = {} for i = 1, 300 do t[i] = i end return t end)()").front(),
       HasSubstr("\n  200 = 200\n  and 100 more"));
+}
+
+TEST_F(PromptLines, are_completed_with_what_the_libraries_have) {
+  EXPECT_THAT(completions("lsos.vec"), ElementsAre("lsos.vec3"));
+  EXPECT_THAT(completions("1 + math.flo"), ElementsAre("math.floor"));
+  EXPECT_THAT(completions("tos"), ElementsAre("tostring"));
+  said("tally = { towed = { 1 } }");
+  EXPECT_THAT(completions("tally.to"), ElementsAre("tally.towed"));
+  EXPECT_THAT(completions("nothing.x"), IsEmpty());
 }
 
 TEST_F(PromptLines, show_tables_within_tables_on_their_line) {
