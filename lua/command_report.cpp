@@ -68,7 +68,7 @@ int report_command(const ReportOptions& options) {
   check(options);
   const std::string& folder = options.folder;
   const LogReader log(folder + "/log.gpkg");
-  const OpenedRun from = opened(folder, log);
+  OpenedRun from = opened(folder, log);
   std::string file = options.file;
   if (options.is_figure) {
     if (file.empty()) file = folder + "/report.png";

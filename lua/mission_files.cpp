@@ -160,11 +160,13 @@ PlanSource read_plan_source(const std::string& plan_file) {
   return {plan_file, read_kml(plan_file), "", read_bytes(plan_file), true};
 }
 
-MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog) {
+MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,
+                          std::optional<std::uint64_t> seed) {
   MissionFiles files;
   files.plan_bytes = source.bytes;
   files.catalog = std::move(catalog);
   files.plan = read_plan(source.file, source.kml, files.catalog->declarations(), files.faults);
+  if (seed) files.plan.mission.seed = *seed;
   read_models(files);
   if (!source.soil.empty() && !files.faults.has_errors()) {
     files.terrain.soil = files.catalog->load_soil(source.soil, files.plan.mission.place);

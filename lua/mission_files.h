@@ -43,7 +43,8 @@ struct PlanSource {
 };
 // Throws InputError.
 PlanSource read_plan_source(const std::string& plan_file);
-MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog);
+MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,
+                          std::optional<std::uint64_t> seed = {});
 
 // What the scripts say of the fields of a plan's events, and faults in their conditions. `files`:
 // of the plan, with its rovers.

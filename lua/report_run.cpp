@@ -47,20 +47,20 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
 }  // namespace
 
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
-                      const ReportWish& wish, const std::vector<std::string>& left_out) {
+                      const ReportWish& wish, std::vector<std::string>& left_out) {
   const SiteFrame site = run.ground ? run.ground->site() : site_of(log, run.files.plan);
   const ReportData data = read_report_data(log, run.files.plan, site);
   ReportExtras extras;
-  extras.left_out = left_out;
   if (run.ground) {
     extras.map = report_map(*run.ground, data, wish.shadow_at, wish.threads);
     // No font, no way to draw: all else is still worth reading.
     try {
-      if (wish.has_pictures) extras.pictures = pictures(run, log, data, extras.left_out);
+      if (wish.has_pictures) extras.pictures = pictures(run, log, data, left_out);
     } catch (const std::exception& error) {
-      extras.left_out.push_back(fmt::format("pictures: {}", error.what()));
+      left_out.push_back(fmt::format("pictures: {}", error.what()));
     }
   }
+  extras.left_out = left_out;
   return report_html(data, run.files.plan, site, summary, extras);
 }
 
@@ -73,7 +73,9 @@ void write_report(const std::string& run_dir, const MissionFiles& files, const G
     run.ground = std::shared_ptr<const Ground>(std::shared_ptr<const Ground>(), &ground);
     run.start = log.start();
     run.end = log.last_sample_time();
-    write_file(run_dir + "/report.html", report_of(std::move(run), log, to_json(summary), wish));
+    std::vector<std::string> left_out;  // the page says so
+    write_file(run_dir + "/report.html",
+               report_of(std::move(run), log, to_json(summary), wish, left_out));
   } catch (const std::exception& error) {
     fmt::print(stderr, "warning: report.html could not be made: {}\n", error.what());
   }

@@ -17,9 +17,10 @@ struct ReportWish {
 };
 
 // `run`: its files and its ground; without ground there is neither map nor picture, and
-// `left_out` says why. `summary`: the text of summary.json, "" for none.
+// `left_out` says why. `summary`: the text of summary.json, "" for none. What else has to be left
+// out is added.
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
-                      const ReportWish& wish, const std::vector<std::string>& left_out = {});
+                      const ReportWish& wish, std::vector<std::string>& left_out);
 
 // DIR/report.html of a run that has just ended. Where it cannot be made, says so on standard error:
 // the run is none the worse.

@@ -19,7 +19,11 @@ MissionFiles mission_of_run(const std::string& folder,
       if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
     }
   }
-  return read_mission(folder + "/plan.kml", seed);
+  const std::string copy = folder + "/plan.kml";
+  MissionFiles files = read_mission(copy, seed);
+  if (!files.faults.has_errors()) return files;
+  MissionFiles with_ours = read_mission(read_plan_source(copy), read_catalog(""), seed);
+  return with_ours.faults.has_errors() ? files : with_ours;
 }
 
 }  // namespace lsos

@@ -9,7 +9,8 @@
 namespace lsos {
 
 // From the plan's own file where that is what was run, since scripts and rasters may lie beside it;
-// else from the copy in the folder. With its faults, which the caller weighs: those of scripts that
+// else from the copy in the run's folder, with the scripts of the working folder where those beside
+// the copy do not do. With its faults, which the caller weighs: those of scripts that
 // are gone leave the rest of the plan. `run`: values of the log's layer.
 MissionFiles mission_of_run(const std::string& folder,
                             const std::map<std::string, std::string>& run);

@@ -133,28 +133,46 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
   }
 }
 
-// Between two ends, since when one has seen the other, or been linked to it.
+// Between two ends, since when one has seen the other, or been linked to it, as rows of `pairs` say
+// that came after the last interval that is in the log.
 struct OpenSight {
-  std::optional<SimTime> visible, link;
+  struct Since {
+    SimTime closed_until{-1};
+    std::optional<SimTime> begin;
 
-  void add(const PairRow& row) {
-    const auto follow = [&](std::optional<SimTime>& since, bool is_on) {
-      if (!is_on) since.reset();
-      if (is_on && !since) since = row.time;
-    };
-    follow(visible, row.visible != 0);
-    follow(link, row.link != 0);
-  }
+    void add(SimTime time, bool is_on) {
+      if (time <= closed_until) return;
+      if (!is_on) begin.reset();
+      if (is_on && !begin) begin = time;
+    }
+  };
+  Since visible, link;
+  SimTime last{};
 };
 
 void read_pairs(const LogReader& log, ReportData& data) {
   std::map<std::pair<std::string, std::string>, ThinnedRows> distances;
   const std::size_t rows = log.pair_count();
+  std::map<std::pair<std::string, std::string>, ReportPair> pairs;
   std::map<std::pair<std::string, std::string>, OpenSight> open;
-  SimTime last{};
+  const auto add = [&](const std::string& from_id, const std::string& to_id, bool is_link,
+                       SimTime begin, SimTime end) {
+    ReportPair& pair = pairs[{from_id, to_id}];
+    pair.from_id = from_id;
+    pair.to_id = to_id;
+    (is_link ? pair.link_s : pair.visible_s).emplace_back(seconds(begin), seconds(end));
+  };
+  for (const SightIntervalRow& row : log.sight_intervals()) {
+    const bool is_link = row.kind == "link";
+    add(row.from_id, row.to_id, is_link, row.start, row.end);
+    OpenSight& sight = open[{row.from_id, row.to_id}];
+    (is_link ? sight.link : sight.visible).closed_until = row.end;
+  }
   log.for_each_pair([&](const PairRow& row) {
-    open[{row.from_id, row.to_id}].add(row);
-    last = row.time;
+    OpenSight& sight = open[{row.from_id, row.to_id}];
+    sight.visible.add(row.time, row.visible != 0);
+    sight.link.add(row.time, row.link != 0);
+    sight.last = row.time;
     if (!find_rover(data, row.from_id) || !find_rover(data, row.to_id)) return;
     const auto [at, is_new] =
         distances.try_emplace({row.from_id, row.to_id}, rows, report_stretches, 1, 1);
@@ -164,20 +182,11 @@ void read_pairs(const LogReader& log, ReportData& data) {
     series.finish();
     data.distances.push_back({ids.first, ids.second, std::move(series)});
   }
-  std::map<std::pair<std::string, std::string>, ReportPair> pairs;
-  const auto add = [&](const SightIntervalRow& row) {
-    ReportPair& pair = pairs[{row.from_id, row.to_id}];
-    pair.from_id = row.from_id;
-    pair.to_id = row.to_id;
-    auto& intervals = row.kind == "link" ? pair.link_s : pair.visible_s;
-    // Those of a log that ends in its midst are added last: a whole one has them already.
-    if (!intervals.empty() && intervals.back().second >= seconds(row.end)) return;
-    intervals.emplace_back(seconds(row.start), seconds(row.end));
-  };
-  for (const SightIntervalRow& row : log.sight_intervals()) add(row);
-  for (const auto& [ids, since] : open) {
-    if (since.visible) add({ids.first, ids.second, "visible", *since.visible, last, 0});
-    if (since.link) add({ids.first, ids.second, "link", *since.link, last, 0});
+  // Of a log that ends in its midst.
+  for (const auto& [ids, sight] : open) {
+    const auto& [visible, link, last] = sight;
+    if (visible.begin) add(ids.first, ids.second, false, *visible.begin, last);
+    if (link.begin) add(ids.first, ids.second, true, *link.begin, last);
   }
   for (auto& [ids, pair] : pairs) data.pairs.push_back(std::move(pair));
 }

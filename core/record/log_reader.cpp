@@ -20,7 +20,8 @@ std::vector<int> field_numbers(OGRLayer& layer, const LayerSpec& spec, const std
     const std::string name(column.name);
     const int number = layer.GetLayerDefn()->GetFieldIndex(name.c_str());
     if (number < 0) {
-      throw InputError({file}, fmt::format("no log of lsos-host: layer '{}' has no column '{}'",
+      throw InputError({file}, fmt::format("no log of this version of lsos-host: layer '{}' has no "
+                                           "column '{}'",
                                            spec.name, name));
     }
     numbers.push_back(number);

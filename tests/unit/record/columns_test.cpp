@@ -16,7 +16,7 @@ struct ContractLayer {
   const char* columns;
 };
 
-// As the contract lists them.
+// As the contract lists them, which layers have at least; what stands behind a bar is ours.
 const ContractLayer contract[] = {
     {"samples", LayerGeometry::point,
      "time_s utc rover_id lon_deg lat_deg elevation_m x_m y_m z_m roll_rad pitch_rad heading_rad "
@@ -35,7 +35,8 @@ const ContractLayer contract[] = {
     {"joints", LayerGeometry::none, "time_s rover_id joint angle_rad extension_m"},
     {"resources", LayerGeometry::none, "time_s rover_id resource amount"},
     {"planned_paths", LayerGeometry::line,
-     "time_s rover_id sequence leg attempt length_m duration_s energy_j slope_max_rad"},
+     "time_s rover_id sequence leg attempt length_m duration_s energy_j slope_max_rad "
+     "| steepest_lon_deg steepest_lat_deg"},
     {"notes", LayerGeometry::point, "time_s rover_id sequence name fields"},
     {"run", LayerGeometry::none, "key value"},
 };
@@ -50,7 +51,10 @@ TEST(Layers, are_those_of_the_contract) {
     for (const ColumnSpec& column : layers[i].columns) {
       names += (names.empty() ? "" : " ") + std::string(column.name);
     }
-    EXPECT_EQ(names, contract[i].columns) << contract[i].name;
+    std::string expected = contract[i].columns;
+    if (const std::size_t bar = expected.find("| "); bar != std::string::npos)
+      expected.erase(bar, 2);
+    EXPECT_EQ(names, expected) << contract[i].name;
   }
 }
 
