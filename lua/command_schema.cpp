@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
@@ -16,6 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr const char* rover_id = "A";
 constexpr const char* asset_id = "Base";
 
@@ -28,6 +31,20 @@ std::string kml_type(FieldKind kind) {
     default:
       return "string";  // numbers may carry units
   }
+}
+
+// 1 where that is allowed, else the nearest that is.
+std::string allowed_number(const FieldDeclaration& field) {
+  const double least = field.min_si.value_or(-infinite), most = field.max_si.value_or(infinite);
+  if (field.kind == FieldKind::integer) {
+    return fmt::format("{}", static_cast<std::int64_t>(std::clamp(1.0, least, most)));
+  }
+  const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
+  double value = std::clamp(1.0, least / factor, most / factor);
+  // Converted back as a plan's it must not be outside by a rounding.
+  while (value * factor < least) value = std::nextafter(value, infinite);
+  while (value * factor > most) value = std::nextafter(value, -infinite);
+  return fmt::format("{}", value);
 }
 
 // What stands in a form where the user has to fill in something.
@@ -48,14 +65,8 @@ std::string example(const FieldDeclaration& field) {
     case FieldKind::utc:
       return "2026-07-01T00:00:00Z";
     case FieldKind::number:
-    case FieldKind::integer: {
-      // 1 where that is allowed, else the nearest that is.
-      const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
-      double value = 1;
-      if (field.max_si) value = std::min(value, *field.max_si / factor);
-      if (field.min_si) value = std::max(value, *field.min_si / factor);
-      return fmt::format("{:.9g}", value);
-    }
+    case FieldKind::integer:
+      return allowed_number(field);
     case FieldKind::boolean:
       return "1";
     case FieldKind::text:

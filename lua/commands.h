@@ -49,8 +49,10 @@ int test_command(const TestOptions& options);
 int repl_command(const std::string& plan_file);
 
 // KML <Schema> elements, and a plan with one Placemark each, of these events or of all.
+// As KML; or the names, types, docs and examples of the fields as JSON.
 int schema_command(const std::vector<std::string>& names, bool is_json);
 // A skeleton in events/, and a scenario in tests/scenarios/.
+// Says in JSON or for people which files it wrote.
 int new_event_command(const std::string& name, bool is_json);
 
 struct ListOptions {

@@ -128,6 +128,20 @@ std::size_t operand_begin(const std::vector<Word>& words, std::size_t i) {
   return i;
 }
 
+// Behind the operand that begins at `i`.
+std::size_t operand_end(const std::vector<Word>& words, std::size_t i) {
+  if (!is_question(words[i].text)) return i + 1;
+  return i + 1 < words.size() && words[i + 1].text == "(" ? i + 4 : i + 2;
+}
+
+// What binds an operand of == to nothing else before it, or after it.
+bool begins_operand(const Word& before) {
+  return before.text == "(" || before.text == "and" || before.text == "or";
+}
+bool ends_operand(const Word& after) {
+  return after.text == ")" || after.text == "and" || after.text == "or";
+}
+
 // Lua compares a number with a truth or a text without complaint: they never are the same.
 std::string equality_fault(const std::vector<Word>& words) {
   static constexpr const char* names[] = {"", "a number", "true or false", "a text"};
@@ -138,8 +152,13 @@ std::string equality_fault(const std::vector<Word>& words) {
   for (std::size_t i = 1; i + 2 < words.size(); ++i) {
     if (!is_one_of(i, "=~") || !is_one_of(i + 1, "=")) continue;
     const std::size_t left = operand_begin(words, i - 1), right = i + 2;
-    if (left > 0 && is_one_of(left - 1, "<>=")) continue;  // a < b == c compares with a < b
-    const Operand a = operand_of(words[left]), b = operand_of(words[right]);
+    const bool is_negated = left > 0 && words[left - 1].text == "not";
+    // Of what is part of more, as in a < b == c and in a == b + c, one word does not tell.
+    if (left > 0 && !is_negated && !begins_operand(words[left - 1])) continue;
+    const std::size_t after = operand_end(words, right);
+    if (after < words.size() && !ends_operand(words[after])) continue;
+    const Operand a = is_negated ? Operand::truth : operand_of(words[left]);
+    const Operand b = operand_of(words[right]);
     if (a == Operand::unclear || b == Operand::unclear || a == b) continue;
     std::string fault =
         fmt::format("'{}=' compares {} with {}, and they never are the same", words[i].text,

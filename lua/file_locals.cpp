@@ -9,7 +9,7 @@ namespace {
 
 constexpr lua_Integer functions_max = 1000;
 constexpr std::size_t locals_max = 100;
-constexpr std::size_t entries_max = 10'000;
+constexpr std::size_t entries_max = 1000;  // of all tables
 constexpr int tables_deep = 3;
 
 // Adds the function at the top to the list at `list` once; pops it.
@@ -25,17 +25,47 @@ void add_function(lua_State* L, int list) {
   lua_rawset(L, list);
 }
 
+// Calls what() with each function and table in the table at the top, itself at the top, in an order
+// that is the same in every process: texts by bytes, then whole numbers. Others have none.
+template <class What>
+void for_each_part(lua_State* L, const What& what) {
+  const int table = lua_gettop(L);
+  std::vector<std::string> texts;
+  std::vector<lua_Integer> numbers;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+    if (!lua_isfunction(L, -1) && !lua_istable(L, -1)) continue;
+    std::size_t size = 0;
+    if (lua_type(L, -2) == LUA_TSTRING) {
+      const char* bytes = lua_tolstring(L, -2, &size);
+      texts.emplace_back(bytes, size);
+    } else if (lua_isinteger(L, -2) != 0) {
+      numbers.push_back(lua_tointeger(L, -2));
+    }
+  }
+  std::ranges::sort(texts);
+  std::ranges::sort(numbers);
+  for (const std::string& text : texts) {
+    lua_pushlstring(L, text.data(), text.size());
+    lua_rawget(L, table);
+    what();
+    lua_settop(L, table);
+  }
+  for (const lua_Integer number : numbers) {
+    lua_rawgeti(L, table, number);
+    what();
+    lua_settop(L, table);
+  }
+}
+
 // Those in the table at the top, which stays.
 void add_functions(lua_State* L, int list, int deep) {
-  const int table = lua_gettop(L);
-  for (lua_pushnil(L); lua_next(L, table) != 0;) {
+  for_each_part(L, [&] {
     if (lua_isfunction(L, -1)) {
       add_function(L, list);
-      continue;
+    } else if (deep > 1) {
+      add_functions(L, list, deep - 1);
     }
-    if (lua_istable(L, -1) && deep > 1) add_functions(L, list, deep - 1);
-    lua_pop(L, 1);
-  }
+  });
 }
 
 // Not-a-number is what it was when it is one still.
@@ -92,22 +122,17 @@ FileLocals::FileLocals(lua_State* L, int index) {
 
 void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
   const int table = lua_gettop(L);
-  for (const Table& known : tables_) {
-    lua_rawgeti(L, kept, known.at);
-    const bool is_known = lua_rawequal(L, -1, table) != 0;
-    lua_pop(L, 1);
-    if (is_known) return;
-  }
+  if (!seen_.insert(lua_topointer(L, table)).second) return;
   lua_newtable(L);
   const int copy = lua_gettop(L);
   std::size_t entries = 0;
   for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-    if (++entries_ > entries_max) return lua_settop(L, table);
-    ++entries;
+    if (++entries + entries_ > entries_max) return lua_settop(L, table);
     lua_pushvalue(L, -2);
     lua_pushvalue(L, -2);
     lua_rawset(L, copy);
   }
+  entries_ += entries;
   const lua_Integer at = kept_count_ + 1;
   kept_count_ += 2;
   lua_rawseti(L, kept, at + 1);
@@ -115,9 +140,9 @@ void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
   lua_rawseti(L, kept, at);
   tables_.push_back({name, at, entries});
   if (deep == 1) return;
-  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
+  for_each_part(L, [&] {
     if (lua_istable(L, -1)) add_table(L, kept, name, deep - 1);
-  }
+  });
 }
 
 std::string FileLocals::restore_tables(lua_State* L) const {
@@ -161,6 +186,12 @@ std::string FileLocals::restore_tables(lua_State* L) const {
 }
 
 std::string FileLocals::restore(lua_State* L) const {
+  const std::string changed = restore_locals(L);
+  const std::string changed_table = restore_tables(L);
+  return changed.empty() ? changed_table : changed;
+}
+
+std::string FileLocals::restore_locals(lua_State* L) const {
   if (locals_.empty()) return {};
   std::string changed;
   lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);

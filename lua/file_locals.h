@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lua.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,13 +16,13 @@ class FileLocals {
   // now. Of a script that has more than anybody writes, the first.
   FileLocals(lua_State* L, int index);
 
-  // Makes all what they were again, but for what tables hold. Name of one that was not, the first
-  // by bytes; "" when all were.
+  // Makes all what they were again, with what tables hold. Name of one that was not, locals before
+  // tables, by bytes; "" when all were.
   std::string restore(lua_State* L) const;
-  // The same for what tables hold, in a time that grows with them.
-  std::string restore_tables(lua_State* L) const;
 
  private:
+  std::string restore_locals(lua_State* L) const;
+  std::string restore_tables(lua_State* L) const;
   // Adds the table at the top, and the tables in it; leaves it there.
   void add_table(lua_State* L, int kept, const char* name, int deep);
 
@@ -37,6 +38,7 @@ class FileLocals {
   };
   std::vector<Local> locals_;
   std::vector<Table> tables_;
+  std::set<const void*> seen_;  // tables
   std::size_t entries_ = 0;     // of all tables
   lua_Integer kept_count_ = 0;  // places in the kept table
   int kept_ = LUA_NOREF;        // registry reference

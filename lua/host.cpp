@@ -111,13 +111,7 @@ struct LuaHost::Impl {
                            const EventCall& event_call, const std::string& where) {
     const int base = lua_gettop(L) - 1;
     call(L, id, instance, event_call, where, LUA_MULTRET);
-    PhaseAnswer answer = read_answer(L, base, instance.script->declaration);
-    // Tables may be long: they are looked through at the end of each phase, not at each call.
-    const bool waits = std::holds_alternative<Stay>(answer) ||
-                       std::holds_alternative<SleepUntil>(answer) ||
-                       std::holds_alternative<Arrival>(answer);
-    if (!waits) refuse(instance.script->locals.restore_tables(L));
-    return answer;
+    return read_answer(L, base, instance.script->declaration);
   }
 
   PhaseAnswer run_sub_event(lua_State* L, ScriptInstance id, Instance& instance,

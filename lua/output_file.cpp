@@ -5,9 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
-
-#include "product/files.h"
 
 namespace lsos {
 
@@ -33,8 +32,14 @@ void check_output(const std::string& option, const std::string& file,
 }
 
 void check_replaceable(const std::string& file, std::string_view mark) {
-  const auto found = read_file(file);
-  if (!found || found->starts_with(mark)) return;
+  std::error_code absent;
+  if (!fs::exists(file, absent)) return;
+  if (fs::is_regular_file(file)) {
+    std::string begin(mark.size(), '\0');
+    std::ifstream(file, std::ios::binary)
+        .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    if (fs::file_size(file) == 0 || begin == mark) return;
+  }
   throw std::runtime_error(
       fmt::format("{} is there and is something else; another name is wanted", file));
 }

@@ -15,8 +15,9 @@ void check_output(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
                   Faults& faults);
 
-// Throws std::runtime_error where the file is there and does not begin with `mark`: what is written
-// in its place is asked for by scripts, and those are tried out beside plans and notes.
+// Throws std::runtime_error where something is there that is neither empty nor begins with `mark`:
+// what is written in its place is asked for by scripts, and those are tried out beside plans and
+// notes.
 void check_replaceable(const std::string& file, std::string_view mark);
 
 }  // namespace lsos

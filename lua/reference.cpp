@@ -72,9 +72,9 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - `pairs` goes through numbers in ascending order, then texts by bytes; `table.sort` is stable.
 - `lsos.random` is the only source of chance. There is no clock, file, `os`, `io`, `load` or
   `coroutine`.
-- Assigning a global, or reading one that is not there, is an error; so is a number, text or boolean
-  in a local of the file that a phase has changed. What a table there holds is not looked at: what
-  lasts lies in `ev.state`.
+- Assigning a global, or reading one that is not there, is an error; so is changing a local of the
+  file in a phase, or what a table there holds (the first 1000 entries are looked at): what lasts
+  lies in `ev.state`.
 - A call may take {0} million instructions and make {2} MiB of texts and tables, all scripts together
   {1} MiB of memory. What functions do counts too: steps of a text pattern, keys of `pairs`, bytes of a
   text, 300 for an error that `pcall` catches, 150 000 for `rover:plan_path`. An instruction counts

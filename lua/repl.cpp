@@ -112,7 +112,7 @@ std::vector<std::string> member_names(lua_State* L) {
     add_keys(L, names);
     const int top = lua_gettop(L);
     while (luaL_getmetafield(L, -1, "__index") != LUA_TNIL && lua_istable(L, -1) &&
-           lua_gettop(L) < top + tables_behind) {
+           lua_gettop(L) <= top + tables_behind) {
       add_keys(L, names);
     }
     lua_settop(L, top);

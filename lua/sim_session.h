@@ -50,7 +50,7 @@ class SimSession {
   void reload();
   // Goes on in another soil, rocks excepted. Throws as reload().
   void set_soil(const std::string& name);
-  // What a saved one of any version begins with.
+  // What a saved one begins with, before the number of its form.
   static constexpr std::string_view saved_mark = "lsos-host session";
   std::string save();
   // Into the same plan. The log begins anew from there. Throws InputError, and all is as it was.

@@ -96,10 +96,10 @@ TEST(Handle, method_called_with_a_dot_is_explained) {
 
 TEST(Handle, kept_beyond_its_call_is_refused) {
   EventRun run(R"(
-    local kept = {}
+    local kept = { [true] = {} }
     local function go(ev, rover)
-      if kept[1] then return lsos.fail('%s', kept[1].id) end
-      kept[1] = rover
+      if kept[true][1] then return lsos.fail('%s', kept[true][1].id) end
+      kept[true][1] = rover
     end)",
                "phases = { go = go }");
   run.rover.rover.id = "A";
