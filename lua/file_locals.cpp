@@ -68,6 +68,17 @@ void add_functions(lua_State* L, int list, int deep) {
   });
 }
 
+// Whether the table at the top is empty and protected: what libraries have is behind them, and they
+// cannot be written to.
+bool is_library(lua_State* L) {
+  if (luaL_getmetafield(L, -1, "__metatable") == LUA_TNIL) return false;
+  lua_pop(L, 1);
+  lua_pushnil(L);
+  if (lua_next(L, -2) == 0) return true;
+  lua_pop(L, 2);
+  return false;
+}
+
 // Not-a-number is what it was when it is one still.
 bool are_same(lua_State* L, int a, int b) {
   if (lua_type(L, a) != lua_type(L, b)) return false;
@@ -100,7 +111,7 @@ FileLocals::FileLocals(lua_State* L, int index) {
         lua_pop(L, 1);
         continue;
       }
-      if (lua_istable(L, -1)) {
+      if (lua_istable(L, -1) && !is_library(L)) {
         add_functions(L, list, tables_deep);
         add_table(L, kept, name, tables_deep);
       }
