@@ -115,12 +115,7 @@ FileLocals::FileLocals(lua_State* L, int index) {
         add_functions(L, list, tables_deep);
         add_table(L, kept, name, tables_deep);
       }
-      const lua_Integer at = kept_count_ + 1;
-      kept_count_ += 2;
-      lua_rawseti(L, kept, at + 1);
-      lua_pushvalue(L, function);
-      lua_rawseti(L, kept, at);
-      locals_.push_back({name, n, at});
+      locals_.push_back({name, n, keep(L, kept, function)});
     }
   }
   lua_pushvalue(L, kept);
@@ -129,6 +124,15 @@ FileLocals::FileLocals(lua_State* L, int index) {
   const auto by_name = [](const auto& local) -> const std::string& { return local.name; };
   std::ranges::stable_sort(locals_, {}, by_name);
   std::ranges::stable_sort(tables_, {}, by_name);
+}
+
+lua_Integer FileLocals::keep(lua_State* L, int kept, int owner) {
+  const lua_Integer at = kept_count_ + 1;
+  kept_count_ += 2;
+  lua_rawseti(L, kept, at + 1);
+  lua_pushvalue(L, owner);
+  lua_rawseti(L, kept, at);
+  return at;
 }
 
 void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
@@ -144,12 +148,7 @@ void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
     lua_rawset(L, copy);
   }
   entries_ += entries;
-  const lua_Integer at = kept_count_ + 1;
-  kept_count_ += 2;
-  lua_rawseti(L, kept, at + 1);
-  lua_pushvalue(L, table);
-  lua_rawseti(L, kept, at);
-  tables_.push_back({name, at, entries});
+  tables_.push_back({name, keep(L, kept, table), entries});
   if (deep == 1) return;
   for_each_part(L, [&] {
     if (lua_istable(L, -1)) add_table(L, kept, name, deep - 1);

@@ -23,6 +23,9 @@ class FileLocals {
  private:
   std::string restore_locals(lua_State* L) const;
   std::string restore_tables(lua_State* L) const;
+  // Moves the value at the top into the kept table, behind its owner at index `owner`; answers the
+  // owner's place there.
+  lua_Integer keep(lua_State* L, int kept, int owner);
   // Adds the table at the top, and the tables in it; leaves it there.
   void add_table(lua_State* L, int kept, const char* name, int deep);
 

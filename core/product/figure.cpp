@@ -17,7 +17,8 @@ namespace {
 constexpr double width_mm = 180, left_mm = 18, right_margin_mm = 4, top_least_mm = 9;
 constexpr double map_least_mm = 42, map_most_mm = 85, panel_mm = 34;
 constexpr double bar_mm = 2.4, bar_apart_mm = 0.5, bars_below_mm = 1.2;
-constexpr double below_axis_mm = 10.5, between_mm = 3, key_row_mm = 4.2, kind_sample_mm = 6.2;
+constexpr double below_axis_mm = 10.5, between_mm = 3, key_row_mm = 4.2;
+constexpr double rover_sample_mm = 8.5, kind_sample_mm = 6.2;
 constexpr double letters_mm = 2.6, small_mm = 2.3;
 
 const Stroke axis{"#000000", 0.22, {}}, grid{"#dddddd", 0.14, {}}, failed{"#c62828", 0.25, {}},
@@ -214,7 +215,7 @@ class Figure {
   std::vector<PaperPoint> rover_places() const {
     std::vector<std::string> names;
     for (const ReportRover& rover : data_.rovers) names.push_back(rover.id);
-    return in_rows(names, letters_mm, 8.5);
+    return in_rows(names, letters_mm, rover_sample_mm);
   }
   void rover_keys() {
     const std::vector<PaperPoint> places = rover_places();
@@ -222,7 +223,7 @@ class Figure {
       const ReportRover& rover = data_.rovers[k];
       const double x_mm = places[k].x_mm, y_mm = 4 + places[k].y_mm;
       pen_.line({{x_mm, y_mm}, {x_mm + 7, y_mm}}, line_of(rover, 0.6));
-      pen_.write(rover.id, {x_mm + 8.5, y_mm + 0.9}, letters_mm, Anchor::left);
+      pen_.write(rover.id, {x_mm + rover_sample_mm, y_mm + 0.9}, letters_mm, Anchor::left);
     }
   }
   // Where keys begin that have a sample before each name, from a first row at 0 downwards.

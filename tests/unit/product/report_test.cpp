@@ -143,6 +143,36 @@ TEST_F(ReportTest, has_a_figure_of_its_plots) {
   EXPECT_EQ(byte(18) << 8 | byte(19), 709);
 }
 
+// Intervals are logged when they end: of a run that was killed the last ones are not.
+TEST_F(ReportTest, shows_sight_that_was_not_over_when_the_log_ended) {
+  LogWriter log(folder / "cut.gpkg", moon_crs, test_start());
+  log.write(test_sample(0));
+  const auto pair = [](double time_s, const char* to_id, bool is_visible, bool is_linked) {
+    PairRow row;
+    row.time = from_seconds(time_s);
+    row.from_id = "SEV1";
+    row.to_id = to_id;
+    row.visible = is_visible ? 1 : 0;
+    row.link = is_linked ? 1 : 0;
+    return row;
+  };
+  log.write(pair(0, "Base", true, true));
+  log.write(pair(0, "Mast", true, false));  // parked: its next row is far off
+  log.write(SightIntervalRow{"SEV1", "Mast", "visible", from_seconds(0), from_seconds(10), 0});
+  log.write(SightIntervalRow{"SEV1", "Base", "link", from_seconds(0), from_seconds(12), 0});
+  log.write(pair(20, "Base", true, false));
+  log.write(pair(40, "Base", true, true));
+  log.write(pair(60, "Base", true, true));
+  log.finish();
+  const ReportData data = read_report_data(LogReader(folder / "cut.gpkg"), plan, site());
+  ASSERT_EQ(data.pairs.size(), 2u);
+  using Intervals = std::vector<std::pair<double, double>>;
+  EXPECT_EQ(data.pairs[0].visible_s, (Intervals{{0, 60}}));
+  EXPECT_EQ(data.pairs[0].link_s, (Intervals{{0, 12}, {40, 60}}));
+  EXPECT_EQ(data.pairs[1].visible_s, (Intervals{{0, 10}})) << "as its interval says";
+  EXPECT_TRUE(data.pairs[1].link_s.empty());
+}
+
 TEST(Base64, is_as_everywhere) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
