@@ -18,7 +18,7 @@ constexpr double lookahead_least_m = 0.6;  // of path following, for small rover
 FollowerPose pose_of(const VehicleReport& report) {
   const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
   return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
-          left_S.dot(report.v_S_mps.head<2>())};
+          left_S.dot(report.v_S_mps.head<2>()), report.pitch_rad};
 }
 
 }  // namespace
@@ -103,6 +103,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   limits.speed_mps =
       std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
   limits.acceleration_mps2 = config.acceleration_mps2;
+  limits.gravity_mps2 = ground_->site().gravity_S_mps2(Vec3::Zero()).norm();
   limits.arrival_radius_m = settings.arrival_radius_m;
   limits.can_turn_on_spot = config.can_turn_on_spot;
   limits.radius_min_m = config.turning_radius_min_m;

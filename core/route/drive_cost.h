@@ -68,7 +68,7 @@ struct DriveCost {
   double lateral_mps2 = 0.2, arc_drag_jmprad = 0;
   // Angle of its travel to its heading for each m/s2 across, which a slope takes of gravity and an
   // arc of speed.
-  double drift_s2pm = 0, gravity_mps2 = 0;
+  double drift_s2pm = 0, gravity_mps2 = 9.81;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(

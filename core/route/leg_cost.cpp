@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/corner.h"
+#include "base/downhill.h"
 #include "base/drift.h"
 
 namespace lsos {
@@ -141,7 +142,9 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
         cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
   const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * std::sin(stance.bank_rad);
-  drive.speed_mps = std::min(drive.speed_mps, drift_speed_mps(drift_rad));
+  const double braked_mps =
+      downhill_speed_mps(stance.pitch_rad, cost.speed_mps, cost.lateral_mps2, cost.gravity_mps2);
+  drive.speed_mps = std::min({drive.speed_mps, drift_speed_mps(drift_rad), braked_mps});
   const double speed2 = drive.speed_mps * drive.speed_mps;
   drive.energy_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
   return drive;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/corner.h"
+#include "base/downhill.h"
 #include "base/drift.h"
 
 namespace lsos {
@@ -33,8 +34,9 @@ constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing 
 constexpr double drift_max_rad = 0.6;
 constexpr double steering_off_m = 1;  // way over which wheels that are off are steered, at most
 constexpr double swing_accelerations = 2;  // across the travel, of the one along it
-constexpr double crab_turn_rate = 0.5;     // 1/s: how fast a heading error is turned back
-constexpr double stopping_limit_s = 30;    // brakes that take longer than this do not hold
+constexpr double pitch_smoothing_s = 0.5;
+constexpr double crab_turn_rate = 0.5;   // 1/s: how fast a heading error is turned back
+constexpr double stopping_limit_s = 30;  // brakes that take longer than this do not hold
 
 double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
@@ -127,8 +129,10 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
 
 void PathFollower::ramp_speed(double to_end_m, double period_s) {
   const DrivingLeg& leg = line_[leg_];
-  const double braking_mps = std::sqrt(leg.end_speed_mps * leg.end_speed_mps +
-                                       2 * limits_.acceleration_mps2 * std::max(0.0, to_end_m));
+  const double slowing_mps2 =
+      braking_mps2(pitch_rad_, limits_.acceleration_mps2, limits_.gravity_mps2);
+  const double braking_mps =
+      std::sqrt(leg.end_speed_mps * leg.end_speed_mps + 2 * slowing_mps2 * std::max(0.0, to_end_m));
   command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s, leg.speed_max_mps,
                            std::max(creep_mps, braking_mps)});
 }
@@ -148,6 +152,9 @@ PathFollower::Drift PathFollower::drift(const FollowerPose& pose, double period_
 
 DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
                                  double heading_error_rad, double period_s) {
+  pitch_rad_ += std::min(1.0, period_s / pitch_smoothing_s) * (pose.pitch_rad - pitch_rad_);
+  const double braked_mps = downhill_speed_mps(pitch_rad_, limits_.speed_mps,
+                                               limits_.acceleration_mps2, limits_.gravity_mps2);
   ramp_speed(to_end_m, period_s);
   // On a cross slope a rover goes not where it points. What must lie along the line is its travel.
   const auto [drift_rad, drift_soon_rad] = drift(pose, period_s);
@@ -167,11 +174,11 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double turn_1pm = std::max(std::abs(command_curvature_1pm_), 1e-6);
   const double swing_mps2 = swing_accelerations * limits_.acceleration_mps2;
   command_mps_ = std::min(command_mps_, std::max(creep_mps, std::sqrt(swing_mps2 / turn_1pm)));
-  // Nor so fast that its wheels are not steered in time, or that it drifts off; it slows down no
-  // faster than twice as it speeds up.
+  // Nor so fast that its wheels are not steered in time, that it drifts off, or that brakes do not
+  // hold it downhill; it slows down no faster than twice as it speeds up.
   const double steered_mps = steering_off_m * curvature_rate_1pms / std::max(off_1pm, 1e-6);
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
-  const double kept_mps = std::min(steered_mps, drift_speed_mps(drift_soon_rad));
+  const double kept_mps = std::min({steered_mps, drift_speed_mps(drift_soon_rad), braked_mps});
   command_mps_ = std::min(command_mps_, std::max({creep_mps, kept_mps, slowed_mps}));
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
@@ -266,7 +273,7 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
 
 void PathFollower::archive(Archive& a) {
   a.tag("follower")(waypoints_S_m_)(
-      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_)(has_strayed_)(passed_);
+      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(pitch_rad_)(heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_)(has_strayed_)(passed_);
   if (a.is_reading()) lay_line();
 }
 

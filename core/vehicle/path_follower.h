@@ -19,13 +19,14 @@ struct FollowerLimits {
   double radius_min_m = 5;       // tightest turn while driving
   double turn_rate_radps = 0.2;  // on the spot
   bool can_turn_on_spot = true;
+  double gravity_mps2 = 9.81;
   double lookahead_min_m = 2.5;  // over which distance to the line decays at low speed
   bool is_crabbing = false;      // goes along the line without turning into it
   // From the line to either side; farther than this it fails.
   double stray_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
-    a(speed_mps)(acceleration_mps2)(
+    a(speed_mps)(acceleration_mps2)(gravity_mps2)(
         arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(stray_max_m);
   }
 };
@@ -36,6 +37,7 @@ struct FollowerPose {
   double yaw_rad = 0;    // counter-clockwise from east
   double speed_mps = 0;  // magnitude
   double left_mps = 0;   // its part across the heading: sliding, or crabbing
+  double pitch_rad = 0;  // nose up
 };
 
 class PathFollower {
@@ -89,6 +91,7 @@ class PathFollower {
   double command_mps_ = 0;  // ramped
   double command_curvature_1pm_ = 0;
   double drift_rad_ = 0;    // smoothed
+  double pitch_rad_ = 0;    // smoothed
   double heading_rad_ = 0;  // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;
