@@ -105,7 +105,7 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
     if (!wheel.motor) held_n += drag_n(wheel, soil, load_n, gravity_mps2);
   }
   const double pull_n = held_n / driven;
-  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity()};
+  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity(), 0};
   // Wheels that are alike are worked out once.
   std::optional<SingleWheelPoint> point;
   const DrivenWheel* of = nullptr;
@@ -124,10 +124,11 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
     // speed that is asked for.
     const double turned = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
     drive.speed_mps = std::min({drive.speed_mps, *left_mps, speed_mps / turned});
-    drive.energy_jpm +=
-        std::max(0.0, point->torque_n_m) / radius_m * turned / wheel.motor->efficiency;
+    const double energy_jpm = point->torque_n_m / radius_m * turned / wheel.motor->efficiency;
+    (energy_jpm > 0 ? drive.energy_jpm : drive.spare_jpm) += std::abs(energy_jpm);
   }
   drive.energy_jpm *= vehicle.drive_calibration;
+  drive.spare_jpm *= vehicle.drive_calibration;
   if (drive.speed_mps <= 0) return std::nullopt;
   return drive;
 }
@@ -151,6 +152,7 @@ void be_no_easier(SoilDrive& rock, const SoilDrive& soil) {
   for (std::size_t k = 0; k < rows; ++k) {
     rock.by_slope[k].energy_jpm =
         std::max(rock.by_slope[k].energy_jpm, soil.by_slope[k].energy_jpm);
+    rock.by_slope[k].spare_jpm = std::min(rock.by_slope[k].spare_jpm, soil.by_slope[k].spare_jpm);
     rock.by_slope[k].slip = std::max(rock.by_slope[k].slip, soil.by_slope[k].slip);
   }
 }

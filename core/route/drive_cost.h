@@ -14,8 +14,11 @@ struct SlopeDrive {
   double slip = 0;        // 0..1
   double energy_jpm = 0;  // electrical, for each metre along the ground
   double speed_mps = 0;   // that the rover asks for and its motors can keep
+  // What gravity gives downhill beyond what rolling takes, as the electrical energy that it stands
+  // for: brakes take it, unless something else holds the rover back.
+  double spare_jpm = 0;
 
-  void archive(Archive& a) { a(slip)(energy_jpm)(speed_mps); }
+  void archive(Archive& a) { a(slip)(energy_jpm)(speed_mps)(spare_jpm); }
 };
 
 // On one soil, straight up slopes from `first_rad` (negative: down) in even steps; the last is the

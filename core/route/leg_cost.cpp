@@ -126,14 +126,14 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
   const DriveCost& cost = finder_.cost();
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
   SlopeDrive drive = soil.at(stance.pitch_rad);
+  double more_jpm = 0;  // that gravity's spare pays first
   const bool is_up = stance.pitch_rad > 0;
   const double held_rad = is_up ? stance.slope_rad : std::abs(stance.bank_rad);
   if (held_rad > std::max(0.0, stance.pitch_rad) + none_rad) {
     const SlopeDrive held = soil.at(held_rad), level = is_up ? drive : soil.at(0);
     const double uphill = is_up ? stance.pitch_rad / held_rad : 0;
     const double share = uphill * uphill + across * (1 - uphill * uphill);
-    drive.energy_jpm +=
-        share * std::max(0.0, held.energy_jpm * held.slip - level.energy_jpm * level.slip);
+    more_jpm = share * std::max(0.0, held.energy_jpm * held.slip - level.energy_jpm * level.slip);
     // Rims go along the way and up the slope.
     const double slid = held.slip / std::max(0.05, 1 - held.slip);
     const double along = std::max(cost.speed_mps / drive.speed_mps, 1 + slid * uphill);
@@ -146,7 +146,10 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
       downhill_speed_mps(stance.pitch_rad, cost.speed_mps, cost.lateral_mps2, cost.gravity_mps2);
   drive.speed_mps = std::min({drive.speed_mps, drift_speed_mps(drift_rad), braked_mps});
   const double speed2 = drive.speed_mps * drive.speed_mps;
-  drive.energy_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
+  // Bumps hold it back by fits: of holds that are spread exponentially about their mean, this is
+  // what goes beyond gravity's spare.
+  more_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
+  if (more_jpm > 0) drive.energy_jpm += more_jpm * std::exp(-drive.spare_jpm / more_jpm);
   return drive;
 }
 

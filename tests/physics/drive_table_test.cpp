@@ -16,6 +16,13 @@ struct Climb {
 
 class DriveTable : public testing::TestWithParam<Climb> {};
 
+double rover_efficiency(const VehicleConfig& rover) {
+  for (const LinkConfig& link : rover.links) {
+    if (link.drive) return link.drive->efficiency;
+  }
+  return 0;
+}
+
 // Between two lengths of drive, so that starting and stopping do not count. Wheels of the whole
 // vehicle carry unlike loads, those of the table all the same.
 TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
@@ -51,6 +58,33 @@ INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
                                          Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
                                          Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
+
+// Downhill its wheels are held back: by so much that the electrical energy would be that.
+TEST(DriveTableDownhill, spares_what_the_brakes_of_the_simulated_rover_take) {
+  for (const char* name : {"SEV", "LRV"}) {
+    for (const double slope_deg : {-10.0, -15.0}) {
+      const auto slope =
+          ground({"Moon", PlaneSurface{0, radians(slope_deg), radians(180)}, "ApolloNominal"});
+      const VehicleConfig rover = rover_on(name, *slope, "Moon");
+      const double g_mps2 = gravity_mps2(*find_body("Moon"), start);
+      const DriveCost cost = drive_cost(rover, slope->soils(), g_mps2, 1);
+      const SlopeDrive table = cost.soils[0].at(radians(slope_deg));
+      EXPECT_EQ(table.energy_jpm, 0);
+      const auto go = [&](double length_m) {
+        return drive(rover, *slope, {{0, length_m * std::cos(radians(slope_deg))}}, 1);
+      };
+      const DriveResult far = go(60), near = go(30);
+      ASSERT_EQ(far.failure + near.failure, "");
+      const auto taken_j = [](const DriveResult& r) { return -r.work.motors_j - r.work.brakes_j; };
+      const double taken_jpm = (taken_j(far) - taken_j(near)) / (far.distance_m - near.distance_m);
+      const double spared_jpm = table.spare_jpm * rover_efficiency(rover) / rover.drive_calibration;
+      const std::string what = fmt::format("{} {} deg: table {:.1f} J/m, driven {:.1f}", name,
+                                           slope_deg, spared_jpm, taken_jpm);
+      RecordProperty(fmt::format("{}_{}", name, slope_deg), what);
+      EXPECT_NEAR(spared_jpm, taken_jpm, 0.03 * taken_jpm) << what;
+    }
+  }
+}
 
 // Spirit drove on five wheels for years: the sixth is dragged, at the cost of as much pull as it
 // takes to drag it.
