@@ -27,6 +27,7 @@ struct Scene {
     const lsos::VehicleConfig vehicle = lsos::make_vehicle(model.spec, "", g_mps2);
     cost =
         lsos::drive_cost(vehicle, ground->soils(), g_mps2, vehicle.cruise_speed_mps, model.limits);
+    cost.load_w = lsos::load_w(model.power.loads, {});
   }
   std::unique_ptr<lsos::Ground> ground;
   lsos::DriveCost cost;

@@ -33,7 +33,7 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
       shape_(model.shapes, config),
       power_(model.power, rover.initial_charge, sources),
       antennas_(model.antennas),
-      routes_(config, model.limits, ground, legs) {
+      routes_(config, model.limits, load_w(model.power.loads, {}), ground, legs) {
   if (model.antennas.empty()) {
     AntennaSpec top;
     top.name = "top";

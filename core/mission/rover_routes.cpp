@@ -26,9 +26,9 @@ constexpr std::int64_t whole_way = 0;
 
 }  // namespace
 
-RoverRoutes::RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits,
+RoverRoutes::RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, double load_w,
                          const Ground& ground, PlannedLegs& legs)
-    : vehicle_(&vehicle), limits_(limits), ground_(&ground), legs_(&legs) {}
+    : vehicle_(&vehicle), limits_(limits), load_w_(load_w), ground_(&ground), legs_(&legs) {}
 
 const DriveCost& RoverRoutes::cost(const RouteSettings& settings) {
   const double speed_mps =
@@ -40,6 +40,7 @@ const DriveCost& RoverRoutes::cost(const RouteSettings& settings) {
   const SiteFrame& site = ground_->site();
   DriveCost cost = drive_cost(*vehicle_, ground_->soils(), gravity_mps2(site.body(), site.origin()),
                               speed_mps, limits_);
+  cost.load_w = load_w_;
   cost.limits.slope_max_rad = std::min(cost.limits.slope_max_rad, slope_max_rad);
   return costs_.emplace(std::pair(speed_mps, slope_max_rad), std::move(cost)).first->second;
 }

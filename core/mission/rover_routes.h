@@ -33,9 +33,10 @@ struct LegAhead {
 
 class RoverRoutes {
  public:
-  // `vehicle`, `ground` and `legs` must outlive it.
-  RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, const Ground& ground,
-              PlannedLegs& legs);
+  // `vehicle`, `ground` and `legs` must outlive it. `load_w`: what the rover takes while it drives,
+  // besides its drives.
+  RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, double load_w,
+              const Ground& ground, PlannedLegs& legs);
 
   bool can_turn_on_spot() const { return vehicle_->can_turn_on_spot; }
   double speed_max_mps() const { return vehicle_->speed_max_mps; }
@@ -70,6 +71,7 @@ class RoverRoutes {
 
   const VehicleConfig* vehicle_;
   GroundLimits limits_;
+  double load_w_;
   const Ground* ground_;
   PlannedLegs* legs_;
   std::map<std::pair<double, double>, DriveCost> costs_;  // by speed and slope allowed

@@ -69,13 +69,16 @@ struct DriveCost {
   // Greatest acceleration across the way in an arc. Of a radian of one at full speed, times its
   // radius: wheels that hold the rover in it roll at an angle.
   double lateral_mps2 = 0.2, arc_drag_jmprad = 0;
+  // Taken whatever it does: what it takes longer in an arc costs that. Without it a rover that has
+  // slowed down once would wind on slowly for nothing.
+  double load_w = 0;
   // Angle of its travel to its heading for each m/s2 across, which a slope takes of gravity and an
   // arc of speed.
   double drift_s2pm = 0, gravity_mps2 = 9.81;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(lateral_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(lateral_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(load_w);
   }
 };
 

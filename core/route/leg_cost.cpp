@@ -46,18 +46,20 @@ double arc_speed_mps(const DriveCost& cost, double radius_m) {
                   drift_arc_speed_mps(radius_m, cost.drift_s2pm));
 }
 
-double arc_energy_j(const DriveCost& cost, double radius_m, double bend_rad) {
+double arc_cost_j(const DriveCost& cost, double radius_m, double bend_rad) {
   constexpr double straight_rad = 1e-3;
   if (bend_rad < straight_rad) return 0;
   const double share = arc_speed_mps(cost, radius_m) / cost.speed_mps;
+  const double longer_s = cost.stop_s * (1 - share) * (1 - share) +
+                          radius_m * bend_rad * (1 / share - 1) / cost.speed_mps;
   return cost.slow_j * (1 - share * share) +
-         cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m;
+         cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m + cost.load_w * longer_s;
 }
 
 double arc_price_m(const DriveCost& cost, double radius_m, double bend_rad) {
   const SoilDrive& soil = cost.soils.front();
   if (soil.by_slope.empty()) return 0;
-  return arc_energy_j(cost, radius_m, bend_rad) / std::max(1e-9, soil.at(0).energy_jpm);
+  return arc_cost_j(cost, radius_m, bend_rad) / std::max(1e-9, soil.at(0).energy_jpm);
 }
 
 LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
@@ -198,7 +200,7 @@ LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
 LegCosts::Cornering LegCosts::rounding(double bend_rad, double room_m) const {
   const DriveCost& cost = finder_.cost();
   const double radius_m = room_m / std::tan(bend_rad / 2);
-  const double arc_j = arc_energy_j(cost, radius_m, bend_rad);
+  const double arc_j = arc_cost_j(cost, radius_m, bend_rad);
   // Where the tightest has no room, more than any arc costs, the more the less room there is.
   if (radius_m < cost.turning_radius_min_m) {
     return {arc_j + cost.slow_j * cost.turning_radius_min_m / radius_m, 0};
@@ -229,37 +231,47 @@ double LegCosts::along(const Line2& line) {
 double LegCosts::driven(const Line2& line) {
   const double sum = along(line);
   if (finder_.cost().can_turn_on_spot || is_rounding_ || !std::isfinite(sum)) return sum;
-  return sum + cost_per_j_ * arcs(line).energy_j;
+  return sum + price(arcs(line));
+}
+
+double LegCosts::price(const Cornering& arcs) const {
+  return cost_per_j_ * (arcs.energy_j + finder_.cost().load_w * arcs.duration_s);
+}
+
+LegCosts::Cornering LegCosts::arc_driven(Speeds& speeds, double radius_m, double bend_rad) const {
+  const DriveCost& cost = finder_.cost();
+  const double was = speeds.share, now = arc_speed_mps(cost, radius_m) / cost.speed_mps;
+  // Between two arcs it speeds up for half of the way and slows down again.
+  const double gained = speeds.free_m / (cost.stop_s * cost.speed_mps);
+  const double reached = std::sqrt((was * was + now * now) / 2 + gained);
+  const double peak = std::max({was, now, std::min(1.0, reached)});
+  const double changing_m =
+      cost.stop_s * cost.speed_mps * (2 * peak * peak - was * was - now * now) / 2;
+  const double length_m = radius_m * bend_rad, free_m = speeds.free_m;
+  speeds = {now, 0};
+  return {cost.slow_j * (peak * peak - now * now) +
+              cost.arc_drag_jmprad * std::pow(now, 4) * bend_rad / radius_m,
+          cost.stop_s * (2 * peak - was - now) +
+              (std::max(0.0, free_m - changing_m) / peak - free_m + length_m / now - length_m) /
+                  cost.speed_mps};
 }
 
 LegCosts::Cornering LegCosts::arcs(const Line2& line) const {
-  const DriveCost& cost = finder_.cost();
   Cornering sum;
-  double share = 1, free_m = 0;  // of the last arc, and the straight way since it ended
+  Speeds speeds;
   for (std::size_t k = 1; k + 1 < line.size(); ++k) {
     const Vec2 in_m = line[k] - line[k - 1], out_m = line[k + 1] - line[k];
-    free_m += in_m.norm();
+    speeds.free_m += in_m.norm();
     const double bend_rad =
         std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
     constexpr double straight_rad = 0.01;  // no arc is driven there, see driving_line()
     if (bend_rad < straight_rad) continue;
-    const double length_m = std::min(in_m.norm(), out_m.norm()), radius_m = length_m / bend_rad;
-    free_m = std::max(0.0, free_m - length_m / 2);
-    const double now = arc_speed_mps(cost, radius_m) / cost.speed_mps;
-    // Between two arcs it speeds up for half of the way and slows down again.
-    const double gained = free_m / (cost.stop_s * cost.speed_mps);
-    const double reached = std::sqrt((share * share + now * now) / 2 + gained);
-    const double peak = std::max({share, now, std::min(1.0, reached)});
-    sum.energy_j += cost.slow_j * (peak * peak - now * now) +
-                    cost.arc_drag_jmprad * std::pow(now, 4) * bend_rad / radius_m;
-    const double changing_m =
-        cost.stop_s * cost.speed_mps * (2 * peak * peak - share * share - now * now) / 2;
-    sum.duration_s +=
-        cost.stop_s * (2 * peak - share - now) +
-        (std::max(0.0, free_m - changing_m) / peak - free_m + length_m / now - length_m) /
-            cost.speed_mps;
-    share = now;
-    free_m = -length_m / 2;
+    const double length_m = std::min(in_m.norm(), out_m.norm());
+    speeds.free_m = std::max(0.0, speeds.free_m - length_m / 2);
+    const Cornering arc = arc_driven(speeds, length_m / bend_rad, bend_rad);
+    sum.energy_j += arc.energy_j;
+    sum.duration_s += arc.duration_s;
+    speeds.free_m = -length_m / 2;
   }
   return sum;
 }
@@ -323,7 +335,7 @@ LegCost LegCosts::of(const Line2& line) {
   }
   if (!cost.can_turn_on_spot && sum.hazard == Hazard::none) {
     const Cornering turned = arcs(line);
-    sum.cost += cost_per_j_ * turned.energy_j;
+    sum.cost += price(turned);
     sum.energy_j += turned.energy_j;
     sum.duration_s += turned.duration_s;
   }

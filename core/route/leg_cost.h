@@ -40,9 +40,9 @@ struct LegCost {
 
 // How fast the rover drives an arc.
 double arc_speed_mps(const DriveCost& cost, double radius_m);
-// Of slowing down for an arc from full speed and up again after it, and of the arc: its energy, and
-// that as metres on the level.
-double arc_energy_j(const DriveCost& cost, double radius_m, double bend_rad);
+// Of slowing down for an arc from full speed and up again after it, and of the arc: its energy with
+// that of all else meanwhile, and that as metres on the level.
+double arc_cost_j(const DriveCost& cost, double radius_m, double bend_rad);
 double arc_price_m(const DriveCost& cost, double radius_m, double bend_rad);
 
 class LegCosts {
@@ -76,9 +76,17 @@ class LegCosts {
   Cornering turning(double by_rad) const;
   // Of a line: the sum of its pieces and corners.
   double along(const Line2& line);
-  // The same with slowing down for the arcs of a rover that cannot turn on the spot, which
-  // searching does not count.
+  // The same with slowing down for the arcs of a rover that cannot turn on the spot.
   double driven(const Line2& line);
+  // An arc of a way over which `speeds` is carried: of slowing down for it, from what was reached
+  // since the last, and of the arc; what search and driven() add for such a rover.
+  struct Speeds {
+    double share = 1;   // of full speed, in the last arc
+    double free_m = 0;  // driven since it ended
+  };
+  double arc(Speeds& speeds, double radius_m, double bend_rad) const {
+    return price(arc_driven(speeds, radius_m, bend_rad));
+  }
   // For lines of such a rover whose corners are rounded later, by arcs as wide as there is room
   // for: corner() tells what those cost.
   void set_rounding(bool is_rounding) { is_rounding_ = is_rounding; }
@@ -97,6 +105,8 @@ class LegCosts {
 
  private:
   Cornering rounding(double bend_rad, double room_m) const;
+  double price(const Cornering& arcs) const;
+  Cornering arc_driven(Speeds& speeds, double radius_m, double bend_rad) const;
   // What all arcs of a line add: at each of its bends one that begins and ends half a piece away.
   Cornering arcs(const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);

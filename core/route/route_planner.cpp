@@ -40,9 +40,11 @@ constexpr double thinned_worth = 1.001;
 // Poses are searched where the rounded way costs so much more than that over the lattice; and no
 // more than so many of them, where there is a rounded way and where there is none.
 constexpr double poses_worth = 1.05;
-constexpr std::size_t poses_to_better = 200'000, poses_max = 1'000'000;
-// A winding way is refined so often at most, as long as that gains.
+constexpr std::size_t poses_to_better = 400'000, poses_max = 1'000'000;
+// A winding way is refined so often at most, until so many times in a row gained no such share.
 constexpr std::uint64_t rounds_max = 12;
+constexpr int idle_rounds = 3;
+constexpr double gained_share = 0.998;
 // Of the room beside the tightest turn that what must be avoided may take up.
 constexpr double passing_share = 0.9;
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -271,10 +273,11 @@ class LegPlanner {
         }
       }
       // A winding way gains from more moves, each time others.
-      for (std::uint64_t round = 1; best && round <= rounds_max; ++round) {
+      int idle = 0;
+      for (std::uint64_t round = 1; best && round <= rounds_max && idle < idle_rounds; ++round) {
         const double before = least;
         offer(refined(costs, steering, poses_along(best->line, start), request_.seed + round));
-        if (!(least < before)) break;
+        idle = least < gained_share * before ? 0 : idle + 1;
       }
     }
     if (!best) return std::nullopt;

@@ -15,28 +15,31 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int headings = 24;
-// Curvatures of the edges, in tightest turns; the straight one first.
-constexpr double turns[] = {0, 1, -1, 0.5, -0.5};
+constexpr int headings = 36;
+// Curvatures of the edges, in tightest turns; the straight one first. A fast rover slows down much
+// for the sharp ones, and hardly for the last.
+constexpr double turns[] = {0, 1, -1, 0.5, -0.5, 0.25, -0.25, 0.125, -0.125};
+// From this one on it is slow.
+constexpr double slow_turn = 0.5;
 // The way to the goal is closed from poses that are nearer to it than so many radii.
 constexpr double closing_radii = 4;
 // What is left to the goal counts so much more than it must: far fewer poses are looked at for a
 // route that is no more than about this share costlier. Refining makes up for it.
-constexpr double haste = 1.03;
+constexpr double haste = 1.04;
 
 struct Reached {
   Pose2 pose;
   double cost = 0;
   std::int32_t before = -1;
   double curvature_1pm = 0;  // of the edge to it
+  LegCosts::Speeds speeds;
 };
 
 struct Candidate {
   double total = 0;
   double cost = 0;
   std::int32_t node = 0;
-  bool is_at_goal = false;  // the way from the node is closed
-  bool is_closed_to_left = false;
+  double closing = 0;  // not 0: the way from the node is closed by an arc of so many tightest turns
 
   // std::priority_queue takes the greatest: the least total, then the farthest come.
   bool operator<(const Candidate& other) const {
@@ -66,17 +69,18 @@ class Search {
     // There are too many poses to look at them all for nothing.
     route.is_cut_off = !std::isfinite(to_go_.at(start.at_m));
     if (route.is_cut_off) return route;
-    reached_.push_back({start, 0, -1, 0});
+    reached_.push_back({start, 0, -1, 0, {}});
     queue_.push({left(start.at_m), 0, 0});
     while (!queue_.empty() && reached_.size() < reached_max_) {
       const Candidate best = queue_.top();
       queue_.pop();
-      if (best.is_at_goal) {
+      if (best.closing != 0) {
         finish(best, route);
         return route;
       }
-      const Pose2 pose = reached_[static_cast<std::size_t>(best.node)].pose;
-      if (!closed_.insert(cell_of(pose)).second) continue;
+      const Reached& node = reached_[static_cast<std::size_t>(best.node)];
+      const Pose2 pose = node.pose;
+      if (!closed_.insert(cell_of(pose, node.curvature_1pm)).second) continue;
       const double off_m = (pose.at_m - goal_m_).norm();
       if (off_m < nearest_m) {
         nearest_m = off_m;
@@ -96,39 +100,70 @@ class Search {
     return haste * straighter * to_go_.at(at_m);
   }
 
-  std::size_t cell_of(const Pose2& pose) const {
+  // Gentle arcs are longer: as far from the straight at their ends as a sharp one.
+  double edge_m(double curvature_1pm) const {
+    const double turn = std::abs(curvature_1pm) * radius_m_;
+    return turn == 0 || turn >= slow_turn ? step_m_ : step_m_ * slow_turn / turn;
+  }
+  // What a pose costs later depends on the arc that it is come to by: the rover slows down for
+  // another one.
+  std::size_t cell_of(const Pose2& pose, double curvature_1pm) const {
     const Vec2 cells = (pose.at_m - map_.low_m()) / map_.spacing_m();
     const auto column = std::clamp(std::lround(cells.x()), 0L, map_.columns() - 1L);
     const auto row = std::clamp(std::lround(cells.y()), 0L, map_.rows() - 1L);
     const double turn = pose.yaw_rad / (2 * std::numbers::pi);
     const auto heading =
         static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * headings)) % headings;
-    return static_cast<std::size_t>(row * map_.columns() + column) * headings + heading;
+    const std::size_t kind = std::abs(curvature_1pm) * radius_m_ < slow_turn ? 0 : 1;
+    return (static_cast<std::size_t>(row * map_.columns() + column) * headings + heading) * 2 +
+           kind;
   }
 
   void expand(const Candidate& from, const Pose2& pose) {
     for (const double share : turns) {
       const double curvature_1pm = share / radius_m_;
-      const Pose2 to = along_arc(pose, curvature_1pm, step_m_);
-      if (std::isnan(map_.height_m(to.at_m)) || closed_.contains(cell_of(to))) continue;
-      const double edge = costs_.along(arc_line(pose, curvature_1pm, step_m_, map_.spacing_m()));
+      const double length_m = edge_m(curvature_1pm);
+      const Pose2 to = along_arc(pose, curvature_1pm, length_m);
+      if (std::isnan(map_.height_m(to.at_m)) || closed_.contains(cell_of(to, curvature_1pm)))
+        continue;
+      const Line2 line = arc_line(pose, curvature_1pm, length_m, map_.spacing_m());
+      double edge = costs_.along(line);
       if (!std::isfinite(edge)) continue;
+      const Reached& node = reached_[static_cast<std::size_t>(from.node)];
+      LegCosts::Speeds speeds = node.speeds;
+      if (share == 0) {
+        speeds.free_m += length_m;
+      } else {
+        // From one side to the other the points of the line go straight on.
+        if (share * node.curvature_1pm < 0) {
+          speeds.free_m += length_m / static_cast<double>(line.size() - 1);
+        }
+        edge += costs_.arc(speeds, radius_m_ / std::abs(share), length_m * std::abs(curvature_1pm));
+      }
       const double left = this->left(to.at_m);
       if (!std::isfinite(left)) continue;
-      reached_.push_back({to, from.cost + edge, from.node, curvature_1pm});
+      reached_.push_back({to, from.cost + edge, from.node, curvature_1pm, speeds});
       queue_.push({from.cost + edge + left, from.cost + edge,
                    static_cast<std::int32_t>(reached_.size() - 1)});
     }
   }
 
   void close(const Candidate& from, const Pose2& pose) {
-    for (const bool to_left : {true, false}) {
-      const auto line = arc_and_straight(pose, goal_m_, radius_m_, to_left, map_.spacing_m());
+    for (const double share : turns) {
+      if (share == 0) continue;
+      const double radius_m = radius_m_ / std::abs(share);
+      const auto line = arc_and_straight(pose, goal_m_, radius_m, share > 0, map_.spacing_m());
       if (!line) continue;
-      const double cost = from.cost + costs_.along(*line);
+      double cost = from.cost + costs_.along(*line);
+      double turn_m = 0;
+      for (std::size_t k = 0; k + 2 < line->size(); ++k) {
+        turn_m += ((*line)[k + 1] - (*line)[k]).norm();
+      }
+      LegCosts::Speeds speeds = reached_[static_cast<std::size_t>(from.node)].speeds;
+      if (turn_m > 0) cost += costs_.arc(speeds, radius_m, turn_m / radius_m);
       if (!(cost < least_)) continue;
       least_ = cost;
-      queue_.push({cost, cost, from.node, true, to_left});
+      queue_.push({cost, cost, from.node, share});
     }
   }
 
@@ -143,11 +178,12 @@ class Search {
     for (std::size_t k = 0; k < way.size(); ++k) {
       route.poses.push_back(way[k].pose);
       if (k == 0) continue;
-      const Line2 arc = arc_line(way[k - 1].pose, way[k].curvature_1pm, step_m_, map_.spacing_m());
+      const Line2 arc = arc_line(way[k - 1].pose, way[k].curvature_1pm,
+                                 edge_m(way[k].curvature_1pm), map_.spacing_m());
       route.line.insert(route.line.end(), arc.begin() + 1, arc.end());
     }
-    const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_, end.is_closed_to_left,
-                                       map_.spacing_m());
+    const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_ / std::abs(end.closing),
+                                       end.closing > 0, map_.spacing_m());
     route.line.insert(route.line.end(), last->begin() + 1, last->end());
     const Vec2 end_m = goal_m_ - (*last)[last->size() - 2];
     route.poses.push_back({goal_m_, std::atan2(end_m.y(), end_m.x())});

@@ -59,7 +59,10 @@ DriveCost cost_of(const SeededLeg& leg, const Ground& ground) {
   const RoverModel model = read_catalog("")->load_rover(leg.rover, {});
   const double g_mps2 = gravity_mps2(*find_body("Moon"), ground.site().origin());
   const VehicleConfig vehicle = make_vehicle(model.spec, "", g_mps2);
-  return drive_cost(vehicle, ground.soils(), g_mps2, vehicle.cruise_speed_mps, model.limits);
+  DriveCost cost =
+      drive_cost(vehicle, ground.soils(), g_mps2, vehicle.cruise_speed_mps, model.limits);
+  cost.load_w = load_w(model.power.loads, {});
+  return cost;
 }
 
 double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S_m, RouteAim aim) {
@@ -209,7 +212,8 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
       if (!std::isfinite(edge) || std::isnan(map.height_m(next.at_m))) continue;
       if (is_closed[cell(next.at_m, next.yaw_rad, kind)]) continue;
       const double was = share(curvatures[before_kind]), is = share(curvatures[kind]);
-      edge += per_j * (cost.slow_j * std::max(0.0, was * was - is * is) +
+      const double longer_s = step_m * (1 / is - 1) / cost.speed_mps;
+      edge += per_j * (cost.slow_j * std::max(0.0, was * was - is * is) + cost.load_w * longer_s +
                        cost.arc_drag_jmprad * std::pow(is, 4) * std::abs(by_rad) * pieces *
                            std::abs(curvatures[kind]) / cost.turning_radius_min_m);
       const double left = left_at_least(costs, next.at_m, goal_m);

@@ -103,12 +103,12 @@ TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
   const VehicleConfig vehicle = test::rover(1.6);
   PlannedLegs planned(*ground, 1);
-  RoverRoutes routes(vehicle, {}, *ground, planned);
+  RoverRoutes routes(vehicle, {}, 0, *ground, planned);
   const Vec3 goal_m(60, 0, 0);
   const std::vector<LegAhead> ahead{
       {3, 1, {{0, 0, 0}, 0}, goal_m, {}, routes.leg({}, {{0, 0, 0}, 0}, goal_m)}};
   const auto plans_anew = [&](double off_m, std::int64_t sequence, const RouteSettings& settings) {
-    RoverRoutes asked(vehicle, {}, *ground, planned);
+    RoverRoutes asked(vehicle, {}, 0, *ground, planned);
     asked.set_ahead(ahead);
     const PlannedWay way =
         asked.plan("A", SimTime{}, sequence, {{0, off_m, 0}, 0}, {goal_m}, 1, settings);
@@ -134,7 +134,7 @@ TEST(RouteAhead, logs_each_leg_with_the_number_of_its_attempt) {
   const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
   const VehicleConfig vehicle = test::rover(1.6);
   PlannedLegs planned(*ground, 1);
-  RoverRoutes routes(vehicle, {}, *ground, planned);
+  RoverRoutes routes(vehicle, {}, 0, *ground, planned);
   const Path3 waypoints{{0.4, 0, 0}, {30, 0, 0}, {30, 30, 0}};
   const SimTime now = milliseconds(4200);
   const PlannedWay way = routes.plan("A", now, 2, {{0, 0, 0}, 0}, waypoints, 1, {});
