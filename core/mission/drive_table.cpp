@@ -246,7 +246,7 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   }
   cost.slow_j = price * mass_kg * speed2 / 2 * std::max(0.0, braking_n - drag_n) / braking_n;
   cost.stop_j = price * mass_kg * speed2 / 2 * braking_n / (braking_n + drag_n);
-  cost.lateral_mps2 = vehicle.acceleration_mps2;
+  cost.acceleration_mps2 = vehicle.acceleration_mps2;
   const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
   cost.drift_s2pm = mass_kg / side_npr;
   cost.gravity_mps2 = gravity_mps2;
@@ -299,6 +299,7 @@ DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soil
   cost.turning_radius_min_m = vehicle.turning_radius_min_m;
   cost.can_turn_on_spot = vehicle.can_turn_on_spot;
   cost.speed_mps = speed_mps;
+  cost.full_speed_mps = std::max(speed_mps, vehicle.cruise_speed_mps);
   add_corners(vehicle, wheels, soils.front(), gravity_mps2, cost);
   return cost;
 }

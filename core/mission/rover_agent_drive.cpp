@@ -17,8 +17,9 @@ constexpr double lookahead_least_m = 0.6;  // of path following, for small rover
 
 FollowerPose pose_of(const VehicleReport& report) {
   const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
-  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
-          left_S.dot(report.v_S_mps.head<2>()), report.pitch_rad};
+  return {report.p_S_m.head<2>(), report.yaw_rad,
+          report.speed_mps,       left_S.dot(report.v_S_mps.head<2>()),
+          report.pitch_rad,       report.roll_rad};
 }
 
 }  // namespace
@@ -102,6 +103,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   FollowerLimits limits;
   limits.speed_mps =
       std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
+  limits.full_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
   limits.acceleration_mps2 = config.acceleration_mps2;
   limits.gravity_mps2 = ground_->site().gravity_S_mps2(Vec3::Zero()).norm();
   limits.arrival_radius_m = settings.arrival_radius_m;

@@ -55,6 +55,8 @@ struct DriveCost {
   double turning_radius_min_m = 0;
   bool can_turn_on_spot = true;
   double speed_mps = 1;
+  // That it stops from on the level as it does downhill from less, see base/downhill.h.
+  double full_speed_mps = 1;
   // For each metre of way and of `Stance::roughness_m`: wheels that climb one bump while others
   // come down from theirs give back less than they take. At a crawl, and with the square of speed.
   double rough_jpm2 = 0, rough_js2pm4 = 0;
@@ -66,11 +68,12 @@ struct DriveCost {
   double turn_jprad = 0, turn_sprad = 0;
   // Of steering wheels to where they turn the rover on the spot, and back.
   double steer_s = 0;
-  // Greatest acceleration across the way in an arc. Of a radian of one at full speed, times its
-  // radius: wheels that hold the rover in it roll at an angle.
-  double lateral_mps2 = 0.2, arc_drag_jmprad = 0;
-  // Taken whatever it does: what it takes longer in an arc costs that. Without it a rover that has
-  // slowed down once would wind on slowly for nothing.
+  // Greatest acceleration, along the way as across it in an arc. Of a radian of one at full speed,
+  // times its radius: wheels that hold the rover in it roll at an angle.
+  double acceleration_mps2 = 0.2, arc_drag_jmprad = 0;
+  // Taken besides by its drives: what it takes longer in an arc costs that. Without it a rover that
+  // has slowed down once would wind on slowly for nothing. Where a slope slows it down it is not
+  // counted.
   double load_w = 0;
   // Angle of its travel to its heading for each m/s2 across, which a slope takes of gravity and an
   // arc of speed.
@@ -78,7 +81,7 @@ struct DriveCost {
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(lateral_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(load_w);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(full_speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(acceleration_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(load_w);
   }
 };
 

@@ -42,7 +42,7 @@ bool walk(GroundMap& map, const StanceFinder& finder, const Vec2& from_m, const 
 }  // namespace
 
 double arc_speed_mps(const DriveCost& cost, double radius_m) {
-  return std::min(arc_speed_mps(radius_m, cost.speed_mps, cost.lateral_mps2),
+  return std::min(arc_speed_mps(radius_m, cost.speed_mps, cost.acceleration_mps2),
                   drift_arc_speed_mps(radius_m, cost.drift_s2pm));
 }
 
@@ -144,9 +144,11 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
         cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
   const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * std::sin(stance.bank_rad);
-  const double braked_mps =
-      downhill_speed_mps(stance.pitch_rad, cost.speed_mps, cost.lateral_mps2, cost.gravity_mps2);
-  drive.speed_mps = std::min({drive.speed_mps, drift_speed_mps(drift_rad), braked_mps});
+  // Of its rims; it is as much faster than they as the table says.
+  const double braked_mps = downhill_speed_mps(stance.pitch_rad, cost.full_speed_mps,
+                                               cost.acceleration_mps2, cost.gravity_mps2);
+  drive.speed_mps *= std::min(1.0, braked_mps / cost.speed_mps);
+  drive.speed_mps = std::min(drive.speed_mps, drift_speed_mps(drift_rad));
   const double speed2 = drive.speed_mps * drive.speed_mps;
   // Bumps hold it back by fits: of holds that are spread exponentially about their mean, this is
   // what goes beyond gravity's spare.
@@ -252,8 +254,7 @@ LegCosts::Cornering LegCosts::arc_driven(Speeds& speeds, double radius_m, double
   return {cost.slow_j * (peak * peak - now * now) +
               cost.arc_drag_jmprad * std::pow(now, 4) * bend_rad / radius_m,
           cost.stop_s * (2 * peak - was - now) +
-              (std::max(0.0, free_m - changing_m) / peak - free_m + length_m / now - length_m) /
-                  cost.speed_mps};
+              ((free_m - changing_m) / peak - free_m + length_m / now - length_m) / cost.speed_mps};
 }
 
 LegCosts::Cornering LegCosts::arcs(const Line2& line) const {

@@ -40,7 +40,7 @@ constexpr double thinned_worth = 1.001;
 // Poses are searched where the rounded way costs so much more than that over the lattice; and no
 // more than so many of them, where there is a rounded way and where there is none.
 constexpr double poses_worth = 1.05;
-constexpr std::size_t poses_to_better = 400'000, poses_max = 1'000'000;
+constexpr std::size_t poses_to_better = 400'000, poses_max = 2'000'000;
 // A winding way is refined so often at most, until so many times in a row gained no such share.
 constexpr std::uint64_t rounds_max = 12;
 constexpr int idle_rounds = 3;
@@ -173,7 +173,7 @@ class LegPlanner {
           *passed_m);
     }
     if (turns_too_wide_) {
-      return refuse(map, "there is a way, but none with turns as wide as this rover needs",
+      return refuse(map, "there is a way, but none was found with turns as wide as it needs",
                     nearest_m);
     }
     return refuse(map, why_cut_off(map, reach), nearest_m);

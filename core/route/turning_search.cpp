@@ -100,7 +100,7 @@ class Search {
     return haste * straighter * to_go_.at(at_m);
   }
 
-  // Gentle arcs are longer: as far from the straight at their ends as a sharp one.
+  // Gentle arcs are longer: each turns by as much as the gentlest of the slow ones.
   double edge_m(double curvature_1pm) const {
     const double turn = std::abs(curvature_1pm) * radius_m_;
     return turn == 0 || turn >= slow_turn ? step_m_ : step_m_ * slow_turn / turn;

@@ -15,8 +15,9 @@ struct TurningRoute {
 
 // A* over (x, y, heading) whose edges are arcs of `radius_m`, wider ones and straight pieces, each
 // beginning in the very pose that the last one ended in (hybrid A*, Dolgov et al. 2010), and whose
-// last piece is an arc and a straight line to the goal. Of poses in one cell only the first is
-// followed, and no more than `reached_max` in all. Start and goal must be on the map.
+// last piece is an arc and a straight line to the goal. Of poses in one cell only the first that
+// comes by a sharp arc is followed and the first that does not, and no more than `reached_max` in
+// all. Start and goal must be on the map.
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
                             double radius_m, std::size_t reached_max);
 

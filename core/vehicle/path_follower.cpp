@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/corner.h"
@@ -118,6 +119,7 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
     is_stopping_ = true;
     return stop(pose, period_s);
   }
+  find_pitch(pose, heading_error_rad, period_s);
   if (limits_.is_crabbing) return crab(pose, to_end_m, left_m, period_s);
   if (limits_.can_turn_on_spot && std::abs(heading_error_rad) > turn_begin_rad) is_turning_ = true;
   if (is_turning_ && std::abs(heading_error_rad) > turn_done_rad) {
@@ -129,12 +131,39 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
 
 void PathFollower::ramp_speed(double to_end_m, double period_s) {
   const DrivingLeg& leg = line_[leg_];
+  command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s, leg.speed_max_mps,
+                           std::max(creep_mps, braking_speed_mps(to_end_m))});
+}
+
+// From which the end of each leg is reached at its speed. Those speeds count on full slowing: what
+// lies behind them is looked at where there is less of it.
+double PathFollower::braking_speed_mps(double to_end_m) const {
   const double slowing_mps2 =
       braking_mps2(pitch_rad_, limits_.acceleration_mps2, limits_.gravity_mps2);
-  const double braking_mps =
-      std::sqrt(leg.end_speed_mps * leg.end_speed_mps + 2 * slowing_mps2 * std::max(0.0, to_end_m));
-  command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s, leg.speed_max_mps,
-                           std::max(creep_mps, braking_mps)});
+  double least_mps = std::numeric_limits<double>::infinity();
+  double way_m = std::max(0.0, to_end_m);
+  for (std::size_t leg = leg_; leg < line_.size(); ++leg) {
+    if (leg > leg_) way_m += line_[leg].length_m;
+    const double end_mps = line_[leg].end_speed_mps;
+    least_mps = std::min(least_mps, std::sqrt(end_mps * end_mps + 2 * slowing_mps2 * way_m));
+    const bool is_full = slowing_mps2 >= limits_.acceleration_mps2;
+    if (is_full || 2 * slowing_mps2 * way_m > command_mps_ * command_mps_) break;
+  }
+  return least_mps;
+}
+
+// Along the line; crabbing does not go where the rover points.
+void PathFollower::find_pitch(const FollowerPose& pose, double heading_error_rad, double period_s) {
+  const double aside_rad = limits_.is_crabbing ? -heading_error_rad : 0;  // of its travel, left
+  const double up = std::sin(pose.pitch_rad) * std::cos(aside_rad) +
+                    std::sin(pose.roll_rad) * std::cos(pose.pitch_rad) * std::sin(aside_rad);
+  pitch_rad_ += std::min(1.0, period_s / pitch_smoothing_s) *
+                (std::asin(std::clamp(up, -1.0, 1.0)) - pitch_rad_);
+}
+
+double PathFollower::downhill_mps() const {
+  return downhill_speed_mps(pitch_rad_, limits_.full_speed_mps, limits_.acceleration_mps2,
+                            limits_.gravity_mps2);
 }
 
 PathFollower::Drift PathFollower::drift(const FollowerPose& pose, double period_s) {
@@ -152,9 +181,6 @@ PathFollower::Drift PathFollower::drift(const FollowerPose& pose, double period_
 
 DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
                                  double heading_error_rad, double period_s) {
-  pitch_rad_ += std::min(1.0, period_s / pitch_smoothing_s) * (pose.pitch_rad - pitch_rad_);
-  const double braked_mps = downhill_speed_mps(pitch_rad_, limits_.speed_mps,
-                                               limits_.acceleration_mps2, limits_.gravity_mps2);
   ramp_speed(to_end_m, period_s);
   // On a cross slope a rover goes not where it points. What must lie along the line is its travel.
   const auto [drift_rad, drift_soon_rad] = drift(pose, period_s);
@@ -178,7 +204,7 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   // hold it downhill; it slows down no faster than twice as it speeds up.
   const double steered_mps = steering_off_m * curvature_rate_1pms / std::max(off_1pm, 1e-6);
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
-  const double kept_mps = std::min({steered_mps, drift_speed_mps(drift_soon_rad), braked_mps});
+  const double kept_mps = std::min({steered_mps, drift_speed_mps(drift_soon_rad), downhill_mps()});
   command_mps_ = std::min(command_mps_, std::max({creep_mps, kept_mps, slowed_mps}));
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
@@ -186,7 +212,9 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
 // Goes along the line sideways, heading kept: the wheels point where the rover shall go.
 DriveCommand PathFollower::crab(const FollowerPose& pose, double to_end_m, double left_m,
                                 double period_s) {
+  const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
   ramp_speed(to_end_m, period_s);
+  command_mps_ = std::min(command_mps_, std::max(downhill_mps(), slowed_mps));
   const DrivingLeg& leg = line_[leg_];
   const Vec2 left_S(-leg.along_S.y(), leg.along_S.x());
   const double back_mps =

@@ -14,6 +14,8 @@ namespace lsos {
 
 struct FollowerLimits {
   double speed_mps = 1;  // along the line
+  // That it stops from as its brakes let it; downhill it stops on as short a way.
+  double full_speed_mps = 1;
   double acceleration_mps2 = 0.2;
   double arrival_radius_m = 1;   // the rover must come to rest within this of the last waypoint
   double radius_min_m = 5;       // tightest turn while driving
@@ -26,18 +28,18 @@ struct FollowerLimits {
   double stray_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
-    a(speed_mps)(acceleration_mps2)(gravity_mps2)(
-        arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(stray_max_m);
+    a(speed_mps)(full_speed_mps)(
+        acceleration_mps2)(gravity_mps2)(arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(stray_max_m);
   }
 };
 
 // Where the rover is, on the horizontal plane of the site frame.
 struct FollowerPose {
   Vec2 p_S_m;
-  double yaw_rad = 0;    // counter-clockwise from east
-  double speed_mps = 0;  // magnitude
-  double left_mps = 0;   // its part across the heading: sliding, or crabbing
-  double pitch_rad = 0;  // nose up
+  double yaw_rad = 0;                  // counter-clockwise from east
+  double speed_mps = 0;                // magnitude
+  double left_mps = 0;                 // its part across the heading: sliding, or crabbing
+  double pitch_rad = 0, roll_rad = 0;  // nose up, right side down
 };
 
 class PathFollower {
@@ -72,6 +74,9 @@ class PathFollower {
   DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
   DriveCommand stop(const FollowerPose& pose, double period_s);
   DriveCommand crab(const FollowerPose& pose, double to_end_m, double left_m, double period_s);
+  void find_pitch(const FollowerPose& pose, double heading_error_rad, double period_s);
+  double braking_speed_mps(double to_end_m) const;
+  double downhill_mps() const;
   void ramp_speed(double to_end_m, double period_s);
   // Of the travel from the heading, to the left positive: how far the rover slides.
   struct Drift {
@@ -91,7 +96,7 @@ class PathFollower {
   double command_mps_ = 0;  // ramped
   double command_curvature_1pm_ = 0;
   double drift_rad_ = 0;    // smoothed
-  double pitch_rad_ = 0;    // smoothed
+  double pitch_rad_ = 0;    // of its travel, smoothed
   double heading_rad_ = 0;  // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;

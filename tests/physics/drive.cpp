@@ -27,8 +27,9 @@ double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
 
 FollowerPose pose_of(const VehicleReport& report) {
   const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
-  return {report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
-          left_S.dot(report.v_S_mps.head<2>()), report.pitch_rad};
+  return {report.p_S_m.head<2>(), report.yaw_rad,
+          report.speed_mps,       left_S.dot(report.v_S_mps.head<2>()),
+          report.pitch_rad,       report.roll_rad};
 }
 
 }  // namespace
@@ -71,6 +72,7 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
   }
   FollowerLimits limits;
   limits.speed_mps = speed_mps;
+  limits.full_speed_mps = std::max(speed_mps, config.cruise_speed_mps);
   limits.acceleration_mps2 = config.acceleration_mps2;
   limits.gravity_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
   limits.can_turn_on_spot = config.can_turn_on_spot;

@@ -168,6 +168,55 @@ TEST(PathFollower, says_when_the_brakes_do_not_hold) {
   EXPECT_NE(follower.reason().find("still sliding at 2.00 m/s"), std::string::npos);
 }
 
+// A block that slides when it is told to slow down faster than the soil holds it, on the Moon.
+struct Slide {
+  double past_m = 0;     // beyond the end
+  double worst_mps = 0;  // faster than its wheels
+  double fastest_mps = 0;
+};
+Slide slid(double pitch_rad, double piece_m, bool is_crabbing = false) {
+  FollowerLimits limits;
+  limits.speed_mps = limits.full_speed_mps = 2.5;
+  limits.acceleration_mps2 = 0.5;
+  limits.gravity_mps2 = g;
+  limits.is_crabbing = is_crabbing;
+  Path3 path;
+  for (double x_m = piece_m; x_m < 60 + piece_m / 2; x_m += piece_m) path.push_back({x_m, 0, 0});
+  // One that crabs goes along x as well, with its right side ahead.
+  FollowerPose pose{Vec2::Zero(), is_crabbing ? radians(90) : 0};
+  (is_crabbing ? pose.roll_rad : pose.pitch_rad) = is_crabbing ? -pitch_rad : pitch_rad;
+  PathFollower follower(path, pose, limits);
+  Slide result;
+  const double grip_mps2 = g * (0.45 * std::cos(pitch_rad) + std::sin(pitch_rad));
+  for (int i = 0; i < 3000 && follower.status() == PathFollower::Status::driving; ++i) {
+    const DriveCommand command = follower.update(pose, period_s);
+    const double wheels_mps =
+        command.is_braking ? 0 : std::hypot(command.speed_mps, command.left_mps);
+    const double slowest_mps = pose.speed_mps - grip_mps2 * period_s;
+    if (!command.is_braking) {
+      result.worst_mps = std::max(result.worst_mps, slowest_mps - wheels_mps);
+    }
+    pose.speed_mps = std::max(wheels_mps, slowest_mps);
+    pose.p_S_m.x() += pose.speed_mps * period_s;
+    result.fastest_mps = std::max(result.fastest_mps, pose.speed_mps);
+  }
+  result.past_m = pose.p_S_m.x() - 60;
+  return result;
+}
+
+TEST(PathFollower, brakes_in_time_downhill_however_short_the_pieces_of_its_line_are) {
+  EXPECT_EQ(slid(0, 60).fastest_mps, 2.5);
+  for (const double piece_m : {60.0, 5.0, 0.5}) {
+    for (const bool is_crabbing : {false, true}) {
+      const Slide result = slid(radians(-20), piece_m, is_crabbing);
+      EXPECT_LT(result.worst_mps, 0.1) << piece_m << is_crabbing;
+      EXPECT_LT(std::abs(result.past_m), 0.1) << piece_m << is_crabbing;
+      EXPECT_LT(result.fastest_mps, 1.8);
+      EXPECT_GT(result.fastest_mps, 1.2);
+    }
+  }
+}
+
 TEST(PathFollower, has_patience_with_a_slow_turn) {
   FollowerLimits limits;
   limits.speed_mps = 0.02;

@@ -1,0 +1,63 @@
+// What slowing down for arcs costs, against the motion itself.
+#include "route/leg_cost.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/route/test_rover.h"
+
+namespace lsos::test {
+namespace {
+
+// Of a rover whose speed, as a share of full, changes by 1 / stop_s a second: how much longer than
+// at full speed it takes from the end of an arc at `was`, over `free_m` and an arc of `length_m` at
+// `now`, speeding up between as long as it still gets slow in time.
+double longer_s(double was, double now, double free_m, double length_m, double speed_mps,
+                double stop_s) {
+  constexpr double step_s = 1e-5;
+  const double rate_mps2 = speed_mps / stop_s;
+  double at_m = 0, v_mps = was * speed_mps, time_s = 0;
+  while (at_m < free_m + length_m) {
+    const double left_m = std::max(0.0, free_m - at_m), arc_mps = now * speed_mps;
+    const double most_mps =
+        std::min(speed_mps, std::sqrt(arc_mps * arc_mps + 2 * rate_mps2 * left_m));
+    v_mps = std::min(v_mps + rate_mps2 * step_s, most_mps);
+    at_m += v_mps * step_s;
+    time_s += step_s;
+  }
+  return time_s - (free_m + length_m) / speed_mps;
+}
+
+TEST(LegCosts, tells_how_long_arcs_take_that_follow_each_other) {
+  DriveCost cost = simple_rover();
+  cost.can_turn_on_spot = false;
+  cost.speed_mps = 2;
+  cost.stop_s = 4;
+  cost.load_w = 1;
+  cost.acceleration_mps2 = 0.5;
+  cost.turning_radius_min_m = 1;
+  const Site site({});
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
+                map_spacing_m(cost));
+  const StanceFinder finder(cost);
+  const LegCosts costs(map, finder, RouteAim::energy);
+  const auto share = [&](double radius_m) {
+    return arc_speed_mps(cost, radius_m) / cost.speed_mps;
+  };
+  struct Case {
+    double before_m, radius_m, free_m;
+  };
+  for (const Case& of :
+       {Case{1, 6, 0}, Case{6, 1, 8}, Case{2, 2, 3}, Case{1, 6, 1}, Case{3, 3, 40}}) {
+    LegCosts::Speeds speeds{share(of.before_m), of.free_m};
+    constexpr double bend_rad = 1;
+    const double told_s = costs.arc(speeds, of.radius_m, bend_rad);
+    const double moved_s = longer_s(share(of.before_m), share(of.radius_m), of.free_m,
+                                    of.radius_m * bend_rad, cost.speed_mps, cost.stop_s);
+    EXPECT_NEAR(told_s, moved_s, 0.01) << of.before_m << " " << of.radius_m << " " << of.free_m;
+    EXPECT_EQ(speeds.share, share(of.radius_m));
+    EXPECT_EQ(speeds.free_m, 0);
+  }
+}
+
+}  // namespace
+}  // namespace lsos::test
