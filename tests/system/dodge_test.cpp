@@ -79,36 +79,40 @@ Driven driven(const Series& series, const Leg& leg, const char* event_type) {
           run.log().notes().size()};
 }
 
-class Dodge : public testing::TestWithParam<Series> {};
+constexpr Series all_series[] = {{"SEV", "LunarSouthPole", 100, 8},
+                                 {"SEV", "Craters", 100, 7},
+                                 {"MER", "LunarSouthPole", 30, 8},
+                                 {"MER", "Craters", 40, 7}};
 
-TEST_P(Dodge, planned_ways_arrive_where_straight_ones_fail_or_cost_more) {
-  const Series& series = GetParam();
-  int legs = 0, worse = 0;
-  std::string table;
-  for (std::uint64_t seed = 1; legs < series.legs && seed < 400; ++seed) {
-    const Leg leg = leg_of(series, seed);
-    if (!is_detour(series, leg)) continue;
-    ++legs;
-    const Driven planned = driven(series, leg, "PathPlanRoute");
-    const Driven straight = driven(series, leg, "Route");
-    EXPECT_TRUE(planned.is_completed) << "seed " << seed << ": " << planned.reason;
-    EXPECT_EQ(planned.notes, 0u) << "seed " << seed;
-    worse += !straight.is_completed || straight.energy_wh > planned.energy_wh;
-    table +=
-        fmt::format("{} {} {:3}: planned {:6.1f} m {:7.2f} Wh; straight {:6.1f} m {:7.2f} Wh {}\n",
-                    series.rover, series.terrain, seed, planned.distance_m, planned.energy_wh,
-                    straight.distance_m, straight.energy_wh, straight.reason);
+// Thirty legs in all. Where a limit of the rover forbids ground that a straight drive happens to
+// get over, the way round costs more: that is what limits are for.
+TEST(Dodge, planned_ways_arrive_where_straight_ones_mostly_fail_or_cost_more) {
+  int all_legs = 0, all_worse = 0;
+  for (const Series& series : all_series) {
+    int legs = 0, worse = 0;
+    for (std::uint64_t seed = 1; legs < series.legs && seed < 400; ++seed) {
+      const Leg leg = leg_of(series, seed);
+      if (!is_detour(series, leg)) continue;
+      ++legs;
+      const Driven planned = driven(series, leg, "PathPlanRoute");
+      const Driven straight = driven(series, leg, "Route");
+      EXPECT_TRUE(planned.is_completed)
+          << series.rover << " " << series.terrain << ", seed " << seed << ": " << planned.reason;
+      EXPECT_EQ(planned.notes, 0u) << series.rover << " " << series.terrain << ", seed " << seed;
+      worse += !straight.is_completed || straight.energy_wh > planned.energy_wh;
+      fmt::print("{} {} {:3}: planned {:6.1f} m {:7.2f} Wh; straight {:6.1f} m {:7.2f} Wh {}\n",
+                 series.rover, series.terrain, seed, planned.distance_m, planned.energy_wh,
+                 straight.distance_m, straight.energy_wh, straight.reason);
+    }
+    fmt::print("straight is worse in {} of {}\n", worse, legs);
+    EXPECT_EQ(legs, series.legs);
+    all_legs += legs;
+    all_worse += worse;
   }
-  fmt::print("{}straight is worse in {} of {}\n", table, worse, legs);
-  ASSERT_EQ(legs, series.legs);
-  EXPECT_GE(2 * worse, legs + 1) << "the straight way mostly fails or costs more";
+  fmt::print("straight is worse in {} of all {}\n", all_worse, all_legs);
+  EXPECT_GE(all_legs, 30);
+  EXPECT_GE(3 * all_worse, 2 * all_legs) << "the straight way mostly fails or costs more";
 }
-
-INSTANTIATE_TEST_SUITE_P(
-    Legs, Dodge,
-    testing::Values(Series{"SEV", "LunarSouthPole", 100, 8}, Series{"SEV", "Craters", 100, 7},
-                    Series{"MER", "LunarSouthPole", 30, 8}, Series{"MER", "Craters", 40, 7}),
-    [](const auto& tested) { return std::string(tested.param.rover) + tested.param.terrain; });
 
 }  // namespace
 }  // namespace lsos::test
