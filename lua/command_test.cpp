@@ -113,7 +113,8 @@ std::vector<std::string> folders_of(const std::vector<std::string>& files,
   for (const std::string& file : files) {
     const std::string stem = fs::path(file).stem();
     const int number = ++taken[stem];
-    folders.push_back(folder + "/" + stem + (number == 1 ? "" : fmt::format("_{}", number)));
+    folders.push_back(
+        fmt::format("{}/{}{}", folder, stem, number == 1 ? "" : fmt::format("_{}", number)));
   }
   return folders;
 }

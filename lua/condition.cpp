@@ -193,7 +193,7 @@ std::string math_fault(lua_State* L, const std::string& member) {
 
 std::string condition_trial_fault(lua_State* L, const std::string& text, double value,
                                   bool answer) {
-  const std::string fault = push_function(L, text);
+  std::string fault = push_function(L, text);
   if (!fault.empty()) return fault;
   push_environment(L);
   const auto set = [&](const char* name, const auto& push) {

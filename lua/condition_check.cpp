@@ -190,7 +190,7 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
     if (is_member) {
       if (i < 2 || words[i - 2].text != "math")
         return fmt::format("only math has members, as .{}", word);
-      const std::string fault = math_fault(L, word);
+      std::string fault = math_fault(L, word);
       if (!fault.empty()) return fault;
       continue;
     }
@@ -203,7 +203,7 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
     if (!is_question(word)) continue;
     const std::string* argument = argument_of(words, i);
     if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
-    const std::string fault = argument_fault(word, *argument, world);
+    std::string fault = argument_fault(word, *argument, world);
     if (!fault.empty()) return fault;
   }
   return "";
@@ -212,17 +212,17 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
 }  // namespace
 
 std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world) {
-  const std::string syntax = condition_syntax_fault(L, text);
+  std::string syntax = condition_syntax_fault(L, text);
   if (!syntax.empty()) return syntax;
   const std::vector<Word> words = words_of(text);
-  const std::string names = names_fault(L, words, world);
+  std::string names = names_fault(L, words, world);
   if (!names.empty()) return names;
-  const std::string equality = equality_fault(words);
+  std::string equality = equality_fault(words);
   if (!equality.empty()) return equality;
   // Comparisons go one way and the other; what stands behind `and` and `or` is reached by one.
   for (const double value : {0.0, 1.0, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     for (const bool answer : {false, true}) {
-      const std::string fault = condition_trial_fault(L, text, value, answer);
+      std::string fault = condition_trial_fault(L, text, value, answer);
       if (!fault.empty()) return fault;
     }
   }

@@ -54,7 +54,7 @@ class RoversInHand {
 };
 
 struct LuaContext {
-  explicit LuaContext(const Limits& limits_) : limits(limits_), memory(limits_.memory_bytes) {}
+  explicit LuaContext(const Limits& given) : limits(given), memory(given.memory_bytes) {}
 
   Limits limits;
   ScriptMemory memory;

@@ -36,7 +36,7 @@ std::optional<std::string> field_text(lua_State* L, int index) {
 
 // Metres east and north of the site's origin.
 std::optional<Vec3> point_at(lua_State* L, int index) {
-  if (const auto p = to_vec3(L, index)) return p;
+  if (auto p = to_vec3(L, index)) return p;
   if (!lua_istable(L, index)) return {};
   index = lua_absindex(L, index);
   Vec3 p_m = Vec3::Zero();
