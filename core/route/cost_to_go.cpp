@@ -48,8 +48,10 @@ double CostToGo::at(const Vec2& at_m) {
     }
     return cost;
   };
-  while (!std::isfinite(least()) && !queue_.empty()) look_on();
-  return least();
+  while (!std::isfinite(least()) && !queue_.empty() && queue_.top().total <= limit_) look_on();
+  const double found = least();
+  was_limited_ = was_limited_ || (!std::isfinite(found) && !queue_.empty());
+  return found;
 }
 
 void CostToGo::look_on() {
@@ -63,18 +65,14 @@ void CostToGo::look_on() {
   }
 }
 
-double CostToGo::bound(double length_m, double rise_m) const {
-  return std::max(0.0, costs_.least_per_metre() * length_m + costs_.per_rise() * rise_m);
-}
-
 double CostToGo::come(std::int32_t node) {
-  return bound(octile_m(place(node) - start_m_), height_m(node) - start_height_m_);
+  return costs_.least(octile_m(place(node) - start_m_), height_m(node) - start_height_m_);
 }
 
 void CostToGo::offer(std::int32_t node, const Candidate& to) {
   const double rise_m = height_m(to.node) - height_m(node);
   if (std::isnan(rise_m)) return;
-  const double cost = to.cost + bound((place(to.node) - place(node)).norm(), rise_m);
+  const double cost = to.cost + costs_.least((place(to.node) - place(node)).norm(), rise_m);
   queue_.push({cost + come(node), cost, node, to.node, false});
 }
 

@@ -19,8 +19,13 @@ class CostToGo {
   // Start and goal must be on the map of `costs`.
   CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
 
-  // The least known of the nodes about a place, one at least; infinite where none has a way.
+  // The least known of the nodes about a place, one at least; infinite where none has a way, or
+  // only one that makes the way from the start by this place cost more than the limit.
   double at(const Vec2& at_m);
+  // Of the way from the start to the goal by a place; infinite at first.
+  void set_limit(double cost) { limit_ = cost; }
+  // Whether the limit ever was the reason.
+  bool was_limited() const { return was_limited_; }
 
  private:
   struct Candidate {
@@ -52,8 +57,6 @@ class CostToGo {
     return cost_[static_cast<std::size_t>(node)] < std::numeric_limits<double>::infinity();
   }
   void look_on();
-  // Of what so long a way with so much climb costs at least.
-  double bound(double length_m, double rise_m) const;
   // Of the way from the start.
   double come(std::int32_t node);
   void offer(std::int32_t node, const Candidate& to);
@@ -65,6 +68,8 @@ class CostToGo {
   GroundMap& map_;
   Vec2 start_m_;
   double start_height_m_;
+  double limit_ = std::numeric_limits<double>::infinity();
+  bool was_limited_ = false;
   std::vector<double> cost_;  // infinite where it is not known yet, or there is no way
   std::priority_queue<Candidate> queue_;
 };

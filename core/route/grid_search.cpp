@@ -101,18 +101,15 @@ class Search {
   // At least what is left to the goal. The last piece is not along the lattice.
   double left(std::int32_t node) {
     const double far_m = std::max(0.0, octile_m(goal_m_ - place(node)) - 0.15 * map_.spacing_m());
-    return bound(far_m, goal_height_m_ - height_m(node));
-  }
-  double bound(double length_m, double rise_m) const {
-    if (std::isnan(rise_m)) return costs_.least_per_metre() * length_m;
-    return std::max(0.0, costs_.least_per_metre() * length_m + costs_.per_rise() * rise_m);
+    const double rise_m = goal_height_m_ - height_m(node);
+    return std::isnan(rise_m) ? costs_.least_per_metre() * far_m : costs_.least(far_m, rise_m);
   }
 
   void offer(const Candidate& from, std::int32_t to, std::uint8_t direction) {
     if (is_closed_[static_cast<std::size_t>(to)]) return;
     const double rise_m = height_m(to) - height_m(from.node);
     if (std::isnan(rise_m)) return;
-    const double cost = from.cost + bound((place(to) - place(from.node)).norm(), rise_m);
+    const double cost = from.cost + costs_.least((place(to) - place(from.node)).norm(), rise_m);
     queue_.push({cost + left(to), cost, to, direction, false});
   }
 

@@ -2,6 +2,7 @@
 // Heights at full resolution, sampled as they are first asked for.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -45,6 +46,11 @@ class GroundMap {
     return low_m_ + spacing_m_ * Vec2(static_cast<double>(column), static_cast<double>(row));
   }
   const Vec2& low_m() const { return low_m_; }
+  // How far a place is from the map's edge; negative outside.
+  double inside_m(const Vec2& at_m) const {
+    const Vec2 high_m = place_m(columns_ - 1, rows_ - 1);
+    return std::min((at_m - low_m_).minCoeff(), (high_m - at_m).minCoeff());
+  }
 
   // Height of a node, 0 <= column < columns(), the same for rows; NaN where there is no ground.
   double node_m(int column, int row) {

@@ -66,6 +66,9 @@ LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
                    std::vector<Disc2> avoided)
     : map_(map), finder_(finder), aim_(aim), avoided_(std::move(avoided)) {
   find_least();
+  for (const Vec2& wheel_B_m : finder.cost().wheels_B_m) {
+    border_m_ = std::max(border_m_, wheel_B_m.norm() + 2 * map.spacing_m());
+  }
   // A corner's energy is worth as many metres as it would drive on the level.
   const SoilDrive& soil = finder_.cost().soils.front();
   if (aim_ == RouteAim::risk && !soil.by_slope.empty()) {
@@ -118,6 +121,10 @@ void LegCosts::find_least() {
     per_rise_ = per_rise;
   }
   least_per_metre_ = std::max(0.0, least_per_metre_);
+  const SoilDrive& soil = finder_.cost().soils.front();
+  if (soil.by_slope.empty()) return;
+  steep_per_metre_ = std::max(0.0, soil.at(0).energy_jpm) +
+                     per_rise_ * std::sin(finder_.cost().limits.slope_max_rad);
 }
 
 // The soil holds a rover up a slope by slipping downhill, whichever way it heads: across its way

@@ -101,6 +101,15 @@ class LegCosts {
   // Of a metre at least, after `per_rise` for each metre of climb: what guides the search.
   double least_per_metre() const { return least_per_metre_; }
   double per_rise() const { return per_rise_; }
+  // Of so long a way with so much climb; but for what the wheels feel of rough ground otherwise
+  // than its height tells.
+  double least(double length_m, double rise_m) const {
+    return std::max(0.0, least_per_metre_ * length_m + per_rise_ * rise_m);
+  }
+  // Of a metre on good ground up the steepest slope that the rover may drive.
+  double steep_per_metre() const { return steep_per_metre_; }
+  // A rover there would stand partly off the map, or next to that.
+  bool is_at_border(const Vec2& at_m) const { return map_.inside_m(at_m) < border_m_; }
   GroundMap& map() { return map_; }
 
  private:
@@ -121,7 +130,8 @@ class LegCosts {
   Disc2 leaving_;  // nothing, without a radius
   DriveLimits leaving_limits_;
   bool is_rounding_ = false;
-  double least_per_metre_ = 1, per_rise_ = 0;
+  double least_per_metre_ = 1, per_rise_ = 0, steep_per_metre_ = 1;
+  double border_m_ = 0;
   double cost_per_j_ = 1;  // of corners
 };
 

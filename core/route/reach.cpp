@@ -71,13 +71,11 @@ class Flood {
     marks |= mark_;
     ++size_;
     has_met_ = has_met_ || marks != mark_;
+    is_at_border_ = is_at_border_ || costs_.is_at_border(place(node));
     const int column = node % map_.columns(), row = node / map_.columns();
     for (int y = row - 1; y <= row + 1; ++y) {
       for (int x = column - 1; x <= column + 1; ++x) {
-        if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) {
-          is_at_border_ = true;
-          continue;
-        }
+        if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
         const std::int32_t next = number(x, y);
         if ((marks_[static_cast<std::size_t>(next)] & mark_) != 0) continue;
         queue_.push({static_cast<float>((place(next) - to_m_).norm()), next, node});

@@ -40,7 +40,7 @@ constexpr double thinned_worth = 1.001;
 // Poses are searched where the rounded way costs so much more than that over the lattice; and no
 // more than so many of them, where there is a rounded way and where there is none.
 constexpr double poses_worth = 1.05;
-constexpr std::size_t poses_to_better = 400'000, poses_max = 2'000'000;
+constexpr std::size_t poses_to_better = 160'000, poses_max = 520'000;
 // A winding way is refined so often at most, until so many times in a row gained no such share.
 constexpr std::uint64_t rounds_max = 12;
 constexpr int idle_rounds = 3;
@@ -137,6 +137,7 @@ class LegPlanner {
     const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
     for (int k = 0; k < looks; ++k) {
       passed_m.reset();
+      turns_too_wide_ = are_turns_at_border_ = false;
       LegCosts costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       costs.set_leaving(leaving_, leaving_limits_);
@@ -161,7 +162,8 @@ class LegPlanner {
     }
     if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
     const bool is_joined = reach.answer == Reach::Answer::joined;
-    if (!is_last && (is_joined || reach.is_at_border)) return false;
+    const bool is_open = is_joined ? !turns_too_wide_ || are_turns_at_border_ : reach.is_at_border;
+    if (!is_last && is_open) return false;
     if (passed_m) {
       const Stance there = best_stance(map, finder_, *passed_m);
       const Hazard found = hazard(there, finder_.cost());
@@ -172,14 +174,11 @@ class LegPlanner {
                                             : say(found, there, finder_.cost())),
           *passed_m);
     }
-    if (turns_too_wide_) {
-      return refuse(map, "there is a way, but none was found with turns as wide as it needs",
-                    nearest_m);
-    }
     return refuse(map, why_cut_off(map, reach), nearest_m);
   }
 
   std::string why_cut_off(GroundMap& map, const Reach& reach) const {
+    if (turns_too_wide_) return "there is a way, but none was found with turns as wide as it needs";
     if (reach.answer == Reach::Answer::start_closed) {
       const std::string at_start = fault_at(map, finder_, Vec2::Zero());
       if (!at_start.empty()) return fmt::format("no way leads on from the start, {}", at_start);
@@ -258,7 +257,7 @@ class LegPlanner {
     if (!(least <= poses_worth * over_lattice.cost)) {
       const TurningRoute way =
           search_turning(costs, start, goal_m_, radius_m_, best ? poses_to_better : poses_max);
-      turns_too_wide_ = way.line.empty() && !best;
+      are_turns_at_border_ = way.is_at_border;
       nearest_m = way.nearest_m;
       if (!way.line.empty()) {
         offer(refined(costs, steering, way.poses, request_.seed));
@@ -272,6 +271,7 @@ class LegPlanner {
           if (direct) offer({std::move(*direct), {}});
         }
       }
+      turns_too_wide_ = !best;
       // A winding way gains from more moves, each time others.
       int idle = 0;
       for (std::uint64_t round = 1; best && round <= rounds_max && idle < idle_rounds; ++round) {
@@ -375,7 +375,7 @@ class LegPlanner {
   std::vector<Disc2> avoided_;
   Disc2 leaving_;
   DriveLimits leaving_limits_;
-  bool turns_too_wide_ = false;
+  bool turns_too_wide_ = false, are_turns_at_border_ = false;
   Ground::Probe probe_;
   PlannedLeg leg_;
 };

@@ -87,14 +87,17 @@ Pose2 along_arc(const Pose2& from, double curvature_1pm, double length_m) {
   return {from.at_m + chord / curvature_1pm, yaw_rad};
 }
 
-Line2 arc_line(const Pose2& from, double curvature_1pm, double length_m, double step_m) {
+int arc_pieces(double curvature_1pm, double length_m, double step_m) {
   // On the straight the ends do.
   const double chord_m = std::sqrt(8 * chord_off_m / std::max(std::abs(curvature_1pm), 1e-12));
-  const int steps =
-      std::max(1, static_cast<int>(std::ceil(length_m / std::max(step_m, chord_m) - 1e-9)));
+  return std::max(1, static_cast<int>(std::ceil(length_m / std::max(step_m, chord_m) - 1e-9)));
+}
+
+Line2 arc_line(const Pose2& from, double curvature_1pm, double length_m, double step_m) {
+  const int pieces = arc_pieces(curvature_1pm, length_m, step_m);
   Line2 line{from.at_m};
-  for (int k = 1; k <= steps; ++k) {
-    line.push_back(along_arc(from, curvature_1pm, length_m * k / steps).at_m);
+  for (int k = 1; k <= pieces; ++k) {
+    line.push_back(along_arc(from, curvature_1pm, length_m * k / pieces).at_m);
   }
   return line;
 }

@@ -19,6 +19,8 @@ Pose2 along_arc(const Pose2& from, double curvature_1pm, double length_m);
 // With more of them a rover that follows the line would slow down for corners that rounding makes.
 inline constexpr double chord_off_m = 0.03;
 
+// Of so many straight pieces.
+int arc_pieces(double curvature_1pm, double length_m, double step_m);
 // Its points, evenly, with both ends: `step_m` apart at most, or as far as chord_off_m lets them
 // be.
 Line2 arc_line(const Pose2& from, double curvature_1pm, double length_m, double step_m);

@@ -24,8 +24,18 @@ constexpr double slow_turn = 0.5;
 // The way to the goal is closed from poses that are nearer to it than so many radii.
 constexpr double closing_radii = 4;
 // What is left to the goal counts so much more than it must: far fewer poses are looked at for a
-// route that is no more than about this share costlier. Refining makes up for it.
-constexpr double haste = 1.04;
+// route that is no more than about this share costlier. Refining makes up for it. Where so many
+// poses do not lead to the goal they are looked at anew, in more haste.
+struct Pace {
+  double haste;
+  std::size_t poses;
+};
+constexpr Pace paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
+
+// Ways that cost so much more over the lattice than the cheapest are not looked at, with room for
+// so many full turns: where the rover does not come on, all ground would be. Where nothing else is
+// left, longer ones are.
+constexpr double detours[] = {1.5, 4}, loops = 1.5;
 
 struct Reached {
   Pose2 pose;
@@ -35,69 +45,108 @@ struct Reached {
   LegCosts::Speeds speeds;
 };
 
+// A pose; or what an edge from it leads to, whose cost is a bound until it is looked at; or all of
+// a way, closed from it.
 struct Candidate {
+  enum class Kind : std::uint8_t { pose, edge, closing };
   double total = 0;
   double cost = 0;
   std::int32_t node = 0;
-  double closing = 0;  // not 0: the way from the node is closed by an arc of so many tightest turns
+  Kind kind = Kind::pose;
+  double turn = 0;  // of an edge or a closing arc, in tightest turns
 
   // std::priority_queue takes the greatest: the least total, then the farthest come.
   bool operator<(const Candidate& other) const {
     if (total != other.total) return total > other.total;
     if (cost != other.cost) return cost < other.cost;
-    return node > other.node;
+    if (node != other.node) return node > other.node;
+    return turn > other.turn;
   }
 };
 
 class Search {
  public:
-  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, double radius_m,
-         std::size_t reached_max)
-      : reached_max_(reached_max),
-        costs_(costs),
+  Search(LegCosts& costs, const Pose2& start, const Vec2& goal_m, double radius_m)
+      : costs_(costs),
         map_(costs.map()),
+        start_(start),
         goal_m_(goal_m),
-        to_go_(costs, start_m, goal_m),
+        to_go_(costs, start.at_m, goal_m),
         radius_m_(radius_m),
         step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())) {}
 
-  TurningRoute run(const Pose2& start) {
+  TurningRoute run(std::size_t poses_max) {
     TurningRoute route;
-    double nearest_m = infinite;
-    route.nearest_m = start.at_m;
+    route.nearest_m = start_.at_m;
     route.cost = infinite;
     // There are too many poses to look at them all for nothing.
-    route.is_cut_off = !std::isfinite(to_go_.at(start.at_m));
-    if (route.is_cut_off) return route;
-    reached_.push_back({start, 0, -1, 0, {}});
-    queue_.push({left(start.at_m), 0, 0});
-    while (!queue_.empty() && reached_.size() < reached_max_) {
+    const double least = to_go_.at(start_.at_m);
+    if (!std::isfinite(least)) return route;
+    const double far_m = std::max(step_m_, (goal_m_ - start_.at_m).norm());
+    const double turning = loops * 2 * std::numbers::pi * radius_m_ *
+                           std::max(least / far_m, costs_.steep_per_metre());
+    for (const double detour : detours) {
+      to_go_.set_limit(detour * least + turning);
+      if (!run_out(poses_max, route)) return route;
+      if (!to_go_.was_limited()) break;
+    }
+    route.is_at_border = is_at_border_;
+    return route;
+  }
+
+ private:
+  // Whether all poses that can be reached were looked at, to no end.
+  bool run_out(std::size_t poses_max, TurningRoute& route) {
+    for (const Pace& pace : paces) {
+      begin(pace.haste);
+      const std::size_t poses = std::min(pace.poses, poses_max);
+      poses_max -= poses;
+      if (come_to_goal(poses, route)) return false;
+      if (queue_.empty()) return true;
+    }
+    return false;
+  }
+
+  void begin(double haste) {
+    haste_ = haste;
+    least_ = infinite;
+    is_at_border_ = false;
+    closed_.clear();
+    reached_.clear();
+    queue_ = {};
+    reached_.push_back({start_, 0, -1, 0, {}});
+    queue_.push({left(start_.at_m), 0, 0});
+  }
+
+  // Whether it does, by so many poses.
+  bool come_to_goal(std::size_t poses, TurningRoute& route) {
+    while (!queue_.empty() && closed_.size() < poses) {
       const Candidate best = queue_.top();
       queue_.pop();
-      if (best.closing != 0) {
+      if (best.kind == Candidate::Kind::closing) {
         finish(best, route);
-        return route;
+        return true;
+      }
+      if (best.kind == Candidate::Kind::edge) {
+        look(best);
+        continue;
       }
       const Reached& node = reached_[static_cast<std::size_t>(best.node)];
       const Pose2 pose = node.pose;
       if (!closed_.insert(cell_of(pose, node.curvature_1pm)).second) continue;
       const double off_m = (pose.at_m - goal_m_).norm();
-      if (off_m < nearest_m) {
-        nearest_m = off_m;
-        route.nearest_m = pose.at_m;
-      }
+      if (off_m < (route.nearest_m - goal_m_).norm()) route.nearest_m = pose.at_m;
       expand(best, pose);
       if (off_m < closing_radii * radius_m_) close(best, pose);
     }
-    return route;
+    return false;
   }
 
- private:
   // Over open ground a line costs as much less than the way over the lattice as it is shorter.
   double left(const Vec2& at_m) {
     const Vec2 way_m = goal_m_ - at_m;
     const double straighter = way_m.norm() / std::max(1e-9, octile_m(way_m));
-    return haste * straighter * to_go_.at(at_m);
+    return haste_ * straighter * to_go_.at(at_m);
   }
 
   // Gentle arcs are longer: each turns by as much as the gentlest of the slow ones.
@@ -119,36 +168,63 @@ class Search {
            kind;
   }
 
+  // Edges come first by what they cost at least: most are never looked at.
   void expand(const Candidate& from, const Pose2& pose) {
-    for (const double share : turns) {
-      const double curvature_1pm = share / radius_m_;
-      const double length_m = edge_m(curvature_1pm);
+    const double height_m = map_.height_m(pose.at_m);
+    for (const double turn : turns) {
+      const double curvature_1pm = turn / radius_m_, length_m = edge_m(curvature_1pm);
       const Pose2 to = along_arc(pose, curvature_1pm, length_m);
-      if (std::isnan(map_.height_m(to.at_m)) || closed_.contains(cell_of(to, curvature_1pm)))
-        continue;
-      const Line2 line = arc_line(pose, curvature_1pm, length_m, map_.spacing_m());
-      double edge = costs_.along(line);
-      if (!std::isfinite(edge)) continue;
-      const Reached& node = reached_[static_cast<std::size_t>(from.node)];
-      LegCosts::Speeds speeds = node.speeds;
-      if (share == 0) {
-        speeds.free_m += length_m;
-      } else {
-        // From one side to the other the points of the line go straight on.
-        if (share * node.curvature_1pm < 0) {
-          speeds.free_m += length_m / static_cast<double>(line.size() - 1);
-        }
-        edge += costs_.arc(speeds, radius_m_ / std::abs(share), length_m * std::abs(curvature_1pm));
-      }
+      is_at_border_ = is_at_border_ || costs_.is_at_border(to.at_m);
+      const double rise_m = map_.height_m(to.at_m) - height_m;
+      if (std::isnan(rise_m) || closed_.contains(cell_of(to, curvature_1pm))) continue;
       const double left = this->left(to.at_m);
       if (!std::isfinite(left)) continue;
-      reached_.push_back({to, from.cost + edge, from.node, curvature_1pm, speeds});
-      queue_.push({from.cost + edge + left, from.cost + edge,
-                   static_cast<std::int32_t>(reached_.size() - 1)});
+      const double cost = from.cost + costs_.least((to.at_m - pose.at_m).norm(), rise_m) +
+                          arc(from.node, turn).cost;
+      queue_.push({cost + left, cost, from.node, Candidate::Kind::edge, turn});
     }
   }
 
+  // Of slowing down for an edge, and the speeds after it.
+  struct ArcCost {
+    double cost = 0;
+    LegCosts::Speeds speeds;
+  };
+  ArcCost arc(std::int32_t from, double turn) const {
+    const Reached& node = reached_[static_cast<std::size_t>(from)];
+    const double curvature_1pm = turn / radius_m_, length_m = edge_m(curvature_1pm);
+    ArcCost arc{0, node.speeds};
+    if (turn == 0) {
+      arc.speeds.free_m += length_m;
+      return arc;
+    }
+    // From one side to the other the points of the line go straight on.
+    if (turn * node.curvature_1pm < 0) {
+      arc.speeds.free_m += length_m / arc_pieces(curvature_1pm, length_m, map_.spacing_m());
+    }
+    arc.cost =
+        costs_.arc(arc.speeds, 1 / std::abs(curvature_1pm), length_m * std::abs(curvature_1pm));
+    return arc;
+  }
+
+  void look(const Candidate& edge) {
+    const Reached& from = reached_[static_cast<std::size_t>(edge.node)];
+    const double curvature_1pm = edge.turn / radius_m_, length_m = edge_m(curvature_1pm);
+    const Pose2 to = along_arc(from.pose, curvature_1pm, length_m);
+    if (closed_.contains(cell_of(to, curvature_1pm))) return;
+    const double along =
+        costs_.along(arc_line(from.pose, curvature_1pm, length_m, map_.spacing_m()));
+    if (!std::isfinite(along)) return;
+    const ArcCost arc = this->arc(edge.node, edge.turn);
+    const double cost = from.cost + along + arc.cost;
+    reached_.push_back({to, cost, edge.node, curvature_1pm, arc.speeds});
+    queue_.push({cost + left(to.at_m), cost, static_cast<std::int32_t>(reached_.size() - 1)});
+  }
+
   void close(const Candidate& from, const Pose2& pose) {
+    const Vec2 way_m = goal_m_ - pose.at_m;
+    const double rise_m = map_.height_m(goal_m_) - map_.height_m(pose.at_m);
+    if (!(from.cost + costs_.least(way_m.norm(), rise_m) < least_)) return;
     for (const double share : turns) {
       if (share == 0) continue;
       const double radius_m = radius_m_ / std::abs(share);
@@ -163,7 +239,7 @@ class Search {
       if (turn_m > 0) cost += costs_.arc(speeds, radius_m, turn_m / radius_m);
       if (!(cost < least_)) continue;
       least_ = cost;
-      queue_.push({cost, cost, from.node, share});
+      queue_.push({cost, cost, from.node, Candidate::Kind::closing, share});
     }
   }
 
@@ -182,22 +258,25 @@ class Search {
                                  edge_m(way[k].curvature_1pm), map_.spacing_m());
       route.line.insert(route.line.end(), arc.begin() + 1, arc.end());
     }
-    const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_ / std::abs(end.closing),
-                                       end.closing > 0, map_.spacing_m());
+    const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_ / std::abs(end.turn),
+                                       end.turn > 0, map_.spacing_m());
     route.line.insert(route.line.end(), last->begin() + 1, last->end());
     const Vec2 end_m = goal_m_ - (*last)[last->size() - 2];
     route.poses.push_back({goal_m_, std::atan2(end_m.y(), end_m.x())});
     route.cost = end.cost;
+    route.haste = haste_;
     route.nearest_m = goal_m_;
   }
 
-  std::size_t reached_max_;
   LegCosts& costs_;
   GroundMap& map_;
+  Pose2 start_;
   Vec2 goal_m_;
   CostToGo to_go_;
   double radius_m_, step_m_;
-  double least_ = infinite;
+  double haste_ = 1;
+  double least_ = infinite;  // of the ways that are closed
+  bool is_at_border_ = false;
   std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never gone through
   std::vector<Reached> reached_;
   std::priority_queue<Candidate> queue_;
@@ -206,8 +285,8 @@ class Search {
 }  // namespace
 
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
-                            double radius_m, std::size_t reached_max) {
-  return Search(costs, start.at_m, goal_m, radius_m, reached_max).run(start);
+                            double radius_m, std::size_t poses_max) {
+  return Search(costs, start, goal_m, radius_m).run(poses_max);
 }
 
 }  // namespace lsos

@@ -53,6 +53,14 @@ TEST(Reach, tells_that_the_start_is_shut_in) {
   EXPECT_LT((reach.nearest_m - Vec2(60, 0)).norm(), 20);
 }
 
+TEST(Reach, tells_that_a_wider_map_may_open_what_is_shut_in) {
+  Ring ring;
+  // Of the ring's rim, 20 m from its middle, the map has what is nearer than 8 m.
+  const Reach reach = ring.reach({0, 0}, {100, 0}, 8);
+  EXPECT_NE(reach.answer, Reach::Answer::joined);
+  EXPECT_TRUE(reach.is_at_border);
+}
+
 TEST(Reach, finds_what_the_search_finds) {
   Ring ring;
   GroundMap map = ring.map_about(40);

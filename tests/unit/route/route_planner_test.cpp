@@ -207,6 +207,23 @@ TEST(PlanLeg, says_why_there_is_no_way_and_how_near_one_comes) {
   EXPECT_THAT(plan({0, 0, 0}, {46, 0, 0}).reason, HasSubstr("the goal is on a slope of "));
 }
 
+// Craters too steep to drive through, side by side across all of the first corridor.
+TEST(PlanLeg, goes_around_a_wall_that_is_wider_than_its_corridor) {
+  std::vector<Form> wall;
+  for (double y_m = -27; y_m <= 27; y_m += 6) wall.push_back({20, y_m, 10, 4, 0.5});
+  const Site site(wall);
+  for (const bool can_turn_on_spot : {true, false}) {
+    DriveCost cost = simple_rover();
+    cost.can_turn_on_spot = can_turn_on_spot;
+    cost.turning_radius_min_m = 3;
+    LegRequest request{{0, 0, 0}, {40, 0, 0}, RouteAim::energy, 1};
+    request.start_heading_rad = 90 * deg;
+    const PlannedLeg leg = plan_leg(site.ground(), cost, request);
+    ASSERT_TRUE(leg.is_found()) << leg.reason;
+    EXPECT_GT(leg.length_m, 2 * std::hypot(20, 32));
+  }
+}
+
 TEST(PlanLeg, leaves_a_start_that_is_steeper_than_its_limit) {
   // A bowl whose wall is some 25 degrees steep there and falls to a level floor.
   const Site site({{60, 0, 40, 7, 0.5}});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "route/route_planner.h"
 
@@ -32,14 +33,19 @@ struct Form {
 };
 class Site {
  public:
-  explicit Site(const std::vector<Form>& forms)
-      : site_(body(), start()), ground_(spec(forms), site_, 1) {}
+  explicit Site(const std::vector<Form>& forms) : Site(std::in_place, relief(forms)) {}
+  // Falls to the east.
+  static Site slope(double slope_rad) {
+    return Site(std::in_place, PlaneSurface{0, slope_rad, std::numbers::pi / 2});
+  }
   const Ground& ground() const { return ground_; }
 
  private:
+  Site(std::in_place_t, const Surface& surface)
+      : site_(body(), start()), ground_(spec(surface), site_, 1) {}
   static const Body& body() { return *find_body("Moon"); }
   static Geodetic start() { return geodetic_from_degrees(30, 10); }
-  static TerrainSpec spec(const std::vector<Form>& forms) {
+  static ReliefSurface relief(const std::vector<Form>& forms) {
     ReliefSurface relief;
     relief.lon_rad = start().lon_rad;
     relief.lat_rad = start().lat_rad;
@@ -51,9 +57,12 @@ class Site {
            start().lat_rad + form.north_m / radius_m, form.diameter_m, form.depth_m,
            form.rim_height_m});
     }
+    return relief;
+  }
+  static TerrainSpec spec(const Surface& surface) {
     TerrainSpec spec;
     spec.name = "Site";
-    spec.layers = {relief};
+    spec.layers = {surface};
     return spec;
   }
   SiteFrame site_;

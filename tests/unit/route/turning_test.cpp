@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "base/random.h"
+#include "route/grid_search.h"
 #include "test_rover.h"
 
 namespace lsos::test {
@@ -175,6 +176,104 @@ TEST(TurningPlan, says_that_a_ring_of_walls_is_in_the_way) {
   const PlannedLeg leg = plan_leg(site.ground(), wide_turner(), towards({60, 0, 0}, pi / 2));
   EXPECT_FALSE(leg.is_found());
   EXPECT_THAT(leg.reason, HasSubstr("no way comes nearer to the goal than "));
+}
+
+// Level ground from -10 to 60 m, so far to either side; discs that no way leads through.
+struct OpenGround {
+  OpenGround(double aside_m, std::vector<Disc2> avoided, double slope_east_rad = 0)
+      : site(Site::slope(slope_east_rad)),
+        map(site.ground(), MapFrame(site.ground().site(), Vec3::Zero()), {-10, -aside_m},
+            {60, aside_m}, 1),
+        costs(map, finder, RouteAim::energy, std::move(avoided)) {}
+
+  Site site;
+  DriveCost cost = wide_turner();
+  StanceFinder finder{cost};
+  GroundMap map;
+  LegCosts costs;
+};
+constexpr double turn_m = 4.4;
+constexpr std::size_t many_poses = 500'000;
+
+std::vector<Disc2> ring(double radius_m, double open_at_rad) {
+  std::vector<Disc2> discs;
+  for (double at_rad = 0; at_rad < 2 * pi; at_rad += 0.05) {
+    if (std::abs(std::remainder(at_rad - open_at_rad, 2 * pi)) < 0.3) continue;
+    discs.push_back({radius_m * Vec2(std::cos(at_rad), std::sin(at_rad)), 1});
+  }
+  return discs;
+}
+
+TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
+  OpenGround ahead(30, ring(8, 0)), behind(30, ring(8, pi));
+  const TurningRoute out =
+      search_turning(ahead.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses);
+  EXPECT_FALSE(out.line.empty());
+  const TurningRoute none =
+      search_turning(behind.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses);
+  EXPECT_TRUE(none.line.empty());
+  EXPECT_FALSE(none.is_at_border) << "no wider map helps";
+  EXPECT_LT(none.nearest_m.norm(), 8);
+}
+
+// What is left downhill is nothing, and yet there is room to turn.
+TEST(SearchTurning, heading_up_a_slope_turns_round) {
+  for (const double slope_deg : {5, 10, 11, 12, 15}) {
+    OpenGround ground(30, {{{20, 0}, 3}}, slope_deg * deg);
+    const Pose2 uphill{{10, 0}, pi};
+    for (const double goal_m : {6, 20, 50}) {
+      EXPECT_FALSE(search_turning(ground.costs, uphill, {10 + 0.8 * goal_m, 5}, turn_m, many_poses)
+                       .line.empty())
+          << slope_deg << " deg, " << goal_m << " m";
+    }
+  }
+}
+
+TEST(SearchTurning, comes_to_a_goal_close_abeam) {
+  OpenGround ground(30, {});
+  for (const Vec2& goal_m : {Vec2(20, 0.5), Vec2(20, 1), Vec2(20, -1), Vec2(19, 2)}) {
+    EXPECT_FALSE(
+        search_turning(ground.costs, {{20, 0}, 0}, goal_m, turn_m, many_poses).line.empty())
+        << goal_m.transpose();
+  }
+}
+
+TEST(SearchTurning, that_had_no_room_to_turn_round_says_that_the_map_was_too_narrow) {
+  OpenGround narrow(4, {}), wide(10, {});
+  const Pose2 away{{30, 0}, 0};
+  const TurningRoute none = search_turning(narrow.costs, away, {0, 0}, turn_m, many_poses);
+  EXPECT_TRUE(none.line.empty());
+  EXPECT_TRUE(none.is_at_border);
+  EXPECT_FALSE(search_turning(wide.costs, away, {0, 0}, turn_m, many_poses).line.empty());
+}
+
+// Walls with gaps far to the left and to the right in turn: whole rooms are looked at in vain.
+TEST(SearchTurning, in_more_haste_finds_a_way_through_walls) {
+  const auto walls = [](int count) {
+    std::vector<Disc2> discs;
+    for (int wall = 1; wall <= count; ++wall) {
+      const double gap_m = wall % 2 == 0 ? 30 : -30;
+      for (double y_m = -70; y_m <= 70; y_m += 0.5) {
+        if (std::abs(y_m - gap_m) > 2) discs.push_back({{8.5 * wall, y_m}, 1});
+      }
+    }
+    return discs;
+  };
+  OpenGround few(30, walls(1)), many(70, walls(6));
+  const Pose2 start{Vec2::Zero(), 0};
+  const Vec2 goal_m(56, 0);
+  const TurningRoute easy = search_turning(few.costs, start, goal_m, turn_m, many_poses);
+  const TurningRoute hard = search_turning(many.costs, start, goal_m, turn_m, many_poses);
+  ASSERT_FALSE(easy.line.empty());
+  ASSERT_FALSE(hard.line.empty());
+  EXPECT_TRUE(std::isfinite(many.costs.along(hard.line)));
+  const double over_lattice = search_grid(many.costs, start.at_m, goal_m).cost;
+  std::printf("haste %.2f and %.2f, %.3f of the way over the lattice\n", easy.haste, hard.haste,
+              hard.cost / over_lattice);
+  EXPECT_LT(easy.haste, hard.haste);
+  EXPECT_LT(hard.cost, 1.2 * over_lattice) << "it winds between the walls";
+  EXPECT_TRUE(search_turning(many.costs, start, goal_m, turn_m, 20).line.empty())
+      << "so few poses do not lead there";
 }
 
 TEST(PlanLeg, keeps_off_places_that_are_avoided) {
