@@ -32,10 +32,10 @@ MapCells cells_over(const ReportMap& map, int longer_px) {
 class Bounds {
  public:
   void add(double x_m, double y_m) {
-    left_m = std::min(left_m, x_m);
-    right_m = std::max(right_m, x_m);
-    bottom_m = std::min(bottom_m, y_m);
-    top_m = std::max(top_m, y_m);
+    left_m_ = std::min(left_m_, x_m);
+    right_m_ = std::max(right_m_, x_m);
+    bottom_m_ = std::min(bottom_m_, y_m);
+    top_m_ = std::max(top_m_, y_m);
   }
   void add(const std::vector<MapLine>& lines) {
     for (const MapLine& line : lines) {
@@ -44,13 +44,13 @@ class Bounds {
   }
   ReportMap map() const {
     ReportMap map;
-    double width_m = right_m - left_m, height_m = top_m - bottom_m;
+    double width_m = right_m_ - left_m_, height_m = top_m_ - bottom_m_;
     const double margin_m = std::max(margin_least_m, margin_share * std::max(width_m, height_m));
     width_m += 2 * margin_m;
     height_m += 2 * margin_m;
     height_m = std::max(height_m, flattest * width_m);
     width_m = std::max(width_m, height_m / steepest);
-    const double x_m = (left_m + right_m) / 2, y_m = (bottom_m + top_m) / 2;
+    const double x_m = (left_m_ + right_m_) / 2, y_m = (bottom_m_ + top_m_) / 2;
     map.left_m = x_m - width_m / 2;
     map.right_m = x_m + width_m / 2;
     map.bottom_m = y_m - height_m / 2;
@@ -59,7 +59,7 @@ class Bounds {
   }
 
  private:
-  double left_m = 1e300, right_m = -1e300, bottom_m = 1e300, top_m = -1e300;
+  double left_m_ = 1e300, right_m_ = -1e300, bottom_m_ = 1e300, top_m_ = -1e300;
 };
 
 Bounds bounds_of(const ReportData& data) {

@@ -21,7 +21,7 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
   const std::vector<ReportMoment> moments = report_moments(log, data, left_out);
   std::vector<SimTime> times;
   for (const ReportMoment& moment : moments) times.push_back(moment.time);
-  times.erase(std::ranges::unique(times).begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   read_moments(run, log, times);
   const Gpu gpu;
   Lettering letters;

@@ -236,7 +236,7 @@ void push_sorted_keys(lua_State* L, int index) {
       throw std::runtime_error(
           fmt::format("a key is a {}: only numbers and texts have an order", luaL_typename(L, -1)));
     }
-    keys.push_back(std::move(key));
+    keys.push_back(key);
   }
   std::ranges::sort(keys, comes_before);
   lua_createtable(L, static_cast<int>(keys.size()), 0);

@@ -150,7 +150,7 @@ int sort(lua_State* L) {
 }
 
 int pack(lua_State* L) {
-  charge(L, 2 * lua_gettop(L));
+  charge(L, 2 * std::int64_t{lua_gettop(L)});
   return call_original(L);
 }
 

@@ -27,7 +27,7 @@ int charged(lua_State* L) {
 
 // utf8.char: a value is at most 6 bytes.
 int character(lua_State* L) {
-  charge(L, 4 * lua_gettop(L));
+  charge(L, 4 * std::int64_t{lua_gettop(L)});
   return call_original(L);
 }
 

@@ -265,7 +265,7 @@ std::string key_text(lua_State* L, int index) {
   constexpr std::size_t bytes_max = 60;
   if (lua_type(L, index) != LUA_TSTRING) {
     push_text(L, index);
-    const std::string text = error_text(L, -1).substr(0, bytes_max);
+    std::string text = error_text(L, -1).substr(0, bytes_max);
     lua_pop(L, 1);
     return text;
   }

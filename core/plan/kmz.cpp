@@ -124,7 +124,7 @@ std::string pack_kmz(const std::string& kml) {
     fail(zip_get_error(archive.get()));
   }
   if (zip_close(archive.get()) != 0) fail(zip_get_error(archive.get()));
-  archive.release();
+  static_cast<void>(archive.release());  // closed
   std::string bytes;
   if (zip_source_open(packed.get()) != 0 || zip_source_seek(packed.get(), 0, SEEK_END) != 0) {
     fail(zip_source_error(packed.get()));

@@ -45,7 +45,7 @@ std::vector<std::string> keys(const Json& a, const Json& b) {
     for (const auto& [key, value] : object->items()) all.push_back(key);
   }
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -34,7 +34,7 @@ class RoverTrack {
  private:
   // The first row of each interval.
   struct Thinned {
-    explicit Thinned(SimTime interval_) : interval(interval_) {}
+    explicit Thinned(SimTime every) : interval(every) {}
     void add(const SampleRow& row);
 
     SimTime interval, next{};

@@ -60,7 +60,7 @@ std::optional<LogDifference> first_difference(const LogReader& a, const LogReade
     const std::vector<LogRow> rows_b = b.rows_after(layer.name, fid_b, rows_at_once);
     const std::size_t both = std::min(rows_a.size(), rows_b.size());
     for (std::size_t k = 0; k < both; ++k) {
-      if (const auto found = difference(layer, ++number, rows_a[k], rows_b[k])) return found;
+      if (auto found = difference(layer, ++number, rows_a[k], rows_b[k])) return found;
     }
     if (rows_a.size() != rows_b.size()) {
       const LogRow& more = rows_a.size() > both ? rows_a[both] : rows_b[both];
@@ -78,7 +78,7 @@ std::optional<LogDifference> first_difference(const LogReader& a, const LogReade
 
 std::optional<LogDifference> first_difference(const LogReader& a, const LogReader& b) {
   for (const LayerSpec& layer : contract_layers()) {
-    if (const auto found = first_difference(a, b, layer)) return found;
+    if (auto found = first_difference(a, b, layer)) return found;
   }
   return std::nullopt;
 }

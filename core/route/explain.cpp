@@ -85,7 +85,7 @@ std::string fault_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_
 }
 
 std::string fault_to_stop_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m) {
-  const std::string fault = fault_at(map, finder, at_m);
+  std::string fault = fault_at(map, finder, at_m);
   if (!fault.empty()) return fault;
   const Stance stance = best_stance(map, finder, at_m);
   if (is_held(stance, finder.cost())) return "";
