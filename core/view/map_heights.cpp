@@ -38,11 +38,15 @@ std::optional<double> MapHeights::height_m(const GridCoordinates& at) const {
   const std::size_t below = std::min(above + 1, rows_ - 1);
   const double to_right = u - static_cast<double>(left);
   const double down = at.v - static_cast<double>(above);
-  const auto between = [&](std::size_t row) {
-    const float* heights_m = &heights_m_[row * columns_];
-    return (1 - to_right) * heights_m[left] + to_right * heights_m[right];
+  // What does not count may be missing.
+  const auto mixed = [](double share, double from, double to) {
+    return share == 0 ? from : (1 - share) * from + share * to;
   };
-  const double height_m = (1 - down) * between(above) + down * between(below);
+  const auto between = [&](std::size_t row) -> double {
+    const float* heights_m = &heights_m_[row * columns_];
+    return mixed(to_right, heights_m[left], heights_m[right]);
+  };
+  const double height_m = mixed(down, between(above), between(below));
   return std::isnan(height_m) ? std::nullopt : std::optional(height_m);
 }
 

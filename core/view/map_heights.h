@@ -17,6 +17,7 @@ class MapHeights {
   std::span<float> row(int row) {
     return {&heights_m_[static_cast<std::size_t>(row) * columns_], columns_};
   }
+  int columns() const { return static_cast<int>(columns_); }
   int rows() const { return static_cast<int>(rows_); }
   const RasterMap& map() const { return map_; }
 

@@ -14,8 +14,13 @@ constexpr double turn_rad = 2 * std::numbers::pi;
 // Steps: about the eye a share of the distance, from a cell's part to a cell; on the way to a map
 // far away a share of the distance to the nearer end.
 constexpr double near_share = 0.05, near_cells = 0.02;
-// Cells between samples, and between rays at the far end: few on small maps, where an edge that is
-// missed counts; no more than the time for large ones allows.
+// On small maps an edge that is missed counts: each cell has a line of its own, where their
+// crossings are no more than this.
+constexpr double crossings_max = 4e6;
+constexpr double straight_px = 0.02;
+
+// Cells between samples, and between rays at the far end: no more than the time for large maps
+// allows.
 constexpr double finest_cells = 0.25, cells_to_whole = 1000;
 constexpr double far_share = 0.005;
 constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
@@ -44,8 +49,8 @@ bool holds(const MapGrid& grid, const RasterMap& map, const Geodetic& place) {
 }
 
 // Cells once round the map's edge.
-std::vector<GridCoordinates> edge_of(const MapGrid& grid) {
-  const double right = grid.columns - 1, bottom = grid.rows - 1;
+std::vector<GridCoordinates> edge_of(int columns, int rows) {
+  const double right = columns - 1, bottom = rows - 1;
   std::vector<GridCoordinates> edge;
   for (double u = 0; u < right; ++u) edge.push_back({u, 0});
   for (double v = 0; v < bottom; ++v) edge.push_back({right, v});
@@ -67,7 +72,7 @@ ViewSector sector_of(const MapGrid& grid, const SiteFrame& site, const Geodetic&
   bool is_all_round = holds(grid, map, observer);
   std::optional<double> before_rad;
   double turned_rad = 0, low_rad = 0, high_rad = 0;
-  for (const GridCoordinates& cell : edge_of(grid)) {
+  for (const GridCoordinates& cell : edge_of(grid.columns, grid.rows)) {
     const std::optional<Geodetic> place = map.place(cell);
     if (!place) {  // the map ends before the grid: it may hold anything
       is_all_round = true;
@@ -106,9 +111,15 @@ Viewshed::Viewshed(const Ground& ground, const MapHeights* heights, const Observ
   // A cell's diagonal more than the cells' centres, and no nearer.
   sector_.farthest_m = std::min(sector_.farthest_m + 2 * observer.cell_m, reach_m());
   sector_.nearest_m = std::max(0.0, sector_.nearest_m - 4 * observer.cell_m);
-  fineness_ = std::clamp(sector_.farthest_m / observer.cell_m / cells_to_whole, finest_cells, 1.0);
-  const double wanted_rad = std::min(
-      turn_rad / 64, fineness_ * observer.cell_m / std::max(sector_.farthest_m, observer.cell_m));
+  eye_px_ = eye_of_lines();
+  if (!eye_px_) spread_rays();
+}
+
+void Viewshed::spread_rays() {
+  const double cell_m = observer_.cell_m;
+  fineness_ = std::clamp(sector_.farthest_m / cell_m / cells_to_whole, finest_cells, 1.0);
+  const double wanted_rad =
+      std::min(turn_rad / 64, fineness_ * cell_m / std::max(sector_.farthest_m, cell_m));
   if (sector_.width_rad < turn_rad) {
     sector_.azimuth_low_rad -= wanted_rad;
     sector_.width_rad = std::min(turn_rad, sector_.width_rad + 2 * wanted_rad);
@@ -153,9 +164,53 @@ Vec3 Viewshed::p_S_m(double azimuth_rad, double distance_m) const {
   return eye_S_m_ + radius_m_ * (std::sin(away_rad) * along_S - 2 * half_sine * half_sine * up_S_);
 }
 
-std::optional<GridCoordinates> Viewshed::on_map(double azimuth_rad, std::size_t sample) const {
-  const Vec3 over_S_m = p_S_m(azimuth_rad, distances_m_[sample]);
-  return heights_->map().coordinates(ground_->site().geodetic(over_S_m));
+std::optional<GridCoordinates> Viewshed::on_map(double azimuth_rad, double distance_m) const {
+  return heights_->map().coordinates(ground_->site().geodetic(p_S_m(azimuth_rad, distance_m)));
+}
+
+double Viewshed::ground_slope(const Vec3& over_S_m, double height_m) const {
+  const Vertical vertical = ground_->site().vertical(over_S_m);
+  return polar(over_S_m - (vertical.height_m - height_m) * vertical.up_S).slope;
+}
+
+std::optional<GridCoordinates> Viewshed::eye_of_lines() const {
+  if (heights_ == nullptr) return {};
+  const double columns = heights_->columns(), rows = heights_->rows();
+  if (columns * rows * (columns + rows) > crossings_max) return {};
+  const auto eye = heights_->map().coordinates(observer_.place);
+  if (!eye || !heights_->height_m(*eye)) return {};
+  for (const GridCoordinates& cell : edge_of(heights_->columns(), heights_->rows())) {
+    const std::optional<Geodetic> place = heights_->map().place(cell);
+    if (!place) return {};
+    const Polar end = polar(ground_->site().p_S_m(*place));
+    const auto middle = on_map(end.azimuth_rad, end.distance_m / 2);
+    if (!middle || !(std::hypot((eye->u + cell.u) / 2 - middle->u,
+                                (eye->v + cell.v) / 2 - middle->v) < straight_px)) {
+      return {};
+    }
+  }
+  return eye;
+}
+
+double Viewshed::steepest_before(const Polar& target, const GridCoordinates& target_px) const {
+  double steepest = none;
+  const auto cross = [&](double begin, double end, double GridCoordinates::*along) {
+    constexpr double ends = 1e-9;
+    for (double line = std::floor(std::min(begin, end)) + 1; line < std::max(begin, end); ++line) {
+      const double share = (line - begin) / (end - begin);
+      if (share < ends || share > 1 - ends) continue;
+      GridCoordinates at{eye_px_->u + share * (target_px.u - eye_px_->u),
+                         eye_px_->v + share * (target_px.v - eye_px_->v)};
+      at.*along = line;
+      const auto height_m = heights_->height_m(at);
+      if (!height_m) continue;
+      const Vec3 over_S_m = p_S_m(target.azimuth_rad, share * target.distance_m);
+      steepest = std::max(steepest, ground_slope(over_S_m, *height_m));
+    }
+  };
+  cross(eye_px_->u, target_px.u, &GridCoordinates::u);
+  cross(eye_px_->v, target_px.v, &GridCoordinates::v);
+  return steepest;
 }
 
 // A ray is nearly straight on a map: projections are asked for its ends, and its middle shows
@@ -164,12 +219,11 @@ void Viewshed::add_between(std::size_t first, std::size_t last, double azimuth_r
                            Track& track) const {
   if (last - first < 2) return;
   const std::size_t middle = (first + last) / 2;
-  track[middle] = on_map(azimuth_rad, middle);
+  track[middle] = on_map(azimuth_rad, distances_m_[middle]);
   const auto &a = track[first], &b = track[last], &m = track[middle];
   const auto part = [&](std::size_t from, std::size_t to, std::size_t k) {
     return (distances_m_[k] - distances_m_[from]) / (distances_m_[to] - distances_m_[from]);
   };
-  constexpr double straight_px = 0.02;
   const auto is_straight = [&] {
     if (!a || !b || !m) return false;
     const double share = part(first, last, middle);
@@ -196,10 +250,10 @@ Viewshed::Track Viewshed::track(double azimuth_rad) const {
   Track track(distances_m_.size());
   if (heights_ == nullptr || track.empty()) return track;
   constexpr std::size_t stretch = 64;
-  track[0] = on_map(azimuth_rad, 0);
+  track[0] = on_map(azimuth_rad, distances_m_[0]);
   for (std::size_t first = 0; first + 1 < track.size(); first += stretch) {
     const std::size_t last = std::min(first + stretch, track.size() - 1);
-    track[last] = on_map(azimuth_rad, last);
+    track[last] = on_map(azimuth_rad, distances_m_[last]);
     add_between(first, last, azimuth_rad, track);
   }
   return track;
@@ -218,16 +272,15 @@ void Viewshed::march(std::size_t ray, GroundProbes& probes) {
   for (std::size_t k = 0; k < count; ++k) {
     const double x_m = distances_m_[k];
     const Vec3 over_S_m = p_S_m(azimuth_rad, x_m);
-    std::optional<Vec3> ground_S_m;
     const auto height_m = track[k] ? heights_->height_m(*track[k]) : std::nullopt;
+    double slope = none;
     if (height_m) {
-      const Vertical vertical = ground_->site().vertical(over_S_m);
-      ground_S_m = over_S_m - (vertical.height_m - *height_m) * vertical.up_S;
+      slope = ground_slope(over_S_m, *height_m);
     } else {
       const GroundSample ground = probes.at(coarse_share * (x_m - before_m)).sample(over_S_m);
-      if (ground.is_ground()) ground_S_m = over_S_m - ground.gap_m * ground.up_S;
+      if (ground.is_ground()) slope = polar(over_S_m - ground.gap_m * ground.up_S).slope;
     }
-    if (ground_S_m) so_far = std::max(so_far, static_cast<float>(polar(*ground_S_m).slope));
+    so_far = std::max(so_far, static_cast<float>(slope));
     highest[k] = so_far;
     before_m = x_m;
   }
@@ -236,6 +289,10 @@ void Viewshed::march(std::size_t ray, GroundProbes& probes) {
 bool Viewshed::sees(const Vec3& target_S_m) const {
   const Polar target = polar(target_S_m);
   if (target.distance_m > sector_.farthest_m) return false;
+  if (eye_px_) {
+    const auto at = heights_->map().coordinates(ground_->site().geodetic(target_S_m));
+    return at && target.slope >= steepest_before(target, *at);
+  }
   const double before_m = target.distance_m - own_cells * observer_.cell_m;
   const auto beyond = std::ranges::upper_bound(distances_m_, before_m);
   if (beyond == distances_m_.begin()) return true;
