@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/turn.h"
 #include "lua/constructors.h"
 
 namespace lsos {
@@ -154,7 +155,7 @@ void read_shape(TableReader& t, Shape& shape) {
   if (axis.norm() == 0) {
     t.fault("axis: a direction is wanted, found 0, 0, 0");
   } else {
-    shape.R_BL = Quat::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
+    shape.R_BL = turn_of_z(axis);
   }
 }
 

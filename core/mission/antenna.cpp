@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "base/turn.h"
 
 namespace lsos {
 
@@ -31,7 +32,7 @@ std::vector<Shape> mast_shapes(const AntennaSpec& antenna, double extension_m) {
   mast.kind = Shape::Kind::cylinder;
   mast.size_m = {mast_m, mast_m, extension_m};
   mast.p_B_m = from_B_m + way_B * (extension_m / 2);
-  mast.R_BL = Quat::FromTwoVectors(Vec3::UnitZ(), way_B).toRotationMatrix();
+  mast.R_BL = turn_of_z(way_B);
   mast.colour = mast_colour;
   return {mast, head};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/turn.h"
+
 namespace lsos {
 
 namespace {
@@ -23,11 +25,6 @@ double smallest_wheel_m(const VehicleConfig& vehicle) {
 Mesh mesh_of(const Shape& shape) {
   if (shape.kind == Shape::Kind::box) return box_mesh(shape.size_m);
   return cylinder_mesh(shape.size_m.x() / 2, shape.size_m.z());
-}
-
-// Turns z onto an axis.
-Mat3 towards(const Vec3& axis) {
-  return Quat::FromTwoVectors(Vec3::UnitZ(), axis).toRotationMatrix();
 }
 
 }  // namespace
@@ -55,7 +52,7 @@ BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehi
     const LinkConfig& link = vehicle.links[i];
     if (!link.wheel) continue;
     add_piece(i + 1, cylinder_mesh(link.wheel->radius_m, link.wheel->width_m, wheel_sides),
-              towards(link.axis), centres_B_m[i + 1], wheel_colour);
+              turn_of_z(link.axis), centres_B_m[i + 1], wheel_colour);
   }
   add_struts(vehicle);
 }
@@ -73,7 +70,7 @@ void BodyShape::add_struts(const VehicleConfig& vehicle) {
     const Vec3 way_m = to_B_m - from_B_m;
     if (way_m.norm() < thick_m) continue;
     add_piece(static_cast<std::size_t>(parent + 1), box_mesh({thick_m, thick_m, way_m.norm()}),
-              towards(way_m), (from_B_m + to_B_m) / 2, strut_colour);
+              turn_of_z(way_m), (from_B_m + to_B_m) / 2, strut_colour);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <array>

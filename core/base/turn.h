@@ -1,0 +1,12 @@
+// Turns from one direction to another.
+#pragma once
+
+#include "base/vector.h"
+
+namespace lsos {
+
+// The shortest one from the z axis to a unit vector. In a file of its own, for Eigen's code for it
+// takes seconds to compile.
+Mat3 turn_of_z(const Vec3& to);
+
+}  // namespace lsos
