@@ -93,7 +93,8 @@ std::shared_ptr<const WeightTile> Layer::weight_tile(const TileKey& key) {
 // every point it holds.
 const Patch& Layer::Probe::patch(const PlanePoint& at) {
   if (last_patch_ != nullptr && last_patch_->holds(at)) return *last_patch_;
-  const PatchKey key = Patch::key_of(at, 0);
+  constexpr int kept_level = 3;  // 256 m: one place for each square, whatever the patches' size
+  const PatchKey key = Patch::key_of(at, kept_level);
   std::shared_ptr<const Patch>& kept = patches_[2 * (key.row & 1) + (key.column & 1)];
   if (!kept || !kept->holds(at)) kept = layer_->patches_.patch(at);
   last_patch_ = kept.get();

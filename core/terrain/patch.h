@@ -46,8 +46,8 @@ struct PatchKey {
 
 class Patch {
  public:
-  static constexpr double coarsest_size_m = 256;
-  static constexpr int finest_level = 9;  // 0.5 m
+  static constexpr double coarsest_size_m = 2048;
+  static constexpr int finest_level = 12;  // 0.5 m
   // A fit is good when it meets the exact map within this at points it was not made from. Far
   // below what a height can show: it bounds the steps between patches.
   static constexpr double tolerance_px = 1e-6;

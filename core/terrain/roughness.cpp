@@ -113,27 +113,34 @@ void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
   const std::int64_t period = period_ >> column_log2;
   const Axis columns(at.column, at.stride, column_log2);
   const Axis rows(at.row, at.stride, octave.k + along_column_log2_);
-  // Along rows first: one line of nodes for each lattice row in use.
   std::vector<double> values(columns.points.size());
-  std::vector<std::array<double, nodes>> lines(rows.points.size());
-  for (std::size_t j = 0; j < rows.points.size(); ++j) {
+  // Along rows first: one line of nodes for each lattice row in use, of which the last four are
+  // kept, each in the place of its number's last two bits.
+  std::array<std::array<double, nodes>, 4> lines;
+  int made = 0;
+  const auto make_line = [&](std::array<double, nodes>& line, std::int64_t row) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::int64_t around = columns.points[i];
       const std::int64_t column = period > 0 ? (around % period + period) % period : around;
-      values[i] = octave.amplitude_m * normal(octave.key, column, rows.points[j]);
+      values[i] = octave.amplitude_m * normal(octave.key, column, row);
     }
     for (int k = 0; k < nodes; ++k) {
       const double* v = &values[static_cast<std::size_t>(columns.start[k])];
       const auto& w = columns.weights[k];
-      lines[j][k] = w[0] * v[0] + w[1] * v[1] + (w[2] * v[2] + w[3] * v[3]);
+      line[k] = w[0] * v[0] + w[1] * v[1] + (w[2] * v[2] + w[3] * v[3]);
     }
-  }
+  };
   for (int k = 0; k < nodes; ++k) {
-    const auto* line = &lines[static_cast<std::size_t>(rows.start[k])];
+    const int start = rows.start[k];
+    for (; made < start + 4; ++made) {
+      make_line(lines[made & 3], rows.points[static_cast<std::size_t>(made)]);
+    }
+    const auto &a = lines[start & 3], &b = lines[(start + 1) & 3];
+    const auto &c = lines[(start + 2) & 3], &d = lines[(start + 3) & 3];
     const auto& w = rows.weights[k];
     double* row_m = &tile.height_m(HeightTile::first_node, k + HeightTile::first_node);
     for (int i = 0; i < nodes; ++i) {
-      row_m[i] += w[0] * line[0][i] + w[1] * line[1][i] + (w[2] * line[2][i] + w[3] * line[3][i]);
+      row_m[i] += w[0] * a[i] + w[1] * b[i] + (w[2] * c[i] + w[3] * d[i]);
     }
   }
 }

@@ -10,13 +10,13 @@ namespace {
 
 TEST(Patch, holds_each_point_in_exactly_one_square_of_a_level) {
   const auto nowhere = ExactMap{[](const PlanePoint&) { return std::nullopt; }};
-  const PatchKey key = Patch::key_of({-256, 255.999}, 0);
+  const PatchKey key = Patch::key_of({-2048, 2047.999}, 0);
   EXPECT_EQ(key, (PatchKey{0, -1, 0}));
   const Patch patch(key, nowhere);
-  EXPECT_TRUE(patch.holds({-256, 0}));
+  EXPECT_TRUE(patch.holds({-2048, 0}));
   EXPECT_FALSE(patch.holds({0, 0}));
-  EXPECT_FALSE(patch.holds({-256, 256}));
-  EXPECT_EQ(Patch::key_of({-0.25, 0.5}, Patch::finest_level), (PatchKey{9, -1, 1}));
+  EXPECT_FALSE(patch.holds({-2048, 2048}));
+  EXPECT_EQ(Patch::key_of({-0.25, 0.5}, Patch::finest_level), (PatchKey{12, -1, 1}));
 }
 
 TEST(Patch, where_the_map_knows_no_place_it_is_not_good) {
@@ -44,12 +44,12 @@ TEST(Patch, reproduces_cubics_with_their_derivatives) {
 TEST(Patch, joins_samples_on_both_sides_of_the_seam) {
   const ExactMap around{[](const PlanePoint& at) {
                           const double u = at.x_m - 128;
-                          return std::optional(GridCoordinates{u < 0 ? u + 1000 : u, at.y_m});
+                          return std::optional(GridCoordinates{u < 0 ? u + 9000 : u, at.y_m});
                         },
-                        1000};
+                        9000};
   const Patch patch({0, 0, 0}, around);
   ASSERT_TRUE(patch.is_good());
-  EXPECT_NEAR(std::remainder(patch.at({100, 0}).u - -28, 1000), 0, 1e-9);
+  EXPECT_NEAR(std::remainder(patch.at({100, 0}).u - -28, 9000), 0, 1e-9);
   EXPECT_NEAR(patch.at({100, 0}).u_by_x, 1, 1e-9);
 }
 
