@@ -14,10 +14,7 @@ constexpr double across_px = 3, along_px = 2;  // between nodes
 constexpr double along_share_max = 0.014;      // of the distance
 // Detail is then drawn on nodes somewhat closer than ours.
 constexpr double resolution_steps = 14;
-// From there on rows are wider apart, and of each few columns one is looked at: patches of exact
-// maps are as large as that, and each costs its time.
-constexpr double far_m = 2500, far_share = 0.02;
-constexpr std::size_t far_columns = 4;
+constexpr double far_m = 2500, far_share = 0.02;  // from there on rows are wider apart
 constexpr double nearest_m = 0.3;
 constexpr double steep = 0.8;  // a camera that looks down by more than its sine sees no horizon
 
@@ -25,7 +22,6 @@ constexpr double steep = 0.8;  // a camera that looks down by more than its sine
 struct Lattice {
   std::vector<std::vector<Vec3>> rows;  // from near to far where there is such an order
   std::vector<double> step_m;           // between neighbours, by row
-  std::size_t far_row = 1u << 30u;      // from which on one of far_columns is enough
 };
 
 // As far as anything may rise over the horizon.
@@ -43,11 +39,7 @@ Lattice fan(const SiteFrame& site, const Camera& camera, double eye_gap_m) {
   const double pitch_rad = std::asin(camera.ahead_S.dot(up_S));
   const double half_up_rad = std::atan(camera.height_px / 2.0 / camera.focal_px);
   const double step_rad = across_px / camera.focal_px;
-  // One more than a multiple of far_columns.
-  const int columns =
-      (static_cast<int>(2 * half_rad / step_rad) / static_cast<int>(far_columns) + 1) *
-          static_cast<int>(far_columns) +
-      1;
+  const int columns = static_cast<int>(2 * half_rad / step_rad) + 2;
   const double down_rad = std::min(half_up_rad - pitch_rad + 0.05, 1.5);
   const double radius_m = site.body().equatorial_radius_m;
   const double end_m = sight_m(site.body(), site.height_m(camera.eye_S_m));
@@ -55,11 +47,9 @@ Lattice fan(const SiteFrame& site, const Camera& camera, double eye_gap_m) {
   double r_m = std::max(nearest_m, 0.75 * eye_gap_m / std::tan(std::max(down_rad, 0.05)));
   Lattice lattice;
   while (r_m < end_m) {
-    const bool is_far = r_m > far_m;
-    if (is_far) lattice.far_row = std::min(lattice.far_row, lattice.rows.size());
     const double seen_m = r_m * r_m * along_px / (camera.focal_px * std::max(eye_gap_m, 0.3));
     const double step_m = std::clamp(seen_m, std::max(0.02, 0.7 * step_rad * r_m),
-                                     (is_far ? far_share : along_share_max) * r_m + 0.02);
+                                     (r_m > far_m ? far_share : along_share_max) * r_m + 0.02);
     const double drop_m = eye_gap_m + r_m * r_m / (2 * radius_m);
     lattice.rows.emplace_back();
     for (int k = 0; k < columns; ++k) {
@@ -152,28 +142,13 @@ SceneMesh ground_view(const Ground& ground, const Camera& camera, const TerrainS
   };
   const auto row = [&](GroundLadder& look, int j) {
     const auto at = static_cast<std::size_t>(j);
-    const std::size_t every = at < lattice.far_row ? 1 : far_columns;
-    for (std::size_t i = 0; i < columns; i += every) {
+    for (std::size_t i = 0; i < columns; ++i) {
       const Vec3& p_m = lattice.rows[at][i];
       const GroundSample sample =
           look.sample(camera.eye_S_m + p_m, resolution_steps * lattice.step_m[at]);
       if (!sample.is_ground()) continue;
       gap_m[at * columns + i] = sample.gap_m;
       place(at * columns + i, p_m, sample.normal_S, sample.up_S);
-    }
-    for (std::size_t i = 0; every > 1 && i + every < columns; i += every) {
-      const std::size_t from = at * columns + i, to = from + every;
-      if (is_ground[from] == 0 || is_ground[to] == 0) continue;
-      const Eigen::Vector3f a(mesh.vertices[from].normal.data());
-      const Eigen::Vector3f b(mesh.vertices[to].normal.data());
-      for (std::size_t k = 1; k < every; ++k) {
-        const double share = static_cast<double>(k) / static_cast<double>(every);
-        const Vec3& p_m = lattice.rows[at][i + k];
-        gap_m[from + k] = gap_m[from] + share * (gap_m[to] - gap_m[from]);
-        const Vec3 normal_S =
-            ((1 - share) * a.cast<double>() + share * b.cast<double>()).normalized();
-        place(from + k, p_m, normal_S, site.up_S(camera.eye_S_m + p_m));
-      }
     }
   };
   share_rows(
