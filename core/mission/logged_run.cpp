@@ -51,11 +51,16 @@ class Joiner {
     if (found == wanted_.end()) return;
     for (LoggedRover* rover : found->second) (rover->*to).push_back(row);
   }
+  // Of all samples; empty when there are none.
+  const TimeSpan& span() const { return span_; }
 
  private:
   void want(LoggedRover& rover) {
-    wanted_[{rover.sample.rover_id, rover.sample.time}].push_back(&rover);
+    const SimTime time = rover.sample.time;
+    wanted_[{rover.sample.rover_id, time}].push_back(&rover);
+    span_ = {std::min(span_.from, time), std::max(span_.to, time)};
   }
+  TimeSpan span_{SimTime::max(), SimTime::min()};
   std::map<std::pair<std::string, SimTime>, std::vector<LoggedRover*>> wanted_;
 };
 
@@ -121,8 +126,10 @@ LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, cons
   });
   for (auto& [id, follower] : followers) follower.fill(moments, times, nullptr);
   const Joiner joiner(moments);
-  log.for_each_joint([&](const JointRow& row) { joiner.add(row, &LoggedRover::joints); });
-  log.for_each_panel([&](const PanelRow& row) { joiner.add(row, &LoggedRover::panels); });
+  log.for_each_joint([&](const JointRow& row) { joiner.add(row, &LoggedRover::joints); },
+                     joiner.span());
+  log.for_each_panel([&](const PanelRow& row) { joiner.add(row, &LoggedRover::panels); },
+                     joiner.span());
   for (std::size_t k = 0; k < times.size(); ++k) {
     LoggedMoment& moment = run.moments.emplace_back();
     for (const Stretch& stretch : moments[k]) {

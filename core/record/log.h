@@ -72,6 +72,11 @@ struct LogRow {
   std::string geometry;             // ISO WKB; "" is NULL
 };
 
+// Both ends belong to it.
+struct TimeSpan {
+  SimTime from = SimTime::min(), to = SimTime::max();
+};
+
 // Reads a log back, of a finished, running or killed run. Rows in fid order.
 class LogReader {
  public:
@@ -90,8 +95,10 @@ class LogReader {
   std::vector<NoteRow> notes() const;
   // One row at a time: weeks of them need not fit into memory.
   void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;
-  void for_each_joint(const std::function<void(const JointRow&)>& visit) const;
-  void for_each_panel(const std::function<void(const PanelRow&)>& visit) const;
+  void for_each_joint(const std::function<void(const JointRow&)>& visit,
+                      const TimeSpan& within = {}) const;
+  void for_each_panel(const std::function<void(const PanelRow&)>& visit,
+                      const TimeSpan& within = {}) const;
   void for_each_pair(const std::function<void(const PairRow&)>& visit) const;
   // Samples of each rover; rows of the pair that has most.
   std::map<std::string, std::size_t> sample_counts() const;

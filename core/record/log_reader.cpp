@@ -135,6 +135,16 @@ struct LogReader::Impl {
     });
   }
 
+  // The others are passed over before a feature is made of them.
+  template <class Row, class Visit>
+  void for_each_row(const TimeSpan& within, Visit visit) const {
+    OGRLayer& source = layer(spec(layer_name<Row>));
+    source.SetAttributeFilter(
+        fmt::format("time_s BETWEEN {} AND {}", seconds(within.from), seconds(within.to)).c_str());
+    for_each_row<Row>(visit);
+    source.SetAttributeFilter(nullptr);
+  }
+
   template <class Row>
   std::vector<Row> rows() const {
     std::vector<Row> rows;
@@ -176,11 +186,13 @@ void LogReader::for_each_sample(const std::function<void(const SampleRow&)>& vis
   impl_->for_each_row<SampleRow>(visit);
 }
 
-void LogReader::for_each_joint(const std::function<void(const JointRow&)>& visit) const {
-  impl_->for_each_row<JointRow>(visit);
+void LogReader::for_each_joint(const std::function<void(const JointRow&)>& visit,
+                               const TimeSpan& within) const {
+  impl_->for_each_row<JointRow>(within, visit);
 }
-void LogReader::for_each_panel(const std::function<void(const PanelRow&)>& visit) const {
-  impl_->for_each_row<PanelRow>(visit);
+void LogReader::for_each_panel(const std::function<void(const PanelRow&)>& visit,
+                               const TimeSpan& within) const {
+  impl_->for_each_row<PanelRow>(within, visit);
 }
 void LogReader::for_each_pair(const std::function<void(const PairRow&)>& visit) const {
   impl_->for_each_row<PairRow>(visit);

@@ -42,6 +42,7 @@ TEST(Log, gives_back_joints_phases_and_notes) {
   const TestFolder folder;
   LogWriter log(folder / "log.gpkg", moon_crs, test_start());
   log.write(JointRow{SimTime{100'000}, "SEV1", "wheel 1", 0.25});
+  log.write(JointRow{SimTime{200'000}, "SEV1", "wheel 1", 0.5});
   log.write(PhaseRow{"SEV1", 3, "drive", SimTime{200'000}, SimTime{300'000}});
   log.write(PhaseRow{"SEV1", 4, "wait", SimTime{300'000}, {}});
   log.write(NoteRow{SimTime{400'000}, "SEV1", 3, "reached", R"({"waypoint":2})",
@@ -50,10 +51,16 @@ TEST(Log, gives_back_joints_phases_and_notes) {
 
   const LogReader reader(folder / "log.gpkg");
   const std::vector<JointRow> joints = reader.joints();
-  ASSERT_EQ(joints.size(), 1u);
+  ASSERT_EQ(joints.size(), 2u);
   EXPECT_EQ(joints[0].joint, "wheel 1");
   EXPECT_EQ(joints[0].angle_rad, 0.25);
   EXPECT_TRUE(std::isnan(joints[0].extension_m));
+  std::vector<double> angles_rad;
+  const auto visit = [&](const JointRow& row) { angles_rad.push_back(row.angle_rad); };
+  reader.for_each_joint(visit, {SimTime{100'000}, SimTime{199'999}});
+  reader.for_each_joint(visit, {SimTime{200'000}, SimTime{200'000}});
+  EXPECT_EQ(angles_rad, (std::vector{0.25, 0.5}));
+  EXPECT_EQ(reader.joints().size(), 2u);
   const std::vector<PhaseRow> phases = reader.phases();
   ASSERT_EQ(phases.size(), 2u);
   EXPECT_EQ(phases[0].end, SimTime{300'000});
