@@ -116,11 +116,16 @@ double cell_m(const MapGrid& grid, const Body& body) {
   const RasterMap map = grid.map(body);
   const double column = grid.columns / 2.0, row = grid.rows / 2.0;
   const auto here = map.place({column, row});
-  double side_m = std::numeric_limits<double>::infinity();
+  double least_m = std::numeric_limits<double>::infinity(), greatest_m = 0;
   for (const auto& next : {map.place({column + 1, row}), map.place({column, row + 1})}) {
-    if (here && next) side_m = std::min(side_m, surface_distance_m(body, *here, *next));
+    if (!here || !next) continue;
+    const double side_m = surface_distance_m(body, *here, *next);
+    least_m = std::min(least_m, side_m);
+    greatest_m = std::max(greatest_m, side_m);
   }
-  return std::isfinite(side_m) ? std::max(0.1, side_m) : 1;
+  // At a pole of a map in degrees columns come together.
+  constexpr double smallest_m = 1e-3, smallest_share = 0.01;
+  return greatest_m > 0 ? std::max({smallest_m, smallest_share * greatest_m, least_m}) : 1;
 }
 
 void check_resolution(const TerrainOptions& options, Faults& faults) {

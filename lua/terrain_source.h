@@ -35,7 +35,8 @@ Geodetic middle(const TerrainSource& source);
 // The grid of a map: of the window at that resolution, or of the finest raster.
 MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
                  const std::optional<double>& resolution_m);
-// About as long as a cell's shorter side, in its middle; 0.1 m at least.
+// About as long as a cell's shorter side, in its middle; 1 mm at least, and a hundredth of the
+// longer side.
 double cell_m(const MapGrid& grid, const Body& body);
 // Faults of --resolution.
 void check_resolution(const TerrainOptions& options, Faults& faults);

@@ -18,6 +18,7 @@ constexpr double near_share = 0.05, near_cells = 0.02;
 // crossings are no more than this.
 constexpr double crossings_max = 4e6;
 constexpr double straight_px = 0.02;
+constexpr double rounding_px = 1e-5;  // of projections
 
 // Cells between samples, and between rays at the far end: no more than the time for large maps
 // allows.
@@ -46,6 +47,12 @@ bool holds(const MapGrid& grid, const RasterMap& map, const Geodetic& place) {
   const double period = map.period_px();
   const double u = period > 0 ? at->u - period * std::floor((at->u + 0.5) / period) : at->u;
   return u >= -0.5 && u <= grid.columns - 0.5 && at->v >= -0.5 && at->v <= grid.rows - 0.5;
+}
+
+// A cell's centre lies on the lines between cells, not next to them.
+double on_line(double px) {
+  const double line = std::round(px);
+  return std::abs(px - line) < rounding_px ? line : px;
 }
 
 // Cells once round the map's edge.
@@ -177,13 +184,14 @@ std::optional<GridCoordinates> Viewshed::eye_of_lines() const {
   if (heights_ == nullptr) return {};
   const double columns = heights_->columns(), rows = heights_->rows();
   if (columns * rows * (columns + rows) > crossings_max) return {};
-  const auto eye = heights_->map().coordinates(observer_.place);
+  const auto eye = place_on_lines(observer_.place, columns / 2);
   if (!eye || !heights_->height_m(*eye)) return {};
   for (const GridCoordinates& cell : edge_of(heights_->columns(), heights_->rows())) {
     const std::optional<Geodetic> place = heights_->map().place(cell);
     if (!place) return {};
     const Polar end = polar(ground_->site().p_S_m(*place));
-    const auto middle = on_map(end.azimuth_rad, end.distance_m / 2);
+    const auto middle = place_on_lines(
+        ground_->site().geodetic(p_S_m(end.azimuth_rad, end.distance_m / 2)), eye->u);
     if (!middle || !(std::hypot((eye->u + cell.u) / 2 - middle->u,
                                 (eye->v + cell.v) / 2 - middle->v) < straight_px)) {
       return {};
@@ -192,13 +200,20 @@ std::optional<GridCoordinates> Viewshed::eye_of_lines() const {
   return eye;
 }
 
+std::optional<GridCoordinates> Viewshed::place_on_lines(const Geodetic& place,
+                                                        double near_u) const {
+  auto at = heights_->map().coordinates(place);
+  if (!at) return {};
+  const double period = heights_->map().period_px();
+  if (period > 0) at->u -= period * std::round((at->u - near_u) / period);
+  return GridCoordinates{on_line(at->u), on_line(at->v)};
+}
+
 double Viewshed::steepest_before(const Polar& target, const GridCoordinates& target_px) const {
   double steepest = none;
   const auto cross = [&](double begin, double end, double GridCoordinates::*along) {
-    constexpr double ends = 1e-9;
     for (double line = std::floor(std::min(begin, end)) + 1; line < std::max(begin, end); ++line) {
       const double share = (line - begin) / (end - begin);
-      if (share < ends || share > 1 - ends) continue;
       GridCoordinates at{eye_px_->u + share * (target_px.u - eye_px_->u),
                          eye_px_->v + share * (target_px.v - eye_px_->v)};
       at.*along = line;
@@ -290,8 +305,9 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
   const Polar target = polar(target_S_m);
   if (target.distance_m > sector_.farthest_m) return false;
   if (eye_px_) {
-    const auto at = heights_->map().coordinates(ground_->site().geodetic(target_S_m));
-    return at && target.slope >= steepest_before(target, *at);
+    const auto at = place_on_lines(ground_->site().geodetic(target_S_m), eye_px_->u);
+    // Where the eye itself is there is no slope.
+    return at && !(target.slope < steepest_before(target, *at));
   }
   const double before_m = target.distance_m - own_cells * observer_.cell_m;
   const auto beyond = std::ranges::upper_bound(distances_m_, before_m);

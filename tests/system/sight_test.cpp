@@ -8,12 +8,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "support/reference_data.h"
-#include "system/process.h"
-#include "system/temp_folder.h"
+#include "system/sight_map.h"
 
 namespace lsos::test {
 namespace {
@@ -22,31 +20,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 
 constexpr double pi = 3.14159265358979323846;
-
-json sight(const Words& arguments) {
-  Words words{"sight"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const Outcome outcome = run(words);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return outcome.exit_code == 0 ? json::parse(outcome.out) : json::array({json::object()});
-}
-
-using Dataset = GDALDatasetUniquePtr;
-
-Dataset opened(const std::string& file) {
-  GDALAllRegister();
-  CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");  // nothing is written beside the data
-  return Dataset(GDALDataset::FromHandle(GDALOpen(file.c_str(), GA_ReadOnly)));
-}
-
-std::vector<double> samples(GDALDataset& dataset) {
-  const int columns = dataset.GetRasterXSize(), rows = dataset.GetRasterYSize();
-  std::vector<double> values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  EXPECT_EQ(dataset.GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns, rows, values.data(), columns,
-                                               rows, GDT_Float64, 0, 0),
-            CE_None);
-  return values;
-}
 
 struct Cut {
   const char* file;
@@ -67,28 +40,6 @@ std::string cut(const Cut& from, const TempFolder& folder) {
   const Outcome outcome = run_command(words, {.environment = {"GDAL_PAM_ENABLED=NO"}});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return file;
-}
-
-// The middle of a cell, and where that is.
-struct CellPlace {
-  double x = 0, y = 0;
-  std::string lon_lat;
-};
-
-CellPlace cell_place(GDALDataset& dataset, int column, int row) {
-  double transform[6];
-  dataset.GetGeoTransform(transform);
-  const double x = transform[0] + (column + 0.5) * transform[1];
-  const double y = transform[3] + (row + 0.5) * transform[5];
-  std::unique_ptr<OGRSpatialReference> crs(dataset.GetSpatialRef()->Clone());
-  std::unique_ptr<OGRSpatialReference> geographic(crs->CloneGeogCS());
-  crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  geographic->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const std::unique_ptr<OGRCoordinateTransformation> transformation(
-      OGRCreateCoordinateTransformation(crs.get(), geographic.get()));
-  double lon_deg = x, lat_deg = y;
-  EXPECT_TRUE(transformation->Transform(1, &lon_deg, &lat_deg));
-  return {x, y, fmt::format("{:.12f},{:.12f}", lon_deg, lat_deg)};
 }
 
 // Share of cells that GDAL and we say the same of.
@@ -179,70 +130,6 @@ INSTANTIATE_TEST_SUITE_P(
                       Cut{"dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif", 0, 0, 250, 230},
                       Cut{"dem/mars/gale_hirise_1m_missionDEM.tif", 0, 0, 0, 0},
                       Cut{"dem/earth/ames_roverscape_0p5m_UTM10.tif", 0, 0, 0, 0}));
-
-struct Cell {
-  int column, row;
-};
-
-// Whether a line in the plane of the cells stands above the ground wherever it crosses from cell to
-// cell.
-bool is_above(const std::vector<double>& heights_m, int columns, const Cell& eye, double eye_m,
-              const Cell& target, double target_m) {
-  const auto at = [&](double u, double v) {
-    return heights_m[static_cast<std::size_t>(std::lround(v) * columns + std::lround(u))];
-  };
-  const double from_m = at(eye.column, eye.row) + eye_m;
-  const double to_m = at(target.column, target.row) + target_m;
-  const int across = target.column - eye.column, down = target.row - eye.row;
-  for (const int count : {std::abs(across), std::abs(down)}) {
-    for (int k = 1; k < count; ++k) {
-      const double share = static_cast<double>(k) / count;
-      const double u = eye.column + share * across, v = eye.row + share * down;
-      // Between two cells of a column, or of a row.
-      const double left = std::floor(u + 1e-9), above = std::floor(v + 1e-9);
-      const double to_right = std::max(0.0, u - left), below = std::max(0.0, v - above);
-      const double beside_m = to_right > below ? at(left + 1, above) : at(left, above + 1);
-      const double to_beside = std::max(to_right, below);
-      const double ground_m = to_beside < 1e-9
-                                  ? at(left, above)
-                                  : (1 - to_beside) * at(left, above) + to_beside * beside_m;
-      if (ground_m > from_m + share * (to_m - from_m) + 1e-9) return false;
-    }
-  }
-  return true;
-}
-
-TEST(Sight, over_a_small_map_is_along_the_line_to_each_cell) {
-  constexpr Cut rough{"dem/moon/gz_dem_moon_87p5N.tif", 0, 0, 0, 0};
-  LSOS_NEEDS_REFERENCE(rough.file);
-  const TempFolder folder;
-  const std::string file = cut(rough, folder);
-  const Dataset dataset = opened(file);
-  const std::vector<double> heights_m = samples(*dataset);
-  const int columns = dataset->GetRasterXSize(), rows = dataset->GetRasterYSize();
-  std::mt19937 random(5);
-  int alike = 0, cells = 0, seen = 0;
-  for (const double target_m : {0.0, 0.5, 2.0}) {
-    const Cell eye{static_cast<int>(random() % static_cast<unsigned>(columns)),
-                   static_cast<int>(random() % static_cast<unsigned>(rows))};
-    const CellPlace place = cell_place(*dataset, eye.column, eye.row);
-    sight({file, "--from", place.lon_lat + ",1", "--height", fmt::format("{}", target_m), "-o",
-           folder / "seen.tif", "--flat"});
-    const std::vector<double> ours = samples(*opened(folder / "seen.tif"));
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        const bool is_seen = is_above(heights_m, columns, eye, 1, {column, row}, target_m);
-        const double said = ours[static_cast<std::size_t>(row * columns + column)];
-        ++cells;
-        seen += is_seen ? 1 : 0;
-        alike += said == (is_seen ? 1 : 0) ? 1 : 0;
-      }
-    }
-  }
-  std::printf("%d of %d cells alike, %d seen\n", alike, cells, seen);
-  EXPECT_GE(alike, cells - 3) << "grazing lines may be rounded either way";
-  EXPECT_LT(seen, cells);
-}
 
 TEST(Sight, answers_with_the_fields_of_the_contract) {
   const json lines =
