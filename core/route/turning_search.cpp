@@ -85,9 +85,10 @@ class Search {
     const double far_m = std::max(step_m_, (goal_m_ - start_.at_m).norm());
     const double turning = loops * 2 * std::numbers::pi * radius_m_ *
                            std::max(least / far_m, costs_.steep_per_metre());
+    std::size_t poses_left = poses_max;
     for (const double detour : detours) {
       to_go_.set_limit(detour * least + turning);
-      if (!run_out(poses_max, route)) return route;
+      if (!run_out(poses_left, route)) return route;
       if (!to_go_.was_limited()) break;
     }
     route.is_at_border = is_at_border_;
@@ -95,13 +96,13 @@ class Search {
   }
 
  private:
-  // Whether all poses that can be reached were looked at, to no end.
-  bool run_out(std::size_t poses_max, TurningRoute& route) {
+  // Whether all poses that can be reached were looked at, to no end. Takes those of `left`.
+  bool run_out(std::size_t& left, TurningRoute& route) {
     for (const Pace& pace : paces) {
       begin(pace.haste);
-      const std::size_t poses = std::min(pace.poses, poses_max);
-      poses_max -= poses;
-      if (come_to_goal(poses, route)) return false;
+      const bool is_found = come_to_goal(std::min(pace.poses, left), route);
+      left -= std::min(left, closed_.size());
+      if (is_found) return false;
       if (queue_.empty()) return true;
     }
     return false;
