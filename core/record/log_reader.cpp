@@ -29,6 +29,20 @@ std::vector<int> field_numbers(OGRLayer& layer, const LayerSpec& spec, const std
   return numbers;
 }
 
+// The rows that a layer gives, to the end of the scope.
+class Filter {
+ public:
+  Filter(OGRLayer& layer, const std::string& where) : layer_(layer) {
+    layer_.SetAttributeFilter(where.c_str());
+  }
+  ~Filter() { layer_.SetAttributeFilter(nullptr); }
+  Filter(const Filter&) = delete;
+  Filter& operator=(const Filter&) = delete;
+
+ private:
+  OGRLayer& layer_;
+};
+
 template <class T>
 void add_bytes(Sha256& hash, char tag, T number) {
   char bytes[1 + sizeof number];
@@ -138,11 +152,11 @@ struct LogReader::Impl {
   // The others are passed over before a feature is made of them.
   template <class Row, class Visit>
   void for_each_row(const TimeSpan& within, Visit visit) const {
-    OGRLayer& source = layer(spec(layer_name<Row>));
-    source.SetAttributeFilter(
-        fmt::format("time_s BETWEEN {} AND {}", seconds(within.from), seconds(within.to)).c_str());
+    constexpr double rounding_s = 5e-7;  // half of what times are counted in
+    const Filter filter(layer(spec(layer_name<Row>)),
+                        fmt::format("time_s BETWEEN {} AND {}", seconds(within.from) - rounding_s,
+                                    seconds(within.to) + rounding_s));
     for_each_row<Row>(visit);
-    source.SetAttributeFilter(nullptr);
   }
 
   template <class Row>
@@ -204,7 +218,7 @@ std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t f
   OGRLayer& source = impl_->layer(spec);
   const std::vector<int> numbers = field_numbers(source, spec, impl_->file);
   const gpkg::QuietErrors errors;
-  source.SetAttributeFilter(fmt::format("{} > {}", source.GetFIDColumn(), fid).c_str());
+  const Filter filter(source, fmt::format("{} > {}", source.GetFIDColumn(), fid));
   source.ResetReading();
   std::vector<LogRow> rows;
   while (rows.size() < count) {
@@ -216,7 +230,6 @@ std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t f
     }
     if (spec.geometry != LayerGeometry::none) row.geometry = geometry_wkb(*feature);
   }
-  source.SetAttributeFilter(nullptr);
   if (errors.has_failed()) throw InputError({impl_->file}, "cannot be read: " + errors.message());
   return rows;
 }
