@@ -16,6 +16,10 @@ namespace {
 constexpr SimTime settle_least{1'000'000}, settle_longest{20'000'000};
 constexpr double underside_spacing_m = 0.5;  // a rock or crest between points is not felt
 constexpr double settled_mps = 1e-4;
+// A look at the ground is good for the steps of so long, so that one comes in each
+// search_smoothing_s at least: the search for the contact then settles on ground bent twice as much
+// as the wheel.
+constexpr SimTime foothold_longest{15'000};
 
 }  // namespace
 
@@ -26,6 +30,7 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
       bodies_(config),
       layout_(wheel_layout(config)),
       centres_B_m_(centres_at_rest_B_m(config)),
+      foothold_steps_(static_cast<int>(foothold_longest / config.step)),
       wheels_(layout_.wheels.size()),
       steerings_(layout_.steerings.size()) {
   for (std::size_t i = 0; i < config_.links.size(); ++i) {
@@ -186,6 +191,7 @@ void Vehicle::advance(SimTime period) {
   is_chassis_on_ground_ = false;
   find_chassis_near_ground();
   find_gravity();
+  footholds_.assign(wheels_.size(), {});
   for (SimTime t{}; t < period && fault_.empty(); t += config_.step) step(step_s);
   drive_w_ = (drive_j_ - before_j) / seconds(period);
 }

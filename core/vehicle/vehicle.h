@@ -129,6 +129,15 @@ class Vehicle {
     std::vector<WheelSoil> soils;       // by the ground's number
   };
 
+  // The ground under a wheel, as a plane that is good for a while.
+  struct Foothold {
+    int steps_left = 0;           // that it is good for
+    Vec3 p_S_m = Vec3::Zero();    // where it was looked at
+    double gap_m = not_modelled;  // over the plane there, along its normal; NaN: no ground
+    Vec3 normal_S = Vec3::UnitZ();
+    int soil = 0;  // of Ground::soils()
+  };
+
   void step(double step_s);
   void apply_springs(double step_s);
   void apply_steering(double step_s);
@@ -137,6 +146,7 @@ class Vehicle {
                           WheelState& wheel) const;
   double brake_torque_n_m(const DriveMotor& motor, double angle_rad, double spin_radps,
                           WheelState& wheel) const;
+  const Foothold& foothold(std::size_t wheel, const Vec3& rim_S_m);
   void apply_contacts(double step_s);
   void find_gravity();
   double mean_sinkage_m() const;
@@ -155,6 +165,8 @@ class Vehicle {
   std::vector<Vec3> centres_B_m_;  // centres_at_rest_B_m
   std::vector<int> spring_links_;
   std::vector<WheelPart> parts_;          // by layout_.wheels
+  int foothold_steps_;                    // for which one is good
+  std::vector<Foothold> footholds_;       // by layout_.wheels; anew each period
   std::vector<Vec3> underside_B_m_;       // points of the chassis that may touch the ground
   Vec3 gravity_S_mps2_ = Vec3::Zero();    // once a period, from the pose
   bool is_chassis_near_ground_ = false;   // looked at once a period

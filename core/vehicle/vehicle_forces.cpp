@@ -24,6 +24,10 @@ constexpr double chassis_approach = 0.5;
 // finds, it would jump to and fro for ever on ground that is bent more than the wheel.
 constexpr double search_smoothing_s = 0.02;
 
+// For so much of its radius, which is less than its contact is long, a rolling wheel takes the
+// ground for the plane that it found.
+constexpr double foothold_radii = 1.0 / 12;
+
 constexpr double limit_smoothing_s = 0.2;  // of the speed that a motor's limits go by
 
 }  // namespace
@@ -172,6 +176,20 @@ double Vehicle::apply_drives(double step_s) {
   return electrical_w;
 }
 
+const Vehicle::Foothold& Vehicle::foothold(std::size_t wheel, const Vec3& rim_S_m) {
+  Foothold& foothold = footholds_[wheel];
+  const double reach_m = foothold_radii * parts_[wheel].shape->radius_m;
+  const bool is_near = (rim_S_m - foothold.p_S_m).squaredNorm() <= reach_m * reach_m;
+  if (foothold.steps_left > 0 && is_near && !command_.is_braking) {
+    --foothold.steps_left;
+    return foothold;
+  }
+  const GroundSample ground = probe_.sample(rim_S_m);
+  foothold = {foothold_steps_, rim_S_m, ground.gap_m * ground.normal_S.dot(ground.up_S),
+              ground.normal_S, ground.soil};
+  return foothold;
+}
+
 void Vehicle::apply_contacts(double step_s) {
   const double search_share = std::min(1.0, step_s / search_smoothing_s);
   Vec3 normals_S = Vec3::Zero();
@@ -185,18 +203,19 @@ void Vehicle::apply_contacts(double step_s) {
     const Vec3& search_S = wheel.search_S;
     const Vec3 down = -(search_S - search_S.dot(axle) * axle).normalized();
     const Vec3 arm_m = part.shape->radius_m * down;
-    const GroundSample ground = probe_.sample(hub.p_C_S_m + arm_m);
+    const Vec3 rim_S_m = hub.p_C_S_m + arm_m;
+    const Foothold& ground = foothold(i, rim_S_m);
     wheel.load_n = wheel.sinkage_m = 0;
     wheel.slip = not_modelled;
-    if (!ground.is_ground()) continue;
+    if (std::isnan(ground.gap_m)) continue;
     const Vec3& normal = ground.normal_S;
     wheel.search_S += search_share * (normal - search_S);
     normals_S += normal;
 
     const Vec3 v_contact_mps = hub.v_C_S_mps + hub.omega_S_radps.cross(arm_m);
     WheelContactInput input;
-    input.load_n = normal_load_n(*part.shape, -ground.gap_m * normal.dot(ground.up_S),
-                                 -v_contact_mps.dot(normal));
+    const double gap_m = ground.gap_m + normal.dot(rim_S_m - ground.p_S_m);
+    input.load_n = normal_load_n(*part.shape, -gap_m, -v_contact_mps.dot(normal));
     input.normal_S = normal;
     input.heading_S = axle.cross(normal).normalized();
     input.hub_velocity_S_mps = hub.v_C_S_mps - hub.v_C_S_mps.dot(normal) * normal;
