@@ -1,12 +1,14 @@
 // What a look at the Sun costs: a panel in one direction, the whole disc, and the ground between,
-// on a terrain of 1 km2 and of 10,000 km2. And a line of sight.
+// on a terrain of 1 km2 and of 10,000 km2. And a line of sight, and a camera's picture.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "mission/sight.h"
+#include "view/ground_view.h"
 #include "view/panel_view.h"
+#include "view/scene_picture.h"
 #include "view/sun_column.h"
 #include "view/sun_disc.h"
 
@@ -113,6 +115,30 @@ void sight(benchmark::State& state, double distance_m, bool is_new) {
   state.counters["seen"] = benchmark::Counter(seen, benchmark::Counter::kAvgIterations);
 }
 
+// Of 1280 x 720, of ground that nobody has looked at before.
+void picture(benchmark::State& state) {
+  const lsos::Gpu gpu;
+  const lsos::SiteFrame site(*lsos::find_body("Moon"), {0, 0, 0});
+  for (auto _ : state) {
+    const lsos::Ground terrain(cratered(1e4), site, 1);
+    const Vec3 under_m(0, 0, -lsos::Ground::Probe(terrain).sample(Vec3::Zero()).gap_m);
+    const lsos::Camera camera =
+        lsos::look(under_m + Vec3(-9, -4, 4), under_m + Vec3::UnitZ(), Vec3::UnitZ());
+    const lsos::TerrainShadow shadow(terrain, camera.eye_S_m, sun, disc_rad,
+                                     sector_of(site, camera));
+    lsos::Scene scene;
+    scene.sun_S = sun;
+    scene.disc_rad = disc_rad;
+    scene.air = lsos::air_of("Moon", 1.5 * deg);
+    scene.ground = ground_view(terrain, camera, shadow, scene.air.ground);
+    scene.bodies.push_back({{}, under_m - camera.eye_S_m, 5});
+    lsos::Mesh solids;
+    append(solids, rover(), lsos::Mat3::Identity(), under_m + Vec3(0, 0, 2.2) - camera.eye_S_m);
+    append(scene.bodies.back().mesh, solids, Vec3(0.7, 0.7, 0.7), &shadow);
+    benchmark::DoNotOptimize(draw(gpu, scene, camera).rgb.data());
+  }
+}
+
 const auto registered = [] {
   using benchmark::RegisterBenchmark;
   RegisterBenchmark("panel/one_direction", [](auto& s) { look(s, 1); });
@@ -134,6 +160,7 @@ const auto registered = [] {
     RegisterBenchmark((std::string("sight/moving/") + name).c_str(),
                       [distance](auto& s) { sight(s, distance, true); });
   }
+  RegisterBenchmark("picture", picture)->Unit(benchmark::kMillisecond);
   return true;
 }();
 
