@@ -11,9 +11,7 @@ namespace {
 
 // Rows that are looked at first, in the middle of the strip.
 constexpr double first_rows_m = 0.5, first_share = 0.01;
-// Rows that are drawn, and how many nodes they have.
-constexpr double drawn_rows_m = 0.2, drawn_share = 0.004;
-constexpr int nodes_across = 3;
+constexpr int nodes_across = 3;  // of rows that are drawn
 // Ground may rise by so much of its length between the rows first looked at.
 constexpr double rise_max = 1.2;
 
@@ -49,8 +47,7 @@ class SightGround::Strip {
         if (!is_open) add_row(at_m, false);
         is_open = true;
         for (double row_m = at_m; row_m < next_m && !is_hidden_;) {
-          row_m = std::min(next_m,
-                           row_m + std::max(drawn_rows_m, drawn_share * to_nearer_end_m(row_m)));
+          row_m = std::min(next_m, row_m + RowProbes::step_m(to_nearer_end_m(row_m)));
           add_row(row_m, true);
         }
       }
@@ -67,7 +64,7 @@ class SightGround::Strip {
   // Of the line over the ground; infinite where there is none.
   double middle_gap_m(double at_m) {
     const GroundSample sample =
-        sight_.probe(to_nearer_end_m(at_m)).sample(from_S_m_ + at_m * along_S_);
+        sight_.probes_.at(to_nearer_end_m(at_m)).sample(from_S_m_ + at_m * along_S_);
     return sample.is_ground() ? sample.gap_m : std::numeric_limits<double>::infinity();
   }
 
@@ -77,7 +74,8 @@ class SightGround::Strip {
     for (int k = 0; k < nodes_across; ++k) {
       const double left_m = half_m_ * (2.0 * k / (nodes_across - 1) - 1);
       const Vec3 on_line_m = at_m * along_S_ + left_m * across_S_;
-      const GroundSample sample = sight_.probe(to_nearer_end_m(at_m)).sample(from_S_m_ + on_line_m);
+      const GroundSample sample =
+          sight_.probes_.at(to_nearer_end_m(at_m)).sample(from_S_m_ + on_line_m);
       is_ground &= sample.is_ground();
       is_over &= sample.is_ground() && sample.gap_m < -margin_m();
       const Vec3 p_m =
@@ -104,15 +102,6 @@ class SightGround::Strip {
   Mesh mesh_;
   bool was_ground_ = false, was_over_ = false, is_hidden_ = false;
 };
-
-Ground::Probe& SightGround::probe(double distance_m) {
-  const double share_m = drawn_share * distance_m;
-  const int octave = share_m < drawn_rows_m ? 0 : 1 + std::ilogb(share_m / drawn_rows_m);
-  const auto found = probes_.find(octave);
-  if (found != probes_.end()) return found->second;
-  const double resolution_m = octave == 0 ? 0 : std::ldexp(drawn_rows_m, octave - 1);
-  return probes_.emplace(octave, Ground::Probe(*ground_, resolution_m)).first->second;
-}
 
 Mesh SightGround::between(const Vec3& from_S_m, const Vec3& to_S_m, double half_m) {
   return Strip(*this, from_S_m, to_S_m, half_m).mesh();

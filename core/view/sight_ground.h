@@ -2,10 +2,9 @@
 // the parts that come near to it.
 #pragma once
 
-#include <map>
-
 #include "terrain/ground.h"
 #include "view/mesh.h"
+#include "view/row_probes.h"
 
 namespace lsos {
 
@@ -13,20 +12,18 @@ namespace lsos {
 class SightGround {
  public:
   // `ground` must outlive it.
-  explicit SightGround(const Ground& ground) : ground_(&ground) {}
+  explicit SightGround(const Ground& ground) : ground_(&ground), probes_(ground) {}
 
   // About `from_S_m`, in site axes. What is looked at lies within `half_m` of the line. Rows lie as
-  // close as 0.4 % of the distance to the nearer end, or 0.2 m. Behind ground that stands over all
-  // of the line nothing more is looked for.
+  // close as 0.4 % of the distance to the nearer end, or 0.2 m, and so do nodes of detail. Behind
+  // ground that stands over all of the line nothing more is looked for.
   Mesh between(const Vec3& from_S_m, const Vec3& to_S_m, double half_m);
 
  private:
   class Strip;
-  // One for each octave of distance.
-  Ground::Probe& probe(double distance_m);
 
   const Ground* ground_;
-  std::map<int, Ground::Probe> probes_;
+  RowProbes probes_;
 };
 
 }  // namespace lsos

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "view/highest_ground.h"
+#include "view/row_probes.h"
 
 namespace lsos {
 
@@ -14,28 +15,23 @@ namespace {
 
 // Rows that are looked at first, in the middle of the strip.
 constexpr double first_rows_m = 0.5, first_share = 0.01;
-// Rows that are drawn, and how many nodes they have.
-constexpr double drawn_rows_m = 0.2, drawn_share = 0.004;
-constexpr int nodes_across = 13;
+constexpr int nodes_across = 13;  // of rows that are drawn
 // Between the rows first looked at the ground may rise by so much of their distance.
 constexpr double rise_max = 1.2;
 constexpr double farthest_m = 400e3;
 
-double next_row_m(double at_m, double least_m, double share) {
-  return at_m + std::max(least_m, share * at_m);
-}
-
 // Heights of the strip in its own axes: x towards the Sun, y across, z up at the eye.
 class Strip {
  public:
-  Strip(const Ground& ground, const SunColumn& column) : ground_(ground), column_(column) {
+  Strip(const Ground& ground, const SunColumn& column)
+      : ground_(ground), column_(column), probes_(ground) {
     const Vec3 up_S = ground.site().up_S(column.eye_S_m);
     const double sine = column.sun_S.dot(up_S);
     const Vec3 level_S = column.sun_S - sine * up_S;
     const Vec3 along_S = level_S.norm() > 1e-9 ? level_S.normalized() : up_S.unitOrthogonal();
     axes_S_ << along_S, up_S.cross(along_S), up_S;
     elevation_rad_ = std::atan2(sine, level_S.norm());
-    const auto start = node(probe(0), 0, 0);
+    const auto start = node(probes_.at(0), 0, 0);
     last_height_m_ = start ? ground.site().height_m(column.eye_S_m + axes_S_ * *start) : 0;
   }
 
@@ -70,10 +66,10 @@ class Strip {
     return lowest_ray_m(x_m) + drop_m > highest_ground_m(body) - eye_m;
   }
   // The ground there, in the strip's axes. Beyond its end the last height that was found.
-  Vec3 point(double x_m, double y_m) { return point(probe(x_m), x_m, y_m); }
+  Vec3 point(double x_m, double y_m) { return point(probes_.at(x_m), x_m, y_m); }
   // The same without detail of less than two nodes; they are as far apart as the rows first looked
   // at. What is missing is at most twice as high, rocks as high as wide.
-  Vec3 first_point(double x_m) { return point(rough_probe(x_m), x_m, 0); }
+  Vec3 first_point(double x_m) { return point(first_probe(x_m), x_m, 0); }
 
  private:
   Vec3 point(Ground::Probe& probe, double x_m, double y_m) {
@@ -94,20 +90,12 @@ class Strip {
     return axes_S_.transpose() * (p_S_m - sample.gap_m * sample.up_S - column_.eye_S_m);
   }
   // One for each octave of distance.
-  Ground::Probe& probe(double x_m) {
-    const double share_m = drawn_share * x_m;
-    const int octave = share_m < drawn_rows_m ? 0 : 1 + std::ilogb(share_m / drawn_rows_m);
-    const auto found = probes_.find(octave);
-    if (found != probes_.end()) return found->second;
-    const double resolution_m = octave == 0 ? 0 : std::ldexp(drawn_rows_m, octave - 1);
-    return probes_.emplace(octave, Ground::Probe(ground_, resolution_m)).first->second;
-  }
-  Ground::Probe& rough_probe(double x_m) {
+  Ground::Probe& first_probe(double x_m) {
     const int octave = std::ilogb(std::max(1.0, first_share * x_m / first_rows_m));
-    const auto found = rough_probes_.find(octave);
-    if (found != rough_probes_.end()) return found->second;
+    const auto found = first_probes_.find(octave);
+    if (found != first_probes_.end()) return found->second;
     const double resolution_m = std::ldexp(first_rows_m, octave);
-    return rough_probes_.emplace(octave, Ground::Probe::rough(ground_, resolution_m)).first->second;
+    return first_probes_.emplace(octave, Ground::Probe::rough(ground_, resolution_m)).first->second;
   }
 
   const Ground& ground_;
@@ -115,7 +103,8 @@ class Strip {
   Mat3 axes_S_;
   double elevation_rad_ = 0;
   double last_height_m_ = 0;
-  std::map<int, Ground::Probe> probes_, rough_probes_;
+  RowProbes probes_;
+  std::map<int, Ground::Probe> first_probes_;
 };
 
 // Adds a row of nodes across the strip; joined to the last row when that is the one before.
@@ -171,7 +160,7 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   bool is_open = false;  // the last row drawn is where this stretch begins
   double x_m = 0, z_m = strip.first_point(0).z();  // of the middle line
   while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
-    const double next_m = next_row_m(x_m, first_rows_m, first_share);
+    const double next_m = x_m + std::max(first_rows_m, first_share * x_m);
     const double next_z_m = strip.first_point(next_m).z(), height_m = std::max(z_m, next_z_m);
     z_m = next_z_m;
     const double missing_m = 2 * (next_m - x_m);
@@ -188,7 +177,7 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
     if (!is_open) mesh.add_row(x_m, false);
     is_open = true;
     for (double at_m = x_m; at_m < next_m;) {
-      at_m = std::min(next_m, next_row_m(at_m, drawn_rows_m, drawn_share));
+      at_m = std::min(next_m, at_m + RowProbes::step_m(at_m));
       mesh.add_row(at_m, true);
     }
     x_m = next_m;
