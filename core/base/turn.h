@@ -5,8 +5,8 @@
 
 namespace lsos {
 
-// The shortest one from the z axis to a direction, of any length but 0. In a file of its own, for Eigen's code for it
-// takes seconds to compile.
+// The shortest one from the z axis to a direction, of any length but 0. In a file of its own, for
+// Eigen's code for it takes seconds to compile.
 Mat3 turn_of_z(const Vec3& to);
 
 }  // namespace lsos

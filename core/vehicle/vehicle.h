@@ -129,7 +129,7 @@ class Vehicle {
     std::vector<WheelSoil> soils;       // by the ground's number
   };
 
-  // The ground under a wheel, as a plane that is good for a while.
+  // The ground under a wheel, as a plane that is good for a while; while it brakes anew each step.
   struct Foothold {
     int steps_left = 0;           // that it is good for
     Vec3 p_S_m = Vec3::Zero();    // where it was looked at

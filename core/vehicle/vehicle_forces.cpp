@@ -24,8 +24,8 @@ constexpr double chassis_approach = 0.5;
 // finds, it would jump to and fro for ever on ground that is bent more than the wheel.
 constexpr double search_smoothing_s = 0.02;
 
-// For so much of its radius, which is less than its contact is long, a rolling wheel takes the
-// ground for the plane that it found.
+// For so much of its radius, which is less than its contact is long, a wheel takes the ground for
+// the plane that it found.
 constexpr double foothold_radii = 1.0 / 12;
 
 constexpr double limit_smoothing_s = 0.2;  // of the speed that a motor's limits go by
