@@ -17,8 +17,8 @@ class RowProbes {
   // From a row at that distance to the next.
   static double step_m(double distance_m) { return std::max(least_m, share * distance_m); }
 
-  // For rows at that distance: as far as they are closest all of the ground; beyond, detail on
-  // nodes at most as far apart as they, for what lies between them is not drawn. One for each
+  // For rows at that distance: as far as they are closest all of the ground; beyond, what is as
+  // wide as from one row to the next: detail on nodes at most half as far apart. One for each
   // octave.
   Ground::Probe& at(double distance_m) {
     const double share_m = share * distance_m;
@@ -28,7 +28,7 @@ class RowProbes {
     return probes_
         .emplace(octave, octave == 0
                              ? Ground::Probe(*ground_)
-                             : Ground::Probe::rough(*ground_, std::ldexp(least_m, octave - 1)))
+                             : Ground::Probe::rough(*ground_, std::ldexp(least_m, octave - 2)))
         .first->second;
   }
 

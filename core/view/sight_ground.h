@@ -15,8 +15,8 @@ class SightGround {
   explicit SightGround(const Ground& ground) : ground_(&ground), probes_(ground) {}
 
   // About `from_S_m`, in site axes. What is looked at lies within `half_m` of the line. Rows lie as
-  // close as 0.4 % of the distance to the nearer end, or 0.2 m, and so do nodes of detail. Behind
-  // ground that stands over all of the line nothing more is looked for.
+  // close as 0.4 % of the distance to the nearer end, or 0.2 m; detail is drawn that is as wide.
+  // Behind ground that stands over all of the line nothing more is looked for.
   Mesh between(const Vec3& from_S_m, const Vec3& to_S_m, double half_m);
 
  private:
