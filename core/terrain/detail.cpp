@@ -59,28 +59,36 @@ double integral(const HeightTile& tile, int column, int row, int size) {
 }
 
 // A smooth ring within a cell of `size` nodes a side: zero at its centre, at its edge and at the
-// nodes next to the edge, so that the surface beyond the edge does not feel it.
-double ring(int size, std::int64_t i, std::int64_t j) {
-  const double half = size / 2.0, inner = half - 1;
-  const double s = (static_cast<double>(i) - half) / inner;
-  const double t = (static_cast<double>(j) - half) / inner;
-  if (std::abs(s) >= 1 || std::abs(t) >= 1) return 0;
-  const double gs = 1 - s * s, gt = 1 - t * t;
-  return gs * gs * gt * gt * (s * s + t * t);
+// nodes next to the edge, so that the surface beyond the edge does not feel it. With s and t from
+// -1 to 1 it is (1 - s^2)^2 (1 - t^2)^2 (s^2 + t^2); of node i along one axis:
+struct RingAxis {
+  RingAxis(int size, std::int64_t i) {
+    const double half = size / 2.0, s = (static_cast<double>(i) - half) / (half - 1);
+    if (std::abs(s) >= 1) return;
+    low = (1 - s * s) * (1 - s * s);
+    high = low * s * s;
+  }
+  double low = 0, high = 0;
+};
+
+double ring(const RingAxis& u, const RingAxis& v) { return u.high * v.low + u.low * v.high; }
+
+// Over every `stride`-th node of a cell.
+double ring_mean(int size, int stride) {
+  double low = 0, high = 0;
+  for (int i = 0; i < size; i += stride) {
+    const RingAxis axis(size, i);
+    low += axis.low;
+    high += axis.high;
+  }
+  const double count = size / stride;
+  return 2 * low * high / count / count;
 }
 
 std::array<double, 4> catmull_rom(double t) {
   const double t2 = t * t, t3 = t2 * t;
   return {0.5 * (2 * t2 - t3 - t), 0.5 * (3 * t3 - 5 * t2) + 1, 0.5 * (4 * t2 - 3 * t3 + t),
           0.5 * (t3 - t2)};
-}
-
-double ring_mean(int size) {
-  double sum = 0;
-  for (int j = 0; j < size; ++j) {
-    for (int i = 0; i < size; ++i) sum += ring(size, i, j);
-  }
-  return sum / size / size;
 }
 
 }  // namespace
@@ -323,41 +331,43 @@ HeightTile DetailField::zero_at_centres(const TileKey& key) const {
   return tile;
 }
 
-// Over a cell of the grid that is larger than a tile.
+// Over a cell of the grid that is larger than a tile of that level.
 double DetailField::mean_of_cell_m(const TileKey& cell) const {
   return *means_.get(cell, [this](const TileKey& wanted) {
-    const int across = subdivision_ / cells;
+    const int N = subdivision_ >> wanted.level, across = N / cells;
     double sum = 0;
     for (int j = 0; j < across; ++j) {
       for (int i = 0; i < across; ++i) {
-        const TileKey key{wanted.column * across + i, wanted.row * across + j};
+        const TileKey key{wanted.column * across + i, wanted.row * across + j, wanted.level};
         sum += integral(zero_at_centres(key), 0, 0, cells);
       }
     }
-    return sum / subdivision_ / subdivision_;
+    return sum / N / N;
   });
 }
 
 void DetailField::correct_means(HeightTile& tile) const {
-  const int N = subdivision_;
+  const int level = tile.key().level;
+  const int N = subdivision_ >> level;  // of this level's nodes a cell
+  if (N < 4) return;                    // all at cells' centres and edges: the ring is zero there
   const int size = std::min(N, cells);  // of a cell's part in this tile
-  const double per_ring = 1 / ring_mean(N);
+  const double per_ring = 1 / ring_mean(subdivision_, 1 << level);
   const HeightTile before = tile;
   for (int row = 0; row < cells; row += size) {
     for (int column = 0; column < cells; column += size) {
       const std::int64_t U = tile.key().column * cells + column;
       const std::int64_t V = tile.key().row * cells + row;
       const TileKey cell{U >> std::countr_zero(static_cast<unsigned>(N)),
-                         V >> std::countr_zero(static_cast<unsigned>(N))};
+                         V >> std::countr_zero(static_cast<unsigned>(N)), level};
       const double mean_m =
           N <= cells ? integral(before, column, row, N) / N / N : mean_of_cell_m(cell);
       // Nodes next to the part belong to it where the cell goes on beyond the tile.
       for (int j = -1; j <= size + 1; ++j) {
+        const RingAxis of_row(subdivision_, (V + j - cell.row * N) << level);
         for (int i = -1; i <= size + 1; ++i) {
           if (N <= cells && (i < 0 || j < 0 || i >= size || j >= size)) continue;
-          const double share = ring(N, U + i - cell.column * N, V + j - cell.row * N);
-          if (share == 0) continue;
-          tile.height_m(column + i, row + j) -= mean_m * per_ring * share;
+          const RingAxis of_column(subdivision_, (U + i - cell.column * N) << level);
+          tile.height_m(column + i, row + j) -= mean_m * per_ring * ring(of_column, of_row);
         }
       }
     }
@@ -375,7 +385,7 @@ DetailTile DetailField::tile(const TileKey& key) const {
   DetailTile tile(key);
   if (setting_.keeps_cells) {
     tile.heights = zero_at_centres(key);
-    if (key.level == 0) correct_means(tile.heights);
+    correct_means(tile.heights);
   } else {
     tile.heights = raw(key, nodes_of(key));
   }

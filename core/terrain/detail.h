@@ -44,7 +44,7 @@ class DetailField {
   int subdivision() const { return subdivision_; }
   double spacing_m() const { return setting_.cell_m / subdivision_; }
   // A pure function of the key. Any thread. On a level above 0 every 2^level-th node, without what
-  // is too small for those and without the correction of means: for looks from afar.
+  // is too small for those: for looks from afar.
   DetailTile tile(const TileKey& key) const;
   static constexpr int coarsest_level = 20;
   // Of what it holds: a look at what is larger finds nothing.
@@ -77,7 +77,7 @@ class DetailField {
   ExactMap exact_;
   mutable PatchMap patches_;
   mutable KeyCache<TileKey, HeightTile> centres_{megabytes(3)};
-  mutable KeyCache<TileKey, double> means_{megabytes(1)};  // of cells of more than a tile
+  mutable KeyCache<TileKey, double> means_{megabytes(1)};  // of cells of more than a tile, by level
 };
 
 }  // namespace lsos

@@ -15,9 +15,9 @@ struct SunColumn {
 };
 
 // Its surface about `eye_S_m` in site axes, in pieces that may hide some of the Sun from some of
-// what is lit; parts that are surely too low are left out. Rows and columns lie as close as a
-// hundredth of the distance, or 0.2 m. Beyond the ground's end it goes on at its last height, over
-// the curved body. A pure function of its arguments.
+// what is lit; parts that are surely too low are left out. Rows lie as close as 0.4 % of the
+// distance, or 0.2 m; detail is drawn that is as wide. Beyond the ground's end it goes on at its
+// last height, over the curved body. A pure function of its arguments.
 Mesh ground_mesh(const Ground& ground, const SunColumn& column);
 
 }  // namespace lsos

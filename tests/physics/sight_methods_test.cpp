@@ -10,6 +10,7 @@
 #include "mission/sight.h"
 #include "mission/site.h"
 #include "physics/drive.h"
+#include "unit/terrain/ground_fixture.h"
 #include "view/sight_march.h"
 
 namespace lsos::test {
@@ -20,10 +21,15 @@ struct Agreement {
   double farthest_edge_m = 0;  // clearance by marching, where the two differ
 };
 
-// Antennas of an eighth of `highest_m` to all of it, from 20 m to `longest_m` apart, at random
-// places.
-Agreement agreement(const Ground& ground, int pairs, double around_m, double longest_m,
-                    double highest_m) {
+// At random places.
+struct Pairs {
+  int count;
+  double around_m;  // of the site's middle, one end
+  double shortest_m, longest_m;
+  double highest_m;  // antennas are an eighth of that to all of it
+};
+
+Agreement agreement(const Ground& ground, const Pairs& pairs) {
   Renderer renderer;
   Sight drawn(ground, renderer);
   SightMarch march(ground);
@@ -32,14 +38,16 @@ Agreement agreement(const Ground& ground, int pairs, double around_m, double lon
   const auto antenna = [&](double x_m, double y_m) -> Vec3 {
     const Vec3 on_plane(x_m, y_m, 0);
     const GroundSample sample = probe.sample(on_plane);
-    return on_plane + (random.uniform(highest_m / 8, highest_m) - sample.gap_m) * sample.up_S;
+    return on_plane +
+           (random.uniform(pairs.highest_m / 8, pairs.highest_m) - sample.gap_m) * sample.up_S;
   };
   Agreement found;
-  for (; found.pairs < pairs; ++found.pairs) {
-    const double x_m = random.uniform(-around_m, around_m);
-    const double y_m = random.uniform(-around_m, around_m);
+  for (; found.pairs < pairs.count; ++found.pairs) {
+    const double x_m = random.uniform(-pairs.around_m, pairs.around_m);
+    const double y_m = random.uniform(-pairs.around_m, pairs.around_m);
     const double azimuth_rad = random.uniform(0, 2 * std::numbers::pi);
-    const double apart_m = 20 * std::pow(longest_m / 20, random.uniform(0, 1));
+    const double apart_m =
+        pairs.shortest_m * std::pow(pairs.longest_m / pairs.shortest_m, random.uniform(0, 1));
     const Vec3 from_S_m = antenna(x_m, y_m);
     const Vec3 to_S_m =
         antenna(x_m + apart_m * std::sin(azimuth_rad), y_m + apart_m * std::cos(azimuth_rad));
@@ -68,13 +76,30 @@ void expect_agreement(const Agreement& found) {
 TEST(SightMethods, agree_among_craters) {
   const Geodetic site = geodetic_from_degrees(31, 20);
   const auto ground = ground_at(shipped_terrain("Craters"), *find_body("Moon"), site, 3);
-  expect_agreement(agreement(*ground, 1000, 500, 1000, 0.8));
+  expect_agreement(agreement(*ground, {1000, 500, 20, 1000, 0.8}));
+}
+
+// Where detail that is as wide as the cells must leave their means alone.
+TEST(SightMethods, agree_over_a_raster_of_large_cells) {
+  const TextRaster raster{"+proj=stere +lat_0=-90 +R=1737400 +units=m", "100000,60,0,100000,0,-60",
+                          "", rows_of(60, 60, [](int, int) { return 0.0; })};
+  TerrainSpec spec = raster_terrain(raster.write("level"));
+  spec.detail.emplace();
+  spec.detail->craters.emplace();
+  spec.detail->craters->age_gyr = 3.9;
+  spec.detail->craters->diameter_min_m = 10;
+  const double middle_m = 101800, south_m = 98200;
+  const double colatitude_deg =
+      2 * std::atan(std::hypot(middle_m, south_m) / (2 * 1737400)) * 180 / std::numbers::pi;
+  const double lon_deg = std::atan2(middle_m, south_m) * 180 / std::numbers::pi;
+  const Ground ground(spec, site_on("Moon", lon_deg, colatitude_deg - 90), 1);
+  expect_agreement(agreement(ground, {300, 300, 1000, 2000, 2}));
 }
 
 TEST(SightMethods, agree_at_the_south_pole) {
   const Geodetic site = geodetic_from_degrees(129.78, -89.67);
   const auto ground = ground_at(shipped_terrain("LunarSouthPole"), *find_body("Moon"), site, 1);
-  expect_agreement(agreement(*ground, 150, 8000, 20e3, 8));
+  expect_agreement(agreement(*ground, {150, 8000, 20, 20e3, 8}));
 }
 
 }  // namespace

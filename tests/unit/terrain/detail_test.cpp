@@ -186,6 +186,28 @@ TEST_P(EnhancedRaster, has_the_same_bits_whichever_tile_is_asked_first) {
   EXPECT_EQ(forward, backward);
 }
 
+// What is much larger than the nodes of a look from afar is there, and lowers no cell as a whole.
+TEST_P(EnhancedRaster, is_from_afar_what_it_is_from_close_by) {
+  TerrainSpec spec = this->spec(true);
+  spec.detail->roughness.reset();
+  spec.detail->craters->diameter_min_m = GetParam().cell_m / 4;
+  const Ground ground(spec, site(), 4);
+  Ground::Probe close(ground);
+  for (const double nodes_per_cell : {64, 32, 16, 8, 4, 2}) {
+    const double node_m = GetParam().cell_m / nodes_per_cell;
+    Ground::Probe far = Ground::Probe::rough(ground, node_m);
+    double rms_m = 0;
+    constexpr int count = 2000;
+    for (int k = 0; k < count; ++k) {
+      const double r_m = 5 * GetParam().cell_m * std::sqrt((k + 0.5) / count), angle = 2.399963 * k;
+      const Vec3 p_S_m{r_m * std::cos(angle), r_m * std::sin(angle), 0};
+      rms_m += std::pow(far.sample(p_S_m).elevation_m - close.sample(p_S_m).elevation_m, 2) / count;
+    }
+    rms_m = std::sqrt(rms_m);
+    EXPECT_LT(rms_m, 0.04 * node_m);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Cells, EnhancedRaster,
                          ::testing::Values(Case{"two_metres", 2}, Case{"twenty_metres", 20},
                                            Case{"forty_metres", 40}),
