@@ -6,6 +6,17 @@
 
 namespace lsos {
 
+namespace {
+
+constexpr double rounding_px = 1e-5;  // of projections
+
+double on_line(double px) {
+  const double line = std::round(px);
+  return std::abs(px - line) < rounding_px ? line : px;
+}
+
+}  // namespace
+
 MapHeights::MapHeights(const MapGrid& grid, const Body& body)
     : map_(grid.map(body)),
       columns_(static_cast<std::size_t>(grid.columns)),
@@ -50,8 +61,13 @@ std::optional<double> MapHeights::height_m(const GridCoordinates& at) const {
   return std::isnan(height_m) ? std::nullopt : std::optional(height_m);
 }
 
-std::optional<double> MapHeights::height_m(const Geodetic& place) const {
+std::optional<GridCoordinates> MapHeights::coordinates(const Geodetic& place) const {
   const auto at = map_.coordinates(place);
+  return at ? std::optional(GridCoordinates{on_line(at->u), on_line(at->v)}) : std::nullopt;
+}
+
+std::optional<double> MapHeights::height_m(const Geodetic& place) const {
+  const auto at = coordinates(place);
   return at ? height_m(*at) : std::nullopt;
 }
 

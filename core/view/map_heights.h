@@ -21,6 +21,10 @@ class MapHeights {
   int rows() const { return static_cast<int>(rows_); }
   const RasterMap& map() const { return map_; }
 
+  // A cell's centre lies on the lines between cells, not next to them: beside cells without ground
+  // rounding would take its height away.
+  std::optional<GridCoordinates> coordinates(const Geodetic& place) const;
+
   // Within half a cell, and a little more.
   bool holds(const std::optional<GridCoordinates>& at) const;
   // Absent beyond the centres of the outermost cells and where one of the four is missing.

@@ -18,7 +18,6 @@ constexpr double near_share = 0.05, near_cells = 0.02;
 // crossings are no more than this.
 constexpr double crossings_max = 4e6;
 constexpr double straight_px = 0.02;
-constexpr double rounding_px = 1e-5;  // of projections
 
 // Cells between samples, and between rays at the far end: no more than the time for large maps
 // allows.
@@ -47,12 +46,6 @@ bool holds(const MapGrid& grid, const RasterMap& map, const Geodetic& place) {
   const double period = map.period_px();
   const double u = period > 0 ? at->u - period * std::floor((at->u + 0.5) / period) : at->u;
   return u >= -0.5 && u <= grid.columns - 0.5 && at->v >= -0.5 && at->v <= grid.rows - 0.5;
-}
-
-// A cell's centre lies on the lines between cells, not next to them.
-double on_line(double px) {
-  const double line = std::round(px);
-  return std::abs(px - line) < rounding_px ? line : px;
 }
 
 // Cells once round the map's edge.
@@ -184,14 +177,14 @@ std::optional<GridCoordinates> Viewshed::eye_of_lines() const {
   if (heights_ == nullptr) return {};
   const double columns = heights_->columns(), rows = heights_->rows();
   if (columns * rows * (columns + rows) > crossings_max) return {};
-  const auto eye = place_on_lines(observer_.place, columns / 2);
+  const auto eye = place_px(observer_.place, columns / 2);
   if (!eye || !heights_->height_m(*eye)) return {};
   for (const GridCoordinates& cell : edge_of(heights_->columns(), heights_->rows())) {
     const std::optional<Geodetic> place = heights_->map().place(cell);
     if (!place) return {};
     const Polar end = polar(ground_->site().p_S_m(*place));
-    const auto middle = place_on_lines(
-        ground_->site().geodetic(p_S_m(end.azimuth_rad, end.distance_m / 2)), eye->u);
+    const auto middle =
+        place_px(ground_->site().geodetic(p_S_m(end.azimuth_rad, end.distance_m / 2)), eye->u);
     if (!middle || !(std::hypot((eye->u + cell.u) / 2 - middle->u,
                                 (eye->v + cell.v) / 2 - middle->v) < straight_px)) {
       return {};
@@ -200,13 +193,11 @@ std::optional<GridCoordinates> Viewshed::eye_of_lines() const {
   return eye;
 }
 
-std::optional<GridCoordinates> Viewshed::place_on_lines(const Geodetic& place,
-                                                        double near_u) const {
-  auto at = heights_->map().coordinates(place);
-  if (!at) return {};
+std::optional<GridCoordinates> Viewshed::place_px(const Geodetic& place, double near_u) const {
+  auto at = heights_->coordinates(place);
   const double period = heights_->map().period_px();
-  if (period > 0) at->u -= period * std::round((at->u - near_u) / period);
-  return GridCoordinates{on_line(at->u), on_line(at->v)};
+  if (at && period > 0) at->u -= period * std::round((at->u - near_u) / period);
+  return at;
 }
 
 double Viewshed::steepest_before(const Polar& target, const GridCoordinates& target_px) const {
@@ -305,7 +296,7 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
   const Polar target = polar(target_S_m);
   if (target.distance_m > sector_.farthest_m) return false;
   if (eye_px_) {
-    const auto at = place_on_lines(ground_->site().geodetic(target_S_m), eye_px_->u);
+    const auto at = place_px(ground_->site().geodetic(target_S_m), eye_px_->u);
     // Where the eye itself is there is no slope.
     return at && !(target.slope < steepest_before(target, *at));
   }

@@ -66,7 +66,7 @@ class Viewshed {
   double ground_slope(const Vec3& over_S_m, double height_m) const;
 
   // On the map, where it goes around the body next to the column `near_u`.
-  std::optional<GridCoordinates> place_on_lines(const Geodetic& place, double near_u) const;
+  std::optional<GridCoordinates> place_px(const Geodetic& place, double near_u) const;
   // The eye, where lines over the map are few and straight.
   std::optional<GridCoordinates> eye_of_lines() const;
   // The ground's, on the way to a target.
