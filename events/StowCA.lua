@@ -4,13 +4,14 @@ local lsos = require 'lsos'
 
 local function start(ev, rover)
   rover:brake()
-  ev.state.ends_s = ev.time_s + rover.antennas:stow(ev.params.asset, ev.params.duration_s)
+  ev.state.takes_s = rover.antennas:stow(ev.params.asset, ev.params.duration_s)
   return 'stow'
 end
 
 local function stow(ev, _)
-  if ev.time_s >= ev.state.ends_s then return lsos.done end
-  return lsos.sleep_until(ev.state.ends_s)
+  local left_s = ev.state.takes_s - ev.phase_elapsed_s
+  if left_s <= 0 then return lsos.done end
+  return lsos.sleep(left_s)
 end
 
 return lsos.event {

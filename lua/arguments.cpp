@@ -79,9 +79,10 @@ void read_param(TableReader& t, const FieldDeclaration& field, Instant mission_s
   std::optional<bool> flag;
   std::optional<std::string> text;
   switch (field.kind) {
-    case FieldKind::number:
     case FieldKind::duration:
+    case FieldKind::number:
       t.number(need, key, number, range_of(field), "");
+      if (number && field.kind == FieldKind::duration) number = rounded_s(*number);
       return store(number);
     case FieldKind::integer:
       t.integer(need, key, whole, range_of(field), "");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sim_time.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -137,8 +138,11 @@ std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration
 Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
                                        const std::string& text) const {
   switch (declaration.kind) {
-    case FieldKind::duration:  // seconds, whatever it is shown in
-      return as_field_value(parse_quantity(text, *find_unit("s")));
+    case FieldKind::duration: {  // seconds, whatever it is shown in
+      Parsed<double> duration = parse_quantity(text, *find_unit("s"));
+      if (duration) duration.value = rounded_s(*duration.value);
+      return as_field_value(duration);
+    }
     case FieldKind::number:
       return as_field_value(parse_quantity(text, unit_of(declaration)));
     case FieldKind::integer:
