@@ -149,6 +149,7 @@ Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, b
     off_m = from_start.nearest_off_m();
     if (from_start.size() > last + more) break;
   }
+  if (only_nearest) reach.is_at_border = from_start.is_at_border();
   reach.nearest_m = from_start.nearest_m();
   reach.looked_at = from_start.size() + to_goal.size();
   return reach;

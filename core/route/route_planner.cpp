@@ -160,10 +160,10 @@ class LegPlanner {
         return true;
       }
     }
-    if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
     const bool is_joined = reach.answer == Reach::Answer::joined;
     const bool is_open = is_joined ? !turns_too_wide_ || are_turns_at_border_ : reach.is_at_border;
     if (!is_last && is_open) return false;
+    if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
     if (passed_m) {
       const Stance there = best_stance(map, finder_, *passed_m);
       const Hazard found = hazard(there, finder_.cost());

@@ -92,6 +92,27 @@ TEST(PathPlanTold, no_way_is_kept_and_told_at_once_the_second_time) {
   EXPECT_EQ(std::filesystem::last_write_time(kept), written) << "it was planned again";
 }
 
+// A goal on the far wall of a bowl that cannot be crossed: what is nearest to it lies on the way
+// around, outside the corridor that is looked through first.
+TEST(PathPlanTold, the_nearest_place_is_offered_also_where_the_way_there_is_round) {
+  const TempFolder folder;
+  folder.write(
+      "terrain/Bowl.lua",
+      "local lsos = require 'lsos'\n"
+      "return lsos.terrain { api = 1, doc = 'Test.', soil = 'ApolloNominal',\n"
+      "  surface = lsos.relief { lon_deg = 20, lat_deg = 10, spacing_m = 2, landforms = {\n"
+      "    lsos.landform { name = 'bowl', lon_deg = 20.0066973, lat_deg = 10,\n"
+      "      diameter_m = 200, depth_m = 60, rim_height_m = 8 } } } }\n");
+  const Outcome check =
+      run({"check", folder.write("plan.kml", kml(way("SEV", "Bowl", {{285, 0}}))), "--quiet"});
+  EXPECT_EQ(check.exit_code, 2);
+  const std::string said = check.out + check.err,
+                    before = "the nearest place that can be reached is ";
+  ASSERT_THAT(said, HasSubstr(before));
+  const std::string away = said.substr(said.find(", ", said.find(before) + before.size()) + 2);
+  EXPECT_LT(std::stod(away), 15) << said;
+}
+
 // A small rover, a way of 300 m to the floor of a pit.
 TEST(PathPlanTold, no_way_is_found_out_in_seconds) {
   const TempFolder folder;
