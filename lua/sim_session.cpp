@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "base/sha256.h"
+#include "base/units.h"
 #include "lua/plan_table.h"
 #include "mission/plan_names.h"
 #include "plan/kml_reader.h"
@@ -142,6 +143,20 @@ void SimSession::step_phase() {
   while (!simulation_->is_finished() && phases() == before) advance();
 }
 
+std::set<std::int64_t> SimSession::dispatched_to(const std::string& rover_id) const {
+  std::set<std::int64_t> sequences;
+  for (const SourcePlacemark& placemark : dispatched_) {
+    const std::vector<SourceField>& fields = placemark.data.front().fields;
+    const auto text = [&](const char* name) {
+      const auto found = std::ranges::find(fields, name, &SourceField::name);
+      return found == fields.end() ? std::string() : found->text;
+    };
+    const auto sequence = parse_integer(text("Sequence"));
+    if (text("RoverId") == rover_id && sequence) sequences.insert(*sequence.value);
+  }
+  return sequences;
+}
+
 std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark placemark) {
   const EventSequence* sequence = simulation_->sequence(rover_id);
   if (sequence == nullptr) {
@@ -151,14 +166,19 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
   std::vector<SourceField>& fields = placemark.data.front().fields;
   fields.push_back({"RoverId", rover_id, 0});
   if (std::ranges::find(fields, "Sequence", &SourceField::name) == fields.end()) {
-    // Behind what has had its turn, before what has not, where there is room.
+    // Behind what has had its turn or was dispatched before, ahead of what the plan has next, where
+    // there is room.
     std::int64_t last = 0, next = std::numeric_limits<std::int64_t>::max(), highest = 0;
+    const std::set<std::int64_t> earlier = dispatched_to(rover_id);
     for (std::size_t i = 0; i < sequence->events().size(); ++i) {
       const std::int64_t number = sequence->events()[i].event.sequence;
       const EventRecord& record = sequence->records()[i];
       highest = std::max(highest, number);
-      if (record.ready || record.end) last = number;
-      if (!record.ready && !record.end) next = std::min(next, number);
+      if (record.ready || record.end || (number < next && earlier.contains(number))) {
+        last = number;
+      } else {
+        next = std::min(next, number);
+      }
     }
     if (last + 1 >= next && highest == std::numeric_limits<std::int64_t>::max()) {
       throw InputError({}, "there is no Sequence behind the last");

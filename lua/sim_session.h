@@ -82,6 +82,9 @@ class SimSession {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<RunRecord> record_;
+  // Sequences.
+  std::set<std::int64_t> dispatched_to(const std::string& rover_id) const;
+
   std::vector<SourcePlacemark> dispatched_;
   std::vector<NoteRow> notes_;
   std::set<std::string> told_;  // failed events, by rover and sequence

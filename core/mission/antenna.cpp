@@ -53,7 +53,6 @@ void AntennaArray::set_silent(bool is_silent, SimTime now) {
 }
 
 bool AntennaArray::is_up(std::size_t i, SimTime now) const {
-  if (is_silent_) return false;
   if (!specs_[i].is_stowable()) return true;
   const State& state = states_[i];
   return state.goes_up && state.end && now >= *state.end;
@@ -85,7 +84,7 @@ double AntennaArray::extension_m(std::size_t i, SimTime now) const {
 double AntennaArray::power_w(SimTime now) const {
   double sum_w = 0;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
-    if (is_up(i, now)) sum_w += specs_[i].power_w;
+    if (has_link(i, now)) sum_w += specs_[i].power_w;
     if (states_[i].end && now < *states_[i].end) sum_w += specs_[i].deploy_w;
   }
   return sum_w;

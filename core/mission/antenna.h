@@ -41,7 +41,9 @@ class AntennaArray {
 
   const std::vector<AntennaSpec>& specs() const { return specs_; }
   bool is_up(std::size_t i, SimTime now) const;
-  // None is up for anyone: its radio has failed; or works again.
+  // It is up, and so is its radio.
+  bool has_link(std::size_t i, SimTime now) const { return !is_silent_ && is_up(i, now); }
+  // The radio of all has failed, or works again; masts stay where they are.
   void set_silent(bool is_silent, SimTime now);
   // The first that is up; while none is, the first. There is at least one.
   std::size_t in_use(SimTime now) const;

@@ -84,7 +84,10 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       note("stop_when", event().stop_when, agent);
       hindered = "StopWhen: " + event().stop_when.text;
     }
-    if (++changes > phase_changes_max) hindered = "its phases go round without time passing";
+    if (++changes > phase_changes_max) {
+      hindered = fmt::format("its phases go round without time passing, now in '{}' of {}",
+                             running_->phase(), event().type);
+    }
     const bool is_due = running_->is_due(now, agent);
     // What ends at the very moment of its timeout has not taken longer.
     if (hindered.empty() && !is_due && is_timed_out(now)) {
@@ -139,7 +142,7 @@ bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
     return false;
   }
   has_turn_ = true;
-  waits_for_condition_ = false;
+  waits_for_condition_ = waits_for_charge_ = false;
   current().status = EventStatus::waiting;
   current().ready = now;
   current().place = agent.place_now();
@@ -175,7 +178,11 @@ bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
     waits_for_others_ = !is_late;
     return false;
   }
-  waits_for_charge_ = is_powerless(agent);
+  const bool did_wait_for_charge = std::exchange(waits_for_charge_, is_powerless(agent));
+  if (waits_for_charge_ && !did_wait_for_charge) {
+    agent.set_noting_sequence(event().sequence);
+    agent.note("waits_for_charge", "{}");
+  }
   if (waits_for_charge_) return false;
   if (event().start_time && *event().start_time - mission_.start_time > now) return false;
   if (event().start_when.text.empty()) return true;
@@ -337,7 +344,7 @@ void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host, const
     current().is_prevented = is_failure && !has_started;
     end(has_started ? EventStatus::incomplete : EventStatus::not_started, reason, now, agent);
   }
-  finish(now, reason, is_failure);
+  finish(now, why, is_failure);
 }
 
 std::optional<SimTime> EventSequence::wake(SimTime now) const {

@@ -70,6 +70,10 @@ class RoverAgent : public RoverPort {
   const BodyShape& shape() const { return shape_; }
   // With broken dynamics: where its parts were last.
   std::vector<PartPose> part_poses() const;
+  // At an exchange, after scripts ran: of what the asset that it is plugged into offers, W.
+  double taken_w(double offered_w);
+  // What flows as long as scripts ask for nothing else; conditions look at it.
+  void find_flows();
   // What flows from now on.
   void settle_energy();
 
@@ -152,6 +156,7 @@ class RoverAgent : public RoverPort {
   SimTime now_{};                  // of the last exchange
   bool has_motion_ended_ = false;  // since the last look at the Sun
   bool is_shedding_ = false;
+  bool has_told_empty_ = false;  // that its battery was
   RoverView view_;
   VehicleReport report_;
   std::vector<double> joints_;  // m or rad, as report_ of the last good exchange

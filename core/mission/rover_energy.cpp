@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "mission/note_json.h"
 #include "mission/rover_agent.h"
@@ -17,6 +18,12 @@ void RoverAgent::count_energy(SimTime now) {
   if (!power_.has_reserve_changed() || !power_.waits_for_reserve()) return;
   noting_sequence_ = 0;
   note("battery_empty", fmt::format(R"({{"shed_w":{}}})", note_json(power_.shed_w())));
+  if (!std::exchange(has_told_empty_, true)) {
+    warnings_.push_back(fmt::format(
+        "{}: the battery is empty at {} s, and {:.0f} W are shed; what drives or works waits until "
+        "its charge is above the reserve (notes: battery_empty, waits_for_charge)",
+        rover_.id, seconds(now), power_.shed_w()));
+  }
   if (is_driving()) {
     drive_failure_ = "the battery is empty";
     command_ = {};
@@ -24,9 +31,18 @@ void RoverAgent::count_energy(SimTime now) {
   }
 }
 
-void RoverAgent::settle_energy() {
+void RoverAgent::find_flows() {
   power_.set_antennas(antennas_.power_w(now_));
   power_.settle(is_parked_);
+}
+
+double RoverAgent::taken_w(double offered_w) {
+  power_.set_antennas(antennas_.power_w(now_));
+  return power_.taken_w(offered_w, is_parked_);
+}
+
+void RoverAgent::settle_energy() {
+  find_flows();
   const double shed_w = power_.shed_w();
   if ((shed_w > 0) == is_shedding_) return;
   is_shedding_ = shed_w > 0;

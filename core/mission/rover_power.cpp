@@ -45,13 +45,15 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
     begin_segment();
   }
   const double energy_j = account().energy_j;
-  const bool is_empty = energy_j <= 0 && flows().shed_w > 0;
+  // At the start nothing has been asked of it yet.
+  const bool is_empty = now > SimTime{} && energy_j <= 0 && flows().shed_w > 0;
   const bool is_above = energy_j > spec_.battery->reserve * spec_.battery->capacity_j;
   const bool waits = waits_for_reserve_ ? !is_above : is_empty;
   has_reserve_changed_ = waits != waits_for_reserve_;
   waits_for_reserve_ = waits;
-  has_reached_charge_ = charge_awaited_ && energy_j >= *charge_awaited_ * spec_.battery->capacity_j;
-  if (has_reached_charge_) charge_awaited_.reset();
+  std::optional<double>& awaited = claims_.charge_awaited;
+  has_reached_charge_ = awaited && energy_j >= *awaited * spec_.battery->capacity_j;
+  if (has_reached_charge_) awaited.reset();
 }
 
 void RoverPower::begin_segment() {
@@ -70,11 +72,13 @@ void RoverPower::set_sun(const SunValue& value) {
 void RoverPower::set_shade(double share) {
   sun_share_ = share;
   has_panel_command_ = true;
+  tampered_ = now_ + exchange_period;
 }
 
 void RoverPower::set_panel_stuck(const std::string& panel, bool is_stuck) {
   for (const std::size_t i : panels_named(panel)) panels_.set_stuck(i, is_stuck, now_);
   has_panel_command_ = true;
+  tampered_ = now_ + exchange_period;
 }
 
 PowerDemand RoverPower::demand_now(bool is_parked) const {
@@ -84,9 +88,9 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
     is_dark = sun_->is_dark;
     for (const SunValue::Panel& panel : sun_->panels) demand.solar_available_w += panel.power_w;
   }
-  demand.external_w = supply_w_ + given_w_;
-  demand.load_w =
-      load_w(spec_.loads, {is_dark, is_parked}) + work_w_ + antennas_w_ + panels_.motors_w(now_);
+  demand.external_w = claims_.supply_w + given_w_;
+  demand.load_w = load_w(spec_.loads, {is_dark, is_parked}) + claims_.work_w + antennas_w_ +
+                  panels_.motors_w(now_);
   demand.drive_w = is_parked ? 0 : demand_.drive_w;
   return demand;
 }
@@ -109,6 +113,17 @@ PowerFlows RoverPower::flows() const {
   return power_flows(*spec_.battery, account().energy_j, demand_);
 }
 
+double RoverPower::taken_w(double offered_w, bool is_parked) const {
+  offered_w = std::min(offered_w, claims_.asked_w);
+  if (!has_battery()) return offered_w;
+  PowerDemand demand = demand_now(is_parked);
+  demand.external_w = claims_.supply_w + offered_w;
+  const double used_w = power_flows(*spec_.battery, account().energy_j, demand).external_w;
+  // A little more, so that rounding does not take a full battery's charge.
+  constexpr double rounding = 1e-12;
+  return std::clamp(used_w * (1 + rounding) - claims_.supply_w, 0.0, offered_w);
+}
+
 double RoverPower::shed_w() const { return has_battery() ? flows().shed_w : 0; }
 
 double RoverPower::time_to_energy_s(double energy_j) const {
@@ -121,6 +136,7 @@ double RoverPower::time_to_energy_s(double energy_j) const {
 
 std::optional<SimTime> RoverPower::wake() const {
   std::optional<SimTime> wake = panels_.next_end(now_);
+  if (tampered_ && *tampered_ > now_) wake = std::min(wake.value_or(*tampered_), *tampered_);
   if (!has_battery()) return wake;
   constexpr double longest_s = 1e9;  // beyond any mission
   const auto at = [&](double in_s) {
@@ -132,17 +148,19 @@ std::optional<SimTime> RoverPower::wake() const {
   const PowerFlows now = flows();
   if (now.energy_rate_w < 0) at(time_to_energy_s(0));
   if (!waits_for_reserve_ && now.shed_w > 0 && account().energy_j <= 0) at(0);
-  if (charge_awaited_) at(time_to_charge_s(*charge_awaited_));
+  if (claims_.charge_awaited) at(time_to_charge_s(*claims_.charge_awaited));
+  if (!plugged_into().empty() && now.energy_rate_w > 0) {
+    at(time_to_energy_s(spec_.battery->capacity_j));
+  }
   if (waits_for_reserve_ && now.energy_rate_w > 0) {
     at(time_to_energy_s(spec_.battery->reserve * spec_.battery->capacity_j));
   }
   return wake;
 }
 
-void RoverPower::release() {
-  supply_w_ = work_w_ = asked_w_ = given_w_ = 0;
-  plugged_into_.clear();
-  charge_awaited_.reset();
+void RoverPower::set_claims(const PowerClaims& claims) {
+  if (claims.plugged_into != claims_.plugged_into) given_w_ = 0;
+  claims_ = claims;
 }
 
 void RoverPower::fill(SampleRow& row) const {
@@ -160,9 +178,7 @@ void RoverPower::fill(SampleRow& row) const {
     row.incidence /= area_m2;
   }
   if (!has_battery()) return;
-  EnergyAccount account = this->account();
-  // Nothing has flowed at the start; a level that a script sets then shows from the next row on.
-  if (now_ == SimTime{}) account = EnergyAccount{.energy_j = energy_at_start_j_};
+  const EnergyAccount account = this->account();
   const PowerFlows flows = this->flows();
   row.energy_j = account.energy_j;
   row.charge = account.energy_j / spec_.battery->capacity_j;
@@ -180,6 +196,13 @@ void RoverPower::fill(SampleRow& row) const {
   row.loss_j = account.loss_j;
 }
 
+void RoverPower::fill_start(SampleRow& row) const {
+  if (!has_battery()) return;
+  row.energy_j = energy_at_start_j_;
+  row.charge = energy_at_start_j_ / spec_.battery->capacity_j;
+  row.solar_j = row.external_j = row.load_j = row.drive_j = row.loss_j = 0;
+}
+
 PowerView RoverPower::view() const {
   SampleRow row;
   fill(row);
@@ -187,8 +210,8 @@ PowerView RoverPower::view() const {
   view.has_battery = has_battery();
   if (has_battery()) {
     view.capacity_j = spec_.battery->capacity_j;
-    view.energy_j = account().energy_j;  // also at the start what scripts have set
-    view.charge = view.energy_j / view.capacity_j;
+    view.energy_j = row.energy_j;
+    view.charge = row.charge;
   }
   view.energy_rate_w = row.energy_rate_w;
   view.solar_w = row.solar_w;
@@ -226,8 +249,8 @@ std::string RoverPower::plug_into(const std::string& asset_id, std::optional<dou
     return fmt::format("'{}' is {:.1f} m away, farther than the {:.0f} m of a cable", asset_id,
                        away_m, plug_reach_m);
   }
-  plugged_into_ = asset_id;
-  asked_w_ = power_w.value_or(std::numeric_limits<double>::infinity());
+  claims_.plugged_into = asset_id;
+  claims_.asked_w = power_w.value_or(std::numeric_limits<double>::infinity());
   return "";
 }
 
@@ -238,8 +261,12 @@ std::optional<double> RoverPower::resource(const std::string& name) const {
 
 bool RoverPower::use(const std::string& name, double amount) {
   const auto found = resources_.find(name);
-  if (found == resources_.end() || found->second < amount) return false;
-  found->second -= amount;
+  if (found == resources_.end()) return false;
+  // What equal parts leave over by rounding is nothing.
+  const double at_first = std::ranges::find(spec_.resources, name, &ResourceSpec::name)->amount;
+  const double rounding = 1e-9 * at_first, left = found->second - amount;
+  if (left < -rounding) return false;
+  found->second = left > rounding ? left : 0;
   return true;
 }
 
@@ -304,8 +331,8 @@ void RoverPower::archive(Archive& a) {
         &demand_.load_w, &demand_.drive_w}) {
     a(*value);
   }
-  a(sun_)(supply_w_)(
-      work_w_)(plugged_into_)(asked_w_)(given_w_)(waits_for_reserve_)(has_reserve_changed_)(charge_awaited_)(has_reached_charge_)(has_panel_command_)(sun_share_)(resources_);
+  a(sun_)(claims_)(
+      given_w_)(tampered_)(waits_for_reserve_)(has_reserve_changed_)(has_reached_charge_)(has_panel_command_)(sun_share_)(resources_);
 }
 
 }  // namespace lsos

@@ -37,6 +37,16 @@ struct SunValue {
   void archive(Archive& a) { a(time)(is_dark)(panels); }
 };
 
+// What an event has asked for until it ends.
+struct PowerClaims {
+  double supply_w = 0, work_w = 0;
+  std::string plugged_into;  // of an asset
+  double asked_w = 0;        // of that
+  std::optional<double> charge_awaited;
+
+  void archive(Archive& a) { a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited); }
+};
+
 class RoverPower : public PowerPort {
  public:
   // `sources` must outlive it.
@@ -49,8 +59,7 @@ class RoverPower : public PowerPort {
   const PanelArray& panels() const { return panels_; }
   const std::optional<SunValue>& sun() const { return sun_; }
   void set_sun(const SunValue& value);
-  // So much of the sunlight reaches its panels, 0..1, from the next look at the Sun, which is at
-  // this exchange: dust, a cover.
+  // So much of the sunlight reaches its panels, 0..1, from the next exchange on: dust, a cover.
   void set_shade(double share);
   void set_panel_stuck(const std::string& panel, bool is_stuck);
 
@@ -62,8 +71,9 @@ class RoverPower : public PowerPort {
   // What the antennas use.
   void set_antennas(double power_w) { antennas_w_ = power_w; }
   // What the asset gives of what was asked of it.
-  const std::string& plugged_into() const { return plugged_into_; }
-  double asked_of_asset_w() const { return asked_w_; }
+  const std::string& plugged_into() const { return claims_.plugged_into; }
+  // Of what an asset offers: as much as was asked for, is used and finds room in the battery.
+  double taken_w(double offered_w, bool is_parked) const;
   void set_given(double power_w) { given_w_ = power_w; }
 
   // The battery was empty, and its charge has not risen above the reserve since.
@@ -71,7 +81,8 @@ class RoverPower : public PowerPort {
   // That has changed at this exchange.
   bool has_reserve_changed() const { return has_reserve_changed_; }
   double shed_w() const;  // asked for, and not given
-  // When a parked rover's battery gets empty, reaches its reserve, or a panel's motion ends.
+  // When a parked rover's battery gets empty, full from an asset, or reaches its reserve, a panel's
+  // motion ends, or what a scenario did to it is seen.
   std::optional<SimTime> wake() const;
 
   double energy_at_start_j() const { return energy_at_start_j_; }
@@ -79,23 +90,26 @@ class RoverPower : public PowerPort {
   PowerFlows flows() const;
   double solar_available_w() const { return demand_.solar_available_w; }
   const std::map<std::string, double>& resources() const { return resources_; }
-  // The event has ended: what it supplied and used.
-  void release();
+  const PowerClaims& claims() const { return claims_; }
+  // An event has ended: those of the one that it was part of, or none.
+  void set_claims(const PowerClaims& claims);
   // The numbers of a row.
   void fill(SampleRow& row) const;
+  // Of the row at time 0: nothing has flowed, nor any script set a level.
+  void fill_start(SampleRow& row) const;
 
   PowerView view() const override;
   double time_to_charge_s(double charge) const override;
   void set_energy(double energy_j) override;
-  void set_supply(double power_w) override { supply_w_ = power_w; }
-  void set_work(double power_w) override { work_w_ = power_w; }
+  void set_supply(double power_w) override { claims_.supply_w = power_w; }
+  void set_work(double power_w) override { claims_.work_w = power_w; }
   std::string plug_into(const std::string& asset_id, std::optional<double> power_w) override;
   std::optional<double> resource(const std::string& name) const override;
   bool use(const std::string& name, double amount) override;
   double deploy_panel(const std::string& panel, bool up, std::optional<double> duration_s) override;
   void steer_panel(const std::string& panel, const Steering& steering) override;
   double panel_turn_left_s() const override;
-  void await_charge(double charge) override { charge_awaited_ = charge; }
+  void await_charge(double charge) override { claims_.charge_awaited = charge; }
   // That has been reached at this exchange.
   bool has_reached_charge() const { return has_reached_charge_; }
   bool is_panel_turning() const { return panels_.is_turning(now_); }
@@ -123,14 +137,13 @@ class RoverPower : public PowerPort {
   double energy_at_start_j_ = 0;  // of the mission; not saved, the plan says it
 
   std::optional<SunValue> sun_;
-  double supply_w_ = 0, work_w_ = 0;
+  PowerClaims claims_;
   double antennas_w_ = 0;  // not saved: told at each exchange
-  std::string plugged_into_;
-  double asked_w_ = 0, given_w_ = 0;
+  double given_w_ = 0;
   double sun_share_ = 1;
+  std::optional<SimTime> tampered_;  // what was done to panels is seen then
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
   bool has_panel_command_ = false;
-  std::optional<double> charge_awaited_;
   bool has_reached_charge_ = false;
   std::map<std::string, double> resources_;
 };

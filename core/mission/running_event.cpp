@@ -58,7 +58,7 @@ RunningEvent::Progress RunningEvent::call(SimTime now, const MissionInfo& missio
   const bool waits = std::holds_alternative<Stay>(answer) ||
                      std::holds_alternative<SleepUntil>(answer) ||
                      std::holds_alternative<Arrival>(answer);
-  return waits ? wait(answer, now, agent) : go_on(answer, now, host);
+  return waits ? wait(answer, now, agent) : go_on(answer, now, agent, host);
 }
 
 RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now,
@@ -86,7 +86,7 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
 }
 
 RunningEvent::Progress RunningEvent::go_on(const PhaseAnswer& answer, SimTime now,
-                                           ScriptHost& host) {
+                                           RoverAgent& agent, ScriptHost& host) {
   wake_ = Wake::next_exchange;
   if (const auto* go = std::get_if<GoTo>(&answer)) {
     enter_phase(go->phase, now);
@@ -94,13 +94,14 @@ RunningEvent::Progress RunningEvent::go_on(const PhaseAnswer& answer, SimTime no
   }
   if (const auto* inner = std::get_if<RunEvent>(&answer)) {
     push(inner->type, inner->arguments, inner->next, now, host);
+    frames_.back().outer = agent.power().claims();
     return Progress::goes_on;
   }
   // Done: and with it every event whose last phase this was.
   std::string next;
   while (!frames_.empty() && next.empty()) {
     next = frames_.back().next;
-    pop(now, host);
+    pop(now, agent, host);
   }
   if (frames_.empty()) return Progress::completed;
   enter_phase(next, now);
@@ -126,7 +127,7 @@ std::vector<std::string> RunningEvent::abort(SimTime now, const MissionInfo& mis
     } catch (const ScriptError& error) {
       faults.push_back(error.what());
     }
-    pop(now, host);
+    pop(now, agent, host);
   }
   agent.brake();
   return faults;
@@ -172,9 +173,10 @@ void RunningEvent::push(const std::string& type, const EventArguments& arguments
   frames_.push_back(std::move(frame));
 }
 
-void RunningEvent::pop(SimTime now, ScriptHost& host) {
+void RunningEvent::pop(SimTime now, RoverAgent& agent, ScriptHost& host) {
   end_phase(now);
   host.end(frames_.back().instance);
+  agent.power().set_claims(frames_.back().outer);
   frames_.pop_back();
 }
 
@@ -199,7 +201,7 @@ void RunningEvent::archive(Archive& a, ScriptHost& host) {
   if (a.is_reading()) frames_.resize(depth);
   for (Frame& frame : frames_) {
     a(frame.type)(frame.phase)(frame.next)(frame.start)(frame.phase_start)(frame.number)(
-        frame.arguments);
+        frame.outer)(frame.arguments);
     std::string state = a.is_reading() ? "" : host.save(frame.instance);
     a(state);
     if (a.is_reading()) {

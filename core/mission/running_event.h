@@ -52,6 +52,7 @@ class RunningEvent {
     std::string next;  // the phase of the frame below when this one is done
     SimTime start{}, phase_start{};
     std::int64_t number = 0;  // which of the plan event's scripts, in order of beginning
+    PowerClaims outer;        // of the frame below, while this one runs
 
     ScriptInstance instance = 0;  // not saved: begun again
   };
@@ -61,11 +62,11 @@ class RunningEvent {
   Progress fail(const std::string& reason, SimTime now, const MissionInfo& mission,
                 RoverAgent& agent, ScriptHost& host);
   Progress wait(const PhaseAnswer& answer, SimTime now, const RoverAgent& agent);
-  Progress go_on(const PhaseAnswer& answer, SimTime now, ScriptHost& host);
+  Progress go_on(const PhaseAnswer& answer, SimTime now, RoverAgent& agent, ScriptHost& host);
   void enter_phase(const std::string& phase, SimTime now);
   void push(const std::string& type, const EventArguments& arguments, const std::string& next,
             SimTime now, ScriptHost& host);
-  void pop(SimTime now, ScriptHost& host);
+  void pop(SimTime now, RoverAgent& agent, ScriptHost& host);
   void end_phase(SimTime now);
 
   std::string rover_id_, label_;

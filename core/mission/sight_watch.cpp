@@ -82,14 +82,14 @@ void SightWatch::look_at(Pair& pair, Instant utc, const std::vector<SightEnd>& e
                                          solids(from.antenna_S_m, from.antenna_S_m));
     pair.is_visible = seen.is_centre_seen;
     pair.fraction = seen.fraction;
-    pair.is_linked = pair.is_visible && from.is_up && from.reaches_earth;
+    pair.is_linked = pair.is_visible && from.has_link && from.reaches_earth;
     return;
   }
   const SightEnd& to = ends[pair.to];
   pair.is_visible =
       sight_.sees(from.antenna_S_m, to.antenna_S_m, solids(from.antenna_S_m, to.antenna_S_m));
   const double away_m = (to.antenna_S_m - from.antenna_S_m).norm();
-  pair.is_linked = pair.is_visible && from.is_up && to.is_up &&
+  pair.is_linked = pair.is_visible && from.has_link && to.has_link &&
                    away_m <= std::min(from.range_max_m, to.range_max_m);
 }
 

@@ -36,7 +36,7 @@ struct SightEnd {
   std::string id;
   Vec3 p_S_m = Vec3::Zero();  // reference point
   Vec3 antenna_S_m = Vec3::Zero();
-  bool is_up = true;  // its antenna
+  bool has_link = true;  // its antenna is up and works
   double range_max_m = std::numeric_limits<double>::infinity();
   bool reaches_earth = true;
   Motion motion = Motion::none;

@@ -146,6 +146,7 @@ void Simulation::start() {
   // What is decided first knows what is in sight and in the Sun.
   if (light_) watch_the_sun();
   if (sight_) watch_sight();
+  for (Rover& rover : rovers_) rover.agent->find_flows();
   exchange();
 }
 
@@ -185,8 +186,9 @@ SimTime Simulation::next_time() {
   }
   if (!may_wake || !wake) {
     // Every rover waits for another: the plan's own circles are found before, what is left is a
-    // script that waits for what does not come. Nothing will happen before the end of time.
-    return setup_.plan.mission.max_duration + exchange_period;
+    // script that waits for what does not come. Nothing will happen before the end of time but
+    // rows.
+    wake = setup_.plan.mission.max_duration + exchange_period;
   }
   return log_ == nullptr ? *wake : std::min(*wake, *next);
 }

@@ -142,9 +142,9 @@ void Simulation::share_power() {
     double left_w = asset.supply_w();
     for (Rover& rover : rovers_) {
       if (!takes(rover)) continue;
-      const double given_w = std::min(left_w, rover.agent->power().asked_of_asset_w());
+      const double given_w = rover.agent->taken_w(left_w);
       rover.agent->power().set_given(given_w);
-      left_w -= given_w;
+      left_w = std::max(0.0, left_w - given_w);
     }
   }
 }

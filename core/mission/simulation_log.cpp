@@ -37,7 +37,10 @@ void Simulation::log_rows() {
 
 void Simulation::log_sample(std::size_t number) {
   Rover& rover = rovers_[number];
-  log_->write(rover.agent->sample(now_, rover.sequence.event_label(), rover.sequence.phase()));
+  SampleRow sample =
+      rover.agent->sample(now_, rover.sequence.event_label(), rover.sequence.phase());
+  if (now_ == SimTime{}) rover.agent->power().fill_start(sample);
+  log_->write(sample);
   for (const JointRow& row : rover.agent->joints(now_)) log_->write(row);
   for (const PanelRow& row : rover.agent->panels(now_)) log_->write(row);
   for (const ResourceRow& row : rover.agent->resources(now_)) log_->write(row);

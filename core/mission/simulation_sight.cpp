@@ -29,7 +29,7 @@ std::vector<SightEnd> Simulation::sight_ends() const {
     const std::size_t in_use = antennas.in_use(now_);
     const AntennaSpec& antenna = antennas.specs()[in_use];
     ends.push_back({rover.agent->id(), rover.agent->view().p_S_m, rover.agent->antenna_S_m(),
-                    antennas.is_up(in_use, now_), antenna.range_max_m, antenna.reaches_earth,
+                    antennas.has_link(in_use, now_), antenna.range_max_m, antenna.reaches_earth,
                     antennas.has_changed(now_) ? Motion::has_ended : rover.motion,
                     rover.agent->shape().reach_m(), false});
   }

@@ -106,6 +106,19 @@ lsos.scenario('dispatched events are saved with the state', function(t)
   t:near(other.time_s, 110, 1)
 end)
 
+lsos.scenario('what is dispatched later comes later, and before what the plan has next', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = { type = 'SEV', events = { { 'Pause', Duration = 60 }, { 'Pause', Duration = 60 } } },
+    },
+  }
+  sim:run_for(10)
+  t:equal(sim:dispatch('A', 'Pause', { Duration = 1 }), 11)
+  t:equal(sim:dispatch('A', 'Pause', { Duration = 2 }), 12)
+  sim:run()
+  t:near(sim:event('A/12').end_s, 63, 0)
+end)
+
 lsos.scenario('notes are saved with the state', function(t)
   local sim = sim_of { 'Pause', Duration = 60 }
   sim:shade('A', 0.5)

@@ -49,6 +49,35 @@ void expect_closed(const std::vector<SampleRow>& rows) {
   }
 }
 
+// Nothing will charge it before the end of time; until then it is logged. What waits for charge
+// says so, and the run warns of it.
+TEST(Power, that_never_comes_is_waited_for_in_rows_until_the_end) {
+  const Mark on_earth{"MissionInfo",
+                      {{"Planet", "Earth"},
+                       {"StartTime", "2026-01-02T00:00:00Z"},
+                       {"Terrain", "Flat"},
+                       {"ParkedLogInterval", "60"},
+                       {"MaxDuration", "1 h"}},
+                      ""};
+  const PlanRun run(
+      {on_earth, rover("Husky", {{"InitialCharge", "0.01"}}, "10,20"),
+       event("Consume", "R", 1, {{"Power", "5000"}, {"Duration", "600"}, {"OnFailure", "skip"}}),
+       event("Route", "R", 2, {}, point("10.0001,20")),
+       event("Pause", "R", 3, {{"Duration", "5"}})});
+  std::size_t rows = 0;
+  for (const SampleRow& row : run.samples()) rows += row.time % SimTime{60'000'000} == SimTime{};
+  EXPECT_EQ(rows, 61u);
+  const json summary = run.summary();
+  ASSERT_EQ(summary["warnings"].size(), 1u) << summary["warnings"];
+  EXPECT_THAT(summary["warnings"][0].get<std::string>(), HasSubstr("R: the battery is empty at "));
+  bool is_said = false;
+  for (const NoteRow& note : run.log().notes()) {
+    is_said |= note.name == "waits_for_charge" && note.sequence == 2;
+  }
+  EXPECT_TRUE(is_said);
+  EXPECT_EQ(summary["events"][2]["reason"], "MaxDuration is over");
+}
+
 TEST(Power, closes_in_every_row_driving_and_parked) {
   const PlanRun run({on_craters({{"LogInterval", "1"}}), rover("SEV", {{"InitialCharge", "0.7"}}),
                      event("SteerSP", "R", 1), event("Route", "R", 2, {}, point("30.003,10")),
