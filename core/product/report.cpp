@@ -38,8 +38,7 @@ std::string packed(const std::vector<double>& values, double per_unit) {
   return base64(bytes);
 }
 
-// Logged at multiples of 0.1 s.
-std::string times(const ThinnedRows& rows) { return packed<std::int32_t>(rows.times_s(), 10); }
+std::string times(const ThinnedRows& rows) { return packed<double>(rows.times_s(), 1); }
 std::string numbers(const ThinnedRows& rows, std::size_t column) {
   return packed<float>(rows.column(column), 1);
 }
@@ -225,6 +224,30 @@ std::string_view without_source_map(std::string_view script) {
   return at == std::string_view::npos ? script : script.substr(0, at);
 }
 
+// When leap seconds end within the run, s after its start. Of a span that UTC counts shorter than
+// it was, halves are looked at until the moment is found.
+std::vector<double> leap_ends_s(Instant start, double end_s) {
+  constexpr double day_s = 86400, rounding_s = 1e-5;
+  // A start within a leap second is behind by what has gone of it.
+  const double before_s = format_utc(start).find(":60") != std::string::npos ? 1 : 0;
+  const double base_days = utc_days(start + from_seconds(-before_s));
+  const auto behind_s = [&](double time_s) {
+    return time_s + before_s - (utc_days(start + from_seconds(time_s)) - base_days) * day_s;
+  };
+  std::vector<double> ends_s;
+  for (double from_s = 0; from_s < end_s; from_s += day_s) {
+    double low_s = from_s, high_s = std::min(from_s + day_s, end_s);
+    const double wanted_s = std::floor(behind_s(from_s) + rounding_s) + 1 - rounding_s;
+    if (behind_s(high_s) < wanted_s) continue;
+    while (high_s - low_s > rounding_s) {
+      const double middle_s = (low_s + high_s) / 2;
+      (behind_s(middle_s) < wanted_s ? low_s : high_s) = middle_s;
+    }
+    ends_s.push_back(std::round(high_s * 1e3) / 1e3);
+  }
+  return ends_s;
+}
+
 }  // namespace
 
 std::string report_json(const ReportData& data, const Plan& plan, const SiteFrame& site,
@@ -238,6 +261,7 @@ std::string report_json(const ReportData& data, const Plan& plan, const SiteFram
       {"start_utc", format_utc(data.start)},
       {"end_utc", format_utc(data.start + from_seconds(data.end_s))},
       {"end_s", data.end_s},
+      {"leap_ends_s", leap_ends_s(data.start, data.end_s)},
       {"site", {{"lon_deg", lon_deg(site.origin())}, {"lat_deg", lat_deg(site.origin())}}},
       {"summary", parsed},
       {"rovers", rovers(data)},

@@ -7,7 +7,7 @@ function unpack(text, Type) {
   for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
   return new Type(bytes.buffer);
 }
-const unpackTimes = text => Float64Array.from(unpack(text, Int32Array), tenths => tenths / 10);
+const unpackTimes = text => unpack(text, Float64Array);
 const unpackSeries = packed =>
   packed && {t: unpackTimes(packed.t), v: unpack(packed.v, Float32Array)};
 
@@ -58,8 +58,15 @@ function elapsedText(time) {
   const s = Math.round(time), d = Math.floor(s / 86400);
   return `${d > 0 ? d + ' d ' : ''}${two(Math.floor(s / 3600) % 24)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
 }
+// Clocks stand still for each second of `leap_ends_s`, which ends then.
+function leapsBefore(time) {
+  return page.leap_ends_s.filter(end => time >= end - 1e-6).length;
+}
+function utcSeconds(time) {
+  return startMs / 1000 + time - leapsBefore(time);
+}
 function utcText(time) {
-  return new Date(1000 * Math.round(startMs / 1000 + time)).toISOString().slice(0, 19).replace('T', ' ') + ' UTC';
+  return new Date(1000 * Math.round(utcSeconds(time))).toISOString().slice(0, 19).replace('T', ' ') + ' UTC';
 }
 function durationText(time) {
   if (time === null || time === undefined) return '';

@@ -159,7 +159,7 @@ function fillOrigins() {
   const samples = rovers.reduce((sum, rover) => sum + rover.samples, 0);
   document.getElementById('thinned').append(
     make('span', {class: 'hint'}, 'Move over a plot for values, drag to zoom, double-click for the whole run, click to hold the cursor (arrow keys move it). '),
-    most > 4 * page.stretches
+    most >= 4 * page.stretches
       ? `Of the log’s ${samples.toLocaleString('en')} samples each line shows the first, last, least and greatest of ${page.stretches.toLocaleString('en')} stretches, so no extreme is missing; log.gpkg has all.`
       : `Lines show the log’s samples as they are (${samples.toLocaleString('en')}).`);
   const rows = [['plan', page.plan], ['log_sha256', summary?.log_sha256 || ''], ...Object.entries(page.run)];

@@ -34,14 +34,14 @@ function timeTicks(from, to, width, apart = 84) {
   const shift = view.isUtc ? (startMs / 1000) % 86400 : 0;
   const ticks = [];
   for (let k = Math.ceil((from + shift) / step); k * step - shift <= to + 1e-6; ++k) {
-    const time = k * step - shift;
+    const even = k * step - shift, time = view.isUtc ? even + leapsBefore(even) : even;
     ticks.push({v: time, label: tickText(time, step)});
   }
   return ticks;
 }
 function tickText(time, step) {
   if (view.isUtc) {
-    const iso = new Date(startMs + time * 1000).toISOString();
+    const iso = new Date(1000 * utcSeconds(time)).toISOString();
     if (step >= 86400) return iso.slice(5, 10);
     if (step >= 60) return iso.slice(11, 16) === '00:00' ? iso.slice(5, 10) : iso.slice(11, 16);
     return iso.slice(11, 19);

@@ -89,15 +89,31 @@ TEST_F(ReportTest, holds_the_numbers_of_the_log) {
   const json page = json::parse(report_json(data(), plan, site(), "", {}));
   const json& rover = page["rovers"][0];
   EXPECT_EQ(rover["samples"], 20);
-  const auto times = unpacked<std::int32_t>(rover["energy_j"]["t"]);
+  const auto times = unpacked<double>(rover["energy_j"]["t"]);
   const auto energies = unpacked<float>(rover["energy_j"]["v"]);
   ASSERT_EQ(times.size(), 20u);
-  EXPECT_EQ(times[7], 140);  // tenths of a second
+  EXPECT_EQ(times[7], 14);
   EXPECT_EQ(energies[7], 993000.0f);
   EXPECT_EQ(unpacked<float>(rover["position"]["x_m"])[7], 7.0f);
   EXPECT_EQ(unpacked<std::int32_t>(rover["position"]["lat_e7deg"])[7], -892500000);
   EXPECT_TRUE(rover["energy_rate_w"].is_null());  // not modelled
   EXPECT_TRUE(page["summary"].is_null());
+}
+
+// The last second of 2016 was a leap second, that of 2017 none.
+TEST_F(ReportTest, knows_when_clocks_stood_still) {
+  const auto leaps = [&](const char* start, double end_s) {
+    ReportData of = data();
+    of.start = *parse_utc(start).value;
+    of.end_s = end_s;
+    return json::parse(report_json(of, plan, site(), "", {}))["leap_ends_s"];
+  };
+  EXPECT_EQ(leaps("2016-12-31T23:59:50Z", 31), json::array({11.0}));
+  EXPECT_EQ(leaps("2016-12-31T23:59:50Z", 10.5), json::array());
+  EXPECT_EQ(leaps("2016-12-31T23:59:60.5Z", 20), json::array({0.5}));
+  EXPECT_EQ(leaps("2017-12-31T23:59:50Z", 31), json::array());
+  const json years = leaps("2014-01-01T00:00:00Z", 4 * 365.25 * 86400);
+  EXPECT_EQ(years, json::array({546 * 86400.0 + 1, 1096 * 86400.0 + 2}));
 }
 
 TEST_F(ReportTest, holds_what_was_noted_and_where) {
