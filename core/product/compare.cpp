@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace lsos {
 
@@ -135,6 +136,13 @@ Json json_of(const ColumnValue& value) {
   return nullptr;
 }
 
+// A warning without the "file:line: " before it: plans are named as they were typed.
+std::string without_place(const Json& warning) {
+  static const std::regex place("^[^\\n]*?:[0-9]+: ");
+  return std::regex_replace(warning.is_string() ? warning.get<std::string>() : warning.dump(),
+                            place, "", std::regex_constants::format_first_only);
+}
+
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -160,7 +168,9 @@ Comparison compare(const std::string& summary_a, const std::string& summary_b,
     const auto lacking = [](const Json& all, const Json& of) {
       Json rest = Json::array();
       for (const Json& text : all) {
-        if (std::ranges::find(of, text) == of.end()) rest.push_back(text);
+        if (std::ranges::find(of, without_place(text), without_place) == of.end()) {
+          rest.push_back(text);
+        }
       }
       return rest;
     };

@@ -49,6 +49,16 @@ TEST(Compare, tells_warnings_that_one_run_has_alone_in_full) {
   EXPECT_THAT(to_text(found, {"a", "b"}), HasSubstr("5973 m"));
 }
 
+// A plan is named as it was typed, and its lines may have moved.
+TEST(Compare, takes_warnings_of_other_places_for_the_same) {
+  RunSummary one = test_summary(), other = test_summary();
+  one.warnings = {"plan.kml:12: Pause 10 is far away"};
+  other.warnings = {"../plans/plan.kml:13: Pause 10 is far away"};
+  EXPECT_TRUE(comparison(one, other).is_equal());
+  other.warnings = {"../plans/plan.kml:13: Pause 20 is far away"};
+  EXPECT_FALSE(comparison(one, other).is_equal());
+}
+
 TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
   RunSummary other = test_summary();
   other.log_sha256 = "2";
