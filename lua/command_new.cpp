@@ -94,8 +94,11 @@ int new_event_command(const std::string& name, bool is_json) {
   for (const std::string& file : {event, scenario}) {
     if (fs::exists(file)) throw InputError({file, 0}, "is there already");
   }
-  fs::create_directories("events");
-  fs::create_directories("tests/scenarios");
+  for (const char* folder : {"events", "tests/scenarios"}) {
+    std::error_code why;
+    fs::create_directories(folder, why);
+    if (why) throw InputError({}, fmt::format("{}: {}", folder, why.message()));
+  }
   write_file(event, filled_in(event_text, name));
   write_file(scenario, filled_in(scenario_text, name));
   if (is_json) {

@@ -142,7 +142,8 @@ ordered_json line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to
   constexpr double least_m = 1e-6;  // nearer there is no direction
   if (level_m > least_m) {
     const double azimuth_deg = degrees(std::atan2(east_m, north_m));
-    line["azimuth_deg"] = azimuth_deg < 0 ? azimuth_deg + 360 : azimuth_deg;
+    const double from_north_deg = azimuth_deg < 0 ? azimuth_deg + 360 : azimuth_deg;
+    line["azimuth_deg"] = from_north_deg < 360 ? from_north_deg : 0;
   }
   if (way_m.norm() > least_m) line["elevation_deg"] = degrees(std::atan2(up_m, level_m));
   return line;

@@ -3,12 +3,16 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "product/files.h"
 
 namespace lsos {
 
 MissionFiles mission_of_run(const std::string& folder,
                             const std::map<std::string, std::string>& run) {
+  if (!run.contains("seed") || !run.contains("plan_sha256")) {
+    throw InputError({}, folder + ": its log does not say what was run");
+  }
   const std::uint64_t seed = std::stoull(run.at("seed"));  // it may have been an option
   const auto summary =
       nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);

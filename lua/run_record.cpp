@@ -55,6 +55,7 @@ RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const Mis
       log_(prepared(folder, plan_bytes), std::string(files.plan.mission.planet->crs),
            files.plan.mission.start_time) {
   log_.write_run(run_values(files, simulation));
+  log_.commit();
   simulation.set_log(&log_);
 }
 

@@ -9,6 +9,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "base/error.h"
+
 namespace lsos {
 
 void write_file(const std::string& file, std::string_view bytes) {
@@ -19,7 +21,10 @@ void write_file(const std::string& file, std::string_view bytes) {
   out.close();
   if (out && std::rename(part.c_str(), file.c_str()) == 0) return;
   const std::string why = errno == 0 ? "cannot be written" : std::strerror(errno);
+  const bool is_place_wrong = errno == EACCES || errno == EPERM || errno == EROFS ||
+                              errno == ENOENT || errno == ENOTDIR || errno == EISDIR;
   std::remove(part.c_str());
+  if (is_place_wrong) throw InputError({}, fmt::format("{}: {}", file, why));
   throw std::runtime_error(fmt::format("{}: {}", file, why));
 }
 
