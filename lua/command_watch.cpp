@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "lua/commands.h"
 #include "lua/mission_files.h"
+#include "product/run_folder.h"
 
 namespace lsos {
 
@@ -75,6 +76,12 @@ std::string wait_for_change(const std::string& plan_file, Written& written) {
   return changed;
 }
 
+// When a file was written last; of none, the least of times.
+fs::file_time_type modified(const std::string& file) {
+  std::error_code none;
+  return fs::last_write_time(file, none);
+}
+
 void end_with_parent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(0);
@@ -107,6 +114,9 @@ int watch_command(RunOptions options) {
   std::signal(SIGTERM, note);
   for (;;) {
     std::fflush(nullptr);
+    const std::string kept_plan =
+        (options.folder.empty() ? default_run_folder(options.plan) : options.folder) + "/plan.kml";
+    const auto kept_before = modified(kept_plan);
     const pid_t process = fork_with_own_signals();
     if (process < 0) throw std::runtime_error("no process for a run");
     if (process == 0) {
@@ -118,7 +128,8 @@ int watch_command(RunOptions options) {
     kill(process, asked_to_stop != 0 ? static_cast<int>(asked_to_stop) : SIGTERM);
     waitpid(process, nullptr, 0);
     if (asked_to_stop != 0) return 128 + asked_to_stop;
-    options.is_forced = true;  // the stopped run is ours
+    // A run that took the folder wrote its plan there: what is left of it is ours.
+    options.is_forced |= modified(kept_plan) != kept_before;
     if (!options.is_quiet) fmt::print(stderr, "\n{} has changed: running again\n", changed);
   }
 }

@@ -63,5 +63,26 @@ TEST(Watch, runs_again_when_plan_or_script_changes_and_ends_at_a_signal) {
   EXPECT_THAT(outcome.err, HasSubstr("say.kml:1: "));
 }
 
+// Though the plan is mended: the folder holds what somebody may want to resume.
+TEST(Watch, leaves_another_s_unfinished_run_alone) {
+  const TempFolder folder;
+  const Outcome form = run({"schema", "Pause"}, {folder.path()});
+  folder.write("pause.kml", form.out);
+  ASSERT_EQ(run({"run", "pause.kml", "-o", "kept"}, {folder.path()}).exit_code, 0);
+  fs::remove(folder / "kept/summary.json");
+  const auto log = read_text(folder / "kept/log.gpkg");
+  Process watched(program({"run", "pause.kml", "-o", "kept", "--watch"}), {folder.path()});
+  for (int k = 0; k < 2; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    folder.write("pause.kml", form.out + "<!-- " + std::to_string(k) + " -->");
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  watched.signal(SIGINT);
+  const Outcome outcome = watched.wait();
+  EXPECT_THAT(outcome.err, HasSubstr("has changed: running again"));
+  EXPECT_THAT(outcome.err, HasSubstr("--force replaces it"));
+  EXPECT_TRUE(read_text(folder / "kept/log.gpkg") == log) << outcome.err;
+}
+
 }  // namespace
 }  // namespace lsos::test
