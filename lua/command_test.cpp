@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "base/error.h"
@@ -109,12 +109,19 @@ std::vector<ScenarioResult> wait_for(const Worker& worker) {
 std::vector<std::string> folders_of(const std::vector<std::string>& files,
                                     const std::string& folder) {
   std::vector<std::string> folders;
-  std::map<std::string, int> taken;
+  std::set<std::string> taken;
+  for (const std::string& file : files) taken.insert(fs::path(file).stem());
+  std::set<std::string> begun;
   for (const std::string& file : files) {
     const std::string stem = fs::path(file).stem();
-    const int number = ++taken[stem];
-    folders.push_back(
-        fmt::format("{}/{}{}", folder, stem, number == 1 ? "" : fmt::format("_{}", number)));
+    std::string name = stem;
+    // A second one of a name takes a name that no other file has.
+    if (!begun.insert(stem).second) {
+      for (int number = 2; !taken.insert(name).second; ++number) {
+        name = fmt::format("{}_{}", stem, number);
+      }
+    }
+    folders.push_back(folder + "/" + name);
   }
   return folders;
 }

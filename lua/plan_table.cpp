@@ -159,6 +159,7 @@ class PlanTableReader {
         if (!p_m) return fault(fmt::format("{}: at: {{ east_m, north_m }} is wanted", type));
         geometry.coordinates = coordinates(site, *p_m);
       } else if (lua_istable(L_, -1)) {
+        int count = 0;
         for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {
           const auto p_m = point_at(L_, -1);
           if (!p_m) {
@@ -166,6 +167,14 @@ class PlanTableReader {
             continue;
           }
           geometry.coordinates += coordinates(site, *p_m) + " ";
+          ++count;
+        }
+        const int least = key == "path" ? 2 : 3;
+        if (count < least) {
+          return fault(
+              fmt::format("{}: {}: {} places; {} or more are wanted: {{ {{ east_m, "
+                          "north_m }}, ... }}",
+                          type, key, count, least));
         }
       } else {
         return fault(fmt::format("{}: {}: a list of {{ east_m, north_m }} is wanted, found {}",

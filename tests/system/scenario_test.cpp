@@ -164,6 +164,10 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
        "Route: path: a list of { east_m, north_m } is wanted, found a text"},
       {plan("{ { 'Route', path = { { 1, 2 }, {} } } }"),
        "Route: path[2]: { east_m, north_m } is wanted"},
+      {plan("{ { 'Route', path = { { 0, 50 } } } }"),
+       "Route: path: 1 places; 2 or more are wanted"},
+      {plan("{ { 'Survey', polygon = { { 0, 0 }, { 50, 0 } } } }"),
+       "Survey: polygon: 2 places; 3 or more are wanted"},
       {"lsos.sim 'nowhere.kml'", "nowhere.kml"},
       {sim + "sim:run_for('1 parsec')", "'parsec'"},
       {sim + "sim:run_for('1 kg')", "'kg'"},
@@ -198,6 +202,26 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
 }
 
 // Deeper than a C function's share of Lua's stack.
+// Side by side, though one is called what a second of another name would be.
+TEST(Scenarios, of_files_of_one_name_keep_their_logs_apart) {
+  const TempFolder folder;
+  const std::string text =
+      "local lsos = require 'lsos'\n"
+      "lsos.scenario('same', function(t)\n"
+      "  local sim = lsos.sim { rovers = { A = { type = 'SEV', events = {{ 'Pause', Duration = 5 "
+      "}} "
+      "} } }\n"
+      "  sim:run() t:equal(sim.time_s, 6)\n"
+      "end)\n";
+  for (const char* file : {"a/x.lua", "b/x.lua", "c/x_2.lua"}) folder.write(file, text);
+  const Outcome outcome =
+      run({"test", "a/x.lua", "b/x.lua", "c/x_2.lua", "--threads", "3"}, {folder.path()});
+  EXPECT_EQ(outcome.exit_code, 1);
+  for (const char* kept : {"x", "x_2", "x_3"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/scenarios" / kept)) << kept << outcome.out;
+  }
+}
+
 TEST(Scenarios, compare_and_show_tables_in_tables) {
   const TempFolder folder;
   folder.write("tests/scenarios/deep.lua", R"(local lsos = require 'lsos'
