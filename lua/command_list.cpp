@@ -43,9 +43,13 @@ std::string default_text(const FieldDeclaration& field) {
   return format_utc(std::get<Instant>(*field.default_value));
 }
 
-// Whole numbers have no unit.
+// That of a bare number in a plan: of durations always seconds. Whole numbers have none.
+const Unit* bare_unit(const FieldDeclaration& field) {
+  return field.kind == FieldKind::duration ? find_unit("s") : field.unit;
+}
+
 double si_factor(const FieldDeclaration& field) {
-  return field.unit != nullptr ? field.unit->si_factor : 1;
+  return bare_unit(field) != nullptr ? bare_unit(field)->si_factor : 1;
 }
 
 Json field_json(const FieldDeclaration& field) {
@@ -54,7 +58,7 @@ Json field_json(const FieldDeclaration& field) {
             {"kind", to_text(field.kind)},
             {"required", field.is_required},
             {"doc", field.doc}};
-  if (field.unit != nullptr) json["unit"] = field.unit->symbol;
+  if (const Unit* unit = bare_unit(field)) json["unit"] = unit->symbol;
   const double factor = si_factor(field);
   if (field.min_si) json["min"] = told(*field.min_si / factor);
   if (field.max_si) json["max"] = told(*field.max_si / factor);
@@ -66,7 +70,7 @@ Json field_json(const FieldDeclaration& field) {
 std::string field_text(const FieldDeclaration& field) {
   std::string text = fmt::format("  {:<16} {}", field.name, to_text(field.kind));
   const bool has_unit = field.unit != nullptr && field.unit->symbol != "1";
-  if (has_unit) text += fmt::format(", {}", field.unit->symbol);
+  if (has_unit) text += fmt::format(", {}", bare_unit(field)->symbol);
   const double factor = si_factor(field);
   if (field.min_si) text += fmt::format(", at least {}", told(*field.min_si / factor));
   if (field.max_si) text += fmt::format(", at most {}", told(*field.max_si / factor));

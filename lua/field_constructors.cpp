@@ -43,10 +43,10 @@ void check_default(TableReader& t, const FieldDeclaration& field, double value_s
   }
 }
 
-void read_quantity(TableReader& t, FieldDeclaration& field, const char* unit_symbol) {
+void read_quantity(TableReader& t, FieldDeclaration& field, const char* unit_symbol,
+                   const char* unit_doc) {
   std::string symbol = unit_symbol;
-  t.text(optional, "unit", symbol,
-         "Unit of a bare number in plans, and of min, max, default here.");
+  t.text(optional, "unit", symbol, unit_doc);
   field.unit = find_unit(symbol);
   if (field.unit == nullptr) {
     std::vector<std::string> symbols;
@@ -74,14 +74,15 @@ void read_quantity(TableReader& t, FieldDeclaration& field, const char* unit_sym
 void read_number(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::number;
   read_common(t, field);
-  read_quantity(t, field, "1");
+  read_quantity(t, field, "1", "Unit of a bare number in plans, and of min, max, default here.");
   read_required(t, field);
 }
 
 void read_duration(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::duration;
   read_common(t, field);
-  read_quantity(t, field, "s");
+  read_quantity(t, field, "s",
+                "Unit of min, max, default here; a bare number in plans is seconds.");
   if (field.unit->kind != "duration") {
     t.fault(fmt::format("'{}': the unit of a duration is s, min, h or d, not '{}'", field.name,
                         field.unit->symbol));

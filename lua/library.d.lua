@@ -207,7 +207,7 @@
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
----@field unit? string Unit of a bare number in plans, and of min, max, default here.
+---@field unit? string Unit of min, max, default here; a bare number in plans is seconds.
 ---@field min? number Smallest allowed value.
 ---@field max? number Largest allowed value.
 ---@field default? number Value when the plan gives none; without one the script sees nil.
