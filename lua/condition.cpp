@@ -119,7 +119,15 @@ void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
 // comment in it ends.
 std::string push_function(lua_State* L, const std::string& text) {
   const auto failure = load_text(L, "return (\n" + text + "\n)", "condition");
-  if (!failure) return "";
+  if (!failure) {
+    // "a) or (b" fits into our parenthesis, and is no expression.
+    if (load_text(L, "return\n" + text + "\n", "condition")) {
+      lua_pop(L, 1);
+      return "it is not one expression: a parenthesis closes that was not opened";
+    }
+    lua_pop(L, 1);
+    return "";
+  }
   std::string what = split_place(failure->message, "condition").second;
   // The parenthesis is ours.
   const std::string ours = "')' expected (to close '(' at line 1)";

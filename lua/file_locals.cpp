@@ -148,8 +148,12 @@ void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
     lua_rawset(L, copy);
   }
   entries_ += entries;
+  // The copy keeps which metatable there was; it is only ever looked at raw.
+  if (lua_getmetatable(L, table) != 0) lua_setmetatable(L, copy);
   tables_.push_back({name, keep(L, kept, table), entries});
   if (deep == 1) return;
+  if (lua_getmetatable(L, table) != 0) add_table(L, kept, name, deep - 1);
+  lua_settop(L, table);
   for_each_part(L, [&] {
     if (lua_istable(L, -1)) add_table(L, kept, name, deep - 1);
   });
@@ -173,6 +177,9 @@ std::string FileLocals::restore_tables(lua_State* L) const {
       is_same = are_same(L, -1, -2) && ++entries <= known.entries;
       lua_pop(L, 1);
     }
+    if (lua_getmetatable(L, table) == 0) lua_pushnil(L);
+    if (lua_getmetatable(L, copy) == 0) lua_pushnil(L);
+    is_same = is_same && lua_rawequal(L, -1, -2) != 0;
     lua_settop(L, top + 1);
     if (is_same && entries == known.entries) continue;
     if (changed.empty()) changed = known.name;
@@ -189,6 +196,8 @@ std::string FileLocals::restore_tables(lua_State* L) const {
       lua_pushvalue(L, -2);
       lua_rawset(L, table);
     }
+    if (lua_getmetatable(L, copy) == 0) lua_pushnil(L);
+    lua_setmetatable(L, table);
     lua_settop(L, top + 1);
   }
   lua_settop(L, top);

@@ -100,8 +100,22 @@ void* ScriptMemory::grow(void* block, std::size_t old_size, std::size_t new_size
     long_texts_[moved] = new_size;
     longest_text_ = std::max(longest_text_, new_size);
     has_new_long_text_ = true;
+    look_more_often();
   }
   return moved;
+}
+
+int ScriptMemory::hook_interval() const {
+  constexpr std::size_t most = 1000, text_bytes = 32 << 10;
+  return static_cast<int>(
+      std::max<std::size_t>(1, most / std::max<std::size_t>(1, longest_text_ / text_bytes)));
+}
+
+void ScriptMemory::look_more_often() {
+  if (!is_in_call_ || L_ == nullptr || lua_gethook(L_) == nullptr) return;
+  if (hook_interval() < lua_gethookcount(L_)) {
+    lua_sethook(L_, lua_gethook(L_), LUA_MASKCOUNT, hook_interval());
+  }
 }
 
 void ScriptMemory::refuse(const char* why) {

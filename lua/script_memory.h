@@ -37,6 +37,9 @@ class ScriptMemory {
   // How much more than usual one instruction can cost now: comparing long texts, passing on many
   // values and going through a chain of metatables are single instructions.
   std::int64_t weight() const;
+  // Instructions between two looks of the count hook: fewer while there are long texts, of which
+  // two may be compared byte by byte.
+  int hook_interval() const;
 
   // Collects when enough has been allocated since it last was; answers what that cost, in
   // instructions. Lua's collector never runs by itself.
@@ -50,6 +53,7 @@ class ScriptMemory {
  private:
   void* grow(void* block, std::size_t old_size, std::size_t new_size, bool is_text);
   void refuse(const char* why);
+  void look_more_often();
   void collect(lua_State* L);
 
   std::size_t bytes_max_;

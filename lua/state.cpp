@@ -17,9 +17,6 @@ namespace lsos {
 
 namespace {
 
-// Instructions between two looks of the count hook.
-constexpr int hook_interval = 1000;
-
 // Once the budget is spent every later look raises again.
 void raise_spent(lua_State* L, const char* place) {
   LuaContext& ctx = context(L);
@@ -57,7 +54,7 @@ void look_at_clock(lua_State* L) {
 void count_hook(lua_State* L, lua_Debug*) {
   LuaContext& ctx = context(L);
   look_at_clock(L);
-  ctx.instructions_left -= hook_interval * ctx.memory.weight();
+  ctx.instructions_left -= lua_gethookcount(L) * ctx.memory.weight();
   ctx.instructions_left -= ctx.memory.collect_if_due(L);
   raise_if_spent(L);
 }
@@ -199,7 +196,7 @@ std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int resu
   lua_pushcfunction(L, keep_traceback);
   lua_insert(L, handler);
   ctx.is_charging = true;
-  lua_sethook(L, count_hook, LUA_MASKCOUNT, hook_interval);
+  lua_sethook(L, count_hook, LUA_MASKCOUNT, ctx.memory.hook_interval());
   const int status = lua_pcall(L, argument_count, result_count, handler);
   lua_sethook(L, nullptr, 0, 0);
   ctx.is_charging = false;

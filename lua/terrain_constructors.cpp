@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "lua/constructors.h"
@@ -76,6 +77,17 @@ void read_craters(TableReader& t, CraterPopulation& craters) {
   if (!craters.age_gyr && craters.density_pm2 > most_pm2) {
     t.fault(fmt::format("density_pm2 = {}: at most {:.3g} craters of {} m have room",
                         craters.density_pm2, most_pm2, craters.diameter_min_m));
+  }
+  // With small exponents the large ones are the most: of the largest octave's least diameter.
+  const double octave_m = std::max(craters.diameter_min_m, craters.diameter_max_m / 2);
+  const double larger_pm2 =
+      craters.density_pm2 * std::pow(octave_m / craters.diameter_min_m, -craters.exponent);
+  if (!craters.age_gyr && larger_pm2 > 0.8 / (octave_m * octave_m)) {
+    t.fault(fmt::format(
+        "density_pm2 = {} with exponent = {}: {:.3g} craters of {} m and more per "
+        "m2; at most {:.3g} have room: a larger exponent or a smaller "
+        "diameter_max_m is wanted",
+        craters.density_pm2, craters.exponent, larger_pm2, octave_m, 0.8 / (octave_m * octave_m)));
   }
 }
 

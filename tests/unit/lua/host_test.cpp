@@ -148,17 +148,24 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_table_of_the_file) {
     local function replaces() seen = {} return lsos.done end
     local function adds(ev) counter.add(ev) return lsos.done end
     local function moves(_, rover) here = rover.position return lsos.done end
+    local behind, mark = setmetatable({}, { __index = { n = 0 } }), { __index = { n = 0 } }
+    local marked = setmetatable({}, mark)
+    local function hides() setmetatable(behind, { __index = { n = behind.n + 1 } }) end
+    local function grows() mark.__index.n = marked.n + 1 end
     local function stays()
       local first, second = seen.deep.first, seen.deep.second
-      return first == 1 and second == nil and counter['probe 1'] == nil and not here and lsos.done
+      return first == 1 and second == nil and counter['probe 1'] == nil and not here and
+        behind.n + marked.n == 0 and lsos.done
     end)",
                "phases = { go = go, removes = removes, replaces = replaces, adds = adds, "
-               "moves = moves, stays = stays }");
+               "moves = moves, hides = hides, grows = grows, stays = stays }");
   for (const char* phase : {"go", "removes", "replaces"}) {
     EXPECT_THAT(run.error(phase), HasSubstr("it changed 'seen', a local of the file")) << phase;
   }
   EXPECT_THAT(run.error("adds"), HasSubstr("it changed 'counter', a local of the file"));
   EXPECT_THAT(run.error("moves"), HasSubstr("it changed 'here', a local of the file"));
+  EXPECT_THAT(run.error("hides"), HasSubstr("it changed 'behind', a local of the file"));
+  EXPECT_THAT(run.error("grows"), HasSubstr("it changed 'mark', a local of the file"));
   EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
 }
 

@@ -39,6 +39,9 @@ inline constexpr const char* hostile_scripts[] = {
     "while true do string.char(1, 2, 3) end",
     "local a, b = ('x'):rep(1e6), ('xx'):rep(5e5) while true do local x = a == b end",
     "local a, b = ('x'):rep(1e6), ('xx'):rep(5e5) while true do local x = a < b end",
+    "local a = ('\\0'):rep(1e6) local b = a .. 'b' a = a .. 'a' while true do local x = a < b end",
+    "local s = ('\\0'):rep(1e6) s = s .. s s = s .. s s = s .. s s = s .. s local u = s .. 'b' "
+    "s = s .. 'a' while true do local x = s < u end",
     "local a, b = ('x'):rep(1e6), ('xx'):rep(5e5) local t = { [a] = 1 } while true do t[b] = 2 end",
     "local s = ('9'):rep(1e6) while true do local x = s + 1 end",
     "local s = (' '):rep(1e6) while true do tonumber(s) end",

@@ -96,13 +96,13 @@ TEST_P(HostileCondition, is_refused_and_would_end_soon) {
   EXPECT_LT(cpu_s, bound_s);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sandbox, HostileCondition,
-                         ::testing::Values("('a'):rep(1e6):find('a') == 1",
-                                           "(function() while true do end end)()",
-                                           "('x').rep('x', 1e9) == ''",
-                                           "('x')['rep']('x', 1e9) == ''", "#{ 1, 2 } == 2",
-                                           "string.rep('x', 1e9) == ''", "pcall(error) == charge",
-                                           "charge .. '' .. missing == ''"));
+INSTANTIATE_TEST_SUITE_P(
+    Sandbox, HostileCondition,
+    ::testing::Values("('a'):rep(1e6):find('a') == 1", "(function() while true do end end)()",
+                      "('x').rep('x', 1e9) == ''", "('x')['rep']('x', 1e9) == ''", "#{ 1, 2 } == 2",
+                      "string.rep('x', 1e9) == ''", "pcall(error) == charge",
+                      "charge .. '' .. missing == ''", "charge < 2) or (true", "charge < 2) -- (",
+                      "(charge > 2) and (time_s > 0)) or ((true"));
 
 TEST(Sandbox, condition_may_take_little) {
   std::string text = "1 > 0";
