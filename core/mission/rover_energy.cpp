@@ -20,8 +20,8 @@ void RoverAgent::count_energy(SimTime now) {
   note("battery_empty", fmt::format(R"({{"shed_w":{}}})", note_json(power_.shed_w())));
   if (!std::exchange(has_told_empty_, true)) {
     warnings_.push_back(fmt::format(
-        "{}: the battery is empty at {} s, and {:.0f} W are shed; what drives or works waits until "
-        "its charge is above the reserve (notes: battery_empty, waits_for_charge)",
+        "{}: the battery is empty at {} s, and {:.0f} W are shed; what drives or works fails, and "
+        "what comes later waits until its charge is above the reserve",
         rover_.id, seconds(now), power_.shed_w()));
   }
   if (is_driving()) {

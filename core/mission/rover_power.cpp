@@ -148,7 +148,10 @@ std::optional<SimTime> RoverPower::wake() const {
   const PowerFlows now = flows();
   if (now.energy_rate_w < 0) at(time_to_energy_s(0));
   if (!waits_for_reserve_ && now.shed_w > 0 && account().energy_j <= 0) at(0);
-  if (claims_.charge_awaited) at(time_to_charge_s(*claims_.charge_awaited));
+  if (const auto& awaited = claims_.charge_awaited) {
+    const bool is_passed = account().energy_j >= *awaited * spec_.battery->capacity_j;
+    at(is_passed ? 0 : time_to_charge_s(*awaited));
+  }
   if (!plugged_into().empty() && now.energy_rate_w > 0) {
     at(time_to_energy_s(spec_.battery->capacity_j));
   }

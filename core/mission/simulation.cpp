@@ -198,6 +198,7 @@ void Simulation::exchange() {
     rover.was_parked = rover.agent->is_parked();
     rover.agent->observe();
     rover.agent->count_energy(now_);
+    take_warnings(rover);  // also of a rover whose events are over
     const RoverPower& power = rover.agent->power();
     const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
