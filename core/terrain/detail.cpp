@@ -59,7 +59,8 @@ double integral(const HeightTile& tile, int column, int row, int size) {
 }
 
 // A smooth ring within a cell of `size` nodes a side: zero at its centre, at its edge and at the
-// nodes next to the edge, so that the surface beyond the edge does not feel it. With s and t from
+// nodes next to the edge, so that the surface beyond the edge does not feel it; where only every
+// 2^level-th node is looked at, what those feel beyond a tile is left out. With s and t from
 // -1 to 1 it is (1 - s^2)^2 (1 - t^2)^2 (s^2 + t^2); of node i along one axis:
 struct RingAxis {
   RingAxis(int size, std::int64_t i) {

@@ -57,6 +57,8 @@ TEST(Compare, takes_warnings_of_other_places_for_the_same) {
   EXPECT_TRUE(comparison(one, other).is_equal());
   other.warnings = {"../plans/plan.kml:13: Pause 20 is far away"};
   EXPECT_FALSE(comparison(one, other).is_equal());
+  other.warnings = {std::string(1000000, 'x')};
+  EXPECT_FALSE(comparison(one, other).is_equal());
 }
 
 TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
