@@ -57,7 +57,30 @@ void for_each_part(lua_State* L, const What& what) {
   }
 }
 
-// Those in the table at the top, which stays.
+// Gives the table at `index` the metatable at the top, or none for nil; pops it. A '__gc' that it
+// may have by now is not seen: it would run without a budget.
+void set_metatable(lua_State* L, int index) {
+  if (!lua_istable(L, -1)) {
+    lua_setmetatable(L, index);
+    return;
+  }
+  const int metatable = lua_gettop(L);
+  const auto set_gc = [&](int value) {
+    lua_pushliteral(L, "__gc");
+    lua_pushvalue(L, value);
+    lua_rawset(L, metatable);
+  };
+  lua_pushliteral(L, "__gc");
+  lua_rawget(L, metatable);
+  lua_pushnil(L);
+  set_gc(metatable + 2);
+  lua_pushvalue(L, metatable);
+  lua_setmetatable(L, index);
+  set_gc(metatable + 1);
+  lua_settop(L, metatable - 1);
+}
+
+// Those in the table at the top, which stays, and behind it.
 void add_functions(lua_State* L, int list, int deep) {
   for_each_part(L, [&] {
     if (lua_isfunction(L, -1)) {
@@ -66,6 +89,9 @@ void add_functions(lua_State* L, int list, int deep) {
       add_functions(L, list, deep - 1);
     }
   });
+  if (deep == 1 || lua_getmetatable(L, -1) == 0) return;
+  add_functions(L, list, deep - 1);
+  lua_pop(L, 1);
 }
 
 // Whether the table at the top is empty and protected: what libraries have is behind them, and they
@@ -148,9 +174,9 @@ void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
     lua_rawset(L, copy);
   }
   entries_ += entries;
-  // The copy keeps which metatable there was; it is only ever looked at raw.
-  if (lua_getmetatable(L, table) != 0) lua_setmetatable(L, copy);
   tables_.push_back({name, keep(L, kept, table), entries});
+  if (lua_getmetatable(L, table) == 0) lua_pushnil(L);
+  lua_rawseti(L, kept, ++kept_count_);
   if (deep == 1) return;
   if (lua_getmetatable(L, table) != 0) add_table(L, kept, name, deep - 1);
   lua_settop(L, table);
@@ -178,7 +204,7 @@ std::string FileLocals::restore_tables(lua_State* L) const {
       lua_pop(L, 1);
     }
     if (lua_getmetatable(L, table) == 0) lua_pushnil(L);
-    if (lua_getmetatable(L, copy) == 0) lua_pushnil(L);
+    lua_rawgeti(L, top + 1, known.at + 2);
     is_same = is_same && lua_rawequal(L, -1, -2) != 0;
     lua_settop(L, top + 1);
     if (is_same && entries == known.entries) continue;
@@ -196,8 +222,8 @@ std::string FileLocals::restore_tables(lua_State* L) const {
       lua_pushvalue(L, -2);
       lua_rawset(L, table);
     }
-    if (lua_getmetatable(L, copy) == 0) lua_pushnil(L);
-    lua_setmetatable(L, table);
+    lua_rawgeti(L, top + 1, known.at + 2);
+    set_metatable(L, table);
     lua_settop(L, top + 1);
   }
   lua_settop(L, top);

@@ -36,7 +36,7 @@ class FileLocals {
   };
   struct Table {
     std::string name;  // of the local through which it is reached
-    lua_Integer at;    // in the kept table; the next is a copy
+    lua_Integer at;    // in the kept table; the next is a copy, then comes its metatable or nil
     std::size_t entries;
   };
   std::vector<Local> locals_;

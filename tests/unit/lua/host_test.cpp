@@ -152,19 +152,27 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_table_of_the_file) {
     local marked = setmetatable({}, mark)
     local function hides() setmetatable(behind, { __index = { n = behind.n + 1 } }) end
     local function grows() mark.__index.n = marked.n + 1 end
+    local count
+    do
+      local calls = 0
+      count = setmetatable({}, { __call = function() calls = calls + 1 return calls end })
+    end
+    local function calls() return count() and lsos.done end
+    mark.__gc = function() while true do end end
     local function stays()
       local first, second = seen.deep.first, seen.deep.second
       return first == 1 and second == nil and counter['probe 1'] == nil and not here and
         behind.n + marked.n == 0 and lsos.done
     end)",
                "phases = { go = go, removes = removes, replaces = replaces, adds = adds, "
-               "moves = moves, hides = hides, grows = grows, stays = stays }");
+               "moves = moves, hides = hides, grows = grows, calls = calls, stays = stays }");
   for (const char* phase : {"go", "removes", "replaces"}) {
     EXPECT_THAT(run.error(phase), HasSubstr("it changed 'seen', a local of the file")) << phase;
   }
   EXPECT_THAT(run.error("adds"), HasSubstr("it changed 'counter', a local of the file"));
   EXPECT_THAT(run.error("moves"), HasSubstr("it changed 'here', a local of the file"));
   EXPECT_THAT(run.error("hides"), HasSubstr("it changed 'behind', a local of the file"));
+  EXPECT_THAT(run.error("calls"), HasSubstr("it changed 'calls', a local of the file"));
   EXPECT_THAT(run.error("grows"), HasSubstr("it changed 'mark', a local of the file"));
   EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
 }
