@@ -121,7 +121,7 @@ std::vector<std::string> folders_of(const std::vector<std::string>& files,
         name = fmt::format("{}_{}", stem, number);
       }
     }
-    folders.push_back(folder + "/" + name);
+    folders.push_back(fmt::format("{}/{}", folder, name));
   }
   return folders;
 }

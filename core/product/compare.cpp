@@ -137,7 +137,7 @@ Json json_of(const ColumnValue& value) {
 
 // A warning without the "file:line: " before it: plans are named as they were typed.
 std::string without_place(const Json& warning) {
-  const std::string text = warning.is_string() ? warning.get<std::string>() : warning.dump();
+  std::string text = warning.is_string() ? warning.get<std::string>() : warning.dump();
   for (std::size_t end = text.find(": "); end < text.find('\n'); end = text.find(": ", end + 1)) {
     const std::size_t colon = text.find_last_not_of("0123456789", end - 1);
     if (colon != std::string::npos && colon + 1 < end && text[colon] == ':') {

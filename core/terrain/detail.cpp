@@ -82,7 +82,7 @@ double ring_mean(int size, int stride) {
     low += axis.low;
     high += axis.high;
   }
-  const double count = size / stride;
+  const int count = size / stride;
   return 2 * low * high / count / count;
 }
 
