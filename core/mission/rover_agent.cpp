@@ -267,12 +267,13 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 }
 
 void RoverAgent::archive(Archive& a) {
-  a
-      .tag("rover")(rover_
-                        .id)(power_)(antennas_)(routes_)(now_)(has_motion_ended_)(is_shedding_)(has_told_empty_)(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_)(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_)(view_
-                                                                                                                                                                                                                                                                                                       .distance_m)(
-          view_.drive_w)(view_.drive_j)(
-          slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_)(drive_time_);
+  a.tag("rover")(rover_.id)(power_)(antennas_)(routes_)(now_);
+  a(has_motion_ended_)(is_shedding_)(has_told_empty_);
+  a(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_);
+  a(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_);
+  a(view_.distance_m)(view_.drive_w)(view_.drive_j);
+  a(slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_);
+  a(drive_time_);
   if (a.is_reading()) update_view();
 }
 

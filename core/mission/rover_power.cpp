@@ -119,9 +119,10 @@ double RoverPower::taken_w(double offered_w, bool is_parked) const {
   PowerDemand demand = demand_now(is_parked);
   demand.external_w = claims_.supply_w + offered_w;
   const double used_w = power_flows(*spec_.battery, account().energy_j, demand).external_w;
-  // A little more, so that rounding does not take a full battery's charge.
-  constexpr double rounding = 1e-12;
-  return std::clamp(used_w * (1 + rounding) - claims_.supply_w, 0.0, offered_w);
+  // A little more, so that rounding, which goes by the largest, does not take a full battery's
+  // charge.
+  const double rounding_w = 1e-12 * demand.external_w;
+  return std::clamp(used_w + rounding_w - claims_.supply_w, 0.0, offered_w);
 }
 
 double RoverPower::shed_w() const { return has_battery() ? flows().shed_w : 0; }
@@ -334,8 +335,8 @@ void RoverPower::archive(Archive& a) {
         &demand_.load_w, &demand_.drive_w}) {
     a(*value);
   }
-  a(sun_)(claims_)(
-      given_w_)(tampered_)(waits_for_reserve_)(has_reserve_changed_)(has_reached_charge_)(has_panel_command_)(sun_share_)(resources_);
+  a(sun_)(claims_)(given_w_)(tampered_)(sun_share_)(resources_);
+  a(waits_for_reserve_)(has_reserve_changed_)(has_reached_charge_)(has_panel_command_);
 }
 
 }  // namespace lsos
