@@ -16,18 +16,20 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
+constexpr double grain_share = 1e-9;  // of what a way costs at the least
 
 struct Candidate {
   double total = 0;  // estimate of a whole way through it
   double cost = 0;   // to the node; a bound until the edge is known
+  float favour = 0;  // of those of one total the greatest comes first
   std::int32_t node = 0;
   std::uint8_t direction = no_direction;  // that it is come to by
   bool is_known = false;
 
-  // std::priority_queue takes the greatest: the least total, then the farthest come.
+  // std::priority_queue takes the greatest: the least total.
   bool operator<(const Candidate& other) const {
     if (total != other.total) return total > other.total;
-    if (cost != other.cost) return cost < other.cost;
+    if (favour != other.favour) return favour < other.favour;
     if (node != other.node) return node > other.node;
     return direction > other.direction;
   }
@@ -38,6 +40,7 @@ class Search {
   Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m)
       : costs_(costs),
         map_(costs.map()),
+        start_m_(start_m),
         goal_m_(goal_m),
         goal_height_m_(map_.height_m(goal_m)),
         goal_node_(map_.columns() * map_.rows()),
@@ -47,12 +50,14 @@ class Search {
     const Vec2 cells = (start_m - map_.low_m()) / map_.spacing_m();
     start_ =
         number(static_cast<int>(std::lround(cells.x())), static_cast<int>(std::lround(cells.y())));
+    find_closing_nodes();
+    grain_ = grain_share * left(start_);
   }
 
   GridRoute run() {
     GridRoute route;
     double nearest_m = infinite;
-    queue_.push({left(start_), 0, start_, no_direction, true});
+    queue_.push({left(start_), 0, 0, start_, no_direction, true});
     while (!queue_.empty()) {
       Candidate best = queue_.top();
       queue_.pop();
@@ -98,11 +103,52 @@ class Search {
     const auto& way = neighbours[c.direction];
     return c.node - number(way[0], way[1]);
   }
-  // At least what is left to the goal. The last piece is not along the lattice.
+  // A goal that is a node but for rounding is come to from all its neighbours.
+  bool is_closing(const Vec2& at_m) const {
+    return (at_m - goal_m_).cwiseAbs().maxCoeff() <= 1.01 * map_.spacing_m();
+  }
+  void find_closing_nodes() {
+    const Vec2 cells = (goal_m_ - map_.low_m()) / map_.spacing_m();
+    const int column = static_cast<int>(std::lround(cells.x()));
+    const int row = static_cast<int>(std::lround(cells.y()));
+    for (int y = std::max(0, row - 1); y <= std::min(map_.rows() - 1, row + 1); ++y) {
+      for (int x = std::max(0, column - 1); x <= std::min(map_.columns() - 1, column + 1); ++x) {
+        const Vec2 at_m = map_.place_m(x, y);
+        if (is_closing(at_m)) closing_.push_back({at_m, (goal_m_ - at_m).norm()});
+      }
+    }
+  }
+  // The shortest way to the goal: along the lattice to a node from which the goal is come to. Any
+  // less would be a reason to look at all ways over level ground that are as short as each other.
+  double far_m(std::int32_t node) const {
+    if (node == goal_node_) return 0;
+    double least_m = infinite;
+    for (const ClosingNode& closing : closing_) {
+      least_m = std::min(least_m, octile_m(closing.at_m - place(node)) + closing.to_goal_m);
+    }
+    return least_m;
+  }
+  // At least what is left to the goal.
   double left(std::int32_t node) {
-    const double far_m = std::max(0.0, octile_m(goal_m_ - place(node)) - 0.15 * map_.spacing_m());
+    const double far_m = this->far_m(node);
     const double rise_m = goal_height_m_ - height_m(node);
     return std::isnan(rise_m) ? costs_.least_per_metre() * far_m : costs_.least(far_m, rise_m);
+  }
+
+  // In whole grains: ways of the same cost shall not differ by the last digits of it, which go by
+  // the order of their steps.
+  double total(double cost, std::int32_t node) {
+    const double total = cost + left(node);
+    return grain_ > 0 ? grain_ * std::round(total / grain_) : total;
+  }
+
+  // Ways that have come far, and keep to the straight line: over level ground they need the least
+  // mending.
+  float favour(double cost, std::int32_t node) const {
+    const Vec2 way_m = place(node) - start_m_, whole_m = goal_m_ - start_m_;
+    const double aside_m = std::abs(way_m.x() * whole_m.y() - way_m.y() * whole_m.x());
+    const double length_m = std::max(whole_m.norm(), 1e-9);
+    return static_cast<float>(cost / costs_.least_per_metre() - aside_m / length_m);
   }
 
   void offer(const Candidate& from, std::int32_t to, std::uint8_t direction) {
@@ -110,7 +156,7 @@ class Search {
     const double rise_m = height_m(to) - height_m(from.node);
     if (std::isnan(rise_m)) return;
     const double cost = from.cost + costs_.least((place(to) - place(from.node)).norm(), rise_m);
-    queue_.push({cost + left(to), cost, to, direction, false});
+    queue_.push({total(cost, to), cost, favour(cost, to), to, direction, false});
   }
 
   bool can_stand(const Candidate& at) {
@@ -126,14 +172,13 @@ class Search {
       if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
       offer(from, number(x, y), k);
     }
-    const Vec2 off_m = place(from.node) - goal_m_;
-    // A goal that is a node but for rounding is come to from all its neighbours.
-    if (off_m.cwiseAbs().maxCoeff() > 1.01 * map_.spacing_m()) return;
+    if (!is_closing(place(from.node))) return;
     const double cost = from.cost + costs_.straight(place(from.node), goal_m_);
     if (!(cost < cost_[static_cast<std::size_t>(goal_node_)])) return;
     cost_[static_cast<std::size_t>(goal_node_)] = cost;
     last_ = from.node;
-    queue_.push({cost, cost, goal_node_, to_goal, true});
+    queue_.push(
+        {total(cost, goal_node_), cost, favour(cost, goal_node_), goal_node_, to_goal, true});
   }
 
   // Works out the edge of a candidate.
@@ -142,7 +187,8 @@ class Search {
     candidate.cost =
         cost_[static_cast<std::size_t>(from)] + costs_.straight(place(from), place(candidate.node));
     if (!std::isfinite(candidate.cost)) return;
-    candidate.total = candidate.cost + left(candidate.node);
+    candidate.total = total(candidate.cost, candidate.node);
+    candidate.favour = favour(candidate.cost, candidate.node);
     candidate.is_known = true;
     queue_.push(candidate);
   }
@@ -162,8 +208,14 @@ class Search {
 
   LegCosts& costs_;
   GroundMap& map_;
-  Vec2 goal_m_;
+  Vec2 start_m_, goal_m_;
   double goal_height_m_;
+  struct ClosingNode {
+    Vec2 at_m;
+    double to_goal_m;
+  };
+  std::vector<ClosingNode> closing_;  // from which the goal is come to
+  double grain_ = 0;                  // of totals
   std::int32_t start_ = 0, goal_node_, last_ = 0;
   std::vector<std::uint8_t> come_by_;
   std::vector<double> cost_;
