@@ -9,6 +9,7 @@
 
 #include "lua/api.h"
 #include "lua/handle.h"
+#include "lua/line_names.h"
 #include "lua/prompt_help.h"
 #include "lua/sandbox.h"
 #include "lua/shown_value.h"
@@ -42,18 +43,6 @@ class StopByInterrupt {
   void (*before_)(int);
 };
 
-// "speed_mps" of "sim.rovers.A.speed_mps".
-std::string last_name(const std::string& text) {
-  const auto is_letter = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  };
-  auto end = text.end();
-  while (end != text.begin() && std::isspace(static_cast<unsigned char>(*(end - 1))) != 0) --end;
-  auto begin = end;
-  while (begin != text.begin() && is_letter(*(begin - 1))) --begin;
-  return {begin, end};
-}
-
 int help(lua_State* L) {
   std::string text = general_help();
   if (lua_type(L, 1) == LUA_TSTRING) {
@@ -67,30 +56,18 @@ int help(lua_State* L) {
   return 0;
 }
 
-// Says the values at 2 and above; 1 is the name that the line ends in. As a call of its own, since
-// a value's text may be made by a script.
+// Says the values at 2 and above; 1 are the names that they have in the line. As a call of its own,
+// since a value's text may be made by a script.
 int say_values(lua_State* L) {
   const int count = lua_gettop(L);
-  const std::string name = lua_tostring(L, 1);
+  const auto& names = *static_cast<const std::vector<std::string>*>(lua_touserdata(L, 1));
   for (int i = 2; i <= count; ++i) {
     if (lua_isnil(L, i) && count == 2) break;
-    context(L).in_hand->say(shown_value(L, i, name));
+    // The last expression, a call, may give several.
+    const std::size_t number = std::min(static_cast<std::size_t>(i - 2), names.size() - 1);
+    context(L).in_hand->say(shown_value(L, i, names[number]));
   }
   return 0;
-}
-
-// Names that a line makes local: "x", "y" of "local x, y = 1, 2".
-std::vector<std::string> locals_in(const std::string& text) {
-  static const std::regex statement(R"((?:^|[;\s])local\s+(?:function\s+)?([\w\s,<>]+))");
-  static const std::regex word(R"([A-Za-z_]\w*)");
-  std::vector<std::string> names;
-  for (std::sregex_iterator at(text.begin(), text.end(), statement), end; at != end; ++at) {
-    const std::string list = (*at)[1];
-    for (std::sregex_iterator name(list.begin(), list.end(), word); name != end; ++name) {
-      names.push_back(name->str());
-    }
-  }
-  return names;
 }
 
 // Adds the texts among the keys of the table at the top.
@@ -193,13 +170,14 @@ Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   }
   tell_news();
   if (is_statement) {
-    const std::vector<std::string> names = locals_in(text);
+    const std::vector<std::string> names = local_names(text);
     locals_.insert(names.begin(), names.end());
   }
   luaL_checkstack(L, 4, "too many values");
   lua_pushcfunction(L, guard<say_values>);
   lua_insert(L, top + 1);
-  lua_pushstring(L, last_name(text).c_str());
+  std::vector<std::string> names = value_names(text);
+  lua_pushlightuserdata(L, &names);
   lua_insert(L, top + 2);
   const auto failure = call_script(L, lua_gettop(L) - top - 1, 0);
   lua_settop(L, top);

@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "lua/handle.h"
 #include "lua/reader.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
+#include "lua/vec3.h"
 
 namespace lsos {
 
@@ -33,51 +38,80 @@ std::string other_key(lua_State* L, int index) {
   return found;
 }
 
-std::string written(lua_State* L, int index, int depth) {
+// Whether numbers within a table are written with the units that their names say.
+enum class Units { none, shown };
+
+// The unit that a name says: of what scripts are given, and of what people call theirs.
+std::string unit_of(const std::string& name) {
+  // Every vec3 of these is a place in the site frame.
+  static constexpr std::array<std::string_view, 6> places{"position", "path",     "geometry",
+                                                          "ahead",    "place_of", "plan_path"};
+  if (std::ranges::find(places, name) != places.end()) return "m";
+  static constexpr std::pair<std::string_view, std::string_view> others[] = {
+      {"_deg", "deg"}, {"_km", "km"}, {"_cm", "cm"},   {"_mm", "mm"},
+      {"_h", "h"},     {"_wh", "Wh"}, {"_kwh", "kWh"}, {"_kw", "kW"}};
+  for (const auto& [suffix, symbol] : others) {
+    if (name.ends_with(suffix)) return std::string(symbol);
+  }
+  return si_unit_of(name);
+}
+
+// What a member of something is called as: entries of a list and x, y, z are of what holds them.
+std::string name_of_member(lua_State* L, int key, const std::string& holder) {
+  if (lua_type(L, key) != LUA_TSTRING) return holder;
+  std::string name = lua_tostring(L, key);
+  return name == "x" || name == "y" || name == "z" ? holder : name;
+}
+
+std::string tostring_text(lua_State* L, int index) {
+  push_text(L, index);
+  std::string text = error_text(L, -1);
+  lua_pop(L, 1);
+  return text;
+}
+
+std::string number_text(lua_State* L, int index) {
+  return lua_isinteger(L, index) == 0 ? fmt::format("{:.9g}", lua_tonumber(L, index))
+                                      : tostring_text(L, index);
+}
+
+// A number, vec3, text or object, with the unit that its name says: "1.97 m/s" of speed_mps.
+std::string quantity_text(lua_State* L, int index, const std::string& name) {
+  const std::string symbol = unit_of(name), unit = symbol.empty() ? "" : " " + symbol;
+  if (lua_type(L, index) == LUA_TNUMBER) return number_text(L, index) + unit;
+  if (const std::optional<Vec3> v = to_vec3(L, index)) {
+    return fmt::format("({:.9g}, {:.9g}, {:.9g}){}", v->x(), v->y(), v->z(), unit);
+  }
+  return tostring_text(L, index);
+}
+
+std::string written(lua_State* L, int index, Units units, const std::string& name, int depth = 0) {
   luaL_checkstack(L, 12, "tables in tables");
   index = lua_absindex(L, index);
-  if (lua_istable(L, index) && depth < depth_max && !has_text_of_its_own(L, index)) {
-    if (const std::string other = other_key(L, index); !other.empty()) {
-      return fmt::format("{{ with {} as a key }}", other);
-    }
-    std::string members;
-    push_sorted_keys(L, index);
-    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
-      if (!members.empty()) members += ", ";
-      if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) != i) {
-        members += fmt::format("{} = ", luaL_tolstring(L, -1, nullptr));
-        lua_pop(L, 1);
-      }
-      lua_pushvalue(L, -1);
-      lua_rawget(L, index);
-      members += written(L, -1, depth + 1);
+  if (!lua_istable(L, index) || depth >= depth_max || has_text_of_its_own(L, index)) {
+    const std::string text =
+        units == Units::shown ? quantity_text(L, index, name) : tostring_text(L, index);
+    return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;
+  }
+  if (const std::string other = other_key(L, index); !other.empty()) {
+    return fmt::format("{{ with {} as a key }}", other);
+  }
+  std::string members;
+  push_sorted_keys(L, index);
+  for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+    if (!members.empty()) members += ", ";
+    if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) != i) {
+      members += fmt::format("{} = ", luaL_tolstring(L, -1, nullptr));
       lua_pop(L, 1);
     }
-    lua_pop(L, 2);
-    return members.empty() ? "{}" : "{ " + members + " }";
+    const std::string member = name_of_member(L, -1, name);
+    lua_pushvalue(L, -1);
+    lua_rawget(L, index);
+    members += written(L, -1, units, member, depth + 1);
+    lua_pop(L, 1);
   }
-  push_text(L, index);
-  std::string text = error_text(L, -1);
-  lua_pop(L, 1);
-  return lua_type(L, index) == LUA_TSTRING ? "'" + text + "'" : text;
-}
-
-std::string value_text(lua_State* L, int index) {
-  if (lua_type(L, index) == LUA_TNUMBER && lua_isinteger(L, index) == 0) {
-    return fmt::format("{:.9g}", lua_tonumber(L, index));
-  }
-  push_text(L, index);
-  std::string text = error_text(L, -1);
-  lua_pop(L, 1);
-  return text;
-}
-
-// With the unit that its name says: "1.97 m/s" of speed_mps.
-std::string quantity_text(lua_State* L, int index, const std::string& name) {
-  std::string text = value_text(L, index);
-  const std::string unit = si_unit_of(name);
-  if (lua_type(L, index) == LUA_TNUMBER && !unit.empty()) text += " " + unit;
-  return text;
+  lua_pop(L, 2);
+  return members.empty() ? "{}" : "{ " + members + " }";
 }
 
 // On the line of what holds it: a table is written, as far as a line goes.
@@ -86,12 +120,12 @@ std::string member_text(lua_State* L, int index, const std::string& name) {
   if (!lua_istable(L, index) || has_text_of_its_own(L, index)) {
     return quantity_text(L, index, name);
   }
-  const std::string text = written(L, index, 0);
+  const std::string text = written(L, index, Units::shown, name);
   return text.size() <= bytes_max ? text : text.substr(0, bytes_max) + "...";
 }
 
 // The fields of a handle, or what a table holds, a line each.
-void add_members(lua_State* L, int index, std::string& text) {
+void add_members(lua_State* L, int index, const std::string& name, std::string& text) {
   index = lua_absindex(L, index);
   if (const HandleType* type = handle_type(L, index)) {
     for (const HandleField& field : type->fields) {
@@ -110,10 +144,11 @@ void add_members(lua_State* L, int index, std::string& text) {
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, -1));
   for (lua_Integer i = 1; i <= std::min(count, members_max); ++i, lua_pop(L, 1)) {
     lua_rawgeti(L, -1, i);
-    const std::string key = value_text(L, -1);
+    const std::string key = quantity_text(L, -1, "");
+    const std::string member = name_of_member(L, -1, name);
     lua_pushvalue(L, -1);
     lua_rawget(L, index);
-    text += fmt::format("\n  {} = {}", key, member_text(L, -1, key));
+    text += fmt::format("\n  {} = {}", key, member_text(L, -1, member));
     lua_pop(L, 1);
   }
   if (count > members_max) text += fmt::format("\n  and {} more", count - members_max);
@@ -122,13 +157,13 @@ void add_members(lua_State* L, int index, std::string& text) {
 
 }  // namespace
 
-std::string written_value(lua_State* L, int index) { return written(L, index, 0); }
+std::string written_value(lua_State* L, int index) { return written(L, index, Units::none, ""); }
 
 std::string shown_value(lua_State* L, int index, const std::string& name) {
   std::string text = quantity_text(L, index, name);
   const bool has_members =
       handle_type(L, index) != nullptr || (lua_istable(L, index) && !has_text_of_its_own(L, index));
-  if (has_members) add_members(L, index, text);
+  if (has_members) add_members(L, index, name, text);
   return text;
 }
 

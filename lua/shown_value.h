@@ -10,7 +10,7 @@ namespace lsos {
 std::string written_value(lua_State* L, int index);
 
 // With the unit that `name` says ("1.97 m/s" of speed_mps); what a table or an object holds
-// follows, a line each. May call a script's __tostring.
+// follows, a line each, with the units that the names there say. May call a script's __tostring.
 std::string shown_value(lua_State* L, int index, const std::string& name);
 
 }  // namespace lsos

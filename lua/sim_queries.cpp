@@ -177,7 +177,7 @@ int sim_notes(lua_State* L) {
   return 1;
 }
 
-// "812.4 s  SEV1  leg 2: drive   10.00002,20.00001  1.2 m/s  charge 84 %"
+// "812.4 s  SEV1  leg 2: drive   10.000020,20.000010 deg  1.20 m/s  charge 84 %"
 int sim_where(lua_State* L) {
   SimSession& session = sim_session(L);
   std::string text = fmt::format("{} s", seconds(session.now()));
@@ -191,7 +191,7 @@ int sim_where(lua_State* L) {
             ? sequence.is_finished() ? "has no event left" : "waits"
             : fmt::format("'{}' in {}", sequence.event_label(), sequence.phase());
     const Geodetic place = agent.place_now();
-    text += fmt::format("\n{}  {}  {:.6f},{:.6f}  {:.2f} m/s  {:.1f} m driven", id, doing,
+    text += fmt::format("\n{}  {}  {:.6f},{:.6f} deg  {:.2f} m/s  {:.1f} m driven", id, doing,
                         lon_deg(place), lat_deg(place), view.speed_mps, view.distance_m);
     const double charge = agent.power().view().charge;
     if (agent.power().has_battery()) text += fmt::format("  charge {:.1f} %", 100 * charge);

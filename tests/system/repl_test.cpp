@@ -29,6 +29,9 @@ TEST(Prompt, steps_asks_and_prints_with_units) {
   folder.write("input", std::string(a_rover) + R"(sim:run_for(20)
 sim.rovers.A.speed_mps
 sim:where()
+sim.rovers.A.position
+sim.events
+sim.rovers.A:plan_path({ lsos.vec3(0, 60) })
 for i = 1, 2 do
   print('line', i)
 end
@@ -39,7 +42,13 @@ help 'sleep'
 )");
   const Outcome outcome = run_command(prompt("", "input"), {folder.path()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, testing::ContainsRegex("^1\\.[0-9]+ m/s\n20 s\nA  'Route 10' in drive"));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex(
+                               "^1\\.[0-9]+ m/s\n20 s\nA  'Route 10' in drive  [-0-9.,]+ deg "));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("\n[(][^ ]+, [^ ]+, [^ ]+[)] m\n"));
+  EXPECT_THAT(outcome.out, HasSubstr(" ready_s = 0 s, "));
+  EXPECT_THAT(outcome.out,
+              testing::ContainsRegex(" legs = . . duration_s = [0-9.]+ s, energy_j = [0-9.]+ J, "));
+  EXPECT_THAT(outcome.out, testing::ContainsRegex(" path = . [(][^()]+[)] m, [(]"));
   EXPECT_THAT(outcome.out, HasSubstr("line\t1\nline\t2\n11\n40\nlsos.sleep(time_s)\n"));
 }
 

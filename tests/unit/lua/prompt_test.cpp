@@ -5,8 +5,11 @@
 
 #include <chrono>
 #include <csignal>
+#include <set>
 #include <thread>
 
+#include "lua/handle.h"
+#include "lua/reference.h"
 #include "lua/repl.h"
 
 namespace lsos {
@@ -16,6 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
 class PromptLines : public ::testing::Test {
@@ -53,6 +57,60 @@ TEST_F(PromptLines, show_values_and_what_tables_hold) {
   EXPECT_THAT(
       said("(function() local t = {} for i = 1, 300 do t[i] = i end return t end)()").front(),
       HasSubstr("\n  200 = 200\n  and 100 more"));
+}
+
+TEST_F(PromptLines, show_quantities_within_tables_with_their_units) {
+  said(
+      "a = { start_s = 5, ends_s = { 1, 2.5 }, n = 3, reason = 'none', nested = { { load_w = 5.0 } "
+      "} }");
+  EXPECT_THAT(said("a"), ElementsAre("table\n  ends_s = { 1 s, 2.5 s }\n  n = 3\n"
+                                     "  nested = { { load_w = 5 W } }\n  reason = none\n"
+                                     "  start_s = 5 s"));
+  EXPECT_THAT(said("a.ends_s"), ElementsAre("table\n  1 = 1 s\n  2 = 2.5 s"));
+  EXPECT_THAT(said("{ { a, { lat_deg = 4.25, used_kwh = 1 } } }").front(),
+              EndsWith(" start_s = 5 s }, { lat_deg = 4.25 deg, used_kwh = 1 kWh } }"));
+}
+
+TEST_F(PromptLines, show_places_in_metres) {
+  said(
+      "rover = { position = lsos.vec3(1, 2, 1 / 3), path = { lsos.vec3(4, 5, 6) }, size_m = "
+      "lsos.vec3(7, 8, 9) }");
+  EXPECT_THAT(said("rover"),
+              ElementsAre("table\n  path = { (4, 5, 6) m }\n  position = (1, 2, 0.333333333) m\n"
+                          "  size_m = (7, 8, 9) m"));
+  EXPECT_THAT(said("rover.position"), ElementsAre("(1, 2, 0.333333333) m"));
+  EXPECT_THAT(said("rover.path[1]"), ElementsAre("(4, 5, 6) m"));
+  EXPECT_THAT(said("rover.path[1].z, rover.size_m:length()"), ElementsAre("6 m", "13.9283883 m"));
+  EXPECT_THAT(said("{ position = { x = 1, y = 2, 3 } }"),
+              ElementsAre("table\n  position = { 3 m, x = 1 m, y = 2 m }"));
+}
+
+TEST_F(PromptLines, show_the_unit_of_each_value_and_of_no_other) {
+  said("a = { speed_mps = 2, time_s = 8, wait_s = function(n) return n, 'so long', n end }");
+  EXPECT_THAT(said("a.time_s, a['speed_mps']"), ElementsAre("8 s", "2 m/s"));
+  EXPECT_THAT(said("return -a.time_s, 'a.time_s', 3 -- a.time_s"),
+              ElementsAre("-8 s", "a.time_s", "3"));
+  EXPECT_THAT(said("a.wait_s(5)"), ElementsAre("5 s", "so long", "5 s"));
+  EXPECT_THAT(said("(a).wait_s(a.speed_mps), #{ a.time_s }, a.time_s;"),
+              ElementsAre("2 s", "1", "8 s"));
+  EXPECT_THAT(said("a.speed_mps * a.time_s, a.time_s == 8, 2 ^ a.time_s"),
+              ElementsAre("16", "true", "256"));
+}
+
+// What a new field is called says its unit, unless it has none.
+TEST_F(PromptLines, know_the_unit_of_all_that_objects_have) {
+  const std::set<std::string> ratios{"slip", "charge", "sun_fraction", "incidence"};
+  for (const HandleType* type : scripted_objects()) {
+    for (const HandleField& field : type->fields) {
+      const std::string name = field.name, kind = field.type;
+      const bool is_place = kind.find("vec3") != std::string::npos;
+      if ((kind != "number" && !is_place) || ratios.contains(name)) continue;
+      const std::string value = is_place ? "{ lsos.vec3(1, 2, 3) }" : "{ 1 }";
+      EXPECT_THAT(said("{ " + name + " = " + value + " }").front(),
+                  MatchesRegex(".* [^ ]*[a-zA-Z/]+ }"))
+          << type->name << "." << name;
+    }
+  }
 }
 
 TEST_F(PromptLines, are_completed_with_what_the_libraries_have) {
