@@ -82,17 +82,21 @@ const std::string* argument_of(const std::vector<Word>& words, std::size_t i) {
   return at < words.size() && words[at].kind == Word::Kind::text ? &words[at].text : nullptr;
 }
 
-std::string unknown(const char* what, const std::string& name, const std::set<std::string>& known) {
+// "" when it may be there without being known.
+std::string unknown(const char* what, const std::string& name, const std::set<std::string>& known,
+                    bool are_all_known) {
   const std::vector<std::string> names(known.begin(), known.end());
-  return fmt::format("there is no {} '{}'{}", what, name, did_you_mean(name, names));
+  const std::string hint = did_you_mean(name, names);
+  if (!are_all_known && hint.empty()) return "";
+  return fmt::format("there is no {} '{}'{}", what, name, hint);
 }
 
 std::string argument_fault(const std::string& question, const std::string& argument,
                            const ConditionWorld& world) {
   if (question == "resource") {
-    return world.resources.contains(argument)
-               ? ""
-               : unknown("resource of the rover", argument, world.resources);
+    return world.resources.contains(argument) ? ""
+                                              : unknown("resource of the rover", argument,
+                                                        world.resources, world.are_resources_known);
   }
   if (argument == world.own_id) {
     return fmt::format("'{}' is the event's own rover; {} asks of another rover or an asset",
@@ -101,7 +105,8 @@ std::string argument_fault(const std::string& question, const std::string& argum
   std::set<std::string> ids = world.ids;
   ids.erase(world.own_id);
   if (question != "distance_to") ids.insert("Earth");
-  return ids.contains(argument) ? "" : unknown("rover or asset", argument, ids);
+  return ids.contains(argument) ? ""
+                                : unknown("rover or asset", argument, ids, world.are_ids_known);
 }
 
 // What an operand of == or ~= is, where one word or one question says it.
@@ -173,40 +178,47 @@ std::string equality_fault(const std::vector<Word>& words) {
   return "";
 }
 
-std::string names_fault(lua_State* L, const std::vector<Word>& words, const ConditionWorld& world) {
-  static const std::set<std::string> lua_words{"and", "or", "not", "true", "false"};
+// What is wrong with the word at `i`, where it names something.
+std::string name_fault(lua_State* L, const std::vector<Word>& words, std::size_t i,
+                       const ConditionWorld& world) {
+  static const std::set<std::string> lua_words{"and", "or", "not", "true", "false", "math"};
+  const std::string& word = words[i].text;
+  const bool is_member =
+      i > 0 && words[i - 1].kind == Word::Kind::symbol && words[i - 1].text == ".";
+  // With the methods of texts, or what can be indexed, it could do all that a script can.
+  if (words[i].kind == Word::Kind::symbol &&
+      std::string_view(":[{").find(word) != std::string::npos) {
+    return fmt::format("a condition has no '{}'", word);
+  }
+  if (words[i].kind != Word::Kind::name) return "";
+  if (is_member) {
+    const bool is_of_math = i >= 2 && words[i - 2].text == "math";
+    return is_of_math ? math_fault(L, word) : fmt::format("only math has members, as .{}", word);
+  }
+  if (lua_words.contains(word)) return "";
   std::vector<std::string> known;
   for (const ConditionName& name : condition_names()) known.emplace_back(name.name);
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string& word = words[i].text;
-    const bool is_member =
-        i > 0 && words[i - 1].kind == Word::Kind::symbol && words[i - 1].text == ".";
-    // With the methods of texts, or what can be indexed, it could do all that a script can.
-    if (words[i].kind == Word::Kind::symbol &&
-        std::string_view(":[{").find(word) != std::string::npos) {
-      return fmt::format("a condition has no '{}'", word);
-    }
-    if (words[i].kind != Word::Kind::name || lua_words.contains(word)) continue;
-    if (is_member) {
-      if (i < 2 || words[i - 2].text != "math")
-        return fmt::format("only math has members, as .{}", word);
-      std::string fault = math_fault(L, word);
-      if (!fault.empty()) return fault;
-      continue;
-    }
-    if (word == "math") continue;
-    if (std::ranges::find(known, word) == known.end()) {
-      std::string hint = did_you_mean(word, known);
-      if (hint.empty()) hint = "; see lua/README.md, Conditions";
-      return fmt::format("a condition has no '{}'{}", word, hint);
-    }
-    if (!is_question(word)) continue;
-    const std::string* argument = argument_of(words, i);
-    if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
-    std::string fault = argument_fault(word, *argument, world);
-    if (!fault.empty()) return fault;
+  if (std::ranges::find(known, word) == known.end()) {
+    std::string hint = did_you_mean(word, known);
+    if (hint.empty()) hint = "; see lua/README.md, Conditions";
+    return fmt::format("a condition has no '{}'{}", word, hint);
   }
-  return "";
+  if (!is_question(word)) return "";
+  const std::string* argument = argument_of(words, i);
+  if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
+  return argument_fault(word, *argument, world);
+}
+
+// All of them.
+std::string names_fault(lua_State* L, const std::vector<Word>& words, const ConditionWorld& world) {
+  constexpr std::size_t faults_max = 5;
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < words.size() && faults.size() < faults_max; ++i) {
+    std::string fault = name_fault(L, words, i, world);
+    if (fault.empty() || std::ranges::find(faults, fault) != faults.end()) continue;
+    faults.push_back(std::move(fault));
+  }
+  return fmt::format("{}", fmt::join(faults, "; "));
 }
 
 }  // namespace

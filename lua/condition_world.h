@@ -10,6 +10,8 @@ struct ConditionWorld {
   std::string own_id;               // of the event's rover
   std::set<std::string> ids;        // of rovers and assets
   std::set<std::string> resources;  // that the event's rover carries
+  // False: there may be others, as faults of the plan keep them from being read.
+  bool are_ids_known = true, are_resources_known = true;
 };
 
 }  // namespace lsos

@@ -12,6 +12,7 @@
 #include "lua/script_folders.h"
 #include "lua/version.h"
 #include "mission/plan_names.h"
+#include "mission/site.h"
 #include "plan/kml_reader.h"
 #include "plan/kml_text.h"
 #include "product/files.h"
@@ -69,21 +70,24 @@ void add_script_warnings(const Catalog& catalog, Faults& faults) {
 void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
   LuaHost host(*files.catalog);
   std::set<std::string> ids;
-  std::map<std::string, std::set<std::string>> resources;  // by RoverId
-  for (const PlanRover& rover : plan.rovers) {
-    ids.insert(rover.id);
-    const auto model = files.rover_models.find(rover.type);
-    if (model == files.rover_models.end()) continue;
-    for (const ResourceSpec& resource : model->second.power.resources) {
-      resources[rover.id].insert(resource.name);
-    }
-  }
+  for (const PlanRover& rover : plan.rovers) ids.insert(rover.id);
   for (const PlanAsset& asset : plan.assets) ids.insert(asset.id);
+  ids.insert(plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
+  ids.erase("");
   for (const PlanEvent& event : plan.events) {
+    ConditionWorld world{event.rover_id, ids, {}, !plan.gaps.has_ids(), false};
+    const PlanRover* rover = rover_of(plan, event.rover_id);
+    const auto model =
+        rover == nullptr ? files.rover_models.end() : files.rover_models.find(rover->type);
+    if (model != files.rover_models.end()) {
+      world.are_resources_known = true;
+      for (const ResourceSpec& resource : model->second.power.resources) {
+        world.resources.insert(resource.name);
+      }
+    }
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
-      const std::string fault =
-          host.condition_fault(condition.text, {event.rover_id, ids, resources[event.rover_id]});
+      const std::string fault = host.condition_fault(condition.text, world);
       if (fault.empty()) return;
       faults.error({event.place.file, condition.line},
                    fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
@@ -92,6 +96,11 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     check("StartWhen", event.start_when);
     check("SkipWhen", event.skip_when);
     check("StopWhen", event.stop_when);
+    const bool has_time = std::ranges::any_of(event.params, [](const auto& param) {
+      return std::holds_alternative<Instant>(param.second);
+    });
+    // A script says of a part of its fields what only the rest would make true.
+    if (!event.has_all_params || (has_time && plan.gaps.start_time)) continue;
     try {
       const std::string fault =
           host.fault_of(event.type, {event.params, {}}, plan.mission.start_time);
@@ -120,7 +129,12 @@ namespace {
 // Reads what the plan names.
 void read_models(MissionFiles& files) {
   add_script_warnings(*files.catalog, files.faults);
-  if (files.faults.has_errors()) return;
+  const Declarations& declarations = files.catalog->declarations();
+  // Of what there is not, the plan's reader has told.
+  const auto has_type = [&](const std::string& name, bool is_asset) {
+    const auto found = declarations.rover_types.find(name);
+    return found != declarations.rover_types.end() && found->second.is_asset == is_asset;
+  };
   const auto collect = [&](auto load) {
     try {
       load();
@@ -129,19 +143,32 @@ void read_models(MissionFiles& files) {
     }
   };
   for (const PlanRover& rover : files.plan.rovers) {
+    if (!has_type(rover.type, false)) continue;
     collect([&] {
       files.rover_models.insert({rover.type, files.catalog->load_rover(rover.type, rover.place)});
     });
   }
   for (const PlanAsset& asset : files.plan.assets) {
+    if (!has_type(asset.type, true)) continue;
     collect([&] {
       files.asset_models.insert({asset.type, files.catalog->load_asset(asset.type, asset.place)});
     });
   }
   check_events(files.plan, files, files.faults);
-  check_plan_names(files.plan, files.catalog->declarations(), files.rover_models,
-                   files.asset_models, files.faults);
-  collect([&] { files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions); });
+  check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  const MissionInfo& mission = files.plan.mission;
+  const std::vector<std::string>& terrains = declarations.terrains;
+  if (!mission.terrain_is_raster &&
+      std::ranges::find(terrains, mission.terrain) == terrains.end()) {
+    return;
+  }
+  collect([&] {
+    files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions);
+    // The simulation does so too, but it is made of plans without errors.
+    const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
+    if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
+    ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start, mission.seed);
+  });
 }
 
 }  // namespace

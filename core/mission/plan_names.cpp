@@ -28,12 +28,15 @@ std::vector<AntennaSpec> stowable(const RoverModel& rover) {
 struct Known {
   std::string owner, what;
   std::vector<std::string> names;
+  bool are_all = false;  // false: faults of the plan keep others from being read
 };
 
+// "" too when it may be there without being known.
 std::string fault_of(const Known& known, const std::string& name) {
   if (std::ranges::find(known.names, name) != known.names.end()) return "";
-  if (known.names.empty()) return fmt::format("{} has no {}", known.owner, known.what);
   std::string hint = name.size() > 100 ? "" : did_you_mean(name, known.names);
+  if (hint.empty() && !known.are_all) return "";
+  if (known.names.empty()) return fmt::format("{} has no {}", known.owner, known.what);
   if (hint.empty()) hint = fmt::format("; it has {}", listed(known.names));
   return fmt::format("{} has no {} of that name{}", known.owner, known.what, hint);
 }
@@ -44,10 +47,10 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers,
                       const std::map<std::string, AssetModel>& assets, Faults& faults) {
   std::vector<std::string> with_power;
-  bool is_power_known = true;
+  bool is_power_known = plan.gaps.unread_ids.empty() && !plan.gaps.asset_ids;
   for (const PlanAsset& asset : plan.assets) {
     const auto model = assets.find(asset.type);
-    // One whose script has a fault may have power to give.
+    // One whose type or script has a fault may have power to give.
     if (model == assets.end()) {
       is_power_known = false;
       continue;
@@ -57,37 +60,34 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
   const auto others = [&](const std::string& rover_id) {
     std::vector<std::string> ids;
     for (const PlanRover& other : plan.rovers) {
-      if (other.id != rover_id) ids.push_back(other.id);
+      if (other.id != rover_id && !other.id.empty()) ids.push_back(other.id);
     }
     for (const PlanAsset& asset : plan.assets) ids.push_back(asset.id);
+    ids.insert(ids.end(), plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
     return ids;
   };
   for (const PlanEvent& event : plan.events) {
-    const auto rover = std::ranges::find(plan.rovers, event.rover_id, &PlanRover::id);
-    const auto model = rovers.find(rover->type);
-    if (model == rovers.end()) continue;
+    const PlanRover* rover = rover_of(plan, event.rover_id);
+    const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->type);
     const auto known = [&](NameOf names) -> Known {
-      const PowerSpec& power = model->second.power;
-      switch (names) {
-        case NameOf::panel:
-          return {rover->type, "panel", names_of(power.panels)};
-        case NameOf::resource:
-          return {rover->type, "resource", names_of(power.resources)};
-        case NameOf::antenna:
-          return {rover->type, "stowable antenna", names_of(stowable(model->second))};
-        case NameOf::power_source:
-          return {"the plan", "asset with power to give", with_power};
-        case NameOf::other:
-          return {"the plan", "other rover or asset", others(event.rover_id)};
-        case NameOf::anything:
-          break;
+      if (names == NameOf::power_source) {
+        if (!is_power_known) return {};
+        return {"the plan", "asset with power to give", with_power, true};
       }
-      return {};
+      if (names == NameOf::other) {
+        return {"the plan", "other rover or asset", others(event.rover_id), !plan.gaps.has_ids()};
+      }
+      if (model == rovers.end()) return {};
+      const PowerSpec& power = model->second.power;
+      if (names == NameOf::panel) return {rover->type, "panel", names_of(power.panels), true};
+      if (names == NameOf::resource) {
+        return {rover->type, "resource", names_of(power.resources), true};
+      }
+      return {rover->type, "stowable antenna", names_of(stowable(model->second)), true};
     };
     for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
       const auto value = event.params.find(field.key);
       if (field.names == NameOf::anything || value == event.params.end()) continue;
-      if (field.names == NameOf::power_source && !is_power_known) continue;
       const auto& name = std::get<std::string>(value->second);
       const std::string fault = fault_of(known(field.names), name);
       if (fault.empty()) continue;

@@ -72,28 +72,31 @@ class Classifier {
     for (const SourceData& data : placemark.data) {
       if (is_known(data.schema)) ours.push_back(&data);
     }
-    const bool is_wrong = report_nearly_ours(placemark, !ours.empty());
+    const SourceData* nearly_ours = report_nearly_ours(placemark, !ours.empty());
     if (ours.size() > 1) {
       error(placemark, ours[1]->line,
             fmt::format("is a {} and a {}; one Placemark is one thing", ours[0]->schema,
                         ours[1]->schema));
+      classified_.unread.push_back({&placemark, ours[0], nullptr});
     } else if (ours.size() == 1) {
       add({&placemark, ours[0], nullptr});
-    } else if (!is_wrong) {
+    } else if (nearly_ours != nullptr) {
+      classified_.unread.push_back({&placemark, nearly_ours, nullptr});
+    } else {
       ++classified_.decoration_count;
     }
   }
 
   // In a Placemark that is ours, other SchemaData are what a GIS tool stamps on everything, unless
-  // they have fields that only ours have.
-  bool report_nearly_ours(const SourcePlacemark& placemark, bool is_ours) {
-    bool found = false;
+  // they have fields that only ours have. Answers the last one told.
+  const SourceData* report_nearly_ours(const SourcePlacemark& placemark, bool is_ours) {
+    const SourceData* found = nullptr;
     for (const SourceData& data : placemark.data) {
       if (is_known(data.schema)) continue;
       const bool has_hash = data.schema_url.find('#') != std::string::npos;
       const std::string& name = has_hash ? data.schema : data.schema_url;
       if (!has_marker_field(data) && (is_ours || !is_nearly_known(name))) continue;
-      found = true;
+      found = &data;
       if (const auto broken = declarations_.broken_events.find(name);
           broken != declarations_.broken_events.end()) {
         faults_.add(broken->second);

@@ -21,6 +21,7 @@ struct Classified {
   std::vector<OurPlacemark> rovers;
   std::vector<OurPlacemark> assets;
   std::vector<OurPlacemark> events;
+  std::vector<OurPlacemark> unread;  // meant to be ours, with a fault in what they are
   int decoration_count = 0;
 };
 

@@ -15,8 +15,10 @@ namespace {
 
 class EventsReader {
  public:
-  EventsReader(const ReadContext& context, const std::vector<std::string>& rover_ids)
+  EventsReader(const ReadContext& context, const std::vector<std::string>& rover_ids,
+               const PlanGaps& gaps)
       : context_(context),
+        gaps_(gaps),
         suggestions_(rover_ids),
         rover_ids_(rover_ids.begin(), rover_ids.end()) {}
 
@@ -24,6 +26,7 @@ class EventsReader {
     const EventDeclaration& declaration = *ours.event;
     FieldReader fields(subject_of(ours, "Sequence", context_), *ours.data, context_.faults);
     fields.check_names({event_identity_fields(), common_event_fields(), declaration.fields});
+    const bool has_known_names = fields.fault_count() == 0;
 
     DraftEvent draft;
     draft.subject = fields.subject().name;
@@ -33,37 +36,53 @@ class EventsReader {
     PlanEvent& event = draft.event;
     event.place = fields.subject().place;
     event.type = declaration.name;
-    draft.is_placed = read_identity(fields, event);
-    event.label = ours.placemark->name.empty() ? fmt::format("{} {}", event.type, event.sequence)
-                                               : ours.placemark->name;
-    read_common(fields, event);
+    read_identity(fields, draft);
+    draft.has_default_label = ours.placemark->name.empty();
+    event.label = draft.has_default_label ? fmt::format("{} {}", event.type, event.sequence)
+                                          : ours.placemark->name;
+    read_common(fields, draft);
+    const int faults_before = fields.fault_count();
     event.params = fields.read(declaration.fields, &draft.defaults);
-    event.geometry =
+    event.has_all_params = has_known_names && fields.fault_count() == faults_before;
+    const auto geometry =
         read_geometry(*ours.placemark, declaration.geometries, fields.subject(), context_.faults);
+    if (geometry) {
+      event.geometry = *geometry;
+    } else {
+      draft.is_drive_known = false;
+    }
     return draft;
   }
 
  private:
-  bool read_identity(FieldReader& fields, PlanEvent& event) {
+  void read_identity(FieldReader& fields, DraftEvent& draft) {
+    PlanEvent& event = draft.event;
     const FieldValues values = fields.read(event_identity_fields(), nullptr);
     const auto* sequence = find_value<std::int64_t>(values, "sequence");
     const auto* rover_id = find_value<std::string>(values, "rover_id");
+    draft.is_sequence_known = sequence != nullptr;
     if (sequence != nullptr) event.sequence = *sequence;
-    if (rover_id == nullptr) return false;
+    if (rover_id == nullptr) return;
     event.rover_id = *rover_id;
-    if (rover_ids_.contains(event.rover_id)) return sequence != nullptr;
+    draft.is_rover_known = rover_ids_.contains(event.rover_id);
+    draft.is_placed = draft.is_rover_known && draft.is_sequence_known;
     // Without any rover that is the fault to mend first, and it has been said.
-    if (!rover_ids_.empty()) {
-      std::string hint = suggestions_(event.rover_id);
-      if (hint.empty()) hint = fmt::format("; there are {}", listed(suggestions_.known()));
-      fields.error("RoverId", fmt::format("there is no such rover{}", hint));
-    }
-    return false;
+    if (draft.is_rover_known || rover_ids_.empty()) return;
+    std::string hint = suggestions_(event.rover_id);
+    // It may be that of a rover whose id cannot be read.
+    if (hint.empty() && gaps_.rover_ids) return;
+    if (hint.empty()) hint = fmt::format("; there are {}", listed(suggestions_.known()));
+    fields.error("RoverId", fmt::format("there is no such rover{}", hint));
   }
 
-  void read_common(FieldReader& fields, PlanEvent& event) {
+  void read_common(FieldReader& fields, DraftEvent& draft) {
+    PlanEvent& event = draft.event;
     const FieldValues values = fields.read(common_event_fields(), nullptr);
-    if (const bool* enabled = find_value<bool>(values, "enabled")) event.is_enabled = *enabled;
+    if (const bool* enabled = find_value<bool>(values, "enabled")) {
+      event.is_enabled = *enabled;
+    } else {
+      event.is_enabled = draft.is_drive_known = false;
+    }
     if (const auto* start = find_value<Instant>(values, "start_time")) event.start_time = *start;
     if (const auto* timeout_s = find_value<double>(values, "timeout_s")) {
       event.timeout = from_seconds(*timeout_s);
@@ -78,6 +97,7 @@ class EventsReader {
   }
 
   const ReadContext& context_;
+  const PlanGaps& gaps_;
   Suggestions suggestions_;
   std::set<std::string> rover_ids_;
 };
@@ -104,8 +124,9 @@ void check_sequences(std::vector<DraftEvent>& drafts, const ReadContext& context
 
 std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
                                     const ReadContext& context,
-                                    const std::vector<std::string>& rover_ids) {
-  EventsReader reader(context, rover_ids);
+                                    const std::vector<std::string>& rover_ids,
+                                    const PlanGaps& gaps) {
+  EventsReader reader(context, rover_ids, gaps);
   std::vector<DraftEvent> drafts;
   drafts.reserve(events.size());
   for (const OurPlacemark& ours : events) drafts.push_back(reader.read(ours));

@@ -68,13 +68,12 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
   };
   std::map<std::string, int> lines;
   for (const SourceField& field : data_.fields) {
-    const Place place{subject_.place.file, field.line};
     const auto [first, is_new] = lines.emplace(field.name, field.line);
     if (!is_new) {
-      faults_.error(place, fmt::format("{}: {} is given twice; the first is at line {}",
-                                       subject_.name, shown(field.name), first->second));
+      tell(field.line, fmt::format("{} is given twice; the first is at line {}", shown(field.name),
+                                   first->second));
     } else if (field.name.empty()) {
-      faults_.error(place, fmt::format("{}: a SimpleData has no name", subject_.name));
+      tell(field.line, "a SimpleData has no name");
     } else if (!is_known(field.name)) {
       std::vector<std::string> names;
       for (const auto& list : known) {
@@ -82,8 +81,8 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
       }
       std::string hint = field.name.size() > 100 ? "" : did_you_mean(field.name, names);
       if (hint.empty()) hint = fmt::format("; there are {}", listed(names));
-      faults_.error(
-          place, fmt::format("{}: there is no field {}{}", subject_.name, shown(field.name), hint));
+      tell(field.line, fmt::format("there is no field {}{}", shown(field.name), hint));
+      hints_.push_back(std::move(hint));
     }
   }
 }
@@ -95,8 +94,10 @@ FieldValues FieldReader::read(std::span<const FieldDeclaration> declarations,
     if (const SourceField* field = find(declaration.name)) {
       if (auto value = parse(declaration, *field)) values[declaration.key] = std::move(*value);
     } else if (declaration.is_required) {
-      faults_.error(subject_.place, fmt::format("{}: {} is missing; it is required", subject_.name,
-                                                declaration.name));
+      // Under a misspelt name it is not missing.
+      const std::string hint = fmt::format("; did you mean '{}'?", declaration.name);
+      if (std::ranges::find(hints_, hint) != hints_.end()) continue;
+      tell(subject_.place.line, fmt::format("{} is missing; it is required", declaration.name));
     } else if (declaration.default_value) {
       values[declaration.key] = *declaration.default_value;
       if (defaults != nullptr) {
@@ -118,12 +119,15 @@ const SourceField* FieldReader::find(const std::string& name) const {
 void FieldReader::error(const std::string& field_name, const std::string& what) {
   const SourceField* field = find(field_name);
   if (field == nullptr) {
-    faults_.error(subject_.place, fmt::format("{}: {}: {}", subject_.name, field_name, what));
+    tell(subject_.place.line, fmt::format("{}: {}", field_name, what));
   } else {
-    faults_.error(
-        {subject_.place.file, field->line},
-        fmt::format("{}: {} = {}: {}", subject_.name, field_name, shown(field->text), what));
+    tell(field->line, fmt::format("{} = {}: {}", field_name, shown(field->text), what));
   }
+}
+
+void FieldReader::tell(int line, const std::string& what) {
+  ++fault_count_;
+  faults_.error({subject_.place.file, line}, fmt::format("{}: {}", subject_.name, what));
 }
 
 std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration,

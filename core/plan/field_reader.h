@@ -48,6 +48,9 @@ class FieldReader {
   FieldValues read(std::span<const FieldDeclaration> declarations,
                    std::vector<std::string>* defaults);
 
+  // How many have been told.
+  int fault_count() const { return fault_count_; }
+
   // nullptr when it is absent. An empty field counts as absent.
   const SourceField* find(const std::string& name) const;
 
@@ -57,12 +60,15 @@ class FieldReader {
   void add(const std::vector<Fault>& faults) { faults_.add(faults); }
 
  private:
+  void tell(int line, const std::string& what);
   std::optional<FieldValue> parse(const FieldDeclaration& declaration, const SourceField& field);
   Parsed<FieldValue> parsed(const FieldDeclaration& declaration, const std::string& text) const;
 
   Subject subject_;
   const SourceData& data_;
   Faults& faults_;
+  int fault_count_ = 0;
+  std::vector<std::string> hints_;  // "; did you mean 'Speed'?"
 };
 
 }  // namespace lsos

@@ -147,17 +147,18 @@ std::string geometries_text(std::span<const GeometryKind> wanted) {
   return text;
 }
 
-PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const GeometryKind> wanted,
-                           const Subject& subject, Faults& faults) {
+std::optional<PlanGeometry> read_geometry(const SourcePlacemark& placemark,
+                                          std::span<const GeometryKind> wanted,
+                                          const Subject& subject, Faults& faults) {
   const auto refuse = [&](int line, const std::string& what) {
     faults.error({subject.place.file, line}, fmt::format("{}: {}", subject.name, what));
-    return PlanGeometry{};
+    return std::nullopt;
   };
   const auto is_wanted = [&](GeometryKind kind) {
     return std::ranges::find(wanted, kind) != wanted.end();
   };
   if (placemark.geometries.empty()) {
-    if (is_wanted(GeometryKind::none)) return {};
+    if (is_wanted(GeometryKind::none)) return PlanGeometry{};
     return refuse(placemark.line,
                   fmt::format("has no geometry; {} is wanted", geometries_text(wanted)));
   }

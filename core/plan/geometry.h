@@ -1,6 +1,7 @@
 // Point and LineString of a Placemark as places on the body.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,8 +15,9 @@ namespace lsos {
 std::string geometries_text(std::span<const GeometryKind> wanted);
 
 // The one geometry of the Placemark if it is of a wanted kind (`none` among them: there may be
-// none) and its coordinates are right. Otherwise a fault, and kind `none`.
-PlanGeometry read_geometry(const SourcePlacemark& placemark, std::span<const GeometryKind> wanted,
-                           const Subject& subject, Faults& faults);
+// none) and its coordinates are right. Otherwise a fault, and nothing.
+std::optional<PlanGeometry> read_geometry(const SourcePlacemark& placemark,
+                                          std::span<const GeometryKind> wanted,
+                                          const Subject& subject, Faults& faults);
 
 }  // namespace lsos

@@ -83,8 +83,9 @@ Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
 }
 
 MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
-                         std::vector<std::string>& defaults) {
+                         PlanGaps& gaps, std::vector<std::string>& defaults) {
   MissionInfo mission;
+  gaps.start_time = true;
   if (missions.empty()) {
     context.faults.error({context.source_file, 0},
                          "has no MissionInfo; exactly one is wanted: a Placemark with "
@@ -104,7 +105,10 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
   if (const auto* planet = find_value<std::string>(values, "planet")) {
     mission.planet = find_body(*planet);
   }
-  if (const auto* start = find_value<Instant>(values, "start_time")) mission.start_time = *start;
+  if (const auto* start = find_value<Instant>(values, "start_time")) {
+    mission.start_time = *start;
+    gaps.start_time = false;
+  }
   if (const auto* terrain = find_value<std::string>(values, "terrain")) {
     read_terrain(fields, *terrain, context, mission);
   }

@@ -21,17 +21,17 @@ struct ReadContext {
 
 // Checks that there is one MissionInfo and reads the first. Defaults go to `defaults`.
 MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
-                         std::vector<std::string>& defaults);
+                         PlanGaps& gaps, std::vector<std::string>& defaults);
 
 // Lines of the ids that the plan gives, also of those whose Placemark has other faults.
 using IdLines = std::map<std::string, int>;
 
 // In byte order of id.
 std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
-                                   const ReadContext& context, IdLines& ids,
+                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps,
                                    std::vector<std::string>& defaults);
 std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
-                                   const ReadContext& context, IdLines& ids);
+                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps);
 
 // "Rover 'NAME'" of the Placemark; where it has none, the text of `id_field` stands for it.
 Subject subject_of(const OurPlacemark& ours, const std::string& id_field,

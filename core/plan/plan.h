@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,7 @@ struct PlanEvent {
   std::int64_t sequence = 0;
   PlanGeometry geometry;
   std::map<std::string, FieldValue> params;  // by script key; optional absent ones are left out
+  bool has_all_params = true;                // false: faults keep some from being read
 
   bool is_enabled = true;
   std::optional<Instant> start_time;
@@ -85,6 +87,17 @@ struct PlanEvent {
   std::int64_t go_to_sequence = 0;  // with OnFailure::go_to
 };
 
+// What faults of a plan leave open. Of that nothing is told which may only follow from them.
+struct PlanGaps {
+  bool start_time = false;                // MissionInfo's
+  bool rover_ids = false;                 // a rover has none that can be read
+  bool asset_ids = false;                 // the same of an asset
+  std::set<std::string> unread_ids;       // of rovers and assets whose Placemark cannot be read
+  std::set<std::string> unplaced_rovers;  // by id: their Point cannot be read
+
+  bool has_ids() const { return rover_ids || asset_ids; }
+};
+
 struct Plan {
   std::string file;
   MissionInfo mission;
@@ -93,13 +106,17 @@ struct Plan {
   std::vector<PlanAsset> assets;      // in byte order of id
   int decoration_count = 0;           // Placemarks that are not ours
   std::vector<std::string> defaults;  // "Route 'leg 2': Speed = 1 m/s", what was filled in
+  PlanGaps gaps;
 
   // SHA-256 of all that the plan says, in a fixed order, without file name and lines.
   std::string hash() const;
 };
 
+// The rover with that id; nullptr when there is none, or more than one.
+const PlanRover* rover_of(const Plan& plan, const std::string& rover_id);
+
 // Reads and checks a KML or KMZ file against what there is. All faults are collected in `faults`
-// (warnings too); the plan is complete only when it has no errors.
+// (warnings too); the plan is complete only when it has no errors, else `gaps` say what is not.
 Plan read_plan(const std::string& file, const Declarations& declarations, Faults& faults);
 
 struct KmlSource;

@@ -8,6 +8,7 @@
 #include "plan/mission_reader.h"
 #include "plan/plan.h"
 #include "plan/references.h"
+#include "plan/unread.h"
 
 namespace lsos {
 
@@ -32,6 +33,11 @@ std::string no_plan(int count) {
 
 }  // namespace
 
+const PlanRover* rover_of(const Plan& plan, const std::string& rover_id) {
+  const auto same = std::ranges::equal_range(plan.rovers, rover_id, {}, &PlanRover::id);
+  return same.size() == 1 ? &same.front() : nullptr;
+}
+
 Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,
                Faults& faults) {
   Plan plan;
@@ -44,20 +50,32 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   }
 
   const ReadContext context{file, source.file, declarations, faults};
-  plan.mission = read_mission(ours.missions, context, plan.defaults);
+  Unread unread = read_unread(ours.unread, context, plan.gaps);
+  // What cannot be read is there all the same.
+  if (ours.missions.empty() && unread.has_mission) {
+    plan.gaps.start_time = true;
+  } else {
+    plan.mission = read_mission(ours.missions, context, plan.gaps, plan.defaults);
+  }
   IdLines ids;
-  plan.rovers = read_rovers(ours.rovers, context, ids, plan.defaults);
-  std::vector<std::string> rover_ids;
+  if (!ours.rovers.empty() || !unread.has_rover) {
+    plan.rovers = read_rovers(ours.rovers, context, ids, plan.gaps, plan.defaults);
+  }
+  std::vector<std::string> rover_ids = std::move(unread.rover_ids);
   for (const auto& [id, line] : ids) rover_ids.push_back(id);
-  plan.assets = read_assets(ours.assets, context, ids);
+  plan.assets = read_assets(ours.assets, context, ids, plan.gaps);
 
-  std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids);
+  std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids, plan.gaps);
+  for (DraftEvent& draft : unread.events) {
+    draft.is_rover_known = std::ranges::find(rover_ids, draft.event.rover_id) != rover_ids.end();
+    drafts.push_back(std::move(draft));
+  }
   resolve_references(drafts, faults);
   check_circles(drafts, faults);
-  // Places that are wrong themselves would only give wrong distances.
-  if (plan.mission.planet != nullptr && !faults.has_errors()) {
-    check_stationary_points(drafts, plan.rovers, *plan.mission.planet, faults);
+  if (plan.mission.planet != nullptr) {
+    check_stationary_points(drafts, plan.rovers, plan.gaps, *plan.mission.planet, faults);
   }
+  std::erase_if(drafts, [](const DraftEvent& draft) { return !draft.is_read; });
   for (std::string& text : common_defaults(ours.events)) plan.defaults.push_back(std::move(text));
   for (DraftEvent& draft : drafts) {
     plan.events.push_back(std::move(draft.event));
@@ -76,12 +94,12 @@ PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
   const ReadContext context{plan.file, plan.file, declarations, faults};
   std::vector<std::string> rover_ids;
   for (const PlanRover& rover : plan.rovers) rover_ids.push_back(rover.id);
-  std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids);
+  std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids, plan.gaps);
   for (const PlanEvent& event : plan.events) {
     DraftEvent draft;
     draft.event = event;
     draft.subject = fmt::format("{} '{}'", event.type, event.label);
-    draft.is_placed = true;
+    draft.is_placed = draft.is_rover_known = draft.is_sequence_known = true;
     drafts.push_back(std::move(draft));
   }
   const auto identity_of = [](const DraftEvent& draft) {

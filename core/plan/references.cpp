@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "plan/suggestions.h"
@@ -14,6 +15,9 @@ namespace lsos {
 namespace {
 
 using Indices = std::vector<std::size_t>;
+using Parts =
+    std::pair<std::string, std::string>;  // of a reference; `anything` for what is unknown
+constexpr const char* anything = "*";
 
 std::string trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
@@ -36,9 +40,10 @@ class Resolver {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < drafts.size(); ++i) {
       const PlanEvent& event = drafts[i].event;
-      by_label_[event.label].push_back(i);
+      if (!drafts[i].is_placed) add_unplaced(drafts[i]);
+      if (!event.label.empty()) by_label_[event.label].push_back(i);
+      if (!event.label.empty()) names.push_back(event.label);
       by_identity_[{event.rover_id, event.sequence}].push_back(i);
-      names.push_back(event.label);
     }
     suggestions_ = Suggestions(std::move(names));
   }
@@ -72,6 +77,28 @@ class Resolver {
     return found;
   }
 
+  // Whether it may be an event whose rover or Sequence cannot be read, and with it its label.
+  bool may_be_unplaced(const std::string& reference) const {
+    const auto is_in = [&](const std::set<Parts>& known, char between) {
+      const std::size_t at = reference.rfind(between);
+      if (at == std::string::npos) return false;
+      const std::string first = trimmed(reference.substr(0, at));
+      const std::string second = trimmed(reference.substr(at + 1));
+      return known.contains({first, second}) || known.contains({anything, second}) ||
+             known.contains({first, anything}) || known.contains({anything, anything});
+    };
+    return is_in(unplaced_, '/') || is_in(unplaced_labels_, ' ');
+  }
+
+  void add_unplaced(const DraftEvent& draft) {
+    const PlanEvent& event = draft.event;
+    const std::string sequence =
+        draft.is_sequence_known ? std::to_string(event.sequence) : anything;
+    unplaced_.insert({draft.is_rover_known ? event.rover_id : anything, sequence});
+    if (!draft.has_default_label) return;
+    unplaced_labels_.insert({draft.is_read ? event.type : anything, sequence});
+  }
+
   std::string choices(const Indices& indices) const {
     std::vector<std::string> names;
     for (const std::size_t i : indices) names.push_back(named(drafts_[i]));
@@ -91,6 +118,7 @@ class Resolver {
       if (reference.empty()) {
         error(draft, *draft.start_after, "names nothing between two commas");
       } else if (found.empty()) {
+        if (may_be_unplaced(reference)) continue;
         error(draft, *draft.start_after,
               fmt::format("there is no event {}{}", shown(reference), suggestions_(reference)));
       } else if (found.size() > 1) {
@@ -129,8 +157,13 @@ class Resolver {
   }
 
   void read_go_to(DraftEvent& draft, const std::string& label) {
-    if (!draft.is_placed) return;
     const Indices found = meanings(label);
+    if (found.empty() && !may_be_unplaced(label)) {
+      error(draft, *draft.on_failure,
+            fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
+    }
+    const auto is_placed = [&](std::size_t i) { return drafts_[i].is_placed; };
+    if (found.empty() || !draft.is_placed || !std::ranges::all_of(found, is_placed)) return;
     Indices later;
     for (const std::size_t i : found) {
       const PlanEvent& event = drafts_[i].event;
@@ -138,10 +171,7 @@ class Resolver {
         later.push_back(i);
       }
     }
-    if (found.empty()) {
-      error(draft, *draft.on_failure,
-            fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
-    } else if (later.empty()) {
+    if (later.empty()) {
       error(draft, *draft.on_failure,
             fmt::format("{} is no later event of rover {}", choices(found),
                         quoted(draft.event.rover_id)));
@@ -156,6 +186,8 @@ class Resolver {
 
   std::vector<DraftEvent>& drafts_;
   Faults& faults_;
+  std::set<Parts> unplaced_;         // rover and Sequence
+  std::set<Parts> unplaced_labels_;  // type and Sequence, of those without a name
   std::map<std::string, Indices> by_label_;
   std::map<std::pair<std::string, std::int64_t>, Indices> by_identity_;
   Suggestions suggestions_;

@@ -73,9 +73,9 @@ void check_configuration(FieldReader& fields, const Declarations::RoverType& typ
 std::optional<Geodetic> read_position(const OurPlacemark& ours, const FieldReader& fields,
                                       Faults& faults) {
   constexpr std::array wanted{GeometryKind::point};
-  const PlanGeometry geometry = read_geometry(*ours.placemark, wanted, fields.subject(), faults);
-  if (geometry.points.empty()) return {};
-  return geometry.points.front();
+  const auto geometry = read_geometry(*ours.placemark, wanted, fields.subject(), faults);
+  if (!geometry) return {};
+  return geometry->points.front();
 }
 
 std::string text_or_empty(const FieldValues& values, const std::string& key) {
@@ -88,7 +88,8 @@ struct DraftRover {
   std::vector<std::string> defaults;
 };
 
-DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdLines& ids) {
+DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdLines& ids,
+                      PlanGaps& gaps) {
   FieldReader fields(subject_of(ours, "RoverId", context), *ours.data, context.faults);
   DraftRover draft;
   fields.check_names({rover_fields()});
@@ -99,7 +100,11 @@ DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdLi
   rover.id = text_or_empty(values, "rover_id");
   rover.type = text_or_empty(values, "rover_type");
   rover.configuration = text_or_empty(values, "rover_config");
-  if (!rover.id.empty()) check_id(fields, "RoverId", rover.id, ids);
+  if (rover.id.empty()) {
+    gaps.rover_ids = true;
+  } else {
+    check_id(fields, "RoverId", rover.id, ids);
+  }
   if (!rover.type.empty()) {
     const auto* type = find_type(fields, "RoverType", rover.type, false, context.declarations);
     if (type != nullptr && !rover.configuration.empty()) {
@@ -115,11 +120,14 @@ DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdLi
   if (const auto* charge = find_value<double>(values, "initial_charge")) {
     rover.initial_charge = *charge;
   }
-  rover.start = read_position(ours, fields, context.faults).value_or(Geodetic{});
+  const std::optional<Geodetic> start = read_position(ours, fields, context.faults);
+  rover.start = start.value_or(Geodetic{});
+  if (!start) gaps.unplaced_rovers.insert(rover.id);
   return draft;
 }
 
-PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdLines& ids) {
+PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdLines& ids,
+                     PlanGaps& gaps) {
   FieldReader fields(subject_of(ours, "AssetId", context), *ours.data, context.faults);
   fields.check_names({asset_fields()});
   const FieldValues values = fields.read(asset_fields(), nullptr);
@@ -128,7 +136,11 @@ PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdLin
   asset.place = fields.subject().place;
   asset.id = text_or_empty(values, "asset_id");
   asset.type = text_or_empty(values, "asset_type");
-  if (!asset.id.empty()) check_id(fields, "AssetId", asset.id, ids);
+  if (asset.id.empty()) {
+    gaps.asset_ids = true;
+  } else {
+    check_id(fields, "AssetId", asset.id, ids);
+  }
   if (!asset.type.empty()) {
     find_type(fields, "AssetType", asset.type, true, context.declarations);
   }
@@ -142,7 +154,7 @@ PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdLin
 }  // namespace
 
 std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
-                                   const ReadContext& context, IdLines& ids,
+                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps,
                                    std::vector<std::string>& defaults) {
   if (rovers.empty()) {
     context.faults.error({context.source_file, 0},
@@ -151,7 +163,7 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
   }
   std::vector<DraftRover> drafts;
   drafts.reserve(rovers.size());
-  for (const OurPlacemark& ours : rovers) drafts.push_back(read_rover(ours, context, ids));
+  for (const OurPlacemark& ours : rovers) drafts.push_back(read_rover(ours, context, ids, gaps));
   std::ranges::stable_sort(drafts, {}, [](const DraftRover& d) { return d.rover.id; });
   std::vector<PlanRover> result;
   for (DraftRover& draft : drafts) {
@@ -162,9 +174,9 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
 }
 
 std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
-                                   const ReadContext& context, IdLines& ids) {
+                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps) {
   std::vector<PlanAsset> result;
-  for (const OurPlacemark& ours : assets) result.push_back(read_asset(ours, context, ids));
+  for (const OurPlacemark& ours : assets) result.push_back(read_asset(ours, context, ids, gaps));
   std::ranges::stable_sort(result, {}, &PlanAsset::id);
   return result;
 }

@@ -9,15 +9,25 @@
 namespace lsos {
 
 void check_stationary_points(const std::vector<DraftEvent>& drafts,
-                             const std::vector<PlanRover>& rovers, const Body& body,
-                             Faults& faults) {
+                             const std::vector<PlanRover>& rovers, const PlanGaps& gaps,
+                             const Body& body, Faults& faults) {
   constexpr double tolerance_m = 50;
-  std::map<std::string, Geodetic> expected;  // by rover
-  for (const PlanRover& rover : rovers) expected.emplace(rover.id, rover.start);
+  std::map<std::string, Geodetic> expected;  // by rover; of those for which it is known
+  for (const PlanRover& rover : rovers) {
+    if (!gaps.unplaced_rovers.contains(rover.id)) expected.emplace(rover.id, rover.start);
+  }
+  for (const DraftEvent& draft : drafts) {
+    if (draft.is_placed || (draft.is_read && !draft.drives)) continue;
+    if (!draft.is_rover_known) return;
+    expected.erase(draft.event.rover_id);
+  }
   for (const DraftEvent& draft : drafts) {
     const PlanEvent& event = draft.event;
+    if (draft.drives && !draft.is_drive_known) expected.erase(event.rover_id);
     if (!draft.is_placed || !event.is_enabled || event.geometry.points.empty()) continue;
-    Geodetic& place = expected.at(event.rover_id);
+    const auto found = expected.find(event.rover_id);
+    if (found == expected.end()) continue;
+    Geodetic& place = found->second;
     if (draft.drives) {
       place = event.geometry.points.back();
       continue;

@@ -72,6 +72,14 @@ TEST_P(PlanMessage, is_as_expected) {
   const Outcome outcome = run({"check", file.string()});
   EXPECT_EQ(outcome.exit_code, only_warnings ? 0 : 2) << outcome.err;
   for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
+  // Nothing else is told of the plan: no fault that only follows from another.
+  std::istringstream told(outcome.out);
+  for (std::string line; std::getline(told, line);) {
+    if (!line.starts_with(file.string() + ":") || outcome.exit_code == 0) continue;
+    EXPECT_TRUE(std::ranges::any_of(expected, [&](const std::string& text) {
+      return line.find(text) != std::string::npos;
+    })) << line;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Messages, PlanMessage, ::testing::ValuesIn(plans()), test_name);
