@@ -341,6 +341,7 @@ PlanTable read_plan_table(lua_State* L, int index, const Place& place) {
 SourcePlacemark read_event_table(lua_State* L, int index, const SiteFrame& site,
                                  const Place& place) {
   SourcePlacemark placemark;
+  placemark.file = place.file;
   Faults faults;
   PlanTableReader(L, place, faults).read_event(index, site, placemark);
   faults.throw_if_errors();

@@ -249,6 +249,7 @@ void SimSession::load(const std::string& bytes) {
     if (files.plan.hash() != plan) throw InputError({}, "was saved with another plan");
     std::vector<SourcePlacemark> dispatched;
     if (!dispatched_kml.empty()) dispatched = parse_kml(dispatched_kml, source_.file).placemarks;
+    for (SourcePlacemark& placemark : dispatched) placemark.line = 0;  // was not saved
     std::unique_ptr<Simulation> simulation = made(files, true, dispatched);
     simulation->restore(state);
     dispatched_ = std::move(dispatched);

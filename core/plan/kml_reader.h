@@ -34,6 +34,7 @@ struct SourcePlacemark {
   std::vector<SourceData> data;
   std::vector<SourceGeometry> geometries;  // more than one is not KML, but is seen
   int line = 0;
+  std::string file = {};  // that the lines are of, where it is not the document's
 };
 
 struct KmlSource {

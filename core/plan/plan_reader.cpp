@@ -87,11 +87,11 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
 PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
                      const Declarations& declarations) {
   Faults faults;
-  const KmlSource source{plan.file, {placemark}};
+  const KmlSource source{placemark.file.empty() ? plan.file : placemark.file, {placemark}};
   const Classified ours = classify(source, declarations, faults);
   faults.throw_if_errors();
   LSOS_ASSERT(ours.events.size() == 1);
-  const ReadContext context{plan.file, plan.file, declarations, faults};
+  const ReadContext context{plan.file, source.file, declarations, faults};
   std::vector<std::string> rover_ids;
   for (const PlanRover& rover : plan.rovers) rover_ids.push_back(rover.id);
   std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids, plan.gaps);

@@ -54,8 +54,9 @@ help 'sleep'
 
 TEST(Prompt, says_what_is_wrong_with_its_line_and_goes_on) {
   const TempFolder folder;
-  folder.write("input",
-               std::string(a_rover) + "sim:rn()\nsim.rovers.B.speed_mps\n1 +\n+ 2\n'end'\n");
+  folder.write("input", std::string(a_rover) +
+                            "sim:rn()\nsim.rovers.B.speed_mps\n1 +\n+ 2\n'end'\n"
+                            "sim:dispatch('A', 'Pause', { Durtion = 5 })\n");
   const Outcome outcome = run_command(prompt("", "input"), {folder.path()});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_THAT(outcome.out, HasSubstr("prompt:2: sim has no 'rn'; did you mean 'run'?"));
@@ -63,6 +64,8 @@ TEST(Prompt, says_what_is_wrong_with_its_line_and_goes_on) {
               HasSubstr("prompt:3: there is no rover 'B'; did you mean 'A'?; there are A"));
   EXPECT_THAT(outcome.out, HasSubstr("prompt:5: unexpected symbol near '+'"));
   EXPECT_THAT(outcome.out, HasSubstr("\nend\n"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\nprompt:7: Pause 11: there is no field 'Durtion'; did you mean 'Dur"));
 }
 
 TEST(Prompt, takes_up_a_script_that_has_changed) {
