@@ -173,7 +173,7 @@ Path3 read_path(lua_State* L, int index, const std::string& what) {
   if (const Path3* waypoints = to_geometry(L, index)) return *waypoints;
   if (!lua_istable(L, index) || is_vec3(L, index)) {
     throw std::runtime_error(
-        fmt::format("{} wants a list of vec3, found {}", what, describe(L, index)));
+        fmt::format("{} wants a list of vec3, found {}", what, describe_no_vec3(L, index)));
   }
   const auto count = static_cast<lua_Integer>(lua_rawlen(L, index));
   Path3 path;
@@ -183,7 +183,7 @@ Path3 read_path(lua_State* L, int index, const std::string& what) {
     const std::optional<Vec3> point = to_vec3(L, -1);
     if (!point) {
       throw std::runtime_error(fmt::format("{}: waypoint {} must be a vec3 of numbers, found {}",
-                                           what, i, describe(L, -1)));
+                                           what, i, describe_no_vec3(L, -1)));
     }
     path.push_back(*point);
   }

@@ -127,10 +127,13 @@ std::optional<Vec3> to_vec3(lua_State* L, int index) {
   return v;
 }
 
+std::string describe_no_vec3(lua_State* L, int index) {
+  return is_vec3(L, index) ? "a vec3 whose x, y, z are not all finite numbers" : describe(L, index);
+}
+
 Vec3 check_vec3(lua_State* L, int argument) {
   if (const std::optional<Vec3> v = to_vec3(L, argument)) return *v;
-  const std::string found =
-      is_vec3(L, argument) ? "a vec3 whose x, y, z are not all numbers" : describe(L, argument);
+  const std::string found = describe_no_vec3(L, argument);
   luaL_argerror(L, argument, fmt::format("a vec3 is wanted, found {}", found).c_str());
   return Vec3::Zero();
 }

@@ -4,6 +4,7 @@
 
 #include <lua.hpp>
 #include <optional>
+#include <string>
 
 #include "base/vector.h"
 
@@ -14,6 +15,9 @@ bool is_vec3(lua_State* L, int index);
 
 // Reads the value at `index`, which must be a vec3 with three finite numbers.
 std::optional<Vec3> to_vec3(lua_State* L, int index);
+
+// What stands in place of a vec3 of finite numbers, for messages.
+std::string describe_no_vec3(lua_State* L, int index);
 
 // The same for an argument of a function; raises when it is something else.
 Vec3 check_vec3(lua_State* L, int argument);

@@ -65,7 +65,10 @@ TEST(Handle, follow_refuses_what_is_no_path_and_unknown_settings) {
               HasSubstr("rover:follow wants a list of vec3, found a number"));
   EXPECT_THAT(error("rover:follow {}"), HasSubstr("wants at least one waypoint"));
   EXPECT_THAT(error("rover:follow { lsos.vec3(1, 2, 0/0) }"),
-              HasSubstr("waypoint 1 must be a vec3"));
+              HasSubstr("waypoint 1 must be a vec3 of numbers, found a vec3 whose x, y, z are "
+                        "not all finite numbers"));
+  EXPECT_THAT(error("rover:follow(lsos.vec3(1, 2, 0/0))"),
+              HasSubstr("list of vec3, found a vec3 whose x, y, z are not all finite numbers"));
   EXPECT_THAT(error("rover:follow(lsos.vec3(1, 2), { speed = 2 })"),
               HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: rover:follow: "
                         "unknown key 'speed'; did you mean 'speed_mps'?"));
