@@ -221,6 +221,19 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
   return fmt::format("{}", fmt::join(faults, "; "));
 }
 
+// Lua takes every number for true, so that `not` of one is never true.
+std::string negation_fault(const std::vector<Word>& words) {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (words[i].kind != Word::Kind::name || words[i].text != "not") continue;
+    if (operand_of(words[i + 1]) != Operand::number) continue;
+    const std::string& name = words[i + 1].text;
+    const std::string quantity = name + (is_question(name) ? "(...)" : "");
+    return fmt::format("'not {0}' is of a number, and never true; write {0} == 0, or not ({0} > 1)",
+                       quantity);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world) {
@@ -231,6 +244,8 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
   if (!names.empty()) return names;
   std::string equality = equality_fault(words);
   if (!equality.empty()) return equality;
+  std::string negation = negation_fault(words);
+  if (!negation.empty()) return negation;
   // Comparisons go one way and the other; what stands behind `and` and `or` is reached by one.
   for (const double value : {0.0, 1.0, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     for (const bool answer : {false, true}) {
