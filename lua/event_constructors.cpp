@@ -130,11 +130,11 @@ void read_phases(TableReader& t, EventDeclaration& event, int functions) {
     const Made* made = to_made(L, -1);
     if (made != nullptr && made->kind == sub_event_kind) {
       const auto& sub = std::any_cast<const SubEvent&>(made->value);
-      event.phases.push_back({name, sub.event, sub.next});
+      event.phases.push_back({name, sub.event, sub.next, made->place.line});
       lua_getiuservalue(L, -1, 1);
       lua_setfield(L, copy, name.c_str());
     } else if (lua_isfunction(L, -1)) {
-      event.phases.push_back({name, "", ""});
+      event.phases.push_back({name, "", "", definition_line(L)});
       lua_pushvalue(L, -1);
       lua_setfield(L, copy, name.c_str());
     } else {

@@ -29,13 +29,6 @@ struct Instance {
 
 constexpr std::string_view state_version = "ev.state 1";
 
-// Of the function at the top.
-int definition_line(lua_State* L) {
-  lua_Debug ar;
-  lua_pushvalue(L, -1);
-  return lua_getinfo(L, ">S", &ar) != 0 ? ar.linedefined : 0;
-}
-
 // Marks the phase call as going on, for handles and lsos functions.
 class CallScope {
  public:
@@ -258,14 +251,10 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
     } catch (const ScriptError&) {
       throw;
     } catch (const std::runtime_error& error) {
-      // What was answered, or left in ev.state: by the phase as a whole.
-      std::string message = error.what();
-      lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
-      lua_getfield(L, -1, "phases");
-      if (lua_getfield(L, -1, phase_name.c_str()) == LUA_TFUNCTION) {
-        message = to_string({Severity::error, {script.file, definition_line(L)}, message});
-      }
-      throw ScriptError(phase_failure({message, ""}, script, where, context));
+      // What was answered, or left in ev.state, or given to a sub-event: by the phase as a whole.
+      const int line = find_phase(script.declaration, phase_name).line;
+      const Fault fault{Severity::error, {script.file, line}, error.what()};
+      throw ScriptError(phase_failure({to_string(fault), ""}, script, where, context));
     }
   });
   return answer;

@@ -296,6 +296,12 @@ Place caller_place(lua_State* L) {
   return {source.starts_with('@') ? source.substr(1) : source, std::max(0, ar.currentline)};
 }
 
+int definition_line(lua_State* L) {
+  lua_Debug ar;
+  lua_pushvalue(L, -1);
+  return lua_getinfo(L, ">S", &ar) != 0 ? ar.linedefined : 0;
+}
+
 void raise_error(lua_State* L, const std::string& whole) {
   const std::string message = shortened(whole);
   luaL_where(L, 1);

@@ -61,6 +61,8 @@ std::pair<Place, std::string> split_place(const std::string& message, const std:
 
 // Where the script function is that called the running C function; line 0 when unknown.
 Place caller_place(lua_State* L);
+// In which line of its file the function at the top begins.
+int definition_line(lua_State* L);
 
 [[noreturn]] void raise_error(lua_State* L, const std::string& message);
 void keep_internal_error(lua_State* L);

@@ -85,8 +85,10 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       hindered = "StopWhen: " + event().stop_when.text;
     }
     if (++changes > phase_changes_max) {
-      hindered = fmt::format("its phases go round without time passing, now in '{}' of {}",
-                             running_->phase(), event().type);
+      const Fault fault{Severity::error, running_->phase_place(host),
+                        fmt::format("its phases go round without time passing, now in '{}' of {}",
+                                    running_->phase(), event().type)};
+      hindered = to_string(fault);
     }
     const bool is_due = running_->is_due(now, agent);
     // What ends at the very moment of its timeout has not taken longer.

@@ -160,6 +160,13 @@ PhaseContext RunningEvent::context(SimTime now, const MissionInfo& mission,
           .place = place_};
 }
 
+Place RunningEvent::phase_place(const ScriptHost& host) const {
+  const EventDeclaration& event = host.declarations().events.at(frames_.back().type);
+  const auto phase =
+      std::ranges::find(event.phases, frames_.back().phase, &EventDeclaration::Phase::name);
+  return {event.place.file, phase == event.phases.end() ? 0 : phase->line};
+}
+
 void RunningEvent::push(const std::string& type, const EventArguments& arguments,
                         const std::string& next, SimTime now, ScriptHost& host) {
   Frame frame;

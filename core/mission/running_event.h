@@ -36,6 +36,8 @@ class RunningEvent {
   // Of the plan's event, not of those within it.
   const std::string& phase() const { return frames_.front().phase; }
   SimTime phase_start() const { return frames_.front().phase_start; }
+  // Of the phase that is called next, of the innermost event: where its script has it.
+  Place phase_place(const ScriptHost& host) const;
   // A warning since the last call: what is most likely forgotten in its script; else "".
   std::string take_advice() { return std::exchange(advice_, ""); }
   // The phases that have ended since the last call.

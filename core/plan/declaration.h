@@ -61,6 +61,7 @@ struct EventDeclaration {
     std::string name;
     std::string sub_event;  // type of the event that this phase is; "" for a function
     std::string next;       // phase after the sub-event; "" when the event is then completed
+    int line = 0;           // of the script
   };
   std::vector<Phase> phases;  // the start phase first, then by name
 };

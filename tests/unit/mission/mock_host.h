@@ -35,6 +35,10 @@ class MockHost : public ScriptHost {
     declaration.phases.push_back({phase, "", ""});
     phases_[{type, phase}] = std::move(function);
   }
+  void set_place(const std::string& type, const std::string& file, int line) {
+    declarations_.events[type].place.file = file;
+    declarations_.events[type].phases.back().line = line;
+  }
   void set_drives(const std::string& type) { declarations_.events[type].drives = true; }
 
   void set_goes_on_without_power(const std::string& type) {

@@ -82,6 +82,7 @@ inline std::unique_ptr<ScriptHost> make_host() {
     return Stay{};
   });
   host->add("Spin", "a", [](MockInstance&, PhaseContext&) -> PhaseAnswer { return GoTo{"a"}; });
+  host->set_place("Spin", "events/Spin.lua", 7);
   return host;
 }
 
