@@ -119,10 +119,33 @@ int follow(lua_State* L) {
   return 0;
 }
 
-int plan_path(lua_State* L) {
-  // The dearest that a script can ask for: a leg may take a second. A mission's own route of
-  // hundreds of legs must fit.
+// The dearest that a script can ask for: 3 km may take a second. A mission's own route of hundreds
+// of legs must fit.
+void charge_planning(lua_State* L, const Path3& waypoints, std::int64_t first,
+                     const Vec3& from_S_m) {
   constexpr std::int64_t instructions_per_plan = 150'000, instructions_per_leg = 1000;
+  constexpr double instructions_per_m = 30, length_max_m = 1e9;
+  double length_m = 0;
+  Vec3 before_S_m = from_S_m;
+  for (auto i = static_cast<std::size_t>(first - 1); i < waypoints.size(); ++i) {
+    length_m += (waypoints[i] - before_S_m).norm();
+    before_S_m = waypoints[i];
+  }
+  const std::int64_t legs = static_cast<std::int64_t>(waypoints.size()) - first + 1;
+  const std::int64_t instructions =
+      instructions_per_plan + legs * instructions_per_leg +
+      static_cast<std::int64_t>(instructions_per_m * std::min(length_m, length_max_m));
+  const LuaContext& ctx = context(L);
+  if (ctx.is_charging && instructions > ctx.instructions_max) {
+    throw std::runtime_error(fmt::format(
+        "rover:plan_path: {} legs over {:.0f} km are more than one call may plan; plan the way in "
+        "parts, each in a call of its own",
+        legs, length_m / 1000));
+  }
+  charge(L, instructions);
+}
+
+int plan_path(lua_State* L) {
   RoverPort& rover = rover_of(L);
   lua_settop(L, 3);
   const Path3 waypoints = read_path(L, 2, "rover:plan_path");
@@ -131,8 +154,7 @@ int plan_path(lua_State* L) {
     throw std::runtime_error(fmt::format("rover:plan_path: first = {}, there are {} waypoints",
                                          options.first, waypoints.size()));
   }
-  const std::int64_t legs = static_cast<std::int64_t>(waypoints.size()) - options.first + 1;
-  charge(L, instructions_per_plan + legs * instructions_per_leg);
+  charge_planning(L, waypoints, options.first, rover.view().p_S_m);
   const PlannedWay way = [&] {
     const EngineWork work(L);
     return rover.plan_path(waypoints, options.first, options.settings);

@@ -1,4 +1,6 @@
 // `ev`, `rover` and `rover.drive` as scripts see them.
+#include <fmt/format.h>
+
 #include "script_fixture.h"
 
 namespace lsos {
@@ -57,6 +59,22 @@ TEST(Handle, follow_takes_lists_points_and_settings) {
   EXPECT_EQ(run->rover.path, Path3({Vec3(6, 7, 8)}));
   EXPECT_EQ(run->rover.settings.speed_mps, 2.0);
   EXPECT_EQ(run->rover.settings.arrival_radius_m, 3.0);
+}
+
+TEST(Handle, a_call_plans_some_90_km) {
+  const auto error = [](int legs, int calls) {
+    return EventRun::of_phase(
+               fmt::format("local p = {{}} for i = 1, {} do p[i] = lsos.vec3(i % 2 * 3000, 0) "
+                           "end for i = 1, {} do rover:plan_path(p) end return lsos.done",
+                           legs, calls))
+        ->error();
+  };
+  EXPECT_EQ(error(25, 1), "no error");
+  EXPECT_THAT(error(50, 1), HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: "
+                                      "rover:plan_path: 50 legs over 150 km are more than one call "
+                                      "may plan; plan the way in parts"));
+  EXPECT_EQ(error(1, 10), "no error");
+  EXPECT_THAT(error(1, 50), HasSubstr("events/Probe.lua:3: "));
 }
 
 TEST(Handle, follow_refuses_what_is_no_path_and_unknown_settings) {
