@@ -1,6 +1,7 @@
 // What planning a leg costs, by square kilometre of corridor and by million nodes of its map (a
-// square kilometre at 1 m): the whole of it, on a map whose terrain tiles are warm, and the lattice
-// search alone on a map that is sampled, for scale.
+// square kilometre at 1 m): the whole of it, on a map whose terrain tiles are warm, over craters
+// and over a raster of rough ground, and the lattice search alone on a map that is sampled, for
+// scale.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -17,11 +18,12 @@ using lsos::Vec2;
 using lsos::Vec3;
 
 struct Scene {
-  explicit Scene(const char* rover) {
+  Scene(const std::string& rover, const std::string& terrain) {
     const auto catalog = lsos::read_catalog("");
     const lsos::Body& moon = *lsos::find_body("Moon");
-    ground = lsos::ground_at(catalog->load_terrain("Craters"), moon,
-                             lsos::geodetic_from_degrees(10, 20), 1);
+    const lsos::Geodetic at = terrain == "LunarSouthPole" ? lsos::geodetic_from_degrees(30, -87.5)
+                                                          : lsos::geodetic_from_degrees(10, 20);
+    ground = lsos::ground_at(catalog->load_terrain(terrain), moon, at, 1);
     const lsos::RoverModel model = catalog->load_rover(rover);
     const double g_mps2 = lsos::gravity_mps2(moon, ground->site().origin());
     const lsos::VehicleConfig vehicle = lsos::make_vehicle(model.spec, "", g_mps2);
@@ -46,12 +48,16 @@ void count(benchmark::State& state, const char* name, double amount) {
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void plan(benchmark::State& state, const char* rover) {
-  const Scene scene(rover);
+void plan(benchmark::State& state, const std::string& rover, const std::string& terrain) {
+  const Scene scene(rover, terrain);
   const auto length_m = static_cast<double>(state.range(0));
   lsos::LegRequest request;
   request.goal_S_m = {length_m, 0, 0};
-  lsos::plan_leg(*scene.ground, scene.cost, request);  // warms the tiles
+  // Warms the tiles.
+  if (lsos::plan_leg(*scene.ground, scene.cost, request).path_S_m.empty()) {
+    state.SkipWithError("no way");
+    return;
+  }
   for (auto _ : state) {
     benchmark::DoNotOptimize(lsos::plan_leg(*scene.ground, scene.cost, request));
   }
@@ -61,8 +67,8 @@ void plan(benchmark::State& state, const char* rover) {
 }
 
 // At 1 m, whatever the rover's own spacing.
-void search(benchmark::State& state, const char* rover) {
-  const Scene scene(rover);
+void search(benchmark::State& state, const std::string& rover) {
+  const Scene scene(rover, "Craters");
   const auto length_m = static_cast<double>(state.range(0));
   const double aside_m = std::ceil(std::max(20.0, 0.25 * length_m));
   const lsos::StanceFinder finder(scene.cost);
@@ -78,13 +84,15 @@ void search(benchmark::State& state, const char* rover) {
 }
 
 const int registered = [] {
-  for (const char* rover : {"SEV", "LRV"}) {
-    const std::string name = std::string("plan/") + rover;
-    benchmark::RegisterBenchmark(name.c_str(), plan, rover)
-        ->Arg(100)
-        ->Arg(400)
-        ->Arg(1000)
-        ->Unit(benchmark::kMillisecond);
+  for (const std::string rover : {"SEV", "LRV"}) {
+    for (const std::string terrain : {"Craters", "LunarSouthPole"}) {
+      const std::string name = "plan/" + rover + "/" + terrain;
+      benchmark::RegisterBenchmark(name.c_str(), plan, rover, terrain)
+          ->Arg(100)
+          ->Arg(400)
+          ->Arg(1000)
+          ->Unit(benchmark::kMillisecond);
+    }
   }
   benchmark::RegisterBenchmark("search_at_1_m/SEV", search, "SEV")
       ->Arg(100)

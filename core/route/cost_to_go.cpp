@@ -14,9 +14,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-CostToGo::CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m)
+CostToGo::CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within)
     : costs_(costs),
       map_(costs.map()),
+      within_(within),
       start_m_(start_m),
       start_height_m_(map_.height_m(start_m)),
       cost_(static_cast<std::size_t>(map_.columns()) * static_cast<std::size_t>(map_.rows()),
@@ -36,6 +37,7 @@ CostToGo::CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m)
 }
 
 double CostToGo::at(const Vec2& at_m) {
+  if (within_ != nullptr && !within_->holds(at_m)) return infinite;
   const Vec2 cells = (at_m - map_.low_m()) / map_.spacing_m();
   const int column = static_cast<int>(std::floor(cells.x()));
   const int row = static_cast<int>(std::floor(cells.y()));
@@ -70,6 +72,7 @@ double CostToGo::come(std::int32_t node) {
 }
 
 void CostToGo::offer(std::int32_t node, const Candidate& to) {
+  if (within_ != nullptr && !within_->holds(place(node))) return;
   const double rise_m = height_m(to.node) - height_m(node);
   if (std::isnan(rise_m)) return;
   const double cost = to.cost + costs_.least((place(to.node) - place(node)).norm(), rise_m);

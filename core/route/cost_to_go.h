@@ -6,7 +6,7 @@
 #include <queue>
 #include <vector>
 
-#include "route/leg_cost.h"
+#include "route/tube.h"
 
 namespace lsos {
 
@@ -16,8 +16,8 @@ namespace lsos {
 // as in search_grid().
 class CostToGo {
  public:
-  // Start and goal must be on the map of `costs`.
-  CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
+  // Start and goal must be on the map of `costs`. `within`: over its nodes only.
+  CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within = nullptr);
 
   // The least known of the nodes about a place, one at least; infinite where none has a way, or
   // only one that makes the way from the start by this place cost more than the limit.
@@ -66,6 +66,7 @@ class CostToGo {
 
   LegCosts& costs_;
   GroundMap& map_;
+  const Tube* within_;
   Vec2 start_m_;
   double start_height_m_;
   double limit_ = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 #include "route/fewer_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -43,6 +44,18 @@ Line2 with_fewer_points(const Line2& line, double off_max_m) {
     if (is_kept[k]) fewer.push_back(line[k]);
   }
   return fewer;
+}
+
+Line2 corners(const Line2& line) {
+  constexpr double straight_m = 1e-3;
+  Line2 kept{line.front()};
+  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
+    const Vec2 in = line[k] - kept.back(), out = line[k + 1] - line[k];
+    const double aside_m = std::abs(in.x() * out.y() - in.y() * out.x());
+    if (aside_m > straight_m * out.norm() || in.dot(out) < 0) kept.push_back(line[k]);
+  }
+  kept.push_back(line.back());
+  return kept;
 }
 
 }  // namespace lsos

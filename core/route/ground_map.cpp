@@ -32,52 +32,45 @@ GroundMap::GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& lo
       columns_(static_cast<int>(std::ceil((high_m.x() - low_m.x()) / spacing_m)) + 1),
       rows_(static_cast<int>(std::ceil((high_m.y() - low_m.y()) / spacing_m)) + 1),
       tile_columns_(static_cast<std::size_t>((columns_ >> tile_bits) + 1)),
-      tiles_(tile_columns_ * static_cast<std::size_t>((rows_ >> tile_bits) + 1)) {}
+      heights_m_(std::make_unique_for_overwrite<float[]>(index(0, rows_))),
+      soils_(std::make_unique_for_overwrite<std::uint16_t[]>(index(0, rows_))),
+      bumps_m_(tile_columns_ * static_cast<std::size_t>((rows_ >> tile_bits) + 1), not_sampled) {}
 
-std::unique_ptr<GroundMap::Tile> GroundMap::sampled(int tile_column, int tile_row) {
-  auto tile = std::make_unique<Tile>();
-  for (int row = 0; row < tile_nodes; ++row) {
-    for (int column = 0; column < tile_nodes; ++column) {
-      const Vec2 at_m = place_m((tile_column << tile_bits) + column, (tile_row << tile_bits) + row);
-      const GroundSample sample = probe_.sample(frame_.p_S_m(at_m));
-      tile->height_m[index(column, row)] = static_cast<float>(sample.elevation_m);
-      tile->soil[index(column, row)] = sample.soil;
+float GroundMap::sample(int tile_column, int tile_row) {
+  const int column_first = tile_column << tile_bits, row_first = tile_row << tile_bits;
+  const int column_last = std::min(column_first + tile_cells, columns_ - 1);
+  const int row_last = std::min(row_first + tile_cells, rows_ - 1);
+  for (int row = row_first; row <= row_last; ++row) {
+    for (int column = column_first; column <= column_last; ++column) {
+      const GroundSample sample = probe_.sample(frame_.p_S_m(place_m(column, row)));
+      heights_m_[index(column, row)] = static_cast<float>(sample.elevation_m);
+      soils_[index(column, row)] = static_cast<std::uint16_t>(sample.soil);
+      ++sampled_;
     }
   }
   // Along its edges only the neighbours on them: a rock stands out over any two.
-  const auto over = [&](int row, int column, int rows, int columns) {
-    const float here_m = tile->height_m[index(column, row)];
-    return here_m - (tile->height_m[index(column - columns, row - rows)] +
-                     tile->height_m[index(column + columns, row + rows)]) /
-                        2;
+  const auto over = [&](std::size_t at, std::size_t apart) {
+    return heights_m_[at] - (heights_m_[at - apart] + heights_m_[at + apart]) / 2;
   };
-  for (int row = 0; row < tile_nodes; ++row) {
-    for (int column = 0; column < tile_nodes; ++column) {
-      const bool is_within_rows = row > 0 && row + 1 < tile_nodes;
-      const bool is_within_columns = column > 0 && column + 1 < tile_nodes;
-      double bump_m = 0;
-      if (is_within_rows) bump_m = std::max<double>(bump_m, over(row, column, 1, 0));
-      if (is_within_columns) bump_m = std::max<double>(bump_m, over(row, column, 0, 1));
-      tile->bump_m = std::max(tile->bump_m, bump_m);
+  float bump_m = 0;
+  for (int row = row_first; row <= row_last; ++row) {
+    for (int column = column_first; column <= column_last; ++column) {
+      const std::size_t at = index(column, row);
+      const bool is_within_rows = row > row_first && row < row_last;
+      const bool is_within_columns = column > column_first && column < column_last;
+      if (is_within_rows) bump_m = std::max(bump_m, over(at, static_cast<std::size_t>(columns_)));
+      if (is_within_columns) bump_m = std::max(bump_m, over(at, 1));
     }
   }
-  sampled_ += tile->height_m.size();
-  return tile;
-}
-
-double GroundMap::bump_m(const Vec2& at_m) {
-  const Vec2 nodes = (at_m - low_m_) * nodes_per_m_;
-  const int column = std::clamp(static_cast<int>(nodes.x()), 0, columns_ - 1);
-  const int row = std::clamp(static_cast<int>(nodes.y()), 0, rows_ - 1);
-  return tile(column >> tile_bits, row >> tile_bits).bump_m;
+  return bump_m;
 }
 
 int GroundMap::soil(const Vec2& at_m) {
-  const Vec2 nodes = (at_m - low_m_) * nodes_per_m_;
-  const int column = static_cast<int>(std::lround(nodes.x()));
-  const int row = static_cast<int>(std::lround(nodes.y()));
-  return tile(column >> tile_bits, row >> tile_bits)
-      .soil[index(column & tile_mask, row & tile_mask)];
+  const Vec2 at = nodes(at_m);
+  const int column = static_cast<int>(std::lround(at.x()));
+  const int row = static_cast<int>(std::lround(at.y()));
+  look_at(column >> tile_bits, row >> tile_bits);
+  return soils_[index(column, row)];
 }
 
 }  // namespace lsos

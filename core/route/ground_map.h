@@ -3,10 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "terrain/ground.h"
@@ -52,10 +52,13 @@ class GroundMap {
     return std::min((at_m - low_m_).minCoeff(), (high_m - at_m).minCoeff());
   }
 
+  // A place by its column and row, with what it is past them.
+  Vec2 nodes(const Vec2& at_m) const { return (at_m - low_m_) * nodes_per_m_; }
+
   // Height of a node, 0 <= column < columns(), the same for rows; NaN where there is no ground.
   double node_m(int column, int row) {
-    return tile(column >> tile_bits, row >> tile_bits)
-        .height_m[index(column & tile_mask, row & tile_mask)];
+    look_at(column >> tile_bits, row >> tile_bits);
+    return heights_m_[index(column, row)];
   }
   // Between nodes bilinear; NaN outside and where there is no ground.
   double height_m(const Vec2& at_m) {
@@ -64,41 +67,71 @@ class GroundMap {
     if (!(u >= 0 && v >= 0 && u < columns_ - 1 && v < rows_ - 1)) {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    const int column = static_cast<int>(u), row = static_cast<int>(v);
-    const double x = u - column, y = v - row;
-    const Tile& tile = this->tile(column >> tile_bits, row >> tile_bits);
-    const float* low = &tile.height_m[index(column & tile_mask, row & tile_mask)];
-    const float* high = low + tile_nodes;
-    return (1 - y) * ((1 - x) * low[0] + x * low[1]) + y * ((1 - x) * high[0] + x * high[1]);
+    look_at(static_cast<int>(u) >> tile_bits, static_cast<int>(v) >> tile_bits);
+    return between(u, v);
   }
-  // How far a node about that place stands out over the mean of its neighbours, at most; nothing
-  // less than that stands between places a few nodes apart.
-  double bump_m(const Vec2& at_m);
   // Of the nearest node, which must be on the map.
   int soil(const Vec2& at_m);
+
+  // A piece of the map whose heights are sampled, for many looks at once.
+  class Window {
+   public:
+    // At a place in nodes, see nodes(), within the window: as GroundMap::height_m().
+    double height_m(const Vec2& at) const { return map_->between(at.x(), at.y()); }
+    // Of a node of it.
+    double node_m(int column, int row) const { return map_->heights_m_[map_->index(column, row)]; }
+    // How far a node about it stands out over the mean of its neighbours, at most; nothing less
+    // than that stands between places a few nodes apart.
+    double bump_m() const { return bump_m_; }
+
+   private:
+    friend class GroundMap;
+    Window(const GroundMap& map, double bump_m) : map_(&map), bump_m_(bump_m) {}
+    const GroundMap* map_;
+    double bump_m_;
+  };
+  // Of the cells about low..high, in nodes; nothing where some are not on the map.
+  std::optional<Window> window(const Vec2& low, const Vec2& high) {
+    const bool is_within =
+        low.x() >= 0 && low.y() >= 0 && high.x() < columns_ - 1 && high.y() < rows_ - 1;
+    if (!is_within) return std::nullopt;
+    const int column_last = static_cast<int>(high.x()) >> tile_bits;
+    const int row_last = static_cast<int>(high.y()) >> tile_bits;
+    float bump_m = 0;
+    for (int row = static_cast<int>(low.y()) >> tile_bits; row <= row_last; ++row) {
+      for (int column = static_cast<int>(low.x()) >> tile_bits; column <= column_last; ++column) {
+        bump_m = std::max(bump_m, look_at(column, row));
+      }
+    }
+    return Window(*this, bump_m);
+  }
 
   std::size_t sampled_nodes() const { return sampled_; }
 
  private:
-  // Cells of a tile, and nodes: the last row and column are the first of the next tile's.
-  static constexpr int tile_bits = 4, tile_mask = (1 << tile_bits) - 1;
-  static constexpr int tile_nodes = (1 << tile_bits) + 1;
-  struct Tile {
-    std::array<float, std::size_t{tile_nodes} * tile_nodes> height_m;
-    std::array<std::int32_t, std::size_t{tile_nodes} * tile_nodes> soil;
-    double bump_m = 0;
-  };
+  // Cells of a tile; its nodes are those about them: the last are the first of the next tile's.
+  static constexpr int tile_bits = 4, tile_cells = 1 << tile_bits;
+  static constexpr float not_sampled = -1;
 
-  static std::size_t index(int column, int row) {
-    return static_cast<std::size_t>(row * tile_nodes + column);
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
   }
-  const Tile& tile(int column, int row) {
-    auto& tile =
-        tiles_[static_cast<std::size_t>(row) * tile_columns_ + static_cast<std::size_t>(column)];
-    if (!tile) tile = sampled(column, row);
-    return *tile;
+  double between(double u, double v) const {
+    const int column = static_cast<int>(u), row = static_cast<int>(v);
+    const double x = u - column, y = v - row;
+    const float* low = &heights_m_[index(column, row)];
+    const float* high = low + columns_;
+    return (1 - y) * ((1 - x) * low[0] + x * low[1]) + y * ((1 - x) * high[0] + x * high[1]);
   }
-  std::unique_ptr<Tile> sampled(int tile_column, int tile_row);
+  // The bumps of a tile, which is sampled then.
+  float look_at(int tile_column, int tile_row) {
+    float& bump_m = bumps_m_[static_cast<std::size_t>(tile_row) * tile_columns_ +
+                             static_cast<std::size_t>(tile_column)];
+    if (bump_m == not_sampled) bump_m = sample(tile_column, tile_row);
+    return bump_m;
+  }
+  float sample(int tile_column, int tile_row);
 
   Ground::Probe probe_;
   MapFrame frame_;
@@ -106,7 +139,10 @@ class GroundMap {
   double spacing_m_, nodes_per_m_;
   int columns_, rows_;
   std::size_t tile_columns_;
-  std::vector<std::unique_ptr<Tile>> tiles_;
+  // Of nodes, row by row; only what is sampled has a value, and is ever touched.
+  std::unique_ptr<float[]> heights_m_;
+  std::unique_ptr<std::uint16_t[]> soils_;
+  std::vector<float> bumps_m_;  // of tiles, or not_sampled
   std::size_t sampled_ = 0;
 };
 

@@ -46,29 +46,32 @@ double arc_speed_mps(const DriveCost& cost, double radius_m) {
                   drift_arc_speed_mps(radius_m, cost.drift_s2pm));
 }
 
-double arc_cost_j(const DriveCost& cost, double radius_m, double bend_rad) {
+double ArcCost::of(double bend_rad) const {
   constexpr double straight_rad = 1e-3;
-  if (bend_rad < straight_rad) return 0;
-  const double share = arc_speed_mps(cost, radius_m) / cost.speed_mps;
-  const double longer_s = cost.stop_s * (1 - share) * (1 - share) +
-                          radius_m * bend_rad * (1 / share - 1) / cost.speed_mps;
-  return cost.slow_j * (1 - share * share) +
-         cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m + cost.load_w * longer_s;
+  return bend_rad < straight_rad ? 0 : slowing + per_rad * bend_rad;
 }
 
-double arc_price_m(const DriveCost& cost, double radius_m, double bend_rad) {
+ArcCost arc_cost_j(const DriveCost& cost, double radius_m) {
+  const double share = arc_speed_mps(cost, radius_m) / cost.speed_mps;
+  const double longer_spm = (1 / share - 1) / cost.speed_mps;
+  return {
+      cost.slow_j * (1 - share * share) + cost.load_w * cost.stop_s * (1 - share) * (1 - share),
+      cost.arc_drag_jmprad * std::pow(share, 4) / radius_m + cost.load_w * radius_m * longer_spm};
+}
+
+ArcCost arc_price_m(const DriveCost& cost, double radius_m) {
   const SoilDrive& soil = cost.soils.front();
-  if (soil.by_slope.empty()) return 0;
-  return arc_cost_j(cost, radius_m, bend_rad) / std::max(1e-9, soil.at(0).energy_jpm);
+  if (soil.by_slope.empty()) return {};
+  const double level_jpm = std::max(1e-9, soil.at(0).energy_jpm);
+  const ArcCost of_j = arc_cost_j(cost, radius_m);
+  return {of_j.slowing / level_jpm, of_j.per_rad / level_jpm};
 }
 
 LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
                    std::vector<Disc2> avoided)
     : map_(map), finder_(finder), aim_(aim), avoided_(std::move(avoided)) {
   find_least();
-  for (const Vec2& wheel_B_m : finder.cost().wheels_B_m) {
-    border_m_ = std::max(border_m_, wheel_B_m.norm() + 2 * map.spacing_m());
-  }
+  border_m_ = finder.reach_m() + 2 * map.spacing_m();
   // A corner's energy is worth as many metres as it would drive on the level.
   const SoilDrive& soil = finder_.cost().soils.front();
   if (aim_ == RouteAim::risk && !soil.by_slope.empty()) {
@@ -209,7 +212,7 @@ LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
 LegCosts::Cornering LegCosts::rounding(double bend_rad, double room_m) const {
   const DriveCost& cost = finder_.cost();
   const double radius_m = room_m / std::tan(bend_rad / 2);
-  const double arc_j = arc_cost_j(cost, radius_m, bend_rad);
+  const double arc_j = arc_cost_j(cost, radius_m).of(bend_rad);
   // Where the tightest has no room, more than any arc costs, the more the less room there is.
   if (radius_m < cost.turning_radius_min_m) {
     return {arc_j + cost.slow_j * cost.turning_radius_min_m / radius_m, 0};

@@ -40,10 +40,15 @@ struct LegCost {
 
 // How fast the rover drives an arc.
 double arc_speed_mps(const DriveCost& cost, double radius_m);
-// Of slowing down for an arc from full speed and up again after it, and of the arc: its energy with
-// that of all else meanwhile, and that as metres on the level.
-double arc_cost_j(const DriveCost& cost, double radius_m, double bend_rad);
-double arc_price_m(const DriveCost& cost, double radius_m, double bend_rad);
+// Of an arc: of slowing down for it from full speed and up again after it, and of each radian.
+struct ArcCost {
+  double slowing = 0, per_rad = 0;
+
+  double of(double bend_rad) const;
+};
+// Its energy with that of all else meanwhile, and that as metres on the level.
+ArcCost arc_cost_j(const DriveCost& cost, double radius_m);
+ArcCost arc_price_m(const DriveCost& cost, double radius_m);
 
 class LegCosts {
  public:

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "route/explain.h"
@@ -12,7 +11,7 @@
 #include "route/grid_search.h"
 #include "route/reach.h"
 #include "route/refine.h"
-#include "route/turning_search.h"
+#include "route/way_in_turns.h"
 
 namespace lsos {
 
@@ -34,20 +33,8 @@ constexpr double leaving_worse = 1.1, leaving_clearance_m = 0.02, leaving_reache
 // nothing wrong with it.
 constexpr int closer_looks = 12;
 constexpr double closer_look_m = 50;
-// Points nearer than this to the line between their neighbours are left out.
-constexpr double thinned_m = 0.01;
-constexpr double thinned_worth = 1.001;
-// Poses are searched where the rounded way costs so much more than that over the lattice; and no
-// more than so many of them, where there is a rounded way and where there is none.
-constexpr double poses_worth = 1.05;
-constexpr std::size_t poses_to_better = 160'000, poses_max = 520'000;
-// A winding way is refined so often at most, until so many times in a row gained no such share.
-constexpr std::uint64_t rounds_max = 12;
-constexpr int idle_rounds = 3;
-constexpr double gained_share = 0.998;
 // Of the room beside the tightest turn that what must be avoided may take up.
 constexpr double passing_share = 0.9;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 // A map has no more nodes than this: a gigabyte is used for some 60 million.
 constexpr double nodes_max = 6e7;
 
@@ -55,19 +42,6 @@ Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
   const Vec3 p_S_m = map.frame().p_S_m(at_m);
   const GroundSample sample = probe.sample(p_S_m);
   return sample.is_ground() ? Vec3(p_S_m - sample.gap_m * sample.up_S) : p_S_m;
-}
-
-// Without the points that lie on the straight between their neighbours.
-Line2 corners(const Line2& line) {
-  constexpr double straight_m = 1e-3;
-  Line2 kept{line.front()};
-  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
-    const Vec2 in = line[k] - kept.back(), out = line[k + 1] - line[k];
-    const double aside_m = std::abs(in.x() * out.y() - in.y() * out.x());
-    if (aside_m > straight_m * out.norm() || in.dot(out) < 0) kept.push_back(line[k]);
-  }
-  kept.push_back(line.back());
-  return kept;
 }
 
 class LegPlanner {
@@ -237,76 +211,15 @@ class LegPlanner {
     return best;
   }
 
-  // The way over the lattice with its corners rounded is found at once and mostly smooth; poses are
-  // searched where it costs more than that of a rover without turns to make.
   std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
-    const RouteSteering steering =
-        RouteSteering::in_turns(radius_m_, spacing_m_, [&](double radius_m, double bend_rad) {
-          return arc_price_m(finder_.cost(), radius_m, bend_rad);
-        });
-    const GridRoute over_lattice = search_grid(costs, start.at_m, goal_m_);
-    std::optional<Refined> best = rounded(costs, steering, start, over_lattice.line);
-    double least = best ? costs.driven(best->line) : infinite;
-    const auto offer = [&](Refined other) {
-      const double cost = costs.driven(other.line);
-      if (!(cost < least)) return;
-      least = cost;
-      best = std::move(other);
-    };
-    if (!(least <= poses_worth * over_lattice.cost)) {
-      const TurningRoute way =
-          search_turning(costs, start, goal_m_, radius_m_, best ? poses_to_better : poses_max);
-      are_turns_at_border_ = way.is_at_border;
-      nearest_m = way.nearest_m;
-      if (!way.line.empty()) {
-        offer(refined(costs, steering, way.poses, request_.seed));
-        // What its poses are joined by may look at other places than the search did.
-        offer({way.line, {}});
-      }
-      // The yaw at the goal is free.
-      for (const bool to_left : {true, false}) {
-        for (const double wider : {1, 2, 4, 8}) {
-          auto direct = arc_and_straight(start, goal_m_, wider * radius_m_, to_left, spacing_m_);
-          if (direct) offer({std::move(*direct), {}});
-        }
-      }
-      turns_too_wide_ = !best;
-      // A winding way gains from more moves, each time others.
-      int idle = 0;
-      for (std::uint64_t round = 1; best && round <= rounds_max && idle < idle_rounds; ++round) {
-        const double before = least;
-        offer(refined(costs, steering, poses_along(best->line, start), request_.seed + round));
-        idle = least < gained_share * before ? 0 : idle + 1;
-      }
-    }
-    if (!best) return std::nullopt;
-    // Points so near to each other that the rover slows down for corners that are none.
-    Line2 thin = with_fewer_points(best->line, thinned_m);
-    if (costs.driven(thin) <= thinned_worth * least) best->line = std::move(thin);
-    return best;
-  }
-
-  // A line with sharp corners made as cheap as their rounding lets it be, then rounded: by way of
-  // the middle of each of its pieces.
-  std::optional<Refined> rounded(LegCosts& costs, const RouteSteering& steering, const Pose2& start,
-                                 const Line2& over_lattice) const {
-    if (over_lattice.empty()) return std::nullopt;
-    std::vector<Pose2> poses;
-    for (const Vec2& at_m : corners(over_lattice)) poses.push_back({at_m, 0});
-    costs.set_rounding(true);
-    const Line2 sharp = refined(costs, RouteSteering::on_the_spot(), poses, request_.seed).line;
-    costs.set_rounding(false);
-    poses = {start};
-    for (std::size_t k = 0; k + 1 < sharp.size(); ++k) {
-      const Vec2 way_m = sharp[k + 1] - sharp[k];
-      if (way_m.norm() < same_m) continue;
-      const double yaw_rad = std::atan2(way_m.y(), way_m.x());
-      const bool is_last = k + 2 == sharp.size();
-      poses.push_back({is_last ? sharp[k + 1] : Vec2(sharp[k] + way_m / 2), yaw_rad});
-    }
-    if (poses.size() < 2 || !std::isfinite(costs.driven(steering.line(poses)))) return std::nullopt;
-    return refined(costs, steering, poses, request_.seed);
+    WayInTurns found =
+        way_in_turns(costs, finder_.cost(), start, goal_m_, radius_m_, request_.seed);
+    if (found.way) return std::move(found.way);
+    nearest_m = found.nearest_m;
+    turns_too_wide_ = found.is_turn_too_wide;
+    are_turns_at_border_ = found.is_at_border;
+    return std::nullopt;
   }
 
   void tell(GroundMap& map, LegCosts& costs, const Refined& way) {

@@ -90,18 +90,20 @@ double map_spacing_m(const DriveCost& cost) {
 StanceFinder::StanceFinder(const DriveCost& cost)
     : cost_(cost),
       calm_rad_(calm_rad(cost)),
-      calm_clearance_m_(cost.limits.clearance_min_m + (1 - calm_share) * clearance_left_m(cost)),
-      supports_B_m_(supports_m(cost.wheels_B_m, map_spacing_m(cost))) {
+      calm_clearance_m_(cost.limits.clearance_min_m + (1 - calm_share) * clearance_left_m(cost)) {
+  const std::vector<Vec2> at_B_m = supports_m(cost.wheels_B_m, map_spacing_m(cost));
   // Least squares of z = a + b ahead + c left.
-  Eigen::Matrix<double, Eigen::Dynamic, 3> places(supports_B_m_.size(), 3);
-  for (std::size_t k = 0; k < supports_B_m_.size(); ++k) {
-    places.row(static_cast<Eigen::Index>(k)) << 1, supports_B_m_[k].x(), supports_B_m_[k].y();
+  Eigen::Matrix<double, Eigen::Dynamic, 3> places(at_B_m.size(), 3);
+  for (std::size_t k = 0; k < at_B_m.size(); ++k) {
+    places.row(static_cast<Eigen::Index>(k)) << 1, at_B_m[k].x(), at_B_m[k].y();
   }
-  plane_by_heights_ = (places.transpose() * places).inverse() * places.transpose();
+  const Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights =
+      (places.transpose() * places).inverse() * places.transpose();
   for (Eigen::Index k = 0; k < places.rows(); ++k) {
     // 1 where the others alone make no plane.
-    const double own_share = places.row(k).dot(plane_by_heights_.col(k));
-    leverage_.push_back(own_share < 1 - 1e-9 ? 1 / (1 - own_share) : 1);
+    const double own_share = places.row(k).dot(plane_by_heights.col(k));
+    supports_.push_back({at_B_m[static_cast<std::size_t>(k)], plane_by_heights.col(k),
+                         own_share < 1 - 1e-9 ? 1 / (1 - own_share) : 1});
   }
   underside_low_B_m_ = underside_high_B_m_ = cost.underside_B_m.front().head<2>();
   underside_m_ = underside_level_m(cost);
@@ -109,90 +111,85 @@ StanceFinder::StanceFinder(const DriveCost& cost)
     underside_low_B_m_ = underside_low_B_m_.cwiseMin(point.head<2>());
     underside_high_B_m_ = underside_high_B_m_.cwiseMax(point.head<2>());
   }
+  Vec2 low_B_m = underside_low_B_m_, high_B_m = underside_high_B_m_;
+  for (const Vec2& support_B_m : at_B_m) {
+    low_B_m = low_B_m.cwiseMin(support_B_m);
+    high_B_m = high_B_m.cwiseMax(support_B_m);
+  }
+  middle_B_m_ = (low_B_m + high_B_m) / 2;
+  half_B_m_ = (high_B_m - low_B_m) / 2;
 }
 
-double StanceFinder::least_clearance_m(GroundMap& map, const Vec2& at_m, const Vec2& ahead,
+double StanceFinder::least_clearance_m(const GroundMap::Window& ground, const Footing& footing,
                                        const Vec3& plane) const {
-  const Vec2 left(-ahead.y(), ahead.x());
-  Vec2 low_m = Vec2::Constant(std::numeric_limits<double>::infinity()), high_m = -low_m;
-  for (const double x_m : {underside_low_B_m_.x(), underside_high_B_m_.x()}) {
-    for (const double y_m : {underside_low_B_m_.y(), underside_high_B_m_.y()}) {
-      const Vec2 corner_m = at_m + x_m * ahead + y_m * left;
-      low_m = low_m.cwiseMin(corner_m);
-      high_m = high_m.cwiseMax(corner_m);
-    }
-  }
-  const Vec2 first = (low_m - map.low_m()) / map.spacing_m();
-  const Vec2 last = (high_m - map.low_m()) / map.spacing_m();
+  const Vec2 middle_B_m = (underside_low_B_m_ + underside_high_B_m_) / 2;
+  const Vec2 half_B_m = (underside_high_B_m_ - underside_low_B_m_) / 2;
+  const Vec2 middle = footing.nodes(middle_B_m.x(), middle_B_m.y());
+  const Vec2 half = footing.half(half_B_m);
+  const int row_last = static_cast<int>(middle.y() + half.y());
+  const int column_first = static_cast<int>(std::ceil(middle.x() - half.x()));
+  const int column_last = static_cast<int>(middle.x() + half.x());
+  // Of a node for each column and row.
+  const double per_m2 = footing.ahead.squaredNorm();
+  const Vec2 ahead_m = footing.ahead / per_m2, left_m = footing.left / per_m2;
   double least_m = std::numeric_limits<double>::infinity();
-  const int row_last = std::min(map.rows() - 1, static_cast<int>(last.y()));
-  const int column_last = std::min(map.columns() - 1, static_cast<int>(last.x()));
-  for (int row = std::max(0, static_cast<int>(std::ceil(first.y()))); row <= row_last; ++row) {
-    for (int column = std::max(0, static_cast<int>(std::ceil(first.x()))); column <= column_last;
-         ++column) {
-      const Vec2 from_m = map.place_m(column, row) - at_m;
-      const Vec2 on_B_m(from_m.dot(ahead), from_m.dot(left));
-      const bool is_under = (on_B_m.array() >= underside_low_B_m_.array()).all() &&
-                            (on_B_m.array() <= underside_high_B_m_.array()).all();
-      if (!is_under) continue;
-      const double ground_m = map.node_m(column, row);
-      if (std::isnan(ground_m)) continue;
-      least_m = std::min(least_m, plane.x() + plane.y() * on_B_m.x() + plane.z() * on_B_m.y() +
-                                      underside_m_ - ground_m);
+  for (int row = static_cast<int>(std::ceil(middle.y() - half.y())); row <= row_last; ++row) {
+    for (int column = column_first; column <= column_last; ++column) {
+      const Vec2 from = Vec2(column, row) - middle;
+      const double x_m = from.dot(ahead_m), y_m = from.dot(left_m);
+      if (std::abs(x_m) > half_B_m.x() || std::abs(y_m) > half_B_m.y()) continue;
+      const double over_m = plane.x() + plane.y() * (middle_B_m.x() + x_m) +
+                            plane.z() * (middle_B_m.y() + y_m) + underside_m_ -
+                            ground.node_m(column, row);
+      if (over_m < least_m) least_m = over_m;  // not where there is no ground
     }
   }
   return least_m;
 }
 
 Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const {
-  const Vec2 left(-ahead.y(), ahead.x());
-  const auto place = [&](double x_m, double y_m) -> Vec2 {
-    return at_m + x_m * ahead + y_m * left;
-  };
+  const Vec2 ahead_nodes = ahead / map.spacing_m();
+  const Footing footing{map.nodes(at_m), ahead_nodes, {-ahead_nodes.y(), ahead_nodes.x()}};
+  const Vec2 middle = footing.nodes(middle_B_m_.x(), middle_B_m_.y());
+  const Vec2 half = footing.half(half_B_m_);
+  Stance stance;
+  const auto ground = map.window(middle - half, middle + half);
+  if (!ground) return stance;
   // Asked for thousands of times: without allocation, but for a train of wheels.
   std::array<double, 32> few_m;
   std::vector<double> many_m;
-  if (supports_B_m_.size() > few_m.size()) many_m.resize(supports_B_m_.size());
+  if (supports_.size() > few_m.size()) many_m.resize(supports_.size());
   double* heights_m = many_m.empty() ? few_m.data() : many_m.data();
   Vec3 plane = Vec3::Zero();
-  const std::size_t count = supports_B_m_.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec2& support = supports_B_m_[k];
-    heights_m[k] = map.height_m(place(support.x(), support.y()));
-    plane += plane_by_heights_.col(static_cast<Eigen::Index>(k)) * heights_m[k];
+  for (std::size_t k = 0; k < supports_.size(); ++k) {
+    const Support& support = supports_[k];
+    heights_m[k] = ground->height_m(footing.nodes(support.at_B_m.x(), support.at_B_m.y()));
+    plane += support.plane_by_height * heights_m[k];
   }
-  Stance stance;
   if (std::isnan(plane.x())) return stance;
   stance.is_on_ground = true;
   const auto plane_m = [&](double x_m, double y_m) {
     return plane.x() + plane.y() * x_m + plane.z() * y_m;
   };
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vec2& support = supports_B_m_[k];
-    const double off_m = std::abs(heights_m[k] - plane_m(support.x(), support.y()));
-    stance.unevenness_m = std::max(stance.unevenness_m, leverage_[k] * off_m);
+  for (std::size_t k = 0; k < supports_.size(); ++k) {
+    const Support& support = supports_[k];
+    const double off_m = std::abs(heights_m[k] - plane_m(support.at_B_m.x(), support.at_B_m.y()));
+    stance.unevenness_m = std::max(stance.unevenness_m, support.leverage * off_m);
     stance.roughness_m += off_m;
   }
-  stance.roughness_m /= static_cast<double>(count);
+  stance.roughness_m /= static_cast<double>(supports_.size());
   stance.pitch_rad = std::atan(plane.y());
   stance.bank_rad = std::atan(plane.z());
   stance.slope_rad = std::atan(std::sqrt(plane.y() * plane.y() + plane.z() * plane.z()));
   stance.clearance_m = std::numeric_limits<double>::infinity();
   for (const Vec3& point : cost_.underside_B_m) {
-    const double ground_m = map.height_m(place(point.x(), point.y()));
-    if (std::isnan(ground_m)) continue;
-    stance.clearance_m =
-        std::min(stance.clearance_m, plane_m(point.x(), point.y()) + point.z() - ground_m);
+    const double over_m = plane_m(point.x(), point.y()) + point.z() -
+                          ground->height_m(footing.nodes(point.x(), point.y()));
+    if (over_m < stance.clearance_m) stance.clearance_m = over_m;  // not where there is no ground
   }
   // Between those points stands what they do not show: a rock.
-  double bump_m = map.bump_m(at_m);
-  for (const double x_m : {underside_low_B_m_.x(), underside_high_B_m_.x()}) {
-    for (const double y_m : {underside_low_B_m_.y(), underside_high_B_m_.y()}) {
-      bump_m = std::max(bump_m, map.bump_m(place(x_m, y_m)));
-    }
-  }
-  if (stance.clearance_m - bumps_between * bump_m < calm_clearance_m_) {
-    stance.clearance_m = std::min(stance.clearance_m, least_clearance_m(map, at_m, ahead, plane));
+  if (stance.clearance_m - bumps_between * ground->bump_m() < calm_clearance_m_) {
+    stance.clearance_m = std::min(stance.clearance_m, least_clearance_m(*ground, footing, plane));
   }
   stance.soil = map.soil(at_m);
   return stance;

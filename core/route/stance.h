@@ -35,9 +35,12 @@ class StanceFinder {
  public:
   explicit StanceFinder(const DriveCost& cost);
 
-  // `ahead`: unit.
+  // `ahead`: unit. Not on ground where it would not be wholly on the map, or not with a margin of
+  // as much as a rectangle about it that lies as the map does is wider.
   Stance at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const;
   const DriveCost& cost() const { return cost_; }
+  // Of what at() looks at from the middle, at most.
+  double reach_m() const { return middle_B_m_.norm() + half_B_m_.norm(); }
   // Far from all limits, by half of what each leaves, whatever the soil: known without asking for
   // its slips.
   bool is_calm(const Stance& stance) const {
@@ -49,20 +52,33 @@ class StanceFinder {
   static constexpr double calm_share = 0.5;
 
  private:
-  // Over each node under the chassis.
-  double least_clearance_m(GroundMap& map, const Vec2& at_m, const Vec2& ahead,
+  // Where it stands on a map: its middle, ahead and to its left, all in nodes.
+  struct Footing {
+    Vec2 at, ahead, left;
+    Vec2 nodes(double x_m, double y_m) const { return at + x_m * ahead + y_m * left; }
+    // Of the rectangle of columns and rows about one so far ahead and aside.
+    Vec2 half(const Vec2& half_m) const {
+      return half_m.x() * ahead.cwiseAbs() + half_m.y() * left.cwiseAbs();
+    }
+  };
+  // Over each node under the chassis; `plane` as plane_by_height.
+  double least_clearance_m(const GroundMap::Window& ground, const Footing& footing,
                            const Vec3& plane) const;
 
   DriveCost cost_;
   double calm_rad_, calm_clearance_m_;
-  std::vector<Vec2> supports_B_m_;
-  // By how much farther each is from the plane of the others than from that of all.
-  std::vector<double> leverage_;
+  struct Support {
+    Vec2 at_B_m;
+    // What its height adds to the plane's height at the middle, to its rise ahead and to that to
+    // the left.
+    Vec3 plane_by_height;
+    // By how much farther it is from the plane of the others than from that of all.
+    double leverage = 1;
+  };
+  std::vector<Support> supports_;
   Vec2 underside_low_B_m_, underside_high_B_m_;  // the rectangle of the chassis
   double underside_m_;                           // over the plane
-  // The plane's height at the middle, its rise ahead and its rise to the left, by heights of
-  // supports.
-  Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights_;
+  Vec2 middle_B_m_, half_B_m_;                   // of the rectangle of chassis and wheels
 };
 
 // At a stance that drives ahead. A descent is held to the limit of slopes as a climb is; what its

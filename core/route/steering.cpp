@@ -8,7 +8,7 @@ namespace lsos {
 namespace {
 
 // Arcs are tried this much wider than the tightest.
-constexpr double wider[] = {16, 8, 4, 2, 1};
+constexpr std::array<double, 5> wider{16, 8, 4, 2, 1};
 
 }  // namespace
 
@@ -23,16 +23,25 @@ std::vector<Pose2> poses_along(const Line2& line, const Pose2& start) {
   return poses;
 }
 
+RouteSteering RouteSteering::in_turns(double radius_m, double step_m, const ArcPrice& price_m) {
+  RouteSteering steering;
+  steering.step_m_ = step_m;
+  for (std::size_t k = 0; k < wider.size(); ++k) {
+    steering.arcs_[k] = {wider[k] * radius_m, price_m(wider[k] * radius_m)};
+  }
+  return steering;
+}
+
 TurningWay RouteSteering::turns(const Pose2& from, const Pose2& to) const {
   TurningWay best{};
   double least_m = std::numeric_limits<double>::infinity();
-  for (const double ratio : wider) {
-    const TurningWay way = shortest_turns(from, to, ratio * radius_m_);
+  const PosePair poses(from, to);
+  for (const Arc& arc : arcs_) {
+    const TurningWay way = shortest_turns(poses, arc.radius_m);
     double sum_m = lsos::length_m(way);
     if (sum_m >= least_m) continue;
     for (const TurningPiece& piece : way) {
-      const double bend_rad = std::abs(piece.curvature_1pm) * piece.length_m;
-      if (bend_rad > 0) sum_m += price_m_(ratio * radius_m_, bend_rad);
+      sum_m += arc.price_m.of(std::abs(piece.curvature_1pm) * piece.length_m);
     }
     if (sum_m >= least_m) continue;
     least_m = sum_m;

@@ -1,8 +1,8 @@
 // How a rover gets from pose to pose.
 #pragma once
 
+#include <array>
 #include <functional>
-#include <utility>
 
 #include "route/turning.h"
 
@@ -16,13 +16,11 @@ std::vector<Pose2> poses_along(const Line2& line, const Pose2& start);
 class RouteSteering {
  public:
   // What an arc of a radius costs besides its length: so many metres of driving on.
-  using ArcPrice = std::function<double(double radius_m, double bend_rad)>;
+  using ArcPrice = std::function<ArcCost(double radius_m)>;
 
-  static RouteSteering on_the_spot() { return {0, 1, {}}; }
+  static RouteSteering on_the_spot() { return {}; }
   // Arcs are drawn as points `step_m` apart at most.
-  static RouteSteering in_turns(double radius_m, double step_m, ArcPrice price) {
-    return {radius_m, step_m, std::move(price)};
-  }
+  static RouteSteering in_turns(double radius_m, double step_m, const ArcPrice& price_m);
 
   double length_m(const Pose2& from, const Pose2& to) const;
   // The pose that share (0..1) of the way.
@@ -33,14 +31,19 @@ class RouteSteering {
   Line2 line(const std::vector<Pose2>& poses) const;
 
  private:
-  RouteSteering(double radius_m, double step_m, ArcPrice price)
-      : radius_m_(radius_m), step_m_(step_m), price_m_(std::move(price)) {}
+  // Arcs that are tried.
+  struct Arc {
+    double radius_m = 0;
+    ArcCost price_m;
+  };
 
-  bool is_straight() const { return radius_m_ == 0; }
+  RouteSteering() = default;
+
+  bool is_straight() const { return arcs_.front().radius_m == 0; }
   TurningWay turns(const Pose2& from, const Pose2& to) const;
 
-  double radius_m_, step_m_;
-  ArcPrice price_m_;
+  std::array<Arc, 5> arcs_;
+  double step_m_ = 1;
 };
 
 }  // namespace lsos

@@ -1,6 +1,7 @@
 #include "route/turning.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -25,22 +26,30 @@ struct Word {
   double t, p, q;
 };
 
-// All words, of poses on one line a distance d apart (in radii), headings alpha and beta from it.
-std::vector<Word> words(double d, double alpha, double beta) {
-  const double sa = std::sin(alpha), sb = std::sin(beta), ca = std::cos(alpha), cb = std::cos(beta),
-               cab = std::cos(alpha - beta);
-  std::vector<Word> words;
+struct Words {
+  std::array<Word, 6> all;
+  std::size_t count = 0;
+
+  void add(const Word& word) { all[count++] = word; }
+};
+
+// All words; d: apart, in radii.
+Words words(const PosePair& poses, double d) {
+  const double alpha = poses.from_rad, beta = poses.to_rad;
+  const double sa = poses.sin_from, sb = poses.sin_to, ca = poses.cos_from, cb = poses.cos_to,
+               cab = poses.cos_between;
+  Words words;
   // On one circle the straight piece, nought but for rounding, has no direction.
   constexpr double rounding = 1e-9, same = 1e-6;
   const auto straight = [&](double first, double last, double p_squared, auto&& ends) {
     if (p_squared < -rounding) return;
     const double p = std::sqrt(std::max(0.0, p_squared));
     if (first == last && p < same) {
-      words.push_back({{first, 0, last}, full_turn(first * (beta - alpha)), 0, 0});
+      words.add({{first, 0, last}, full_turn(first * (beta - alpha)), 0, 0});
       return;
     }
     const auto [t, q] = ends(p);
-    words.push_back({{first, 0, last}, full_turn(t), p, full_turn(q)});
+    words.add({{first, 0, last}, full_turn(t), p, full_turn(q)});
   };
   using Ends = std::pair<double, double>;
   straight(1, 1, 2 + d * d - 2 * cab + 2 * d * (sa - sb), [&](double) {
@@ -67,7 +76,7 @@ std::vector<Word> words(double d, double alpha, double beta) {
     const double turn = std::atan2(ca - cb, d + first * (sa - sb));
     const double t = full_turn(-first * (alpha + first * turn) + p / 2);
     const double q = full_turn(-first * (alpha - beta) - t + p);
-    words.push_back({{first, -first, first}, t, p, q});
+    words.add({{first, -first, first}, t, p, q});
   };
   three_arcs(-1);
   three_arcs(1);
@@ -122,13 +131,29 @@ std::optional<Line2> arc_and_straight(const Pose2& from, const Vec2& to_m, doubl
   return line;
 }
 
-TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m) {
+PosePair::PosePair(const Pose2& from, const Pose2& to) {
   const Vec2 way_m = to.at_m - from.at_m;
-  const double bearing_rad = way_m.norm() > 0 ? std::atan2(way_m.y(), way_m.x()) : 0;
+  away_m = way_m.norm();
+  const double bearing_rad = away_m > 0 ? std::atan2(way_m.y(), way_m.x()) : 0;
+  from_rad = from.yaw_rad - bearing_rad;
+  to_rad = to.yaw_rad - bearing_rad;
+  sin_from = std::sin(from_rad);
+  cos_from = std::cos(from_rad);
+  sin_to = std::sin(to_rad);
+  cos_to = std::cos(to_rad);
+  cos_between = std::cos(from_rad - to_rad);
+}
+
+TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m) {
+  return shortest_turns(PosePair(from, to), radius_m);
+}
+
+TurningWay shortest_turns(const PosePair& poses, double radius_m) {
   TurningWay best{};
   double least_m = std::numeric_limits<double>::infinity();
-  for (const Word& word :
-       words(way_m.norm() / radius_m, from.yaw_rad - bearing_rad, to.yaw_rad - bearing_rad)) {
+  const Words found = words(poses, poses.away_m / radius_m);
+  for (std::size_t k = 0; k < found.count; ++k) {
+    const Word& word = found.all[k];
     const TurningWay way{{{word.turns[0] / radius_m, word.t * radius_m},
                           {word.turns[1] / radius_m, word.p * radius_m},
                           {word.turns[2] / radius_m, word.q * radius_m}}};

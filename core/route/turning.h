@@ -39,6 +39,16 @@ struct TurningPiece {
 using TurningWay = std::array<TurningPiece, 3>;
 TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m);
 
+// Two poses as those formulas take them, for several radii: how far apart, and yaws to the line
+// from one to the other.
+struct PosePair {
+  PosePair(const Pose2& from, const Pose2& to);
+
+  double away_m, from_rad, to_rad;
+  double sin_from, cos_from, sin_to, cos_to, cos_between;
+};
+TurningWay shortest_turns(const PosePair& poses, double radius_m);
+
 double length_m(const TurningWay& way);
 // The pose so far along it.
 Pose2 along_turns(const Pose2& from, const TurningWay& way, double so_far_m);

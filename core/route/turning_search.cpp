@@ -30,7 +30,7 @@ struct Pace {
   double haste;
   std::size_t poses;
 };
-constexpr Pace paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
+constexpr Pace paces[] = {{1.04, 20'000}, {1.1, 15'000}, {1.2, 20'000}, {1.4, 465'000}};
 
 // Ways that cost so much more over the lattice than the cheapest are not looked at, with room for
 // so many full turns: where the rover does not come on, all ground would be. Where nothing else is
@@ -66,12 +66,13 @@ struct Candidate {
 
 class Search {
  public:
-  Search(LegCosts& costs, const Pose2& start, const Vec2& goal_m, double radius_m)
+  Search(LegCosts& costs, const Pose2& start, const Vec2& goal_m, double radius_m,
+         const Tube* within)
       : costs_(costs),
         map_(costs.map()),
         start_(start),
         goal_m_(goal_m),
-        to_go_(costs, start.at_m, goal_m),
+        to_go_(costs, start.at_m, goal_m, within),
         radius_m_(radius_m),
         step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())) {}
 
@@ -286,8 +287,8 @@ class Search {
 }  // namespace
 
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
-                            double radius_m, std::size_t poses_max) {
-  return Search(costs, start, goal_m, radius_m).run(poses_max);
+                            double radius_m, std::size_t poses_max, const Tube* within) {
+  return Search(costs, start, goal_m, radius_m, within).run(poses_max);
 }
 
 }  // namespace lsos

@@ -1,6 +1,7 @@
 // The cheapest way over poses for a rover that cannot turn on the spot.
 #pragma once
 
+#include "route/tube.h"
 #include "route/turning.h"
 
 namespace lsos {
@@ -20,8 +21,8 @@ struct TurningRoute {
 // last piece is an arc and a straight line to the goal. Of poses in one cell only the first that
 // comes by a sharp arc is followed and the first that does not, and no more than `poses_max` in
 // all: the more of them it takes, the costlier a way may be, up to `haste`; half a million is the
-// most that are ever looked at. Start and goal must be on the map.
+// most that are ever looked at. Start and goal must be on the map. `within`: by its places only.
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
-                            double radius_m, std::size_t poses_max);
+                            double radius_m, std::size_t poses_max, const Tube* within = nullptr);
 
 }  // namespace lsos

@@ -55,5 +55,22 @@ TEST(CostToGo, is_not_looked_for_beyond_its_limit) {
   EXPECT_TRUE(std::isfinite(to_go.at(behind_m))) << "there and back";
 }
 
+TEST(CostToGo, is_looked_for_only_within_a_tube) {
+  const Plain plain;
+  GroundMap map = plain.map();
+  LegCosts costs(map, plain.finder(), RouteAim::energy);
+  const Vec2 start_m(0, 0), goal_m(100, 0);
+  const Tube tube(map, search_grid(costs, start_m, goal_m).line, 12);
+  GroundMap fresh = plain.map();
+  LegCosts fresh_costs(fresh, plain.finder(), RouteAim::energy);
+  CostToGo within(fresh_costs, start_m, goal_m, &tube), whole(costs, start_m, goal_m);
+  constexpr double cell_j = 1.5 * 1000;  // the first known of four nodes
+  EXPECT_NEAR(within.at(start_m), whole.at(start_m), cell_j) << "the cheapest way lies in it";
+  EXPECT_FALSE(std::isfinite(within.at({50, -70})));
+  EXPECT_FALSE(within.was_limited());
+  EXPECT_TRUE(std::isfinite(whole.at({50, -70})));
+  EXPECT_LT(fresh.sampled_nodes(), map.sampled_nodes() / 2);
+}
+
 }  // namespace
 }  // namespace lsos::test

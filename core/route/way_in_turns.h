@@ -1,0 +1,24 @@
+// The way of a rover that cannot turn on the spot.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "route/refine.h"
+#include "route/turning.h"
+
+namespace lsos {
+
+struct WayInTurns {
+  std::optional<Refined> way;
+  // Without one:
+  Vec2 nearest_m = Vec2::Zero();  // of all places that were reached the one nearest to the goal
+  bool is_turn_too_wide = false;  // there is one over the lattice
+  bool is_at_border = false;      // a wider map may hold one
+};
+
+// In turns of `radius_m` or wider. The same seed gives the same bits.
+WayInTurns way_in_turns(LegCosts& costs, const DriveCost& cost, const Pose2& start,
+                        const Vec2& goal_m, double radius_m, std::uint64_t seed);
+
+}  // namespace lsos
