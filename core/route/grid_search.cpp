@@ -6,7 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <queue>
+
+#include "route/tube.h"
 
 namespace lsos {
 
@@ -17,6 +20,13 @@ constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
 constexpr double grain_share = 1e-9;  // of what a way costs at the least
+// Where so many nodes, by those of a long way, do not lead to the goal, the bound of what is left
+// to it is weak: the ground is rough all over. Then the way over every third column and row is
+// found, and that over all nodes near it, so many spacings to either side. Of seven ways over 1000
+// m of LunarSouthPole six cost the same as without or less, one 1 % more, in half of the time.
+constexpr double few_a_node = 30, long_nodes = 700;
+constexpr int coarse_stride = 3;
+constexpr double near_spacings = 20;
 
 struct Candidate {
   double total = 0;  // estimate of a whole way through it
@@ -35,26 +45,60 @@ struct Candidate {
   }
 };
 
+// Some nodes of a map: every so many of its columns and rows, that of `about_m` one of them.
+class Lattice {
+ public:
+  Lattice(GroundMap& map, int stride, const Vec2& about_m)
+      : map_(&map),
+        stride_(stride),
+        first_column_(static_cast<int>(std::lround(map.nodes(about_m).x())) % stride),
+        first_row_(static_cast<int>(std::lround(map.nodes(about_m).y())) % stride),
+        columns_((map.columns() - 1 - first_column_) / stride + 1),
+        rows_((map.rows() - 1 - first_row_) / stride + 1) {}
+
+  double spacing_m() const { return stride_ * map_->spacing_m(); }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  Vec2 place_m(int column, int row) const {
+    return map_->place_m(first_column_ + stride_ * column, first_row_ + stride_ * row);
+  }
+  double height_m(int column, int row) const {
+    return map_->node_m(first_column_ + stride_ * column, first_row_ + stride_ * row);
+  }
+  // The nearest of its nodes, of which there may be none.
+  int column(const Vec2& at_m) const {
+    return static_cast<int>(std::lround((map_->nodes(at_m).x() - first_column_) / stride_));
+  }
+  int row(const Vec2& at_m) const {
+    return static_cast<int>(std::lround((map_->nodes(at_m).y() - first_row_) / stride_));
+  }
+
+ private:
+  GroundMap* map_;
+  int stride_, first_column_, first_row_, columns_, rows_;
+};
+
 class Search {
  public:
-  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m)
+  // `within`: over its nodes only.
+  Search(LegCosts& costs, int stride, const Vec2& start_m, const Vec2& goal_m, const Tube* within)
       : costs_(costs),
-        map_(costs.map()),
+        map_(costs.map(), stride, start_m),
+        within_(within),
         start_m_(start_m),
         goal_m_(goal_m),
-        goal_height_m_(map_.height_m(goal_m)),
+        goal_height_m_(costs.map().height_m(goal_m)),
         goal_node_(map_.columns() * map_.rows()),
         come_by_(static_cast<std::size_t>(goal_node_) + 1, no_direction),
         cost_(static_cast<std::size_t>(goal_node_) + 1, infinite),
         is_closed_(static_cast<std::size_t>(goal_node_) + 1, false) {
-    const Vec2 cells = (start_m - map_.low_m()) / map_.spacing_m();
-    start_ =
-        number(static_cast<int>(std::lround(cells.x())), static_cast<int>(std::lround(cells.y())));
+    start_ = number(map_.column(start_m), map_.row(start_m));
     find_closing_nodes();
     grain_ = grain_share * left(start_);
   }
 
-  GridRoute run() {
+  // Nothing where so many nodes were expanded to no end.
+  std::optional<GridRoute> run(std::size_t expanded_max) {
     GridRoute route;
     double nearest_m = infinite;
     queue_.push({left(start_), 0, 0, start_, no_direction, true});
@@ -70,6 +114,7 @@ class Search {
       is_closed_[at] = true;
       cost_[at] = best.cost;
       come_by_[at] = best.direction;
+      if (route.expanded == expanded_max) return std::nullopt;
       ++route.expanded;
       if (best.node == goal_node_) {
         route.line = line();
@@ -96,7 +141,7 @@ class Search {
   }
   double height_m(std::int32_t node) {
     return node == goal_node_ ? goal_height_m_
-                              : map_.node_m(node % map_.columns(), node / map_.columns());
+                              : map_.height_m(node % map_.columns(), node / map_.columns());
   }
   std::int32_t before(const Candidate& c) const {
     if (c.direction == to_goal) return last_;
@@ -108,9 +153,7 @@ class Search {
     return (at_m - goal_m_).cwiseAbs().maxCoeff() <= 1.01 * map_.spacing_m();
   }
   void find_closing_nodes() {
-    const Vec2 cells = (goal_m_ - map_.low_m()) / map_.spacing_m();
-    const int column = static_cast<int>(std::lround(cells.x()));
-    const int row = static_cast<int>(std::lround(cells.y()));
+    const int column = map_.column(goal_m_), row = map_.row(goal_m_);
     for (int y = std::max(0, row - 1); y <= std::min(map_.rows() - 1, row + 1); ++y) {
       for (int x = std::max(0, column - 1); x <= std::min(map_.columns() - 1, column + 1); ++x) {
         const Vec2 at_m = map_.place_m(x, y);
@@ -153,6 +196,7 @@ class Search {
 
   void offer(const Candidate& from, std::int32_t to, std::uint8_t direction) {
     if (is_closed_[static_cast<std::size_t>(to)]) return;
+    if (within_ != nullptr && !within_->holds(place(to))) return;
     const double rise_m = height_m(to) - height_m(from.node);
     if (std::isnan(rise_m)) return;
     const double cost = from.cost + costs_.least((place(to) - place(from.node)).norm(), rise_m);
@@ -207,7 +251,8 @@ class Search {
   }
 
   LegCosts& costs_;
-  GroundMap& map_;
+  Lattice map_;
+  const Tube* within_;
   Vec2 start_m_, goal_m_;
   double goal_height_m_;
   struct ClosingNode {
@@ -231,7 +276,23 @@ double octile_m(const Vec2& way_m) {
 }
 
 GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
-  return Search(costs, start_m, goal_m).run();
+  constexpr auto all = std::numeric_limits<std::size_t>::max();
+  const double spacing_m = costs.map().spacing_m();
+  const double nodes = octile_m(goal_m - start_m) / spacing_m;
+  const std::size_t few = nodes < long_nodes ? all : static_cast<std::size_t>(few_a_node * nodes);
+  if (auto route = Search(costs, 1, start_m, goal_m, nullptr).run(few)) return *route;
+  const auto coarse = Search(costs, coarse_stride, start_m, goal_m, nullptr).run(all);
+  std::size_t expanded = few + coarse->expanded;
+  if (!coarse->line.empty()) {
+    const Tube near(costs.map(), coarse->line, near_spacings * spacing_m);
+    auto route = Search(costs, 1, start_m, goal_m, &near).run(all);
+    expanded += route->expanded;
+    route->expanded = expanded;
+    if (!route->line.empty()) return *route;
+  }
+  auto route = Search(costs, 1, start_m, goal_m, nullptr).run(all);
+  route->expanded += expanded;
+  return *route;
 }
 
 }  // namespace lsos

@@ -15,8 +15,9 @@ struct GridRoute {
 // Length of the shortest way over nodes, each to its eight neighbours.
 double octile_m(const Vec2& way_m);
 
-// A* whose edges are worked out only when they come first (Cohen, Phillips and Likhachev 2014).
-// Start and goal must be on the map; the start is taken at the nearest node.
+// A* whose edges are worked out only when they come first (Cohen, Phillips and Likhachev 2014);
+// where that looks at much of the map, near the way over a coarser lattice. Start and goal must be
+// on the map; the start is taken at the nearest node.
 GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
 
 }  // namespace lsos

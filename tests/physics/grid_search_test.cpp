@@ -1,4 +1,4 @@
-// How much of the lattice a search looks at on level ground, of a shipped rover.
+// How much of the lattice a search looks at on level and on rough ground, of a shipped rover.
 #include "route/grid_search.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,8 @@
 #include "base/units.h"
 #include "mission/drive_table.h"
 #include "physics/drive.h"
+#include "physics/legs.h"
+#include "route/cost_to_go.h"
 #include "route/leg_cost.h"
 
 namespace lsos::test {
@@ -29,6 +31,32 @@ TEST(LevelSearch, looks_at_few_of_the_ways_that_cost_the_same) {
     const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m);
     const double steps = octile_m(goal_m) / map.spacing_m();
     EXPECT_LT(static_cast<double>(route.expanded), 4 * steps) << bearing_deg;
+  }
+}
+
+// Against the search from the goal backwards, which looks at all of the map that it must.
+TEST(RoughSearch, near_a_coarser_way_costs_hardly_more_and_looks_at_less) {
+  for (const std::uint64_t seed : {4, 6, 9}) {
+    const SeededLeg leg{"SEV", "LunarSouthPole", seed, 800};
+    const auto ground = leg.ground();
+    const DriveCost cost = cost_of(leg, *ground);
+    const StanceFinder finder(cost);
+    const MapFrame frame(ground->site(), Vec3::Zero());
+    const Vec2 goal_m = frame.at(leg.goal_S_m(*ground));
+    const double spacing_m = map_spacing_m(cost);
+    const Vec2 aside_m = Vec2::Constant(240 * spacing_m);
+    const Vec2 low_m = (goal_m.cwiseMin(0) / spacing_m).array().floor().matrix() * spacing_m;
+    GroundMap map(*ground, frame, low_m - aside_m, goal_m.cwiseMax(0) + aside_m, spacing_m);
+    LegCosts costs(map, finder, RouteAim::energy);
+    const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m);
+    const double cheapest = CostToGo(costs, Vec2::Zero(), goal_m).at(Vec2::Zero());
+    ASSERT_TRUE(std::isfinite(cheapest)) << seed;
+    EXPECT_LT(route.cost, 1.02 * cheapest) << seed;
+    const auto nodes =
+        static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows());
+    EXPECT_LT(route.expanded, nodes / 8) << seed;
+    std::printf("seed %d: %.4f of the cheapest, %zu of %zu nodes\n", static_cast<int>(seed),
+                route.cost / cheapest, route.expanded, nodes);
   }
 }
 
