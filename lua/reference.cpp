@@ -79,9 +79,9 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
   {1} MiB of memory. What functions do counts too: steps of a text pattern, keys of `pairs`, bytes of a
   text, 300 for an error that `pcall` catches, 150 000 for `rover:plan_path` with 1000 a leg and 30
   a metre as the crow flies: some 90 km a call. An instruction counts more while there are texts of
-  more than 2 KiB, a deep recursion or dozens of metatables. A call that still takes more than {3} s of the processor's time, as no ordinary one can, is stopped as well: the
-  one stop that depends on the machine.
-  `pcall` catches no spent budget.
+  more than 2 KiB, a deep recursion or dozens of metatables. A call that still takes more than {3} s
+  of the processor's time, as no ordinary one can, is stopped as well: the one stop that depends on the
+  machine. `pcall` catches no spent budget.
 - A call may write 1000 rows into the log's notes, of 1 MiB together; `ev.state` may take 1 MiB.
 - A metatable with `__gc` or `__mode` is refused; set later, neither has an effect.
 - `print` writes a row into the log's notes.
