@@ -30,7 +30,7 @@ struct Pace {
   double haste;
   std::size_t poses;
 };
-constexpr Pace paces[] = {{1.04, 20'000}, {1.1, 15'000}, {1.2, 20'000}, {1.4, 465'000}};
+constexpr Pace paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
 
 // Ways that cost so much more over the lattice than the cheapest are not looked at, with room for
 // so many full turns: where the rover does not come on, all ground would be. Where nothing else is
