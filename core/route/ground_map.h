@@ -76,7 +76,8 @@ class GroundMap {
   // A piece of the map whose heights are sampled, for many looks at once.
   class Window {
    public:
-    // At a place in nodes, see nodes(), within the window: as GroundMap::height_m().
+    // At a place in nodes, see nodes(), within the window or off it by rounding: as
+    // GroundMap::height_m().
     double height_m(const Vec2& at) const { return map_->between(at.x(), at.y()); }
     // Of a node of it.
     double node_m(int column, int row) const { return map_->heights_m_[map_->index(column, row)]; }
@@ -90,8 +91,10 @@ class GroundMap {
     const GroundMap* map_;
     double bump_m_;
   };
-  // Of the cells about low..high, in nodes; nothing where some are not on the map.
-  std::optional<Window> window(const Vec2& low, const Vec2& high) {
+  // Of the cells about first..last, in nodes; nothing where some are not on the map. A place on its
+  // edge may be worked out otherwise, to the last digits.
+  std::optional<Window> window(const Vec2& first, const Vec2& last) {
+    const Vec2 low = first - Vec2::Constant(rounding), high = last + Vec2::Constant(rounding);
     const bool is_within =
         low.x() >= 0 && low.y() >= 0 && high.x() < columns_ - 1 && high.y() < rows_ - 1;
     if (!is_within) return std::nullopt;
@@ -112,6 +115,7 @@ class GroundMap {
   // Cells of a tile; its nodes are those about them: the last are the first of the next tile's.
   static constexpr int tile_bits = 4, tile_cells = 1 << tile_bits;
   static constexpr float not_sampled = -1;
+  static constexpr double rounding = 1e-6;  // of places, in nodes
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +

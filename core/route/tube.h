@@ -1,6 +1,7 @@
 // The ground about a line: where a search that is to make it better need look.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "route/leg_cost.h"
@@ -19,7 +20,9 @@ class Tube {
  private:
   std::size_t index(const Vec2& at_m) const {
     const Vec2 squares = (at_m - low_m_) / square_m_;
-    return static_cast<std::size_t>(squares.y()) * columns_ + static_cast<std::size_t>(squares.x());
+    const auto column = std::min(static_cast<std::size_t>(squares.x()), columns_ - 1);
+    const auto row = std::min(static_cast<std::size_t>(squares.y()), rows_ - 1);
+    return row * columns_ + column;
   }
 
   Vec2 low_m_;

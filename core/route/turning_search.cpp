@@ -188,14 +188,14 @@ class Search {
   }
 
   // Of slowing down for an edge, and the speeds after it.
-  struct ArcCost {
+  struct EdgeArc {
     double cost = 0;
     LegCosts::Speeds speeds;
   };
-  ArcCost arc(std::int32_t from, double turn) const {
+  EdgeArc arc(std::int32_t from, double turn) const {
     const Reached& node = reached_[static_cast<std::size_t>(from)];
     const double curvature_1pm = turn / radius_m_, length_m = edge_m(curvature_1pm);
-    ArcCost arc{0, node.speeds};
+    EdgeArc arc{0, node.speeds};
     if (turn == 0) {
       arc.speeds.free_m += length_m;
       return arc;
@@ -217,7 +217,7 @@ class Search {
     const double along =
         costs_.along(arc_line(from.pose, curvature_1pm, length_m, map_.spacing_m()));
     if (!std::isfinite(along)) return;
-    const ArcCost arc = this->arc(edge.node, edge.turn);
+    const EdgeArc arc = this->arc(edge.node, edge.turn);
     const double cost = from.cost + along + arc.cost;
     reached_.push_back({to, cost, edge.node, curvature_1pm, arc.speeds});
     queue_.push({cost + left(to.at_m), cost, static_cast<std::int32_t>(reached_.size() - 1)});

@@ -12,7 +12,7 @@ namespace lsos {
 struct WayInTurns {
   std::optional<Refined> way;
   // Without one:
-  Vec2 nearest_m = Vec2::Zero();  // of all places that were reached the one nearest to the goal
+  Vec2 nearest_m;                 // of all places that were reached the one nearest to the goal
   bool is_turn_too_wide = false;  // there is one over the lattice
   bool is_at_border = false;      // a wider map may hold one
 };

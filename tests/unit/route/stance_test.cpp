@@ -90,5 +90,16 @@ TEST(Stance, of_a_hole_between_the_wheels_is_uneven_or_on_its_belly) {
   EXPECT_NE(hazard(finder.at(map, {-1, -0.8}, {1, 0}), finder.cost()), Hazard::none);
 }
 
+TEST(GroundMap, has_sampled_what_lies_off_a_window_by_rounding) {
+  const Site site({});
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
+                0.5);
+  // From the border of a tile on: the place on it may be worked out before it.
+  const auto window = map.window({16, 20}, {18, 22});
+  ASSERT_TRUE(window);
+  EXPECT_EQ(map.sampled_nodes(), 2u * 17 * 17);
+  EXPECT_FALSE(map.window({0, 4}, {2, 6})) << "nor past the edge";
+}
+
 }  // namespace
 }  // namespace lsos::test
