@@ -77,8 +77,8 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
   lies in `ev.state`.
 - A call may take {0} million instructions and make {2} MiB of texts and tables, all scripts together
   {1} MiB of memory. What functions do counts too: steps of a text pattern, keys of `pairs`, bytes of a
-  text, 300 for an error that `pcall` catches, 150 000 for `rover:plan_path` with 1000 a leg and 30
-  a metre as the crow flies: some 90 km a call. An instruction counts more while there are texts of
+  text, 300 for an error that `pcall` catches, 150 000 for `rover:plan_path` with 1000 a leg and
+  2.5 a metre as the crow flies: some 1000 km a call. An instruction counts more while there are texts of
   more than 2 KiB, a deep recursion or dozens of metatables. A call that still takes more than {3} s
   of the processor's time, as no ordinary one can, is stopped as well: the one stop that depends on the
   machine. `pcall` catches no spent budget.

@@ -119,12 +119,12 @@ int follow(lua_State* L) {
   return 0;
 }
 
-// The dearest that a script can ask for: 3 km may take a second. A mission's own route of hundreds
-// of legs must fit.
+// The dearest that a script can ask for: a kilometre may take a second, and more. A mission's own
+// route of hundreds of legs must fit, though most of it is planned before the event asks for it.
 void charge_planning(lua_State* L, const Path3& waypoints, std::int64_t first,
                      const Vec3& from_S_m) {
   constexpr std::int64_t instructions_per_plan = 150'000, instructions_per_leg = 1000;
-  constexpr double instructions_per_m = 30, length_max_m = 1e9;
+  constexpr double instructions_per_m = 2.5, length_max_m = 1e9;
   double length_m = 0;
   Vec3 before_S_m = from_S_m;
   for (auto i = static_cast<std::size_t>(first - 1); i < waypoints.size(); ++i) {
@@ -137,10 +137,11 @@ void charge_planning(lua_State* L, const Path3& waypoints, std::int64_t first,
       static_cast<std::int64_t>(instructions_per_m * std::min(length_m, length_max_m));
   const LuaContext& ctx = context(L);
   if (ctx.is_charging && instructions > ctx.instructions_max) {
-    throw std::runtime_error(fmt::format(
-        "rover:plan_path: {} legs over {:.0f} km are more than one call may plan; plan the way in "
-        "parts, each in a call of its own",
-        legs, length_m / 1000));
+    throw std::runtime_error(
+        fmt::format("rover:plan_path: a way of {:.0f} km is more than one call may plan; plan it "
+                    "in parts, each "
+                    "in a call of its own",
+                    std::min(length_m, length_max_m) / 1000));
   }
   charge(L, instructions);
 }

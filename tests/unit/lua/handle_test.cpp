@@ -61,7 +61,7 @@ TEST(Handle, follow_takes_lists_points_and_settings) {
   EXPECT_EQ(run->rover.settings.arrival_radius_m, 3.0);
 }
 
-TEST(Handle, a_call_plans_some_90_km) {
+TEST(Handle, a_call_plans_some_1000_km) {
   const auto error = [](int legs, int calls) {
     return EventRun::of_phase(
                fmt::format("local p = {{}} for i = 1, {} do p[i] = lsos.vec3(i % 2 * 3000, 0) "
@@ -69,10 +69,11 @@ TEST(Handle, a_call_plans_some_90_km) {
                            legs, calls))
         ->error();
   };
-  EXPECT_EQ(error(25, 1), "no error");
-  EXPECT_THAT(error(50, 1), HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: "
-                                      "rover:plan_path: 50 legs over 150 km are more than one call "
-                                      "may plan; plan the way in parts"));
+  EXPECT_EQ(error(250, 1), "no error");
+  EXPECT_THAT(error(400, 1),
+              HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: "
+                        "rover:plan_path: a way of 1200 km is more than one call may "
+                        "plan; plan it in parts"));
   EXPECT_EQ(error(1, 10), "no error");
   EXPECT_THAT(error(1, 50), HasSubstr("events/Probe.lua:3: "));
 }
