@@ -9,6 +9,9 @@ namespace lsos {
 
 namespace {
 
+// A longer line is not read.
+constexpr std::size_t read_max = 2000;
+
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 // What a vec3 has in its own unit.
@@ -134,10 +137,14 @@ class LineReader {
 }  // namespace
 
 std::vector<std::string> value_names(const std::string& line) {
+  // What holds commas of its own, in words or in long texts and comments, is not read.
+  static const std::regex other(R"(\[=*\[|--.*\S.*\n|\bfunction\b|\S.*\breturn\b)");
+  if (line.size() > read_max || std::regex_search(line, other)) return {""};
   return LineReader(line).value_names();
 }
 
 std::vector<std::string> local_names(const std::string& line) {
+  if (line.size() > read_max) return {};
   static const std::regex statement(R"((?:^|[;\s])local\s+(?:function\s+)?([\w\s,<>]+))");
   static const std::regex word(R"([A-Za-z_]\w*)");
   std::vector<std::string> names;

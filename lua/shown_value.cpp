@@ -85,7 +85,9 @@ std::string quantity_text(lua_State* L, int index, const std::string& name) {
   return tostring_text(L, index);
 }
 
-std::string written(lua_State* L, int index, Units units, const std::string& name, int depth = 0) {
+// As far as so many bytes go: tables that hold each other would be written for minutes.
+std::string written(lua_State* L, int index, Units units, const std::string& name,
+                    std::size_t bytes, int depth = 0) {
   luaL_checkstack(L, 12, "tables in tables");
   index = lua_absindex(L, index);
   if (!lua_istable(L, index) || depth >= depth_max || has_text_of_its_own(L, index)) {
@@ -100,6 +102,10 @@ std::string written(lua_State* L, int index, Units units, const std::string& nam
   push_sorted_keys(L, index);
   for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
     if (!members.empty()) members += ", ";
+    if (members.size() > bytes) {
+      members += "...";
+      break;
+    }
     if (lua_isinteger(L, -1) == 0 || lua_tointeger(L, -1) != i) {
       members += fmt::format("{} = ", luaL_tolstring(L, -1, nullptr));
       lua_pop(L, 1);
@@ -107,7 +113,7 @@ std::string written(lua_State* L, int index, Units units, const std::string& nam
     const std::string member = name_of_member(L, -1, name);
     lua_pushvalue(L, -1);
     lua_rawget(L, index);
-    members += written(L, -1, units, member, depth + 1);
+    members += written(L, -1, units, member, bytes, depth + 1);
     lua_pop(L, 1);
   }
   lua_pop(L, 2);
@@ -120,8 +126,12 @@ std::string member_text(lua_State* L, int index, const std::string& name) {
   if (!lua_istable(L, index) || has_text_of_its_own(L, index)) {
     return quantity_text(L, index, name);
   }
-  const std::string text = written(L, index, Units::shown, name);
-  return text.size() <= bytes_max ? text : text.substr(0, bytes_max) + "...";
+  const std::string text = written(L, index, Units::shown, name, bytes_max);
+  if (text.size() <= bytes_max) return text;
+  std::size_t end = bytes_max;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
+    --end;  // a letter's rest
+  return text.substr(0, end) + "...";
 }
 
 // The fields of a handle, or what a table holds, a line each.
@@ -157,7 +167,10 @@ void add_members(lua_State* L, int index, const std::string& name, std::string& 
 
 }  // namespace
 
-std::string written_value(lua_State* L, int index) { return written(L, index, Units::none, ""); }
+std::string written_value(lua_State* L, int index) {
+  constexpr std::size_t bytes_max = 10'000;
+  return written(L, index, Units::none, "", bytes_max);
+}
 
 std::string shown_value(lua_State* L, int index, const std::string& name) {
   std::string text = quantity_text(L, index, name);

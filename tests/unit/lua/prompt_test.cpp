@@ -47,6 +47,30 @@ class PromptLines : public ::testing::Test {
   Repl repl_{"", ::testing::TempDir(), [this](const std::string& line) { lines_.push_back(line); }};
 };
 
+TEST_F(PromptLines, give_no_unit_to_what_only_stands_beside_a_name) {
+  EXPECT_THAT(said("a = { speed_mps = 2, time_s = 8 }"), IsEmpty());
+  EXPECT_THAT(said("a.speed_mps, a.time_s"), ElementsAre("2 m/s", "8 s"));
+  EXPECT_THAT(said("return a.time_s"), ElementsAre("8 s"));
+  EXPECT_THAT(said("a.speed_mps --[[ v ]] / a.time_s"), ElementsAre("0.25"));
+  EXPECT_THAT(said("[[it's]], a.time_s"), ElementsAre("it's", "8"));
+  EXPECT_THAT(said("local x, time_s, b = 1, 2, 3 return b, 7"), ElementsAre("3", "7"));
+  EXPECT_THAT(said("(function(q) return 1, a.time_s end)(), 5").back(), EndsWith("5"));
+}
+
+TEST_F(PromptLines, that_are_very_long_are_read_all_the_same) {
+  const std::string brackets(300'000, '('), letters(200'000, 'a');
+  EXPECT_THAT(said("#[[" + brackets + "]]"), ElementsAre("300000"));
+  EXPECT_THAT(said("local " + letters + " = 1"), IsEmpty());
+}
+
+TEST_F(PromptLines, show_tables_that_hold_each_other_as_far_as_a_line_goes) {
+  EXPECT_THAT(said("w = {} for i = 1, 20 do w[i] = w end"), IsEmpty());
+  const std::vector<std::string> lines = said("w");
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_LT(lines.front().size(), 20'000u);
+  EXPECT_THAT(said("{ { ('x'):rep(300) .. 'ä' } }").front(), HasSubstr("xxx"));
+}
+
 TEST_F(PromptLines, show_values_and_what_tables_hold) {
   EXPECT_THAT(said("lsos.vec3(1, 2, 3)"), ElementsAre("(1, 2, 3)"));
   EXPECT_THAT(said("{ b = 2, a = 'x' }"), ElementsAre("table\n  a = x\n  b = 2"));
