@@ -85,10 +85,9 @@ const std::string* argument_of(const std::vector<Word>& words, std::size_t i) {
 // "" when it may be there without being known.
 std::string unknown(const char* what, const std::string& name, const std::set<std::string>& known,
                     bool are_all_known) {
+  if (!are_all_known) return "";
   const std::vector<std::string> names(known.begin(), known.end());
-  const std::string hint = did_you_mean(name, names);
-  if (!are_all_known && hint.empty()) return "";
-  return fmt::format("there is no {} '{}'{}", what, name, hint);
+  return fmt::format("there is no {} '{}'{}", what, name, did_you_mean(name, names));
 }
 
 std::string argument_fault(const std::string& question, const std::string& argument,
@@ -221,13 +220,38 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
   return fmt::format("{}", fmt::join(faults, "; "));
 }
 
+// What stands there, alone or in brackets, where that is a number; else "".
+std::string number_at(const std::vector<Word>& words, std::size_t at) {
+  std::size_t brackets = 0;
+  bool is_number = false;  // what has a minus is one
+  for (; at < words.size() && words[at].kind == Word::Kind::symbol; ++at) {
+    if (words[at].text == "-") {
+      is_number = true;
+    } else if (words[at].text == "(") {
+      ++brackets;
+    } else {
+      return "";
+    }
+  }
+  if (at >= words.size()) return "";
+  static const std::set<std::string> no_numbers{"ult", "type", "tointeger"};
+  if (words[at].text == "math" && at + 2 < words.size()) {
+    const std::string name = "math." + words[at + 2].text;
+    return brackets == 0 && !no_numbers.contains(words[at + 2].text) ? name + "(...)" : "";
+  }
+  if (!is_number && operand_of(words[at]) != Operand::number) return "";
+  const std::size_t after = operand_end(words, at);
+  const bool is_alone = brackets == 0 || (after < words.size() && words[after].text == ")");
+  if (!is_alone) return "";
+  return words[at].text + (is_question(words[at].text) ? "(...)" : "");
+}
+
 // Lua takes every number for true, so that `not` of one is never true.
 std::string negation_fault(const std::vector<Word>& words) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     if (words[i].kind != Word::Kind::name || words[i].text != "not") continue;
-    if (operand_of(words[i + 1]) != Operand::number) continue;
-    const std::string& name = words[i + 1].text;
-    const std::string quantity = name + (is_question(name) ? "(...)" : "");
+    const std::string quantity = number_at(words, i + 1);
+    if (quantity.empty()) continue;
     return fmt::format("'not {0}' is of a number, and never true; write {0} == 0, or not ({0} > 1)",
                        quantity);
   }

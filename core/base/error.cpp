@@ -50,7 +50,15 @@ bool Faults::has_errors() const {
 }
 
 std::vector<Fault> Faults::sorted() const {
-  std::vector<Fault> sorted = faults_;
+  // Each once: a script's are found by all that name it.
+  std::vector<Fault> sorted;
+  for (const Fault& fault : faults_) {
+    const bool is_told = std::ranges::any_of(sorted, [&](const Fault& told) {
+      return told.place == fault.place && told.severity == fault.severity &&
+             told.what == fault.what;
+    });
+    if (!is_told) sorted.push_back(fault);
+  }
   std::ranges::stable_sort(sorted, {}, &Fault::place);
   return sorted;
 }

@@ -34,9 +34,9 @@ struct Known {
 // "" too when it may be there without being known.
 std::string fault_of(const Known& known, const std::string& name) {
   if (std::ranges::find(known.names, name) != known.names.end()) return "";
-  std::string hint = name.size() > 100 ? "" : did_you_mean(name, known.names);
-  if (hint.empty() && !known.are_all) return "";
+  if (!known.are_all) return "";
   if (known.names.empty()) return fmt::format("{} has no {}", known.owner, known.what);
+  std::string hint = name.size() > 100 ? "" : did_you_mean(name, known.names);
   if (hint.empty()) hint = fmt::format("; it has {}", listed(known.names));
   return fmt::format("{} has no {} of that name{}", known.owner, known.what, hint);
 }

@@ -68,9 +68,9 @@ class EventsReader {
     draft.is_placed = draft.is_rover_known && draft.is_sequence_known;
     // Without any rover that is the fault to mend first, and it has been said.
     if (draft.is_rover_known || rover_ids_.empty()) return;
-    std::string hint = suggestions_(event.rover_id);
     // It may be that of a rover whose id cannot be read.
-    if (hint.empty() && gaps_.rover_ids) return;
+    if (gaps_.rover_ids) return;
+    std::string hint = suggestions_(event.rover_id);
     if (hint.empty()) hint = fmt::format("; there are {}", listed(suggestions_.known()));
     fields.error("RoverId", fmt::format("there is no such rover{}", hint));
   }

@@ -77,6 +77,10 @@ class Resolver {
     return found;
   }
 
+  bool are_placed(const Indices& events) const {
+    return std::ranges::all_of(events, [&](std::size_t i) { return drafts_[i].is_placed; });
+  }
+
   // Whether it may be an event whose rover or Sequence cannot be read, and with it its label.
   bool may_be_unplaced(const std::string& reference) const {
     const auto is_in = [&](const std::set<Parts>& known, char between) {
@@ -122,6 +126,8 @@ class Resolver {
         error(draft, *draft.start_after,
               fmt::format("there is no event {}{}", shown(reference), suggestions_(reference)));
       } else if (found.size() > 1) {
+        // Of two with one Sequence that has been told.
+        if (!are_placed(found)) continue;
         error(draft, *draft.start_after,
               fmt::format("{} can be {}; ROVER/SEQUENCE says which", shown(reference),
                           choices(found)));
@@ -162,8 +168,7 @@ class Resolver {
       error(draft, *draft.on_failure,
             fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
     }
-    const auto is_placed = [&](std::size_t i) { return drafts_[i].is_placed; };
-    if (found.empty() || !draft.is_placed || !std::ranges::all_of(found, is_placed)) return;
+    if (found.empty() || !draft.is_placed || !are_placed(found)) return;
     Indices later;
     for (const std::size_t i : found) {
       const PlanEvent& event = drafts_[i].event;
