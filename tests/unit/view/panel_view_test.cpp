@@ -142,6 +142,60 @@ TEST_F(PanelInView, is_as_dark_as_rays_through_boxes_say) {
   EXPECT_LT(worst, 0.03);
 }
 
+// Of 16 panels each among boxes and over rough ground, under suns down to the horizon.
+std::vector<double> shares_on(GpuChoice choice, std::string& device) {
+  const Gpu gpu(choice);
+  device = gpu.name();
+  PanelView view(gpu);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  std::vector<double> shares;
+  for (int scene = 0; scene < 16; ++scene) {
+    Mesh occluders;
+    for (int k = 0; k < 8; ++k) {
+      const Mat3 R = Quat(unit(random), unit(random), unit(random), unit(random))
+                         .normalized()
+                         .toRotationMatrix();
+      append(occluders, box_mesh(Vec3::Ones() * 0.2 + vector().cwiseAbs()), R, 3 * vector());
+    }
+    constexpr int side = 40;
+    for (int k = 0; k < side * side; ++k) {
+      const Vec3 at_m(k % side - side / 2, k / side - side / 2, -4 + 0.3 * unit(random));
+      append(occluders, box_mesh({1, 1, 2}), Mat3::Identity(), at_m);
+    }
+    const Vec3 upright = (Vec3(0, 0, 1) + 0.7 * vector()).normalized();
+    const Vec3 u = upright.cross(vector()).normalized();
+    const PanelFace panel{0.5 * vector(), 0.8 * u, 0.5 * upright.cross(u)};
+    std::vector<Vec3> suns;
+    for (int k = 0; k < 32; ++k) suns.push_back(sun_at(180 * unit(random), 45 + 44 * unit(random)));
+    const auto seen = view.visible_shares(panel, occluders, suns);
+    shares.insert(shares.end(), seen.begin(), seen.end());
+  }
+  return shares;
+}
+
+// Of two devices where the machine has a GPU; else of Mesa with itself, which is to the bit.
+TEST(PanelOnDevices, is_seen_alike) {
+  std::string device, mesa;
+  const std::vector<double> here = shares_on(GpuChoice::any, device);
+  const std::vector<double> there = shares_on(GpuChoice::software, mesa);
+  ASSERT_EQ(here.size(), there.size());
+  double sum = 0, worst = 0;
+  std::size_t shaded = 0;
+  for (std::size_t k = 0; k < here.size(); ++k) {
+    const double off = std::abs(here[k] - there[k]);
+    sum += off;
+    worst = std::max(worst, off);
+    if (there[k] > 0 && there[k] < 1) ++shaded;
+  }
+  std::printf("%s and %s: mean %.5f, worst %.5f of full panel, %zu of %zu partly shaded\n",
+              device.c_str(), mesa.c_str(), sum / static_cast<double>(here.size()), worst, shaded,
+              here.size());
+  EXPECT_GT(shaded, here.size() / 10);
+  EXPECT_LE(worst, device == mesa ? 0 : 0.01);
+}
+
 TEST_F(PanelInView, is_the_same_alone_and_among_many_directions) {
   const PanelFace panel{{0, 0, 2}, {0, 0.5, 0}, {0, 0, 0.5}};
   const Mesh post = mesh_of({{{0.2, 0.2, 3}, Mat3::Identity(), {3, 0, 1.5}}});
