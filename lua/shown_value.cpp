@@ -126,7 +126,7 @@ std::string member_text(lua_State* L, int index, const std::string& name) {
   if (!lua_istable(L, index) || has_text_of_its_own(L, index)) {
     return quantity_text(L, index, name);
   }
-  const std::string text = written(L, index, Units::shown, name, bytes_max);
+  std::string text = written(L, index, Units::shown, name, bytes_max);
   if (text.size() <= bytes_max) return text;
   std::size_t end = bytes_max;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80)
