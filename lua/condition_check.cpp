@@ -240,9 +240,11 @@ std::string number_at(const std::vector<Word>& words, std::size_t at) {
     return brackets == 0 && !no_numbers.contains(words[at + 2].text) ? name + "(...)" : "";
   }
   if (!is_number && operand_of(words[at]) != Operand::number) return "";
-  const std::size_t after = operand_end(words, at);
-  const bool is_alone = brackets == 0 || (after < words.size() && words[after].text == ")");
-  if (!is_alone) return "";
+  // Before its last bracket it may be compared.
+  std::size_t after = operand_end(words, at);
+  for (; brackets > 0; --brackets, ++after) {
+    if (after >= words.size() || words[after].text != ")") return "";
+  }
   return words[at].text + (is_question(words[at].text) ? "(...)" : "");
 }
 
