@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lsos {
 
@@ -24,7 +25,18 @@ Vec3 MapFrame::p_S_m(const Vec2& at_m) const {
 
 GroundMap::GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& low_m,
                      const Vec2& high_m, double spacing_m)
-    : probe_(ground),
+    : GroundMap(ground, Ground::Probe(ground), frame, low_m, high_m, spacing_m) {}
+
+GroundMap GroundMap::coarser(int times) const {
+  const double spacing_m = times * spacing_m_;
+  return {*ground_, Ground::Probe(*ground_, spacing_m), frame_,
+          low_m_,   place_m(columns_ - 1, rows_ - 1),   spacing_m};
+}
+
+GroundMap::GroundMap(const Ground& ground, Ground::Probe probe, const MapFrame& frame,
+                     const Vec2& low_m, const Vec2& high_m, double spacing_m)
+    : ground_(&ground),
+      probe_(std::move(probe)),
       frame_(frame),
       low_m_(low_m),
       spacing_m_(spacing_m),

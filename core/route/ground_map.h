@@ -37,6 +37,8 @@ class GroundMap {
   // Covers low_m..high_m. `spacing_m` > 0.
   GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& low_m, const Vec2& high_m,
             double spacing_m);
+  // Of the same ground at so many times the spacing, without what is much smaller.
+  GroundMap coarser(int times) const;
 
   double spacing_m() const { return spacing_m_; }
   int columns() const { return columns_; }
@@ -113,7 +115,7 @@ class GroundMap {
 
  private:
   // Cells of a tile; its nodes are those about them: the last are the first of the next tile's.
-  static constexpr int tile_bits = 4, tile_cells = 1 << tile_bits;
+  static constexpr int tile_bits = 3, tile_cells = 1 << tile_bits;
   static constexpr float not_sampled = -1;
   static constexpr double rounding = 1e-6;  // of places, in nodes
 
@@ -137,6 +139,10 @@ class GroundMap {
   }
   float sample(int tile_column, int tile_row);
 
+  GroundMap(const Ground& ground, Ground::Probe probe, const MapFrame& frame, const Vec2& low_m,
+            const Vec2& high_m, double spacing_m);
+
+  const Ground* ground_;
   Ground::Probe probe_;
   MapFrame frame_;
   Vec2 low_m_;

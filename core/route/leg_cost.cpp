@@ -79,6 +79,15 @@ LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
   }
 }
 
+LegCosts LegCosts::over(GroundMap& map) const {
+  LegCosts costs(map, finder_, aim_, avoided_);
+  costs.tight_ = tight_;
+  costs.leaving_ = leaving_;
+  costs.leaving_limits_ = leaving_limits_;
+  costs.is_rounding_ = is_rounding_;
+  return costs;
+}
+
 Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead) {
   const auto holds = [&](const Disc2& disc) { return disc.holds(at_m); };
   if (std::ranges::any_of(avoided_, holds)) return Hazard::avoided;

@@ -54,6 +54,8 @@ class LegCosts {
  public:
   LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
            std::vector<Disc2> avoided = {});
+  // The same on another map of the ground.
+  LegCosts over(GroundMap& map) const;
   // Ground within which the rover may come as near to a hazard as it likes: where it stands, where
   // it is to stand. Elsewhere it keeps off by as much as it may stray to either side.
   void set_tight(std::vector<Disc2> tight) { tight_ = std::move(tight); }
@@ -116,6 +118,7 @@ class LegCosts {
   // A rover there would stand partly off the map, or next to that.
   bool is_at_border(const Vec2& at_m) const { return map_.inside_m(at_m) < border_m_; }
   GroundMap& map() { return map_; }
+  const GroundMap& map() const { return map_; }
 
  private:
   Cornering rounding(double bend_rad, double room_m) const;

@@ -127,8 +127,13 @@ INSTANTIATE_TEST_SUITE_P(
     Legs, RouteQuality,
     testing::Values(Series{"SEV", "Craters", 120, 15}, Series{"SEV", "LunarSouthPole", 120, 10},
                     Series{"MER", "Craters", 40, 15}, Series{"MER", "LunarSouthPole", 40, 10},
-                    Series{"LRV", "Craters", 80, 10}, Series{"LRV", "LunarSouthPole", 80, 5}),
-    [](const auto& tested) { return std::string(tested.param.rover) + tested.param.terrain; });
+                    Series{"LRV", "Craters", 80, 10}, Series{"LRV", "LunarSouthPole", 80, 5},
+                    // Searched near coarser ways.
+                    Series{"SEV", "Craters", 500, 5}, Series{"SEV", "LunarSouthPole", 500, 5}),
+    [](const auto& tested) {
+      return fmt::format("{}{}{:.0f}", tested.param.rover, tested.param.terrain,
+                         tested.param.length_m);
+    });
 
 }  // namespace
 }  // namespace lsos::test

@@ -97,8 +97,23 @@ TEST(GroundMap, has_sampled_what_lies_off_a_window_by_rounding) {
   // From the border of a tile on: the place on it may be worked out before it.
   const auto window = map.window({16, 20}, {18, 22});
   ASSERT_TRUE(window);
-  EXPECT_EQ(map.sampled_nodes(), 2u * 17 * 17);
+  EXPECT_EQ(map.sampled_nodes(), 2u * 9 * 9);
   EXPECT_FALSE(map.window({0, 4}, {2, 6})) << "nor past the edge";
+}
+
+TEST(GroundMap, made_coarser_covers_the_same_ground) {
+  const Site site = Site::slope(0.1);
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -10}, {21, 30},
+                0.5);
+  GroundMap coarser = map.coarser(4);
+  EXPECT_DOUBLE_EQ(coarser.spacing_m(), 2);
+  EXPECT_EQ(coarser.low_m(), map.low_m());
+  const Vec2 high_m = map.place_m(map.columns() - 1, map.rows() - 1);
+  EXPECT_GE(coarser.inside_m(high_m), 0);
+  EXPECT_LT(coarser.columns() * coarser.rows(), map.columns() * map.rows() / 14);
+  for (const Vec2& at_m : {Vec2(-19.3, -9.1), Vec2(3.7, 12.2), Vec2(20.6, 29.4)}) {
+    EXPECT_NEAR(coarser.height_m(at_m), map.height_m(at_m), 1e-3) << at_m.transpose();
+  }
 }
 
 }  // namespace
