@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <queue>
 #include <unordered_set>
@@ -31,6 +32,10 @@ struct Pace {
   std::size_t poses;
 };
 constexpr Pace paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
+// With a coarse guide: over 400 m and more of rough ground less haste leads nowhere, and refining
+// makes the ways as good.
+constexpr double coarse_haste = 1.2;
+constexpr int coarser_times = 2;
 
 // Ways that cost so much more over the lattice than the cheapest are not looked at, with room for
 // so many full turns: where the rover does not come on, all ground would be. Where nothing else is
@@ -67,12 +72,14 @@ struct Candidate {
 class Search {
  public:
   Search(LegCosts& costs, const Pose2& start, const Vec2& goal_m, double radius_m,
-         const Tube* within)
+         const TurningGuide& guide)
       : costs_(costs),
         map_(costs.map()),
         start_(start),
         goal_m_(goal_m),
-        to_go_(costs, start.at_m, goal_m, within),
+        haste_min_(guide.is_coarse ? coarse_haste : 1),
+        coarser_(guide.is_coarse ? std::make_unique<Coarser>(costs) : nullptr),
+        to_go_(coarser_ ? coarser_->costs : costs, start.at_m, goal_m, guide.within),
         radius_m_(radius_m),
         step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())) {}
 
@@ -100,6 +107,7 @@ class Search {
   // Whether all poses that can be reached were looked at, to no end. Takes those of `left`.
   bool run_out(std::size_t& left, TurningRoute& route) {
     for (const Pace& pace : paces) {
+      if (pace.haste < haste_min_) continue;
       begin(pace.haste);
       const bool is_found = come_to_goal(std::min(pace.poses, left), route);
       left -= std::min(left, closed_.size());
@@ -274,6 +282,14 @@ class Search {
   GroundMap& map_;
   Pose2 start_;
   Vec2 goal_m_;
+  double haste_min_;
+  struct Coarser {
+    explicit Coarser(const LegCosts& fine)
+        : map(fine.map().coarser(coarser_times)), costs(fine.over(map)) {}
+    GroundMap map;
+    LegCosts costs;
+  };
+  std::unique_ptr<Coarser> coarser_;
   CostToGo to_go_;
   double radius_m_, step_m_;
   double haste_ = 1;
@@ -287,8 +303,8 @@ class Search {
 }  // namespace
 
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
-                            double radius_m, std::size_t poses_max, const Tube* within) {
-  return Search(costs, start, goal_m, radius_m, within).run(poses_max);
+                            double radius_m, std::size_t poses_max, const TurningGuide& guide) {
+  return Search(costs, start, goal_m, radius_m, guide).run(poses_max);
 }
 
 }  // namespace lsos

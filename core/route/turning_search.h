@@ -16,13 +16,20 @@ struct TurningRoute {
   bool is_at_border = false;
 };
 
+struct TurningGuide {
+  const Tube* within = nullptr;  // by its places only
+  // By what is left to the goal over a coarser lattice, in haste from the first: sooner, for ways
+  // that refining makes as good, but not where that lattice shows what is not there.
+  bool is_coarse = false;
+};
+
 // A* over (x, y, heading) whose edges are arcs of `radius_m`, wider ones and straight pieces, each
 // beginning in the very pose that the last one ended in (hybrid A*, Dolgov et al. 2010), and whose
 // last piece is an arc and a straight line to the goal. Of poses in one cell only the first that
 // comes by a sharp arc is followed and the first that does not, and no more than `poses_max` in
 // all: the more of them it takes, the costlier a way may be, up to `haste`; half a million is the
-// most that are ever looked at. Start and goal must be on the map. `within`: by its places only.
+// most that are ever looked at. Start and goal must be on the map.
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
-                            double radius_m, std::size_t poses_max, const Tube* within = nullptr);
+                            double radius_m, std::size_t poses_max, const TurningGuide& guide = {});
 
 }  // namespace lsos
