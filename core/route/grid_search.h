@@ -1,4 +1,4 @@
-// The cheapest way over the nodes of a map, to each of a node's eight neighbours.
+// A way over the nodes of a map, to each of a node's eight neighbours: the cheapest of a short one.
 #pragma once
 
 #include "route/leg_cost.h"
@@ -15,8 +15,8 @@ struct GridRoute {
 // Length of the shortest way over nodes, each to its eight neighbours.
 double octile_m(const Vec2& way_m);
 
-// A* whose edges are worked out only when they come first (Cohen, Phillips and Likhachev 2014);
-// where that looks at much of the map, near the way over a coarser lattice. Start and goal must be
+// A* whose edges are worked out only when they come first (Cohen, Phillips and Likhachev 2014); a
+// long way near that over a coarser map, which is found in the same manner. Start and goal must be
 // on the map; the start is taken at the nearest node.
 GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace lsos {
 
@@ -25,18 +24,8 @@ Vec3 MapFrame::p_S_m(const Vec2& at_m) const {
 
 GroundMap::GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& low_m,
                      const Vec2& high_m, double spacing_m)
-    : GroundMap(ground, Ground::Probe(ground), frame, low_m, high_m, spacing_m) {}
-
-GroundMap GroundMap::coarser(int times) const {
-  const double spacing_m = times * spacing_m_;
-  return {*ground_, Ground::Probe(*ground_, spacing_m), frame_,
-          low_m_,   place_m(columns_ - 1, rows_ - 1),   spacing_m};
-}
-
-GroundMap::GroundMap(const Ground& ground, Ground::Probe probe, const MapFrame& frame,
-                     const Vec2& low_m, const Vec2& high_m, double spacing_m)
     : ground_(&ground),
-      probe_(std::move(probe)),
+      probe_(ground),
       frame_(frame),
       low_m_(low_m),
       spacing_m_(spacing_m),
@@ -47,6 +36,10 @@ GroundMap::GroundMap(const Ground& ground, Ground::Probe probe, const MapFrame& 
       heights_m_(std::make_unique_for_overwrite<float[]>(index(0, rows_))),
       soils_(std::make_unique_for_overwrite<std::uint16_t[]>(index(0, rows_))),
       bumps_m_(tile_columns_ * static_cast<std::size_t>((rows_ >> tile_bits) + 1), not_sampled) {}
+
+GroundMap GroundMap::coarser(int times) const {
+  return {*ground_, frame_, low_m_, place_m(columns_ - 1, rows_ - 1), times * spacing_m_};
+}
 
 float GroundMap::sample(int tile_column, int tile_row) {
   const int column_first = tile_column << tile_bits, row_first = tile_row << tile_bits;

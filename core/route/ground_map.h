@@ -37,7 +37,8 @@ class GroundMap {
   // Covers low_m..high_m. `spacing_m` > 0.
   GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& low_m, const Vec2& high_m,
             double spacing_m);
-  // Of the same ground at so many times the spacing, without what is much smaller.
+  // Of the same ground, at so many times the spacing: every so many of its columns and rows, and
+  // one more where they do not come out even.
   GroundMap coarser(int times) const;
 
   double spacing_m() const { return spacing_m_; }
@@ -138,9 +139,6 @@ class GroundMap {
     return bump_m;
   }
   float sample(int tile_column, int tile_row);
-
-  GroundMap(const Ground& ground, Ground::Probe probe, const MapFrame& frame, const Vec2& low_m,
-            const Vec2& high_m, double spacing_m);
 
   const Ground* ground_;
   Ground::Probe probe_;

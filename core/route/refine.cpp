@@ -30,8 +30,8 @@ namespace og = ompl::geometric;
 constexpr unsigned int shortcuts = 32;
 // Poses are moved by up to so many spacings, coarse first.
 constexpr double moves_spacings[] = {8, 4, 2, 1};
-// So often for each length of a move along the route.
-constexpr double tries_a_move = 1;
+// So often for each length of a move along the route; twice as often gains nothing.
+constexpr double tries_a_move = 0.5;
 
 // Poses joined as the rover steers. OMPL's own space of arcs and straight pieces stops the program
 // where rounding leaves one of its equations off by a millionth.

@@ -35,7 +35,8 @@ constexpr int closer_looks = 12;
 constexpr double closer_look_m = 50;
 // Of the room beside the tightest turn that what must be avoided may take up.
 constexpr double passing_share = 0.9;
-// A map has no more nodes than this: two gigabytes are used where a search looks at 60 million.
+// A map has no more nodes than this: where a search looks at all of 60 million, nodes and queue
+// take some three gigabytes.
 constexpr double nodes_max = 6e7;
 
 Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {

@@ -14,7 +14,7 @@ class Tube {
  public:
   Tube(const GroundMap& map, const Line2& line, double off_m);
 
-  // Of places on the map.
+  // Of places on the map; past its edge as at it.
   bool holds(const Vec2& at_m) const { return is_in_[index(at_m)]; }
 
  private:

@@ -10,7 +10,7 @@ struct TurningRoute {
   std::vector<Pose2> poses;  // from the start to the goal, joined by arcs
   Line2 line;                // all of it, with its arcs drawn out; empty: there is none
   double cost = 0;           // infinite where there is none
-  double haste = 1;          // it costs about so many times the cheapest at most
+  double haste = 1;          // it costs about so many times the cheapest at most, by a fine guide
   Vec2 nearest_m;            // of all places that were reached the one nearest to the goal
   // There is none, with all poses looked at, but a wider map may hold one.
   bool is_at_border = false;

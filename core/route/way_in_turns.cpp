@@ -97,9 +97,14 @@ class Planner {
   void search(const Line2& over_lattice, WayInTurns& answer) {
     const Tube near(costs_.map(), over_lattice, near_radii * radius_m_);
     const std::size_t poses = best_ ? poses_to_better : poses_max;
+    const auto look = [&](std::size_t poses_left, const TurningGuide& guide) {
+      return search_turning(costs_, start_, goal_m_, radius_m_, poses_left, guide);
+    };
+    TurningRoute way;
     const bool is_long = (goal_m_ - start_.at_m).norm() > long_radii * radius_m_;
-    TurningRoute way = search_turning(costs_, start_, goal_m_, radius_m_, poses, {&near, is_long});
-    if (way.line.empty()) way = search_turning(costs_, start_, goal_m_, radius_m_, poses);
+    if (is_long) way = look(poses, {&near, true});
+    if (way.line.empty()) way = look(poses_to_better, {&near, false});
+    if (way.line.empty()) way = look(poses, {});
     answer.is_at_border = way.is_at_border;
     answer.nearest_m = way.nearest_m;
     if (!way.line.empty()) {

@@ -36,7 +36,7 @@ TEST(LevelSearch, looks_at_few_of_the_ways_that_cost_the_same) {
 
 // Against the search from the goal backwards, which looks at all of the map that it must.
 TEST(RoughSearch, near_a_coarser_way_costs_hardly_more_and_looks_at_less) {
-  for (const std::uint64_t seed : {4, 6, 9}) {
+  for (const std::uint64_t seed : {4, 6, 9, 13}) {
     const SeededLeg leg{"SEV", "LunarSouthPole", seed, 800};
     const auto ground = leg.ground();
     const DriveCost cost = cost_of(leg, *ground);
@@ -47,14 +47,14 @@ TEST(RoughSearch, near_a_coarser_way_costs_hardly_more_and_looks_at_less) {
     const Vec2 aside_m = Vec2::Constant(240 * spacing_m);
     const Vec2 low_m = (goal_m.cwiseMin(0) / spacing_m).array().floor().matrix() * spacing_m;
     GroundMap map(*ground, frame, low_m - aside_m, goal_m.cwiseMax(0) + aside_m, spacing_m);
-    LegCosts costs(map, finder, RouteAim::energy);
+    LegCosts costs(map, finder, seed == 13 ? RouteAim::risk : RouteAim::energy);
     const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m);
     const double cheapest = CostToGo(costs, Vec2::Zero(), goal_m).at(Vec2::Zero());
     ASSERT_TRUE(std::isfinite(cheapest)) << seed;
     EXPECT_LT(route.cost, 1.02 * cheapest) << seed;
     const auto nodes =
         static_cast<std::size_t>(map.columns()) * static_cast<std::size_t>(map.rows());
-    EXPECT_LT(route.expanded, nodes / 8) << seed;
+    EXPECT_LT(route.expanded, nodes / 30) << seed;
     std::printf("seed %d: %.4f of the cheapest, %zu of %zu nodes\n", static_cast<int>(seed),
                 route.cost / cheapest, route.expanded, nodes);
   }

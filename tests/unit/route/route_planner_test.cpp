@@ -60,18 +60,41 @@ TEST(GridSearch, finds_what_dijkstra_finds) {
   const Site site(rough());
   const StanceFinder finder(simple_rover());
   for (const RouteAim aim : {RouteAim::energy, RouteAim::risk}) {
-    for (const Vec2& goal_m : {Vec2(100, 0), Vec2(90.3, 20.7), Vec2(70, 25)}) {
+    // The last two near enough to be searched on this map alone.
+    for (const Vec2& goal_m : {Vec2(100, 0), Vec2(90.3, 20.7), Vec2(60, 25), Vec2(70.2, 0)}) {
       GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -40}, {120, 40},
                     0.5);
       LegCosts costs(map, finder, aim);
       const GridRoute route = search_grid(costs, {0, 0}, goal_m);
       const double other = dijkstra_cost(costs, goal_m);
       ASSERT_TRUE(std::isfinite(other));
-      // The bound knows heights only as their nodes have them.
-      EXPECT_NEAR(route.cost, other, 2e-3 * other);
+      // The bound knows heights only as their nodes have them; a long way is looked for near that
+      // over a coarser map.
+      EXPECT_GT(route.cost, (1 - 2e-3) * other);
+      EXPECT_LT(route.cost, (octile_m(goal_m) < 75 ? 1 + 2e-3 : 1.02) * other)
+          << goal_m.transpose();
       EXPECT_NEAR(costs.of(route.line).cost, route.cost, 1e-9 * other);
     }
   }
+}
+
+// A wall too thin for the steps of a coarser map: all that lies near the way over that is shut.
+TEST(GridSearch, goes_around_what_a_coarser_map_does_not_show) {
+  const Site site({});
+  const StanceFinder finder(simple_rover());
+  std::vector<Disc2> wall;
+  for (double y_m = -30; y_m <= 30; y_m += 0.5) wall.push_back({{50.5, y_m}, 0.4});
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -40}, {120, 40},
+                0.5);
+  LegCosts costs(map, finder, RouteAim::energy, wall);
+  const Vec2 goal_m(100, 0);
+  GroundMap coarser_map = map.coarser(4);
+  LegCosts coarser = costs.over(coarser_map);
+  ASSERT_LT(search_grid(coarser, {0, 0}, goal_m).cost, 1.01 * 100 * 1000) << "it is not shown";
+  const GridRoute route = search_grid(costs, {0, 0}, goal_m);
+  ASSERT_FALSE(route.line.empty());
+  EXPECT_NEAR(route.cost, dijkstra_cost(costs, goal_m), 1e-6 * route.cost);
+  EXPECT_GT(route.cost, 1.1 * 100 * 1000);
 }
 
 TEST(PlanLeg, goes_around_what_is_too_steep_and_costs_less_than_the_grid) {
