@@ -42,10 +42,18 @@ std::vector<Pose2> cheapest_over(LegCosts& costs, const RouteSteering& steering,
                                  const std::vector<Pose2>& poses, double longest_m) {
   std::vector<std::array<Arrival, reach + 1>> arrivals(poses.size());
   for (std::size_t to = 1; to < poses.size(); ++to) {
+    double least_here = infinite;
     for (std::size_t over = 1; over <= std::min(reach, to); ++over) {
       const std::size_t from = to - over;
       if (over > 1 && (poses[to].at_m - poses[from].at_m).norm() > longest_m) break;
-      const double piece = costs.driven(steering.way(poses[from], poses[to]));
+      // Without corners only the cheapest arrival counts.
+      double most = infinite;
+      if (!steering.is_straight() && from > 0) {
+        const double before = std::ranges::min_element(arrivals[from], {}, &Arrival::cost)->cost;
+        if (before == infinite) continue;
+        most = least_here - before;
+      }
+      const double piece = costs.driven(steering.way(poses[from], poses[to]), most);
       if (piece == infinite) continue;
       Arrival& best = arrivals[to][over];
       if (from == 0) best.cost = piece;
@@ -56,6 +64,7 @@ std::vector<Pose2> cheapest_over(LegCosts& costs, const RouteSteering& steering,
             least + costs.corner(poses[from - over_before].at_m, poses[from].at_m, poses[to].at_m);
         if (cost < best.cost) best = {cost, over_before};
       }
+      least_here = std::min(least_here, best.cost);
     }
   }
   std::size_t to = poses.size() - 1;

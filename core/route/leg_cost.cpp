@@ -182,14 +182,14 @@ double LegCosts::rate(const Stance& stance) const {
   return drive_at(stance).energy_jpm;
 }
 
-double LegCosts::straight(const Vec2& from_m, const Vec2& to_m) {
+double LegCosts::straight(const Vec2& from_m, const Vec2& to_m, double most) {
   double sum = 0;
   const Vec2 ahead = (to_m - from_m).normalized();
   const bool is_free =
       walk(map_, finder_, from_m, to_m, [&](const Stance& stance, const Vec2& at_m, double step_m) {
         if (hazard_at(stance, at_m, ahead) != Hazard::none) return false;
         sum += rate(stance) * step_m / std::cos(stance.pitch_rad);
-        return true;
+        return sum <= most;
       });
   return is_free ? sum : infinite;
 }
@@ -240,19 +240,19 @@ double LegCosts::corner(const Vec2& before_m, const Vec2& at_m, const Vec2& afte
   return cost_per_j_ * cornering(before_m, at_m, after_m).energy_j;
 }
 
-double LegCosts::along(const Line2& line) {
+double LegCosts::along(const Line2& line, double most) {
   double sum = 0;
   for (std::size_t k = 0; k + 1 < line.size() && std::isfinite(sum); ++k) {
-    sum += straight(line[k], line[k + 1]);
+    sum += straight(line[k], line[k + 1], most - sum);
     if (k > 0) sum += corner(line[k - 1], line[k], line[k + 1]);
   }
-  return sum;
+  return sum <= most ? sum : infinite;
 }
 
-double LegCosts::driven(const Line2& line) {
-  const double sum = along(line);
-  if (finder_.cost().can_turn_on_spot || is_rounding_ || !std::isfinite(sum)) return sum;
-  return sum + price(arcs(line));
+double LegCosts::driven(const Line2& line, double most) {
+  if (finder_.cost().can_turn_on_spot || is_rounding_) return along(line, most);
+  const double of_arcs = price(arcs(line));
+  return along(line, most - of_arcs) + of_arcs;
 }
 
 double LegCosts::price(const Cornering& arcs) const {

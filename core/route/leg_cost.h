@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -52,6 +53,7 @@ ArcCost arc_price_m(const DriveCost& cost, double radius_m);
 
 class LegCosts {
  public:
+  static constexpr double unlimited = std::numeric_limits<double>::infinity();
   LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
            std::vector<Disc2> avoided = {});
   // The same on another map of the ground.
@@ -66,8 +68,8 @@ class LegCosts {
   }
 
   // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
-  // where a hazard lies on it.
-  double straight(const Vec2& from_m, const Vec2& to_m);
+  // where a hazard lies on it, or where it costs more than `most`: not looked at to its end then.
+  double straight(const Vec2& from_m, const Vec2& to_m, double most = unlimited);
   bool is_free(const Vec2& from_m, const Vec2& to_m) {
     return std::isfinite(straight(from_m, to_m));
   }
@@ -82,9 +84,9 @@ class LegCosts {
   Cornering cornering(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   Cornering turning(double by_rad) const;
   // Of a line: the sum of its pieces and corners.
-  double along(const Line2& line);
+  double along(const Line2& line, double most = unlimited);
   // The same with slowing down for the arcs of a rover that cannot turn on the spot.
-  double driven(const Line2& line);
+  double driven(const Line2& line, double most = unlimited);
   // An arc of a way over which `speeds` is carried: of slowing down for it, from what was reached
   // since the last, and of the arc; what search and driven() add for such a rover.
   struct Speeds {

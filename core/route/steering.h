@@ -22,6 +22,8 @@ class RouteSteering {
   // Arcs are drawn as points `step_m` apart at most.
   static RouteSteering in_turns(double radius_m, double step_m, const ArcPrice& price_m);
 
+  // Without arcs: the rover turns on the spot.
+  bool is_straight() const { return arcs_.front().radius_m == 0; }
   double length_m(const Pose2& from, const Pose2& to) const;
   // The pose that share (0..1) of the way.
   Pose2 between(const Pose2& from, const Pose2& to, double share) const;
@@ -39,7 +41,6 @@ class RouteSteering {
 
   RouteSteering() = default;
 
-  bool is_straight() const { return arcs_.front().radius_m == 0; }
   TurningWay turns(const Pose2& from, const Pose2& to) const;
 
   std::array<Arc, 5> arcs_;

@@ -59,5 +59,28 @@ TEST(LegCosts, tells_how_long_arcs_take_that_follow_each_other) {
   }
 }
 
+// With a bound a piece is left before its end, which must not change what stays below it.
+TEST(LegCosts, are_told_in_full_up_to_what_they_may_be) {
+  DriveCost cost = simple_rover();
+  cost.can_turn_on_spot = false;
+  cost.slow_j = 30;
+  cost.stop_s = 4;
+  cost.load_w = 1;
+  cost.turning_radius_min_m = 1;
+  const Site site({});
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
+                map_spacing_m(cost));
+  const StanceFinder finder(cost);
+  LegCosts costs(map, finder, RouteAim::energy);
+  const Line2 bent{{0, 0}, {5, 0}, {9, 3}, {9, 8}};
+  const double whole = costs.driven(bent), pieces = costs.along(bent);
+  ASSERT_GT(whole, pieces);  // by what the arcs cost
+  EXPECT_EQ(costs.driven(bent, 1.001 * whole), whole);
+  EXPECT_EQ(costs.driven(bent, 0.999 * whole), LegCosts::unlimited);
+  EXPECT_EQ(costs.driven(bent, 0), LegCosts::unlimited);
+  EXPECT_EQ(costs.along(bent, 1.001 * pieces), pieces);
+  EXPECT_EQ(costs.along(bent, 0.999 * pieces), LegCosts::unlimited);
+}
+
 }  // namespace
 }  // namespace lsos::test
