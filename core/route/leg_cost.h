@@ -54,6 +54,7 @@ ArcCost arc_price_m(const DriveCost& cost, double radius_m);
 class LegCosts {
  public:
   static constexpr double unlimited = std::numeric_limits<double>::infinity();
+
   LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
            std::vector<Disc2> avoided = {});
   // The same on another map of the ground.
@@ -68,7 +69,8 @@ class LegCosts {
   }
 
   // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
-  // where a hazard lies on it, or where it costs more than `most`: not looked at to its end then.
+  // where a hazard lies on it. What costs more than `most` is infinite too, here and below, and not
+  // looked at to its end.
   double straight(const Vec2& from_m, const Vec2& to_m, double most = unlimited);
   bool is_free(const Vec2& from_m, const Vec2& to_m) {
     return std::isfinite(straight(from_m, to_m));

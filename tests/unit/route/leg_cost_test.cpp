@@ -27,19 +27,35 @@ double longer_s(double was, double now, double free_m, double length_m, double s
   return time_s - (free_m + length_m) / speed_mps;
 }
 
-TEST(LegCosts, tells_how_long_arcs_take_that_follow_each_other) {
+// That cannot turn on the spot, on level ground.
+struct OnLevel {
+  explicit OnLevel(const DriveCost& of) : cost(of) {}
+
+  Site site{{}};
+  DriveCost cost;
+  GroundMap map{site.ground(),
+                MapFrame(site.ground().site(), {0, 0, 0}),
+                {-20, -20},
+                {20, 20},
+                map_spacing_m(cost)};
+  StanceFinder finder{cost};
+  LegCosts costs{map, finder, RouteAim::energy};
+};
+DriveCost turning_rover() {
   DriveCost cost = simple_rover();
   cost.can_turn_on_spot = false;
-  cost.speed_mps = 2;
   cost.stop_s = 4;
   cost.load_w = 1;
-  cost.acceleration_mps2 = 0.5;
   cost.turning_radius_min_m = 1;
-  const Site site({});
-  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
-                map_spacing_m(cost));
-  const StanceFinder finder(cost);
-  const LegCosts costs(map, finder, RouteAim::energy);
+  return cost;
+}
+
+TEST(LegCosts, tells_how_long_arcs_take_that_follow_each_other) {
+  DriveCost cost = turning_rover();
+  cost.speed_mps = 2;
+  cost.acceleration_mps2 = 0.5;
+  const OnLevel rover(cost);
+  const LegCosts& costs = rover.costs;
   const auto share = [&](double radius_m) {
     return arc_speed_mps(cost, radius_m) / cost.speed_mps;
   };
@@ -61,17 +77,10 @@ TEST(LegCosts, tells_how_long_arcs_take_that_follow_each_other) {
 
 // With a bound a piece is left before its end, which must not change what stays below it.
 TEST(LegCosts, are_told_in_full_up_to_what_they_may_be) {
-  DriveCost cost = simple_rover();
-  cost.can_turn_on_spot = false;
+  DriveCost cost = turning_rover();
   cost.slow_j = 30;
-  cost.stop_s = 4;
-  cost.load_w = 1;
-  cost.turning_radius_min_m = 1;
-  const Site site({});
-  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
-                map_spacing_m(cost));
-  const StanceFinder finder(cost);
-  LegCosts costs(map, finder, RouteAim::energy);
+  OnLevel rover(cost);
+  LegCosts& costs = rover.costs;
   const Line2 bent{{0, 0}, {5, 0}, {9, 3}, {9, 8}};
   const double whole = costs.driven(bent), pieces = costs.along(bent);
   ASSERT_GT(whole, pieces);  // by what the arcs cost
