@@ -17,9 +17,19 @@ if(LSOS_SANITIZE)
   target_link_options(lsos_options INTERFACE -fsanitize=${LSOS_SANITIZE})
 endif()
 
-# What most files include, read once: targets that are compiled alike reuse what the first made.
+# What most files include.
 set(common_headers ${PROJECT_SOURCE_DIR}/core/base/vector.h
   <algorithm> <fmt/format.h> <functional> <map> <memory> <optional> <string>)
+
+# precompile(lsos_x lsos_base FILE ...): FILE ... are read once, for lsos_base; the others, which
+# must be compiled with the same options and definitions, reuse that.
+function(precompile target first)
+  if(target STREQUAL first)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  endif()
+endfunction()
 
 # lsos_library(plan USES base planet LIBRARIES PkgConfig::tinyxml2)
 # USES: our folders that its headers may name. LIBRARIES: third-party, hidden behind it.
@@ -33,11 +43,7 @@ function(lsos_library name)
   target_include_directories(lsos_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   list(TRANSFORM ARG_USES PREPEND lsos_)
   target_link_libraries(lsos_${name} PUBLIC lsos_options ${ARG_USES} PRIVATE ${ARG_LIBRARIES})
-  if(name STREQUAL base)
-    target_precompile_headers(lsos_base PRIVATE ${common_headers})
-  else()
-    target_precompile_headers(lsos_${name} REUSE_FROM lsos_base)
-  endif()
+  precompile(lsos_${name} lsos_base ${common_headers})
 endfunction()
 
 # embed_files(lsos_x assets NAME FILES NAME FILES ...): assets.cpp with a std::string_view lsos::NAME
