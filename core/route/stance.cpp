@@ -59,6 +59,21 @@ double calm_rad(const DriveCost& cost) {
   return slope_rad - step_rad;
 }
 
+// Where on a row of nodes places are no farther than so much along a direction, either way.
+struct Slab {
+  double shift, half;  // of its middle by row, in columns
+
+  double low(double row) const { return shift * row - half; }
+  double high(double row) const { return shift * row + half; }
+};
+
+// `along_m`: how far a column and a row are along it. Where columns are not, all of the row is.
+Slab slab(const Vec2& along_m, double most_m) {
+  constexpr double none_m = 1e-12;
+  if (std::abs(along_m.x()) < none_m) return {0, std::numeric_limits<double>::infinity()};
+  return {-along_m.y() / along_m.x(), most_m / std::abs(along_m.x())};
+}
+
 }  // namespace
 
 std::vector<Vec2> supports_m(const std::vector<Vec2>& wheels_m, double map_spacing_m) {
@@ -127,20 +142,24 @@ double StanceFinder::least_clearance_m(const GroundMap::Window& ground, const Fo
   const Vec2 middle = footing.nodes(middle_B_m.x(), middle_B_m.y());
   const Vec2 half = footing.half(half_B_m);
   const int row_last = static_cast<int>(middle.y() + half.y());
-  const int column_first = static_cast<int>(std::ceil(middle.x() - half.x()));
-  const int column_last = static_cast<int>(middle.x() + half.x());
   // Of a node for each column and row.
   const double per_m2 = footing.ahead.squaredNorm();
   const Vec2 ahead_m = footing.ahead / per_m2, left_m = footing.left / per_m2;
+  const Slab along = slab(ahead_m, half_B_m.x()), across = slab(left_m, half_B_m.y());
+  // Of the underside, by column and row.
+  const Vec2 rise_m = plane.y() * ahead_m + plane.z() * left_m;
+  const double level_m =
+      plane.x() + plane.y() * middle_B_m.x() + plane.z() * middle_B_m.y() + underside_m_;
   double least_m = std::numeric_limits<double>::infinity();
   for (int row = static_cast<int>(std::ceil(middle.y() - half.y())); row <= row_last; ++row) {
-    for (int column = column_first; column <= column_last; ++column) {
-      const Vec2 from = Vec2(column, row) - middle;
-      const double x_m = from.dot(ahead_m), y_m = from.dot(left_m);
-      if (std::abs(x_m) > half_B_m.x() || std::abs(y_m) > half_B_m.y()) continue;
-      const double over_m = plane.x() + plane.y() * (middle_B_m.x() + x_m) +
-                            plane.z() * (middle_B_m.y() + y_m) + underside_m_ -
-                            ground.node_m(column, row);
+    const double y = row - middle.y();
+    const double low = std::max(along.low(y), across.low(y));
+    const double high = std::min(along.high(y), across.high(y));
+    const int column_last = static_cast<int>(middle.x() + high);
+    for (int column = static_cast<int>(std::ceil(middle.x() + low)); column <= column_last;
+         ++column) {
+      const double x = column - middle.x();
+      const double over_m = level_m + rise_m.x() * x + rise_m.y() * y - ground.node_m(column, row);
       if (over_m < least_m) least_m = over_m;  // not where there is no ground
     }
   }
