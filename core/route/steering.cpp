@@ -8,7 +8,7 @@ namespace lsos {
 namespace {
 
 // Arcs are tried this much wider than the tightest.
-constexpr std::array<double, 5> wider{16, 8, 4, 2, 1};
+constexpr std::array<double, 5> wider{1, 2, 4, 8, 16};
 
 }  // namespace
 
@@ -37,15 +37,15 @@ TurningWay RouteSteering::turns(const Pose2& from, const Pose2& to) const {
   double least_m = std::numeric_limits<double>::infinity();
   const PosePair poses(from, to);
   for (const Arc& arc : arcs_) {
-    const TurningWay way = shortest_turns(poses, arc.radius_m);
-    double sum_m = lsos::length_m(way);
-    if (sum_m >= least_m) continue;
-    for (const TurningPiece& piece : way) {
+    const auto way = shortest_turns(poses, arc.radius_m, least_m);
+    if (!way) continue;
+    double sum_m = lsos::length_m(*way);
+    for (const TurningPiece& piece : *way) {
       sum_m += arc.price_m.of(std::abs(piece.curvature_1pm) * piece.length_m);
     }
     if (sum_m >= least_m) continue;
     least_m = sum_m;
-    best = way;
+    best = *way;
   }
   return best;
 }

@@ -26,30 +26,39 @@ struct Word {
   double t, p, q;
 };
 
-struct Words {
-  std::array<Word, 6> all;
-  std::size_t count = 0;
+// The shortest of the words that are offered.
+struct Shortest {
+  double least;  // in radii
+  std::optional<Word> word;
 
-  void add(const Word& word) { all[count++] = word; }
+  void offer(const Word& other) {
+    const double sum = other.t + other.p + other.q;
+    if (sum >= least) return;
+    least = sum;
+    word = other;
+  }
 };
 
-// All words; d: apart, in radii.
-Words words(const PosePair& poses, double d) {
+// Of all words; d: apart, in radii. Nothing where none is shorter than `most`. What a word takes at
+// least is asked first: most need no arc tangent.
+std::optional<Word> shortest_word(const PosePair& poses, double d, double most) {
   const double alpha = poses.from_rad, beta = poses.to_rad;
   const double sa = poses.sin_from, sb = poses.sin_to, ca = poses.cos_from, cb = poses.cos_to,
                cab = poses.cos_between;
-  Words words;
+  Shortest shortest{most, {}};
   // On one circle the straight piece, nought but for rounding, has no direction.
   constexpr double rounding = 1e-9, same = 1e-6;
   const auto straight = [&](double first, double last, double p_squared, auto&& ends) {
     if (p_squared < -rounding) return;
     const double p = std::sqrt(std::max(0.0, p_squared));
+    const double turned = first == last ? full_turn(first * (beta - alpha)) : 0;
+    if (p + turned - same >= shortest.least) return;
     if (first == last && p < same) {
-      words.add({{first, 0, last}, full_turn(first * (beta - alpha)), 0, 0});
+      shortest.offer({{first, 0, last}, turned, 0, 0});
       return;
     }
     const auto [t, q] = ends(p);
-    words.add({{first, 0, last}, full_turn(t), p, full_turn(q)});
+    shortest.offer({{first, 0, last}, full_turn(t), p, full_turn(q)});
   };
   using Ends = std::pair<double, double>;
   straight(1, 1, 2 + d * d - 2 * cab + 2 * d * (sa - sb), [&](double) {
@@ -71,16 +80,16 @@ Words words(const PosePair& poses, double d) {
   const auto three_arcs = [&](double first) {
     // To the right, left, right with first = -1; the other way round mirrored.
     const double cosine = (6 - d * d + 2 * cab - first * 2 * d * (sa - sb)) / 8;
-    if (std::abs(cosine) > 1) return;
+    if (std::abs(cosine) > 1 || shortest.least <= std::numbers::pi) return;
     const double p = 2 * std::numbers::pi - std::acos(cosine);
     const double turn = std::atan2(ca - cb, d + first * (sa - sb));
     const double t = full_turn(-first * (alpha + first * turn) + p / 2);
     const double q = full_turn(-first * (alpha - beta) - t + p);
-    words.add({{first, -first, first}, t, p, q});
+    shortest.offer({{first, -first, first}, t, p, q});
   };
   three_arcs(-1);
   three_arcs(1);
-  return words;
+  return shortest.word;
 }
 
 }  // namespace
@@ -141,28 +150,20 @@ PosePair::PosePair(const Pose2& from, const Pose2& to) {
   cos_from = std::cos(from_rad);
   sin_to = std::sin(to_rad);
   cos_to = std::cos(to_rad);
-  cos_between = std::cos(from_rad - to_rad);
+  cos_between = cos_from * cos_to + sin_from * sin_to;
 }
 
 TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m) {
-  return shortest_turns(PosePair(from, to), radius_m);
+  constexpr double any_m = std::numeric_limits<double>::infinity();
+  return shortest_turns(PosePair(from, to), radius_m, any_m).value_or(TurningWay{});
 }
 
-TurningWay shortest_turns(const PosePair& poses, double radius_m) {
-  TurningWay best{};
-  double least_m = std::numeric_limits<double>::infinity();
-  const Words found = words(poses, poses.away_m / radius_m);
-  for (std::size_t k = 0; k < found.count; ++k) {
-    const Word& word = found.all[k];
-    const TurningWay way{{{word.turns[0] / radius_m, word.t * radius_m},
-                          {word.turns[1] / radius_m, word.p * radius_m},
-                          {word.turns[2] / radius_m, word.q * radius_m}}};
-    const double sum_m = length_m(way);
-    if (sum_m >= least_m) continue;
-    least_m = sum_m;
-    best = way;
-  }
-  return best;
+std::optional<TurningWay> shortest_turns(const PosePair& poses, double radius_m, double most_m) {
+  const auto word = shortest_word(poses, poses.away_m / radius_m, most_m / radius_m);
+  if (!word) return std::nullopt;
+  return TurningWay{{{word->turns[0] / radius_m, word->t * radius_m},
+                     {word->turns[1] / radius_m, word->p * radius_m},
+                     {word->turns[2] / radius_m, word->q * radius_m}}};
 }
 
 double length_m(const TurningWay& way) {

@@ -47,7 +47,8 @@ struct PosePair {
   double away_m, from_rad, to_rad;
   double sin_from, cos_from, sin_to, cos_to, cos_between;
 };
-TurningWay shortest_turns(const PosePair& poses, double radius_m);
+// Absent where it is not shorter than that.
+std::optional<TurningWay> shortest_turns(const PosePair& poses, double radius_m, double most_m);
 
 double length_m(const TurningWay& way);
 // The pose so far along it.
