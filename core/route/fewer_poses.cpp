@@ -31,29 +31,32 @@ std::vector<Pose2> with_poses_between(const RouteSteering& steering,
   return dense;
 }
 
+struct Fewer {
+  std::vector<Pose2> poses;
+  bool was_limited = false;  // longer pieces could be other ones
+};
+
+bool is_longer(const std::vector<Pose2>& poses, std::size_t from, std::size_t to, double most_m) {
+  return to - from > 1 && (poses[to].at_m - poses[from].at_m).norm() > most_m;
+}
+
 // A way to a pose by a piece over so many of them.
 struct Arrival {
   double cost = infinite;
   std::size_t over_before = 0;  // of the piece before it
 };
 
-// The cheapest route over `poses` whose pieces are no longer than that.
-std::vector<Pose2> cheapest_over(LegCosts& costs, const RouteSteering& steering,
-                                 const std::vector<Pose2>& poses, double longest_m) {
+// The cheapest route over `poses` whose pieces are no longer than that, corners counted.
+Fewer cheapest_by_corners(LegCosts& costs, const RouteSteering& steering,
+                          const std::vector<Pose2>& poses, double longest_m) {
+  Fewer fewer{{poses.back()}};
   std::vector<std::array<Arrival, reach + 1>> arrivals(poses.size());
   for (std::size_t to = 1; to < poses.size(); ++to) {
-    double least_here = infinite;
     for (std::size_t over = 1; over <= std::min(reach, to); ++over) {
       const std::size_t from = to - over;
-      if (over > 1 && (poses[to].at_m - poses[from].at_m).norm() > longest_m) break;
-      // Without corners only the cheapest arrival counts.
-      double most = infinite;
-      if (!steering.is_straight() && from > 0) {
-        const double before = std::ranges::min_element(arrivals[from], {}, &Arrival::cost)->cost;
-        if (before == infinite) continue;
-        most = least_here - before;
-      }
-      const double piece = costs.driven(steering.way(poses[from], poses[to]), most);
+      fewer.was_limited = fewer.was_limited || is_longer(poses, from, to, longest_m);
+      if (is_longer(poses, from, to, longest_m)) break;
+      const double piece = costs.driven(steering.way(poses[from], poses[to]));
       if (piece == infinite) continue;
       Arrival& best = arrivals[to][over];
       if (from == 0) best.cost = piece;
@@ -64,22 +67,54 @@ std::vector<Pose2> cheapest_over(LegCosts& costs, const RouteSteering& steering,
             least + costs.corner(poses[from - over_before].at_m, poses[from].at_m, poses[to].at_m);
         if (cost < best.cost) best = {cost, over_before};
       }
-      least_here = std::min(least_here, best.cost);
     }
   }
   std::size_t to = poses.size() - 1;
   const auto& ends = arrivals[to];
   const auto best = std::ranges::min_element(ends, {}, &Arrival::cost);
-  if (best->cost == infinite) return poses;
+  if (best->cost == infinite) return {poses, fewer.was_limited};
   auto over = static_cast<std::size_t>(best - ends.begin());
-  std::vector<Pose2> fewer{poses.back()};
   while (to > 0) {
     const std::size_t over_before = arrivals[to][over].over_before;
     to -= over;
     over = over_before;
-    fewer.push_back(poses[to]);
+    fewer.poses.push_back(poses[to]);
   }
-  std::ranges::reverse(fewer);
+  std::ranges::reverse(fewer.poses);
+  return fewer;
+}
+
+// The same in turns: by the cheapest way to each pose and the speeds that the rover has there. Each
+// piece by itself would cost as if it were come to at full speed, and the more the more there are.
+Fewer cheapest_in_turns(LegCosts& costs, const RouteSteering& steering,
+                        const std::vector<Pose2>& poses, double longest_m) {
+  struct Reached {
+    double cost = infinite;
+    std::size_t from = 0;
+    LegCosts::Speeds speeds;
+  };
+  Fewer fewer{{poses.back()}};
+  std::vector<Reached> reached(poses.size());
+  reached.front().cost = 0;
+  for (std::size_t to = 1; to < poses.size(); ++to) {
+    Reached& best = reached[to];
+    for (std::size_t from = to; from-- > to - std::min(reach, to);) {
+      fewer.was_limited = fewer.was_limited || is_longer(poses, from, to, longest_m);
+      if (is_longer(poses, from, to, longest_m)) break;
+      if (reached[from].cost >= best.cost) continue;
+      const Line2 way = steering.way(poses[from], poses[to]);
+      LegCosts::Speeds speeds = reached[from].speeds;
+      const double before = reached[from].cost + costs.arcs(speeds, way);
+      const double cost = before + costs.along(way, best.cost - before);
+      if (cost < best.cost) best = {cost, from, speeds};
+    }
+  }
+  if (reached.back().cost == infinite) return {poses, fewer.was_limited};
+  for (std::size_t at = poses.size() - 1; at > 0;) {
+    at = reached[at].from;
+    fewer.poses.push_back(poses[at]);
+  }
+  std::ranges::reverse(fewer.poses);
   return fewer;
 }
 
@@ -96,13 +131,17 @@ std::vector<Pose2> with_fewer_poses(LegCosts& costs, const RouteSteering& steeri
   // At the end without poses between, as long as that is worth the work.
   for (double apart_m = first_apart_spacings * costs.map().spacing_m(); apart_m < length_m || gains;
        apart_m *= growth) {
-    std::vector<Pose2> fewer = cheapest_over(
-        costs, steering, with_poses_between(steering, poses, apart_m), reach_aparts * apart_m);
-    const double cost = costs.driven(steering.line(fewer));
+    const std::vector<Pose2> dense = with_poses_between(steering, poses, apart_m);
+    const auto cheapest = steering.is_straight() ? cheapest_by_corners : cheapest_in_turns;
+    Fewer fewer = cheapest(costs, steering, dense, reach_aparts * apart_m);
+    const double cost = costs.driven(steering.line(fewer.poses));
     gains = cost < (1 - gain_worth) * least;
-    if (!(cost < least)) continue;
-    least = cost;
-    poses = std::move(fewer);
+    if (cost < least) {
+      least = cost;
+      poses = std::move(fewer.poses);
+    } else if (dense.size() == poses.size() && !fewer.was_limited) {
+      break;  // all that comes would be the same
+    }
   }
   const std::vector<Pose2> direct{poses.front(), poses.back()};
   const double straight = costs.driven(steering.line(direct));

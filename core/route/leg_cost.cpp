@@ -251,7 +251,8 @@ double LegCosts::along(const Line2& line, double most) {
 
 double LegCosts::driven(const Line2& line, double most) {
   if (finder_.cost().can_turn_on_spot || is_rounding_) return along(line, most);
-  const double of_arcs = price(arcs(line));
+  Speeds speeds;
+  const double of_arcs = arcs(speeds, line);
   return along(line, most - of_arcs) + of_arcs;
 }
 
@@ -269,18 +270,21 @@ LegCosts::Cornering LegCosts::arc_driven(Speeds& speeds, double radius_m, double
   const double changing_m =
       cost.stop_s * cost.speed_mps * (2 * peak * peak - was * was - now * now) / 2;
   const double length_m = radius_m * bend_rad, free_m = speeds.free_m;
-  speeds = {now, 0};
-  return {cost.slow_j * (peak * peak - now * now) +
-              cost.arc_drag_jmprad * std::pow(now, 4) * bend_rad / radius_m,
-          cost.stop_s * (2 * peak - was - now) +
-              ((free_m - changing_m) / peak - free_m + length_m / now - length_m) / cost.speed_mps};
+  speeds.share = now;
+  speeds.free_m = 0;
+  const double now2 = now * now;
+  return {
+      cost.slow_j * (peak * peak - now2) + cost.arc_drag_jmprad * now2 * now2 * bend_rad / radius_m,
+      cost.stop_s * (2 * peak - was - now) +
+          ((free_m - changing_m) / peak - free_m + length_m / now - length_m) / cost.speed_mps};
 }
 
-LegCosts::Cornering LegCosts::arcs(const Line2& line) const {
+LegCosts::Cornering LegCosts::arcs_driven(Speeds& speeds, const Line2& line) const {
   Cornering sum;
-  Speeds speeds;
-  for (std::size_t k = 1; k + 1 < line.size(); ++k) {
-    const Vec2 in_m = line[k] - line[k - 1], out_m = line[k + 1] - line[k];
+  for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+    const Vec2 out_m = line[k + 1] - line[k];
+    const Vec2 in_m = std::exchange(speeds.in_m, out_m);
+    if (in_m.isZero(0)) continue;
     speeds.free_m += in_m.norm();
     const double bend_rad =
         std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
@@ -354,7 +358,8 @@ LegCost LegCosts::of(const Line2& line) {
     sum.duration_s += corner.duration_s;
   }
   if (!cost.can_turn_on_spot && sum.hazard == Hazard::none) {
-    const Cornering turned = arcs(line);
+    Speeds speeds;
+    const Cornering turned = arcs_driven(speeds, line);
     sum.cost += price(turned);
     sum.energy_j += turned.energy_j;
     sum.duration_s += turned.duration_s;

@@ -92,12 +92,16 @@ class LegCosts {
   // An arc of a way over which `speeds` is carried: of slowing down for it, from what was reached
   // since the last, and of the arc; what search and driven() add for such a rover.
   struct Speeds {
-    double share = 1;   // of full speed, in the last arc
-    double free_m = 0;  // driven since it ended
+    double share = 1;          // of full speed, in the last arc
+    double free_m = 0;         // driven since it ended
+    Vec2 in_m = Vec2::Zero();  // the last piece of the line, where one is driven on
   };
   double arc(Speeds& speeds, double radius_m, double bend_rad) const {
     return price(arc_driven(speeds, radius_m, bend_rad));
   }
+  // Of all arcs of a line that is driven on over: at each of its bends, the one to it too, an arc
+  // that begins and ends half a piece away.
+  double arcs(Speeds& speeds, const Line2& line) const { return price(arcs_driven(speeds, line)); }
   // For lines of such a rover whose corners are rounded later, by arcs as wide as there is room
   // for: corner() tells what those cost.
   void set_rounding(bool is_rounding) { is_rounding_ = is_rounding; }
@@ -128,8 +132,7 @@ class LegCosts {
   Cornering rounding(double bend_rad, double room_m) const;
   double price(const Cornering& arcs) const;
   Cornering arc_driven(Speeds& speeds, double radius_m, double bend_rad) const;
-  // What all arcs of a line add: at each of its bends one that begins and ends half a piece away.
-  Cornering arcs(const Line2& line) const;
+  Cornering arcs_driven(Speeds& speeds, const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
   SlopeDrive drive_at(const Stance& stance) const;
   double rate(const Stance& stance) const;

@@ -123,8 +123,8 @@ ob::SpaceInformationPtr information_on(const RouteSteering& steering, const Grou
 }
 
 // Poses moved at random as long as that makes the route cheaper.
-std::vector<Pose2> moved(LegCosts& costs, const ob::SpaceInformationPtr& information,
-                         const std::vector<Pose2>& poses) {
+std::vector<Pose2> moved_at_random(LegCosts& costs, const ob::SpaceInformationPtr& information,
+                                   const std::vector<Pose2>& poses) {
   og::PathGeometric path(information);
   ob::State* state = information->allocState();
   for (const Pose2& pose : poses) {
@@ -157,8 +157,13 @@ std::string refining_stamp() {
   return stamp;
 }
 
-Refined refined(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
+Refined refined(LegCosts& costs, const RouteSteering& steering, std::vector<Pose2> poses,
                 std::uint64_t seed) {
+  return moved(costs, steering, with_fewer_poses(costs, steering, std::move(poses)), seed);
+}
+
+Refined moved(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
+              std::uint64_t seed) {
   const std::lock_guard lock(one_at_a_time);
   {
     // It warns of a seed that is not the process' first, which is what is wanted here.
@@ -166,10 +171,9 @@ Refined refined(LegCosts& costs, const RouteSteering& steering, const std::vecto
     ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0x7fffffff + 1));
   }
   Messages messages;
-  std::vector<Pose2> best = with_fewer_poses(costs, steering, poses);
-  const std::vector<Pose2> now =
-      with_fewer_poses(costs, steering, moved(costs, information_on(steering, costs.map()), best));
-  Refined answer{steering.line(best), {}};
+  Refined answer{steering.line(poses), {}};
+  const std::vector<Pose2> now = with_fewer_poses(
+      costs, steering, moved_at_random(costs, information_on(steering, costs.map()), poses));
   if (Line2 line = steering.line(now); costs.driven(line) < costs.driven(answer.line)) {
     answer.line = std::move(line);
   }

@@ -21,7 +21,10 @@ std::string refining_stamp();
 // A route over `poses`, two at least, that is free of hazards made cheaper; never costlier. The
 // same seed gives the same bits: one call at a time runs in a process, for OMPL's random numbers
 // are the process' own.
-Refined refined(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
+Refined refined(LegCosts& costs, const RouteSteering& steering, std::vector<Pose2> poses,
                 std::uint64_t seed);
+// The same of poses of which none need be left out before they are moved.
+Refined moved(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
+              std::uint64_t seed);
 
 }  // namespace lsos

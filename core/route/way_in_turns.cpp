@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "route/fewer_points.h"
+#include "route/fewer_poses.h"
 #include "route/grid_search.h"
 #include "route/turning_search.h"
 
@@ -26,10 +27,6 @@ constexpr std::size_t poses_to_better = 160'000, poses_max = 520'000;
 constexpr double near_radii = 8;
 // Legs of more radii by a coarse guide first: over 1000 m of it in a third of the time.
 constexpr double long_radii = 60;
-// A winding way is refined so often at most, until so many times in a row gained no such share.
-constexpr std::uint64_t rounds_max = 12;
-constexpr int idle_rounds = 2;
-constexpr double gained_share = 0.998;
 
 // The cheapest of the ways that are offered.
 class Planner {
@@ -55,7 +52,6 @@ class Planner {
     if (!(least_ <= poses_worth * over_lattice.cost)) {
       search(over_lattice.line, answer);
       answer.is_turn_too_wide = !best_;
-      refine_on();
     }
     if (!best_) return answer;
     // Points so near to each other that the rover slows down for corners that are none.
@@ -73,16 +69,28 @@ class Planner {
     best_ = std::move(other);
   }
 
-  // A line with sharp corners made as cheap as their rounding lets it be, then rounded: by way of
-  // the middle of each of its pieces.
+  // A line with sharp corners made as cheap as their rounding lets it be, then rounded. Where its
+  // arcs have no room they hardly ever have it after moves.
   void round(const Line2& over_lattice) {
     if (over_lattice.empty()) return;
+    const RouteSteering sharp = RouteSteering::on_the_spot();
     std::vector<Pose2> poses;
     for (const Vec2& at_m : corners(over_lattice)) poses.push_back({at_m, 0});
     costs_.set_rounding(true);
-    const Line2 sharp = refined(costs_, RouteSteering::on_the_spot(), poses, seed_).line;
+    poses = with_fewer_poses(costs_, sharp, std::move(poses));
     costs_.set_rounding(false);
-    poses = {start_};
+    std::vector<Pose2> arcs = rounded(sharp.line(poses));
+    if (!has_room(arcs)) return;
+    costs_.set_rounding(true);
+    const Line2 better = moved(costs_, sharp, poses, seed_).line;
+    costs_.set_rounding(false);
+    if (std::vector<Pose2> other = rounded(better); has_room(other)) arcs = std::move(other);
+    offer(refined(costs_, steering_, std::move(arcs), seed_));
+  }
+
+  // By way of the middle of each of its pieces.
+  std::vector<Pose2> rounded(const Line2& sharp) const {
+    std::vector<Pose2> poses{start_};
     for (std::size_t k = 0; k + 1 < sharp.size(); ++k) {
       const Vec2 way_m = sharp[k + 1] - sharp[k];
       if (way_m.norm() < same_m) continue;
@@ -90,8 +98,10 @@ class Planner {
       const bool is_last = k + 2 == sharp.size();
       poses.push_back({is_last ? sharp[k + 1] : Vec2(sharp[k] + way_m / 2), yaw_rad});
     }
-    if (poses.size() < 2 || !std::isfinite(costs_.driven(steering_.line(poses)))) return;
-    offer(refined(costs_, steering_, poses, seed_));
+    return poses;
+  }
+  bool has_room(const std::vector<Pose2>& arcs) {
+    return arcs.size() > 1 && std::isfinite(costs_.driven(steering_.line(arcs)));
   }
 
   void search(const Line2& over_lattice, WayInTurns& answer) {
@@ -118,16 +128,6 @@ class Planner {
         auto direct = arc_and_straight(start_, goal_m_, wider * radius_m_, to_left, spacing_m_);
         if (direct) offer({std::move(*direct), {}});
       }
-    }
-  }
-
-  // A winding way gains from more moves, each time others.
-  void refine_on() {
-    int idle = 0;
-    for (std::uint64_t round = 1; best_ && round <= rounds_max && idle < idle_rounds; ++round) {
-      const double before = least_;
-      offer(refined(costs_, steering_, poses_along(best_->line, start_), seed_ + round));
-      idle = least_ < gained_share * before ? 0 : idle + 1;
     }
   }
 
