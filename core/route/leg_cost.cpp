@@ -164,8 +164,9 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
   }
   const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * std::sin(stance.bank_rad);
   // Of its rims; it is as much faster than they as the table says.
-  const double braked_mps = downhill_speed_mps(stance.pitch_rad, cost.full_speed_mps,
-                                               cost.acceleration_mps2, cost.gravity_mps2);
+  const double braked_mps =
+      downhill_speed_mps({stance.pitch_rad, stance.bank_rad}, cost.full_speed_mps,
+                         cost.acceleration_mps2, cost.gravity_mps2);
   drive.speed_mps *= std::min(1.0, braked_mps / cost.speed_mps);
   drive.speed_mps = std::min(drive.speed_mps, drift_speed_mps(drift_rad));
   const double speed2 = drive.speed_mps * drive.speed_mps;

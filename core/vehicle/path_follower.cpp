@@ -35,7 +35,7 @@ constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing 
 constexpr double drift_max_rad = 0.6;
 constexpr double steering_off_m = 1;  // way over which wheels that are off are steered, at most
 constexpr double swing_accelerations = 2;  // across the travel, of the one along it
-constexpr double pitch_smoothing_s = 0.5;
+constexpr double incline_smoothing_s = 0.5;
 constexpr double crab_turn_rate = 0.5;   // 1/s: how fast a heading error is turned back
 constexpr double stopping_limit_s = 30;  // brakes that take longer than this do not hold
 
@@ -119,7 +119,7 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
     is_stopping_ = true;
     return stop(pose, period_s);
   }
-  find_pitch(pose, heading_error_rad, period_s);
+  find_incline(pose, heading_error_rad, period_s);
   if (limits_.is_crabbing) return crab(pose, to_end_m, left_m, period_s);
   if (limits_.can_turn_on_spot && std::abs(heading_error_rad) > turn_begin_rad) is_turning_ = true;
   if (is_turning_ && std::abs(heading_error_rad) > turn_done_rad) {
@@ -139,7 +139,7 @@ void PathFollower::ramp_speed(double to_end_m, double period_s) {
 // lies behind them is looked at where there is less of it.
 double PathFollower::braking_speed_mps(double to_end_m) const {
   const double slowing_mps2 =
-      braking_mps2(pitch_rad_, limits_.acceleration_mps2, limits_.gravity_mps2);
+      braking_mps2(incline_, limits_.acceleration_mps2, limits_.gravity_mps2);
   double least_mps = std::numeric_limits<double>::infinity();
   double way_m = std::max(0.0, to_end_m);
   for (std::size_t leg = leg_; leg < line_.size(); ++leg) {
@@ -153,16 +153,21 @@ double PathFollower::braking_speed_mps(double to_end_m) const {
 }
 
 // Along the line; crabbing does not go where the rover points.
-void PathFollower::find_pitch(const FollowerPose& pose, double heading_error_rad, double period_s) {
+void PathFollower::find_incline(const FollowerPose& pose, double heading_error_rad,
+                                double period_s) {
   const double aside_rad = limits_.is_crabbing ? -heading_error_rad : 0;  // of its travel, left
-  const double up = std::sin(pose.pitch_rad) * std::cos(aside_rad) +
-                    std::sin(pose.roll_rad) * std::cos(pose.pitch_rad) * std::sin(aside_rad);
-  pitch_rad_ += std::min(1.0, period_s / pitch_smoothing_s) *
-                (std::asin(std::clamp(up, -1.0, 1.0)) - pitch_rad_);
+  const Vec2 up_B(std::sin(pose.pitch_rad), std::sin(pose.roll_rad) * std::cos(pose.pitch_rad));
+  const Vec2 ahead_B(std::cos(aside_rad), std::sin(aside_rad)), left_B(-ahead_B.y(), ahead_B.x());
+  const double share = std::min(1.0, period_s / incline_smoothing_s);
+  const auto follow = [&](double& rad, double up) {
+    rad += share * (std::asin(std::clamp(up, -1.0, 1.0)) - rad);
+  };
+  follow(incline_.pitch_rad, up_B.dot(ahead_B));
+  follow(incline_.bank_rad, up_B.dot(left_B));
 }
 
 double PathFollower::downhill_mps() const {
-  return downhill_speed_mps(pitch_rad_, limits_.full_speed_mps, limits_.acceleration_mps2,
+  return downhill_speed_mps(incline_, limits_.full_speed_mps, limits_.acceleration_mps2,
                             limits_.gravity_mps2);
 }
 
@@ -301,7 +306,10 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
 
 void PathFollower::archive(Archive& a) {
   a.tag("follower")(waypoints_S_m_)(
-      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(pitch_rad_)(heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_)(has_strayed_)(passed_);
+      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(drift_rad_)(incline_
+                                                                                                      .pitch_rad)(
+      incline_.bank_rad)(
+      heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_)(has_strayed_)(passed_);
   if (a.is_reading()) lay_line();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/downhill.h"
 #include "vehicle/drive_control.h"
 #include "vehicle/driving_line.h"
 
@@ -74,7 +75,7 @@ class PathFollower {
   DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
   DriveCommand stop(const FollowerPose& pose, double period_s);
   DriveCommand crab(const FollowerPose& pose, double to_end_m, double left_m, double period_s);
-  void find_pitch(const FollowerPose& pose, double heading_error_rad, double period_s);
+  void find_incline(const FollowerPose& pose, double heading_error_rad, double period_s);
   double braking_speed_mps(double to_end_m) const;
   double downhill_mps() const;
   void ramp_speed(double to_end_m, double period_s);
@@ -96,7 +97,7 @@ class PathFollower {
   double command_mps_ = 0;  // ramped
   double command_curvature_1pm_ = 0;
   double drift_rad_ = 0;    // smoothed
-  double pitch_rad_ = 0;    // of its travel, smoothed
+  Incline incline_;         // smoothed
   double heading_rad_ = 0;  // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;
