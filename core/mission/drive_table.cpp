@@ -26,6 +26,11 @@ constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, u
 // and with its speed squared: fitted to simulated drives of SEV and LRV on LunarSouthPole (the test
 // RoughGround says how well).
 constexpr double rough_share_1pm = 0.8, rough_share_s2pm3 = 0.12;
+// Rough ground tilts a rover by its height over half the track, and the more suddenly the shorter
+// the wheelbase is; drifting to and fro it is driven as slowly as across a slope of so many times
+// both. Fitted to the time that LRV and SEV, driven straight over LunarSouthPole, take (6 and 2 a
+// metre of roughness; RoughGround).
+constexpr double rough_tilt_m = 12, least_base_m = 0.1;
 
 struct DrivenWheel {
   Wheel wheel;
@@ -250,6 +255,13 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
   cost.drift_s2pm = mass_kg / side_npr;
   cost.gravity_mps2 = gravity_mps2;
+  Vec2 low_m = cost.wheels_B_m.front(), high_m = low_m;
+  for (const Vec2& wheel : cost.wheels_B_m) {
+    low_m = low_m.cwiseMin(wheel);
+    high_m = high_m.cwiseMax(wheel);
+  }
+  const Vec2 base_m = (high_m - low_m).cwiseMax(least_base_m);
+  cost.rough_tilt_1pm = rough_tilt_m / (base_m.x() * base_m.y() / 2);
   cost.arc_drag_jmprad = price * mass_kg * mass_kg * speed2 * speed2 / side_npr;
   cost.rough_jpm2 = price * mass_kg * gravity_mps2 * rough_share_1pm;
   cost.rough_js2pm4 = price * mass_kg * gravity_mps2 * rough_share_s2pm3;

@@ -78,10 +78,13 @@ struct DriveCost {
   // Angle of its travel to its heading for each m/s2 across, which a slope takes of gravity and an
   // arc of speed.
   double drift_s2pm = 0, gravity_mps2 = 9.81;
+  // Of rough ground, for each metre of `Stance::roughness_m`: the sine of a slope across that slows
+  // the rover down as much, for it drifts to and fro.
+  double rough_tilt_1pm = 0;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(full_speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(acceleration_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(load_w);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(full_speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(acceleration_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(rough_tilt_1pm)(load_w);
   }
 };
 

@@ -162,7 +162,10 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
     drive.speed_mps =
         cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
-  const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * std::sin(stance.bank_rad);
+  // Rough ground tilts it to either side, the slope across only to one.
+  const double tilted =
+      std::hypot(std::sin(stance.bank_rad), cost.rough_tilt_1pm * stance.roughness_m);
+  const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * tilted;
   // Of its rims; it is as much faster than they as the table says.
   const double braked_mps =
       downhill_speed_mps({stance.pitch_rad, stance.bank_rad}, cost.full_speed_mps,

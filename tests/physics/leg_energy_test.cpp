@@ -1,10 +1,11 @@
-// What planning takes a leg's energy for, against shipped rovers driven along the same line, over
-// rough ground and round corners.
+// What planning takes a leg's energy and time for, against shipped rovers driven along the same
+// line, over rough ground and round corners.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "base/units.h"
 #include "lua/mission_files.h"
 #include "mission/drive_table.h"
 #include "mission/site.h"
@@ -15,9 +16,13 @@
 namespace lsos::test {
 namespace {
 
+struct Planned {
+  double energy_j = std::nan(""), duration_s = std::nan("");
+};
+
 // Of driving along it from rest; NaN where a hazard lies on it, or a slope up to which its wheels
 // only just climb: there they dig.
-double planned_j(const Ground& ground, const DriveCost& cost, const Line2& line) {
+Planned planned(const Ground& ground, const DriveCost& cost, const Line2& line) {
   const StanceFinder finder(cost);
   const Vec2 reach_m = Vec2::Constant(130);
   GroundMap map(ground, MapFrame(ground.site(), Vec3::Zero()), -reach_m, reach_m,
@@ -25,7 +30,8 @@ double planned_j(const Ground& ground, const DriveCost& cost, const Line2& line)
   const LegCost told = LegCosts(map, finder, RouteAim::energy).of(line);
   const bool is_sound =
       told.hazard == Hazard::none && told.slope_max_rad < 0.9 * cost.soils.front().last_rad();
-  return is_sound ? told.energy_j + cost.stop_j : std::nan("");
+  if (!is_sound) return {};
+  return {told.energy_j + cost.stop_j, told.duration_s + cost.stop_s};
 }
 
 struct Series {
@@ -40,29 +46,33 @@ class RoughGround : public testing::TestWithParam<Series> {};
 TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
   const Series& series = GetParam();
   int found = 0;
-  double planned_sum_j = 0, driven_sum_j = 0;
+  double planned_sum_j = 0, driven_sum_j = 0, planned_sum_s = 0, driven_sum_s = 0;
   for (std::uint64_t seed = 101; found < series.legs && seed < 300; ++seed) {
     const SeededLeg leg{series.rover, "LunarSouthPole", seed, series.length_m};
     const auto ground = leg.ground();
     const DriveCost cost = cost_of(leg, *ground);
     const MapFrame frame(ground->site(), Vec3::Zero());
     const Vec2 goal_m = frame.at(leg.goal_S_m(*ground));
-    const double planned = planned_j(*ground, cost, {Vec2::Zero(), goal_m});
-    if (std::isnan(planned)) continue;
+    const Planned told = planned(*ground, cost, {Vec2::Zero(), goal_m});
+    if (std::isnan(told.energy_j)) continue;
     const VehicleConfig rover = make_vehicle(
         shipped_rover(series.rover), "", gravity_mps2(*find_body("Moon"), ground->site().origin()));
     const DriveResult driven = drive(rover, *ground, {goal_m}, cost.speed_mps);
     if (!driven.failure.empty()) continue;
     ++found;
-    planned_sum_j += planned;
+    planned_sum_j += told.energy_j;
     driven_sum_j += driven.drive_j;
+    planned_sum_s += told.duration_s;
+    driven_sum_s += driven.duration_s;
     // Down a slope there is little left to be right about.
     const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
-    EXPECT_NEAR(planned, driven.drive_j, 0.2 * std::max(driven.drive_j, level_j)) << seed;
+    EXPECT_NEAR(told.energy_j, driven.drive_j, 0.2 * std::max(driven.drive_j, level_j)) << seed;
   }
   ASSERT_EQ(found, series.legs);
   EXPECT_NEAR(planned_sum_j / driven_sum_j, 1, 0.08);
+  EXPECT_NEAR(planned_sum_s / driven_sum_s, 1, 0.05);
   RecordProperty("planned_to_driven", fmt::format("{:.3f}", planned_sum_j / driven_sum_j));
+  RecordProperty("planned_to_driven_time", fmt::format("{:.3f}", planned_sum_s / driven_sum_s));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, RoughGround,
@@ -92,11 +102,11 @@ TEST(Corners, cost_what_they_cost_the_simulated_rover) {
   };
   for (const double bend_rad : {0.1, 0.2, 0.3, 0.45, 0.8}) {
     const Line2 line = zigzag(bend_rad);
-    const double planned = planned_j(*level, cost, line), driven = driven_j(line);
-    const std::string what = fmt::format("bends of {:.2f} rad: {:.0f} J planned, {:.0f} driven",
-                                         bend_rad, planned, driven);
+    const double told = planned(*level, cost, line).energy_j, driven = driven_j(line);
+    const std::string what =
+        fmt::format("bends of {:.2f} rad: {:.0f} J planned, {:.0f} driven", bend_rad, told, driven);
     RecordProperty(fmt::format("bend_{}", bend_rad), what);
-    EXPECT_NEAR(planned, driven, 0.1 * driven) << what;
+    EXPECT_NEAR(told, driven, 0.1 * driven) << what;
   }
 }
 
@@ -134,23 +144,24 @@ TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
     driven_sum_s += driven.duration_s;
     worst_m = std::max(worst_m, driven.worst_m);
     EXPECT_LT(driven.worst_m, 0.5) << "seed " << seed;
-    // Down a slope it is told too much: what one bump gives back takes it over the next.
+    // Down a slope there is little left to be right about, and what one bump gives back takes it
+    // over the next or is lost to the brakes.
     const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
-    const bool is_down = driven.drive_j < 0.5 * level_j;
+    const bool is_down = request.goal_S_m.z() < -std::tan(radians(3)) * series.length_m;
     EXPECT_NEAR(planned.energy_j, driven.drive_j, is_down ? 0.3 * level_j : 0.2 * driven.drive_j)
         << "seed " << seed;
-    EXPECT_NEAR(planned.duration_s, driven.duration_s, 0.25 * driven.duration_s) << "seed " << seed;
+    EXPECT_NEAR(planned.duration_s, driven.duration_s, 0.2 * driven.duration_s) << "seed " << seed;
   }
   ASSERT_EQ(found, series.legs);
-  EXPECT_NEAR(planned_sum_j / driven_sum_j, 1, 0.1);
-  EXPECT_NEAR(planned_sum_s / driven_sum_s, 1, 0.12);
+  EXPECT_NEAR(planned_sum_j / driven_sum_j, 1, 0.08);
+  EXPECT_NEAR(planned_sum_s / driven_sum_s, 1, 0.05);
   RecordProperty("planned_to_driven", fmt::format("{:.3f}", planned_sum_j / driven_sum_j));
   RecordProperty("planned_to_driven_time", fmt::format("{:.3f}", planned_sum_s / driven_sum_s));
   RecordProperty("worst_m", fmt::format("{:.3f}", worst_m));
 }
 
 INSTANTIATE_TEST_SUITE_P(Rovers, PlannedTurns,
-                         testing::Values(Series{"LRV", 120, 16}, Series{"SEV", 120, 16}),
+                         testing::Values(Series{"LRV", 120, 32}, Series{"SEV", 120, 16}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
 }  // namespace
