@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 #include <queue>
+#include <span>
 #include <unordered_set>
 
 #include "route/cost_to_go.h"
@@ -16,7 +17,6 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr int headings = 36;
 // Curvatures of the edges, in tightest turns; the straight one first. A fast rover slows down much
 // for the sharp ones, and hardly for the last.
 constexpr double turns[] = {0, 1, -1, 0.5, -0.5, 0.25, -0.25, 0.125, -0.125};
@@ -31,11 +31,18 @@ struct Pace {
   double haste;
   std::size_t poses;
 };
-constexpr Pace paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
-// With a coarse guide: over 400 m and more of rough ground less haste leads nowhere, and refining
-// makes the ways as good.
-constexpr double coarse_haste = 1.2;
-constexpr int coarser_times = 2;
+constexpr Pace fine_paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
+// Coarsely there are an eighth of the poses; less haste leads nowhere over rough ground, and
+// refining makes the ways as good.
+constexpr Pace coarse_paces[] = {{1.2, 15'000}, {1.5, 15'000}, {2, 60'000}};
+
+// How closely poses are looked at: each stands for all that lie in its cell.
+struct Grain {
+  int spacings;  // of a cell in each direction, and of the lattice that tells what is left
+  int headings;
+  std::span<const Pace> paces;
+};
+constexpr Grain fine{1, 36, fine_paces}, coarse{2, 18, coarse_paces};
 
 // Ways that cost so much more over the lattice than the cheapest are not looked at, with room for
 // so many full turns: where the rover does not come on, all ground would be. Where nothing else is
@@ -77,11 +84,12 @@ class Search {
         map_(costs.map()),
         start_(start),
         goal_m_(goal_m),
-        haste_min_(guide.is_coarse ? coarse_haste : 1),
+        grain_(guide.is_coarse ? coarse : fine),
         coarser_(guide.is_coarse ? std::make_unique<Coarser>(costs) : nullptr),
         to_go_(coarser_ ? coarser_->costs : costs, start.at_m, goal_m, guide.within),
         radius_m_(radius_m),
-        step_m_(std::max(2 * std::numbers::pi / headings * radius_m, 1.5 * map_.spacing_m())) {}
+        cell_m_(grain_.spacings * map_.spacing_m()),
+        step_m_(std::max(2 * std::numbers::pi / grain_.headings * radius_m, 1.5 * cell_m_)) {}
 
   TurningRoute run(std::size_t poses_max) {
     TurningRoute route;
@@ -99,6 +107,7 @@ class Search {
       if (!run_out(poses_left, route)) return route;
       if (!to_go_.was_limited()) break;
     }
+    route.is_shut_in = !was_cut_;
     route.is_at_border = is_at_border_;
     return route;
   }
@@ -106,8 +115,7 @@ class Search {
  private:
   // Whether all poses that can be reached were looked at, to no end. Takes those of `left`.
   bool run_out(std::size_t& left, TurningRoute& route) {
-    for (const Pace& pace : paces) {
-      if (pace.haste < haste_min_) continue;
+    for (const Pace& pace : grain_.paces) {
       begin(pace.haste);
       const bool is_found = come_to_goal(std::min(pace.poses, left), route);
       left -= std::min(left, closed_.size());
@@ -120,7 +128,7 @@ class Search {
   void begin(double haste) {
     haste_ = haste;
     least_ = infinite;
-    is_at_border_ = false;
+    is_at_border_ = was_cut_ = false;
     closed_.clear();
     reached_.clear();
     queue_ = {};
@@ -167,15 +175,14 @@ class Search {
   // What a pose costs later depends on the arc that it is come to by: the rover slows down for
   // another one.
   std::size_t cell_of(const Pose2& pose, double curvature_1pm) const {
-    const Vec2 cells = (pose.at_m - map_.low_m()) / map_.spacing_m();
+    const Vec2 cells = (pose.at_m - map_.low_m()) / cell_m_;
     const auto column = std::clamp(std::lround(cells.x()), 0L, map_.columns() - 1L);
     const auto row = std::clamp(std::lround(cells.y()), 0L, map_.rows() - 1L);
     const double turn = pose.yaw_rad / (2 * std::numbers::pi);
-    const auto heading =
-        static_cast<std::size_t>(std::lround((turn - std::floor(turn)) * headings)) % headings;
-    const std::size_t kind = std::abs(curvature_1pm) * radius_m_ < slow_turn ? 0 : 1;
-    return (static_cast<std::size_t>(row * map_.columns() + column) * headings + heading) * 2 +
-           kind;
+    const long heading = std::lround((turn - std::floor(turn)) * grain_.headings) % grain_.headings;
+    const long kind = std::abs(curvature_1pm) * radius_m_ < slow_turn ? 0 : 1;
+    return static_cast<std::size_t>(
+        ((row * map_.columns() + column) * grain_.headings + heading) * 2 + kind);
   }
 
   // Edges come first by what they cost at least: most are never looked at.
@@ -188,6 +195,7 @@ class Search {
       const double rise_m = map_.height_m(to.at_m) - height_m;
       if (std::isnan(rise_m) || closed_.contains(cell_of(to, curvature_1pm))) continue;
       const double left = this->left(to.at_m);
+      was_cut_ = was_cut_ || !std::isfinite(left);
       if (!std::isfinite(left)) continue;
       const double cost = from.cost + costs_.least((to.at_m - pose.at_m).norm(), rise_m) +
                           arc(from.node, turn).cost;
@@ -282,19 +290,20 @@ class Search {
   GroundMap& map_;
   Pose2 start_;
   Vec2 goal_m_;
-  double haste_min_;
+  const Grain& grain_;
   struct Coarser {
-    explicit Coarser(const LegCosts& fine)
-        : map(fine.map().coarser(coarser_times)), costs(fine.over(map)) {}
+    explicit Coarser(const LegCosts& costs_of_fine)
+        : map(costs_of_fine.map().coarser(coarse.spacings)), costs(costs_of_fine.over(map)) {}
     GroundMap map;
     LegCosts costs;
   };
   std::unique_ptr<Coarser> coarser_;
   CostToGo to_go_;
-  double radius_m_, step_m_;
+  double radius_m_, cell_m_, step_m_;
   double haste_ = 1;
   double least_ = infinite;  // of the ways that are closed
   bool is_at_border_ = false;
+  bool was_cut_ = false;                    // from poses with nothing left to the goal
   std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never gone through
   std::vector<Reached> reached_;
   std::priority_queue<Candidate> queue_;

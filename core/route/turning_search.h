@@ -12,14 +12,16 @@ struct TurningRoute {
   double cost = 0;           // infinite where there is none
   double haste = 1;          // it costs about so many times the cheapest at most, by a fine guide
   Vec2 nearest_m;            // of all places that were reached the one nearest to the goal
-  // There is none, with all poses looked at, but a wider map may hold one.
-  bool is_at_border = false;
+  // There is none, with all poses looked at: whatever they were guided by, there are no others; and
+  // a wider map may hold one.
+  bool is_shut_in = false, is_at_border = false;
 };
 
 struct TurningGuide {
   const Tube* within = nullptr;  // by its places only
-  // By what is left to the goal over a coarser lattice, in haste from the first: sooner, for ways
-  // that refining makes as good, but not where that lattice shows what is not there.
+  // By steps and cells twice as long and what is left to the goal over a lattice twice as coarse,
+  // in haste from the first: in a fraction of the time, for ways that refining makes as good, but
+  // not where those pass over what there is.
   bool is_coarse = false;
 };
 

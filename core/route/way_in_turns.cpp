@@ -25,8 +25,6 @@ constexpr std::size_t poses_to_better = 160'000, poses_max = 520'000;
 // About the way over the lattice first, so many radii to either side: over 400 m of rough ground
 // that takes less than half of the time, for ways that cost 1 % more in the mean.
 constexpr double near_radii = 8;
-// Legs of more radii by a coarse guide first: over 1000 m of it in a third of the time.
-constexpr double long_radii = 60;
 
 // The cheapest of the ways that are offered.
 class Planner {
@@ -110,11 +108,9 @@ class Planner {
     const auto look = [&](std::size_t poses_left, const TurningGuide& guide) {
       return search_turning(costs_, start_, goal_m_, radius_m_, poses_left, guide);
     };
-    TurningRoute way;
-    const bool is_long = (goal_m_ - start_.at_m).norm() > long_radii * radius_m_;
-    if (is_long) way = look(poses, {&near, true});
+    TurningRoute way = look(poses_to_better, {&near, true});
     if (way.line.empty()) way = look(poses_to_better, {&near, false});
-    if (way.line.empty()) way = look(poses, {});
+    if (way.line.empty() && !way.is_shut_in) way = look(poses, {});
     answer.is_at_border = way.is_at_border;
     answer.nearest_m = way.nearest_m;
     if (!way.line.empty()) {

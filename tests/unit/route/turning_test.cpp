@@ -213,6 +213,17 @@ TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
       search_turning(behind.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses);
   EXPECT_TRUE(none.line.empty());
   EXPECT_FALSE(none.is_at_border) << "no wider map helps";
+  EXPECT_TRUE(none.is_shut_in);
+  // Nor does it help to look farther than a tube, where all of that is within it; where it ends
+  // before the ring, more may be outside.
+  for (const double off_m : {20.0, 3.0}) {
+    OpenGround same(30, ring(8, pi));
+    const Tube near(same.map, {Vec2::Zero(), {50, 0}}, off_m);
+    const TurningRoute within =
+        search_turning(same.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses, {&near, false});
+    EXPECT_TRUE(within.line.empty());
+    EXPECT_EQ(within.is_shut_in, off_m > 10) << off_m;
+  }
   EXPECT_LT(none.nearest_m.norm(), 8);
 }
 
