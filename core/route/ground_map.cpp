@@ -38,7 +38,31 @@ GroundMap::GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& lo
       bumps_m_(tile_columns_ * static_cast<std::size_t>((rows_ >> tile_bits) + 1), not_sampled) {}
 
 GroundMap GroundMap::coarser(int times) const {
-  return {*ground_, frame_, low_m_, place_m(columns_ - 1, rows_ - 1), times * spacing_m_};
+  GroundMap map(*ground_, frame_, low_m_, place_m(columns_ - 1, rows_ - 1), times * spacing_m_);
+  map.finer_ = this;
+  map.finer_times_ = times;
+  return map;
+}
+
+// The same to the last bit: powers of two leave places as they are.
+bool GroundMap::take_from_finer(int column, int row) {
+  if (finer_ == nullptr) return false;
+  const int x = finer_times_ * column, y = finer_times_ * row;
+  if (x >= finer_->columns_ || y >= finer_->rows_) return false;
+  const std::size_t tile = static_cast<std::size_t>(y >> tile_bits) * finer_->tile_columns_ +
+                           static_cast<std::size_t>(x >> tile_bits);
+  if (finer_->bumps_m_[tile] == not_sampled) return false;
+  heights_m_[index(column, row)] = finer_->heights_m_[finer_->index(x, y)];
+  soils_[index(column, row)] = finer_->soils_[finer_->index(x, y)];
+  return true;
+}
+
+void GroundMap::sample_node(int column, int row) {
+  if (take_from_finer(column, row)) return;
+  const GroundSample sample = probe_.sample(frame_.p_S_m(place_m(column, row)));
+  heights_m_[index(column, row)] = static_cast<float>(sample.elevation_m);
+  soils_[index(column, row)] = static_cast<std::uint16_t>(sample.soil);
+  ++sampled_;
 }
 
 float GroundMap::sample(int tile_column, int tile_row) {
@@ -46,12 +70,7 @@ float GroundMap::sample(int tile_column, int tile_row) {
   const int column_last = std::min(column_first + tile_cells, columns_ - 1);
   const int row_last = std::min(row_first + tile_cells, rows_ - 1);
   for (int row = row_first; row <= row_last; ++row) {
-    for (int column = column_first; column <= column_last; ++column) {
-      const GroundSample sample = probe_.sample(frame_.p_S_m(place_m(column, row)));
-      heights_m_[index(column, row)] = static_cast<float>(sample.elevation_m);
-      soils_[index(column, row)] = static_cast<std::uint16_t>(sample.soil);
-      ++sampled_;
-    }
+    for (int column = column_first; column <= column_last; ++column) sample_node(column, row);
   }
   // Along its edges only the neighbours on them: a rock stands out over any two.
   const auto over = [&](std::size_t at, std::size_t apart) {

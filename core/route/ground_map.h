@@ -37,8 +37,9 @@ class GroundMap {
   // Covers low_m..high_m. `spacing_m` > 0.
   GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& low_m, const Vec2& high_m,
             double spacing_m);
-  // Of the same ground, at so many times the spacing: every so many of its columns and rows, and
-  // one more where they do not come out even.
+  // Of the same ground, at so many times the spacing, a power of two: every so many of its columns
+  // and rows, and one more where they do not come out even. What this map has sampled it takes from
+  // here, so this must outlive it.
   GroundMap coarser(int times) const;
 
   double spacing_m() const { return spacing_m_; }
@@ -139,6 +140,8 @@ class GroundMap {
     return bump_m;
   }
   float sample(int tile_column, int tile_row);
+  void sample_node(int column, int row);
+  bool take_from_finer(int column, int row);
 
   const Ground* ground_;
   Ground::Probe probe_;
@@ -152,6 +155,8 @@ class GroundMap {
   std::unique_ptr<std::uint16_t[]> soils_;
   std::vector<float> bumps_m_;  // of tiles, or not_sampled
   std::size_t sampled_ = 0;
+  const GroundMap* finer_ = nullptr;
+  int finer_times_ = 1;
 };
 
 }  // namespace lsos
