@@ -36,6 +36,7 @@ struct Fewer {
   bool was_limited = false;  // longer pieces could be other ones
 };
 
+// Never between neighbours: there is no shorter piece.
 bool is_longer(const std::vector<Pose2>& poses, std::size_t from, std::size_t to, double most_m) {
   return to - from > 1 && (poses[to].at_m - poses[from].at_m).norm() > most_m;
 }

@@ -226,11 +226,13 @@ LegCosts::Cornering LegCosts::rounding(double bend_rad, double room_m) const {
   const DriveCost& cost = finder_.cost();
   const double radius_m = room_m / std::tan(bend_rad / 2);
   const double arc_j = arc_cost_j(cost, radius_m).of(bend_rad);
-  // Where the tightest has no room, more than any arc costs, the more the less room there is.
-  if (radius_m < cost.turning_radius_min_m) {
-    return {arc_j + cost.slow_j * cost.turning_radius_min_m / radius_m, 0};
-  }
-  return {arc_j, 0};
+  if (radius_m >= cost.turning_radius_min_m) return {arc_j, 0};
+  // Where the tightest has no room, more than any arc costs, the more the less room there is; also
+  // where the soil's drag slows the rover down for nothing.
+  const SoilDrive& soil = cost.soils.front();
+  const double radius_j =
+      soil.by_slope.empty() ? 0 : soil.at(0).energy_jpm * cost.turning_radius_min_m;
+  return {arc_j + std::max(cost.slow_j, radius_j) * cost.turning_radius_min_m / radius_m, 0};
 }
 
 LegCosts::Cornering LegCosts::turning(double by_rad) const {
@@ -253,11 +255,10 @@ double LegCosts::along(const Line2& line, double most) {
   return sum <= most ? sum : infinite;
 }
 
-double LegCosts::driven(const Line2& line, double most) {
-  if (finder_.cost().can_turn_on_spot || is_rounding_) return along(line, most);
+double LegCosts::driven(const Line2& line) {
+  if (finder_.cost().can_turn_on_spot || is_rounding_) return along(line);
   Speeds speeds;
-  const double of_arcs = arcs(speeds, line);
-  return along(line, most - of_arcs) + of_arcs;
+  return arcs(speeds, line) + along(line);
 }
 
 double LegCosts::price(const Cornering& arcs) const {
@@ -287,6 +288,7 @@ LegCosts::Cornering LegCosts::arcs_driven(Speeds& speeds, const Line2& line) con
   Cornering sum;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const Vec2 out_m = line[k + 1] - line[k];
+    if (out_m.isZero(0)) continue;
     const Vec2 in_m = std::exchange(speeds.in_m, out_m);
     if (in_m.isZero(0)) continue;
     speeds.free_m += in_m.norm();

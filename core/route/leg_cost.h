@@ -69,8 +69,8 @@ class LegCosts {
   }
 
   // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
-  // where a hazard lies on it. What costs more than `most` is infinite too, here and below, and not
-  // looked at to its end.
+  // where a hazard lies on it. What costs more than `most` is infinite too, here and in along(),
+  // and not looked at to its end.
   double straight(const Vec2& from_m, const Vec2& to_m, double most = unlimited);
   bool is_free(const Vec2& from_m, const Vec2& to_m) {
     return std::isfinite(straight(from_m, to_m));
@@ -88,7 +88,7 @@ class LegCosts {
   // Of a line: the sum of its pieces and corners.
   double along(const Line2& line, double most = unlimited);
   // The same with slowing down for the arcs of a rover that cannot turn on the spot.
-  double driven(const Line2& line, double most = unlimited);
+  double driven(const Line2& line);
   // An arc of a way over which `speeds` is carried: of slowing down for it, from what was reached
   // since the last, and of the arc; what search and driven() add for such a rover.
   struct Speeds {

@@ -155,6 +155,7 @@ double StanceFinder::least_clearance_m(const GroundMap::Window& ground, const Fo
     const double y = row - middle.y();
     const double low = std::max(along.low(y), across.low(y));
     const double high = std::min(along.high(y), across.high(y));
+    if (!(low <= high)) continue;
     const int column_last = static_cast<int>(middle.x() + high);
     for (int column = static_cast<int>(std::ceil(middle.x() + low)); column <= column_last;
          ++column) {

@@ -7,21 +7,11 @@ namespace lsos {
 
 namespace {
 
-// Arcs are tried this much wider than the tightest.
+// Arcs are tried this much wider than the tightest: that first, whose way is the shortest and
+// mostly rules out others before they are worked out.
 constexpr std::array<double, 5> wider{1, 2, 4, 8, 16};
 
 }  // namespace
-
-std::vector<Pose2> poses_along(const Line2& line, const Pose2& start) {
-  std::vector<Pose2> poses{start};
-  for (std::size_t k = 1; k < line.size(); ++k) {
-    const Vec2 in = (line[k] - line[k - 1]).normalized();
-    const Vec2 out = k + 1 < line.size() ? (line[k + 1] - line[k]).normalized() : in;
-    const Vec2 along = in + out;
-    poses.push_back({line[k], std::atan2(along.y(), along.x())});
-  }
-  return poses;
-}
 
 RouteSteering RouteSteering::in_turns(double radius_m, double step_m, const ArcPrice& price_m) {
   RouteSteering steering;

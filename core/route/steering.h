@@ -8,9 +8,6 @@
 
 namespace lsos {
 
-// Points of a line, each with the direction in which the line passes it; the first is `start`.
-std::vector<Pose2> poses_along(const Line2& line, const Pose2& start);
-
 // Straight on where it turns on the spot, and the yaws of poses mean nothing; else by arcs and
 // straight pieces, in arcs so wide that length and arcs together cost least.
 class RouteSteering {

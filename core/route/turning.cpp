@@ -46,7 +46,8 @@ std::optional<Word> shortest_word(const PosePair& poses, double d, double most) 
   const double sa = poses.sin_from, sb = poses.sin_to, ca = poses.cos_from, cb = poses.cos_to,
                cab = poses.cos_between;
   Shortest shortest{most, {}};
-  // On one circle the straight piece, nought but for rounding, has no direction.
+  // On one circle the straight piece, nought but for rounding, has no direction: then it is so
+  // long, and may make its word as much longer.
   constexpr double rounding = 1e-9, same = 1e-6;
   const auto straight = [&](double first, double last, double p_squared, auto&& ends) {
     if (p_squared < -rounding) return;

@@ -78,11 +78,12 @@ class Planner {
     poses = with_fewer_poses(costs_, sharp, std::move(poses));
     costs_.set_rounding(false);
     std::vector<Pose2> arcs = rounded(sharp.line(poses));
-    if (!has_room(arcs)) return;
+    if (driven(arcs) == infinite) return;
     costs_.set_rounding(true);
     const Line2 better = moved(costs_, sharp, poses, seed_).line;
     costs_.set_rounding(false);
-    if (std::vector<Pose2> other = rounded(better); has_room(other)) arcs = std::move(other);
+    std::vector<Pose2> other = rounded(better);
+    if (driven(other) < driven(arcs)) arcs = std::move(other);
     offer(refined(costs_, steering_, std::move(arcs), seed_));
   }
 
@@ -96,10 +97,12 @@ class Planner {
       const bool is_last = k + 2 == sharp.size();
       poses.push_back({is_last ? sharp[k + 1] : Vec2(sharp[k] + way_m / 2), yaw_rad});
     }
+    if (poses.size() > 1) poses.back().at_m = sharp.back();  // whatever was left out
     return poses;
   }
-  bool has_room(const std::vector<Pose2>& arcs) {
-    return arcs.size() > 1 && std::isfinite(costs_.driven(steering_.line(arcs)));
+  // Infinite where arcs have no room.
+  double driven(const std::vector<Pose2>& arcs) {
+    return arcs.size() > 1 ? costs_.driven(steering_.line(arcs)) : infinite;
   }
 
   void search(const Line2& over_lattice, WayInTurns& answer) {

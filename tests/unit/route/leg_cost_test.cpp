@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "route/turning.h"
 #include "unit/route/test_rover.h"
 
 namespace lsos::test {
@@ -82,13 +83,36 @@ TEST(LegCosts, are_told_in_full_up_to_what_they_may_be) {
   OnLevel rover(cost);
   LegCosts& costs = rover.costs;
   const Line2 bent{{0, 0}, {5, 0}, {9, 3}, {9, 8}};
-  const double whole = costs.driven(bent), pieces = costs.along(bent);
-  ASSERT_GT(whole, pieces);  // by what the arcs cost
-  EXPECT_EQ(costs.driven(bent, 1.001 * whole), whole);
-  EXPECT_EQ(costs.driven(bent, 0.999 * whole), LegCosts::unlimited);
-  EXPECT_EQ(costs.driven(bent, 0), LegCosts::unlimited);
+  const double pieces = costs.along(bent);
+  ASSERT_GT(costs.driven(bent), pieces);  // by what the arcs cost
   EXPECT_EQ(costs.along(bent, 1.001 * pieces), pieces);
   EXPECT_EQ(costs.along(bent, 0.999 * pieces), LegCosts::unlimited);
+}
+
+// Piece by piece an arc costs what it costs in one, but not where each is come to at full speed.
+TEST(LegCosts, count_arcs_across_the_pieces_of_a_line) {
+  DriveCost cost = turning_rover();
+  cost.speed_mps = 2;
+  cost.slow_j = 30;
+  const OnLevel rover(cost);
+  const LegCosts& costs = rover.costs;
+  const Line2 whole = arc_line({{0, 0}, 0}, 0.4, 4, 0.5);
+  ASSERT_GT(whole.size(), 6u);
+  LegCosts::Speeds at_once;
+  const double cost_at_once = costs.arcs(at_once, whole);
+  for (std::size_t cut = 1; cut + 1 < whole.size(); ++cut) {
+    const auto middle = whole.begin() + static_cast<std::ptrdiff_t>(cut);
+    const Line2 first(whole.begin(), middle + 1), second(middle, whole.end());
+    LegCosts::Speeds carried, fresh;
+    const double of_first = costs.arcs(carried, first);
+    EXPECT_NEAR(of_first + costs.arcs(carried, second), cost_at_once, 1e-9) << cut;
+    if (first.size() > 2 && second.size() > 2) {  // both of them bend
+      EXPECT_GT(of_first + costs.arcs(fresh, second), cost_at_once) << cut;
+    }
+  }
+  LegCosts::Speeds one, other;
+  const Line2 there_twice{{0, 0}, {5, 0}, {5, 0}, {5, 5}}, once{{0, 0}, {5, 0}, {5, 5}};
+  EXPECT_EQ(costs.arcs(one, there_twice), costs.arcs(other, once)) << "a piece of no length";
 }
 
 }  // namespace

@@ -37,6 +37,61 @@ TEST(Stance, on_a_slope_is_the_slope_by_its_heading) {
   }
 }
 
+// Against all nodes of the map in turn. Forms stand between the corners of the chassis, the only
+// points of it that are always looked at.
+TEST(Stance, has_the_least_clearance_of_all_nodes_under_the_chassis) {
+  const Site site({{0.5, 0.3, 0.7, 0.05, 0.25}, {-0.6, -0.5, 0.5, 0.02, 0.2}});
+  DriveCost cost = simple_rover();
+  cost.underside_B_m.clear();
+  const Vec2 half_m(1.1, 0.7);
+  for (const double x : {-1, 1}) {
+    for (const double y : {-1, 1}) {
+      cost.underside_B_m.push_back({x * half_m.x(), y * half_m.y(), 0.4});
+    }
+  }
+  cost.limits.clearance_min_m = 0.39;  // never calm: all nodes count
+  const StanceFinder finder(cost);
+  GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-10, -10}, {10, 10},
+                0.2);
+  int lower = 0;
+  for (const double yaw_deg : {0.0, 30.0, 90.0, 90.0 + 1e-7, 133.0, 200.0, 270.0}) {
+    for (const Vec2& at_m : {Vec2(0.03, 0.01), Vec2(0.41, -0.13), Vec2(-0.27, 0.33)}) {
+      const Vec2 ahead(std::cos(yaw_deg * deg), std::sin(yaw_deg * deg)),
+          left(-ahead.y(), ahead.x());
+      const Stance stance = finder.at(map, at_m, ahead);
+      ASSERT_TRUE(stance.is_on_ground);
+      // The plane under the wheels, by heights worked out here.
+      Eigen::Matrix<double, 4, 3> places;
+      Eigen::Vector4d heights_m;
+      for (Eigen::Index k = 0; k < 4; ++k) {
+        const Vec2 wheel_B_m = cost.wheels_B_m[static_cast<std::size_t>(k)];
+        places.row(k) << 1, wheel_B_m.x(), wheel_B_m.y();
+        heights_m[k] = map.height_m(at_m + wheel_B_m.x() * ahead + wheel_B_m.y() * left);
+      }
+      const Vec3 plane = places.colPivHouseholderQr().solve(heights_m);
+      const auto over_m = [&](const Vec2& p_B_m, double ground_m) {
+        return plane.x() + plane.y() * p_B_m.x() + plane.z() * p_B_m.y() + 0.4 - ground_m;
+      };
+      double points_m = 1e9, nodes_m = 1e9;
+      for (const Vec3& point : cost.underside_B_m) {
+        const Vec2 p_m = at_m + point.x() * ahead + point.y() * left;
+        points_m = std::min(points_m, over_m(point.head<2>(), map.height_m(p_m)));
+      }
+      for (int row = 0; row < map.rows(); ++row) {
+        for (int column = 0; column < map.columns(); ++column) {
+          const Vec2 off_m = map.place_m(column, row) - at_m;
+          const Vec2 p_B_m(off_m.dot(ahead), off_m.dot(left));
+          if (std::abs(p_B_m.x()) > half_m.x() || std::abs(p_B_m.y()) > half_m.y()) continue;
+          nodes_m = std::min(nodes_m, over_m(p_B_m, map.node_m(column, row)));
+        }
+      }
+      EXPECT_NEAR(stance.clearance_m, std::min(points_m, nodes_m), 1e-6) << yaw_deg;
+      lower += nodes_m < points_m - 0.02;
+    }
+  }
+  EXPECT_GT(lower, 10) << "something stood between the points";
+}
+
 TEST(Stance, twin_wheels_are_one_support) {
   const std::vector<Vec2> twins{{2, 1.7}, {2, 1.3}, {2, -1.3}, {2, -1.7}, {-2, 1.5}, {-2, -1.5}};
   EXPECT_EQ(supports_m(twins, 0.85),

@@ -49,6 +49,22 @@ TEST(Arc, of_a_quarter_circle_ends_a_radius_ahead_and_aside) {
   EXPECT_NEAR((along_arc({{0, 0}, pi}, 0, 3).at_m - Vec2(-3, 0)).norm(), 0, 1e-12);
 }
 
+TEST(ShortestTurns, below_a_bound_are_those_without_and_above_it_none) {
+  RandomStream random(11);
+  for (int k = 0; k < 2000; ++k) {
+    const Pose2 from{{random.uniform(-9, 9), random.uniform(-9, 9)}, random.uniform(-pi, pi)};
+    // Half of them on one of its circles.
+    const Pose2 to =
+        k % 2 == 0 ? along_arc(from, k % 4 == 0 ? 0.25 : -0.25, random.uniform(0.1, 25))
+                   : Pose2{{random.uniform(-9, 9), random.uniform(-9, 9)}, random.uniform(-pi, pi)};
+    const double least_m = length_m(shortest_turns(from, to, 4));
+    const auto bounded = shortest_turns(PosePair(from, to), 4, 1.001 * least_m + 1e-4);
+    ASSERT_TRUE(bounded) << k;
+    EXPECT_NEAR(length_m(*bounded), least_m, 1e-9);
+    EXPECT_FALSE(shortest_turns(PosePair(from, to), 4, 0.999 * least_m - 1e-4)) << k;
+  }
+}
+
 // Both circles are one then: there is no straight piece whose direction could be asked for.
 TEST(ShortestTurns, along_one_circle_are_its_arc) {
   RandomStream random(7);
