@@ -174,6 +174,9 @@ void read_rover(TableReader& t, RoverModel& model) {
   if (vehicle.cruise_speed_mps > vehicle.speed_max_mps) {
     t.fault("cruise_speed_mps is above speed_max_mps");
   }
+  if (!vehicle.can_turn_on_spot && vehicle.turning_radius_min_m == 0) {
+    t.fault("turning_radius_min_m = 0: must be more than 0 m unless can_turn_on_spot = true");
+  }
   if (t.L() == nullptr) return;
   spec.name = script_name(t.place().file);
   spec.place = t.place();
