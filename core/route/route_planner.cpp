@@ -105,6 +105,7 @@ class LegPlanner {
     GroundMap map(ground_, frame_, whole(start_m.cwiseMin(goal_m_) - Vec2::Constant(aside_m)),
                   start_m.cwiseMax(goal_m_) + Vec2::Constant(aside_m), spacing_m_);
     find_leaving(map);
+    unrefined_.clear();
     Vec2 nearest_m;
     Reach reach;
     std::optional<Vec2> passed_m;
@@ -201,21 +202,26 @@ class LegPlanner {
     return std::min(at_m.norm(), (at_m - goal_m_).norm()) < tight_m + step_m();
   }
 
-  std::optional<Refined> over_nodes(LegCosts& costs, Vec2& nearest_m) const {
-    const GridRoute way = search_grid(costs, Vec2::Zero(), goal_m_);
-    nearest_m = way.nearest_m;
-    if (way.line.empty()) return std::nullopt;
-    std::vector<Pose2> poses;
-    for (const Vec2& at_m : corners(way.line)) poses.push_back({at_m, 0});
-    Refined best = refined(costs, RouteSteering::on_the_spot(), poses, request_.seed);
-    if (!std::isfinite(costs.along(best.line))) best.line = way.line;
+  std::optional<Refined> over_nodes(LegCosts& costs, Vec2& nearest_m) {
+    const RouteSteering straight = RouteSteering::on_the_spot();
+    const auto is_free = [&] { return std::isfinite(costs.along(straight.line(unrefined_))); };
+    if (unrefined_.empty() || !is_free()) {
+      const GridRoute way = search_grid(costs, Vec2::Zero(), goal_m_);
+      nearest_m = way.nearest_m;
+      if (way.line.empty()) return std::nullopt;
+      unrefined_.clear();
+      for (const Vec2& at_m : corners(way.line)) unrefined_.push_back({at_m, 0});
+    }
+    Refined best = refined(costs, straight, unrefined_, request_.seed);
+    if (!std::isfinite(costs.along(best.line))) best.line = straight.line(unrefined_);
     return best;
   }
 
   std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
     WayInTurns found =
-        way_in_turns(costs, finder_.cost(), start, goal_m_, radius_m_, request_.seed);
+        way_in_turns(costs, finder_.cost(), start, goal_m_, radius_m_, request_.seed, unrefined_);
+    unrefined_ = std::move(found.unrefined);
     if (found.way) return std::move(found.way);
     nearest_m = found.nearest_m;
     turns_too_wide_ = found.is_turn_too_wide;
@@ -290,6 +296,9 @@ class LegPlanner {
   Disc2 leaving_;
   DriveLimits leaving_limits_;
   bool turns_too_wide_ = false, are_turns_at_border_ = false;
+  // What the last look found before it was refined: the next, which is to keep off a little more,
+  // begins with it.
+  std::vector<Pose2> unrefined_;
   Ground::Probe probe_;
   PlannedLeg leg_;
 };

@@ -42,29 +42,39 @@ class Planner {
 
   // The way over the lattice with its corners rounded is found at once and mostly smooth; poses are
   // searched where it costs more than that of a rover without turns to make.
-  WayInTurns run() {
-    const GridRoute over_lattice = search_grid(costs_, start_.at_m, goal_m_);
-    round(over_lattice.line);
+  WayInTurns run(const std::vector<Pose2>& known) {
     WayInTurns answer;
     answer.nearest_m = start_.at_m;
-    if (!(least_ <= poses_worth * over_lattice.cost)) {
-      search(over_lattice.line, answer);
-      answer.is_turn_too_wide = !best_;
-    }
+    if (driven(known) < infinite) offer_refined(known);
+    if (!best_) look(answer);
     if (!best_) return answer;
     // Points so near to each other that the rover slows down for corners that are none.
     Line2 thin = with_fewer_points(best_->line, thinned_m);
     if (costs_.driven(thin) <= thinned_worth * least_) best_->line = std::move(thin);
     answer.way = std::move(best_);
+    answer.unrefined = std::move(unrefined_);
     return answer;
   }
 
  private:
-  void offer(Refined other) {
+  void look(WayInTurns& answer) {
+    const GridRoute over_lattice = search_grid(costs_, start_.at_m, goal_m_);
+    round(over_lattice.line);
+    if (!(least_ <= poses_worth * over_lattice.cost)) {
+      search(over_lattice.line, answer);
+      answer.is_turn_too_wide = !best_;
+    }
+  }
+
+  void offer(Refined other, std::vector<Pose2> unrefined = {}) {
     const double cost = costs_.driven(other.line);
     if (!(cost < least_)) return;
     least_ = cost;
     best_ = std::move(other);
+    unrefined_ = std::move(unrefined);
+  }
+  void offer_refined(const std::vector<Pose2>& poses) {
+    offer(refined(costs_, steering_, poses, seed_), poses);
   }
 
   // A line with sharp corners made as cheap as their rounding lets it be, then rounded. Where its
@@ -84,7 +94,7 @@ class Planner {
     costs_.set_rounding(false);
     std::vector<Pose2> other = rounded(better);
     if (driven(other) < driven(arcs)) arcs = std::move(other);
-    offer(refined(costs_, steering_, std::move(arcs), seed_));
+    offer_refined(arcs);
   }
 
   // By way of the middle of each of its pieces.
@@ -117,7 +127,7 @@ class Planner {
     answer.is_at_border = way.is_at_border;
     answer.nearest_m = way.nearest_m;
     if (!way.line.empty()) {
-      offer(refined(costs_, steering_, way.poses, seed_));
+      offer_refined(way.poses);
       // What its poses are joined by may look at other places than the search did.
       offer({way.line, {}});
     }
@@ -138,14 +148,16 @@ class Planner {
   std::uint64_t seed_;
   RouteSteering steering_;
   std::optional<Refined> best_;
+  std::vector<Pose2> unrefined_;  // of it
   double least_ = infinite;
 };
 
 }  // namespace
 
 WayInTurns way_in_turns(LegCosts& costs, const DriveCost& cost, const Pose2& start,
-                        const Vec2& goal_m, double radius_m, std::uint64_t seed) {
-  return Planner(costs, cost, start, goal_m, radius_m, seed).run();
+                        const Vec2& goal_m, double radius_m, std::uint64_t seed,
+                        const std::vector<Pose2>& known) {
+  return Planner(costs, cost, start, goal_m, radius_m, seed).run(known);
 }
 
 }  // namespace lsos
