@@ -1,6 +1,7 @@
 // A route made better off the lattice, by OMPL's PathSimplifier: corners cut and poses moved while
-// its cost falls; in turns while that of its pieces does, each as if come to at full speed, and
-// only what is cheaper as a whole is kept. Of its planners none is used: README.md says why.
+// its cost falls. In turns corners alone are cut, by what pieces cost that are come to at full
+// speed, and only what is cheaper as a whole is kept. Of its planners none is used: README.md says
+// why.
 #pragma once
 
 #include <cstdint>
