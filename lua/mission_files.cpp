@@ -117,7 +117,7 @@ std::vector<ScriptFolder> script_folders(const std::string& plan_file) {
   std::error_code ignored;
   const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
   return script_folders(plan_file, path == nullptr ? "" : path,
-                        shipped_folder(program, LSOS_SOURCE_FOLDER));
+                        shipped_folder(program, source_folder));
 }
 
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {

@@ -29,7 +29,7 @@ std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std
   return folders;
 }
 
-std::string shipped_folder(const std::string& program_file, const std::string& source_folder) {
+std::string shipped_folder(const std::string& program_file, const std::string& built_from) {
   std::error_code error;
   for (fs::path at = fs::path(program_file).parent_path(); at.has_relative_path();
        at = at.parent_path()) {
@@ -38,7 +38,7 @@ std::string shipped_folder(const std::string& program_file, const std::string& s
     }
     if (fs::exists(at / "events/Route.lua", error)) return at.string();
   }
-  return source_folder;
+  return built_from;
 }
 
 }  // namespace lsos

@@ -14,8 +14,11 @@ namespace lsos {
 std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
                                          const std::string& shipped_folder);
 
+// Of the tree that the program was built from.
+extern const char* const source_folder;
+
 // The folder of the shipped scripts, seen from the running program: the nearest folder above it
-// that has share/lsos-host/events or events/Route.lua; otherwise `source_folder`.
-std::string shipped_folder(const std::string& program_file, const std::string& source_folder);
+// that has share/lsos-host/events or events/Route.lua; otherwise `built_from`.
+std::string shipped_folder(const std::string& program_file, const std::string& built_from);
 
 }  // namespace lsos
