@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <vector>
 
-#include "base/error.h"
+#include "base/quantity_advice.h"
 
 namespace lsos {
 
@@ -106,14 +107,44 @@ std::string wrong_unit(std::string_view symbol, const Unit& wanted) {
     return fmt::format("'{}' is a unit of {}; {}", symbol, other->kind, allowed(wanted));
   }
   std::string list;
-  std::vector<std::string> known;
   for (const Unit& unit : units) {
     if (unit.kind != wanted.kind) continue;
-    known.emplace_back(unit.symbol);
     list += fmt::format("{}{}", list.empty() ? "" : ", ", unit.symbol);
   }
-  return fmt::format("there is no unit '{}'; units of {} are {}{}", symbol, wanted.kind, list,
-                     did_you_mean(symbol, known));
+  return fmt::format("there is no unit '{}'; units of {} are {}", symbol, wanted.kind, list);
+}
+
+// Blanks that tables and web pages put between a number and its unit.
+std::string with_plain_blanks(std::string_view text) {
+  std::string plain(text);
+  for (const std::string_view blank : {"\u00a0", "\u2009", "\u202f"}) {
+    for (std::size_t at = plain.find(blank); at != std::string::npos; at = plain.find(blank, at)) {
+      plain.replace(at, blank.size(), " ");
+    }
+  }
+  return plain;
+}
+
+// "1 h 30 min", "2 d 3h": parts from the longest unit to the shortest. Absent: it is none.
+std::optional<double> parse_duration_in_parts(std::string_view text) {
+  double total_s = 0, last_unit_s = std::numeric_limits<double>::infinity();
+  int parts = 0;
+  for (; !text.empty(); ++parts) {
+    if (!is_digit(text.front())) return {};
+    double value = 0;
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    if (error != std::errc{}) return {};
+    text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+    std::size_t letters = 0;
+    while (letters < text.size() && !is_digit(text[letters]) && !is_space(text[letters])) ++letters;
+    const Unit* unit = find_unit(text.substr(0, letters));
+    if (unit == nullptr || unit->kind != "duration" || unit->si_factor >= last_unit_s) return {};
+    last_unit_s = unit->si_factor;
+    total_s += to_si(value, *unit);
+    text = trimmed(text.substr(letters));
+  }
+  return parts > 1 ? std::optional(total_s) : std::nullopt;
 }
 
 // One part of an ISO 8601 duration: its letter, its length, and whether it stands after 'T'.
@@ -189,8 +220,14 @@ const Unit* find_unit(std::string_view symbol) {
 
 std::span<const Unit> all_units() { return units; }
 
-Parsed<double> parse_quantity(std::string_view text, const Unit& unit) {
-  text = trimmed(text);
+namespace {
+
+// Why a text is no quantity of the unit's kind.
+Parsed<double> refused(std::string_view text, const Unit& unit, const std::string& why) {
+  return {{}, why + quantity_advice(text, unit)};
+}
+
+Parsed<double> parse_plain_quantity(std::string_view text, const Unit& unit) {
   if (text.empty()) return {{}, fmt::format("there is no text; {}", allowed(unit))};
   if (unit.kind == "duration" && text.front() == 'P') return parse_iso_duration(text);
 
@@ -200,16 +237,26 @@ Parsed<double> parse_quantity(std::string_view text, const Unit& unit) {
   const char* const text_end = number.data() + number.size();
   const auto [end, error] = std::from_chars(number.data(), text_end, value);
   if (error == std::errc::invalid_argument || (error == std::errc{} && !std::isfinite(value))) {
-    return {{}, fmt::format("'{}' is no number; {}", text, allowed(unit))};
+    return refused(text, unit, fmt::format("'{}' is no number; {}", text, allowed(unit)));
   }
   const Unit* given = &unit;
   const std::string_view symbol = trimmed({end, static_cast<std::size_t>(text_end - end)});
   if (symbol.starts_with(',')) {
-    return {{}, fmt::format("'{}' has a comma; a decimal point is allowed", text)};
+    return refused(text, unit, fmt::format("'{}' has a comma; a decimal point is allowed", text));
+  }
+  // "1 500", "1'500", "1.5.2", "01:30:00"
+  const bool goes_on = symbol.find_first_of("0123456789.:'") == 0 && symbol != "'";
+  if (goes_on) {
+    return refused(text, unit, fmt::format("'{}' is no number; {}", text, allowed(unit)));
   }
   if (!symbol.empty()) {
     given = find_unit(symbol);
-    if (given == nullptr || given->kind != unit.kind) return {{}, wrong_unit(symbol, unit)};
+    if (given == nullptr && unit.kind == "duration") {
+      if (const auto total_s = parse_duration_in_parts(text)) return {*total_s, {}};
+    }
+    if (given == nullptr || given->kind != unit.kind) {
+      return refused(text, unit, wrong_unit(symbol, unit));
+    }
   }
   const double value_si = to_si(value, *given);
   if (error == std::errc::result_out_of_range || !std::isfinite(value_si)) {
@@ -217,6 +264,27 @@ Parsed<double> parse_quantity(std::string_view text, const Unit& unit) {
   }
   return {value_si, {}};
 }
+
+}  // namespace
+
+Parsed<double> parse_quantity(std::string_view text, const Unit& unit) {
+  const std::string plain = with_plain_blanks(text);
+  return parse_plain_quantity(trimmed(plain), unit);
+}
+
+namespace {
+
+std::string boolean_advice(std::string_view text) {
+  std::string word(text);
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (word == "true" || word == "yes" || word == "y" || word == "on")
+    return "; did you mean 'true'?";
+  if (word == "false" || word == "no" || word == "n" || word == "off")
+    return "; did you mean 'false'?";
+  return "";
+}
+
+}  // namespace
 
 Parsed<std::int64_t> parse_integer(std::string_view text) {
   text = trimmed(text);
@@ -229,7 +297,7 @@ Parsed<std::int64_t> parse_integer(std::string_view text) {
     return {{}, fmt::format("'{}' is outside what a whole number can hold", text)};
   }
   if (error != std::errc{} || end != text_end) {
-    return {{}, fmt::format("'{}' is no whole number", text)};
+    return {{}, fmt::format("'{}' is no whole number{}", text, whole_number_advice(text))};
   }
   return {value, {}};
 }
@@ -238,7 +306,9 @@ Parsed<bool> parse_boolean(std::string_view text) {
   text = trimmed(text);
   if (text == "true" || text == "1") return {true, {}};
   if (text == "false" || text == "0") return {false, {}};
-  return {{}, fmt::format("'{}' is neither true nor false; true, false, 1, 0 are allowed", text)};
+  return {{},
+          fmt::format("'{}' is neither true nor false; true, false, 1, 0 are allowed{}", text,
+                      boolean_advice(text))};
 }
 
 std::string format_quantity(double value_si, const Unit& unit) {

@@ -97,10 +97,104 @@ TEST(Units, refusals_say_what_was_found_and_what_is_allowed) {
             "there is no unit 'kmh'; units of speed are m/s, km/h, cm/s, mm/s; did you mean "
             "'km/h'?");
   EXPECT_EQ(why("30 m", "s"),
-            "'m' is a unit of length; a duration is allowed, such as '90 s', '1.5 h' or 'PT1H30M'");
-  EXPECT_EQ(why("1,5", "m"), "'1,5' has a comma; a decimal point is allowed");
+            "'m' is a unit of length; a duration is allowed, such as '90 s', '1.5 h' or 'PT1H30M'; "
+            "did you mean 'min'?");
+  EXPECT_EQ(why("1,5", "m"), "'1,5' has a comma; a decimal point is allowed; did you mean '1.5'?");
   EXPECT_THAT(why("", "rad"), HasSubstr("there is no text; an angle is allowed"));
   EXPECT_THAT(why("x", "1"), HasSubstr("a fraction is allowed"));
+}
+
+TEST(Units, durations_are_read_in_parts) {
+  EXPECT_DOUBLE_EQ(quantity("1 h 30 min", "s"), 5400);
+  EXPECT_DOUBLE_EQ(quantity("1h30min", "s"), 5400);
+  EXPECT_DOUBLE_EQ(quantity("2 d 3h 0.5 min", "s"), 2 * 86400 + 3 * 3600 + 30);
+  EXPECT_DOUBLE_EQ(quantity("30min", "s"), 1800);
+  for (const char* text : {"1 h 2 h", "30 min 1 h", "-1 h 30 min", "1 h -30 min", "1 h 30 kg"}) {
+    EXPECT_FALSE(parse_quantity(text, unit("s"))) << text;
+  }
+  EXPECT_FALSE(parse_quantity("1 km 300 m", unit("m"))) << "durations alone come in parts";
+}
+
+TEST(Units, blanks_of_tables_and_web_pages_are_blanks) {
+  EXPECT_DOUBLE_EQ(quantity("5\u00a0km", "m"), 5000);
+  EXPECT_DOUBLE_EQ(quantity("5\u202fkm", "m"), 5000);
+}
+
+// What is suggested stands in quotes; "" where nothing is.
+std::string suggested(std::string_view text, std::string_view symbol) {
+  const std::string all = why(text, symbol);
+  const std::string_view question = "; did you mean ";
+  const std::size_t at = all.find(question);
+  return at == std::string::npos ? "" : all.substr(at + question.size());
+}
+
+TEST(Suggestions, keep_kind_and_size_of_everyday_words) {
+  EXPECT_EQ(suggested("2 hrs", "s"), "'h'?");
+  EXPECT_EQ(suggested("2 hours", "s"), "'h'?");
+  EXPECT_EQ(suggested("5 Min.", "s"), "'min'?");
+  EXPECT_EQ(suggested("30 m", "s"), "'min'?");
+  EXPECT_EQ(suggested("90 secs", "s"), "'s'?");
+  EXPECT_EQ(suggested("3 days", "s"), "'d'?");
+  EXPECT_EQ(suggested("5 kph", "m/s"), "'km/h'?");
+  EXPECT_EQ(suggested("5 Km/h", "m/s"), "'km/h'?");
+  EXPECT_EQ(suggested("3 M/S", "m/s"), "'m/s'?");
+  EXPECT_EQ(suggested("3 m / s", "m/s"), "'m/s'?");
+  EXPECT_EQ(suggested("3 km per hour", "m/s"), "'km/h'?");
+  EXPECT_EQ(suggested("20°", "deg"), "'deg'?");
+  EXPECT_EQ(suggested("20 Degrees", "deg"), "'deg'?");
+  EXPECT_EQ(suggested("5 feet", "m"), "'ft'?");
+  EXPECT_EQ(suggested("2 m²", "m2"), "'m2'?");
+  EXPECT_EQ(suggested("2 KW", "W"), "'kW'?");
+  EXPECT_EQ(suggested("2 KWH", "kWh"), "'kWh'?");
+  EXPECT_EQ(suggested("80 percent", "1"), "'%'?");
+  EXPECT_EQ(suggested("1 parsec", "m"), "");
+}
+
+// Mile 1609.344 m, nautical mile 1852 m, pound 0.45359237 kg by definition (NIST SP 811, 2008).
+TEST(Suggestions, convert_what_is_no_unit_here) {
+  EXPECT_EQ(suggested("5 mph", "m/s"), "'8.04672 km/h'?");
+  EXPECT_EQ(suggested("5 knots", "m/s"), "'9.26 km/h'?");
+  EXPECT_EQ(suggested("2 miles", "m"), "'3.218688 km'?");
+  EXPECT_EQ(suggested("10 lbs", "kg"), "'4.535924 kg'?");
+  EXPECT_EQ(suggested("2 weeks", "s"), "'14 d'?");
+  EXPECT_EQ(suggested("3 sols", "s"), "'3.082474 d'?");
+  EXPECT_EQ(suggested("20 %", "deg"), "'11.31 deg'?");
+}
+
+TEST(Suggestions, never_take_milli_for_mega) {
+  EXPECT_EQ(suggested("2 MW", "W"), "'2000 kW'?");
+  EXPECT_EQ(suggested("2 MWh", "kWh"), "'2000 kWh'?");
+  EXPECT_EQ(suggested("3 mJ", "J"), "'0.003 J'?");
+  EXPECT_EQ(suggested("2 mw", "W"), "");
+  EXPECT_EQ(suggested("2 mj", "J"), "");
+  EXPECT_EQ(suggested("2 MPA", "Pa"), "");
+}
+
+TEST(Suggestions, write_clocks_and_parts_as_durations) {
+  EXPECT_EQ(suggested("01:30:00", "s"), "'PT1H30M'?");
+  EXPECT_EQ(suggested("00:00:45", "s"), "'PT45S'?");
+  EXPECT_EQ(suggested("01:30", "s"),
+            "'PT1H30M' (hours and minutes) or 'PT1M30S' (minutes and seconds)?");
+  EXPECT_EQ(suggested("1h30", "s"), "'1 h 30 min'?");
+  EXPECT_EQ(suggested("1 hr 30 mins", "s"), "'1 h 30 min'?");
+  EXPECT_EQ(suggested("2 days and 3 hours", "s"), "'2 d 3 h'?");
+  EXPECT_EQ(suggested("pt1h30m", "s"), "'PT1H30M'?");
+  EXPECT_EQ(suggested("01:75:00", "s"), "");
+}
+
+TEST(Suggestions, write_numbers_as_they_are_read) {
+  EXPECT_EQ(suggested("1,5 h", "s"), "'1.5 h'?");
+  EXPECT_EQ(suggested("0,500", "m"), "'0.500'?");
+  EXPECT_EQ(suggested("1,500 m", "m"), "'1500 m' or '1.500 m'?");
+  EXPECT_EQ(suggested("1,000,000 W", "W"), "'1000000 W'?");
+  EXPECT_EQ(suggested("1.000,5 W", "W"), "'1000.5 W'?");
+  EXPECT_EQ(suggested("1 000 W", "W"), "'1000 W'?");
+  EXPECT_EQ(suggested("1'000 W", "W"), "'1000 W'?");
+  EXPECT_EQ(suggested("\u22123 m/s", "m/s"), "'-3 m/s'?");
+  EXPECT_EQ(suggested("1.5.2 m", "m"), "");
+  EXPECT_THAT(parse_integer("10.0").why, HasSubstr("did you mean '10'?"));
+  EXPECT_THAT(parse_integer("1,500").why, HasSubstr("did you mean '1500'?"));
+  EXPECT_THAT(parse_boolean("True").why, HasSubstr("did you mean 'true'?"));
 }
 
 TEST(Units, infinite_and_undefined_values_are_refused) {
@@ -135,7 +229,7 @@ TEST(Units, booleans) {
   EXPECT_EQ(parse_boolean("false").value, false);
   EXPECT_EQ(parse_boolean("0").value, false);
   EXPECT_EQ(parse_boolean("yes").why,
-            "'yes' is neither true nor false; true, false, 1, 0 are allowed");
+            "'yes' is neither true nor false; true, false, 1, 0 are allowed; did you mean 'true'?");
 }
 
 TEST(Units, formatted_quantities_are_short) {
