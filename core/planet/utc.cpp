@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 
@@ -88,6 +89,17 @@ class Reader {
     while (take(" \t\r\n")) {
     }
   }
+  // How many digits come next.
+  std::size_t digits() const {
+    const std::size_t end = rest_.find_first_not_of("0123456789");
+    return std::min(end, rest_.size());
+  }
+  // Takes the word if it comes next.
+  bool take_word(std::string_view word) {
+    if (!rest_.starts_with(word)) return false;
+    rest_.remove_prefix(word.size());
+    return true;
+  }
   // Exactly that many digits.
   std::optional<int> number(std::size_t digits) {
     if (rest_.size() < digits) return {};
@@ -113,6 +125,7 @@ class Reader {
 
 struct Fields {
   int year = 0, month = 0, day = 0;
+  std::optional<int> day_of_year;  // in place of month and day
   int hour = 0, minute = 0, second = 0;
   std::int64_t fraction_us = 0;
   std::int64_t zone_us = 0;  // local time - UTC
@@ -121,7 +134,7 @@ struct Fields {
 // Why the text does not have the shape of a moment; empty when it does.
 std::string read_zone(Reader& in, Fields& out) {
   in.skip_blanks();
-  if (in.is_at_end() || in.take("Zz")) return "";
+  if (in.is_at_end() || in.take("Zz") || in.take_word("UTC")) return "";
   const char sign = in.take("+-");
   if (!sign) return "after the time only a zone such as 'Z' or '+02:00' is allowed";
   const auto hours = in.number(2);
@@ -134,14 +147,16 @@ std::string read_zone(Reader& in, Fields& out) {
   return "";
 }
 
+// "12:00", "12:00:00.5"; in the basic format "1200", "120000.5".
 std::string read_time(Reader& in, Fields& out) {
+  const bool is_basic = in.digits() == 4 || in.digits() == 6;
   const auto hour = in.number(2);
-  const bool has_minute = hour && in.take(":");
+  const bool has_minute = hour && (is_basic || in.take(":"));
   const auto minute = has_minute ? in.number(2) : std::nullopt;
   if (!minute) return "a time of day is written as '12:00' or '12:00:00.5'";
   out.hour = *hour;
   out.minute = *minute;
-  if (in.take(":")) {
+  if (is_basic ? in.next_is_digit() : in.take(":") != 0) {
     const auto second = in.number(2);
     if (!second) return "seconds are written with two digits, as in '12:00:05'";
     out.second = *second;
@@ -153,18 +168,32 @@ std::string read_time(Reader& in, Fields& out) {
   return read_zone(in, out);
 }
 
+// "2026-07-01" and the day of the year, "2026-182"; in the basic format "20260701", "2026182".
+bool read_date(Reader& in, Fields& out) {
+  const bool is_basic = in.digits() == 8 || in.digits() == 7;
+  const auto year = in.number(4);
+  if (!year || (!is_basic && !in.take("-"))) return false;
+  out.year = *year;
+  if (in.digits() == 3) {
+    out.day_of_year = in.number(3);
+    return true;
+  }
+  const auto month = in.number(2);
+  const bool has_day = month && (is_basic || in.take("-"));
+  const auto day = has_day ? in.number(2) : std::nullopt;
+  if (!day) return false;
+  out.month = *month;
+  out.day = *day;
+  return true;
+}
+
 std::string read_fields(std::string_view text, Fields& out) {
   Reader in(text);
   in.skip_blanks();
-  const auto year = in.number(4);
-  const bool has_month = year && in.take("-");
-  const auto month = has_month ? in.number(2) : std::nullopt;
-  const bool has_day = month && in.take("-");
-  const auto day = has_day ? in.number(2) : std::nullopt;
-  if (!day) return "ISO 8601 is allowed, such as '2026-07-01T12:00:00Z'";
-  out.year = *year;
-  out.month = *month;
-  out.day = *day;
+  if (!read_date(in, out)) {
+    return "ISO 8601 is allowed, such as '2026-07-01T12:00:00Z', or with the day of the year "
+           "'2026-182T12:00:00Z'";
+  }
   const bool separated = in.take("Tt ");
   in.skip_blanks();
   if (in.is_at_end()) return "";  // a date alone is its midnight
@@ -173,6 +202,21 @@ std::string read_fields(std::string_view text, Fields& out) {
   if (!why.empty()) return why;
   in.skip_blanks();
   return in.is_at_end() ? "" : "nothing may follow the zone";
+}
+
+// Month and day of the year's day; its fault where the year has no such day.
+std::string find_day_of_year(Fields& in) {
+  const auto year = std::chrono::year{in.year};
+  const int last = year.is_leap() ? 366 : 365;
+  const int number = *in.day_of_year;
+  if (number < 1 || number > last) {
+    return fmt::format("day {} of the year {}: 1..{} is allowed", number, in.year, last);
+  }
+  const sys_days day = sys_days{year / 1 / 1} + std::chrono::days{number - 1};
+  const std::chrono::year_month_day date{day};
+  in.month = static_cast<int>(static_cast<unsigned>(date.month()));
+  in.day = static_cast<int>(static_cast<unsigned>(date.day()));
+  return "";
 }
 
 std::string range_fault(const Fields& in) {
@@ -200,6 +244,7 @@ Parsed<Instant> refused(std::string_view text, std::string_view why) {
 Parsed<Instant> parse_utc(std::string_view text) {
   Fields in;
   std::string why = read_fields(text, in);
+  if (why.empty() && in.day_of_year) why = find_day_of_year(in);
   if (why.empty()) why = range_fault(in);
   if (!why.empty()) return refused(text, why);
 

@@ -59,6 +59,36 @@ TEST(Utc, reads_the_forms_of_iso_8601) {
   EXPECT_EQ((utc("2026-07-01T12:00:00.123456Z") - noon).count(), 123'456);
 }
 
+// What mission operations write; days counted by the calendar of Meeus (1998), chapter 7: day 246
+// of a common year is 3 September, of a leap year 2 September.
+TEST(Utc, reads_days_of_the_year) {
+  const Instant time = utc("2026-09-03T06:00:00Z");
+  for (const char* text : {"2026-246T06:00:00Z", "2026-246T06:00", "2026-246 06:00:00.000",
+                           "2026246T060000Z", "2026-246T08:00:00+02:00", "2026-246T0600Z"}) {
+    EXPECT_EQ(utc(text), time) << text;
+  }
+  EXPECT_EQ(utc("2024-246"), utc("2024-09-02"));
+  EXPECT_EQ(utc("2024-366"), utc("2024-12-31"));
+  EXPECT_EQ(utc("2026-001"), utc("2026-01-01"));
+  EXPECT_EQ(difference_s("2016-366T23:59:60Z", "2016-366T23:59:59Z"), 1);
+  EXPECT_THAT(parse_utc("2026-366").why, HasSubstr("day 366 of the year 2026: 1..365 is allowed"));
+  EXPECT_THAT(parse_utc("2026-000").why, HasSubstr("day 0 of the year 2026"));
+}
+
+TEST(Utc, reads_the_basic_format) {
+  const Instant time = utc("2026-09-03T06:00:00Z");
+  for (const char* text : {"20260903T060000Z", "20260903T0600Z", "20260903T060000",
+                           "20260903 060000Z", "20260903T080000+0200", "20260903T06:00:00Z",
+                           "2026-09-03T060000.000Z", "2026-09-03 06:00:00 UTC"}) {
+    EXPECT_EQ(utc(text), time) << text;
+  }
+  EXPECT_EQ(utc("20260903"), utc("2026-09-03"));
+  for (const char* text : {"202609", "202609030", "2026-9-3", "20260903T06", "20260903T06000",
+                           "2026-09", "20260903060000"}) {
+    EXPECT_FALSE(parse_utc(text)) << text;
+  }
+}
+
 TEST(Utc, says_what_is_wrong_with_a_text) {
   const auto why = [](std::string_view text) {
     const Parsed<Instant> parsed = parse_utc(text);
@@ -66,7 +96,8 @@ TEST(Utc, says_what_is_wrong_with_a_text) {
     return parsed.why;
   };
   EXPECT_EQ(why("tomorrow"),
-            "'tomorrow' is no UTC time: ISO 8601 is allowed, such as '2026-07-01T12:00:00Z'");
+            "'tomorrow' is no UTC time: ISO 8601 is allowed, such as '2026-07-01T12:00:00Z', or "
+            "with the day of the year '2026-182T12:00:00Z'");
   EXPECT_EQ(why("2026-13-01"), "'2026-13-01' is no UTC time: month 13: 1..12 is allowed");
   EXPECT_THAT(why("2026-02-29"), HasSubstr("day 29: 1..28 is allowed"));
   EXPECT_THAT(why("2026-07-01T24:00"), HasSubstr("hour 24: 0..23 is allowed"));
