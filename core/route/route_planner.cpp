@@ -65,8 +65,7 @@ class LegPlanner {
     std::vector<double> asides_m;
     for (const double share : corridors) {
       const double aside_m = std::max(aside_min_m(), share * goal_m_.norm());
-      const Vec2 size_m = goal_m_.cwiseAbs() + Vec2::Constant(2 * aside_m);
-      if (size_m.prod() / (spacing_m_ * spacing_m_) <= nodes_max) asides_m.push_back(aside_m);
+      if (fits(goal_m_, aside_m)) asides_m.push_back(aside_m);
     }
     if (asides_m.empty()) refuse_length();
     for (const double aside_m : asides_m) {
@@ -76,6 +75,24 @@ class LegPlanner {
   }
 
  private:
+  // Whether the map of a leg is small enough to search.
+  bool fits(const Vec2& goal_m, double aside_m) const {
+    const Vec2 size_m = goal_m.cwiseAbs() + Vec2::Constant(2 * aside_m);
+    return size_m.prod() / (spacing_m_ * spacing_m_) <= nodes_max;
+  }
+
+  // The longest leg in the direction of the goal that is planned, by bisection.
+  double longest_m() const {
+    const double share = *std::ranges::min_element(corridors);
+    double fits_m = 0, fails_m = goal_m_.norm();
+    for (int halvings = 0; halvings < 40; ++halvings) {
+      const double length_m = (fits_m + fails_m) / 2;
+      const double aside_m = std::max(aside_min_m(), share * length_m);
+      (fits(length_m * goal_m_.normalized(), aside_m) ? fits_m : fails_m) = length_m;
+    }
+    return fits_m;
+  }
+
   double aside_min_m() const {
     return finder_.cost().can_turn_on_spot ? corridor_min_m
                                            : std::max(corridor_min_m, turning_room * radius_m_);
@@ -274,9 +291,9 @@ class LegPlanner {
 
   void refuse_length() {
     leg_.reason = fmt::format(
-        "it is {:.1f} km long, more than can be planned at once at {:.2f} m: waypoints between "
-        "make shorter legs",
-        goal_m_.norm() / 1000, spacing_m_);
+        "it is {:.1f} km long; {:.1f} km at most can be planned at once in this direction, at "
+        "{:.2f} m: waypoints between make shorter legs",
+        goal_m_.norm() / 1000, std::floor(longest_m() / 100) / 10, spacing_m_);
     leg_.nearest_S_m = request_.start_S_m;
   }
 

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <queue>
 
@@ -192,7 +194,15 @@ TEST(PlanLeg, that_is_too_long_or_for_wheels_that_do_not_drive_says_so) {
   const Site site({});
   const PlannedLeg far =
       plan_leg(site.ground(), simple_rover(), {{0, 0, 0}, {60000, 0, 0}, RouteAim::energy, 1});
-  EXPECT_THAT(far.reason, HasSubstr("it is 60.0 km long, more than can be planned at once"));
+  double longest_km = 0, spacing_m = 0;
+  ASSERT_EQ(std::sscanf(far.reason.c_str(),
+                        "it is 60.0 km long; %lf km at most can be planned at once in this "
+                        "direction, at %lf m",
+                        &longest_km, &spacing_m),
+            2)
+      << far.reason;
+  // Eastwards the map is 1.5 by 0.5 lengths, and may have 60 million cells.
+  EXPECT_NEAR(longest_km, spacing_m * std::sqrt(6e7 / 0.75) / 1000, 0.1);
   DriveCost dead = simple_rover();
   for (SoilDrive& soil : dead.soils) soil.by_slope.clear();
   const PlannedLeg none =
