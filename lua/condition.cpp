@@ -135,6 +135,9 @@ std::string push_function(lua_State* L, const std::string& text) {
     what.replace(at, ours.size(), "the condition cannot go on");
   }
   if (what.ends_with("near '='")) return what + "; '==' compares";
+  if (what.ends_with("near ','")) return what + "; a decimal number has a point";
+  if (what.ends_with("near '!'")) return what + "; 'not' turns round, '~=' is unequal";
+  if (text.find('%') != std::string::npos) return what + "; a share is from 0 to 1: 80 % is 0.8";
   const bool has_number = text.find_first_of("0123456789") != std::string::npos;
   return what + (has_number ? "; numbers are in SI units and have none written, words are 'and', "
                               "'or', 'not'"

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
 #include "base/error.h"
 #include "lua/condition.h"
+#include "lua/condition_words.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
 
@@ -198,7 +200,8 @@ std::string name_fault(lua_State* L, const std::vector<Word>& words, std::size_t
   std::vector<std::string> known;
   for (const ConditionName& name : condition_names()) known.emplace_back(name.name);
   if (std::ranges::find(known, word) == known.end()) {
-    std::string hint = did_you_mean(word, known);
+    std::string hint = everyday_word_hint(word);
+    if (hint.empty()) hint = did_you_mean(word, known);
     if (hint.empty()) hint = "; see lua/README.md, Conditions";
     return fmt::format("a condition has no '{}'{}", word, hint);
   }
@@ -218,6 +221,32 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
     faults.push_back(std::move(fault));
   }
   return fmt::format("{}", fmt::join(faults, "; "));
+}
+
+// A percentage or an angle in degrees beside a quantity that is neither.
+std::string sizes_fault(const std::vector<Word>& words) {
+  const auto is_comparison = [&](std::size_t at) {
+    return words[at].kind == Word::Kind::symbol &&
+           std::string_view("<>=").find(words[at].text) != std::string_view::npos;
+  };
+  const auto fault_between = [&](std::size_t name, std::size_t number) -> std::string {
+    if (words[name].kind != Word::Kind::name || words[number].kind != Word::Kind::number) return "";
+    return size_fault(words[name].text, std::strtod(words[number].text.c_str(), nullptr));
+  };
+  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+    if (!is_comparison(i + 1)) continue;
+    const std::size_t after = is_comparison(i + 2) ? i + 3 : i + 2;  // "<=" is two symbols
+    if (after >= words.size()) continue;
+    // What is part of a sum or a product has another size.
+    const bool is_alone = (i == 0 || begins_operand(words[i - 1])) &&
+                          (after + 1 == words.size() || ends_operand(words[after + 1]));
+    if (!is_alone) continue;
+    for (const auto& [name, number] : {std::pair(i, after), std::pair(after, i)}) {
+      std::string fault = fault_between(name, number);
+      if (!fault.empty()) return fault;
+    }
+  }
+  return "";
 }
 
 // What stands there, alone or in brackets, where that is a number; else "".
@@ -270,6 +299,8 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
   if (!names.empty()) return names;
   std::string equality = equality_fault(words);
   if (!equality.empty()) return equality;
+  std::string size = sizes_fault(words);
+  if (!size.empty()) return size;
   std::string negation = negation_fault(words);
   if (!negation.empty()) return negation;
   // Comparisons go one way and the other; what stands behind `and` and `or` is reached by one.
