@@ -4,10 +4,15 @@ local lsos = require 'lsos'
 
 local joules = { J = 1, kJ = 1e3, MJ = 1e6, Wh = 3600, kWh = 3.6e6, MWh = 3.6e9 }
 
--- '12 kWh', '12' (kWh) or '80%': joules; nil when it is none.
-local function level_j(text, capacity_j)
+-- '12 kWh', '12' (kWh) or '80%': its number and unit; nil when it is none.
+local function parts(text)
   local number, unit = text:match('^%s*([%d.]+)%s*([%a%%]*)%s*$')
-  number = tonumber(number)
+  return tonumber(number), unit
+end
+
+-- The same in joules.
+local function level_j(text, capacity_j)
+  local number, unit = parts(text)
   if not number then return nil end
   if unit == '%' then return number <= 100 and number / 100 * capacity_j or nil end
   local factor = unit == '' and joules.kWh or joules[unit]
@@ -16,6 +21,10 @@ end
 
 local function check(p)
   if p.energy_level and not level_j(p.energy_level, 1) then
+    local number, unit = parts(p.energy_level)
+    if number and unit == '%' then
+      return ("EnergyLevel = '%s': is above 100 %%, which is a full battery"):format(p.energy_level)
+    end
     return ("EnergyLevel = '%s': kWh or a percentage is wanted, as in 12 or 80%%")
       :format(p.energy_level)
   end

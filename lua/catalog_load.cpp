@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "base/path_beside.h"
 #include "lua/catalog.h"
 #include "lua/event_library.h"
 #include "lua/loader.h"
@@ -11,8 +11,6 @@
 #include "lua/terrain_constructors.h"
 
 namespace lsos {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -53,8 +51,7 @@ void complete(TerrainScript& terrain, const Script& script,
   TerrainSpec& spec = terrain.spec;
   spec.name = script.name;
   const auto locate = [&](RasterSurface& raster) {
-    const fs::path file = raster.file;
-    raster.file = (file.is_absolute() ? file : fs::path(script.folder) / file).string();
+    raster.file = path_beside(script.folder, raster.file);
   };
   const auto chosen = [&](const SoilChoice& choice) {
     if (choice.name.empty()) return choice.soil;

@@ -22,24 +22,38 @@ Parsed<FieldValue> as_field_value(Parsed<T> parsed) {
   return {FieldValue(*parsed.value), {}};
 }
 
+// A share above 1 was written as a percentage without its sign, or is above 100 %.
+std::string share_advice(const std::string& text, double share) {
+  if (text.find('%') != std::string::npos) return "";
+  return share > 1 && share <= 100 ? fmt::format("; did you mean '{} %'?", share) : "";
+}
+
 // Why a number is outside its field's range; "" when it is inside.
-std::string out_of_range(const FieldDeclaration& declaration, double value_si) {
+std::string out_of_range(const FieldDeclaration& declaration, double value_si,
+                         const std::string& text) {
   const std::optional<double>& min = declaration.min_si;
   const std::optional<double>& max = declaration.max_si;
   if ((!min || value_si >= *min) && (!max || value_si <= *max)) return {};
   const Unit& unit = unit_of(declaration);
+  const bool is_share = unit.kind == "fraction" && declaration.kind == FieldKind::number;
+  if (is_share && max && text.find('%') != std::string::npos && value_si > *max) {
+    return fmt::format("is above {}", format_quantity(*max, *find_unit("%")));
+  }
   if (min && max) {
-    return fmt::format("must be from {} to {}", format_quantity(*min, unit),
-                       format_quantity(*max, unit));
+    return fmt::format("must be from {} to {}{}", format_quantity(*min, unit),
+                       format_quantity(*max, unit), is_share ? share_advice(text, value_si) : "");
   }
   return min ? fmt::format("must be at least {}", format_quantity(*min, unit))
              : fmt::format("must be at most {}", format_quantity(*max, unit));
 }
 
-std::string range_fault(const FieldDeclaration& declaration, const FieldValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) return out_of_range(declaration, *number);
+std::string range_fault(const FieldDeclaration& declaration, const FieldValue& value,
+                        const std::string& text) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return out_of_range(declaration, *number, text);
+  }
   if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-    return out_of_range(declaration, static_cast<double>(*integer));
+    return out_of_range(declaration, static_cast<double>(*integer), text);
   }
   return {};
 }
@@ -133,7 +147,7 @@ void FieldReader::tell(int line, const std::string& what) {
 std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration,
                                              const SourceField& field) {
   Parsed<FieldValue> result = parsed(declaration, field.text);
-  if (result) result.why = range_fault(declaration, *result.value);
+  if (result) result.why = range_fault(declaration, *result.value, field.text);
   if (result.why.empty()) return std::move(result.value);
   error(declaration.name, result.why);
   return {};

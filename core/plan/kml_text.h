@@ -27,6 +27,8 @@ KmlText kml_text(std::string bytes, const std::string& file);
 void check_markup(const KmlText& text);
 
 // Parts of kml_text.
+// Throws InputError where the first bytes are of no XML, in whatever encoding: JSON, CSV, a raster.
+void refuse_foreign_bytes(std::string_view bytes, const std::string& file);
 bool is_zip(std::string_view bytes);
 KmlText unpack_kmz(const std::string& bytes, const std::string& file,
                    std::size_t max_bytes = max_kml_bytes);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/path_beside.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -31,11 +32,6 @@ std::optional<SimTime> read_interval(FieldReader& fields, const FieldValues& val
   return interval;
 }
 
-// A path of the plan as it is seen from where we run.
-fs::path beside_plan(const std::string& path, const ReadContext& context) {
-  return (fs::path(context.plan_file).parent_path() / path).lexically_normal();
-}
-
 void read_terrain(FieldReader& fields, const std::string& text, const ReadContext& context,
                   MissionInfo& mission) {
   mission.terrain = text;
@@ -48,15 +44,11 @@ void read_terrain(FieldReader& fields, const std::string& text, const ReadContex
     fields.error("Terrain", "its script is broken");
     return;
   }
-  // GDAL's virtual file systems: a raster inside an archive, with an absolute path.
-  if (text.starts_with("/vsi")) {
-    mission.terrain_is_raster = true;
-    return;
-  }
-  const fs::path path = beside_plan(text, context);
+  const std::string path = path_beside(fs::path(context.plan_file).parent_path().string(), text);
   std::error_code error;
-  if (fs::is_regular_file(path, error)) {
-    mission.terrain = path.string();
+  // GDAL's virtual file systems: a raster inside an archive. GDAL says whether it is there.
+  if (text.starts_with("/vsi") || fs::is_regular_file(path, error)) {
+    mission.terrain = path;
     mission.terrain_is_raster = true;
     return;
   }

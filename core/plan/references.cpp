@@ -34,6 +34,21 @@ std::string unescaped(std::string text) {
   return text;
 }
 
+std::string escaped(const std::string& label) {
+  std::string text;
+  for (const char c : label) text += c == ',' ? "\\," : std::string(1, c);
+  return text;
+}
+
+// As split_references gives the parts of a label whose commas are not escaped, joined again.
+std::string joined_parts(const std::string& label) {
+  std::string joined;
+  for (const std::string& part : split_references(label)) {
+    joined += (joined.empty() ? "" : ",") + part;
+  }
+  return joined;
+}
+
 class Resolver {
  public:
   Resolver(std::vector<DraftEvent>& drafts, Faults& faults) : drafts_(drafts), faults_(faults) {
@@ -43,6 +58,9 @@ class Resolver {
       if (!drafts[i].is_placed) add_unplaced(drafts[i]);
       if (!event.label.empty()) by_label_[event.label].push_back(i);
       if (!event.label.empty()) names.push_back(event.label);
+      if (event.label.find(',') != std::string::npos) {
+        labels_with_commas_[joined_parts(event.label)] = event.label;
+      }
       by_identity_[{event.rover_id, event.sequence}].push_back(i);
     }
     suggestions_ = Suggestions(std::move(names));
@@ -115,10 +133,34 @@ class Resolver {
         fmt::format("{}: {} = {}: {}", draft.subject, field.name, shown(field.text), what));
   }
 
+  // Where the parts from `first` on are one label that has commas, says so; answers how many.
+  std::size_t report_label_with_commas(const DraftEvent& draft,
+                                       const std::vector<std::string>& parts, std::size_t first) {
+    std::string joined = parts[first];
+    for (std::size_t next = first + 1; next < parts.size(); ++next) {
+      joined += "," + parts[next];
+      const auto known = labels_with_commas_.find(joined);
+      if (known == labels_with_commas_.end()) continue;
+      error(draft, *draft.start_after,
+            fmt::format("of the event {} the comma must be written '\\,': {}",
+                        quoted(known->second), quoted(escaped(known->second))));
+      return next + 1 - first;
+    }
+    return 0;
+  }
+
   void read_start_after(DraftEvent& draft) {
     std::vector<PlanEvent::Reference>& awaited = draft.event.start_after;
-    for (const std::string& reference : split_references(draft.start_after->text)) {
+    const std::vector<std::string> parts = split_references(draft.start_after->text);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::string& reference = parts[k];
       const Indices found = meanings(reference);
+      if (found.empty()) {
+        if (const std::size_t count = report_label_with_commas(draft, parts, k); count > 0) {
+          k += count - 1;
+          continue;
+        }
+      }
       if (reference.empty()) {
         error(draft, *draft.start_after, "names nothing between two commas");
       } else if (found.empty()) {
@@ -194,6 +236,7 @@ class Resolver {
   std::set<Parts> unplaced_;         // rover and Sequence
   std::set<Parts> unplaced_labels_;  // type and Sequence, of those without a name
   std::map<std::string, Indices> by_label_;
+  std::map<std::string, std::string> labels_with_commas_;  // by what an unescaped one is read as
   std::map<std::pair<std::string, std::int64_t>, Indices> by_identity_;
   Suggestions suggestions_;
 };
