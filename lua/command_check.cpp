@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "lua/planning_watch.h"
 
@@ -151,7 +152,9 @@ int check_command(const CheckOptions& options) {
       // The machine's `initialise`: rovers are put on the ground, ways are planned, nothing moves.
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = simulation_setup(files);
-      setup.keep_legs = [&](const std::string& bytes) { keep_legs(options.plan, bytes); };
+      setup.keep_legs = [&](const std::string& bytes) {
+        files.faults.add(keep_legs(options.plan, bytes));
+      };
       setup.on_planning = [&](const std::string& what) { watch.plan(what); };
       files.faults.add(kept_legs_advice(options.plan));
       const Simulation simulation(std::move(setup));
@@ -162,7 +165,7 @@ int check_command(const CheckOptions& options) {
       files.faults.add(error.faults());
     }
   }
-  fmt::print("{}", options.is_json ? json_text(files, ways) : people_text(files, ways));
+  print_result("{}", options.is_json ? json_text(files, ways) : people_text(files, ways));
   return files.faults.has_errors() ? 2 : 0;
 }
 
@@ -170,7 +173,7 @@ int fsm_command(const std::string& plan, bool is_json) {
   const MissionFiles files = read_mission(plan);
   files.faults.throw_if_errors();
   const MissionMachine machine = synthesise(files.plan, files.catalog->declarations());
-  fmt::print("{}", is_json ? json_text(machine) : to_dot(machine));
+  print_result("{}", is_json ? json_text(machine) : to_dot(machine));
   return 0;
 }
 

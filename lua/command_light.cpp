@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
@@ -85,7 +86,7 @@ int light_command(const LightOptions& options) {
       {"file", options.file},      {"columns", grid.columns},
       {"rows", grid.rows},         {"utc", format_utc(question.at)},
       {"body", source.body->name}, {"mean_sun_fraction", cells > 0 ? lit / cells : missing}};
-  fmt::print("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
+  print_result("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "plan/geometry.h"
 
@@ -180,7 +181,7 @@ int list_command(const ListOptions& options) {
   const auto catalog = read_catalog("");
   // What is broken or hidden is not listed, but not passed over either.
   for (const Fault& fault : catalog->faults().sorted()) {
-    fmt::print(stderr, "{}\n", to_string(fault));
+    print_message("{}\n", to_string(fault));
   }
   std::vector<Listed> all = listed(*catalog, options.what);
   if (!options.name.empty()) {
@@ -197,13 +198,14 @@ int list_command(const ListOptions& options) {
     if (options.is_json) {
       json.push_back(listed_json(one));
     } else {
-      fmt::print("{}", listed_text(one));
+      print_result("{}", listed_text(one));
     }
   }
-  if (options.is_json) fmt::print("{}\n", json.dump(2));
+  if (options.is_json) print_result("{}\n", json.dump(2));
   if (!options.is_json && options.what == "events" && options.name.empty()) {
-    fmt::print("Every event also has:\n");
-    for (const FieldDeclaration& field : common_event_fields()) fmt::print("{}", field_text(field));
+    print_result("Every event also has:\n");
+    for (const FieldDeclaration& field : common_event_fields())
+      print_result("{}", field_text(field));
   }
   return 0;
 }

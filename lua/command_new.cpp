@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "product/files.h"
 
@@ -103,10 +104,10 @@ int new_event_command(const std::string& name, bool is_json) {
   write_file(scenario, filled_in(scenario_text, name));
   if (is_json) {
     const nlohmann::ordered_json wrote{{"event", event}, {"scenario", scenario}};
-    fmt::print("{}\n", wrote.dump());
+    print_result("{}\n", wrote.dump());
     return 0;
   }
-  fmt::print("wrote {} and {}\ntry it: lsos-host test {}\n", event, scenario, scenario);
+  print_result("wrote {} and {}\ntry it: lsos-host test {}\n", event, scenario, scenario);
   return 0;
 }
 

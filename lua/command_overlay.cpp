@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/run_mission.h"
 #include "product/overlay.h"
 #include "record/log.h"
@@ -18,18 +19,20 @@ int overlay_command(const std::string& folder, bool is_packed, bool is_json) {
   }
   // The plan passed its checks when it was run; what its folder had beside it (scripts, rasters)
   // may be elsewhere now and is not needed to draw it.
-  const MissionFiles files = mission_of_run(folder, LogReader(folder + "/log.gpkg").run());
+  const LogReader log(folder + "/log.gpkg");
+  require_samples(log, folder);
+  const MissionFiles files = mission_of_run(folder, log.run());
   if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
   for (const Fault& fault : files.faults.sorted()) {
     if (fault.severity != Severity::error) continue;
-    fmt::print(stderr, "warning: what the plan drew may be incomplete: {}\n", to_string(fault));
+    print_message("warning: what the plan drew may be incomplete: {}\n", to_string(fault));
   }
   (is_packed ? write_packed_overlay : write_overlay)(folder, files.plan);
   const std::string file = folder + (is_packed ? "/overlay.kmz" : "/overlay.kml");
   if (is_json) {
-    fmt::print("{}\n", nlohmann::json{{"overlay", file}}.dump());
+    print_result("{}\n", nlohmann::json{{"overlay", file}}.dump());
   } else {
-    fmt::print("{}\n", file);
+    print_result("{}\n", file);
   }
   return 0;
 }

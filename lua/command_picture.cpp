@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/output_file.h"
 #include "lua/picture_frame.h"
 #include "product/film.h"
@@ -44,7 +45,7 @@ void check(const PictureOptions& options) {
 void print(const PictureOptions& options, const nlohmann::ordered_json& about) {
   nlohmann::ordered_json answer{{"file", options.file}};
   answer.update(about);
-  fmt::print("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
+  print_result("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
 }
 
 int make_film(const PictureOptions& options, const PictureRun& run, const PictureWish& wish,
@@ -60,9 +61,8 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
     film.add(frame.picture.rgb);
     if (asked_to_stop != 0) return 128 + asked_to_stop;
     if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
-      fmt::print(stderr, "\rpicture {} of {}{}", k + 1, run.times.size(),
-                 k + 1 == run.times.size() ? "\n" : "");
-      std::fflush(stderr);
+      print_message("\rpicture {} of {}{}", k + 1, run.times.size(),
+                    k + 1 == run.times.size() ? "\n" : "");
     }
   }
   film.finish();
@@ -79,7 +79,7 @@ int picture_command(const PictureOptions& options) {
   check_output("-o", options.file, {options.is_movie ? ".mp4" : ".png"}, {}, faults);
   faults.throw_if_errors();
   const PictureRun run = open_run(options.folder, options.at, options.every);
-  for (const std::string& warning : run.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : run.warnings) print_message("warning: {}\n", warning);
   const PictureWish wish{options.from, options.rover, options.size_px};
   const Gpu gpu;
   Lettering letters;

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/repl.h"
 
 namespace lsos {
@@ -54,7 +55,7 @@ int talk(Repl& repl) {
     if (line == nullptr && is_interrupted != 0) {  // what was begun is given up
       text.clear();
       std::clearerr(stdin);
-      fmt::print("\n");
+      print_result("\n");
       continue;
     }
     if (line == nullptr) break;
@@ -66,7 +67,7 @@ int talk(Repl& repl) {
     if (outcome != Repl::Outcome::incomplete) text.clear();
   }
   if (!history.empty()) write_history(history.c_str());
-  fmt::print("\n");
+  print_result("\n");
   return 0;
 }
 
@@ -86,7 +87,7 @@ int follow_script(Repl& repl) {
     first = number + 1;
   }
   if (!text.empty()) {
-    fmt::print("prompt:{}: the input ends within this\n", first);
+    print_result("prompt:{}: the input ends within this\n", first);
     has_failed = true;
   }
   return has_failed ? 1 : 0;
@@ -98,8 +99,8 @@ int repl_command(const std::string& plan_file) {
   const std::string name =
       plan_file.empty() ? "prompt" : std::filesystem::path(plan_file).stem().string();
   Repl repl(plan_file, "out/repl/" + name, [](const std::string& text) {
-    fmt::print("{}\n", text);
-    std::fflush(stdout);
+    print_result("{}\n", text);
+    flush_results();
   });
   std::signal(SIGINT, [](int) {
     is_interrupted = 1;

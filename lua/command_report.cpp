@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/output_file.h"
 #include "lua/report_run.h"
 #include "lua/run_mission.h"
@@ -68,6 +69,7 @@ int report_command(const ReportOptions& options) {
   check(options);
   const std::string& folder = options.folder;
   const LogReader log(folder + "/log.gpkg");
+  require_samples(log, folder);
   OpenedRun from = opened(folder, log);
   std::string file = options.file;
   if (options.is_figure) {
@@ -82,11 +84,11 @@ int report_command(const ReportOptions& options) {
     const std::string summary = read_file(folder + "/summary.json").value_or("");
     write_file(file, report_of(from.run, log, summary, wish, from.left_out));
   }
-  for (const std::string& what : from.left_out) fmt::print(stderr, "warning: {}\n", what);
+  for (const std::string& what : from.left_out) print_message("warning: {}\n", what);
   if (options.is_json) {
-    fmt::print("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
+    print_result("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
   } else {
-    fmt::print("{}\n", file);
+    print_result("{}\n", file);
   }
   return 0;
 }

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "lua/catalog.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "lua/soil_file.h"
 #include "vehicle/single_wheel.h"
@@ -68,7 +69,7 @@ int rig_command(const RigOptions& options) {
     throw InputError({options.soil, 0}, fault);
   }
   const std::string overload = soil_fault(soil, wheel, options.load_n, options.gravity_mps2);
-  if (!overload.empty()) fmt::print(stderr, "{}: warning: {}\n", options.soil, overload);
+  if (!overload.empty()) print_message("{}: warning: {}\n", options.soil, overload);
   const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
   auto points = nlohmann::ordered_json::array();
   for (const double slip : options.slips) {
@@ -83,7 +84,7 @@ int rig_command(const RigOptions& options) {
                       {"sinkage_m", point.sinkage_m},
                       {"traction_limit_n", point.traction_limit_n}});
   }
-  fmt::print("{}\n", points.dump(2));
+  print_result("{}\n", points.dump(2));
   return 0;
 }
 

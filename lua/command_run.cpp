@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "lua/planning_watch.h"
 #include "lua/progress.h"
@@ -45,6 +46,8 @@ void ask_to_stop(int signal) {
   std::signal(signal, SIG_DFL);  // who asks again does not want to wait
 }
 
+void warn(const std::string& what) { print_message("warning: {}\n", what); }
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
@@ -53,7 +56,7 @@ int run_command(const RunOptions& options) {
   files.faults.throw_if_errors();
   files.faults.add(kept_legs_advice(options.plan));
   for (const Fault& fault : files.faults.sorted()) {
-    if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
+    if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
   RunFolder folder(options.folder.empty() ? default_run_folder(options.plan) : options.folder,
                    options.is_forced);
@@ -62,38 +65,45 @@ int run_command(const RunOptions& options) {
   setup.keeps_sight = true;
   setup.save_every_exchange = options.save_every_exchange;
   PlanningWatch watch(options.is_quiet);
-  setup.keep_legs = [&](const std::string& bytes) { keep_legs(options.plan, bytes); };
+  std::vector<Fault> legs_not_kept;
+  setup.keep_legs = [&](const std::string& bytes) {
+    legs_not_kept = keep_legs(options.plan, bytes);
+  };
   setup.on_planning = [&](const std::string& what) { watch.plan(what); };
   // The last checks: whether the plan fits the terrain. Only then the old run may go.
   Simulation simulation(std::move(setup));
   for (const Fault& fault : simulation.advice()) {
     files.faults.add({fault});
-    if (!options.is_quiet) fmt::print(stderr, "{}\n", to_string(fault));
+    if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
   if (!options.is_quiet && !simulation.renderer().empty()) {
-    fmt::print(stderr, "light is drawn by {}\n", simulation.renderer());
+    print_message("light is drawn by {}\n", simulation.renderer());
   }
   // Until here a signal may end it at once: there is nothing to write out.
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   RunRecord record(folder, files.plan_bytes, files, simulation);
   const int stopped_by = simulate(simulation, options.is_quiet);
-  keep_legs(options.plan, simulation.kept_legs());
+  legs_not_kept = keep_legs(options.plan, simulation.kept_legs());
+  for (const Fault& fault : legs_not_kept) {
+    if (!options.is_quiet) print_message("{}\n", to_string(fault));
+  }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  const RunSummary summary =
-      record.finish(files, simulation, wall.count(), [&](const RunSummary& came_to) {
-        // Who stops a run does not want to wait for pictures.
-        const ReportWish wish{{}, stopped_by == 0, std::max(2, options.threads)};
-        if (options.has_report) {
-          write_report(folder.path(), files, simulation.ground(), came_to, wish);
-        }
-      });
+  std::vector<Product> products;
+  if (options.has_report) {
+    products.push_back({"report.html", "report", [&](const RunSummary& came_to) {
+                          // Who stops a run does not want to wait for pictures.
+                          const ReportWish wish{{}, stopped_by == 0, std::max(2, options.threads)};
+                          write_report(folder.path(), files, simulation.ground(), came_to, wish);
+                        }});
+  }
+  const RunSummary summary = record.finish(files, simulation, wall.count(), warn, products);
 
   for (const std::string& warning : simulation.warnings()) {
-    if (!options.is_quiet) fmt::print(stderr, "warning: {}\n", warning);
+    if (!options.is_quiet) print_message("warning: {}\n", warning);
   }
-  fmt::print("{}", options.is_json ? to_json(summary) : to_text(summary));
-  if (!options.is_json) fmt::print("results in {}\n", folder.path());
+  print_result("{}", options.is_json ? to_json(summary) : to_text(summary));
+  if (!options.is_json) print_result("results in {}\n", folder.path());
   if (stopped_by != 0) return 128 + stopped_by;
   return summary.status == RunStatus::completed ? 0 : 1;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "plan/field_reader.h"
 #include "plan/kml_writer.h"
@@ -162,9 +163,9 @@ int schema_command(const std::vector<std::string>& names, bool is_json) {
     add(document, kind, number += 10);
   }
   if (is_json) {
-    fmt::print("{}\n", kinds_json(document).dump(2));
+    print_result("{}\n", kinds_json(document).dump(2));
   } else {
-    fmt::print("{}", write_kml(document));
+    print_result("{}", write_kml(document));
   }
   return 0;
 }

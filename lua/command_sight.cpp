@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
@@ -293,7 +294,7 @@ int sight_command(const SightOptions& options) {
   const ordered_json answer =
       is_map ? ordered_json::array({viewshed(source, *ground, question, options)})
              : lines(*ground, question);
-  fmt::print("{}\n", answer.dump(2));
+  print_result("{}\n", answer.dump(2));
   return 0;
 }
 

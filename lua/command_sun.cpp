@@ -6,6 +6,7 @@
 
 #include "base/units.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/places.h"
 #include "planet/sky.h"
 
@@ -63,7 +64,7 @@ int sun_command(const SunOptions& options) {
   faults.throw_if_errors();
   auto rows = ordered_json::array();
   for (const Instant at : moments) rows.push_back(row(*body, *site, at));
-  fmt::print("{}\n", rows.dump(2));
+  print_result("{}\n", rows.dump(2));
   return 0;
 }
 

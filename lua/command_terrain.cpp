@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/units.h"
+#include "lua/console.h"
 #include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
@@ -157,7 +158,7 @@ int terrain_command(const TerrainOptions& options) {
     const ordered_json file = exported(source, *ground, question, options);
     if (question.places.empty()) points.push_back(file);
   }
-  fmt::print("{}\n", points.dump(2));
+  print_result("{}\n", points.dump(2));
   return 0;
 }
 

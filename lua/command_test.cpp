@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/scenario.h"
 #include "product/files.h"
 
@@ -223,11 +224,11 @@ std::string junit(const std::vector<ScenarioResult>& results) {
 int test_command(const TestOptions& options) {
   const std::vector<std::string> files = files_of(options.paths);
   std::vector<ScenarioResult> results;
-  if (!options.is_json) fmt::print("TAP version 14\n");
+  if (!options.is_json) print_result("TAP version 14\n");
   const auto add = [&](const Worker& worker) {
     for (ScenarioResult& result : wait_for(worker)) {
       results.push_back(std::move(result));
-      if (!options.is_json) fmt::print("{}", tap(results.size(), results.back()));
+      if (!options.is_json) print_result("{}", tap(results.size(), results.back()));
     }
     std::fflush(stdout);
   };
@@ -242,11 +243,11 @@ int test_command(const TestOptions& options) {
     running.push_back(start(files[i], folders[i], options));
   }
   for (const Worker& worker : running) add(worker);
-  if (!options.is_json) fmt::print("1..{}\n", results.size());
+  if (!options.is_json) print_result("1..{}\n", results.size());
   if (options.is_json) {
     nlohmann::json list = nlohmann::json::array();
     for (const ScenarioResult& result : results) list.push_back(to_json(result));
-    fmt::print("{}\n", list.dump(2));
+    print_result("{}\n", list.dump(2));
   }
   if (!options.junit_file.empty()) write_file(options.junit_file, junit(results));
   if (results.empty())

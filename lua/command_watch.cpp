@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "product/run_folder.h"
 
@@ -130,7 +131,7 @@ int watch_command(RunOptions options) {
     if (asked_to_stop != 0) return 128 + asked_to_stop;
     // A run that took the folder wrote its plan there: what is left of it is ours.
     options.is_forced |= modified(kept_plan) != kept_before;
-    if (!options.is_quiet) fmt::print(stderr, "\n{} has changed: running again\n", changed);
+    if (!options.is_quiet) print_message("\n{} has changed: running again\n", changed);
   }
 }
 

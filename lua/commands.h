@@ -153,6 +153,13 @@ struct CompareOptions {
 };
 int compare_command(const CompareOptions& options);
 
+struct VerifyOptions {
+  std::vector<std::string> folders;
+  bool is_json = false;
+};
+// 1: a log is not the one that its summary was written of.
+int verify_command(const VerifyOptions& options);
+
 int overlay_command(const std::string& folder, bool is_packed, bool is_json);
 
 }  // namespace lsos

@@ -6,9 +6,10 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/output_error.h"
 #include "lua/commands.h"
+#include "lua/console.h"
 #include "lua/version.h"
-#include "record/log.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ using lsos::InputError;
 
 const std::vector<std::string> built{"run",    "check",   "compare", "fsm",     "light",  "list",
                                      "new",    "overlay", "picture", "repl",    "report", "rig",
-                                     "schema", "sight",   "sun",     "terrain", "test"};
+                                     "schema", "sight",   "sun",     "terrain", "test",   "verify"};
 // Named in the manual, not there yet.
 const std::vector<std::string> unbuilt{"resume", "import", "export"};
 
@@ -34,7 +35,8 @@ void insert_run(std::vector<std::string>& arguments) {
   if (std::ranges::count(unbuilt, first) > 0) {
     throw InputError({}, fmt::format("the command '{}' is not built yet", first));
   }
-  if (first.starts_with('-') || std::filesystem::is_regular_file(first)) {
+  std::error_code ignored;
+  if (first.starts_with('-') || std::filesystem::exists(first, ignored)) {
     arguments.insert(arguments.begin(), "run");
     return;
   }
@@ -150,6 +152,14 @@ CLI::App* add_compare(CLI::App& app, lsos::CompareOptions& compare) {
   command->add_option("B", compare.folders[1], "Folder of another")->required();
   command->add_flag("--exact", compare.is_exact, "The first differing value of the logs");
   command->add_flag("--json", compare.is_json, "The answer as JSON");
+  return command;
+}
+
+CLI::App* add_verify(CLI::App& app, lsos::VerifyOptions& verify) {
+  CLI::App* command = app.add_subcommand(
+      "verify", "Whether the log of a run is the one that its summary was written of");
+  command->add_option("DIR", verify.folders, "Folders of finished runs")->required();
+  command->add_flag("--json", verify.is_json, "The answer as JSON");
   return command;
 }
 
@@ -288,6 +298,9 @@ int run_program(std::vector<std::string> arguments) {
   lsos::CompareOptions compare;
   CLI::App* compare_command = add_compare(app, compare);
 
+  lsos::VerifyOptions verify;
+  CLI::App* verify_command = add_verify(app, verify);
+
   lsos::SunOptions sun;
   CLI::App* sun_command = add_sun(app, sun, is_json);
 
@@ -316,6 +329,7 @@ int run_program(std::vector<std::string> arguments) {
   if (picture_command->parsed()) return lsos::picture_command(picture);
   if (report_command->parsed()) return lsos::report_command(report);
   if (compare_command->parsed()) return lsos::compare_command(compare);
+  if (verify_command->parsed()) return lsos::verify_command(verify);
   if (light_command->parsed()) return lsos::light_command(light);
   if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);
@@ -333,16 +347,19 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   // Beyond a file size limit a write must fail and be reported, not kill the program.
   std::signal(SIGXFSZ, SIG_IGN);
+  lsos::open_missing_streams();
   try {
-    return run_program({argv + 1, argv + argc});
+    const int code = run_program({argv + 1, argv + argc});
+    lsos::flush_results();
+    return code;
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    lsos::print_message("{}\n", error.what());
     return 2;
-  } catch (const lsos::LogError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+  } catch (const lsos::OutputError& error) {
+    lsos::print_message("{}\n", error.what());
     return 3;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "fault inside the program: {}\n", error.what());
+    lsos::print_message("fault inside the program: {}\n", error.what());
     return 3;
   }
 }

@@ -175,16 +175,24 @@ void read_models(MissionFiles& files) {
 
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
   MissionFiles files;
-  files.plan_bytes = read_file(plan_file).value_or("");
   files.catalog = read_catalog(plan_file);
-  files.plan = read_plan(plan_file, files.catalog->declarations(), files.faults);
+  files.plan.file = plan_file;
+  // Once: a pipe has its bytes no second time, and a file may change.
+  try {
+    files.plan_bytes = read_bytes(plan_file);
+    files.plan = read_plan(plan_file, parse_kml(files.plan_bytes, plan_file),
+                           files.catalog->declarations(), files.faults);
+  } catch (const InputError& error) {
+    files.faults.add(error.faults());
+  }
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
   return files;
 }
 
 PlanSource read_plan_source(const std::string& plan_file) {
-  return {plan_file, read_kml(plan_file), "", read_bytes(plan_file), true};
+  const std::string bytes = read_bytes(plan_file);
+  return {plan_file, parse_kml(bytes, plan_file), "", bytes, true};
 }
 
 MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,
@@ -234,12 +242,17 @@ std::vector<Fault> kept_legs_advice(const std::string& plan_file) {
            "it is no file: planned ways would be kept under this name, and are not"}};
 }
 
-void keep_legs(const std::string& plan_file, const std::string& bytes) {
-  if (bytes.empty() || !kept_legs_advice(plan_file).empty()) return;
+std::vector<Fault> keep_legs(const std::string& plan_file, const std::string& bytes) {
+  std::error_code ignored;
+  const bool is_file = std::filesystem::is_regular_file(plan_file, ignored);  // no pipe
+  if (bytes.empty() || !is_file || !kept_legs_advice(plan_file).empty()) return {};
   try {
     write_file(plan_file + kept_legs_suffix, program_stamp() + bytes);
-  } catch (const std::runtime_error&) {
-    // A convenience that is not to be had.
+    return {};
+  } catch (const std::runtime_error& error) {
+    return {{Severity::warning,
+             {},
+             fmt::format("planned routes are not kept for the next run: {}", error.what())}};
   }
 }
 

@@ -57,8 +57,9 @@ SimulationSetup simulation_setup(const MissionFiles& files);
 std::string read_kept_legs(const std::string& plan_file);
 // A warning where something else has that name: then nothing is kept.
 std::vector<Fault> kept_legs_advice(const std::string& plan_file);
-// Where the plan's folder is not ours to write to, nothing is kept: the next run plans again.
-void keep_legs(const std::string& plan_file, const std::string& bytes);
+// Where the plan's folder is not ours to write to, nothing is kept, and the answer is a warning of
+// that: the next run plans again.
+std::vector<Fault> keep_legs(const std::string& plan_file, const std::string& bytes);
 
 // The layer `run`: what the run was made of, nothing that differs between two equal runs.
 std::map<std::string, std::string> run_values(const MissionFiles& files,

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -23,6 +26,9 @@ void check_output(const std::string& option, const std::string& file,
   const fs::path folder = fs::path(file).parent_path();
   if (!folder.empty() && !fs::is_directory(folder)) {
     faults.error({}, fmt::format("{}: there is no folder {}", asked, folder.string()));
+  } else if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) {
+    faults.error({},
+                 fmt::format("{}: the folder cannot be written: {}", asked, std::strerror(errno)));
   }
   for (const std::string& input : inputs) {
     std::error_code is_absent;

@@ -9,8 +9,8 @@
 
 namespace lsos {
 
-// A fault where the name has none of the endings (".tif"), its folder is not there, or it is one of
-// the files that the command reads.
+// A fault where the name has none of the endings (".tif"), its folder is not there or may not be
+// written, or it is one of the files that the command reads.
 void check_output(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
                   Faults& faults);

@@ -88,6 +88,7 @@ void read_moments(PictureRun& run, const LogReader& log, const std::vector<SimTi
 
 PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every) {
   const LogReader log(folder + "/log.gpkg");
+  require_samples(log, folder);
   PictureRun run = open_run(folder, log);
   if (at.empty()) {
     read_moments(run, log, film_times(every, run.end));

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdio>
+
+#include "lua/console.h"
 
 namespace lsos {
 
@@ -47,8 +48,7 @@ void PlanningWatch::watch() {
     const auto begin = std::chrono::steady_clock::now();
     for (auto wait = first_after; !changed_.wait_for(lock, wait, is_other); wait = then_every) {
       const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begin;
-      fmt::print(stderr, "planning {}: {:.0f} s so far\n", what_, so_far.count());
-      std::fflush(stderr);
+      print_message("planning {}: {:.0f} s so far\n", what_, so_far.count());
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "lua/console.h"
 
 namespace lsos {
 
@@ -26,12 +26,11 @@ void Progress::show(double share, double sim_s) {
   const std::string text =
       fmt::format("[{:=<{}}{: <{}}] {:3.0f} %  {} simulated, {:.0f} x real time", "", full, "",
                   bar_width - full, share * 100, clock_text(sim_s), sim_s / wall_s);
-  fmt::print(stderr, "{}{}{}", is_terminal_ ? "\r" : "", text, is_terminal_ ? "\x1b[K" : "\n");
-  std::fflush(stderr);
+  print_message("{}{}{}", is_terminal_ ? "\r" : "", text, is_terminal_ ? "\x1b[K" : "\n");
 }
 
 void Progress::finish() {
-  if (!is_quiet_ && is_terminal_) fmt::print(stderr, "\r\x1b[K");
+  if (!is_quiet_ && is_terminal_) print_message("\r\x1b[K");
 }
 
 std::string clock_text(double time_s) {

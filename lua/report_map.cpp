@@ -42,6 +42,7 @@ class Bounds {
       for (const MapPoint& point : line) add(point.x_m, point.y_m);
     }
   }
+  bool is_empty() const { return !(left_m_ <= right_m_); }
   ReportMap map() const {
     ReportMap map;
     double width_m = right_m_ - left_m_, height_m = top_m_ - bottom_m_;
@@ -140,8 +141,11 @@ void add_shadow(ReportMap& map, const Ground& ground, Instant at, int threads) {
 
 }  // namespace
 
-ReportMap report_map(const Ground& ground, const ReportData& data, SimTime shadow_at, int threads) {
-  ReportMap map = bounds_of(data).map();
+std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data, SimTime shadow_at,
+                                    int threads) {
+  const Bounds bounds = bounds_of(data);
+  if (bounds.is_empty()) return std::nullopt;
+  ReportMap map = bounds.map();
   const MapCells grid = cells_over(map, relief_px);
   const std::vector<double> heights_m = elevations_m(ground, grid, grid.cell_m, threads);
   map.lowest_m = 1e300;

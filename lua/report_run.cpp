@@ -66,19 +66,15 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
 
 void write_report(const std::string& run_dir, const MissionFiles& files, const Ground& ground,
                   const RunSummary& summary, const ReportWish& wish) {
-  try {
-    const LogReader log(run_dir + "/log.gpkg");
-    PictureRun run;
-    run.files = files;
-    run.ground = std::shared_ptr<const Ground>(std::shared_ptr<const Ground>(), &ground);
-    run.start = log.start();
-    run.end = log.last_sample_time();
-    std::vector<std::string> left_out;  // the page says so
-    write_file(run_dir + "/report.html",
-               report_of(std::move(run), log, to_json(summary), wish, left_out));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "warning: report.html could not be made: {}\n", error.what());
-  }
+  const LogReader log(run_dir + "/log.gpkg");
+  PictureRun run;
+  run.files = files;
+  run.ground = std::shared_ptr<const Ground>(std::shared_ptr<const Ground>(), &ground);
+  run.start = log.start();
+  run.end = log.last_sample_time();
+  std::vector<std::string> left_out;  // the page says so
+  write_file(run_dir + "/report.html",
+             report_of(std::move(run), log, to_json(summary), wish, left_out));
 }
 
 }  // namespace lsos

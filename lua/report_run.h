@@ -22,8 +22,7 @@ struct ReportWish {
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
                       const ReportWish& wish, std::vector<std::string>& left_out);
 
-// DIR/report.html of a run that has just ended. Where it cannot be made, says so on standard error:
-// the run is none the worse.
+// DIR/report.html of a run that has just ended.
 void write_report(const std::string& run_dir, const MissionFiles& files, const Ground& ground,
                   const RunSummary& summary, const ReportWish& wish);
 

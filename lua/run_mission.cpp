@@ -30,4 +30,11 @@ MissionFiles mission_of_run(const std::string& folder,
   return with_ours.faults.has_errors() ? files : with_ours;
 }
 
+void require_samples(const LogReader& log, const std::string& folder) {
+  if (log.has_samples()) return;
+  throw InputError({folder},
+                   "its log has no sample: the run was stopped before its first, and there is "
+                   "nothing to show");
+}
+
 }  // namespace lsos

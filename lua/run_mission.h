@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lua/mission_files.h"
+#include "record/log.h"
 
 namespace lsos {
 
@@ -14,5 +15,8 @@ namespace lsos {
 // are gone leave the rest of the plan. `run`: values of the log's layer.
 MissionFiles mission_of_run(const std::string& folder,
                             const std::map<std::string, std::string>& run);
+
+// Throws InputError where a run was killed before its first sample: nothing of it can be drawn.
+void require_samples(const LogReader& log, const std::string& folder);
 
 }  // namespace lsos

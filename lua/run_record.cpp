@@ -1,7 +1,12 @@
 #include "lua/run_record.h"
 
-#include <filesystem>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <new>
+
+#include "base/output_error.h"
 #include "product/files.h"
 #include "product/overlay.h"
 
@@ -47,6 +52,27 @@ std::string prepared(RunFolder& folder, const std::string& plan_bytes) {
   return folder.file("log.gpkg");
 }
 
+// "" when it was made.
+std::string fault_of_making(const Product& product, const RunSummary& summary) {
+  try {
+    product.write(summary);
+    return "";
+  } catch (const std::bad_alloc&) {
+    return "out of memory";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+// The summary that is there already stays where no new one can be written.
+void keep_warnings(const std::string& run_dir, const RunSummary& summary) {
+  try {
+    write_summary(run_dir, summary);
+  } catch (const OutputError&) {
+  } catch (const InputError&) {
+  }
+}
+
 }  // namespace
 
 RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const MissionFiles& files,
@@ -60,13 +86,25 @@ RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const Mis
 }
 
 RunSummary RunRecord::finish(const MissionFiles& files, const Simulation& simulation, double wall_s,
-                             const std::function<void(const RunSummary&)>& write_more) {
+                             const std::function<void(const std::string&)>& warn,
+                             const std::vector<Product>& more) {
   log_.finish();
   RunSummary summary = summarise(simulation, files, wall_s);
   summary.log_sha256 = LogReader(folder_.file("log.gpkg")).sha256();
-  write_overlay(folder_.path(), files.plan);
-  if (write_more) write_more(summary);
   write_summary(folder_.path(), summary);
+  const std::size_t warnings_before = summary.warnings.size();
+  const auto make = [&](const Product& product) {
+    const std::string fault = fault_of_making(product, summary);
+    if (fault.empty()) return;
+    summary.warnings.push_back(fmt::format("{} is missing: {}; lsos-host {} {} makes it again",
+                                           folder_.file(product.file), fault, product.command,
+                                           folder_.path()));
+    warn(summary.warnings.back());
+  };
+  make({"overlay.kml", "overlay",
+        [&](const RunSummary&) { write_overlay(folder_.path(), files.plan); }});
+  std::ranges::for_each(more, make);
+  if (summary.warnings.size() > warnings_before) keep_warnings(folder_.path(), summary);
   return summary;
 }
 

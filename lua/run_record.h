@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "lua/mission_files.h"
 #include "product/run_folder.h"
@@ -10,6 +11,13 @@
 #include "record/log.h"
 
 namespace lsos {
+
+// A file that is made of a finished run's log, and can be made again.
+struct Product {
+  std::string file;     // "report.html"
+  std::string command;  // "report": the command that makes it again
+  std::function<void(const RunSummary&)> write;
+};
 
 class RunRecord {
  public:
@@ -19,10 +27,12 @@ class RunRecord {
             Simulation& simulation);
 
   LogWriter& log() { return log_; }
-  // Ends the log; writes overlay and summary, once the simulation has been terminated.
-  // `write_more`: what else is made of the log; the summary comes last of all.
+  // Ends the log once the simulation has been terminated and writes the summary, with which the run
+  // is finished; then overlay.kml and `more`. Of a product that cannot be made `warn` is told what
+  // is missing and which command makes it again, and the summary's warnings have it.
   RunSummary finish(const MissionFiles& files, const Simulation& simulation, double wall_s,
-                    const std::function<void(const RunSummary&)>& write_more = {});
+                    const std::function<void(const std::string&)>& warn,
+                    const std::vector<Product>& more = {});
 
  private:
   RunFolder& folder_;

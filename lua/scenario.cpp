@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "lua/console.h"
 #include "lua/handle.h"
 #include "lua/loader.h"
 #include "lua/quantity.h"
@@ -218,7 +219,7 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
   LuaState lua(limits);
   lua.run([&](lua_State* L) {
     // On standard error: standard output is the report.
-    const auto say = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    const auto say = [](const std::string& line) { print_message("{}\n", line); };
     Sims at_load(folder, say, true);
     lua.context().in_hand = &at_load;
     Faults faults;

@@ -7,6 +7,7 @@
 
 #include "base/sha256.h"
 #include "base/units.h"
+#include "lua/console.h"
 #include "lua/plan_table.h"
 #include "mission/plan_names.h"
 #include "plan/kml_reader.h"
@@ -275,7 +276,8 @@ void SimSession::finish() {
   simulation_->terminate();
   const std::unique_ptr<RunRecord> record = std::move(record_);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin_;
-  record->finish(files_, *simulation_, wall.count());
+  record->finish(files_, *simulation_, wall.count(),
+                 [](const std::string& what) { print_message("warning: {}\n", what); });
 }
 
 }  // namespace lsos

@@ -153,12 +153,24 @@ std::string dumped(const Json& json) {
 
 }  // namespace
 
-Comparison compare(const std::string& summary_a, const std::string& summary_b,
-                   const std::map<std::string, std::string>& run_a,
-                   const std::map<std::string, std::string>& run_b) {
-  const Json a = Json::parse(summary_a), b = Json::parse(summary_b);
+LogDigest log_digest(const std::string& summary, const std::string& sha256_of_log) {
+  const Json digest = Collector::at(Json::parse(summary), "log_sha256");
+  return {sha256_of_log, digest.is_string() ? digest.get<std::string>() : ""};
+}
+
+std::string digest_fault(const LogDigest& digest) {
+  if (digest.matches()) return "";
+  return fmt::format(
+      "log.gpkg is not the log that summary.json was written of: log_sha256 is {}, the summary "
+      "says {}",
+      digest.of_log, digest.of_summary.empty() ? "none" : digest.of_summary);
+}
+
+Comparison compare(const ComparedRun& run_a, const ComparedRun& run_b) {
+  const Json a = Json::parse(run_a.summary), b = Json::parse(run_b.summary);
   Comparison comparison;
-  comparison.has_equal_logs = Collector::at(a, "log_sha256") == Collector::at(b, "log_sha256");
+  comparison.logs = {log_digest(run_a.summary, run_a.log_sha256),
+                     log_digest(run_b.summary, run_b.log_sha256)};
   Collector found(comparison.differences);
   for (const char* key : {"status", "sim_s"}) {
     found.add("run", key, Collector::at(a, key), Collector::at(b, key));
@@ -184,7 +196,7 @@ Comparison compare(const std::string& summary_a, const std::string& summary_b,
       found.add("run", key, told(only_a), told(only_b));
     }
   }
-  Collector(comparison.made_of).add_all("made of", Json(run_a), Json(run_b));
+  Collector(comparison.made_of).add_all("made of", Json(run_a.run), Json(run_b.run));
   return comparison;
 }
 
@@ -196,17 +208,23 @@ ExactComparison compare_exactly(const LogReader& a, const LogReader& b) {
 
 std::string to_json(const Comparison& found) {
   return dumped({{"equal", found.is_equal()},
-                 {"equal_logs", found.has_equal_logs},
+                 {"equal_logs", found.has_equal_logs()},
+                 {"log_sha256", {found.logs[0].of_log, found.logs[1].of_log}},
+                 {"summary_log_sha256", {found.logs[0].of_summary, found.logs[1].of_summary}},
                  {"differences", json_of(found.differences)},
                  {"made_of", json_of(found.made_of)}});
 }
 
 std::string to_text(const Comparison& found, const std::array<std::string, 2>& names) {
   std::string text = fmt::format("A {}\nB {}\n", names[0], names[1]);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string fault = digest_fault(found.logs[k]);
+    if (!fault.empty()) text += fmt::format("{}: {}\n", k == 0 ? 'A' : 'B', fault);
+  }
   if (found.is_equal()) {
     text += fmt::format("{}: every rover and event came to the same; the logs are {}\n", equal_text,
-                        found.has_equal_logs ? "equal too" : "not equal (--exact)");
-  } else {
+                        found.has_equal_logs() ? "equal too" : "not equal (--exact)");
+  } else if (!found.differences.empty()) {
     text += fmt::format("\n  {:<20} {:>28} {:>28} {:>14}", "", "A", "B", "B - A");
     text += lines(found.differences);
   }

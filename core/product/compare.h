@@ -20,17 +20,33 @@ struct Difference {
   std::optional<double> change;  // b - a, of numbers
 };
 
+// The digest of a log, from the log itself and as its run's summary has it.
+struct LogDigest {
+  std::string of_log, of_summary;
+  bool matches() const { return of_log == of_summary; }
+};
+LogDigest log_digest(const std::string& summary, const std::string& sha256_of_log);
+// "log.gpkg has changed since summary.json was written: ..."; "" where it has not.
+std::string digest_fault(const LogDigest& digest);
+
 struct Comparison {
   std::vector<Difference> differences;  // of results
   std::vector<Difference> made_of;      // plan, scripts, seed, ...: why results may differ
-  bool has_equal_logs = false;          // the same log_sha256
-  bool is_equal() const { return differences.empty(); }
+  // Digests of the logs, and what the summaries say of them: they differ where a log was changed
+  // since, and then the summary is of another run.
+  std::array<LogDigest, 2> logs;
+
+  bool has_equal_logs() const { return logs[0].of_log == logs[1].of_log; }
+  bool is_equal() const { return differences.empty() && logs[0].matches() && logs[1].matches(); }
 };
 
-// `summary_a`, `summary_b`: texts of summary.json; `run_a`, `run_b`: the logs' layer run.
-Comparison compare(const std::string& summary_a, const std::string& summary_b,
-                   const std::map<std::string, std::string>& run_a,
-                   const std::map<std::string, std::string>& run_b);
+// A finished run, as it is compared.
+struct ComparedRun {
+  std::string summary;                     // text of summary.json
+  std::map<std::string, std::string> run;  // the log's layer
+  std::string log_sha256;                  // computed from the log
+};
+Comparison compare(const ComparedRun& a, const ComparedRun& b);
 
 struct ExactComparison {
   std::array<std::string, 2> sha256;

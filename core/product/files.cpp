@@ -6,10 +6,11 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <iterator>
-#include <stdexcept>
+#include <sstream>
+#include <utility>
 
 #include "base/error.h"
+#include "base/output_error.h"
 
 namespace lsos {
 
@@ -25,14 +26,17 @@ void write_file(const std::string& file, std::string_view bytes) {
                               errno == ENOENT || errno == ENOTDIR || errno == EISDIR;
   std::remove(part.c_str());
   if (is_place_wrong) throw InputError({}, fmt::format("{}: {}", file, why));
-  throw std::runtime_error(fmt::format("{}: {}", file, why));
+  throw OutputError(fmt::format("{}: {}", file, why));
 }
 
 std::optional<std::string> read_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in) return std::nullopt;
-  return bytes;
+  std::ostringstream bytes;
+  // A stream takes an empty file for a failure; a folder opens, and fails when it is read.
+  if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+  if (in.bad() || bytes.bad()) return std::nullopt;
+  return std::move(bytes).str();
 }
 
 }  // namespace lsos

@@ -11,8 +11,8 @@ namespace lsos {
 inline constexpr std::string_view part_suffix = ".part";
 
 // Under another name first, then renamed: a reader finds the old file or the new one, never half of
-// one. Throws InputError where the place is not one to write to, std::runtime_error with the reason
-// when the disk is full.
+// one. Throws InputError where the place is not one to write to, OutputError with the reason when
+// the disk is full.
 void write_file(const std::string& file, std::string_view bytes);
 
 // Absent when it cannot be read.

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "base/output_error.h"
 #include "product/files.h"
 
 namespace lsos {
@@ -91,7 +92,7 @@ void Film::add(std::span<const std::uint8_t> rgb) {
   while (!rgb.empty()) {
     const ssize_t written = write(to_child_, rgb.data(), rgb.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw std::runtime_error(fmt::format("{}: ffmpeg has ended", file_));
+    if (written < 0) throw OutputError(fmt::format("{}: ffmpeg has ended", file_));
     rgb = rgb.subspan(static_cast<std::size_t>(written));
   }
 }
@@ -101,7 +102,7 @@ void Film::finish() {
   if (code == 0 && std::rename(part_.c_str(), file_.c_str()) == 0) return;
   const std::string why = code == 0 ? std::strerror(errno) : fmt::format("ffmpeg's code {}", code);
   std::remove(part_.c_str());
-  throw std::runtime_error(fmt::format("{}: cannot be made: {}", file_, why));
+  throw OutputError(fmt::format("{}: cannot be made: {}", file_, why));
 }
 
 }  // namespace lsos

@@ -19,9 +19,9 @@ class Film {
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;
 
-  // Red, green and blue bytes, rows from the top. Throws std::runtime_error when ffmpeg has ended.
+  // Red, green and blue bytes, rows from the top. Throws OutputError when ffmpeg has ended.
   void add(std::span<const std::uint8_t> rgb);
-  // Throws std::runtime_error when ffmpeg could not do it.
+  // Throws OutputError when ffmpeg could not do it.
   void finish();
 
  private:

@@ -12,6 +12,7 @@
 #include "product/files.h"
 #include "product/rover_colors.h"
 #include "product/rover_track.h"
+#include "product/thinned_notes.h"
 #include "record/columns.h"
 
 namespace lsos {
@@ -273,9 +274,12 @@ KmlFolder moving_point(const RoverTrack& track, Instant start, const std::string
   return folder;
 }
 
-KmlFolder note_points(const std::vector<NoteRow>& notes, Instant start) {
+KmlFolder note_points(const ThinnedNotes& notes, Instant start) {
   KmlFolder folder = named_folder("notes");
-  for (const NoteRow& note : notes) {
+  if (notes.rows.size() < notes.in_log) {
+    folder.name = fmt::format("notes ({} of {})", notes.rows.size(), notes.in_log);
+  }
+  for (const NoteRow& note : notes.rows) {
     KmlPlacemark mark = placemark(note, start, note.name);
     mark.description =
         fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json);
@@ -331,7 +335,7 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
         moving_point(track, start, rover_id, style), sample_points(track, start, rover_id, style)};
     document.folders.push_back(std::move(rover));
   }
-  document.folders.push_back(note_points(log.notes(), start));
+  document.folders.push_back(note_points(thinned_notes(log), start));
   return write_kml(document);
 }
 

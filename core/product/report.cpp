@@ -120,7 +120,7 @@ Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
 
 // With their fields as an object.
 Json notes(const ReportData& data, const SiteFrame& site) {
-  Json array = placed_rows(data.notes, site);
+  Json array = placed_rows(data.notes.rows, site);
   for (Json& note : array) {
     note["fields"] = Json::parse(note["fields"].get<std::string>(), nullptr, false);
   }
@@ -268,7 +268,7 @@ std::string report_json(const ReportData& data, const Plan& plan, const SiteFram
       {"assets", assets(data)},
       {"events", placed_rows(data.events, site)},
       {"notes", notes(data, site)},
-      {"notes_in_log", data.notes_in_log},
+      {"notes_in_log", data.notes.in_log},
       {"kinds", kinds(data)},
       {"sight", pairs(data)},
       {"distances", distances(data)},

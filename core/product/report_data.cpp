@@ -89,7 +89,10 @@ void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data)
   std::map<std::string, ReportRover> rovers;
   for (const auto& [id, count] : log.sample_counts()) rovers.try_emplace(id, id, count);
   log.for_each_sample([&](const SampleRow& row) {
-    ReportRover& rover = rovers.at(row.rover_id);
+    const auto known = rovers.find(row.rover_id);
+    if (known == rovers.end())
+      return;  // of a run that goes on: its first came since they were counted
+    ReportRover& rover = known->second;
     const double time_s = seconds(row.time);
     rover.position.add(time_s, std::array{row.p_S_m.x(), row.p_S_m.y(), lon_deg(row.place),
                                           lat_deg(row.place), heading_on_map_rad(site, row)});
@@ -227,9 +230,7 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
   std::ranges::sort(data.events, {}, [](const EventRow& event) {
     return std::pair(event.rover_id, event.sequence);
   });
-  data.notes = log.notes();
-  data.notes_in_log = data.notes.size();
-  data.notes.resize(std::min(data.notes.size(), report_notes_max));
+  data.notes = thinned_notes(log);
   read_pairs(log, data);
   return data;
 }

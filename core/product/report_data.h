@@ -8,6 +8,7 @@
 
 #include "plan/plan.h"
 #include "planet/site_frame.h"
+#include "product/thinned_notes.h"
 #include "product/thinned_rows.h"
 #include "record/log.h"
 
@@ -15,8 +16,6 @@ namespace lsos {
 
 // Points of a series at most are about four times as many; the log has all.
 inline constexpr int report_stretches = 1000;
-// The first ones of a log.
-inline constexpr std::size_t report_notes_max = 2000;
 
 // On the map: metres east and north in the site's frame.
 struct MapPoint {
@@ -67,8 +66,7 @@ struct ReportData {
   double end_s = 0;
   std::vector<ReportRover> rovers;  // in order of ids
   std::vector<EventRow> events;     // by rover, then sequence
-  std::vector<NoteRow> notes;       // report_notes_max at most
-  std::size_t notes_in_log = 0;
+  ThinnedNotes notes;
   std::vector<ReportPair> pairs;
   std::vector<ReportDistance> distances;  // between rovers
   std::vector<ReportAsset> assets;

@@ -11,9 +11,9 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <stdexcept>
 
 #include "base/error.h"
+#include "base/output_error.h"
 #include "product/files.h"
 #include "product/summary.h"
 #include "record/log.h"
@@ -113,10 +113,12 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
                        "holds a run that has not finished; --force replaces it, -o names another "
                        "folder");
     }
+    check_replaceable();
   } catch (const fs::filesystem_error& error) {
     release();
     throw InputError({path_},
-                     fmt::format("cannot be the folder of a run: {}", error.code().message()));
+                     fmt::format("cannot be the folder of a run: {}; name another folder with -o",
+                                 error.code().message()));
   } catch (...) {
     release();
     throw;
@@ -142,12 +144,14 @@ void RunFolder::make_folders() {
 
 void RunFolder::lock() {
   const std::string lock_file = file(lock_name);
-  // Again when the file was removed by its holder between our opening and our locking it.
+  // Again only when a file that was there was removed by its holder, before we opened or locked it.
   for (;;) {
     lock_ = ::open(lock_file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
     has_made_lock_file_ = lock_ >= 0;
-    if (lock_ < 0) lock_ = ::open(lock_file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-    if (lock_ < 0 && errno == ENOENT) continue;
+    if (lock_ < 0 && errno == EEXIST) {
+      lock_ = ::open(lock_file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+      if (lock_ < 0 && errno == ENOENT) continue;
+    }
     if (lock_ < 0) refuse_for_errno(path_, "cannot be written");
     if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
       has_made_lock_file_ = false;
@@ -161,16 +165,32 @@ void RunFolder::lock() {
   }
 }
 
+void RunFolder::check_replaceable() {
+  if (::access(path_.c_str(), W_OK | X_OK) != 0) refuse_for_errno(path_, "cannot be written");
+  struct stat folder {};
+  if (::stat(path_.c_str(), &folder) != 0) refuse_for_errno(path_, "cannot be read");
+  const uid_t self = ::geteuid();
+  // In a folder with the sticky bit, as /tmp, everybody may write and none remove what is
+  // another's.
+  if ((folder.st_mode & S_ISVTX) == 0 || self == 0 || folder.st_uid == self) return;
+  for (const char* name : run_files) {
+    struct stat old {};
+    if (::lstat(file(name).c_str(), &old) != 0 || old.st_uid == self) continue;
+    errno = EPERM;
+    refuse_for_errno(file(name), "of an earlier run cannot be removed");
+  }
+}
+
 void RunFolder::prepare() {
   // The lock file holds this mark or nothing, so one write settles it.
   if (::pwrite(lock_, run_mark.data(), run_mark.size(), 0) != std::ssize(run_mark)) {
-    throw std::runtime_error(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
+    throw OutputError(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
   }
   is_prepared_ = true;
   for (const char* name : run_files) {
     for (const std::string& old : {file(name), file(name) + std::string(part_suffix)}) {
       if (::unlink(old.c_str()) != 0 && errno != ENOENT) {
-        throw std::runtime_error(fmt::format("{}: {}", old, std::strerror(errno)));
+        throw OutputError(fmt::format("{}: cannot be removed: {}", old, std::strerror(errno)));
       }
     }
   }

@@ -16,7 +16,7 @@ class RunFolder {
   // Checks that `path` may become the folder of a run and locks it. Folders that are missing are
   // made; of files that are there none is touched. Throws InputError with advice when another
   // program writes there, when an unfinished run is there and `force` is not given, and when
-  // anything is there that is no run of ours.
+  // anything is there that is no run of ours, or the folder may not be written.
   RunFolder(const std::string& path, bool force);
   // Gives the lock back. Where `prepare` was not called, the folder is as it was found.
   ~RunFolder();
@@ -29,12 +29,14 @@ class RunFolder {
 
   // Removes the files of the run that was there; its other files stay. From now on the folder
   // holds an unfinished run until it has a summary. To be called only when the plan has passed its
-  // checks, right before the log is made; throws std::runtime_error when a file cannot be removed.
+  // checks, right before the log is made; throws OutputError when a file cannot be removed.
   void prepare();
 
  private:
   void make_folders();
   void lock();
+  // Throws InputError where `prepare` would fail halfway.
+  void check_replaceable();
   void release();
 
   std::string path_;

@@ -52,7 +52,8 @@ std::string to_json(const RunSummary& summary);
 // At most a screen: with many events only those that did not complete.
 std::string to_text(const RunSummary& summary);
 
-// Writes DIR/summary.json. It comes last of all files: it says that the run is finished.
+// Writes DIR/summary.json, which says that the run is finished: before it the log must be whole.
+// What is made of the log comes after it.
 void write_summary(const std::string& run_dir, const RunSummary& summary);
 
 // The text is a summary that we wrote of a finished run.

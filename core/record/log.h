@@ -4,11 +4,12 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "base/output_error.h"
 #include "planet/utc.h"
 #include "record/columns.h"
 #include "record/rows.h"
@@ -19,10 +20,10 @@ namespace lsos {
 // LogWriter itself.
 inline constexpr std::string_view start_key = "start_tai_us";
 
-// The log could not be written (a full disk): the run must stop, exit code 3. What was committed
-// before stays readable.
-class LogError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+// The log could not be written (a full disk): the run must stop. What was committed before stays
+// readable.
+class LogError : public OutputError {
+  using OutputError::OutputError;
 };
 
 // Writes log.gpkg. All layers exist and are committed before the constructor returns; rows are
@@ -100,9 +101,18 @@ class LogReader {
   void for_each_panel(const std::function<void(const PanelRow&)>& visit,
                       const TimeSpan& within = {}) const;
   void for_each_pair(const std::function<void(const PairRow&)>& visit) const;
+  void for_each_note(const std::function<void(const NoteRow&)>& visit) const;
+  // False of a run that was killed before its first.
+  bool has_samples() const;
   // Samples of each rover; rows of the pair that has most.
   std::map<std::string, std::size_t> sample_counts() const;
   std::size_t pair_count() const;
+  using NoteKind = std::pair<std::string, std::string>;  // rover_id, name
+  struct NoteCounts {
+    std::size_t in_all = 0;
+    std::map<NoteKind, std::size_t> by_kind;  // empty where there are more than were asked for
+  };
+  NoteCounts note_counts(std::size_t kinds_max) const;
   // The next rows of a layer of the contract, `count` at most, in fid order.
   std::vector<LogRow> rows_after(std::string_view layer, std::int64_t fid, std::size_t count) const;
   // Of the row that was written last; 0 when there is none.

@@ -211,6 +211,9 @@ void LogReader::for_each_panel(const std::function<void(const PanelRow&)>& visit
 void LogReader::for_each_pair(const std::function<void(const PairRow&)>& visit) const {
   impl_->for_each_row<PairRow>(visit);
 }
+void LogReader::for_each_note(const std::function<void(const NoteRow&)>& visit) const {
+  impl_->for_each_row<NoteRow>(visit);
+}
 
 std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t fid,
                                           std::size_t count) const {
@@ -234,6 +237,12 @@ std::vector<LogRow> LogReader::rows_after(std::string_view layer, std::int64_t f
   return rows;
 }
 
+bool LogReader::has_samples() const {
+  bool is_any = false;
+  impl_->query("SELECT fid FROM samples LIMIT 1", [&](const OGRFeature&) { is_any = true; });
+  return is_any;
+}
+
 std::map<std::string, std::size_t> LogReader::sample_counts() const {
   std::map<std::string, std::size_t> counts;
   impl_->query(
@@ -249,6 +258,22 @@ std::size_t LogReader::pair_count() const {
       "SELECT count(*) AS n FROM pairs GROUP BY from_id, to_id ORDER BY n DESC LIMIT 1",
       [&](const OGRFeature& row) { most = static_cast<std::size_t>(row.GetFieldAsInteger64(0)); });
   return most;
+}
+
+LogReader::NoteCounts LogReader::note_counts(std::size_t kinds_max) const {
+  NoteCounts counts;
+  impl_->query("SELECT count(*) FROM notes", [&](const OGRFeature& row) {
+    counts.in_all = static_cast<std::size_t>(row.GetFieldAsInteger64(0));
+  });
+  impl_->query(
+      fmt::format("SELECT rover_id, name, count(*) FROM notes GROUP BY rover_id, name LIMIT {}",
+                  kinds_max + 1),
+      [&](const OGRFeature& row) {
+        counts.by_kind[{row.GetFieldAsString(0), row.GetFieldAsString(1)}] =
+            static_cast<std::size_t>(row.GetFieldAsInteger64(2));
+      });
+  if (counts.by_kind.size() > kinds_max) counts.by_kind.clear();
+  return counts;
 }
 
 SimTime LogReader::last_sample_time() const {

@@ -102,7 +102,7 @@ const noteText = note => Object.entries(note.fields || {}).map(([name, value]) =
 function fillNotes() {
   if (page.notes.length === 0) return document.getElementById('notes').remove();
   document.getElementById('notes-about').textContent = page.notes.length < page.notes_in_log
-    ? `The first ${page.notes.length.toLocaleString('en')} of ${page.notes_in_log.toLocaleString('en')}; log.gpkg has all.`
+    ? `${page.notes.length.toLocaleString('en')} of ${page.notes_in_log.toLocaleString('en')}; log.gpkg has all.`
     : 'What events logged, what was found and decided.';
   const labelOf = note => roverOf(note.rover_id)?.events.find(event => event.sequence === note.sequence)?.label || '';
   document.getElementById('note-table').append(table([

@@ -23,7 +23,8 @@ RunSummary test_summary() {
 }
 
 Comparison comparison(const RunSummary& a, const RunSummary& b) {
-  return compare(to_json(a), to_json(b), {{"seed", "0"}}, {{"seed", "0"}});
+  return compare({to_json(a), {{"seed", "0"}}, a.log_sha256},
+                 {to_json(b), {{"seed", "0"}}, b.log_sha256});
 }
 
 TEST(Compare, finds_nothing_in_equal_runs) {
@@ -32,7 +33,7 @@ TEST(Compare, finds_nothing_in_equal_runs) {
   other.plan = "elsewhere/plan.kml";
   const Comparison found = comparison(test_summary(), other);
   EXPECT_TRUE(found.is_equal());
-  EXPECT_TRUE(found.has_equal_logs);
+  EXPECT_TRUE(found.has_equal_logs());
   EXPECT_THAT(found.made_of, IsEmpty());
 }
 
@@ -67,7 +68,7 @@ TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
   other.rovers["SEV1"].distance_m = 125;
   other.events[0].status = EventStatus::failed;
   const Comparison found = comparison(test_summary(), other);
-  EXPECT_FALSE(found.has_equal_logs);
+  EXPECT_FALSE(found.has_equal_logs());
   ASSERT_THAT(found.differences, ElementsAre(Field(&Difference::quantity, "distance_m"),
                                              Field(&Difference::quantity, "status")));
   EXPECT_EQ(found.differences[0].of, "rover SEV1");
@@ -91,9 +92,23 @@ TEST(Compare, tells_rovers_and_events_that_only_one_run_has) {
 
 TEST(Compare, tells_what_runs_were_made_of_apart_from_what_they_came_to) {
   const Comparison found =
-      compare(to_json(test_summary()), to_json(test_summary()), {{"seed", "0"}}, {{"seed", "1"}});
+      compare({to_json(test_summary()), {{"seed", "0"}}, test_summary().log_sha256},
+              {to_json(test_summary()), {{"seed", "1"}}, test_summary().log_sha256});
   EXPECT_TRUE(found.is_equal());
   ASSERT_THAT(found.made_of, ElementsAre(Field(&Difference::quantity, "seed")));
+}
+
+// The summary is then of a log that is there no more.
+TEST(Compare, believes_no_summary_whose_log_has_changed) {
+  const ComparedRun run{to_json(test_summary()), {}, "1"};
+  const ComparedRun changed{to_json(test_summary()), {}, "2"};
+  const Comparison found = compare(run, changed);
+  EXPECT_FALSE(found.is_equal());
+  EXPECT_FALSE(found.has_equal_logs());
+  EXPECT_THAT(found.differences, IsEmpty());
+  EXPECT_THAT(to_text(found, {"a", "b"}),
+              HasSubstr("B: log.gpkg is not the log that summary.json was written of"));
+  EXPECT_FALSE(compare(changed, changed).is_equal());
 }
 
 class ExactCompare : public ::testing::Test {

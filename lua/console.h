@@ -1,0 +1,35 @@
+// What the program says: results on standard output, which must arrive, and messages on standard
+// error, which a run survives without.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace lsos {
+
+// A program that is started with one of the three standard streams closed would open its next file
+// in its place, and print into that. To be called before anything is opened.
+void open_missing_streams();
+
+// Throws OutputError where the text is lost.
+void write_result(std::string_view text);
+// All that was written has arrived; throws OutputError where it has not. To be called before an
+// exit code says that all is well.
+void flush_results();
+
+// Never throws: a full disk under standard error must not end a mission.
+void write_message(std::string_view text) noexcept;
+
+template <class... Values>
+void print_result(fmt::format_string<Values...> format, Values&&... values) {
+  write_result(fmt::format(format, std::forward<Values>(values)...));
+}
+
+template <class... Values>
+void print_message(fmt::format_string<Values...> format, Values&&... values) {
+  write_message(fmt::format(format, std::forward<Values>(values)...));
+}
+
+}  // namespace lsos
