@@ -223,28 +223,42 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
   return fmt::format("{}", fmt::join(faults, "; "));
 }
 
+// A number that stands alone from `at` on, with its sign; `after` is behind it.
+std::optional<double> literal_at(const std::vector<Word>& words, std::size_t at,
+                                 std::size_t& after) {
+  const bool is_negative = at < words.size() && words[at].text == "-";
+  const std::size_t digits = at + (is_negative ? 1 : 0);
+  if (digits >= words.size() || words[digits].kind != Word::Kind::number) return {};
+  after = digits + 1;
+  const double size = std::strtod(words[digits].text.c_str(), nullptr);
+  return is_negative ? -size : size;
+}
+
 // A percentage or an angle in degrees beside a quantity that is neither.
 std::string sizes_fault(const std::vector<Word>& words) {
   const auto is_comparison = [&](std::size_t at) {
-    return words[at].kind == Word::Kind::symbol &&
-           std::string_view("<>=").find(words[at].text) != std::string_view::npos;
+    return at < words.size() && words[at].kind == Word::Kind::symbol &&
+           std::string_view("<>=~").find(words[at].text) != std::string_view::npos;
   };
-  const auto fault_between = [&](std::size_t name, std::size_t number) -> std::string {
-    if (words[name].kind != Word::Kind::name || words[number].kind != Word::Kind::number) return "";
-    return size_fault(words[name].text, std::strtod(words[number].text.c_str(), nullptr));
-  };
-  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
-    if (!is_comparison(i + 1)) continue;
-    const std::size_t after = is_comparison(i + 2) ? i + 3 : i + 2;  // "<=" is two symbols
-    if (after >= words.size()) continue;
+  for (std::size_t i = 0; i < words.size(); ++i) {
     // What is part of a sum or a product has another size.
-    const bool is_alone = (i == 0 || begins_operand(words[i - 1])) &&
-                          (after + 1 == words.size() || ends_operand(words[after + 1]));
-    if (!is_alone) continue;
-    for (const auto& [name, number] : {std::pair(i, after), std::pair(after, i)}) {
-      std::string fault = fault_between(name, number);
-      if (!fault.empty()) return fault;
+    if (i > 0 && !begins_operand(words[i - 1])) continue;
+    std::size_t middle = i + 1, end = 0;
+    const bool is_name_first = words[i].kind == Word::Kind::name;
+    std::optional<double> number;
+    if (!is_name_first) number = literal_at(words, i, middle);
+    if (!is_comparison(middle)) continue;
+    const std::size_t right = middle + (is_comparison(middle + 1) ? 2 : 1);  // "<=" is two symbols
+    if (is_name_first) {
+      number = literal_at(words, right, end);
+    } else {
+      end = right + 1;
     }
+    const std::size_t name = is_name_first ? i : right;
+    const bool is_alone = end >= words.size() || ends_operand(words[end]);
+    if (!number || name >= words.size() || !is_alone) continue;
+    std::string fault = size_fault(words[name].text, *number);
+    if (!fault.empty()) return fault;
   }
   return "";
 }

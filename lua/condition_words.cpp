@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <numbers>
 #include <string_view>
 
@@ -127,6 +128,15 @@ std::string_view meaning_of(std::string_view word) {
   return known == names.end() ? std::string_view() : std::string_view(known->name);
 }
 
+// What people are likely to think in, in the quantity's unit.
+std::string_view usual_conversion(std::string_view quantity) {
+  for (const std::string_view suffix : {"_deg", "_kmh", "_kwh"}) {
+    const auto found = std::ranges::find(suffixes, suffix, &Suffix::suffix);
+    if (quantity.ends_with(found->own)) return found->conversion;
+  }
+  return "";
+}
+
 std::string hint(std::string_view quantity, std::string_view conversion) {
   const auto& names = condition_names();
   const auto known = std::ranges::find_if(
@@ -144,8 +154,7 @@ std::string everyday_word_hint(const std::string& word) {
   std::ranges::transform(small, small.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (const std::string_view quantity = meaning_of(small); !quantity.empty()) {
-    const bool is_angle = quantity.ends_with("_rad");
-    return hint(quantity, is_angle ? suffixes.front().conversion : "");
+    return hint(quantity, usual_conversion(quantity));
   }
   for (const Suffix& each : suffixes) {
     if (!small.ends_with(each.suffix)) continue;
@@ -164,7 +173,7 @@ std::string size_fault(const std::string& quantity, double number) {
   if (is_share(quantity) && number >= 2) {
     return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", quantity, number);
   }
-  if (quantity.ends_with("_rad") && number > 2 * std::numbers::pi) {
+  if (quantity.ends_with("_rad") && std::abs(number) > 2 * std::numbers::pi) {
     return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})",
                        quantity, number, number, number);
   }

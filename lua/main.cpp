@@ -355,6 +355,10 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     lsos::print_message("{}\n", error.what());
     return 2;
+  } catch (const std::filesystem::filesystem_error& error) {
+    // A folder that may not be entered, most of all.
+    lsos::print_message("{}: {}\n", error.path1().string(), error.code().message());
+    return error.code() == std::errc::no_space_on_device ? 3 : 2;
   } catch (const lsos::OutputError& error) {
     lsos::print_message("{}\n", error.what());
     return 3;

@@ -18,7 +18,8 @@ MissionFiles mission_of_run(const std::string& folder,
       nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
   if (summary.is_object() && summary.contains("plan") && summary["plan"].is_string()) {
     const std::string original = summary["plan"].get<std::string>();
-    if (std::filesystem::is_regular_file(original)) {
+    std::error_code unreadable;  // in a folder that may not be entered
+    if (std::filesystem::is_regular_file(original, unreadable)) {
       MissionFiles files = read_mission(original, seed);
       if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
     }

@@ -170,7 +170,8 @@ struct LogReader::Impl {
 LogReader::LogReader(const std::string& file) : impl_(std::make_unique<Impl>()) {
   impl_->file = file;
   const gpkg::QuietErrors errors;
-  if (!std::filesystem::exists(file))
+  std::error_code unreadable;
+  if (!std::filesystem::exists(file, unreadable) && !unreadable)
     throw InputError({file}, "no such file: no run has written it");
   impl_->dataset = gpkg::open_to_read(file);
   if (impl_->dataset == nullptr) {

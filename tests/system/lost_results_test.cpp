@@ -40,10 +40,10 @@ class OtherUser : public ::testing::Test {
     plan_ = folder_.write("plan.kml", kml(short_drive()));
   }
   void TearDown() override {
-    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+    fs::permissions(folder_.path(), fs::perms(0755));
+    for (const auto& entry : fs::directory_iterator(folder_.path())) {
       if (entry.is_directory()) fs::permissions(entry.path(), fs::perms(0755));
     }
-    fs::permissions(folder_.path(), fs::perms(0755));
   }
   Outcome run_so(const Words& arguments) const {
     // A loop would last for ever.
@@ -110,6 +110,20 @@ TEST_F(OtherUser, is_told_which_output_cannot_be_written) {
     EXPECT_THAT(outcome.err, HasSubstr("Permission denied")) << words[0];
   }
   EXPECT_EQ(run_so({"compare", folder_ / "a", folder_ / "a"}).exit_code, 0) << "it writes nothing";
+}
+
+TEST_F(OtherUser, is_told_what_cannot_be_read) {
+  ASSERT_EQ(run({"run", plan_, "-o", folder_ / "a", "--quiet", "--no-report"}).exit_code, 0);
+  fs::permissions(folder_ / "a", fs::perms(0));
+  for (const Words& words :
+       {Words{"report", folder_ / "a"}, Words{"overlay", folder_ / "a"},
+        Words{"compare", folder_ / "a", folder_ / "a"}, Words{"verify", folder_ / "a"},
+        Words{"check", folder_ / "a/plan.kml"}, Words{"run", plan_, "-o", folder_ / "a"}}) {
+    const Outcome outcome = run_so(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words[0] << outcome.err;
+    EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("fault inside the program")));
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr((folder_ / "a").string())) << words[0];
+  }
 }
 
 TEST_F(OtherUser, is_warned_that_planned_routes_are_not_kept) {
