@@ -66,7 +66,8 @@ const std::vector<ApiFunction>& api_functions() {
       {"is_empty", guard<is_empty>, "lsos.is_empty(table)", "Whether a table has no entry.",
        "fun(table: table): boolean"},
       {"sim", guard<make_sim>, "lsos.sim(plan)",
-       "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `soil`, `start`, "
+       "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, "
+       "`soil`, `start`, "
        "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
        "Id "
        "= { type = , at = , heading_deg = , config = , charge = , events = } }` and `assets`. In "

@@ -76,7 +76,8 @@ struct RigOptions {
 int rig_command(const RigOptions& options);
 
 struct TerrainOptions {
-  std::string name;  // of a terrain script, or a raster
+  std::string name;    // of a terrain script, or a raster
+  std::string beyond;  // the same, where that one ends; "": none
   // Of a raster alone; a script says its own.
   std::string band;  // its number or description
   std::optional<double> nodata;

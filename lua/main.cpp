@@ -49,6 +49,8 @@ void insert_run(std::vector<std::string>& arguments) {
 // Which terrain, and which part of it.
 void add_ground(CLI::App& command, lsos::TerrainOptions& terrain) {
   command.add_option("NAME", terrain.name, "A terrain script by name, or a raster")->required();
+  command.add_option("--beyond", terrain.beyond,
+                     "The ground where that raster ends: a coarser raster, or a terrain script");
   command.add_option("--band", terrain.band, "Of the raster: a number from 1, or a description");
   command.add_option("--nodata", terrain.nodata, "The sample that stands for none");
   command.add_option("--unit", terrain.unit, "Of its samples: m, km, dm, cm, mm, ft, us-ft");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <set>
@@ -17,6 +18,7 @@
 #include "plan/kml_text.h"
 #include "product/files.h"
 #include "route/refine.h"
+#include "terrain/terrain_beyond.h"
 
 namespace lsos {
 
@@ -35,21 +37,29 @@ std::string program_stamp() {
 }
 
 // Ground of a raster that the plan names itself: no script says what it is made of.
-Soil default_soil(const Catalog& catalog) { return catalog.load_soil("ApolloNominal"); }
+const char* default_soil(const Body* body) {
+  if (body != nullptr && body->name == "Mars") return "Ding2011_planetary_simulant";
+  if (body != nullptr && body->name == "Earth") return "DrySand";
+  return "ApolloNominal";
+}
 
-TerrainSpec terrain_of(const Plan& plan, const Catalog& catalog,
-                       std::vector<std::string>& assumptions) {
-  if (!plan.mission.terrain_is_raster) {
-    return catalog.load_terrain(plan.mission.terrain, plan.mission.place);
+TerrainSpec read_terrain(const TerrainName& terrain, const Place& place, const Catalog& catalog) {
+  if (!terrain.is_raster) return catalog.load_terrain(terrain.name, place);
+  return raster_terrain({terrain.name}, place);
+}
+
+TerrainSpec terrain_of(const MissionInfo& mission, const Catalog& catalog, MissionFiles& files) {
+  TerrainSpec terrain = read_terrain(mission.terrain, mission.place, catalog);
+  if (!mission.terrain_beyond.name.empty()) {
+    const TerrainSpec beyond = read_terrain(mission.terrain_beyond, mission.place, catalog);
+    terrain = with_beyond(std::move(terrain), beyond);
+    files.assumptions.push_back(fmt::format("{}: beyond its end the ground is that of {}{}",
+                                            terrain.name, beyond.name,
+                                            beyond.is_synthetic ? ", which is synthetic" : ""));
   }
-  TerrainSpec terrain;
-  terrain.name = std::filesystem::path(plan.mission.terrain).filename();
-  terrain.place = plan.mission.place;
-  terrain.layers = {RasterSurface{plan.mission.terrain}};
-  terrain.soil = default_soil(catalog);
-  terrain.is_synthetic = false;
-  assumptions.push_back(fmt::format("{}: the soil is {}; a terrain script can name another",
-                                    terrain.name, terrain.soil.name));
+  if (!terrain.soil.name.empty()) return terrain;
+  terrain.soil = catalog.load_soil(default_soil(mission.planet), mission.place);
+  files.is_soil_assumed = true;
   return terrain;
 }
 
@@ -157,18 +167,38 @@ void read_models(MissionFiles& files) {
   check_events(files.plan, files, files.faults);
   check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
   const MissionInfo& mission = files.plan.mission;
-  const std::vector<std::string>& terrains = declarations.terrains;
-  if (!mission.terrain_is_raster &&
-      std::ranges::find(terrains, mission.terrain) == terrains.end()) {
-    return;
-  }
+  const auto is_known = [&](const TerrainName& terrain) {
+    return terrain.is_raster || std::ranges::count(declarations.terrains, terrain.name) > 0;
+  };
+  const TerrainName& beyond = mission.terrain_beyond;
+  if (!is_known(mission.terrain) || (!beyond.name.empty() && !is_known(beyond))) return;
   collect([&] {
-    files.terrain = terrain_of(files.plan, *files.catalog, files.assumptions);
+    files.terrain = terrain_of(mission, *files.catalog, files);
     // The simulation does so too, but it is made of plans without errors.
     const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
     if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
     ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start, mission.seed);
   });
+}
+
+// Regolith is much alike all over the Moon; on Mars and Earth any drive depends on the choice.
+void say_assumed_soil(MissionFiles& files) {
+  if (!files.is_soil_assumed) return;
+  const MissionInfo& mission = files.plan.mission;
+  const std::string assumed =
+      fmt::format("{}: nothing says what the ground is made of; {} is assumed", files.terrain.name,
+                  files.terrain.soil.name);
+  files.assumptions.push_back(assumed + "; a terrain script can name another");
+  const auto drives = [&](const PlanEvent& event) {
+    return event.is_enabled && files.catalog->declarations().events.at(event.type).drives;
+  };
+  const bool is_moon = mission.planet == nullptr || mission.planet->name == "Moon";
+  if (is_moon || std::ranges::none_of(files.plan.events, drives)) return;
+  files.faults.warning(mission.place,
+                       fmt::format("MissionInfo: {}, as anywhere on {} ({}); slip, sinkage, the "
+                                   "energy of driving and planned routes depend on it; a terrain "
+                                   "script can name another",
+                                   assumed, mission.planet->name, files.terrain.soil.doc));
 }
 
 }  // namespace
@@ -187,6 +217,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   }
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
+  say_assumed_soil(files);
   return files;
 }
 
@@ -203,7 +234,9 @@ MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalo
   files.plan = read_plan(source.file, source.kml, files.catalog->declarations(), files.faults);
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
-  if (!source.soil.empty() && !files.faults.has_errors()) {
+  if (source.soil.empty()) {
+    say_assumed_soil(files);
+  } else if (!files.faults.has_errors()) {
     files.terrain.soil = files.catalog->load_soil(source.soil, files.plan.mission.place);
   }
   return files;
@@ -256,6 +289,16 @@ std::vector<Fault> keep_legs(const std::string& plan_file, const std::string& by
   }
 }
 
+namespace {
+
+bool is_terrain_of(const MissionInfo& mission, const std::string& script) {
+  return std::ranges::any_of(
+      std::array{&mission.terrain, &mission.terrain_beyond},
+      [&](const TerrainName* terrain) { return !terrain->is_raster && terrain->name == script; });
+}
+
+}  // namespace
+
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation) {
   const MissionInfo& mission = files.plan.mission;
@@ -272,6 +315,7 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
       {"terrain_sha256", simulation.ground().hash()},
       {"soil", files.terrain.soil.name},
   };
+  if (files.terrain.beyond) values["terrain_beyond"] = files.terrain.beyond->name;
   if (!simulation.renderer().empty()) values["renderer"] = simulation.renderer();
   std::set<std::string> events, rovers;
   // With the events that their phases are.
@@ -292,8 +336,7 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
     const bool is_used =
         (script.kind == ScriptKind::event && events.contains(script.name)) ||
         (script.kind == ScriptKind::rover && rovers.contains(script.name)) ||
-        (script.kind == ScriptKind::terrain && !mission.terrain_is_raster &&
-         script.name == mission.terrain) ||
+        (script.kind == ScriptKind::terrain && is_terrain_of(mission, script.name)) ||
         (script.kind == ScriptKind::soil && script.name == files.terrain.soil.name);
     constexpr const char* kinds[] = {"event", "rover", "terrain", "soil"};
     if (!is_used) continue;

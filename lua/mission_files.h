@@ -20,6 +20,7 @@ struct MissionFiles {
   std::map<std::string, RoverModel> rover_models;  // by RoverType
   std::map<std::string, AssetModel> asset_models;  // by AssetType
   TerrainSpec terrain;
+  bool is_soil_assumed = false;  // nothing says what the ground is made of
   std::vector<std::string> assumptions;
   Faults faults;           // warnings too
   std::string plan_bytes;  // of the plan's file when it was read; it may change while it is run

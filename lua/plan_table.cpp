@@ -80,6 +80,9 @@ class PlanTableReader {
     t.text(optional, "planet", planet, "'Moon', 'Mars' or 'Earth' ('Moon').");
     std::string terrain = "Flat";
     t.text(optional, "terrain", terrain, "A terrain script by name, or a raster ('Flat').");
+    std::string beyond;
+    t.text(optional, "terrain_beyond", beyond,
+           "The ground where the terrain's raster ends: a terrain script by name, or a raster.");
     t.text(optional, "soil", plan.soil, "Of the ground, in place of the terrain's own.");
     std::string start = usual_start;
     t.text(optional, "start", start, "UTC ('2026-07-01T00:00:00Z').");
@@ -104,6 +107,7 @@ class PlanTableReader {
     SourcePlacemark& mission = add(plan.source, "MissionInfo", "mission");
     set(mission, "Planet", planet);
     set(mission, "Terrain", terrain);
+    if (!beyond.empty()) set(mission, "TerrainBeyond", beyond);
     set(mission, "StartTime", start);
     set(mission, "Seed", fmt::format("{}", seed));
     if (log_interval_s) set(mission, "LogInterval", fmt::format("{}", *log_interval_s));

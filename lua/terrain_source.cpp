@@ -12,6 +12,7 @@
 #include "lua/places.h"
 #include "mission/site.h"
 #include "terrain/raster_layers.h"
+#include "terrain/terrain_beyond.h"
 
 namespace lsos {
 
@@ -57,6 +58,25 @@ bool is_raster_name(const std::string& name) {
   return fs::exists(name, ignored) || name.find_first_of("/.:") != std::string::npos;
 }
 
+// Also of one that is broken.
+bool is_script_of(const Catalog& catalog, const std::string& name) {
+  return !catalog.faults_of(ScriptKind::terrain, name).empty() ||
+         std::ranges::count(catalog.declarations().terrains, name) > 0;
+}
+
+// A terrain by name, or the raster that is read as `surface` says.
+TerrainSpec named_terrain(const Catalog& catalog, const std::string& name,
+                          const RasterSurface& surface) {
+  const bool is_script = is_script_of(catalog, name);
+  if (!is_script && name.ends_with(".lua")) {
+    throw InputError({}, fmt::format("{} is a script: it is asked for by its name, {}, and found "
+                                     "in terrain/ here, in LSOS_PATH or among the shipped ones",
+                                     name, fs::path(name).stem().string()));
+  }
+  if (!is_script && is_raster_name(name)) return raster_terrain(surface, {});
+  return catalog.load_terrain(name, {});
+}
+
 }  // namespace
 
 TerrainSource terrain_source(const TerrainOptions& options) {
@@ -66,25 +86,19 @@ TerrainSource terrain_source(const TerrainOptions& options) {
       options.planet.empty() ? nullptr : option_body("--planet", options.planet, faults);
   faults.throw_if_errors();
   const auto catalog = read_catalog("");
-  const auto& names = catalog->declarations().terrains;
-  const bool is_broken = !catalog->faults_of(ScriptKind::terrain, options.name).empty();
-  source.is_script = is_broken || std::ranges::count(names, options.name) > 0;
-  if (!source.is_script && options.name.ends_with(".lua")) {
-    throw InputError({}, fmt::format("{} is a script: it is asked for by its name, {}, and found "
-                                     "in terrain/ here, in LSOS_PATH or among the shipped ones",
-                                     options.name, fs::path(options.name).stem().string()));
-  }
-  if (!source.is_script && is_raster_name(options.name)) {
-    source.spec.name = fs::path(options.name).filename();
-    source.spec.layers = {surface_of(options)};
-    source.spec.is_synthetic = false;
-  } else {
-    source.spec = catalog->load_terrain(options.name, {});
-    refuse_raster_options(options);
+  source.is_script = is_script_of(*catalog, options.name);
+  source.spec = named_terrain(*catalog, options.name, surface_of(options));
+  if (source.is_script) refuse_raster_options(options);
+  if (!options.beyond.empty()) {
+    source.spec = with_beyond(std::move(source.spec),
+                              named_terrain(*catalog, options.beyond, {options.beyond}));
   }
   if (planet == nullptr && !source.spec.planet.empty()) planet = find_body(source.spec.planet);
   for (const RasterSurface& raster : rasters_of(source.spec)) {
-    source.readers.push_back(std::make_unique<RasterReader>(raster, source.spec.place, planet));
+    // All rasters lie on the body of the first.
+    const Body* body =
+        planet == nullptr && source.reader() != nullptr ? &source.reader()->own_body() : planet;
+    source.readers.push_back(std::make_unique<RasterReader>(raster, source.spec.place, body));
   }
   source.body = planet != nullptr            ? planet
                 : source.reader() != nullptr ? &source.reader()->own_body()

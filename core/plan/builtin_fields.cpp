@@ -85,6 +85,9 @@ const std::vector<FieldDeclaration>& mission_fields() {
       required("StartTime", "start_time", FieldKind::utc, "moment at which the simulation starts"),
       required("Terrain", "terrain", FieldKind::text,
                "name of a terrain script, or path of a raster, relative to the plan"),
+      field("TerrainBeyond", "terrain_beyond", FieldKind::text,
+            "the ground where the raster of Terrain ends, as far as the horizon: a coarser raster "
+            "or a terrain script"),
       in_range(with_default(field("Seed", "seed", FieldKind::integer, "of all random numbers"),
                             std::int64_t{0}),
                "1", 0, {}),

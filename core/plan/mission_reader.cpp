@@ -32,31 +32,32 @@ std::optional<SimTime> read_interval(FieldReader& fields, const FieldValues& val
   return interval;
 }
 
-void read_terrain(FieldReader& fields, const std::string& text, const ReadContext& context,
-                  MissionInfo& mission) {
-  mission.terrain = text;
-  mission.terrain_as_written = text;
+// `field`: Terrain or TerrainBeyond.
+TerrainName read_terrain(FieldReader& fields, const std::string& field, const std::string& text,
+                         const ReadContext& context) {
+  TerrainName terrain{text, false, text};
   const std::vector<std::string>& names = context.declarations.terrains;
-  if (std::ranges::find(names, text) != names.end()) return;
+  if (std::ranges::find(names, text) != names.end()) return terrain;
   if (const auto broken = context.declarations.broken_terrains.find(text);
       broken != context.declarations.broken_terrains.end()) {
     fields.add(broken->second);
-    fields.error("Terrain", "its script is broken");
-    return;
+    fields.error(field, "its script is broken");
+    return terrain;
   }
   const std::string path = path_beside(fs::path(context.plan_file).parent_path().string(), text);
   std::error_code error;
   // GDAL's virtual file systems: a raster inside an archive. GDAL says whether it is there.
   if (text.starts_with("/vsi") || fs::is_regular_file(path, error)) {
-    mission.terrain = path;
-    mission.terrain_is_raster = true;
-    return;
+    terrain.name = path;
+    terrain.is_raster = true;
+    return terrain;
   }
   std::string hint = Suggestions(names)(text);
   if (hint.empty()) hint = fmt::format("; there are {}", listed(names));
-  fields.error("Terrain", fmt::format("is neither the name of a terrain nor a file relative to the "
-                                      "plan{}",
-                                      hint));
+  fields.error(field, fmt::format("is neither the name of a terrain nor a file relative to the "
+                                  "plan{}",
+                                  hint));
+  return terrain;
 }
 
 }  // namespace
@@ -102,7 +103,10 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
     gaps.start_time = false;
   }
   if (const auto* terrain = find_value<std::string>(values, "terrain")) {
-    read_terrain(fields, *terrain, context, mission);
+    mission.terrain = read_terrain(fields, "Terrain", *terrain, context);
+  }
+  if (const auto* beyond = find_value<std::string>(values, "terrain_beyond")) {
+    mission.terrain_beyond = read_terrain(fields, "TerrainBeyond", *beyond, context);
   }
   if (const auto* seed = find_value<std::int64_t>(values, "seed")) {
     mission.seed = static_cast<std::uint64_t>(*seed);

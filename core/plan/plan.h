@@ -17,13 +17,21 @@
 
 namespace lsos {
 
+// What a plan says of a terrain.
+struct TerrainName {
+  std::string name;  // of a terrain script, or path of a raster (resolved); "": not said
+  bool is_raster = false;
+  std::string as_written;  // what the plan says; hashed in place of a resolved path
+
+  const std::string& hashed() const { return is_raster ? as_written : name; }
+};
+
 struct MissionInfo {
   Place place;
   const Body* planet = nullptr;
   Instant start_time;
-  std::string terrain;  // name of a terrain script, or path of a raster (resolved)
-  bool terrain_is_raster = false;
-  std::string terrain_as_written;  // what the plan says; hashed in place of a resolved path
+  TerrainName terrain;
+  TerrainName terrain_beyond;  // the ground where the terrain ends
   std::uint64_t seed = 0;
   SimTime log_interval{2'000'000};
   SimTime parked_log_interval{2'000'000};

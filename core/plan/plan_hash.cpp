@@ -44,7 +44,10 @@ class Digest {
 void add_mission(Digest& digest, const MissionInfo& mission) {
   digest.text("planet", mission.planet == nullptr ? "" : mission.planet->name);
   digest.integer("start_time", mission.start_time.tai_us);
-  digest.text("terrain", mission.terrain_is_raster ? mission.terrain_as_written : mission.terrain);
+  digest.text("terrain", mission.terrain.hashed());
+  if (!mission.terrain_beyond.name.empty()) {
+    digest.text("terrain_beyond", mission.terrain_beyond.hashed());
+  }
   digest.integer("seed", static_cast<std::int64_t>(mission.seed));
   digest.integer("log_interval", mission.log_interval.count());
   digest.integer("parked_log_interval", mission.parked_log_interval.count());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "terrain/blend.h"
 #include "terrain/layer.h"
 #include "terrain/soil_map.h"
+#include "terrain/terrain_beyond.h"
 
 namespace lsos {
 
@@ -63,6 +65,28 @@ void check_room_to_fade(const GridExtent& extent, const TerrainSpec& spec) {
       fmt::format("terrain {}: a raster of {} x {} cells is too small to lie on coarser "
                   "layers; it fades at its edge: at least {} x {} are wanted",
                   spec.name, columns, rows, least, least));
+}
+
+// Places just outside of a grid, all along its edge.
+std::vector<Geodetic> places_around(const HeightGrid& grid) {
+  const GridExtent& extent = grid.extent();
+  std::vector<Geodetic> places;
+  const auto add = [&](double u, double v) {
+    if (const auto place = grid.place({u, v})) places.push_back(*place);
+  };
+  constexpr int sides = 16;
+  for (int k = 0; k <= sides; ++k) {
+    const double share = static_cast<double>(k) / sides;
+    const double u = std::lerp(extent.u_low, extent.u_high, share);
+    const double v = std::lerp(extent.v_low, extent.v_high, share);
+    if (!extent.goes_around()) {
+      add(extent.u_low - 1, v);
+      add(extent.u_high + 1, v);
+    }
+    add(u, extent.v_low - 1);
+    add(u, extent.v_high + 1);
+  }
+  return places;
 }
 
 GridCoordinates centre(const GridExtent& extent) {
@@ -143,13 +167,35 @@ struct Ground::Impl {
       const double side_m = cell_sides(*grid, plane.site().body()).mean_m();
       layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, place_of(k)));
     }
+    if (spec.beyond) check_beyond();
     if (!spec.detail) return;
-    const Stereographic map = detail_map(spec.layers.front(), layers.front()->grid(), plane);
-    for (std::size_t k = 0; k < layers.size(); ++k) {
+    const bool is_beyond_only = spec.beyond && spec.beyond->has_detail_alone;
+    const std::size_t first = is_beyond_only ? spec.beyond->first_layer : 0;
+    const Stereographic map = detail_map(spec.layers[first], layers[first]->grid(), plane);
+    for (std::size_t k = first; k < layers.size(); ++k) {
       if (!(layers[k]->cell_m() <= detail_cell_max_m)) continue;
       const CellSides sides = cell_sides(layers[k]->grid(), plane.site().body());
       layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
     }
+  }
+
+  // Ground is wanted beyond the terrain somewhere along the edge of its coarsest layer.
+  void check_beyond() {
+    const std::size_t first = spec.beyond->first_layer;
+    const auto is_ground = [&](const Geodetic& place) {
+      return std::any_of(layers.begin() + static_cast<std::ptrdiff_t>(first), layers.end(),
+                         [&](const auto& layer) {
+                           return Layer::Probe(*layer, Look{}).sample(place).has_value();
+                         });
+    };
+    if (std::ranges::any_of(places_around(layers[first - 1]->grid()), is_ground)) return;
+    const bool is_finer = layers[first]->cell_m() < layers[first - 1]->cell_m();
+    throw InputError(
+        spec.place,
+        fmt::format("terrain {} has no ground anywhere along the edge of {}, so that nothing of "
+                    "it would lie beyond{}",
+                    spec.beyond->name, spec.name,
+                    is_finer ? "; its cells are the finer ones: are the two exchanged?" : ""));
   }
 
   LayerPlace place_of(std::size_t layer) const {
@@ -169,12 +215,15 @@ Ground::Ground(const TerrainSpec& spec, const SiteFrame& site, std::uint64_t see
 Ground::~Ground() = default;
 
 const SiteFrame& Ground::site() const { return impl_->plane.site(); }
+bool Ground::has_end() const { return lsos::has_end(impl_->spec); }
 const std::vector<Soil>& Ground::soils() const { return impl_->soils.soils(); }
 
 std::string Ground::hash() const {
   Sha256 hash;
   for (const auto& layer : impl_->layers) layer->grid().add_to(hash);
   if (impl_->spec.detail) hash.add(fmt::format("{} {}", text(*impl_->spec.detail), impl_->seed));
+  const auto& beyond = impl_->spec.beyond;
+  if (beyond && beyond->has_detail_alone) hash.add(fmt::format(" from {}", beyond->first_layer));
   impl_->soils.add_to(hash);
   return hash.hex();
 }

@@ -51,6 +51,8 @@ class Ground {
     std::unique_ptr<Impl> impl_;
   };
 
+  // Whether it ends somewhere; generated ground goes on.
+  bool has_end() const;
   // Of the surface at a place; nullopt where there is no ground. Slow; for set-up and logs.
   // A look with a resolution leaves out what is much smaller: each layer is taken at the coarsest
   // level whose cells are not above that, detail at a sixteenth of it. Maps of large areas would

@@ -88,12 +88,20 @@ struct SoilPatch {
   std::vector<double> values;
 };
 
+// Layers of another terrain, which takes over where the terrain's own ones end.
+struct TerrainBeyond {
+  std::string name;
+  std::size_t first_layer = 0;    // of the spec's layers
+  bool has_detail_alone = false;  // the spec's detail belongs to these layers only
+};
+
 struct TerrainSpec {
   std::string name;
   std::string doc;
   std::string planet;           // that it is on; "": any
   Place place;                  // of the script or the plan's Terrain field
   std::vector<Surface> layers;  // fine to coarse
+  std::optional<TerrainBeyond> beyond;
   std::optional<Detail> detail;
   Soil soil;
   std::vector<SoilPatch> soil_patches;  // the first that holds a place decides

@@ -51,8 +51,8 @@ TEST(PlanReader, reads_a_mission_in_si) {
                          rover());
   EXPECT_EQ(plan.mission.planet, find_body("Moon"));
   EXPECT_EQ(plan.mission.start_time, *parse_utc("2026-07-01T00:00:00Z").value);
-  EXPECT_EQ(plan.mission.terrain, "Flat");
-  EXPECT_FALSE(plan.mission.terrain_is_raster);
+  EXPECT_EQ(plan.mission.terrain.name, "Flat");
+  EXPECT_FALSE(plan.mission.terrain.is_raster);
   EXPECT_EQ(plan.mission.seed, 7u);
   EXPECT_EQ(plan.mission.log_interval, from_seconds(0.5));
   EXPECT_EQ(plan.mission.parked_log_interval, from_seconds(60));
@@ -77,17 +77,31 @@ TEST(PlanReader, a_raster_is_found_beside_the_plan) {
   std::string text = mission() + rover();
   text.replace(text.find("Flat"), 4, name);
   const Plan plan = good(text);
-  EXPECT_TRUE(plan.mission.terrain_is_raster);
-  EXPECT_TRUE(std::filesystem::equivalent(plan.mission.terrain, raster));
-  EXPECT_EQ(plan.mission.terrain_as_written, name);
+  EXPECT_TRUE(plan.mission.terrain.is_raster);
+  EXPECT_TRUE(std::filesystem::equivalent(plan.mission.terrain.name, raster));
+  EXPECT_EQ(plan.mission.terrain.as_written, name);
+}
+
+TEST(PlanReader, what_lies_beyond_a_raster_counts_in_the_hash) {
+  const std::string raster = test::write_file("", "dem.tif");
+  const std::string name = std::filesystem::path(raster).filename().string();
+  const Plan plan = good(mission({{"TerrainBeyond", name}}) + rover());
+  EXPECT_TRUE(plan.mission.terrain_beyond.is_raster);
+  EXPECT_EQ(plan.mission.terrain_beyond.as_written, name);
+  const Plan over_flat = good(mission({{"TerrainBeyond", "Flat"}}) + rover());
+  EXPECT_FALSE(over_flat.mission.terrain_beyond.is_raster);
+  const Plan alone = good(mission() + rover());
+  EXPECT_EQ(alone.mission.terrain_beyond.name, "");
+  EXPECT_NE(plan.hash(), alone.hash());
+  EXPECT_NE(plan.hash(), over_flat.hash());
 }
 
 TEST(PlanReader, a_raster_inside_an_archive_is_left_to_gdal) {
   std::string text = mission() + rover();
   text.replace(text.find("Flat"), 4, "/vsizip//maps/rim.zip/rim.tif");
   const Plan plan = good(text);
-  EXPECT_TRUE(plan.mission.terrain_is_raster);
-  EXPECT_EQ(plan.mission.terrain, "/vsizip//maps/rim.zip/rim.tif");
+  EXPECT_TRUE(plan.mission.terrain.is_raster);
+  EXPECT_EQ(plan.mission.terrain.name, "/vsizip//maps/rim.zip/rim.tif");
 }
 
 TEST(PlanReader, reads_rovers_in_byte_order_of_their_ids) {
