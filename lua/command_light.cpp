@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/rounded_distance.h"
 #include "base/units.h"
 #include "lua/commands.h"
 #include "lua/console.h"
@@ -26,6 +27,34 @@ struct Question {
   Instant at;
   std::optional<Geodetic> site;
   std::optional<MapWindow> window;
+};
+
+// Places that are lit over the end of the ground.
+class LightOverEnd {
+ public:
+  // For each place that is lit.
+  void add(const std::optional<GroundEnd>& end) {
+    ++lit_;
+    if (!end) return;
+    ++over_;
+    reaches_m_ += end->reaches_m;
+    matters_m_ = std::max(matters_m_, end->matters_m);
+  }
+  bool is_any() const { return over_ > 0; }
+  double mean_m() const { return reaches_m_ / over_; }
+  std::string warning(double sun_rad) const {
+    return fmt::format(
+        "the ground ends before the horizon that counts: {} away on average, while "
+        "ground up to {} away may hide a Sun {:.1f} deg high; {:.0f} % of what is "
+        "lit is lit over that end; --beyond lays a coarser terrain around it",
+        rounded_distance(mean_m()), rounded_distance(matters_m_), degrees(sun_rad),
+        std::max(1.0, std::floor(100 * over_ / lit_)));
+  }
+
+ private:
+  double lit_ = 0, over_ = 0;  // places
+  double reaches_m_ = 0;       // sum
+  double matters_m_ = 0;       // greatest
 };
 
 Question question_of(const LightOptions& options) {
@@ -59,8 +88,10 @@ int light_command(const LightOptions& options) {
   const auto parts = static_cast<std::size_t>(options.threads);
   for (std::size_t k = 0; k < parts; ++k) probes.emplace_back(*ground, resolution_m);
   double lit = 0, cells = 0;
+  LightOverEnd over_end;
   const MapRow row = [&](std::span<const std::optional<Geodetic>> places) {
     std::vector<double> values(2 * places.size(), missing);
+    std::vector<std::optional<GroundEnd>> ends(places.size());
     pool.for_each(parts, [&](std::size_t part) {
       for (std::size_t k = part; k < places.size(); k += parts) {
         if (!places[k]) continue;
@@ -71,21 +102,30 @@ int light_command(const LightOptions& options) {
         if (!found) continue;
         values[k] = found->sun_fraction * (1 - sun.eclipsed);
         values[places.size() + k] = found->incidence;
+        ends[k] = found->end;
       }
     });
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (std::isnan(values[k])) continue;
       ++cells;
       lit += values[k];
+      if (values[k] > 0) over_end.add(ends[k]);
     }
     return values;
   };
   write_map(options.file, grid, *source.body,
             {{"share of the Sun's disc seen", ""}, {"cosine of incidence", ""}}, row);
-  const nlohmann::ordered_json answer{
+  nlohmann::ordered_json answer{
       {"file", options.file},      {"columns", grid.columns},
       {"rows", grid.rows},         {"utc", format_utc(question.at)},
       {"body", source.body->name}, {"mean_sun_fraction", cells > 0 ? lit / cells : missing}};
+  if (over_end.is_any()) {
+    const Sunlight sun = sunlight(*source.body, *question.site, question.at, 0);
+    const std::string warning = over_end.warning(sun.seen.elevation_rad);
+    print_message("warning: {}\n", warning);
+    answer["ground_reaches_m"] = std::round(over_end.mean_m());
+    answer["warnings"] = {warning};
+  }
   print_result("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
   return 0;
 }

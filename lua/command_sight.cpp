@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/rounded_distance.h"
 #include "base/units.h"
 #include "lua/commands.h"
 #include "lua/console.h"
@@ -15,6 +16,7 @@
 #include "mission/sight.h"
 #include "mission/worker_pool.h"
 #include "terrain/raster_export.h"
+#include "view/ground_end.h"
 #include "view/viewshed.h"
 
 namespace lsos {
@@ -150,6 +152,18 @@ ordered_json line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to
   return line;
 }
 
+// What is seen is seen over ground that is not known.
+void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, ordered_json& line) {
+  if (!end || line["visible"] == 0) return;
+  const std::string warning = fmt::format(
+      "{}: the ground on the line is not known from {} away on; what stands there may hide it; "
+      "--beyond lays a coarser terrain around it",
+      to.option, rounded_distance(end->reaches_m));
+  print_message("warning: {}\n", warning);
+  line["ground_reaches_m"] = std::round(end->reaches_m);
+  line["warnings"] = {warning};
+}
+
 // As missions have them: drawn.
 ordered_json lines(const Ground& ground, const Question& question) {
   Faults faults;
@@ -163,10 +177,13 @@ ordered_json lines(const Ground& ground, const Question& question) {
   const Vec3 from_S_m = ground.site().p_S_m(*from);
   Renderer renderer;
   Sight sight(ground, renderer);
+  GroundEndProbe end(ground);
   auto answer = ordered_json::array();
-  for (const Vec3& p_S_m : to_S_m) {
+  for (std::size_t k = 0; k < to_S_m.size(); ++k) {
+    const Vec3& p_S_m = to_S_m[k];
     ordered_json line{{"visible", sight.sees(from_S_m, p_S_m, {}) ? 1 : 0}};
     line.update(line_of(ground.site(), from_S_m, p_S_m));
+    add_end(question.to[k], end.between(from_S_m, p_S_m), line);
     answer.push_back(line);
   }
   return answer;
@@ -236,6 +253,41 @@ void check_flat(const ViewSector& sector, const Viewshed& view) {
                                    sector.farthest_m / 1000, view.reach_m() / 1000));
 }
 
+// Places of a map that are seen, and those of them that are seen over ground that is not known: of
+// a spread of lines, since each is marched on its own.
+class SeenOverEnd {
+ public:
+  SeenOverEnd(const Ground& ground, const Vec3& eye_S_m, std::size_t cells, double cell_m)
+      : probe_(ground),
+        eye_S_m_(eye_S_m),
+        margin_m_(2 * cell_m),
+        every_(ground.has_end() ? std::max<std::size_t>(1, cells / lines) : 0) {}
+
+  // For each place that is seen.
+  void add(const Vec3& target_S_m) {
+    if (every_ == 0 || ++seen_ % every_ != 0) return;
+    ++asked_;
+    if (probe_.between(eye_S_m_, target_S_m, margin_m_)) ++over_;
+  }
+  std::optional<std::string> warning() const {
+    if (over_ == 0) return {};
+    return fmt::format(
+        "{:.0f} % of what is seen is seen over ground that is not known; what "
+        "stands there may hide it; --beyond lays a coarser terrain around it",
+        std::max(1.0, std::floor(100.0 * over_ / asked_)));
+  }
+
+ private:
+  static constexpr std::size_t lines = 4000;
+
+  GroundEndProbe probe_;
+  Vec3 eye_S_m_;
+  double margin_m_;  // beside missing samples there is no ground, but the raster's cells are there
+  std::size_t every_;  // 0: the ground has no end
+  std::size_t seen_ = 0;
+  int asked_ = 0, over_ = 0;
+};
+
 ordered_json viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
                       const SightOptions& options) {
   const SiteFrame& site = ground.site();
@@ -255,6 +307,9 @@ ordered_json viewshed(const TerrainSource& source, const Ground& ground, const Q
   });
 
   double seen = 0, cells = 0;
+  SeenOverEnd over_end(ground, site.p_S_m(eye),
+                       static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows),
+                       resolution_m);
   int row = 0;
   const MapRow is_seen = [&](std::span<const std::optional<Geodetic>> of_row) {
     const Places places(of_row.begin(), of_row.end());
@@ -265,19 +320,27 @@ ordered_json viewshed(const TerrainSource& source, const Ground& ground, const Q
       const double height_m = heights_m[k] + question.target_m;
       values[k] = view.sees(site.p_S_m({places[k]->lon_rad, places[k]->lat_rad, height_m})) ? 1 : 0;
     });
-    for (const double value : values) {
-      if (std::isnan(value)) continue;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (std::isnan(values[k])) continue;
       ++cells;
-      seen += value;
+      seen += values[k];
+      if (values[k] == 0) continue;
+      const double height_m = heights_m[k] + question.target_m;
+      over_end.add(site.p_S_m({places[k]->lon_rad, places[k]->lat_rad, height_m}));
     }
     return values;
   };
   write_map(options.file, grid, *source.body, {{"seen", ""}}, is_seen);
-  return {{"file", options.file},
-          {"columns", grid.columns},
-          {"rows", grid.rows},
-          {"body", source.body->name},
-          {"seen_share", cells > 0 ? seen / cells : missing}};
+  ordered_json answer{{"file", options.file},
+                      {"columns", grid.columns},
+                      {"rows", grid.rows},
+                      {"body", source.body->name},
+                      {"seen_share", cells > 0 ? seen / cells : missing}};
+  if (const auto warning = over_end.warning()) {
+    print_message("warning: {}\n", *warning);
+    answer["warnings"] = {*warning};
+  }
+  return answer;
 }
 
 }  // namespace

@@ -65,15 +65,18 @@ double share_above(double t) {
 }
 
 // Tangent of the highest ground's elevation along a way, and of what lies beyond the map's edge.
+// Beyond its end the ground is taken to go on level.
 double horizon(const std::vector<Level>& levels, const Vec3& from_S_m, double height_m,
                double way_x, double way_y, double radius_m) {
   double highest = -1;
-  double distance_m = levels.front().cells.cell_m;
+  double distance_m = levels.front().cells.cell_m, known_m = height_m;
   for (const Level& level : levels) {
     for (; distance_m < level.reach_m; distance_m += level.cells.cell_m) {
-      const double there_m =
+      double there_m =
           level.height_m(from_S_m.x() + distance_m * way_x, from_S_m.y() + distance_m * way_y);
-      if (std::isnan(there_m)) break;
+      if (std::isnan(there_m) && &level == &levels.front()) break;  // its edge
+      if (std::isnan(there_m)) there_m = known_m;
+      known_m = there_m;
       highest = std::max(highest, (there_m - height_m) / distance_m - distance_m / (2 * radius_m));
     }
   }

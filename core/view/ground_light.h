@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "view/ground_end.h"
 #include "view/ground_probes.h"
 
 namespace lsos {
@@ -11,6 +12,8 @@ namespace lsos {
 struct GroundLight {
   double sun_fraction = 0;  // of the disc, 0..1
   double incidence = 0;  // cosine between the ground's normal and the disc's middle; below 0: away
+  // Some of the disc is seen over the end of the ground that is known: less of it may be.
+  std::optional<GroundEnd> end;
 };
 
 // One a thread; results never depend on what was asked before.
@@ -28,12 +31,21 @@ class GroundLightProbe {
   static constexpr double step_share = 0.01;    // of the distance marched
   static constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
 
-  // The highest elevation of ground in a direction along the surface, rad.
-  double horizon_rad(const Vec3& eye_S_m, const Vec3& up_S, const Vec3& along_S, double lowest_rad,
-                     double highest_rad);
-  // The elevation under which the ground at that distance is seen; absent: there is none.
-  std::optional<double> elevation_rad(const Vec3& eye_S_m, const Vec3& up_S, const Vec3& along_S,
-                                      double distance_m);
+  struct Eye {
+    Vec3 p_S_m, up_S;
+    double height_m;         // above the reference surface
+    double ground_height_m;  // of the ground last found on the way from it
+  };
+  // The highest elevation of ground in a direction along the surface, rad. Beyond its end the
+  // ground is taken to go on level. `matters_m`: where it ends is looked for so far.
+  double horizon_rad(Eye eye, const Vec3& along_S, double lowest_rad, double highest_rad,
+                     double matters_m, GroundEndTracker& tracker);
+  // The elevation under which the ground at that distance is seen.
+  struct Elevation {
+    double elevation_rad;
+    bool is_known;
+  };
+  Elevation elevation(Eye& eye, const Vec3& along_S, double distance_m);
   Ground::Probe& probe(double distance_m) {
     return probes_.at(coarse_share * step_share * distance_m);
   }

@@ -1,0 +1,11 @@
+// Distances as messages say them.
+#pragma once
+
+#include <string>
+
+namespace lsos {
+
+// "480 m", "9.4 km", "94 km".
+std::string rounded_distance(double distance_m);
+
+}  // namespace lsos
