@@ -160,6 +160,7 @@ int check_command(const CheckOptions& options) {
       const Simulation simulation(std::move(setup));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
+      files.faults.add(simulation.end_ahead());
       ways = planned_legs(simulation);
     } catch (const InputError& error) {
       files.faults.add(error.faults());

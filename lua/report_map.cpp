@@ -7,6 +7,7 @@
 #include "lua/report_shadow.h"
 #include "product/jpeg.h"
 #include "product/png.h"
+#include "view/ground_end.h"
 
 namespace lsos {
 
@@ -122,6 +123,21 @@ EmbeddedPicture relief(const std::vector<double>& heights_m, const MapCells& gri
   return {"image/jpeg", jpeg_bytes(grid.columns, grid.rows, 1, grey, 84)};
 }
 
+void add_ground_end(ReportMap& map, const Ground& ground, const MapCells& grid, Instant at) {
+  const SiteFrame& site = ground.site();
+  Geodetic eye = site.geodetic(grid.p_S_m(grid.columns / 2, grid.rows / 2));
+  const auto height_m = ground.elevation_m(eye);
+  if (!height_m) return;
+  eye.height_m = *height_m;
+  const Sunlight sun = sunlight(site.body(), eye, at, 0);
+  const Vec3 eye_S_m = site.p_S_m(eye);
+  const auto end =
+      GroundEndProbe(ground).towards(eye_S_m, direction_S(site, eye_S_m, sun.seen), sun.disc_rad);
+  if (!end) return;
+  map.ground_reaches_m = end->reaches_m;
+  map.ground_matters_m = end->matters_m;
+}
+
 void add_shadow(ReportMap& map, const Ground& ground, Instant at, int threads) {
   const MapCells grid = cells_over(map, shadow_px);
   const std::vector<double> lit = sunlit_shares(ground, grid, at, threads);
@@ -136,6 +152,7 @@ void add_shadow(ReportMap& map, const Ground& ground, Instant at, int threads) {
   }
   if (count == 0) return;
   map.sunlit_share = sum / count;
+  add_ground_end(map, ground, grid, at);
   map.shadow = {"image/png", png_bytes(grid.columns, grid.rows, grey_alpha, true)};
 }
 

@@ -5,7 +5,7 @@
 
 namespace lsos {
 
-// "480 m", "9.4 km", "94 km".
+// To two digits: "480 m", "9.4 km", "94 km".
 std::string rounded_distance(double distance_m);
 
 }  // namespace lsos

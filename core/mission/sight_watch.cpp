@@ -1,5 +1,7 @@
 #include "mission/sight_watch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,11 @@ SimTime earth_interval(const Body& body) {
 }
 
 SightWatch::SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends)
-    : ground_(&ground), sight_(ground, renderer), earth_(ends) {
+    : ground_(&ground),
+      sight_(ground, renderer),
+      earth_over_end_(ground, "Earth"),
+      pairs_over_end_(ground, "another antenna"),
+      earth_(ends) {
   const bool has_earth = ground.site().body().name != earth_id;
   for (std::size_t from = 0; from < ends; ++from) {
     for (std::size_t to = from + 1; to < ends + (has_earth ? 1 : 0); ++to) {
@@ -70,7 +76,7 @@ bool SightWatch::is_due(const Pair& pair, SimTime now, const std::vector<SightEn
   return motion == Motion::goes_on && now > *pair.time && now % moving_look_period == SimTime{};
 }
 
-void SightWatch::look_at(Pair& pair, Instant utc, const std::vector<SightEnd>& ends,
+void SightWatch::look_at(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                          const SolidsBetween& solids) {
   const SightEnd& from = ends[pair.from];
   if (pair.to == earth_) {
@@ -83,11 +89,17 @@ void SightWatch::look_at(Pair& pair, Instant utc, const std::vector<SightEnd>& e
     pair.is_visible = seen.is_centre_seen;
     pair.fraction = seen.fraction;
     pair.is_linked = pair.is_visible && from.has_link && from.reaches_earth;
+    if (!pair.is_visible) return;
+    earth_over_end_.add_towards(from.antenna_S_m, direction_S, earth.disc_rad, from.id, now);
     return;
   }
   const SightEnd& to = ends[pair.to];
   pair.is_visible =
       sight_.sees(from.antenna_S_m, to.antenna_S_m, solids(from.antenna_S_m, to.antenna_S_m));
+  if (pair.is_visible) {
+    pairs_over_end_.add_between(from.antenna_S_m, to.antenna_S_m,
+                                fmt::format("{} to {}", from.id, to.id), now);
+  }
   const double away_m = (to.antenna_S_m - from.antenna_S_m).norm();
   pair.is_linked = pair.is_visible && from.has_link && to.has_link &&
                    away_m <= std::min(from.range_max_m, to.range_max_m);
@@ -111,7 +123,7 @@ std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
   std::vector<SightIntervalRow> ended;
   for (Pair& pair : pairs_) {
     if (!is_due(pair, now, ends)) continue;
-    look_at(pair, utc, ends, solids);
+    look_at(pair, now, utc, ends, solids);
     pair.time = now;
     pair.is_near_turning = std::ranges::any_of(ends, [&](const SightEnd& other) {
       return other.turns_with_sun && is_near(pair, other, ends);

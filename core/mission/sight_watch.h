@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "mission/looks_over_end.h"
 #include "mission/motion.h"
 #include "mission/rover_port.h"
 #include "mission/sight.h"
@@ -66,7 +67,11 @@ class SightWatch {
   // When something is to be looked at though nothing moves; absent: never.
   std::optional<SimTime> wake() const;
 
-  void archive(Archive& a) { a.tag("sight")(pairs_); }
+  // What was seen over the end of the ground.
+  const LooksOverEnd& earth_over_end() const { return earth_over_end_; }
+  const LooksOverEnd& pairs_over_end() const { return pairs_over_end_; }
+
+  void archive(Archive& a) { a.tag("sight")(pairs_)(earth_over_end_)(pairs_over_end_); }
 
  private:
   // Ends by number; Earth is the last. State, held until the next look.
@@ -87,7 +92,7 @@ class SightWatch {
   bool is_near(const Pair& pair, const SightEnd& other, const std::vector<SightEnd>& ends) const;
   SimTime interval(const Pair& pair) const;
   bool is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const;
-  void look_at(Pair& pair, Instant utc, const std::vector<SightEnd>& ends,
+  void look_at(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                const SolidsBetween& solids);
   double distance_m(const Pair& pair, Instant utc, const std::vector<SightEnd>& ends) const;
   std::string id(std::size_t end, const std::vector<SightEnd>& ends) const;
@@ -95,6 +100,7 @@ class SightWatch {
 
   const Ground* ground_;
   Sight sight_;
+  LooksOverEnd earth_over_end_, pairs_over_end_;
   std::size_t earth_;  // its number
   std::vector<Pair> pairs_;
 };

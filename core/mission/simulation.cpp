@@ -371,6 +371,7 @@ std::string Simulation::save() {
   Archive a = Archive::writer();
   a.tag("simulation")(now_)(is_finished_)(warnings_);
   for (StandingAsset& asset : assets_) a(asset.sun);
+  if (sun_over_end_) a(*sun_over_end_);
   if (sight_) sight_->archive(a);
   a(assets_logged_);
   for (Rover& rover : rovers_) {
@@ -384,6 +385,7 @@ void Simulation::restore(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
   a.tag("simulation")(now_)(is_finished_)(warnings_);
   for (StandingAsset& asset : assets_) a(asset.sun);
+  if (sun_over_end_) a(*sun_over_end_);
   if (sight_) sight_->archive(a);
   a(assets_logged_);
   for (Rover& rover : rovers_) {

@@ -16,6 +16,7 @@
 
 #include "mission/event_sequence.h"
 #include "mission/light.h"
+#include "mission/looks_over_end.h"
 #include "mission/machine.h"
 #include "mission/route_ahead.h"
 #include "mission/rover_agent.h"
@@ -108,6 +109,8 @@ class Simulation : private EventSequence::Others, private Surroundings {
   // Legs for the next run to take up; "" when it would learn nothing new.
   std::string kept_legs() const { return legs_->kept(); }
   std::vector<std::string> assumptions() const;
+  // Where its stops see Sun and Earth over the end of the ground, by an estimate of its duration.
+  std::vector<Fault> end_ahead() const;
   // How far the mission has come, 0..1: events that have ended, and the share driven of those under
   // way.
   double progress() const;
@@ -151,6 +154,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   void make_light();
   void add_light_assumptions(std::vector<std::string>& assumptions) const;
   void watch_the_sun();
+  void warn_of_ends();
   void share_power();
   Motion motion_of(const Rover& rover) const;
   Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;
@@ -189,6 +193,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   std::vector<StandingAsset> assets_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<Light> light_;
+  std::unique_ptr<LooksOverEnd> sun_over_end_;  // with light_
   std::unique_ptr<SightWatch> sight_;
   std::optional<SimTime> assets_logged_;  // pairs of assets
   double optical_depth_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/end_ahead.h"
 #include "mission/simulation.h"
 #include "mission/sun_watch.h"
 
@@ -37,6 +38,7 @@ void Simulation::make_light() {
   if (!is_wanted) return;
   renderer_ = std::make_unique<Renderer>();
   light_ = std::make_unique<Light>(*ground_, *renderer_);
+  sun_over_end_ = std::make_unique<LooksOverEnd>(*ground_, "the Sun");
   const bool is_mars = ground_->site().body().name == "Mars";
   optical_depth_ = setup_.terrain.optical_depth.value_or(is_mars ? mars_optical_depth : 0);
 }
@@ -110,9 +112,29 @@ void Simulation::watch_the_sun() {
     if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now_);
     // Panels on their way are looked at when they arrive.
     if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
-    agent.set_sun(
-        look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id(), sun), sun, now_));
+    const SunValue value =
+        look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id(), sun), sun, now_);
+    agent.set_sun(value);
+    if (value.is_dark) continue;
+    const Vec3 eye_S_m = p_S_m + agent.shape().top_m() * ground_->site().up_S(p_S_m);
+    sun_over_end_->add_towards(eye_S_m, direction_S(ground_->site(), p_S_m, sun.seen), sun.disc_rad,
+                               agent.id(), now_);
   }
+}
+
+std::vector<Fault> Simulation::end_ahead() const {
+  return lsos::end_ahead(machine_, *ground_, light_ != nullptr);
+}
+
+void Simulation::warn_of_ends() {
+  const auto add = [&](const LooksOverEnd& looks) {
+    const auto warning = looks.warning(setup_.plan.mission.start_time);
+    if (warning) warnings_.push_back(*warning);
+  };
+  if (sun_over_end_) add(*sun_over_end_);
+  if (!sight_) return;
+  add(sight_->earth_over_end());
+  add(sight_->pairs_over_end());
 }
 
 void Simulation::share_power() {
@@ -137,6 +159,11 @@ void Simulation::share_power() {
             sunlight(ground_->site().body(), ground_->site().geodetic(p_S_m), utc, optical_depth_);
         asset.sun = look_at_sun(*light_, *ground_, asset, solids_near(p_S_m, asset.plan.id, sun),
                                 sun, now_);
+        if (!asset.sun->is_dark) {
+          sun_over_end_->add_towards(p_S_m + asset.shape.top_m() * ground_->site().up_S(p_S_m),
+                                     direction_S(ground_->site(), p_S_m, sun.seen), sun.disc_rad,
+                                     asset.plan.id, now_);
+        }
       }
     }
     double left_w = asset.supply_w();

@@ -65,6 +65,7 @@ SimTime Simulation::next_sample(const Rover& rover) const {
 
 void Simulation::terminate() {
   log_rows();
+  warn_of_ends();
   if (log_ == nullptr) return;
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     if (rovers_[i].logged != now_) log_sample(i);

@@ -169,6 +169,10 @@ Json map_of(const std::optional<ReportMap>& map) {
     object["shadow"] = data_uri(*map->shadow);
     object["shadow_s"] = map->shadow_s;
     object["sunlit_share"] = map->sunlit_share;
+    if (!std::isnan(map->ground_reaches_m)) {
+      object["ground_reaches_m"] = map->ground_reaches_m;
+      object["ground_matters_m"] = map->ground_matters_m;
+    }
   }
   return object;
 }

@@ -25,6 +25,9 @@ struct ReportMap {
   std::optional<EmbeddedPicture> shadow;
   double shadow_s = 0;
   double sunlit_share = not_modelled;  // of the map
+  // Towards the Sun from the map's middle: where the ground ends, and as far as it counts; NaN
+  // where it does not end before.
+  double ground_reaches_m = not_modelled, ground_matters_m = not_modelled;
 };
 
 struct ReportPicture {

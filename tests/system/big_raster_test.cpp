@@ -84,7 +84,7 @@ TEST(BigRaster, with_overviews_or_of_moderate_size_needs_no_advice) {
   for (const std::string& file : {with, moderate}) {
     const Outcome outcome = run({"check", drive_on(file, folder)});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, Not(HasSubstr("warning"))) << file;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("overviews"))) << file;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(BigRaster, is_driven_on_in_little_memory) {
   const Outcome outcome =
       run({drive_on(file, folder), "-o", folder / "run", "--quiet", "--no-report"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_EQ(summary(folder / "run")["warnings"].size(), 1u);
+  EXPECT_THAT(summary(folder / "run")["warnings"].dump(), HasSubstr("overviews"));
   // The sanitizer's own memory would be measured; all above holds with it too.
   if (is_sanitized) return;
   rusage used;  // of the largest of this process's children

@@ -141,10 +141,15 @@ class MissionMap {
     if (page.map?.shadow) {
       const box = make('input', {type: 'checkbox', checked: '', id: 'shadow-on'});
       box.addEventListener('change', () => this.svg.querySelector('#shadow').setAttribute('visibility', box.checked ? 'visible' : 'hidden'));
-      legend.append(make('label', {}, box, `shadow at ${utcText(page.map.shadow_s)}: the ground sees ${Math.round(100 * page.map.sunlit_share)} % of the Sun`));
+      legend.append(make('label', {}, box, `shadow at ${utcText(page.map.shadow_s)}: the ground sees ${Math.round(100 * page.map.sunlit_share)} % of the Sun${this.groundEnd()}`));
     }
     if (page.map) legend.append(make('span', {}, `ground ${placesText(page.map.lowest_m, 0)} to ${placesText(page.map.highest_m, 0)} m`));
     return legend;
+  }
+  // Shadows of what stands beyond the ground that is known are missing.
+  groundEnd() {
+    const {ground_reaches_m: reaches, ground_matters_m: matters} = page.map;
+    return reaches === undefined ? '' : `; towards it the ground ends ${distanceText(reaches)} from the middle, what stands up to ${distanceText(matters)} away could shade it`;
   }
   fit() {
     const {left, right, bottom, top} = this.box;

@@ -1,0 +1,235 @@
+// Light and sight on a small raster: what is said where the ground ends before the horizon that
+// counts, and what changes when a coarser raster is laid around it.
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "system/plan_run.h"
+
+namespace lsos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr double moon_radius_m = 1737400;
+constexpr const char* at = "2026-07-29T08:00:00Z";  // the Sun 4.3 degrees high, due north
+
+// South polar stereographic (Snyder 1987, eq. 21-1); the site lies at 0 E, 85 S.
+const double site_y_m = 2 * moon_radius_m * std::tan(2.5 * std::numbers::pi / 180);
+constexpr const char* polar =
+    R"(PROJCS["Moon south pole",GEOGCS["Moon 2000",DATUM["D_Moon_2000",SPHEROID["Moon_2000_IAU_IAG",1737400,0]],PRIMEM["Reference_Meridian",0],UNIT["degree",0.0174532925199433]],PROJECTION["Polar_Stereographic"],PARAMETER["latitude_of_origin",-90],PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]])";
+constexpr const char* mars_polar =
+    R"(PROJCS["Mars south pole",GEOGCS["Mars 2000",DATUM["D_Mars_2000",SPHEROID["Mars_2000_IAU_IAG",3396190,0]],PRIMEM["Reference_Meridian",0],UNIT["degree",0.0174532925199433]],PROJECTION["Polar_Stereographic"],PARAMETER["latitude_of_origin",-90],PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]])";
+
+// A ring of hills of 50 to 450 m about the site, 4 km away.
+double height_m(double x_m, double y_m) {
+  const double away_m = std::hypot(x_m, y_m), along = (away_m - 4000) / 800;
+  return (250 + 200 * std::sin(40 * std::atan2(x_m, y_m))) * std::exp(-along * along);
+}
+
+constexpr double missing = -9;
+
+// A square of cells of that size, about a place that lies east of the site; heights by metres
+// east and north of the site.
+template <class Height>
+std::string raster_of(const TempFolder& folder, const std::string& name, int cells, double cell_m,
+                      const Height& height_m, double east_m = 0, const char* crs = polar) {
+  const double half_m = cells * cell_m / 2;
+  std::string text =
+      fmt::format("ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value {}\n",
+                  cells, cells, east_m - half_m, site_y_m - half_m, cell_m, missing);
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      const double here_m =
+          height_m(east_m + (column + 0.5) * cell_m - half_m, half_m - (row + 0.5) * cell_m);
+      text += fmt::format("{:.2f} ", here_m);
+    }
+    text += '\n';
+  }
+  folder.write(name + ".prj", crs);
+  return folder.write(name + ".asc", text);
+}
+
+std::string raster(const TempFolder& folder, const std::string& name, int cells, double cell_m,
+                   double east_m = 0, const char* crs = polar) {
+  return raster_of(folder, name, cells, cell_m, height_m, east_m, crs);
+}
+
+struct Light {
+  json answer;
+  std::vector<float> shares;
+};
+
+// The inner 200 m.
+Light light_of(const TempFolder& folder, const Words& ground) {
+  Words words{"light"};
+  words.insert(words.end(), ground.begin(), ground.end());
+  const std::string file = folder / "light.tif";
+  words.insert(words.end(), {"--at", at, "--window=-0.0378,-85.0033,0.0378,-84.9967",
+                             "--resolution", "10", "-o", file, "--json"});
+  const Outcome outcome = run(words);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  Light light;
+  if (outcome.exit_code != 0) return light;
+  light.answer = json::parse(outcome.out)[0];
+  GDALAllRegister();
+  const GDALDatasetUniquePtr map(GDALDataset::FromHandle(GDALOpen(file.c_str(), GA_ReadOnly)));
+  const int columns = map->GetRasterXSize(), rows = map->GetRasterYSize();
+  light.shares.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  EXPECT_EQ(map->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, columns, rows, light.shares.data(),
+                                            columns, rows, GDT_Float32, 0, 0),
+            CE_None);
+  return light;
+}
+
+TEST(GroundEnd, light_on_a_small_raster_is_told_to_be_of_that_alone) {
+  const TempFolder folder;
+  const Light alone = light_of(folder, {raster(folder, "fine", 200, 5)});
+  EXPECT_GT(alone.answer["mean_sun_fraction"].get<double>(), 0.99);
+  ASSERT_TRUE(alone.answer.contains("warnings"));
+  EXPECT_NEAR(alone.answer["ground_reaches_m"].get<double>(), 500, 30);
+  EXPECT_THAT(alone.answer["warnings"][0].get<std::string>(),
+              AllOf(HasSubstr("the ground ends before the horizon that counts"),
+                    HasSubstr("Sun 4.3 deg high"), HasSubstr("--beyond")));
+}
+
+TEST(GroundEnd, light_with_a_coarse_raster_beyond_is_that_of_the_whole) {
+  const TempFolder folder;
+  const std::string fine = raster(folder, "fine", 200, 5),
+                    coarse = raster(folder, "coarse", 260, 100);
+  const Light whole = light_of(folder, {coarse});
+  const Light both = light_of(folder, {fine, "--beyond", coarse});
+  const double mean = whole.answer["mean_sun_fraction"].get<double>();
+  EXPECT_GT(mean, 0.1);
+  EXPECT_LT(mean, 0.9);
+  EXPECT_NEAR(both.answer["mean_sun_fraction"].get<double>(), mean, 0.01);
+  ASSERT_EQ(both.shares.size(), whole.shares.size());
+  for (std::size_t k = 0; k < both.shares.size(); ++k) {
+    EXPECT_NEAR(both.shares[k], whole.shares[k], 0.03) << k;
+  }
+  // 13 km are not as far as counts at 4.3 degrees.
+  EXPECT_NEAR(both.answer["ground_reaches_m"].get<double>(), 13000, 300);
+}
+
+TEST(GroundEnd, nothing_is_said_where_no_ground_can_count) {
+  const TempFolder folder;
+  const std::string fine = raster(folder, "fine", 200, 5);
+  const Light over_generated = light_of(folder, {fine, "--beyond", "LunarSouthPole"});
+  EXPECT_FALSE(over_generated.answer.contains("warnings"));
+  EXPECT_FALSE(over_generated.answer.contains("ground_reaches_m"));
+  EXPECT_FALSE(light_of(folder, {"Craters"}).answer.contains("warnings"));
+}
+
+TEST(GroundEnd, refuses_what_cannot_lie_beyond) {
+  const TempFolder folder;
+  const std::string fine = raster(folder, "fine", 200, 5);
+  const auto refused = [&](const std::string& name, const std::string& beyond) {
+    const Outcome outcome = run({"terrain", name, "--beyond", beyond, "--at", "0,-85"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    return outcome.err;
+  };
+  EXPECT_THAT(refused(fine, raster(folder, "aside", 40, 100, 30e3)),
+              HasSubstr("terrain aside.asc has no ground anywhere along the edge of fine.asc"));
+  EXPECT_THAT(refused(raster(folder, "coarse", 40, 100), fine),
+              HasSubstr("its cells are the finer ones: are the two exchanged?"));
+  EXPECT_THAT(refused(fine, raster(folder, "mars", 40, 100, 0, mars_polar)), HasSubstr("mars.asc"));
+  EXPECT_THAT(refused(fine, "BlackPoint"), HasSubstr("Earth"));
+  EXPECT_THAT(refused(fine, "LunarSouthPol"), HasSubstr("did you mean 'LunarSouthPole'?"));
+  EXPECT_THAT(refused(fine, folder / "missing.tif"), HasSubstr("missing.tif"));
+  EXPECT_THAT(refused("Craters", fine), HasSubstr("terrain Craters is generated and has no end"));
+}
+
+TEST(GroundEnd, a_line_of_sight_across_a_hole_is_told) {
+  const TempFolder folder;
+  const std::string file = raster_of(folder, "hole", 40, 25, [](double, double north_m) {
+    return std::abs(north_m) < 100 ? missing : 0;
+  });
+  // 300 m to the north of the middle and to the south.
+  const Outcome lines = run({"sight", file, "--from", "0,-84.9901,2", "--to", "0,-85.0099,2",
+                             "--to", "0.05,-84.9901,2", "--json"});
+  ASSERT_EQ(lines.exit_code, 0) << lines.err;
+  const json answer = json::parse(lines.out);
+  EXPECT_EQ(answer[0]["visible"], 1);
+  EXPECT_NEAR(answer[0]["ground_reaches_m"].get<double>(), 187, 20);
+  EXPECT_THAT(answer[0]["warnings"][0].get<std::string>(),
+              HasSubstr("--to 0,-85.0099,2: the ground on the line is not known from"));
+  EXPECT_FALSE(answer[1].contains("warnings"));
+  const Outcome map = run({"sight", file, "--from", "0,-84.9901,2", "--height", "2", "-o",
+                           folder / "seen.tif", "--json"});
+  ASSERT_EQ(map.exit_code, 0) << map.err;
+  EXPECT_THAT(json::parse(map.out)[0]["warnings"][0].get<std::string>(),
+              HasSubstr("of what is seen is seen over ground that is not known"));
+}
+
+// An SEV that stays at the site for ten minutes, beside the rasters.
+std::string stay(const TempFolder& folder, const std::string& name, const Fields& more) {
+  Mark info = mission(more);
+  for (auto& [field, value] : info.fields) {
+    if (field == "Terrain") value = "fine.asc";
+    if (field == "StartTime") value = at;
+  }
+  return folder.write(
+      name, kml({info, sev("A", "0,-85"), event("Pause", "A", 1, {{"Duration", "10 min"}})}));
+}
+
+TEST(GroundEnd, check_tells_of_it_before_anything_runs) {
+  const TempFolder folder;
+  raster(folder, "fine", 200, 5);
+  raster(folder, "coarse", 260, 100);
+  const Outcome alone = run({"check", stay(folder, "alone.kml", {})});
+  EXPECT_EQ(alone.exit_code, 0);
+  EXPECT_THAT(alone.out, HasSubstr("alone.kml:3: warning: MissionInfo: at the start of A, about"));
+  EXPECT_THAT(alone.out, HasSubstr("the ground ends 500 m away towards the Sun, 4.3 deg high"));
+  EXPECT_THAT(alone.out, HasSubstr("TerrainBeyond lays a coarser terrain"));
+  const Outcome over =
+      run({"check", stay(folder, "over.kml", {{"TerrainBeyond", "LunarSouthPole"}})});
+  EXPECT_EQ(over.exit_code, 0) << over.out;
+  EXPECT_THAT(over.out, Not(HasSubstr("warning")));
+  EXPECT_THAT(over.out, HasSubstr("fine.asc: beyond its end the ground is that of LunarSouthPole, "
+                                  "which is synthetic"));
+  const Outcome wrong =
+      run({"check", stay(folder, "wrong.kml", {{"TerrainBeyond", "coarse.tif"}})});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.out, HasSubstr("MissionInfo: TerrainBeyond = 'coarse.tif': is neither the name "
+                                   "of a terrain nor a file relative to the plan"));
+}
+
+TEST(GroundEnd, a_run_takes_its_light_over_the_terrain_beyond_and_says_where_that_ends) {
+  const TempFolder folder;
+  raster(folder, "fine", 200, 5);
+  raster_of(folder, "walled", 100, 100,
+            [](double x_m, double y_m) { return std::hypot(x_m, y_m) > 2000 ? 500 : 0; });
+  const auto ran = [&](const std::string& name, const Fields& more) {
+    const std::string into = folder / (name + "_run");
+    const Outcome outcome =
+        run({"run", stay(folder, name + ".kml", more), "-o", into, "--quiet", "--no-report"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return into;
+  };
+  const std::string alone = ran("alone", {}),
+                    walled = ran("walled", {{"TerrainBeyond", "walled.asc"}});
+  const json told = summary(alone)["warnings"];
+  EXPECT_THAT(told, Contains(HasSubstr("light of A: in ")));
+  EXPECT_THAT(told, Contains(HasSubstr("the ground ends 500 m away towards the Sun, 4.3 deg high, "
+                                       "which ground up to")));
+  EXPECT_GT(summary(alone)["rovers"]["A"]["solar_j"].get<double>(), 0);
+  // In the shadow of the wall nothing is seen over its end.
+  EXPECT_EQ(summary(walled)["rovers"]["A"]["solar_j"], 0);
+  EXPECT_THAT(summary(walled)["warnings"], Not(Contains(HasSubstr("light of A"))));
+  EXPECT_EQ(query(walled + "/log.gpkg", "SELECT value FROM run WHERE key = 'terrain_beyond'"),
+            "walled.asc");
+  EXPECT_NE(query(walled + "/log.gpkg", "SELECT value FROM run WHERE key = 'plan_sha256'"),
+            query(alone + "/log.gpkg", "SELECT value FROM run WHERE key = 'plan_sha256'"));
+}
+
+}  // namespace
+}  // namespace lsos::test
