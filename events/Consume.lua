@@ -48,7 +48,7 @@ return lsos.event {
       doc = 'One that the rover type declares.',
     },
     amount     = lsos.number {
-      kml = 'Amount', unit = '1', min = 0,
+      kml = 'Amount', unit = '1', min = 0, amount_of = 'resource',
       doc = 'Taken at once, in its unit.',
     },
   },

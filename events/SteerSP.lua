@@ -32,7 +32,7 @@ return lsos.event {
 
   params = {
     panel = lsos.text {
-      kml = 'Panel', names = 'panel',
+      kml = 'Panel', names = 'turning_panel',
       doc = 'Its name; without one all that turn.',
     },
     mode  = lsos.choice {

@@ -21,7 +21,7 @@ return lsos.event {
 
   params = {
     panel      = lsos.text {
-      kml = 'Panel', names = 'panel',
+      kml = 'Panel', names = 'stowable_panel',
       doc = 'Its name; without one all that can be stowed.',
     },
     duration_s = lsos.duration {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/units.h"
+#include "lua/check_text.h"
 #include "lua/commands.h"
 #include "lua/console.h"
 #include "lua/mission_files.h"
@@ -15,15 +16,6 @@
 namespace lsos {
 
 namespace {
-
-// A leg planned before the run, as it is told.
-struct PlannedLegLine {
-  std::string rover_id, label;
-  std::int64_t sequence = 0, waypoint = 0;
-  double length_m = 0, duration_s = 0, energy_j = 0, slope_max_deg = 0;
-  double steepest_lon_deg = 0, steepest_lat_deg = 0;
-  bool is_passed = false;  // the rover stands there already: there is no way
-};
 
 // Without the -0 that rounding makes.
 double told_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
@@ -114,34 +106,6 @@ std::string json_text(const MissionMachine& machine) {
          "\n";
 }
 
-std::string people_text(const MissionFiles& files, const std::vector<PlannedLegLine>& ways) {
-  std::string text;
-  for (const Fault& fault : files.faults.sorted()) text += to_string(fault) + "\n";
-  if (files.faults.has_errors()) return text;
-  const auto counted = [](std::size_t count, const char* noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-  };
-  text += fmt::format(
-      "{}: {}, {}, {} left alone\n", files.plan.file, counted(files.plan.rovers.size(), "rover"),
-      counted(files.plan.events.size(), "event"),
-      counted(static_cast<std::size_t>(files.plan.decoration_count), "other Placemark"));
-  for (const PlannedLegLine& leg : ways) {
-    if (leg.is_passed) {
-      text += fmt::format("  planned: {} '{}' to waypoint {}: already there\n", leg.rover_id,
-                          leg.label, leg.waypoint);
-      continue;
-    }
-    text += fmt::format(
-        "  planned: {} '{}' to waypoint {}: {:.1f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} deg at "
-        "{:.6f},{:.6f}\n",
-        leg.rover_id, leg.label, leg.waypoint, leg.length_m, leg.duration_s, leg.energy_j / 3600,
-        leg.slope_max_deg, leg.steepest_lon_deg, leg.steepest_lat_deg);
-  }
-  for (const std::string& line : files.plan.defaults) text += fmt::format("  default: {}\n", line);
-  for (const std::string& line : files.assumptions) text += fmt::format("  assumption: {}\n", line);
-  return text;
-}
-
 }  // namespace
 
 int check_command(const CheckOptions& options) {
@@ -166,7 +130,8 @@ int check_command(const CheckOptions& options) {
       files.faults.add(error.faults());
     }
   }
-  print_result("{}", options.is_json ? json_text(files, ways) : people_text(files, ways));
+  print_result(
+      "{}", options.is_json ? json_text(files, ways) : check_text(files, ways, options.is_verbose));
   return files.faults.has_errors() ? 2 : 0;
 }
 

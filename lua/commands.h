@@ -29,6 +29,7 @@ struct CheckOptions {
   std::string plan;
   std::optional<std::uint64_t> seed;
   bool is_json = false;
+  bool is_verbose = false;
   bool is_quiet = false;
 };
 int check_command(const CheckOptions& options);

@@ -75,6 +75,8 @@ struct LuaContext {
   std::exception_ptr internal_error;
   // Of the call that failed last.
   std::string traceback;
+  // What the last EquipmentFault of the call said, which travels through Lua as an error.
+  std::optional<std::string> equipment_fault;
 
   Faults* load_faults = nullptr;    // while a script loads
   const EventCall* call = nullptr;  // while a phase runs

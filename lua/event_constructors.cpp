@@ -81,6 +81,16 @@ void read_params(TableReader& t, EventDeclaration& event) {
     event.fields.push_back(*field);
     event.fields.back().key = key;
   });
+  for (const FieldDeclaration& field : event.fields) {
+    const auto is_named = [&](const FieldDeclaration& other) {
+      return other.key == field.amount_of && other.names == NameOf::resource;
+    };
+    if (field.amount_of.empty() || std::ranges::any_of(event.fields, is_named)) continue;
+    t.fault(
+        fmt::format("params: {}: amount_of = '{}': no text of this event has that key and "
+                    "names = 'resource'",
+                    field.key, field.amount_of));
+  }
   lua_pop(t.L(), 1);
 }
 

@@ -75,6 +75,9 @@ void read_number(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::number;
   read_common(t, field);
   read_quantity(t, field, "1", "Unit of a bare number in plans, and of min, max, default here.");
+  t.text(optional, "amount_of", field.amount_of,
+         "Key of the text that names a resource of the rover: so much of that is used up; checked "
+         "before the run against what is aboard.");
   read_required(t, field);
 }
 
@@ -131,6 +134,8 @@ void read_text(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::text;
   read_common(t, field);
   constexpr std::pair<const char*, NameOf> things[] = {{"panel", NameOf::panel},
+                                                       {"stowable_panel", NameOf::stowable_panel},
+                                                       {"turning_panel", NameOf::turning_panel},
                                                        {"resource", NameOf::resource},
                                                        {"antenna", NameOf::antenna},
                                                        {"power_source", NameOf::power_source},
@@ -138,7 +143,9 @@ void read_text(TableReader& t, FieldDeclaration& field) {
   t.word(
       optional, "names", things, field.names,
       "What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the "
-      "rover, a 'power_source', an asset that has power to give, or any 'other' rover or asset.");
+      "rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the "
+      "rover has are meant, and there must be one), a 'power_source', an asset that has power to "
+      "give and is within reach, or any 'other' rover or asset.");
   read_text_default(t, field);
   read_required(t, field);
 }

@@ -78,7 +78,8 @@ struct LuaHost::Impl {
   }
 
   // Calls the script function at the top with (ev, rover), pops it, leaves `results` values. Throws
-  // std::runtime_error for what it may not leave behind.
+  // EquipmentFault where the rover could not do what the script asked, std::runtime_error for what
+  // it may not leave behind.
   void call(lua_State* L, ScriptInstance id, Instance& instance, const EventCall& call,
             const std::string& where, int results) {
     push_table(L, id, instance, call);
@@ -88,7 +89,12 @@ struct LuaHost::Impl {
     const CallScope scope(library.lua().context(), call);
     const auto failure = call_script(L, 2, results);
     const std::string changed = instance.script->locals.restore(L);
-    if (failure) throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
+    if (failure) {
+      // A script may have caught it and then have failed of something else.
+      const std::optional<std::string>& fault = library.lua().context().equipment_fault;
+      if (fault && failure->message.ends_with(*fault)) throw EquipmentFault(*fault);
+      throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
+    }
     refuse(changed);
   }
 
@@ -250,6 +256,8 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
       impl_->state_bytes(L, instance);  // what cannot be saved is refused in the phase that put it
     } catch (const ScriptError&) {
       throw;
+    } catch (const EquipmentFault& fault) {
+      answer = Fail{fault.what()};
     } catch (const std::runtime_error& error) {
       // What was answered, or left in ev.state, or given to a sub-event: by the phase as a whole.
       const int line = find_phase(script.declaration, phase_name).line;

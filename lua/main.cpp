@@ -204,6 +204,7 @@ int run_program(std::vector<std::string> arguments) {
   check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
   check_command->add_option("--seed", check.seed, "Instead of the plan's Seed");
   check_command->add_flag("--json", check.is_json, "The answer as JSON");
+  check_command->add_flag("--verbose", check.is_verbose, "Each default and assumption");
   check_command->add_flag("--quiet", check.is_quiet, "No progress");
 
   bool is_json = false;

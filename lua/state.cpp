@@ -186,6 +186,7 @@ std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int resu
   ctx.cpu_end_s.reset();
   ctx.spent.clear();
   ctx.traceback.clear();
+  ctx.equipment_fault.reset();
   ctx.notes = 0;
   ctx.note_bytes = 0;
   const std::int64_t traffic_max =

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lua/context.h"
+#include "mission/equipment_fault.h"
 
 namespace lsos {
 
@@ -82,6 +83,9 @@ int guard(lua_State* L) {
   } catch (const InternalError& error) {
     message = error.what();
     keep_internal_error(L);
+  } catch (const EquipmentFault& error) {
+    message = error.what();
+    context(L).equipment_fault = message;
   } catch (const std::exception& error) {
     message = error.what();
   }

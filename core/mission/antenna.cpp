@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/turn.h"
+#include "mission/equipment_fault.h"
 
 namespace lsos {
 
@@ -100,7 +101,7 @@ double AntennaArray::deploy(const std::string& name, bool up, std::optional<doub
     if (!name.empty() && specs_[i].name != name) continue;
     if (!specs_[i].is_stowable()) {
       if (name.empty()) continue;
-      throw std::runtime_error(fmt::format("the antenna '{}' cannot be stowed", name));
+      throw EquipmentFault(fmt::format("the antenna '{}' cannot be stowed", name));
     }
     is_any = true;
     State& state = states_[i];
@@ -112,10 +113,11 @@ double AntennaArray::deploy(const std::string& name, bool up, std::optional<doub
     if (state.end) longest_s = std::max(longest_s, seconds(*state.end - now));
   }
   if (is_any) return longest_s;
+  if (name.empty() || names.empty()) {
+    throw EquipmentFault("none of the rover's antennas can be stowed");
+  }
   throw std::runtime_error(
-      name.empty() || names.empty()
-          ? "none of the rover's antennas can be stowed"
-          : fmt::format("the rover has no antenna '{}'{}", name, did_you_mean(name, names)));
+      fmt::format("the rover has no antenna '{}'{}", name, did_you_mean(name, names)));
 }
 
 std::optional<SimTime> AntennaArray::next_end(SimTime now) const {

@@ -57,7 +57,7 @@ class AntennaArray {
   double power_w(SimTime now) const;
 
   // Of the antenna with that name, "" for all that can be stowed. Answers how long it takes, s.
-  // Throws std::runtime_error: no such antenna, cannot be stowed.
+  // Throws std::runtime_error: no such antenna; EquipmentFault: it cannot be stowed.
   double deploy(const std::string& name, bool up, std::optional<double> duration_s, SimTime now);
   // When the next that moves arrives, after now.
   std::optional<SimTime> next_end(SimTime now) const;

@@ -1,4 +1,5 @@
-// Names in a plan's events of what its rovers and assets have: panels, resources, power to give.
+// What a plan's events name or use of what its rovers and assets have: panels, antennas, resources,
+// power to give.
 #pragma once
 
 #include <map>
@@ -11,8 +12,10 @@
 
 namespace lsos {
 
-// An error for each field that names what is not there (FieldDeclaration::names). The models are by
-// type; events of a rover whose model is missing are left alone.
+// An error for each field that names what is not there (FieldDeclaration::names). Where a field
+// that is absent means all, or more of a resource is used than is aboard
+// (FieldDeclaration::amount_of): a fault as foreseen_failure(). The models are by type; events of a
+// rover whose model is missing are left alone.
 void check_plan_names(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers,
                       const std::map<std::string, AssetModel>& assets, Faults& faults);

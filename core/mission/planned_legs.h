@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "route/drive_cost.h"
 #include "route/leg_request.h"
@@ -16,6 +17,10 @@ class PlannedLegs {
  public:
   // `ground` must outlive it. `seed`: the mission's.
   PlannedLegs(const Ground& ground, std::uint64_t seed);
+
+  // What stands on the ground for the whole mission, for all legs to go round. Before the first.
+  void set_standing(std::vector<Obstacle> standing) { standing_ = std::move(standing); }
+  const std::vector<Obstacle>& standing() const { return standing_; }
 
   // Plans, with a seed of the leg's own in place of the request's.
   const PlannedLeg& leg(const DriveCost& cost, LegRequest request);
@@ -31,6 +36,7 @@ class PlannedLegs {
   const Ground* ground_;
   std::uint64_t seed_;
   std::string ground_key_;
+  std::vector<Obstacle> standing_;
   std::map<std::string, PlannedLeg> legs_;  // by a hash of all that they depend on
   std::set<std::string> asked_;
   bool has_planned_ = false;

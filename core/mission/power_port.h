@@ -31,7 +31,8 @@ class PowerPort {
   // ends.
   virtual void await_charge(double charge) = 0;
 
-  // Sets what the battery holds, at most its capacity; counts as external.
+  // Sets what the battery holds, at most its capacity; counts as external. Throws EquipmentFault
+  // without a battery.
   virtual void set_energy(double energy_j) = 0;
   // Until the event ends: external power, W, and what its work uses, W.
   virtual void set_supply(double power_w) = 0;
@@ -46,7 +47,7 @@ class PowerPort {
   virtual bool use(const std::string& name, double amount) = 0;
 
   // Of the panel with that name, "" for all. Answers how long that takes, s. Throws
-  // std::runtime_error for what cannot be: no such panel, not stowable, stowed.
+  // std::runtime_error where no panel has the name, EquipmentFault for what panels cannot do.
   virtual double deploy_panel(const std::string& panel, bool up,
                               std::optional<double> duration_s) = 0;
   virtual void steer_panel(const std::string& panel, const Steering& steering) = 0;

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "mission/drawn_route.h"
 #include "mission/event_sequence.h"
+#include "mission/foreseen.h"
 #include "mission/site.h"
 #include "plan/field_reader.h"
+#include "plan/suggestions.h"
 
 namespace lsos {
 
@@ -39,7 +43,31 @@ class Ahead {
       heading_rad_.reset();
     }
     if (is_anywhere) return;
+    for (Fault& warning :
+         drawn_route_warnings(event, waypoints_S_m, {place_S_m_, heading_rad_}, routes_, ground_)) {
+      add_fault(std::move(warning));
+    }
     for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
+  }
+
+  // An event that takes power from an asset.
+  void find_cable(const PlanEvent& event, const EventDeclaration& declaration,
+                  std::span<const PowerSource> sources) {
+    for (const FieldDeclaration& field : declaration.fields) {
+      const auto* id = field.names == NameOf::power_source
+                           ? find_value<std::string>(event.params, field.key)
+                           : nullptr;
+      if (id == nullptr || !place_S_m_) continue;
+      const auto source = std::ranges::find(sources, *id, &PowerSource::asset_id);
+      if (source == sources.end()) continue;
+      const double away_m = (source->p_S_m - *place_S_m_).norm();
+      if (away_m <= plug_reach_m) continue;
+      add_fault({Severity::warning, event.place,
+                 fmt::format("{} '{}': {} = {}: it is {:.0f} m from where rover {} then is "
+                             "expected; a cable reaches {:.0f} m",
+                             event.type, event.label, field.name, quoted(*id), away_m,
+                             quoted(event.rover_id), plug_reach_m)});
+    }
   }
 
   // One that plans its way; false where there is none: it fails before it drives.
@@ -109,11 +137,7 @@ class Ahead {
   }
 
   void add_fault(const PlanEvent& event, const std::string& what) {
-    const Severity severity =
-        event.on_failure == OnFailure::stop ? Severity::error : Severity::warning;
-    add_fault({severity,
-               {event.place.file, event.geometry.line},
-               fmt::format("{} '{}': {}", event.type, event.label, what)});
+    add_fault(foreseen_failure(event, what, event.geometry.line));
   }
 
   const Ground& ground_;
@@ -128,7 +152,7 @@ class Ahead {
 
 RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
                       double start_heading_rad, ScriptHost& host, const Ground& ground,
-                      RoverRoutes& routes,
+                      RoverRoutes& routes, std::span<const PowerSource> sources,
                       const std::function<void(const std::string& what)>& on_planning) {
   const Geodetic& start = machine.rover.start;
   const Vec3 start_S_m =
@@ -139,6 +163,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
     if (!event.event.is_enabled) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
     ahead.warn_of_speed(event.event);
+    ahead.find_cable(event.event, event.declaration, sources);
     std::optional<RouteSettings> settings;
     try {
       settings =

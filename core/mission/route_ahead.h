@@ -1,12 +1,15 @@
-// Planning ways before the mission starts, as far as it is known where each leg will begin.
+// Going through a rover's events before the mission starts, as far as it is known where it will be:
+// ways are planned, and what stands in the way of others is found.
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "mission/machine.h"
+#include "mission/rover_power.h"
 #include "mission/rover_routes.h"
 #include "mission/script_host.h"
 
@@ -20,15 +23,17 @@ struct PassedWaypoint {
 struct RouteAhead {
   std::vector<LegAhead> legs;
   std::vector<PassedWaypoint> passed;
-  // A leg without a way: an error, or a warning where the plan says what then shall happen.
+  // A leg without a way, as foreseen_failure(). Warnings of what lies on legs that are driven as
+  // drawn, of waypoints inside the turning circle, of speeds that the rover does not reach, and of
+  // assets beyond the cable.
   std::vector<Fault> faults;
 };
 
-// The ways of one rover's events that plan theirs, each from where the events before it leave the
-// rover. `on_planning` may be empty; it is told what is planned, "" at its end.
+// Each event begins where those before it leave the rover. `sources`: assets with power to give.
+// `on_planning` may be empty; it is told what is planned, "" at its end.
 RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
                       double start_heading_rad, ScriptHost& host, const Ground& ground,
-                      RoverRoutes& routes,
+                      RoverRoutes& routes, std::span<const PowerSource> sources,
                       const std::function<void(const std::string& what)>& on_planning);
 
 }  // namespace lsos

@@ -121,7 +121,7 @@ class RoverPort {
   virtual void brake() = 0;
   virtual PowerPort& power() = 0;
   // Raises or stows the antenna with that name, "" for all that can be. Answers how long that
-  // takes, s. Throws std::runtime_error for what cannot be.
+  // takes, s. Throws std::runtime_error where none has the name, EquipmentFault for what cannot be.
   virtual double deploy_antenna(const std::string& antenna, bool up,
                                 std::optional<double> duration_s) = 0;
   // A row in `notes`. `fields_json`: an object with sorted keys.

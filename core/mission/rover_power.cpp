@@ -7,12 +7,11 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "mission/equipment_fault.h"
 
 namespace lsos {
 
 namespace {
-
-constexpr double plug_reach_m = 20;
 
 std::string stuck_text(const PanelSpec& panel) {
   return fmt::format("the panel '{}' is stuck", panel.name);
@@ -238,7 +237,7 @@ double RoverPower::time_to_charge_s(double charge) const {
 }
 
 void RoverPower::set_energy(double energy_j) {
-  if (!has_battery()) throw std::runtime_error("the rover has no battery");
+  if (!has_battery()) throw EquipmentFault("the rover has no battery");
   begin_segment();
   at_start_ = with_energy(at_start_, std::clamp(energy_j, 0.0, spec_.battery->capacity_j));
 }
@@ -281,7 +280,7 @@ std::vector<std::size_t> RoverPower::panels_named(const std::string& name) const
     names.push_back(spec_.panels[i].name);
     if (name.empty() || names.back() == name) found.push_back(i);
   }
-  if (names.empty()) throw std::runtime_error("the rover has no solar panels");
+  if (names.empty()) throw EquipmentFault("the rover has no solar panels");
   if (found.empty()) {
     throw std::runtime_error(fmt::format("the rover has no panel '{}'{}; it has {}", name,
                                          did_you_mean(name, names), fmt::join(names, ", ")));
@@ -296,13 +295,13 @@ double RoverPower::deploy_panel(const std::string& name, bool up,
   for (const std::size_t i : panels_named(name)) {
     if (!spec_.panels[i].is_stowable) {
       if (name.empty()) continue;
-      throw std::runtime_error(fmt::format("the panel '{}' cannot be stowed", name));
+      throw EquipmentFault(fmt::format("the panel '{}' cannot be stowed", name));
     }
     is_any = true;
-    if (panels_.is_stuck(i)) throw std::runtime_error(stuck_text(spec_.panels[i]));
+    if (panels_.is_stuck(i)) throw EquipmentFault(stuck_text(spec_.panels[i]));
     takes_s = std::max(takes_s, panels_.deploy(i, up, duration_s, now_));
   }
-  if (!is_any) throw std::runtime_error("none of the rover's panels can be stowed");
+  if (!is_any) throw EquipmentFault("none of the rover's panels can be stowed");
   has_panel_command_ = true;
   return takes_s;
 }
@@ -315,15 +314,15 @@ void RoverPower::steer_panel(const std::string& name, const Steering& steering) 
                             : panels_.is_stowed(i)    ? "is stowed: it cannot be steered"
                             : !panels_.is_up(i, now_) ? "is on its way up: it cannot be steered yet"
                                                       : "";
-    if (panels_.is_stuck(i)) throw std::runtime_error(stuck_text(panel));
+    if (panels_.is_stuck(i)) throw EquipmentFault(stuck_text(panel));
     if (!why.empty() && !name.empty()) {
-      throw std::runtime_error(fmt::format("the panel '{}' {}", panel.name, why));
+      throw EquipmentFault(fmt::format("the panel '{}' {}", panel.name, why));
     }
     if (!why.empty()) continue;
     is_any = true;
     panels_.steer(i, steering);
   }
-  if (!is_any) throw std::runtime_error("none of the rover's panels can be steered now");
+  if (!is_any) throw EquipmentFault("none of the rover's panels can be steered now");
   has_panel_command_ = true;
 }
 

@@ -18,6 +18,7 @@
 namespace lsos {
 
 // An asset that has power to give, as rovers know it.
+inline constexpr double plug_reach_m = 20;  // of the cable
 struct PowerSource {
   std::string asset_id;
   Vec3 p_S_m = Vec3::Zero();

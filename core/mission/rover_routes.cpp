@@ -10,6 +10,7 @@
 
 #include "mission/drive_table.h"
 #include "route/route_planner.h"
+#include "vehicle/footprint.h"
 
 namespace lsos {
 
@@ -54,7 +55,20 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   request.avoided = settings.avoided;
   request.starts_at_rest = start.is_at_rest;
   request.start_heading_rad = start.heading_rad;
+  request.obstacles = obstacles_about(start.p_S_m, goal_S_m);
   return legs_->leg(cost(settings), request);
+}
+
+Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const {
+  // Beyond the widest map that a leg is planned on.
+  constexpr double lengths = 4, least_m = 200;
+  const double reach_m = least_m + lengths * (goal_S_m - start_S_m).norm();
+  Obstacles obstacles;
+  obstacles.rover_at_rest = footprint_at_rest(*vehicle_);
+  for (const Obstacle& thing : legs_->standing()) {
+    if ((thing.center_S_m - start_S_m).norm() < reach_m) obstacles.standing.push_back(thing);
+  }
+  return obstacles;
 }
 
 bool RoverRoutes::is_passed(const RouteSettings& settings, const Vec3& p_S_m,
@@ -105,10 +119,12 @@ const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
   const double off_m = (start.p_S_m - found->start.p_S_m).norm();
   const double off_rad =
       std::remainder(start.heading_rad - found->start.heading_rad, 2 * std::numbers::pi);
-  const bool fits = off_m <= expected_within_m &&
-                    (vehicle_->can_turn_on_spot || std::abs(off_rad) <= expected_heading_rad) &&
-                    (off_m <= on_start_m || !found->leg.is_found() ||
-                     is_free(*ground_, cost(settings), start.p_S_m, found->start.p_S_m));
+  const bool fits =
+      off_m <= expected_within_m &&
+      (vehicle_->can_turn_on_spot || std::abs(off_rad) <= expected_heading_rad) &&
+      (off_m <= on_start_m || !found->leg.is_found() ||
+       is_free(*ground_, cost(settings), obstacles_about(start.p_S_m, found->start.p_S_m),
+               start.p_S_m, found->start.p_S_m));
   return fits ? &*found : nullptr;
 }
 

@@ -41,6 +41,10 @@ class RoverRoutes {
   bool can_turn_on_spot() const { return vehicle_->can_turn_on_spot; }
   double speed_max_mps() const { return vehicle_->speed_max_mps; }
   const std::string& rover_type() const { return vehicle_->type; }
+  // What planning knows of the rover; kept as long as this.
+  const DriveCost& cost(const RouteSettings& settings);
+  // What stands so near that a leg between these places has to do with it.
+  Obstacles obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const;
   PlannedLeg leg(const RouteSettings& settings, const LegStart& start, const Vec3& goal_S_m);
   void set_ahead(const std::vector<LegAhead>& ahead) { ahead_ = &ahead; }
   // Rows of what was planned ahead.
@@ -63,7 +67,6 @@ class RoverRoutes {
   void archive(Archive& a) { a(attempts_); }
 
  private:
-  const DriveCost& cost(const RouteSettings& settings);
   const LegAhead* ahead(std::int64_t sequence, std::int64_t waypoint, const LegStart& start,
                         const Vec3& goal_S_m, const RouteSettings& settings);
   void log(const std::string& rover_id, SimTime now, std::int64_t sequence, std::int64_t waypoint,

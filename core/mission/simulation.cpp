@@ -98,7 +98,7 @@ void Simulation::place_rovers() {
     }
     faults.add(site_faults(machine_.rovers[i], *ground_, plans_its_way));
   }
-  if (!faults.has_errors()) find_rovers_in_each_other(faults);
+  if (!faults.has_errors()) find_things_in_each_other(faults);
   faults.throw_if_errors();
 }
 
@@ -109,7 +109,7 @@ void Simulation::plan_ways() {
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     RoverAgent& agent = *rovers_[i].agent;
     RouteAhead ahead = plan_ahead(machine_.rovers[i], machine_.mission, agent.view().heading_rad,
-                                  *host_, *ground_, agent.routes(), setup_.on_planning);
+                                  *host_, *ground_, agent.routes(), sources_, setup_.on_planning);
     faults.add(ahead.faults);
     ways_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed)};
     agent.routes().set_ahead(ways_ahead_[i].legs);
@@ -126,8 +126,16 @@ std::vector<Fault> Simulation::advice() const {
   return advice;
 }
 
-void Simulation::find_rovers_in_each_other(Faults& faults) const {
+void Simulation::find_things_in_each_other(Faults& faults) const {
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
+    const RoverAgent& rover = *rovers_[i].agent;
+    for (const StandingAsset& asset : assets_) {
+      if (gap_m(asset, rover.footprint()) > 0) continue;
+      faults.error(
+          machine_.rovers[i].rover.place,
+          fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre", rover.id(),
+                      asset.plan.id, (rover.view().p_S_m - asset.pose.p_S_m).norm()));
+    }
     for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
       const RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
       if (!overlap(a.footprint(), b.footprint())) continue;
@@ -204,6 +212,7 @@ void Simulation::exchange() {
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
   keep_apart();
+  keep_off_assets();
   run_scripts();
   for (Rover& rover : rovers_) rover.agent->control();
   for (const Rover& rover : rovers_) {
@@ -250,6 +259,27 @@ void Simulation::keep_apart() {
       const double period_s = seconds(exchange_period);
       if (gap_m(a.footprint(period_s), of_b) < now_m) a.end_drive_before(b.id(), apart_m);
       if (gap_m(of_a, b.footprint(period_s)) < now_m) b.end_drive_before(a.id(), apart_m);
+    }
+  }
+}
+
+// The same before assets, which stay where they are.
+void Simulation::keep_off_assets() {
+  constexpr double turning_ahead_s = 1;
+  constexpr double near_m = 100;  // a rover at 5 m/s stops within
+  for (const Rover& rover : rovers_) {
+    RoverAgent& agent = *rover.agent;
+    if (agent.is_parked()) continue;
+    for (const StandingAsset& asset : assets_) {
+      const double apart_m = (agent.view().p_S_m - asset.pose.p_S_m).norm();
+      if (apart_m > asset.shape.reach_m() + near_m) continue;
+      const bool is_ahead = gap_m(asset, agent.swept_footprint()) <= 0 ||
+                            gap_m(asset, agent.footprint(turning_ahead_s)) <= 0;
+      if (!is_ahead) continue;
+      const double now_m = gap_m(asset, agent.footprint());
+      if (gap_m(asset, agent.footprint(seconds(exchange_period))) < now_m) {
+        agent.end_drive_before(asset.plan.id, apart_m);
+      }
     }
   }
 }

@@ -145,9 +145,10 @@ class Simulation : private EventSequence::Others, private Surroundings {
   void build();
   void place_rovers();
   void plan_ways();
-  void find_rovers_in_each_other(Faults& faults) const;
+  void find_things_in_each_other(Faults& faults) const;
   void exchange();
   void keep_apart();
+  void keep_off_assets();
   void run_scripts();
   void take_warnings(Rover& rover);
   // The light, and who gives power to whom (simulation_light.cpp).

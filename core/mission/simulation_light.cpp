@@ -19,6 +19,7 @@ constexpr double mars_optical_depth = 0.5;
 
 void Simulation::stand_assets() {
   Faults faults;
+  std::vector<Obstacle> standing;
   for (const PlanAsset& asset : setup_.plan.assets) {
     try {
       assets_.push_back(stand(asset, setup_.asset_models.at(asset.type), *ground_));
@@ -27,7 +28,10 @@ void Simulation::stand_assets() {
       continue;
     }
     if (assets_.back().gives_power()) sources_.push_back({asset.id, assets_.back().pose.p_S_m});
+    const std::vector<Obstacle> more = assets_.back().obstacles();
+    standing.insert(standing.end(), more.begin(), more.end());
   }
+  legs_->set_standing(std::move(standing));
   faults.throw_if_errors();
 }
 

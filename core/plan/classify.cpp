@@ -24,11 +24,15 @@ std::vector<std::string> known_names(const Declarations& declarations) {
   return names;
 }
 
-bool has_marker_field(const SourceData& data) {
+// Fields that only rovers and events have.
+bool is_marker(std::string_view field) {
   constexpr std::array<std::string_view, 3> markers{"RoverId", "Sequence", "RoverType"};
-  return std::ranges::any_of(data.fields, [&](const SourceField& field) {
-    return std::ranges::find(markers, field.name) != markers.end();
-  });
+  return std::ranges::find(markers, field) != markers.end();
+}
+
+bool has_marker_field(const SourceData& data) {
+  return std::ranges::any_of(data.fields,
+                             [](const SourceField& field) { return is_marker(field.name); });
 }
 
 class Classifier {
@@ -41,6 +45,12 @@ class Classifier {
 
   Classified run() {
     for (const SourcePlacemark& placemark : source_.placemarks) classify(placemark);
+    for (const KmlSource::Link& link : source_.links) {
+      faults_.warning({source_.file, link.line},
+                      fmt::format("NetworkLink to {}: what it links to is not read; a plan is one "
+                                  "KML document with all its Placemarks",
+                                  shown(link.href)));
+    }
     return std::move(classified_);
   }
 
@@ -61,10 +71,7 @@ class Classifier {
   }
 
   void error(const SourcePlacemark& placemark, int line, const std::string& what) {
-    faults_.error(
-        {source_.file, line},
-        fmt::format("Placemark {}: {}",
-                    placemark.name.empty() ? "without a name" : quoted(placemark.name), what));
+    faults_.error({source_.file, line}, fmt::format("{}: {}", subject(placemark), what));
   }
 
   void classify(const SourcePlacemark& placemark) {
@@ -84,7 +91,33 @@ class Classifier {
       classified_.unread.push_back({&placemark, nearly_ours, nullptr});
     } else {
       ++classified_.decoration_count;
+      warn_if_ours(placemark);
     }
+  }
+
+  // Map tools rewrite SchemaData as Data, and what kind of thing it is is lost.
+  void warn_if_ours(const SourcePlacemark& placemark) {
+    const auto may_be_ours = [](const std::string& field) {
+      return is_marker(field) || field == "Planet";
+    };
+    const auto warn = [&](const std::string& field, const char* where) {
+      faults_.warning({source_.file, placemark.line},
+                      fmt::format("{}: is not used: its field {} stands in {}, which does not say "
+                                  "what it is; <SchemaData schemaUrl=\"#NAME\"> with "
+                                  "<SimpleData> is wanted",
+                                  subject(placemark), field, where));
+    };
+    const auto plain = std::ranges::find_if(placemark.plain_data, may_be_ours);
+    if (plain != placemark.plain_data.end()) return warn(*plain, "<Data>");
+    for (const SourceData& data : placemark.data) {
+      for (const SourceField& field : data.fields) {
+        if (may_be_ours(field.name)) return warn(field.name, "another SchemaData");
+      }
+    }
+  }
+
+  static std::string subject(const SourcePlacemark& placemark) {
+    return "Placemark " + (placemark.name.empty() ? "without a name" : quoted(placemark.name));
   }
 
   // In a Placemark that is ours, other SchemaData are what a GIS tool stamps on everything, unless

@@ -19,11 +19,13 @@ enum class FieldKind { number, integer, boolean, text, choice, duration, utc };
 // What a text names: checked before anything runs.
 enum class NameOf {
   anything,
-  panel,         // of the event's rover
-  resource,      // of the event's rover
-  antenna,       // of the event's rover
-  power_source,  // an asset of the plan that has power to give
-  other,         // another rover of the plan, or an asset
+  panel,           // of the event's rover
+  stowable_panel,  // likewise; absent: all that it has
+  turning_panel,   // likewise; absent: all that it has
+  resource,        // of the event's rover
+  antenna,         // of the event's rover, that can be stowed; absent: all that it has
+  power_source,    // an asset of the plan that has power to give
+  other,           // another rover of the plan, or an asset
 };
 
 // A value of a field, in SI. Durations are numbers (seconds).
@@ -40,6 +42,7 @@ struct FieldDeclaration {
   std::optional<double> max_si;      // inclusive
   std::vector<std::string> choices;  // choice only
   NameOf names = NameOf::anything;   // text only
+  std::string amount_of;             // number only: key of the text that names the resource used up
   bool is_required = false;
   std::optional<FieldValue> default_value;  // absent: the script sees nil
   std::string example = {};  // what a form has for it, when that is more than the default

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "plan/far_places.h"
 #include "plan/geometry.h"
 #include "plan/suggestions.h"
 
@@ -48,6 +49,9 @@ class EventsReader {
         read_geometry(*ours.placemark, declaration.geometries, fields.subject(), context_.faults);
     if (geometry) {
       event.geometry = *geometry;
+      if (!event.geometry.points.empty()) {
+        draft.comma_places = with_decimal_commas(ours.placemark->geometries.front().coordinates);
+      }
     } else {
       draft.is_drive_known = false;
     }

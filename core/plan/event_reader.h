@@ -23,6 +23,9 @@ struct DraftEvent {
   const SourceField* start_after = nullptr;
   const SourceField* on_failure = nullptr;
   std::vector<std::string> defaults;
+  // Its geometry's places where its coordinates may be meant with decimal commas, see
+  // with_decimal_commas(); else empty.
+  std::vector<Geodetic> comma_places;
 };
 
 // By rover id, then sequence, then line. `rover_ids`: what RoverId may name, besides those that

@@ -74,7 +74,12 @@ std::string read_tuple(const std::string& tuple, Geodetic& place) {
     const std::size_t comma = rest.find(',');
     is_last = comma == std::string_view::npos;
     const std::string_view part = rest.substr(0, comma);
-    if (count == numbers.size()) return "has more than lon,lat,alt; a blank parts coordinates";
+    if (count == numbers.size()) {
+      return "has more than lon,lat,alt; a blank parts coordinates, and decimals take a point";
+    }
+    // GIS tools write "nan", or nothing, for an altitude that they do not have.
+    const bool has_none = count == 2 && (part.empty() || part == "nan" || part == "NaN");
+    if (has_none) continue;
     if (!read_number(part, numbers[count])) {
       return fmt::format("{} is no number; lon,lat or lon,lat,alt in degrees and m is wanted",
                          shown(std::string(part)));

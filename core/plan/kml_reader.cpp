@@ -114,6 +114,7 @@ SourcePlacemark placemark(const XMLElement& element) {
     } else if (name == "ExtendedData") {
       for (const auto* data = each->FirstChildElement(); data; data = data->NextSiblingElement()) {
         if (local_name(*data) == "SchemaData") found.data.push_back(schema_data(*data));
+        if (local_name(*data) == "Data") found.plain_data.push_back(attribute(*data, "name"));
       }
     } else if (is_geometry(name)) {
       found.geometries.push_back(geometry(*each));
@@ -133,6 +134,8 @@ class Collector {
       source_.placemarks.push_back(placemark(element));
     } else if (name == "Schema") {
       schema_names_.emplace(attribute(element, "id"), attribute(element, "name"));
+    } else if (name == "NetworkLink") {
+      collect_link(element);
     } else if (name == "kml" || name == "Document" || name == "Folder") {
       for (const auto* each = element.FirstChildElement(); each;
            each = each->NextSiblingElement()) {
@@ -152,11 +155,24 @@ class Collector {
         if (hash == 0 && named != schema_names_.end() && !named->second.empty()) {
           data.schema = named->second;
         }
+        // The driver LIBKML of GDAL, and QGIS with it, write "#Route.schema" for a layer Route.
+        constexpr std::string_view suffix = ".schema";
+        if (data.schema.ends_with(suffix)) data.schema.resize(data.schema.size() - suffix.size());
       }
     }
   }
 
  private:
+  void collect_link(const XMLElement& element) {
+    const XMLElement* link = child(element, "Link");
+    if (link == nullptr) link = child(element, "Url");
+    const XMLElement* href = link == nullptr ? nullptr : child(*link, "href");
+    if (href == nullptr) return;
+    LinedText text = text_of(*href);
+    if (text.text.find("://") != std::string::npos) return;
+    source_.links.push_back({std::move(text.text), text.line});
+  }
+
   KmlSource& source_;
   std::map<std::string, std::string> schema_names_;  // by id
 };

@@ -32,6 +32,7 @@ struct SourceGeometry {
 struct SourcePlacemark {
   std::string name;
   std::vector<SourceData> data;
+  std::vector<std::string> plain_data;     // names of <Data>, which say no kind of thing
   std::vector<SourceGeometry> geometries;  // more than one is not KML, but is seen
   int line = 0;
   std::string file = {};  // that the lines are of, where it is not the document's
@@ -40,6 +41,12 @@ struct SourcePlacemark {
 struct KmlSource {
   std::string file;  // for messages; with the document's name for a KMZ
   std::vector<SourcePlacemark> placemarks;
+  // <NetworkLink>s to files, not to addresses with a scheme; their Placemarks are not among these.
+  struct Link {
+    std::string href;
+    int line = 0;
+  };
+  std::vector<Link> links = {};
 };
 
 // Reads KML or KMZ. Throws InputError (file, line) when that is not what it is.

@@ -56,13 +56,20 @@ ZipArchive open_archive(const std::string& bytes, const std::string& file) {
   return ZipArchive(archive);
 }
 
+// What macOS adds to archives: no file of the user's.
+bool is_of_finder(std::string_view name) {
+  const std::size_t slash = name.rfind('/');
+  return name.starts_with("__MACOSX/") ||
+         name.substr(slash == std::string_view::npos ? 0 : slash + 1).starts_with("._");
+}
+
 // doc.kml, as the KMZ convention has it, else the first file in the archive that ends in .kml.
 std::string document_name(zip_t* archive) {
   std::string first;
   const zip_int64_t count = zip_get_num_entries(archive, 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const char* entry = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
-    if (entry == nullptr) continue;
+    if (entry == nullptr || is_of_finder(entry)) continue;
     std::string name = entry;
     std::string lower = name;
     std::ranges::transform(lower, lower.begin(),

@@ -4,6 +4,7 @@
 
 #include "plan/classify.h"
 #include "plan/event_reader.h"
+#include "plan/far_places.h"
 #include "plan/kml_reader.h"
 #include "plan/mission_reader.h"
 #include "plan/plan.h"
@@ -74,6 +75,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   check_circles(drafts, faults);
   if (plan.mission.planet != nullptr) {
     check_stationary_points(drafts, plan.rovers, plan.gaps, *plan.mission.planet, faults);
+    check_far_places(drafts, plan.rovers, plan.assets, plan.gaps, *plan.mission.planet, faults);
   }
   std::erase_if(drafts, [](const DraftEvent& draft) { return !draft.is_read; });
   for (std::string& text : common_defaults(ours.events)) plan.defaults.push_back(std::move(text));

@@ -82,6 +82,8 @@ LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
 LegCosts LegCosts::over(GroundMap& map) const {
   LegCosts costs(map, finder_, aim_, avoided_);
   costs.tight_ = tight_;
+  costs.standing_ = standing_;
+  costs.rover_at_rest_ = rover_at_rest_;
   costs.leaving_ = leaving_;
   costs.leaving_limits_ = leaving_limits_;
   costs.is_rounding_ = is_rounding_;
@@ -90,7 +92,7 @@ LegCosts LegCosts::over(GroundMap& map) const {
 
 Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead) {
   const auto holds = [&](const Disc2& disc) { return disc.holds(at_m); };
-  if (std::ranges::any_of(avoided_, holds)) return Hazard::avoided;
+  if (std::ranges::any_of(avoided_, holds) || is_occupied(at_m, ahead)) return Hazard::avoided;
   if (finder_.is_calm(stance)) return Hazard::none;
   if (leaving_.holds(at_m)) return hazard(stance, finder_.cost(), leaving_limits_);
   const Hazard here = hazard(stance, finder_.cost());
@@ -102,6 +104,18 @@ Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& a
     if (beside != Hazard::none) return beside;
   }
   return Hazard::none;
+}
+
+bool LegCosts::is_occupied(const Vec2& at_m, const Vec2& ahead) const {
+  if (standing_.empty()) return false;
+  const Footprint rover = moved(rover_at_rest_, at_m, ahead);
+  const double off_m = rover.half_m.norm() + stray_m;
+  const bool is_tight =
+      std::ranges::any_of(tight_, [&](const Disc2& disc) { return disc.holds(at_m); });
+  return std::ranges::any_of(standing_, [&](const Footprint& thing) {
+    if (distance_m(thing, rover.center_S_m) >= off_m) return false;
+    return !is_tight || overlap(thing, rover);
+  });
 }
 
 // Energy on slopes is that of the level and of lifting: E(slope) >= least + per_rise sin(slope). So

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/footprint.h"
 #include "route/leg_request.h"
 #include "route/stance.h"
 
@@ -62,6 +63,13 @@ class LegCosts {
   // Ground within which the rover may come as near to a hazard as it likes: where it stands, where
   // it is to stand. Elsewhere it keeps off by as much as it may stray to either side.
   void set_tight(std::vector<Disc2> tight) { tight_ = std::move(tight); }
+  // Things that stand on the map, and the ground that the rover covers (LegRequest::obstacles). A
+  // way keeps off them by half the rover's diagonal, so that it can turn; on tight ground it may
+  // come as near as the rover, heading along the way, does not touch them.
+  void set_standing(std::vector<Footprint> standing, const Footprint& rover_at_rest) {
+    standing_ = std::move(standing);
+    rover_at_rest_ = rover_at_rest;
+  }
   // Where the rover stands beyond a limit it may leave over ground that is no worse.
   void set_leaving(const Disc2& disc, const DriveLimits& limits) {
     leaving_ = disc;
@@ -135,6 +143,7 @@ class LegCosts {
   Cornering arcs_driven(Speeds& speeds, const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
   SlopeDrive drive_at(const Stance& stance) const;
+  bool is_occupied(const Vec2& at_m, const Vec2& ahead) const;
   double rate(const Stance& stance) const;
   void find_least();
 
@@ -142,6 +151,8 @@ class LegCosts {
   const StanceFinder& finder_;
   RouteAim aim_;
   std::vector<Disc2> avoided_, tight_;
+  std::vector<Footprint> standing_;
+  Footprint rover_at_rest_;
   Disc2 leaving_;  // nothing, without a radius
   DriveLimits leaving_limits_;
   bool is_rounding_ = false;

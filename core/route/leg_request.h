@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/archive.h"
+#include "base/footprint.h"
 #include "base/vector.h"
 
 namespace lsos {
@@ -25,6 +26,29 @@ struct AvoidedDisc {
   void archive(Archive& a) { a(center_S_m)(radius_m); }
 };
 
+// A thing that stands on the ground, as a rectangle seen from above.
+struct Obstacle {
+  std::string id;
+  Vec3 center_S_m = Vec3::Zero();
+  Vec3 ahead_S = Vec3::UnitX();  // unit, horizontal there
+  Vec2 half_m = Vec2::Zero();    // along `ahead_S` and across
+
+  void archive(Archive& a) { a(id)(center_S_m)(ahead_S)(half_m); }
+};
+
+// What a leg goes round, and the ground that the rover covers: reference point at the origin,
+// heading along x.
+struct Obstacles {
+  std::vector<Obstacle> standing;
+  Footprint rover_at_rest;
+
+  // Nothing where nothing stands, so that a leg's key then is what it is without.
+  void archive(Archive& a) {
+    if (standing.empty()) return;
+    a(standing)(rover_at_rest.center_S_m)(rover_at_rest.half_m);
+  }
+};
+
 struct LegRequest {
   Vec3 start_S_m = Vec3::Zero(), goal_S_m = Vec3::Zero();
   RouteAim aim = RouteAim::energy;
@@ -35,9 +59,10 @@ struct LegRequest {
   // Then what setting off and stopping at the end of the drive take is told with it.
   bool starts_at_rest = false;
   std::vector<AvoidedDisc> avoided = {};
+  Obstacles obstacles = {};
 
   void archive(Archive& a) {
-    a(start_S_m)(goal_S_m)(aim)(seed)(start_heading_rad)(starts_at_rest)(avoided);
+    a(start_S_m)(goal_S_m)(aim)(seed)(start_heading_rad)(starts_at_rest)(avoided)(obstacles);
   }
 };
 

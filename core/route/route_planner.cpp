@@ -45,6 +45,16 @@ Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
   return sample.is_ground() ? Vec3(p_S_m - sample.gap_m * sample.up_S) : p_S_m;
 }
 
+std::vector<Footprint> on_map(const Obstacles& obstacles, const MapFrame& frame) {
+  std::vector<Footprint> footprints;
+  for (const Obstacle& obstacle : obstacles.standing) {
+    const Vec2 center_m = frame.at(obstacle.center_S_m);
+    const Vec2 ahead = frame.at(obstacle.center_S_m + obstacle.ahead_S) - center_m;
+    footprints.push_back({center_m, ahead.normalized(), obstacle.half_m});
+  }
+  return footprints;
+}
+
 class LegPlanner {
  public:
   LegPlanner(const Ground& ground, const DriveCost& cost, const LegRequest& request)
@@ -59,6 +69,7 @@ class LegPlanner {
     for (const AvoidedDisc& disc : request.avoided) {
       avoided_.push_back(passable({frame_.at(disc.center_S_m), disc.radius_m}));
     }
+    standing_ = on_map(request.obstacles, frame_);
   }
 
   PlannedLeg run() {
@@ -126,7 +137,8 @@ class LegPlanner {
     Vec2 nearest_m;
     Reach reach;
     std::optional<Vec2> passed_m;
-    const std::string at_goal = fault_to_stop_at(map, finder_, goal_m_);
+    std::string at_goal = fault_to_stop_at(map, finder_, goal_m_);
+    if (at_goal.empty()) at_goal = occupied(goal_m_);
     const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
     for (int k = 0; k < looks; ++k) {
       passed_m.reset();
@@ -134,6 +146,7 @@ class LegPlanner {
       LegCosts costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       costs.set_leaving(leaving_, leaving_limits_);
+      costs.set_standing(standing_, request_.obstacles.rover_at_rest);
       // Cheap beside the search, which would look at all that can be reached before it gave up.
       reach = look_for_reach(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
@@ -168,6 +181,20 @@ class LegPlanner {
           *passed_m);
     }
     return refuse(map, why_cut_off(map, reach), nearest_m);
+  }
+
+  // "where 'Hab' stands": however the rover stood at that place it would touch it; else "".
+  std::string occupied(const Vec2& at_m) const {
+    constexpr int directions = 16;
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+      bool is_free = false;
+      for (int k = 0; k < directions && !is_free; ++k) {
+        const double yaw_rad = 2 * std::numbers::pi * k / directions;
+        is_free = !overlap(standing_[i], moved(request_.obstacles.rover_at_rest, at_m, yaw_rad));
+      }
+      if (!is_free) return fmt::format("where '{}' stands", request_.obstacles.standing[i].id);
+    }
+    return "";
   }
 
   std::string why_cut_off(GroundMap& map, const Reach& reach) const {
@@ -310,6 +337,7 @@ class LegPlanner {
   double spacing_m_, radius_m_;
   Vec2 goal_m_;
   std::vector<Disc2> avoided_;
+  std::vector<Footprint> standing_;  // as the request's obstacles
   Disc2 leaving_;
   DriveLimits leaving_limits_;
   bool turns_too_wide_ = false, are_turns_at_border_ = false;
@@ -326,15 +354,17 @@ PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegReques
   return LegPlanner(ground, cost, request).run();
 }
 
-bool is_free(const Ground& ground, const DriveCost& cost, const Vec3& from_S_m,
-             const Vec3& to_S_m) {
+bool is_free(const Ground& ground, const DriveCost& cost, const Obstacles& obstacles,
+             const Vec3& from_S_m, const Vec3& to_S_m) {
   const StanceFinder finder(cost);
   const MapFrame frame(ground.site(), from_S_m);
   const Vec2 to_m = frame.at(to_S_m);
   const Vec2 aside_m = Vec2::Constant(corridor_min_m);
   GroundMap map(ground, frame, to_m.cwiseMin(0) - aside_m, to_m.cwiseMax(0) + aside_m,
                 map_spacing_m(cost));
-  return std::isfinite(LegCosts(map, finder, RouteAim::risk).straight(Vec2::Zero(), to_m));
+  LegCosts costs(map, finder, RouteAim::risk);
+  costs.set_standing(on_map(obstacles, frame), obstacles.rover_at_rest);
+  return costs.is_free(Vec2::Zero(), to_m);
 }
 
 }  // namespace lsos

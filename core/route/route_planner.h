@@ -11,6 +11,7 @@ namespace lsos {
 PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegRequest& request);
 
 // Whether it can drive straight from one place to the other, near by.
-bool is_free(const Ground& ground, const DriveCost& cost, const Vec3& from_S_m, const Vec3& to_S_m);
+bool is_free(const Ground& ground, const DriveCost& cost, const Obstacles& obstacles,
+             const Vec3& from_S_m, const Vec3& to_S_m);
 
 }  // namespace lsos

@@ -1,24 +1,8 @@
 #include "vehicle/footprint.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "vehicle/drive_control.h"
 
 namespace lsos {
-
-namespace {
-
-Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
-
-// Half of its extent along a unit vector.
-double reach_m(const Footprint& f, const Vec2& along_S) {
-  return f.half_m.x() * std::abs(f.ahead_S.dot(along_S)) +
-         f.half_m.y() * std::abs(left_of(f.ahead_S).dot(along_S));
-}
-
-}  // namespace
 
 Footprint footprint_at_rest(const VehicleConfig& vehicle) {
   Vec2 low_m = -vehicle.chassis_size_m.head<2>() / 2, high_m = -low_m;
@@ -30,29 +14,5 @@ Footprint footprint_at_rest(const VehicleConfig& vehicle) {
   }
   return {(low_m + high_m) / 2, Vec2::UnitX(), (high_m - low_m) / 2};
 }
-
-Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, double yaw_rad,
-                const Vec2& reach_S_m) {
-  Footprint f;
-  f.ahead_S = {std::cos(yaw_rad), std::sin(yaw_rad)};
-  f.center_S_m = p_S_m + at_rest.center_S_m.x() * f.ahead_S +
-                 at_rest.center_S_m.y() * left_of(f.ahead_S) + reach_S_m / 2;
-  f.half_m =
-      at_rest.half_m +
-      Vec2(std::abs(reach_S_m.dot(f.ahead_S)), std::abs(reach_S_m.dot(left_of(f.ahead_S)))) / 2;
-  return f;
-}
-
-double gap_m(const Footprint& a, const Footprint& b) {
-  const Vec2 between_m = b.center_S_m - a.center_S_m;
-  double widest_m = -std::numeric_limits<double>::infinity();
-  for (const Vec2& axis : {a.ahead_S, left_of(a.ahead_S), b.ahead_S, left_of(b.ahead_S)}) {
-    widest_m =
-        std::max(widest_m, std::abs(between_m.dot(axis)) - reach_m(a, axis) - reach_m(b, axis));
-  }
-  return widest_m;
-}
-
-bool overlap(const Footprint& a, const Footprint& b) { return gap_m(a, b) <= 0; }
 
 }  // namespace lsos

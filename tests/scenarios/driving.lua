@@ -74,3 +74,49 @@ lsos.scenario('another soil is felt', function(t)
   sim:run_for(20)
   t:check(sim.rovers.A.sinkage_m < 0.95 * before_m, 'it sinks less in dry sand')
 end)
+
+-- A habitat across the way: its hull lies north to south, 5 m wide and 13 m long.
+local function sim_with_habitat(event)
+  return lsos.sim {
+    rovers = { A = { type = 'SEV', heading_deg = 90, events = { event } } },
+    assets = { Hab = { type = 'Habitat', at = { 30, 0 } } },
+  }
+end
+
+lsos.scenario('a planned route goes round an asset', function(t)
+  local sim = sim_with_habitat { 'PathPlanRoute', at = { 60, 0 } }
+  local nearest_m = math.huge
+  sim:run_until(function(s)
+    local rover = s.rovers.A
+    nearest_m = math.min(nearest_m, math.abs(rover.position.y) + math.abs(rover.position.x - 30))
+    return s:event('A/10').status == 'completed'
+  end)
+  t:equal(sim:event('A/10').status, 'completed')
+  t:check(nearest_m > 6, ('%.1f m'):format(nearest_m))
+  t:check(sim.rovers.A.distance_m < 75, 'not far round')
+end)
+
+lsos.scenario('a planned route leads to a place beside an asset', function(t)
+  -- Its side is 1.9 m from its middle, that of the hull 2.5 m: 1 m is left.
+  local sim = sim_with_habitat { 'PathPlanRoute', at = { 24.6, 0 } }
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed')
+end)
+
+lsos.scenario('a drive ends before an asset that stands in its way', function(t)
+  local sim = sim_with_habitat { 'Route', at = { 60, 0 } }
+  sim:run()
+  local event = sim:event('A/10')
+  t:equal(event.status, 'failed')
+  t:check(event.reason:find('would touch Hab', 1, true), event.reason)
+  t:check(sim.rovers.A.position.x < 26, 'it stands before the hull')
+  t:equal(#sim:notes('would_touch'), 1)
+end)
+
+lsos.scenario('what the rover has not fails an event without a traceback', function(t)
+  local sim = lsos.sim { rovers = { A = { type = 'LRV', events = {
+    { 'DeploySP', OnFailure = 'skip' }, { 'Pause', Duration = 1 },
+  } } } }
+  sim:run()
+  t:equal(sim:event('A/10').reason, 'the rover has no solar panels')
+end)

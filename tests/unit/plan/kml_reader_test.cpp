@@ -95,11 +95,13 @@ TEST(KmlReader, schema_names_are_resolved) {
   const KmlSource source =
       parse_kml(test::document(data("#S1") + data("other.kml#S1") + data("#Route") + data("#S2") +
                                data("http://x/#a#Rover") + data("Route") +
-                               "<Schema id='S1' name='Pause'/><Schema id='S2'/>"),
+                               data("#Wait.schema") +
+                               "<Schema id='S1' name='Pause'/><Schema id='S2'/>"
+                               "<Schema id='Wait.schema'/>"),
                 "a.kml");
   std::vector<std::string> names;
   for (const SourcePlacemark& each : source.placemarks) names.push_back(each.data.at(0).schema);
-  EXPECT_THAT(names, ::testing::ElementsAre("Pause", "S1", "Route", "S2", "Rover", ""));
+  EXPECT_THAT(names, ::testing::ElementsAre("Pause", "S1", "Route", "S2", "Rover", "", "Wait"));
 }
 
 TEST(KmlReader, prefixes_and_nesting_do_not_matter) {
@@ -164,6 +166,10 @@ TEST(KmlReader, a_kmz_is_read_from_doc_kml_or_its_first_kml) {
   EXPECT_TRUE(main.file.ends_with("archive.kmz/doc.kml")) << main.file;
   const KmlSource first = read_kml(kmz({{"x.png", "?"}, {"in/b.KML", other}, {"c.kml", small}}));
   EXPECT_EQ(first.placemarks.at(0).name, "other");
+  // What macOS packs beside the user's files.
+  const KmlSource mac =
+      read_kml(kmz({{"__MACOSX/._plan.kml", "?"}, {"in/._plan.kml", "?"}, {"plan.kml", small}}));
+  EXPECT_EQ(mac.placemarks.at(0).name, "here");
 }
 
 TEST(KmlReader, a_kmz_without_a_document_or_cut_short_is_refused) {

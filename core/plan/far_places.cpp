@@ -1,0 +1,226 @@
+#include "plan/far_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/units.h"
+#include "plan/expected_places.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+// A leg is far from this on, and when it is so many times longer than the median of the rover's
+// other legs; a place that a slip explains, and 0,0, from less on.
+constexpr double far_m = 10e3, median_times = 20, slip_m = 1e3;
+// A slip explains a place that without it would be so much nearer.
+constexpr double nearer_share = 0.1;
+// Rovers and assets of one mission are no farther from each other.
+constexpr double together_m = 100e3;
+
+bool is_origin(const Geodetic& place) { return place.lon_rad == 0 && place.lat_rad == 0; }
+
+std::optional<Geodetic> exchanged(const Geodetic& place) {
+  if (std::abs(lon_deg(place)) > 90) return {};
+  return geodetic_from_degrees(lat_deg(place), lon_deg(place));
+}
+
+// How far a place is that was meant in place of another, if it explains the distance.
+std::optional<double> explained_m(const Body& body, const Geodetic& from, double distance_m,
+                                  const std::optional<Geodetic>& meant) {
+  if (!meant) return {};
+  const double away_m = surface_distance_m(body, from, *meant);
+  return away_m <= nearer_share * distance_m ? std::optional(away_m) : std::nullopt;
+}
+
+// What may have been meant by a place; "" where no slip is known that explains it.
+std::string slip_text(const Body& body, const Geodetic& from, const Geodetic& place,
+                      double distance_m, const std::optional<Geodetic>& with_comma) {
+  if (const auto away_m = explained_m(body, from, distance_m, with_comma)) {
+    return fmt::format(
+        "; with decimal commas, {:.6g},{:.6g}, it would be {} away: decimals take a "
+        "point here",
+        lon_deg(*with_comma), lat_deg(*with_comma), distance_text(*away_m));
+  }
+  const std::string text = exchanged_text(body, from, place);
+  if (!text.empty() || !is_origin(place)) return text;
+  return "; 0,0 is what tools write for a place that they do not know";
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+// The legs of an event: from the expected place to its first point, and on.
+struct Leg {
+  std::size_t waypoint = 0;  // the first is 1
+  std::optional<Geodetic> from;
+  Geodetic to;
+};
+
+std::vector<Leg> legs_of(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
+  std::vector<Leg> legs;
+  std::optional<Geodetic> from = expected;
+  for (const Geodetic& point : draft.event.geometry.points) {
+    legs.push_back({legs.size() + 1, from, point});
+    from = point;
+  }
+  return legs;
+}
+
+class FarWaypoints {
+ public:
+  FarWaypoints(const Body& body, Faults& faults) : body_(body), faults_(faults) {}
+
+  void measure(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
+    for (const Leg& leg : legs_of(draft, expected)) {
+      if (!leg.from) continue;
+      lengths_m_[draft.event.rover_id].push_back(surface_distance_m(body_, *leg.from, leg.to));
+    }
+  }
+
+  // After measure() of all. One warning an event; none for the way back from a far place.
+  void check(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
+    const std::string& rover = draft.event.rover_id;
+    const bool is_back = strayed_.contains(rover);
+    strayed_.erase(rover);
+    for (const Leg& leg : legs_of(draft, expected)) {
+      if (!leg.from || (is_back && leg.waypoint == 1)) continue;
+      if (!warn_if_far(draft, leg)) continue;
+      const Geodetic& last = draft.event.geometry.points.back();
+      if (surface_distance_m(body_, *leg.from, last) > slip_m) strayed_.insert(rover);
+      return;
+    }
+  }
+
+ private:
+  bool warn_if_far(const DraftEvent& draft, const Leg& leg) {
+    const PlanEvent& event = draft.event;
+    const double distance_m = surface_distance_m(body_, *leg.from, leg.to);
+    if (distance_m <= slip_m) return false;
+    const bool has_comma = leg.waypoint <= draft.comma_places.size();
+    const std::string slip =
+        slip_text(body_, *leg.from, leg.to, distance_m,
+                  has_comma ? std::optional(draft.comma_places[leg.waypoint - 1]) : std::nullopt);
+    std::vector<double> others_m = lengths_m_[event.rover_id];
+    others_m.erase(std::ranges::find(others_m, distance_m));
+    const double usual_m = median_times * median(std::move(others_m));
+    const bool is_far = distance_m > far_m && (distance_m > usual_m || distance_m > together_m);
+    if (slip.empty() && !is_far) return false;
+    const bool is_corner = event.geometry.kind == GeometryKind::polygon;
+    const std::string from =
+        leg.waypoint == 1
+            ? fmt::format("where rover {} then is expected", quoted(event.rover_id))
+            : fmt::format("{} {}", is_corner ? "corner" : "waypoint", leg.waypoint - 1);
+    faults_.warning({event.place.file, event.geometry.line},
+                    fmt::format("{}: {} {} ({:.6f},{:.6f}) is {} from {}{}", draft.subject,
+                                is_corner ? "corner" : "waypoint", leg.waypoint, lon_deg(leg.to),
+                                lat_deg(leg.to), distance_text(distance_m), from, slip));
+    return true;
+  }
+
+  const Body& body_;
+  Faults& faults_;
+  std::map<std::string, std::vector<double>> lengths_m_;  // by rover
+  std::set<std::string> strayed_;                         // rovers that a far waypoint has led away
+};
+
+// Of a rover or an asset, from the first rover's start.
+void check_start(const Body& body, const PlanRover& first, const Geodetic& place,
+                 const Place& where, const std::string& subject, Faults& faults) {
+  const double distance_m = surface_distance_m(body, first.start, place);
+  if (distance_m <= slip_m) return;
+  const std::string slip = slip_text(body, first.start, place, distance_m, {});
+  if (slip.empty() && distance_m <= together_m) return;
+  faults.warning(where, fmt::format("{}: it is {} from rover {}{}", subject,
+                                    distance_text(distance_m), quoted(first.id), slip));
+}
+
+// A whole number as people write it before or after a decimal comma.
+bool is_whole(std::string_view text) {
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string distance_text(double distance_m) {
+  if (distance_m < 1000) return fmt::format("{:.0f} m", distance_m);
+  return fmt::format("{:.{}f} km", distance_m / 1000, distance_m < 10e3 ? 1 : 0);
+}
+
+std::string exchanged_text(const Body& body, const Geodetic& from, const Geodetic& place) {
+  const double distance_m = surface_distance_m(body, from, place);
+  const auto away_m = explained_m(body, from, distance_m, exchanged(place));
+  if (!away_m) return "";
+  return fmt::format(
+      "; with longitude and latitude exchanged it would be {} away: lon,lat is "
+      "wanted",
+      distance_text(*away_m));
+}
+
+std::vector<Geodetic> with_decimal_commas(const std::string& coordinates) {
+  std::vector<double> numbers;
+  std::size_t begin = 0;
+  while ((begin = coordinates.find_first_not_of(" \t\r\n", begin)) != std::string::npos) {
+    const std::size_t end =
+        std::min(coordinates.find_first_of(" \t\r\n", begin), coordinates.size());
+    const std::string_view tuple(coordinates.data() + begin, end - begin);
+    begin = end;
+    const std::size_t comma = tuple.find(',');
+    if (comma == std::string_view::npos) return {};
+    const std::string_view whole = tuple.substr(0, comma), decimals = tuple.substr(comma + 1);
+    const bool is_number = is_whole(whole) && is_whole(decimals) && std::isdigit(decimals[0]) != 0;
+    if (!is_number) return {};
+    const std::string text =
+        fmt::format("{}.{}", whole.starts_with('+') ? whole.substr(1) : whole, decimals);
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    numbers.push_back(value);
+  }
+  if (numbers.empty() || numbers.size() % 2 != 0) return {};
+  std::vector<Geodetic> places;
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    if (std::abs(numbers[i]) > 360 || std::abs(numbers[i + 1]) > 90) return {};
+    places.push_back(geodetic_from_degrees(numbers[i], numbers[i + 1]));
+  }
+  return places;
+}
+
+void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<PlanRover>& rovers,
+                      const std::vector<PlanAsset>& assets, const PlanGaps& gaps, const Body& body,
+                      Faults& faults) {
+  const auto first = std::ranges::find_if(
+      rovers, [&](const PlanRover& rover) { return !gaps.unplaced_rovers.contains(rover.id); });
+  if (first != rovers.end()) {
+    for (const PlanRover& rover : rovers) {
+      if (gaps.unplaced_rovers.contains(rover.id)) continue;
+      check_start(body, *first, rover.start, rover.place, fmt::format("Rover '{}'", rover.id),
+                  faults);
+    }
+    for (const PlanAsset& asset : assets) {
+      check_start(body, *first, asset.position, asset.place, fmt::format("Asset '{}'", asset.id),
+                  faults);
+    }
+  }
+  FarWaypoints far(body, faults);
+  const auto of_drives = [&](auto member) {
+    visit_expected_places(drafts, rovers, gaps,
+                          [&, member](const DraftEvent& draft, const auto& expected) {
+                            if (draft.drives) (far.*member)(draft, expected);
+                          });
+  };
+  of_drives(&FarWaypoints::measure);
+  of_drives(&FarWaypoints::check);
+}
+
+}  // namespace lsos

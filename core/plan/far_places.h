@@ -1,0 +1,29 @@
+// Places that are so far from where they should be that a slip of writing is likely: longitude and
+// latitude exchanged, decimal commas, 0,0.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plan/event_reader.h"
+
+namespace lsos {
+
+// "180 m", "4.2 km", "912 km"
+std::string distance_text(double distance_m);
+
+// "; with longitude and latitude exchanged it would be 12 m away" where that is a tenth of the
+// distance or less, else "".
+std::string exchanged_text(const Body& body, const Geodetic& from, const Geodetic& place);
+
+// The places that coordinates give when each two whole numbers are read as one number with a
+// decimal comma ("31,5 12,25": 31.5,12.25). Empty where they cannot be meant so.
+std::vector<Geodetic> with_decimal_commas(const std::string& coordinates);
+
+// A warning for each event with a waypoint, and for each rover or asset, that lies farther from the
+// place before it (the first rover's start) than can be meant.
+void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<PlanRover>& rovers,
+                      const std::vector<PlanAsset>& assets, const PlanGaps& gaps, const Body& body,
+                      Faults& faults);
+
+}  // namespace lsos
