@@ -1,0 +1,93 @@
+#include "base/polygon.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lsos {
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// The end of the side that begins at corner `i`.
+const Vec2& after(const Ring& ring, std::size_t i) { return ring[(i + 1) % ring.size()]; }
+
+bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto sides_differ = [](double first, double second) {
+    return (first > 0 && second < 0) || (first < 0 && second > 0);
+  };
+  return sides_differ(cross(b - a, c - a), cross(b - a, d - a)) &&
+         sides_differ(cross(d - c, a - c), cross(d - c, b - c));
+}
+
+}  // namespace
+
+bool contains(const Ring& ring, const Vec2& p_m) {
+  bool is_inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &a = ring[i], &b = after(ring, i);
+    if ((a.y() <= p_m.y()) == (b.y() <= p_m.y())) continue;
+    const double x_m = a.x() + (b.x() - a.x()) * (p_m.y() - a.y()) / (b.y() - a.y());
+    if (x_m > p_m.x()) is_inside = !is_inside;
+  }
+  return is_inside;
+}
+
+Vec2 nearest_on_segment(const Vec2& a_m, const Vec2& b_m, const Vec2& p_m) {
+  const Vec2 along_m = b_m - a_m;
+  const double length2_m2 = along_m.squaredNorm();
+  if (length2_m2 == 0) return a_m;
+  return a_m + std::clamp((p_m - a_m).dot(along_m) / length2_m2, 0.0, 1.0) * along_m;
+}
+
+Vec2 nearest_on_ring(const Ring& ring, const Vec2& p_m) {
+  Vec2 nearest_m = ring.front();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 on_side_m = nearest_on_segment(ring[i], after(ring, i), p_m);
+    if ((on_side_m - p_m).squaredNorm() < (nearest_m - p_m).squaredNorm()) nearest_m = on_side_m;
+  }
+  return nearest_m;
+}
+
+double segment_distance_m(const Vec2& a_m, const Vec2& b_m, const Vec2& c_m, const Vec2& d_m) {
+  if (do_cross(a_m, b_m, c_m, d_m)) return 0;
+  return std::min(std::min((nearest_on_segment(c_m, d_m, a_m) - a_m).norm(),
+                           (nearest_on_segment(c_m, d_m, b_m) - b_m).norm()),
+                  std::min((nearest_on_segment(a_m, b_m, c_m) - c_m).norm(),
+                           (nearest_on_segment(a_m, b_m, d_m) - d_m).norm()));
+}
+
+double ring_distance_m(const Ring& ring, const Vec2& a_m, const Vec2& b_m) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    least_m = std::min(least_m, segment_distance_m(ring[i], after(ring, i), a_m, b_m));
+  }
+  return least_m;
+}
+
+bool do_touch(const Ring& a, const Ring& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (ring_distance_m(b, a[i], after(a, i)) == 0) return true;
+  }
+  return false;
+}
+
+bool crosses_itself(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (std::size_t k = i + 2; k < ring.size(); ++k) {
+      if (i == 0 && k + 1 == ring.size()) continue;
+      if (segment_distance_m(ring[i], after(ring, i), ring[k], after(ring, k)) == 0) return true;
+    }
+  }
+  return false;
+}
+
+double doubled_area_m2(const Ring& ring) {
+  double sum_m2 = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    sum_m2 += cross(ring[i] - ring.front(), after(ring, i) - ring.front());
+  }
+  return sum_m2;
+}
+
+}  // namespace lsos
