@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "plan/polygon_rings.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -98,19 +99,39 @@ std::string read_tuple(const std::string& tuple, Geodetic& place) {
   return {};
 }
 
-// The places of `source`; only its first wrong coordinate is named.
-std::vector<Geodetic> read_places(const SourceGeometry& source,
+// The places of a text; only its first wrong coordinate is named.
+std::vector<Geodetic> read_tuples(const std::string& coordinates, int line,
                                   std::vector<CoordinateFault>& wrong) {
   std::vector<Geodetic> places;
-  Tuples tuples(source.coordinates, source.line);
+  Tuples tuples(coordinates, line);
   for (std::string tuple = tuples.next(); !tuple.empty(); tuple = tuples.next()) {
     const std::string what = read_tuple(tuple, places.emplace_back());
     if (what.empty()) continue;
     wrong.push_back({fmt::format("coordinates '{}': {}",
                                  tuple.size() > 80 ? tuple.substr(0, 80) + "..." : tuple, what),
                      tuples.line()});
-    return places;
+    break;
   }
+  return places;
+}
+
+// A ring ends where it begins, in KML; here each corner stands once.
+void read_corners(std::vector<Geodetic>& places, const std::string& what, int line,
+                  std::vector<CoordinateFault>& wrong) {
+  const Geodetic first = places.front(), last = places.back();
+  const bool is_closed = first.lon_rad == last.lon_rad && first.lat_rad == last.lat_rad;
+  if (is_closed) places.pop_back();
+  if (places.size() < 3) {
+    wrong.push_back({fmt::format("{} has {} corner{}; three or more are wanted", what,
+                                 places.size(), places.size() == 1 ? "" : "s"),
+                     line});
+  }
+}
+
+std::vector<Geodetic> read_places(const SourceGeometry& source,
+                                  std::vector<CoordinateFault>& wrong) {
+  std::vector<Geodetic> places = read_tuples(source.coordinates, source.line, wrong);
+  if (!wrong.empty()) return places;
   const bool is_point = source.kind == "Point";
   if (places.empty()) {
     wrong.push_back(
@@ -121,16 +142,34 @@ std::vector<Geodetic> read_places(const SourceGeometry& source,
   } else if (source.kind == "LineString" && places.size() < 2) {
     wrong.push_back({"LineString has one coordinate; two or more are wanted", source.line});
   } else if (source.kind == "Polygon") {
-    const Geodetic first = places.front(), last = places.back();
-    const bool is_closed = first.lon_rad == last.lon_rad && first.lat_rad == last.lat_rad;
-    if (is_closed) places.pop_back();
-    if (places.size() < 3) {
-      wrong.push_back({fmt::format("Polygon has {} corner{}; three or more are wanted",
-                                   places.size(), places.size() == 1 ? "" : "s"),
-                       source.line});
-    }
+    read_corners(places, "Polygon", source.line, wrong);
   }
   return places;
+}
+
+// The holes of a polygon whose outline is well.
+std::vector<std::vector<Geodetic>> read_holes(const SourceGeometry& source,
+                                              const std::vector<Geodetic>& outline,
+                                              std::vector<CoordinateFault>& wrong) {
+  std::vector<std::vector<Geodetic>> holes;
+  const auto name = [](std::size_t hole) {
+    return fmt::format("hole {} of the Polygon", hole + 1);
+  };
+  for (const SourceGeometry::Ring& ring : source.holes) {
+    std::vector<Geodetic> places = read_tuples(ring.coordinates, ring.line, wrong);
+    if (!wrong.empty()) return {};
+    if (places.empty()) {
+      wrong.push_back({name(holes.size()) + " has no coordinates; lon,lat is wanted", ring.line});
+    } else {
+      read_corners(places, name(holes.size()), ring.line, wrong);
+    }
+    if (!wrong.empty()) return {};
+    holes.push_back(std::move(places));
+  }
+  std::size_t hole = 0;
+  const std::string fault = hole_fault(outline, holes, hole);
+  if (!fault.empty()) wrong.push_back({name(hole) + " " + fault, source.holes[hole].line});
+  return holes;
 }
 
 }  // namespace
@@ -184,6 +223,7 @@ std::optional<PlanGeometry> read_geometry(const SourcePlacemark& placemark,
   geometry.line = source.line;
   std::vector<CoordinateFault> wrong;
   geometry.points = read_places(source, wrong);
+  if (wrong.empty()) geometry.holes = read_holes(source, geometry.points, wrong);
   if (!wrong.empty()) return refuse(wrong.front().line, wrong.front().what);
   return geometry;
 }

@@ -73,15 +73,48 @@ bool is_geometry(std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+// The one geometry in a MultiGeometry, which map tools write round any that could have several;
+// nullptr when there are more, or none.
+const XMLElement* only_member(const XMLElement& multi) {
+  const XMLElement* only = nullptr;
+  for (const auto* each = multi.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    if (!is_geometry(local_name(*each))) continue;
+    if (only != nullptr) return nullptr;
+    only = each;
+  }
+  return only;
+}
+
+// The holes of a Polygon. Some tools write all rings into one innerBoundaryIs.
+std::vector<SourceGeometry::Ring> holes_of(const XMLElement& polygon) {
+  std::vector<SourceGeometry::Ring> holes;
+  for (const auto* each = polygon.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    if (local_name(*each) != "innerBoundaryIs") continue;
+    for (const auto* ring = each->FirstChildElement(); ring; ring = ring->NextSiblingElement()) {
+      if (local_name(*ring) != "LinearRing") continue;
+      const XMLElement* coordinates = child(*ring, "coordinates");
+      LinedText text =
+          coordinates == nullptr ? LinedText{"", ring->GetLineNum()} : text_of(*coordinates);
+      holes.push_back({std::move(text.text), text.line});
+    }
+  }
+  return holes;
+}
+
+// Depth is bounded by tinyxml2's limit on nested elements.
 SourceGeometry geometry(const XMLElement& element) {
+  const std::string_view name = local_name(element);
+  if (const XMLElement* only = name == "MultiGeometry" ? only_member(element) : nullptr) {
+    return geometry(*only);
+  }
   SourceGeometry found;
   found.line = element.GetLineNum();
-  const std::string_view name = local_name(element);
   found.kind = name.ends_with("Track") ? fmt::format("gx:{}", name) : std::string(name);
   const XMLElement* ring = nullptr;
   if (name == "Polygon") {
     const XMLElement* outline = child(element, "outerBoundaryIs");
     if (outline != nullptr) ring = child(*outline, "LinearRing");
+    found.holes = holes_of(element);
   }
   if (name != "Point" && name != "LineString" && ring == nullptr) return found;
   if (const XMLElement* coordinates = child(ring == nullptr ? element : *ring, "coordinates")) {

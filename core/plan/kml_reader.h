@@ -23,10 +23,17 @@ struct SourceData {
 };
 
 struct SourceGeometry {
-  std::string kind;  // "Point", "LineString", "Polygon", "MultiGeometry", "gx:Track", ...
+  // "Point", "LineString", "Polygon", "MultiGeometry" (of several, or none), "gx:Track", ...
+  std::string kind;
   // Of Point, LineString and a Polygon's outline: text as written, without blanks around it.
   std::string coordinates;
   int line = 0;  // of the first coordinate; else of the geometry
+  // A Polygon's holes (innerBoundaryIs).
+  struct Ring {
+    std::string coordinates;
+    int line = 0;
+  };
+  std::vector<Ring> holes = {};
 };
 
 struct SourcePlacemark {

@@ -218,14 +218,18 @@ class Writer {
     if (!is_polygon) {
       coordinates(geometry, geometry.points);
     } else {
-      std::vector<Geodetic> ring = geometry.points;
-      ring.push_back(ring.front());
-      open("outerBoundaryIs");
-      open("LinearRing");
-      coordinates(geometry, ring);
-      close();
-      close();
+      boundary("outerBoundaryIs", geometry, geometry.points);
+      for (const auto& hole : geometry.holes) boundary("innerBoundaryIs", geometry, hole);
     }
+    close();
+  }
+
+  void boundary(const char* name, const KmlGeometry& geometry, std::vector<Geodetic> ring) {
+    ring.push_back(ring.front());
+    open(name);
+    open("LinearRing");
+    coordinates(geometry, ring);
+    close();
     close();
   }
 

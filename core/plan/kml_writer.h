@@ -43,6 +43,8 @@ struct KmlGeometry {
   std::vector<Geodetic> points;
   // false: the points' heights count, above the reference surface (KML "absolute").
   bool clamp_to_ground = true;
+  // Corners of a polygon's holes, as those of its outline.
+  std::vector<std::vector<Geodetic>> holes = {};
 };
 
 // Places in the order of time; a viewer moves an icon along them.

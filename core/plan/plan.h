@@ -60,6 +60,9 @@ struct PlanAsset {
 struct PlanGeometry {
   GeometryKind kind = GeometryKind::none;
   std::vector<Geodetic> points;  // one for a Point; of a Polygon each corner of its outline once
+  // The holes of a Polygon, each corner once. They lie inside the outline, apart from it and from
+  // each other.
+  std::vector<std::vector<Geodetic>> holes = {};
   int line = 0;
 };
 

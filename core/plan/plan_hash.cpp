@@ -77,6 +77,10 @@ void add_event(Digest& digest, const PlanEvent& event) {
   digest.integer("sequence", event.sequence);
   digest.integer("geometry", static_cast<std::int64_t>(event.geometry.kind));
   for (const Geodetic& point : event.geometry.points) digest.place("point", point);
+  for (const std::vector<Geodetic>& hole : event.geometry.holes) {
+    digest.integer("hole", static_cast<std::int64_t>(hole.size()));
+    for (const Geodetic& point : hole) digest.place("point", point);
+  }
   for (const auto& [key, value] : event.params) digest.value(key, value);
   digest.integer("enabled", event.is_enabled);
   if (event.start_time) digest.integer("start_time", event.start_time->tai_us);

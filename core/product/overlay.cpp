@@ -175,7 +175,13 @@ KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const Rover
     line.name = fmt::format("{} {} (plan)", rover_id, event.label);
     line.style_id = style.plan_id;
     line.geometry = {KmlGeometryKind::line, unrolled(std::move(points))};
-    folder.placemarks.push_back(std::move(line));
+    folder.placemarks.push_back(line);
+    for (std::vector<Geodetic> hole : event.geometry.holes) {
+      hole.push_back(hole.front());
+      line.name = fmt::format("{} {} (plan, kept out of)", rover_id, event.label);
+      line.geometry = {KmlGeometryKind::line, unrolled(std::move(hole))};
+      folder.placemarks.push_back(line);
+    }
   }
   return folder;
 }

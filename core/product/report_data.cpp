@@ -125,6 +125,10 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
     MapLine line = map_line(site, event.geometry.points);
     if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
     rover->drawn.push_back(std::move(line));
+    for (const std::vector<Geodetic>& hole : event.geometry.holes) {
+      rover->drawn.push_back(map_line(site, hole));
+      rover->drawn.back().push_back(rover->drawn.back().front());
+    }
   }
   for (const PlannedPathRow& path : log.planned_paths()) {
     if (ReportRover* rover = find_rover(data, path.rover_id)) {

@@ -126,7 +126,7 @@ class Mission {
     PlanEvent& driven = event(type);
     const Body& moon = *find_body("Moon");
     const SiteFrame site(moon, setup_.plan.rovers.back().start);
-    driven.geometry = {GeometryKind::point, {site.geodetic({east_m, 0, 0})}, 1};
+    driven.geometry = {GeometryKind::point, {site.geodetic({east_m, 0, 0})}, {}, 1};
     return driven;
   }
 

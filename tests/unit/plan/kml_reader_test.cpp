@@ -118,11 +118,44 @@ TEST(KmlReader, prefixes_and_nesting_do_not_matter) {
 TEST(KmlReader, kinds_of_geometry_are_told) {
   const KmlSource source =
       parse_kml(test::document("<Placemark><Polygon/></Placemark><Placemark><gx:Track/></Placemark>"
-                               "<Placemark><MultiGeometry><Point/></MultiGeometry></Placemark>"),
+                               "<Placemark><MultiGeometry><Point/><Point/></MultiGeometry>"
+                               "</Placemark>"),
                 "a.kml");
   std::vector<std::string> kinds;
   for (const auto& each : source.placemarks) kinds.push_back(each.geometries.at(0).kind);
   EXPECT_THAT(kinds, ::testing::ElementsAre("Polygon", "gx:Track", "MultiGeometry"));
+}
+
+// Map tools write it round any geometry that could have had more than one part.
+TEST(KmlReader, a_multi_geometry_of_one_is_that_one) {
+  const KmlSource source = parse_kml(
+      test::document("<Placemark><MultiGeometry>\n<LineString><coordinates>1,2 3,4</coordinates>"
+                     "</LineString></MultiGeometry></Placemark><Placemark><MultiGeometry>"
+                     "<MultiGeometry><Point><coordinates>5,6</coordinates></Point></MultiGeometry>"
+                     "</MultiGeometry></Placemark><Placemark><MultiGeometry/></Placemark>"),
+      "a.kml");
+  EXPECT_EQ(source.placemarks[0].geometries.at(0).kind, "LineString");
+  EXPECT_EQ(source.placemarks[0].geometries.at(0).coordinates, "1,2 3,4");
+  EXPECT_EQ(source.placemarks[1].geometries.at(0).kind, "Point");
+  EXPECT_EQ(source.placemarks[2].geometries.at(0).kind, "MultiGeometry");
+}
+
+TEST(KmlReader, holes_of_a_polygon_are_read_however_they_are_wrapped) {
+  const auto ring = [](const std::string& text) {
+    return "<LinearRing><coordinates>" + text + "</coordinates></LinearRing>";
+  };
+  const KmlSource source =
+      parse_kml(test::document("<Placemark><Polygon><outerBoundaryIs>" + ring("1,1") +
+                               "</outerBoundaryIs>" + "<innerBoundaryIs>" + ring("2,2") +
+                               ring("3,3") + "</innerBoundaryIs>" + "<innerBoundaryIs>\n" +
+                               ring("4,4") + "</innerBoundaryIs></Polygon></Placemark>"),
+                "a.kml");
+  const SourceGeometry& polygon = source.placemarks[0].geometries.at(0);
+  EXPECT_EQ(polygon.coordinates, "1,1");
+  std::vector<std::string> holes;
+  for (const SourceGeometry::Ring& hole : polygon.holes) holes.push_back(hole.coordinates);
+  EXPECT_THAT(holes, ::testing::ElementsAre("2,2", "3,3", "4,4"));
+  EXPECT_EQ(polygon.holes[2].line, polygon.holes[0].line + 1);
 }
 
 TEST(KmlReader, encodings_are_converted) {

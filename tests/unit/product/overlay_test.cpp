@@ -63,6 +63,7 @@ Plan test_plan() {
   route.label = "Route 10";
   route.geometry = {GeometryKind::line,
                     {geodetic_from_degrees(-10.5, -89.25), geodetic_from_degrees(-10.4, -89.25)},
+                    {},
                     7};
   plan.events = {route};
   return plan;

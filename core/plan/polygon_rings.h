@@ -1,0 +1,16 @@
+// Whether the holes of a polygon are what they are to be.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planet/body.h"
+
+namespace lsos {
+
+// What is wrong with a polygon's holes; "" when each lies inside the outline, apart from it and
+// from the others. `hole`: the first that is wrong, from 0.
+std::string hole_fault(const std::vector<Geodetic>& outline,
+                       const std::vector<std::vector<Geodetic>>& holes, std::size_t& hole);
+
+}  // namespace lsos
