@@ -2,12 +2,19 @@
 
 local lsos = require 'lsos'
 
-local function check(p)
+local function check(p, rover)
   if p.amount and not p.resource then return 'Amount without Resource: of what?' end
   if p.resource and not p.amount then return 'Resource without Amount: how much?' end
   if p.power_w and not p.duration_s then return 'Power without Duration: for how long?' end
   if not (p.power_w or p.resource) then
     return 'nothing is used: Power and Duration, or Resource and Amount, are wanted'
+  end
+  if p.power_w and rover and not rover.battery_capacity_j then
+    return rover.type .. ' has no battery'
+  end
+  local takes_nothing = not p.resource or p.amount == 0
+  if takes_nothing and (not p.power_w or p.power_w == 0 or p.duration_s == 0) then
+    return nil, 'nothing is used: a Power, Duration or Amount is 0'
   end
 end
 

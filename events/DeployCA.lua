@@ -4,7 +4,12 @@ local lsos = require 'lsos'
 
 local function start(ev, rover)
   rover:brake()
-  ev.state.takes_s = rover.antennas:deploy(ev.params.asset, ev.params.duration_s)
+  local takes_s, moves = rover.antennas:deploy(ev.params.asset, ev.params.duration_s)
+  ev.state.takes_s = takes_s
+  if not moves then
+    local name = ev.params.asset
+    ev:warn('%s up already: nothing was done', name and ("'%s' is"):format(name) or 'all are')
+  end
   return 'deploy'
 end
 

@@ -13,6 +13,16 @@ local function stay(duration, next)
   end
 end
 
+local function check(p, rover)
+  if p.exit_duration_s + p.activity_duration_s + p.entry_duration_s == 0 then
+    return nil, 'ExitDuration, ActivityDuration and EntryDuration are 0: it does nothing'
+  end
+  if p.power_w > 0 and rover and not rover.battery_capacity_j then
+    return nil, ('Power = %g W: %s has no battery, the energy is not counted'):format(p.power_w,
+      rover.type)
+  end
+end
+
 local function start(ev, _)
   ev:log('eva', { crew = ev.params.crew })
   return 'exit'
@@ -46,6 +56,7 @@ return lsos.event {
     },
   },
 
+  check  = check,
   start  = 'start',
   phases = {
     start    = start,

@@ -12,6 +12,14 @@ local function route(params)
   }
 end
 
+local function check(p, rover)
+  local most_rad = rover and rover.slope_max_rad
+  if most_rad and p.slope_max_rad and p.slope_max_rad > most_rad then
+    return nil, ('MaxSlope = %.3g deg: %s is planned over %.3g deg at most')
+      :format(math.deg(p.slope_max_rad), rover.type, math.deg(most_rad))
+  end
+end
+
 local function plan(ev, rover)
   local options = route(ev.params)
   options.first = ev.state.next_waypoint
@@ -105,6 +113,7 @@ return lsos.event {
     },
   },
 
+  check  = check,
   route  = route,
   start  = 'plan',
   phases = { plan = plan, drive = drive, stop = stop },

@@ -19,7 +19,36 @@ local function level_j(text, capacity_j)
   return factor and number * factor
 end
 
-local function check(p)
+-- A level that is the battery's own may be rounded.
+local rounding = 1 + 1e-9
+
+-- What is wrong with the level, once the battery is known.
+local function level_fault(p, rover)
+  local capacity_j = rover.battery_capacity_j
+  local wanted_j = level_j(p.energy_level, capacity_j)
+  if wanted_j and wanted_j > capacity_j * rounding then
+    return ("EnergyLevel = '%s': the battery of %s holds %g kWh")
+      :format(p.energy_level, rover.type, capacity_j / joules.kWh)
+  end
+end
+
+-- What is asked in vain, of a rover with a battery.
+local function vain(p, rover)
+  local most_w = rover.charge_power_max_w
+  if p.duration_s == 0 and not p.until_charge then return 'Duration = 0: nothing flows' end
+  if p.energy_rate_w == 0 then return 'EnergyRate = 0 W: nothing comes from outside' end
+  if most_w and p.energy_rate_w and p.energy_rate_w > most_w then
+    return ('EnergyRate = %g W: the battery of %s takes %g W at most, what is used at once besides')
+      :format(p.energy_rate_w, rover.type, most_w)
+  end
+  local waits_for_sun = p.until_charge and not (p.energy_rate_w or p.from)
+  if waits_for_sun and #rover.panels == 0 then
+    return ('UntilCharge without EnergyRate or From waits for the Sun, and %s has no solar panels')
+      :format(rover.type)
+  end
+end
+
+local function check(p, rover)
   if p.energy_level and not level_j(p.energy_level, 1) then
     local number, unit = parts(p.energy_level)
     if number and unit == '%' then
@@ -35,6 +64,11 @@ local function check(p)
   if not (p.energy_level or p.duration_s or p.until_charge) then
     return 'nothing is asked: EnergyLevel, Duration or UntilCharge is wanted'
   end
+  if not rover then return nil end
+  if not rover.battery_capacity_j then return rover.type .. ' has no battery' end
+  local fault = p.energy_level and level_fault(p, rover)
+  if fault then return fault end
+  return nil, vain(p, rover)
 end
 
 local function start(ev, rover)
@@ -42,7 +76,12 @@ local function start(ev, rover)
   rover:brake()
   if not battery then return lsos.fail('%s has no battery', rover.id) end
   if p.energy_level then
-    battery:set_energy(level_j(p.energy_level, battery.capacity_j))
+    local wanted_j = level_j(p.energy_level, battery.capacity_j)
+    if wanted_j > battery.capacity_j * rounding then
+      return lsos.fail("EnergyLevel = '%s': the battery holds %g kWh", p.energy_level,
+        battery.capacity_j / joules.kWh)
+    end
+    battery:set_energy(wanted_j)
   end
   if not (p.duration_s or p.until_charge) then return lsos.done end
   if p.from then
@@ -57,7 +96,12 @@ end
 local function charge(ev, rover)
   local p, battery = ev.params, rover.battery
   local left_s = (p.duration_s or math.huge) - ev.phase_elapsed_s
-  if left_s <= 0 or p.until_charge and battery.charge >= p.until_charge then return lsos.done end
+  if p.until_charge and battery.charge >= p.until_charge then return lsos.done end
+  if left_s <= 0 and p.until_charge then
+    return lsos.fail('Duration is over, charge is %.4g, UntilCharge is %.4g', battery.charge,
+      p.until_charge)
+  end
+  if left_s <= 0 then return lsos.done end
   if p.until_charge then battery:await_charge(p.until_charge) end
   return lsos.sleep(math.min(left_s, 86400))
 end
@@ -78,7 +122,8 @@ return lsos.event {
       doc = 'Power from outside while the event runs; with From: what is asked of the asset.',
     },
     duration_s    = lsos.duration {
-      kml = 'Duration', example = '10 min', doc = 'The longest that it takes.',
+      kml = 'Duration', example = '10 min',
+      doc = 'How long it takes; with UntilCharge the longest, and the event fails when it is over.',
     },
     until_charge  = lsos.number {
       kml = 'UntilCharge', unit = '1', min = 0, max = 1,
@@ -90,7 +135,16 @@ return lsos.event {
     },
   },
 
+  -- Waiting for a charge has no end of its own.
+  open_ended = function(p) return p.until_charge ~= nil and not p.duration_s end,
+
   check  = check,
   start  = 'start',
   phases = { start = start, charge = charge },
+
+  on_abort = function(ev, rover)
+    if not (ev.params.until_charge and rover.battery) then return nil end
+    return ('charge was %.4g, UntilCharge is %.4g'):format(rover.battery.charge,
+      ev.params.until_charge)
+  end,
 }

@@ -66,8 +66,14 @@ return lsos.event {
     },
   },
 
-  start  = 'chase',
-  phases = { chase = chase },
+  open_ended = true,
+  start      = 'chase',
+  phases     = { chase = chase },
 
-  on_abort = function(_, rover) rover:brake() end,
+  on_abort = function(ev, rover)
+    rover:brake()
+    local p = ev.params
+    return ("'%s' was %.0f m away, Distance is %g m"):format(p.with,
+      rover:distance_to_m(rover:place_of(p.with)), p.distance_m)
+  end,
 }

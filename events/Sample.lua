@@ -2,6 +2,13 @@
 
 local lsos = require 'lsos'
 
+local function check(p, rover)
+  if p.power_w > 0 and rover and not rover.battery_capacity_j then
+    return nil, ('Power = %g W: %s has no battery, the energy is not counted'):format(p.power_w,
+      rover.type)
+  end
+end
+
 local function start(ev, rover)
   rover:brake()
   if rover.battery then rover:work(ev.params.power_w) end
@@ -31,6 +38,7 @@ return lsos.event {
     },
   },
 
+  check  = check,
   start  = 'start',
   phases = { start = start, work = work },
 }

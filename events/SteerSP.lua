@@ -2,9 +2,50 @@
 
 local lsos = require 'lsos'
 
-local function check(p)
-  if p.mode ~= 'track' and not (p.azimuth_rad and p.elevation_rad) then
+-- On ground steeper than this no panel is steered.
+local tilt_max_rad = math.rad(30)
+
+local function degrees(angle_rad)
+  return ('%g deg'):format(math.floor(math.deg(angle_rad) * 100 + 0.5) / 100)
+end
+
+-- Whether an angle lies between two, going round either way.
+local function is_within(angle_rad, min_rad, max_rad)
+  return (angle_rad - min_rad) % (2 * math.pi) <= max_rad - min_rad + 1e-9
+end
+
+local function limits_text(panel)
+  return ("the panel '%s' turns to azimuths of %s to %s and elevations of %s to %s"):format(
+    panel.name, degrees(panel.azimuth_min_rad), degrees(panel.azimuth_max_rad),
+    degrees(panel.elevation_min_rad), degrees(panel.elevation_max_rad))
+end
+
+-- Angles about the rover that a panel cannot have.
+local function is_beyond(p, panel)
+  return not (is_within(p.azimuth_rad, panel.azimuth_min_rad, panel.azimuth_max_rad)
+    and p.elevation_rad >= panel.elevation_min_rad - 1e-9
+    and p.elevation_rad <= panel.elevation_max_rad + 1e-9)
+end
+
+-- Elevations above the horizon that it cannot face however the ground may tilt.
+local function is_out_of_sight(p, panel)
+  return p.elevation_rad < panel.elevation_min_rad - tilt_max_rad
+    or p.elevation_rad > panel.elevation_max_rad + tilt_max_rad
+end
+
+local function check(p, rover)
+  if p.mode == 'track' then return nil end
+  if not (p.azimuth_rad and p.elevation_rad) then
     return ('Mode = %s wants both Azimuth and Elevation'):format(p.mode)
+  end
+  for _, panel in ipairs(rover and rover.panels or {}) do
+    if panel.turns and (not p.panel or p.panel == panel.name) then
+      local cannot = p.mode == 'fixed' and is_beyond or is_out_of_sight
+      if cannot(p, panel) then
+        return nil, ('it cannot face azimuth %s, elevation %s: %s'):format(degrees(p.azimuth_rad),
+          degrees(p.elevation_rad), limits_text(panel))
+      end
+    end
   end
 end
 
@@ -16,13 +57,27 @@ local function start(ev, rover)
     azimuth_rad   = p.azimuth_rad,
     elevation_rad = p.elevation_rad,
   })
+  local sun_rad = rover:sky().sun_elevation_rad
+  if p.mode == 'track' and sun_rad < 0 then
+    ev:warn('the Sun is %s below the horizon; what tracks it stays as it is until it rises',
+      degrees(-sun_rad))
+  end
   return 'turn'
 end
 
-local function turn(_, rover)
+-- A panel that stopped at a limit faces another way than it was told.
+local function turn(ev, rover)
   local left_s = rover.panels.turn_left_s
-  if left_s <= 0 then return lsos.done end
-  return lsos.sleep(left_s)
+  if left_s > 0 then return lsos.sleep(left_s) end
+  for _, miss in ipairs(rover.panels:misses()) do
+    if not ev.params.panel or ev.params.panel == miss.panel then
+      return lsos.fail(
+        "the panel '%s' was told azimuth %s, elevation %s and stopped at azimuth %s, elevation %s",
+        miss.panel, degrees(miss.wanted_azimuth_rad), degrees(miss.wanted_elevation_rad),
+        degrees(miss.azimuth_rad), degrees(miss.elevation_rad))
+    end
+  end
+  return lsos.done
 end
 
 return lsos.event {

@@ -4,14 +4,21 @@ local lsos = require 'lsos'
 
 local function start(ev, rover)
   rover:brake()
-  ev.state.takes_s = rover.panels:stow(ev.params.panel, ev.params.duration_s)
+  local takes_s, moves = rover.panels:stow(ev.params.panel, ev.params.duration_s)
+  ev.state.takes_s = takes_s
+  if not moves then
+    local name = ev.params.panel
+    ev:warn('%s stowed already: nothing was done', name and ("'%s' is"):format(name) or 'all are')
+  end
   return 'stow'
 end
 
-local function stow(ev, _)
+-- One that got stuck on its way says so when it is told again.
+local function stow(ev, rover)
   local left_s = ev.state.takes_s - ev.phase_elapsed_s
-  if left_s <= 0 then return lsos.done end
-  return lsos.sleep(left_s)
+  if left_s > 0 then return lsos.sleep(left_s) end
+  if ev.state.takes_s > 0 then rover.panels:stow(ev.params.panel) end
+  return lsos.done
 end
 
 return lsos.event {

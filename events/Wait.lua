@@ -4,9 +4,11 @@ local lsos = require 'lsos'
 
 local function wait(ev, rover)
   rover:brake()
-  if ev.time_s >= ev.params.until_s then
-    return lsos.done
+  local left_s = ev.params.until_s - ev.time_s
+  if left_s < 0 and ev.phase_elapsed_s == 0 then
+    ev:warn('Until was over %.0f s before its turn came', -left_s)
   end
+  if left_s <= 0 then return lsos.done end
   return lsos.sleep_until(ev.params.until_s)
 end
 
@@ -22,4 +24,8 @@ return lsos.event {
 
   start  = 'wait',
   phases = { wait = wait },
+
+  on_abort = function(ev)
+    return ('Until was %.0f s away'):format(ev.params.until_s - ev.time_s)
+  end,
 }

@@ -35,7 +35,7 @@ const PhaseAnswer* to_answer(lua_State* L, int index) {
   return made == nullptr ? nullptr : std::any_cast<PhaseAnswer>(&made->value);
 }
 
-int answer_fail(lua_State* L) {
+std::string formatted(lua_State* L) {
   luaL_checkstring(L, 1);
   luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
   lua_getfield(L, -1, LUA_STRLIBNAME);
@@ -43,8 +43,14 @@ int answer_fail(lua_State* L) {
   lua_insert(L, 1);
   lua_pop(L, 2);
   lua_call(L, lua_gettop(L) - 1, 1);
+  std::string text = error_text(L, -1);
+  lua_settop(L, 0);
+  return text;
+}
+
+int answer_fail(lua_State* L) {
   constexpr std::size_t reason_bytes_max = 4000;
-  push_answer(L, Fail{error_text(L, -1).substr(0, reason_bytes_max)});
+  push_answer(L, Fail{formatted(L).substr(0, reason_bytes_max)});
   return 1;
 }
 

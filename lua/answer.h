@@ -2,6 +2,7 @@
 #pragma once
 
 #include <lua.hpp>
+#include <string>
 
 #include "mission/script_host.h"
 
@@ -11,6 +12,9 @@ void push_answer(lua_State* L, PhaseAnswer answer);
 
 // nullptr when the value at `index` is no answer.
 const PhaseAnswer* to_answer(lua_State* L, int index);
+
+// The text that string.format makes of all arguments; they are popped.
+std::string formatted(lua_State* L);
 
 // Functions of the lsos module.
 int answer_fail(lua_State* L);

@@ -170,7 +170,7 @@ Path3 read_path(lua_State* L, int index, const std::string& what) {
   constexpr std::int64_t instructions_per_point = 20;
   index = lua_absindex(L, index);
   if (const std::optional<Vec3> point = to_vec3(L, index)) return {*point};
-  if (const Path3* waypoints = to_geometry(L, index)) return *waypoints;
+  if (const EventArguments* given = to_geometry(L, index)) return given->geometry_S_m;
   if (!lua_istable(L, index) || is_vec3(L, index)) {
     throw std::runtime_error(
         fmt::format("{} wants a list of vec3, found {}", what, describe_no_vec3(L, index)));
@@ -190,7 +190,40 @@ Path3 read_path(lua_State* L, int index, const std::string& what) {
   return path;
 }
 
-Path3 read_waypoints(lua_State* L, int index, const EventDeclaration& event) {
+namespace {
+
+std::vector<Path3> read_holes(lua_State* L, int index, const EventDeclaration& event) {
+  std::vector<Path3> holes;
+  if (const EventArguments* arguments = to_geometry(L, index)) return arguments->holes_S_m;
+  if (!lua_istable(L, index) || is_vec3(L, index)) return holes;
+  lua_pushstring(L, "holes");
+  lua_rawget(L, index);
+  if (lua_istable(L, -1)) {
+    for (lua_Integer i = 1; lua_rawgeti(L, -1, i) != LUA_TNIL; ++i, lua_pop(L, 1)) {
+      holes.push_back(
+          read_path(L, -1, fmt::format("hole {} of the geometry of {}", i, event.name)));
+      if (holes.back().size() < 3) {
+        throw std::runtime_error(
+            fmt::format("hole {} of the geometry of {} has {} corners; three or more are wanted", i,
+                        event.name, holes.back().size()));
+      }
+    }
+    lua_pop(L, 1);
+  } else if (!lua_isnil(L, -1)) {
+    throw std::runtime_error(
+        fmt::format("the holes of the geometry of {}: a list of lists of vec3 "
+                    "is wanted, found {}",
+                    event.name, describe(L, -1)));
+  }
+  lua_pop(L, 1);
+  return holes;
+}
+
+}  // namespace
+
+void read_waypoints(lua_State* L, int index, const EventDeclaration& event,
+                    EventArguments& arguments) {
+  index = lua_absindex(L, index);
   Path3 path;
   if (!lua_isnil(L, index)) path = read_path(L, index, "the geometry of " + event.name);
   const GeometryKind kind = path.empty()       ? GeometryKind::none
@@ -203,7 +236,8 @@ Path3 read_waypoints(lua_State* L, int index, const EventDeclaration& event) {
     throw std::runtime_error(
         fmt::format("{} does not take a geometry of {} waypoints", event.name, path.size()));
   }
-  return path;
+  arguments.geometry_S_m = std::move(path);
+  arguments.holes_S_m = read_holes(L, index, event);
 }
 
 const EventDeclaration::Phase& find_phase(const EventDeclaration& event, const std::string& name) {

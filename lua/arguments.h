@@ -20,9 +20,11 @@ std::map<std::string, FieldValue> read_params(lua_State* L, int index,
 // Reads a vec3, a list of them or ev.geometry. Throws std::runtime_error naming `what`.
 Path3 read_path(lua_State* L, int index, const std::string& what);
 
-// Reads a path or nil. Throws std::runtime_error when it is something else, or a
-// geometry that the event does not take.
-Path3 read_waypoints(lua_State* L, int index, const EventDeclaration& event);
+// Reads a path or nil into the arguments' geometry; of a polygon its holes too, which a list has
+// under the key `holes`. Throws std::runtime_error when it is something else, or a geometry that
+// the event does not take.
+void read_waypoints(lua_State* L, int index, const EventDeclaration& event,
+                    EventArguments& arguments);
 
 // Throws std::runtime_error naming the phases when there is no such one.
 const EventDeclaration::Phase& find_phase(const EventDeclaration& event, const std::string& name);

@@ -179,6 +179,12 @@ const std::vector<ConditionName>& condition_names() {
   return names;
 }
 
+std::optional<double> condition_quantity(const std::string& name, const SampleRow& row) {
+  const auto found =
+      std::ranges::find_if(quantities(), [&](const Quantity& q) { return name == q.name; });
+  return found == quantities().end() ? std::nullopt : std::optional(found->of(row));
+}
+
 bool is_question(const std::string& name) {
   return std::ranges::any_of(questions, [&](const ConditionName& q) { return name == q.name; });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lua.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,17 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
                      const RoverPort& rover);
 
+// What the quantities and questions that it names are now: "charge was 0.93, sees('B') was false".
+std::string condition_values(const std::string& text, const SampleRow& row, const RoverPort& rover);
+
 struct ConditionName {
   const char* name;
   const char* doc;
 };
 // All that it can name, beside Lua's `and`, `or`, `not` and `math`.
 const std::vector<ConditionName>& condition_names();
+// A quantity of a row by its name; absent: a condition has no such one.
+std::optional<double> condition_quantity(const std::string& name, const SampleRow& row);
 // Whether the name is one that is asked with a text: sees('SEV2').
 bool is_question(const std::string& name);
 // Whether that question's answer is a number; else it is true or false.

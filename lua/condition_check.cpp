@@ -7,82 +7,18 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "base/error.h"
 #include "lua/condition.h"
 #include "lua/condition_words.h"
+#include "lua/everyday_words.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
 
 namespace lsos {
 
 namespace {
-
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-struct Word {
-  enum class Kind { name, text, number, symbol };
-  Kind kind = Kind::symbol;
-  std::string text;
-};
-
-// Past the end of [==[ ... ]==] that begins at `at`; absent: none does.
-std::optional<std::size_t> long_text_end(const std::string& text, std::size_t at,
-                                         std::size_t& level) {
-  level = text.find_first_not_of('=', at + 1);
-  if (text[at] != '[' || level == std::string::npos || text[level] != '[') return {};
-  level -= at + 1;
-  const std::size_t end = text.find("]" + std::string(level, '=') + "]", at);
-  return end == std::string::npos ? text.size() : end + level + 2;
-}
-
-// As Lua reads it, without comments. What is no Lua is told by Lua's own parser.
-std::vector<Word> words_of(const std::string& text) {
-  std::vector<Word> words;
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    const std::size_t begin = i;
-    std::size_t level = 0;
-    if (text.compare(i, 2, "--") == 0) {
-      const auto end =
-          i + 2 < text.size() ? long_text_end(text, i + 2, level) : std::optional<std::size_t>();
-      i = end ? *end : std::min(text.find('\n', i), text.size());
-    } else if (c == '\'' || c == '"') {
-      ++i;
-      while (i < text.size() && text[i] != c) i += text[i] == '\\' ? 2 : 1;
-      i = std::min(i, text.size());
-      words.push_back({Word::Kind::text, text.substr(begin + 1, i - begin - 1)});
-      ++i;
-    } else if (const auto end = long_text_end(text, i, level)) {
-      i = *end;
-      const std::size_t edge = level + 2;
-      words.push_back({Word::Kind::text, text.substr(begin + edge, i - begin - 2 * edge)});
-    } else if (std::isdigit(static_cast<unsigned char>(c)) != 0 ||
-               (c == '.' && i + 1 < text.size() &&
-                std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0)) {
-      while (i < text.size() && (is_letter(text[i]) || text[i] == '.')) ++i;
-      words.push_back({Word::Kind::number, text.substr(begin, i - begin)});
-    } else if (is_letter(c)) {
-      while (i < text.size() && is_letter(text[i])) ++i;
-      words.push_back({Word::Kind::name, text.substr(begin, i - begin)});
-    } else {
-      ++i;
-      if (std::isspace(static_cast<unsigned char>(c)) == 0) {
-        words.push_back({Word::Kind::symbol, {c}});
-      }
-    }
-  }
-  return words;
-}
-
-// The text that the question at `i` is asked with: sees('B'), sees 'B'; nullptr: not a plain one.
-const std::string* argument_of(const std::vector<Word>& words, std::size_t i) {
-  const std::size_t at =
-      i + 1 < words.size() && words[i + 1].text == "(" && words[i + 1].kind == Word::Kind::symbol
-          ? i + 2
-          : i + 1;
-  return at < words.size() && words[at].kind == Word::Kind::text ? &words[at].text : nullptr;
-}
 
 // "" when it may be there without being known.
 std::string unknown(const char* what, const std::string& name, const std::set<std::string>& known,
@@ -113,10 +49,10 @@ std::string argument_fault(const std::string& question, const std::string& argum
 // What an operand of == or ~= is, where one word or one question says it.
 enum class Operand { unclear, number, truth, text };
 
-Operand operand_of(const Word& word) {
-  if (word.kind == Word::Kind::number) return Operand::number;
-  if (word.kind == Word::Kind::text) return Operand::text;
-  if (word.kind != Word::Kind::name) return Operand::unclear;
+Operand operand_of(const ConditionWord& word) {
+  if (word.kind == ConditionWord::Kind::number) return Operand::number;
+  if (word.kind == ConditionWord::Kind::text) return Operand::text;
+  if (word.kind != ConditionWord::Kind::name) return Operand::unclear;
   if (word.text == "true" || word.text == "false") return Operand::truth;
   if (is_question(word.text)) return gives_number(word.text) ? Operand::number : Operand::truth;
   const bool is_quantity = std::ranges::any_of(
@@ -125,34 +61,34 @@ Operand operand_of(const Word& word) {
 }
 
 // Where the operand that ends at `i` begins: sees('B') and sees 'B' are one.
-std::size_t operand_begin(const std::vector<Word>& words, std::size_t i) {
+std::size_t operand_begin(const std::vector<ConditionWord>& words, std::size_t i) {
   const auto asks = [&](std::size_t at) {
-    return words[at].kind == Word::Kind::name && is_question(words[at].text);
+    return words[at].kind == ConditionWord::Kind::name && is_question(words[at].text);
   };
   if (i >= 3 && words[i].text == ")" && words[i - 2].text == "(" && asks(i - 3)) return i - 3;
-  if (i >= 1 && words[i].kind == Word::Kind::text && asks(i - 1)) return i - 1;
+  if (i >= 1 && words[i].kind == ConditionWord::Kind::text && asks(i - 1)) return i - 1;
   return i;
 }
 
 // Behind the operand that begins at `i`.
-std::size_t operand_end(const std::vector<Word>& words, std::size_t i) {
+std::size_t operand_end(const std::vector<ConditionWord>& words, std::size_t i) {
   if (!is_question(words[i].text)) return i + 1;
   return i + 1 < words.size() && words[i + 1].text == "(" ? i + 4 : i + 2;
 }
 
 // What binds an operand of == to nothing else before it, or after it.
-bool begins_operand(const Word& before) {
+bool begins_operand(const ConditionWord& before) {
   return before.text == "(" || before.text == "and" || before.text == "or";
 }
-bool ends_operand(const Word& after) {
+bool ends_operand(const ConditionWord& after) {
   return after.text == ")" || after.text == "and" || after.text == "or";
 }
 
 // Lua compares a number with a truth or a text without complaint: they never are the same.
-std::string equality_fault(const std::vector<Word>& words) {
+std::string equality_fault(const std::vector<ConditionWord>& words) {
   static constexpr const char* names[] = {"", "a number", "true or false", "a text"};
   const auto is_one_of = [&](std::size_t at, std::string_view symbols) {
-    return words[at].kind == Word::Kind::symbol &&
+    return words[at].kind == ConditionWord::Kind::symbol &&
            symbols.find(words[at].text) != std::string_view::npos;
   };
   for (std::size_t i = 1; i + 2 < words.size(); ++i) {
@@ -180,18 +116,18 @@ std::string equality_fault(const std::vector<Word>& words) {
 }
 
 // What is wrong with the word at `i`, where it names something.
-std::string name_fault(lua_State* L, const std::vector<Word>& words, std::size_t i,
+std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, std::size_t i,
                        const ConditionWorld& world) {
   static const std::set<std::string> lua_words{"and", "or", "not", "true", "false", "math"};
   const std::string& word = words[i].text;
   const bool is_member =
-      i > 0 && words[i - 1].kind == Word::Kind::symbol && words[i - 1].text == ".";
+      i > 0 && words[i - 1].kind == ConditionWord::Kind::symbol && words[i - 1].text == ".";
   // With the methods of texts, or what can be indexed, it could do all that a script can.
-  if (words[i].kind == Word::Kind::symbol &&
+  if (words[i].kind == ConditionWord::Kind::symbol &&
       std::string_view(":[{").find(word) != std::string::npos) {
     return fmt::format("a condition has no '{}'", word);
   }
-  if (words[i].kind != Word::Kind::name) return "";
+  if (words[i].kind != ConditionWord::Kind::name) return "";
   if (is_member) {
     const bool is_of_math = i >= 2 && words[i - 2].text == "math";
     return is_of_math ? math_fault(L, word) : fmt::format("only math has members, as .{}", word);
@@ -206,13 +142,14 @@ std::string name_fault(lua_State* L, const std::vector<Word>& words, std::size_t
     return fmt::format("a condition has no '{}'{}", word, hint);
   }
   if (!is_question(word)) return "";
-  const std::string* argument = argument_of(words, i);
+  const std::string* argument = question_argument(words, i);
   if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
   return argument_fault(word, *argument, world);
 }
 
 // All of them.
-std::string names_fault(lua_State* L, const std::vector<Word>& words, const ConditionWorld& world) {
+std::string names_fault(lua_State* L, const std::vector<ConditionWord>& words,
+                        const ConditionWorld& world) {
   constexpr std::size_t faults_max = 5;
   std::vector<std::string> faults;
   for (std::size_t i = 0; i < words.size() && faults.size() < faults_max; ++i) {
@@ -224,27 +161,27 @@ std::string names_fault(lua_State* L, const std::vector<Word>& words, const Cond
 }
 
 // A number that stands alone from `at` on, with its sign; `after` is behind it.
-std::optional<double> literal_at(const std::vector<Word>& words, std::size_t at,
+std::optional<double> literal_at(const std::vector<ConditionWord>& words, std::size_t at,
                                  std::size_t& after) {
   const bool is_negative = at < words.size() && words[at].text == "-";
   const std::size_t digits = at + (is_negative ? 1 : 0);
-  if (digits >= words.size() || words[digits].kind != Word::Kind::number) return {};
+  if (digits >= words.size() || words[digits].kind != ConditionWord::Kind::number) return {};
   after = digits + 1;
   const double size = std::strtod(words[digits].text.c_str(), nullptr);
   return is_negative ? -size : size;
 }
 
 // A percentage or an angle in degrees beside a quantity that is neither.
-std::string sizes_fault(const std::vector<Word>& words) {
+std::string sizes_fault(const std::vector<ConditionWord>& words) {
   const auto is_comparison = [&](std::size_t at) {
-    return at < words.size() && words[at].kind == Word::Kind::symbol &&
+    return at < words.size() && words[at].kind == ConditionWord::Kind::symbol &&
            std::string_view("<>=~").find(words[at].text) != std::string_view::npos;
   };
   for (std::size_t i = 0; i < words.size(); ++i) {
     // What is part of a sum or a product has another size.
     if (i > 0 && !begins_operand(words[i - 1])) continue;
     std::size_t middle = i + 1, end = 0;
-    const bool is_name_first = words[i].kind == Word::Kind::name;
+    const bool is_name_first = words[i].kind == ConditionWord::Kind::name;
     std::optional<double> number;
     if (!is_name_first) number = literal_at(words, i, middle);
     if (!is_comparison(middle)) continue;
@@ -264,10 +201,10 @@ std::string sizes_fault(const std::vector<Word>& words) {
 }
 
 // What stands there, alone or in brackets, where that is a number; else "".
-std::string number_at(const std::vector<Word>& words, std::size_t at) {
+std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
   std::size_t brackets = 0;
   bool is_number = false;  // what has a minus is one
-  for (; at < words.size() && words[at].kind == Word::Kind::symbol; ++at) {
+  for (; at < words.size() && words[at].kind == ConditionWord::Kind::symbol; ++at) {
     if (words[at].text == "-") {
       is_number = true;
     } else if (words[at].text == "(") {
@@ -292,9 +229,9 @@ std::string number_at(const std::vector<Word>& words, std::size_t at) {
 }
 
 // Lua takes every number for true, so that `not` of one is never true.
-std::string negation_fault(const std::vector<Word>& words) {
+std::string negation_fault(const std::vector<ConditionWord>& words) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (words[i].kind != Word::Kind::name || words[i].text != "not") continue;
+    if (words[i].kind != ConditionWord::Kind::name || words[i].text != "not") continue;
     const std::string quantity = number_at(words, i + 1);
     if (quantity.empty()) continue;
     return fmt::format("'not {0}' is of a number, and never true; write {0} == 0, or not ({0} > 1)",
@@ -308,7 +245,7 @@ std::string negation_fault(const std::vector<Word>& words) {
 std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world) {
   std::string syntax = condition_syntax_fault(L, text);
   if (!syntax.empty()) return syntax;
-  const std::vector<Word> words = words_of(text);
+  const std::vector<ConditionWord> words = condition_words(text);
   std::string names = names_fault(L, words, world);
   if (!names.empty()) return names;
   std::string equality = equality_fault(words);

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <numbers>
-#include <string_view>
+#include <optional>
 
 #include "lua/condition.h"
 
@@ -15,169 +13,111 @@ namespace lsos {
 
 namespace {
 
-struct Meaning {
-  std::string_view word, quantity;
-};
-constexpr std::array meanings{
-    Meaning{"battery", "charge"},
-    Meaning{"battery_charge", "charge"},
-    Meaning{"battery_level", "charge"},
-    Meaning{"soc", "charge"},
-    Meaning{"state_of_charge", "charge"},
-    Meaning{"charge_level", "charge"},
-    Meaning{"energy", "energy_j"},
-    Meaning{"battery_energy", "energy_j"},
-    Meaning{"power", "energy_rate_w"},
-    Meaning{"energy_rate", "energy_rate_w"},
-    Meaning{"solar", "solar_w"},
-    Meaning{"solar_power", "solar_w"},
-    Meaning{"load", "load_w"},
-    Meaning{"loads", "load_w"},
-    Meaning{"drive_power", "drive_w"},
-    Meaning{"loss", "loss_w"},
-    Meaning{"sun", "sun_fraction"},
-    Meaning{"sunlight", "sun_fraction"},
-    Meaning{"light", "sun_fraction"},
-    Meaning{"lit", "sun_fraction"},
-    Meaning{"shadow", "sun_fraction"},
-    Meaning{"speed", "speed_mps"},
-    Meaning{"velocity", "speed_mps"},
-    Meaning{"v", "speed_mps"},
-    Meaning{"distance", "distance_m"},
-    Meaning{"driven", "distance_m"},
-    Meaning{"odometer", "distance_m"},
-    Meaning{"odometry", "distance_m"},
-    Meaning{"slope", "slope_rad"},
-    Meaning{"gradient", "slope_rad"},
-    Meaning{"steepness", "slope_rad"},
-    Meaning{"tilt", "slope_rad"},
-    Meaning{"roll", "roll_rad"},
-    Meaning{"pitch", "pitch_rad"},
-    Meaning{"heading", "heading_rad"},
-    Meaning{"yaw", "heading_rad"},
-    Meaning{"course", "heading_rad"},
-    Meaning{"bearing", "heading_rad"},
-    Meaning{"slippage", "slip"},
-    Meaning{"wheel_slip", "slip"},
-    Meaning{"max_slip", "slip_max"},
-    Meaning{"sinkage", "sinkage_m"},
-    Meaning{"sink", "sinkage_m"},
-    Meaning{"elevation", "elevation_m"},
-    Meaning{"height", "elevation_m"},
-    Meaning{"altitude", "elevation_m"},
-    Meaning{"alt", "elevation_m"},
-    Meaning{"time", "time_s"},
-    Meaning{"t", "time_s"},
-    Meaning{"elapsed", "time_s"},
-    Meaning{"mission_time", "time_s"},
-    Meaning{"lon", "lon_deg"},
-    Meaning{"longitude", "lon_deg"},
-    Meaning{"lat", "lat_deg"},
-    Meaning{"latitude", "lat_deg"},
-    Meaning{"x", "x_m"},
-    Meaning{"y", "y_m"},
-    Meaning{"z", "z_m"},
-    Meaning{"range", "distance_to"},
-    Meaning{"distance_from", "distance_to"},
-    Meaning{"near", "distance_to"},
-    Meaning{"visible", "sees"},
-    Meaning{"visibility", "sees"},
-    Meaning{"can_see", "sees"},
-    Meaning{"in_sight", "sees"},
-    Meaning{"link", "is_linked_to"},
-    Meaning{"linked", "is_linked_to"},
-    Meaning{"comms", "is_linked_to"},
-    Meaning{"connected", "is_linked_to"},
-};
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// A unit at a word's end, and one such in the unit of the quantity.
-struct Suffix {
-  std::string_view suffix, own, conversion;
-};
-constexpr std::array suffixes{
-    Suffix{"_deg", "_rad", "math.rad(20) is 20 deg"},
-    Suffix{"_kmh", "_mps", "5 / 3.6 is 5 km/h"},
-    Suffix{"_kmph", "_mps", "5 / 3.6 is 5 km/h"},
-    Suffix{"_kph", "_mps", "5 / 3.6 is 5 km/h"},
-    Suffix{"_ms", "_mps", ""},
-    Suffix{"_km", "_m", "1000 is 1 km"},
-    Suffix{"_h", "_s", "3600 is 1 h"},
-    Suffix{"_hours", "_s", "3600 is 1 h"},
-    Suffix{"_min", "_s", "60 is 1 min"},
-    Suffix{"_d", "_s", "86400 is 1 d"},
-    Suffix{"_kwh", "_j", "3.6e6 is 1 kWh"},
-    Suffix{"_wh", "_j", "3600 is 1 Wh"},
-    Suffix{"_kw", "_w", "1000 is 1 kW"},
-    Suffix{"_percent", "", "0.8 is 80 %"},
-    Suffix{"_pct", "", "0.8 is 80 %"},
-};
-
-constexpr std::array<std::string_view, 5> shares{"charge", "slip", "slip_max", "sun_fraction",
-                                                 "incidence"};
-
-bool is_share(std::string_view quantity) {
-  return std::ranges::find(shares, quantity) != shares.end();
-}
-
-std::string_view meaning_of(std::string_view word) {
-  const auto found = std::ranges::find(meanings, word, &Meaning::word);
-  if (found != meanings.end()) return found->quantity;
-  const auto& names = condition_names();
-  const auto known = std::ranges::find_if(
-      names, [&](const ConditionName& name) { return std::string_view(name.name) == word; });
-  return known == names.end() ? std::string_view() : std::string_view(known->name);
-}
-
-// What people are likely to think in, in the quantity's unit.
-std::string_view usual_conversion(std::string_view quantity) {
-  for (const std::string_view suffix : {"_deg", "_kmh", "_kwh"}) {
-    const auto found = std::ranges::find(suffixes, suffix, &Suffix::suffix);
-    if (quantity.ends_with(found->own)) return found->conversion;
-  }
-  return "";
-}
-
-std::string hint(std::string_view quantity, std::string_view conversion) {
-  const auto& names = condition_names();
-  const auto known = std::ranges::find_if(
-      names, [&](const ConditionName& name) { return std::string_view(name.name) == quantity; });
-  std::string doc = known->doc;
-  if (doc.starts_with(quantity)) doc.erase(0, doc.find(": ") + 2);  // a question's begins with it
-  if (!conversion.empty()) doc += fmt::format("; {}", conversion);
-  return fmt::format("; did you mean '{}' ({})?", quantity, doc);
+// Past the end of [==[ ... ]==] that begins at `at`; absent: none does.
+std::optional<std::size_t> long_text_end(const std::string& text, std::size_t at,
+                                         std::size_t& level) {
+  level = text.find_first_not_of('=', at + 1);
+  if (text[at] != '[' || level == std::string::npos || text[level] != '[') return {};
+  level -= at + 1;
+  const std::size_t end = text.find("]" + std::string(level, '=') + "]", at);
+  return end == std::string::npos ? text.size() : end + level + 2;
 }
 
 }  // namespace
 
-std::string everyday_word_hint(const std::string& word) {
-  std::string small(word);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (const std::string_view quantity = meaning_of(small); !quantity.empty()) {
-    return hint(quantity, usual_conversion(quantity));
+// As Lua reads it, without comments. What is no Lua is told by Lua's own parser.
+std::vector<ConditionWord> condition_words(const std::string& text) {
+  std::vector<ConditionWord> words;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    const std::size_t begin = i;
+    std::size_t level = 0;
+    if (text.compare(i, 2, "--") == 0) {
+      const auto end =
+          i + 2 < text.size() ? long_text_end(text, i + 2, level) : std::optional<std::size_t>();
+      i = end ? *end : std::min(text.find('\n', i), text.size());
+    } else if (c == '\'' || c == '"') {
+      ++i;
+      while (i < text.size() && text[i] != c) i += text[i] == '\\' ? 2 : 1;
+      i = std::min(i, text.size());
+      words.push_back({ConditionWord::Kind::text, text.substr(begin + 1, i - begin - 1)});
+      ++i;
+    } else if (const auto end = long_text_end(text, i, level)) {
+      i = *end;
+      const std::size_t edge = level + 2;
+      words.push_back({ConditionWord::Kind::text, text.substr(begin + edge, i - begin - 2 * edge)});
+    } else if (std::isdigit(static_cast<unsigned char>(c)) != 0 ||
+               (c == '.' && i + 1 < text.size() &&
+                std::isdigit(static_cast<unsigned char>(text[i + 1])) != 0)) {
+      while (i < text.size() && (is_letter(text[i]) || text[i] == '.')) ++i;
+      words.push_back({ConditionWord::Kind::number, text.substr(begin, i - begin)});
+    } else if (is_letter(c)) {
+      while (i < text.size() && is_letter(text[i])) ++i;
+      words.push_back({ConditionWord::Kind::name, text.substr(begin, i - begin)});
+    } else {
+      ++i;
+      if (std::isspace(static_cast<unsigned char>(c)) == 0) {
+        words.push_back({ConditionWord::Kind::symbol, {c}});
+      }
+    }
   }
-  for (const Suffix& each : suffixes) {
-    if (!small.ends_with(each.suffix)) continue;
-    const std::string base = small.substr(0, small.size() - each.suffix.size());
-    std::string_view quantity = meaning_of(base + std::string(each.own));
-    if (quantity.empty()) quantity = meaning_of(base);
-    if (each.own.empty() && quantity == "energy_j")
-      quantity = "charge";  // that is what has percents
-    const bool is_of_unit = each.own.empty() ? is_share(quantity) : quantity.ends_with(each.own);
-    if (!quantity.empty() && is_of_unit) return hint(quantity, each.conversion);
-  }
-  return "";
+  return words;
 }
 
-std::string size_fault(const std::string& quantity, double number) {
-  if (is_share(quantity) && number >= 2) {
-    return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", quantity, number);
+// The text that the question at `i` is asked with: sees('B'), sees 'B'; nullptr: not a plain one.
+const std::string* question_argument(const std::vector<ConditionWord>& words, std::size_t i) {
+  const std::size_t at = i + 1 < words.size() && words[i + 1].text == "(" &&
+                                 words[i + 1].kind == ConditionWord::Kind::symbol
+                             ? i + 2
+                             : i + 1;
+  return at < words.size() && words[at].kind == ConditionWord::Kind::text ? &words[at].text
+                                                                          : nullptr;
+}
+
+namespace {
+
+std::string number_text(double value) {
+  return std::isnan(value) ? "not known" : fmt::format("{:.4g}", value);
+}
+
+std::string answer_text(const std::string& question, const std::string& argument,
+                        const RoverPort& rover) {
+  if (question == "resource") {
+    auto& asked = const_cast<RoverPort&>(rover);  // asks only
+    return number_text(asked.power().resource(argument).value_or(std::nan("")));
   }
-  if (quantity.ends_with("_rad") && std::abs(number) > 2 * std::numbers::pi) {
-    return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})",
-                       quantity, number, number, number);
+  if (question == "distance_to") {
+    const auto p_S_m = rover.place_of_S_m(argument);
+    return number_text(p_S_m ? (*p_S_m - rover.view().p_S_m).norm() : std::nan(""));
   }
-  return "";
+  const auto sight = rover.sight_of(argument);
+  const bool is_so = sight && (question == "sees" ? sight->is_visible : sight->is_linked);
+  return is_so ? "true" : "false";
+}
+
+}  // namespace
+
+std::string condition_values(const std::string& text, const SampleRow& row,
+                             const RoverPort& rover) {
+  std::vector<std::string> values;
+  const std::vector<ConditionWord> words = condition_words(text);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i].kind != ConditionWord::Kind::name) continue;
+    std::string name = words[i].text, value;
+    if (const std::string* argument = is_question(name) ? question_argument(words, i) : nullptr) {
+      value = answer_text(name, *argument, rover);
+      name += fmt::format("('{}')", *argument);
+    } else if (const auto quantity = condition_quantity(name, row)) {
+      value = number_text(*quantity);
+    } else {
+      continue;
+    }
+    std::string said = fmt::format("{} was {}", name, value);
+    if (std::ranges::find(values, said) == values.end()) values.push_back(std::move(said));
+  }
+  return fmt::format("{}", fmt::join(values, ", "));
 }
 
 }  // namespace lsos

@@ -1,16 +1,21 @@
-// Everyday words in conditions, and the logged quantities that are meant.
+// The words of a condition, and what they stand for.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace lsos {
 
-// "; did you mean 'charge' (of the battery, 0 to 1)?" for "battery"; "" for a word that could mean
-// anything. A unit that is not the quantity's own, as in slope_deg, is told with its conversion.
-std::string everyday_word_hint(const std::string& word);
+struct ConditionWord {
+  enum class Kind { name, text, number, symbol };
+  Kind kind = Kind::symbol;
+  std::string text;
+};
 
-// Why `quantity` is never near that number: 80 for a share, 20 for an angle in radians; "" where it
-// can be.
-std::string size_fault(const std::string& quantity, double number);
+// As Lua reads it, without comments. What is no Lua is told by Lua's own parser.
+std::vector<ConditionWord> condition_words(const std::string& text);
+
+// The text that the question at `i` is asked with: sees('B'), sees 'B'; nullptr: not a plain one.
+const std::string* question_argument(const std::vector<ConditionWord>& words, std::size_t i);
 
 }  // namespace lsos

@@ -191,6 +191,26 @@ void read_function(TableReader& t, const char* key, const char* type, const char
   lua_setfield(t.L(), functions, key);
 }
 
+void read_open_ended(TableReader& t, EventDeclaration& event, int functions) {
+  if (!t.take(optional, "open_ended", "boolean or function(params)",
+              "Whether it ends only by something that no field says, as the Sun or another rover: "
+              "MaxDuration is then 366 d by default (default: whether it neither drives nor has a "
+              "duration or time among its params)."))
+    return;
+  lua_State* L = t.L();
+  if (lua_isboolean(L, -1)) {
+    event.is_open_ended = lua_toboolean(L, -1) != 0;
+  } else if (!lua_isnil(L, -1) && !lua_isfunction(L, -1)) {
+    t.fault(
+        fmt::format("open_ended: true, false or a function is wanted, found {}", describe(L, -1)));
+  }
+  if (lua_isfunction(L, -1)) {
+    lua_setfield(L, functions, "open_ended");
+  } else {
+    lua_pop(L, 1);
+  }
+}
+
 void read_event(TableReader& t, EventDeclaration& event, int functions) {
   std::string schema;
   t.api_version();
@@ -204,16 +224,25 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
             "It starts and goes on also when the battery is empty (default false).");
   t.text(optional, "start", event.start_phase, "The first phase; may be left out if there is one.");
   read_phases(t, event, functions);
-  read_function(t, "check", "function(params)",
-                "Called for each event of a plan before anything runs: what is wrong with its "
-                "parameters together, as a text, or nil.",
-                functions);
+  read_function(
+      t, "check", "function(params, rover)",
+      "Called for each event of a plan before anything runs: what is wrong with its "
+      "parameters together, as a text, or nil; and what to warn of, as a second text. "
+      "rover is what is known of the event's: `id`, `type`, `initial_charge`, "
+      "`battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, "
+      "`turns`, "
+      "`is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan "
+      "leave it open.",
+      functions);
   read_function(t, "route", "function(params)",
                 "For an event that plans its ways: gives what rover:plan_path will be told, so "
                 "that they are planned and checked before the run.",
                 functions);
   read_function(t, "on_abort", "function(ev, rover)",
-                "Called once when the event is ended from outside.", functions);
+                "Called once when the event is ended from outside. A text that it answers says how "
+                "far the event had come, and stands in its reason.",
+                functions);
+  read_open_ended(t, event, functions);
   t.finish();
   if (!schema.empty() && schema != event.name) {
     t.fault(fmt::format("schema = '{}': must be '{}', the name of the file", schema, event.name));

@@ -3,14 +3,17 @@
 
 #include <string>
 
+#include "lua/answer.h"
 #include "lua/api.h"
 #include "lua/handle.h"
 #include "lua/state.h"
-#include "lua/vec3.h"
+#include "mission/note_json.h"
 
 namespace lsos {
 
 namespace {
+
+constexpr std::size_t warning_bytes_max = 1000;
 
 const EventCall& call_of(lua_State* L) { return handle_call(L, event_handle_type()); }
 
@@ -63,6 +66,16 @@ int log(lua_State* L) {
   return 0;
 }
 
+// For the summary and the report; a note besides, where it was.
+int warn(lua_State* L) {
+  const EventCall& call = call_of(L);
+  lua_remove(L, 1);
+  const std::string text = formatted(L).substr(0, warning_bytes_max);
+  write_note(L, call, "warning", fmt::format(R"({{"text":{}}})", note_json(text)));
+  call.phase.rover.warn(fmt::format("{} of {}: {}", call.phase.label, call.phase.rover_id, text));
+  return 0;
+}
+
 int write(lua_State* L) {
   call_of(L);
   const std::string key = lua_type(L, 2) == LUA_TSTRING ? key_text(L, 2) : "?";
@@ -78,72 +91,15 @@ int write(lua_State* L) {
   return 0;
 }
 
-constexpr const char* geometry_metatable = "lsos.geometry";
-
-const Path3& waypoints(lua_State* L) {
-  luaL_checkudata(L, 1, geometry_metatable);
-  return *to_geometry(L, 1);
-}
-
-// A new vec3 each time, so that changing it changes nothing here.
-int geometry_index(lua_State* L) {
-  const Path3& path = waypoints(L);
-  int is_whole = 0;
-  const lua_Integer i = lua_tointegerx(L, 2, &is_whole);
-  if (lua_type(L, 2) != LUA_TNUMBER || is_whole == 0) {
-    throw std::runtime_error("ev.geometry is a list: ev.geometry[1] is the first waypoint");
-  }
-  if (i < 1 || static_cast<std::size_t>(i) > path.size()) {
-    lua_pushnil(L);
-  } else {
-    push_vec3(L, path[static_cast<std::size_t>(i - 1)]);
-  }
-  return 1;
-}
-
-int geometry_length(lua_State* L) {
-  lua_pushinteger(L, static_cast<lua_Integer>(waypoints(L).size()));
-  return 1;
-}
-
-int geometry_write(lua_State*) { throw std::runtime_error("ev.geometry is read-only"); }
-
-int geometry_pairs(lua_State*) { throw std::runtime_error("ev.geometry is a list: use ipairs"); }
-
 }  // namespace
-
-const Path3* to_geometry(lua_State* L, int index) {
-  const auto* id = static_cast<const ScriptInstance*>(luaL_testudata(L, index, geometry_metatable));
-  if (id == nullptr) return nullptr;
-  const EventCall& call = running_call(L, "ev.geometry");
-  if (call.instance != *id) {
-    throw std::runtime_error("ev.geometry belongs to an event that is not running now");
-  }
-  return &call.arguments.geometry_S_m;
-}
-
-void push_geometry(lua_State* L, ScriptInstance instance) {
-  auto* id = static_cast<ScriptInstance*>(lua_newuserdatauv(L, sizeof(ScriptInstance), 0));
-  *id = instance;
-  if (luaL_newmetatable(L, geometry_metatable) != 0) {
-    constexpr luaL_Reg functions[] = {{"__index", guard<geometry_index>},
-                                      {"__len", guard<geometry_length>},
-                                      {"__newindex", guard<geometry_write>},
-                                      {"__pairs", guard<geometry_pairs>},
-                                      {nullptr, nullptr}};
-    luaL_setfuncs(L, functions, 0);
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-  }
-  lua_setmetatable(L, -2);
-}
 
 const HandleType& event_handle_type() {
   static const HandleType type{
       "ev",
       "The event that runs.",
       {{"params", params, "table", "The plan's fields by script key, SI, read-only."},
-       {"geometry", geometry, "list of vec3", "Waypoints in the site frame, m, read-only."},
+       {"geometry", geometry, "ev.geometry",
+        "Waypoints in the site frame, m, read-only; of a polygon each corner once."},
        {"state", state, "table", "What the event remembers; all that lives between two calls."},
        {"label", label, "text", "The event's name in the plan."},
        {"sequence", sequence, "integer", "Its Sequence in the plan."},
@@ -152,7 +108,11 @@ const HandleType& event_handle_type() {
        {"phase_elapsed_s", phase_elapsed_s, "number", "Since this phase began."}},
       {{"log", guard<log>, "ev:log(name, fields)",
         "Writes a row into the log's notes; fields is a table of plain values or nil.",
-        "fun(self: lsos.ev, name: string, fields?: table)"}},
+        "fun(self: lsos.ev, name: string, fields?: table)"},
+       {"warn", guard<warn>, "ev:warn(format, ...)",
+        "A warning in the run's summary and report, and a note; the text as string.format makes "
+        "it.",
+        "fun(self: lsos.ev, format: string, ...: any)"}},
       guard<write>};
   return type;
 }

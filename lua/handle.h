@@ -30,9 +30,12 @@ struct HandleType {
   std::vector<HandleField> fields;
   std::vector<HandleMethod> methods;
   lua_CFunction write = nullptr;  // __newindex; absent: everything is refused
+  const char* is_a = "";          // what it is besides, as the Lua language server writes it
 };
 
 const HandleType& event_handle_type();
+// What ev.geometry has beside its waypoints.
+const HandleType& geometry_type();
 const HandleType& rover_handle_type();
 const HandleType& drive_handle_type();
 const HandleType& battery_handle_type();
@@ -62,11 +65,11 @@ const EventCall& handle_call(lua_State* L, const HandleType& type);
 // NaN, a quantity that is not modelled, is nil for scripts.
 void push_quantity(lua_State* L, double value);
 
-// The read-only view of the event's waypoints.
+// The read-only view of the event's waypoints (geometry_view.cpp).
 void push_geometry(lua_State* L, ScriptInstance instance);
 
-// The waypoints if the value at `index` is that view, else nullptr. Throws std::runtime_error when
-// it belongs to an event that is not running now.
-const Path3* to_geometry(lua_State* L, int index);
+// The event's arguments if the value at `index` is that view, else nullptr. Throws
+// std::runtime_error when it belongs to an event that is not running now.
+const EventArguments* to_geometry(lua_State* L, int index);
 
 }  // namespace lsos

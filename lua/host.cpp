@@ -12,6 +12,7 @@
 #include "lua/made.h"
 #include "lua/phase_failure.h"
 #include "lua/route.h"
+#include "lua/rover_facts.h"
 #include "lua/value.h"
 
 namespace lsos {
@@ -28,6 +29,7 @@ struct Instance {
 };
 
 constexpr std::string_view state_version = "ev.state 1";
+constexpr std::size_t ending_bytes_max = 1000;  // of what on_abort says
 
 // Marks the phase call as going on, for handles and lsos functions.
 class CallScope {
@@ -128,7 +130,7 @@ struct LuaHost::Impl {
     lua_pop(L, 1);
     push_part("geometry");
     const CallScope scope(library.lua().context(), event_call);  // it may be ev.geometry
-    answer.arguments.geometry_S_m = read_waypoints(L, -1, child);
+    read_waypoints(L, -1, child, answer.arguments);
     return answer;
   }
 
@@ -136,6 +138,14 @@ struct LuaHost::Impl {
   template <class Read>
   void ask(const std::string& type, const char* function, const EventArguments& arguments,
            Instant mission_start, const Read& read) {
+    ask(
+        type, function, arguments, mission_start, [](lua_State*) { return 0; }, 1, read);
+  }
+  // `push_more` pushes arguments behind the parameters and answers how many; `read` finds so many
+  // results at the top.
+  template <class Push, class Read>
+  void ask(const std::string& type, const char* function, const EventArguments& arguments,
+           Instant mission_start, const Push& push_more, int results, const Read& read) {
     const EventScript& script = library.events().at(type);
     library.lua().run([&](lua_State* L) {
       lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
@@ -144,7 +154,8 @@ struct LuaHost::Impl {
       const auto fail = [&](const std::string& what) {
         throw ScriptError(fmt::format("{}: {}: {}", script.file, function, what));
       };
-      const auto failure = call_script(L, 1, 1);
+      const int more = push_more(L);
+      const auto failure = call_script(L, 1 + more, results);
       script.locals.restore(L);
       if (failure) fail(failure->message);
       try {
@@ -181,23 +192,50 @@ LuaHost::~LuaHost() = default;
 
 const Declarations& LuaHost::declarations() const { return impl_->declarations; }
 
-std::string LuaHost::fault_of(const std::string& type, const EventArguments& arguments,
-                              Instant mission_start) {
-  std::string fault;
-  impl_->ask(type, "check", arguments, mission_start, [&](lua_State* L) {
-    if (lua_isnil(L, -1)) return;
-    if (lua_type(L, -1) != LUA_TSTRING) {
-      throw std::runtime_error(fmt::format("a text or nil is wanted, found {}", describe(L, -1)));
+LuaHost::CheckAnswer LuaHost::check(const std::string& type, const EventArguments& arguments,
+                                    Instant mission_start, const PlanRover* rover,
+                                    const RoverModel* model) {
+  CheckAnswer answer;
+  const auto push_rover = [&](lua_State* L) {
+    if (rover == nullptr || model == nullptr) return 0;
+    push_rover_facts(L, *rover, *model);
+    return 1;
+  };
+  const auto text_at = [](lua_State* L, int index) -> std::string {
+    if (lua_isnil(L, index)) return "";
+    if (lua_type(L, index) != LUA_TSTRING) {
+      throw std::runtime_error(
+          fmt::format("a text or nil is wanted, found {}", describe(L, index)));
     }
-    fault = lua_tostring(L, -1);
+    return lua_tostring(L, index);
+  };
+  impl_->ask(type, "check", arguments, mission_start, push_rover, 2, [&](lua_State* L) {
+    answer = {text_at(L, -2), text_at(L, -1)};
   });
-  return fault;
+  return answer;
+}
+
+bool LuaHost::is_open_ended(const std::string& type, const EventArguments& arguments,
+                            Instant mission_start) {
+  const EventDeclaration& declaration = impl_->declarations.events.at(type);
+  const bool has_time = std::ranges::any_of(declaration.fields, [](const FieldDeclaration& field) {
+    return field.kind == FieldKind::duration || field.kind == FieldKind::utc;
+  });
+  bool is_open = declaration.is_open_ended.value_or(!declaration.drives && !has_time);
+  impl_->ask(type, "open_ended", arguments, mission_start,
+             [&](lua_State* L) { is_open = lua_toboolean(L, -1) != 0; });
+  return is_open;
 }
 
 std::string LuaHost::condition_fault(const std::string& text, const ConditionWorld& world) {
   std::string fault;
   impl_->library.lua().run([&](lua_State* L) { fault = lsos::condition_fault(L, text, world); });
   return fault;
+}
+
+std::string LuaHost::values_in(const std::string& condition, const SampleRow& row,
+                               const RoverPort& rover) {
+  return condition_values(condition, row, rover);
 }
 
 bool LuaHost::holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) {
@@ -268,8 +306,9 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
   return answer;
 }
 
-void LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
+std::string LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
   Instance& instance = impl_->at(id);
+  std::string state;
   impl_->library.lua().run([&](lua_State* L) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.script->functions);
     if (lua_getfield(L, -1, "on_abort") != LUA_TFUNCTION) return;
@@ -277,7 +316,12 @@ void LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
     const EventCall call{instance.script->declaration, instance.arguments, id, context,
                          instance.random};
     try {
-      impl_->call(L, id, instance, call, "on_abort", 0);
+      impl_->call(L, id, instance, call, "on_abort", 1);
+      if (lua_type(L, -1) == LUA_TSTRING) {
+        state = error_text(L, -1).substr(0, ending_bytes_max);
+      } else if (!lua_isnil(L, -1)) {
+        throw std::runtime_error(fmt::format("a text or nil is wanted, found {}", describe(L, -1)));
+      }
     } catch (const ScriptError&) {
       throw;
     } catch (const std::runtime_error& error) {
@@ -286,6 +330,7 @@ void LuaHost::run_abort(ScriptInstance id, PhaseContext& context) {
           phase_failure({to_string(fault), ""}, *instance.script, "on_abort", context));
     }
   });
+  return state;
 }
 
 void LuaHost::end(ScriptInstance id) {

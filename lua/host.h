@@ -8,7 +8,9 @@
 #include "lua/catalog.h"
 #include "lua/condition_world.h"
 #include "lua/context.h"
+#include "mission/rover_model.h"
 #include "mission/script_host.h"
+#include "plan/plan.h"
 
 namespace lsos {
 
@@ -19,10 +21,17 @@ class LuaHost : public ScriptHost {
   explicit LuaHost(const Catalog& catalog, const Limits& limits = {});
   ~LuaHost() override;
 
-  // What an event's `check` says of its parameters; "" when all is well or it has none. Throws
-  // ScriptError.
-  std::string fault_of(const std::string& type, const EventArguments& arguments,
-                       Instant mission_start);
+  // What an event's `check` says of its parameters, and of the rover that has them (nullptr: faults
+  // of the plan keep it from being known); "" when all is well or it has none. Throws ScriptError.
+  struct CheckAnswer {
+    std::string fault, warning;
+  };
+  CheckAnswer check(const std::string& type, const EventArguments& arguments, Instant mission_start,
+                    const PlanRover* rover, const RoverModel* model);
+
+  // Whether the event ends only by something that none of its fields says. Throws ScriptError.
+  bool is_open_ended(const std::string& type, const EventArguments& arguments,
+                     Instant mission_start);
 
   // What is wrong with a condition of a plan, "" when it is well.
   std::string condition_fault(const std::string& text, const ConditionWorld& world);
@@ -35,7 +44,9 @@ class LuaHost : public ScriptHost {
   ScriptInstance begin(const std::string& type, const EventArguments& arguments) override;
   PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,
                         PhaseContext& context) override;
-  void run_abort(ScriptInstance instance, PhaseContext& context) override;
+  std::string values_in(const std::string& condition, const SampleRow& row,
+                        const RoverPort& rover) override;
+  std::string run_abort(ScriptInstance instance, PhaseContext& context) override;
   void end(ScriptInstance instance) override;
   std::string save(ScriptInstance instance) override;
   void restore(ScriptInstance instance, const std::string& bytes) override;

@@ -51,6 +51,8 @@ std::string type_of(std::string text) {
       {"list of vec3", "vec3[]"},
       {"list of tables", "table[]"},
       {"table of rover", "table<string, lsos.rover>"},
+      {"list of rings", "vec3[][]"},
+      {"ev.geometry", "lsos.ev.geometry"},
       {"rover.drive", "lsos.rover.drive"},
       {"rover.battery", "lsos.rover.battery?"},
       {"rover.panels", "lsos.rover.panels"},
@@ -63,7 +65,8 @@ std::string type_of(std::string text) {
 }
 
 std::string class_of(const HandleType& type) {
-  std::string text = fmt::format("\n---{}\n---@class lsos.{}\n", type.doc, type.name);
+  const std::string is_a = *type.is_a == '\0' ? "" : fmt::format(": {}", type.is_a);
+  std::string text = fmt::format("\n---{}\n---@class lsos.{}{}\n", type.doc, type.name, is_a);
   for (const HandleField& field : type.fields) {
     text += fmt::format("---@field {} {} {}\n", field.name, type_of(field.type), field.doc);
   }

@@ -23,7 +23,7 @@
 ---The event that runs.
 ---@class lsos.ev
 ---@field params table The plan's fields by script key, SI, read-only.
----@field geometry vec3[] Waypoints in the site frame, m, read-only.
+---@field geometry lsos.ev.geometry Waypoints in the site frame, m, read-only; of a polygon each corner once.
 ---@field state table What the event remembers; all that lives between two calls.
 ---@field label string The event's name in the plan.
 ---@field sequence integer Its Sequence in the plan.
@@ -31,6 +31,13 @@
 ---@field elapsed_s number Since the event's first phase began.
 ---@field phase_elapsed_s number Since this phase began.
 ---@field log fun(self: lsos.ev, name: string, fields?: table) Writes a row into the log's notes; fields is a table of plain values or nil.
+---@field warn fun(self: lsos.ev, format: string, ...: any) A warning in the run's summary and report, and a note; the text as string.format makes it.
+
+---A list of vec3: `#ev.geometry`, `ev.geometry[1]`, `ipairs(ev.geometry)`. Of a polygon it is the outline, and there are holes in it:
+---@class lsos.ev.geometry: vec3[]
+---@field holes vec3[][] Holes of a polygon (innerBoundaryIs), each a list of vec3; empty without.
+---@field parts fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[][] Where the straight line between two places lies inside the polygon's outline and at least so far (default 0 m) from its holes: a list of { from, to }.
+---@field path fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[]?, number? The shortest path that stays inside the outline and so far from the holes, as waypoints after `from`, and the margin that it keeps: half of what was wanted, or less, where there is no room for more. nil when there is none.
 
 ---The rover that the event belongs to, as it was at the last exchange. A quantity that is not modelled is nil.
 ---@class lsos.rover
@@ -52,6 +59,7 @@
 ---@field drive_j number Its integral since the mission's start.
 ---@field cruise_speed_mps number The type's usual speed.
 ---@field length_m number Of the ground that it covers, ahead.
+---@field turning_radius_m number The least; 0: it turns on the spot.
 ---@field is_parked boolean Brakes on and standing still.
 ---@field drive lsos.rover.drive What became of the last rover:follow.
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
@@ -90,7 +98,7 @@
 ---@field load_w number Used by all but the wheel motors.
 ---@field time_to_charge_s fun(self: lsos.rover.battery, charge: number): number? Until it holds that share, with what flows now; nil when it will not.
 ---@field await_charge fun(self: lsos.rover.battery, charge: number) The phase is called when it holds that share, however long it sleeps; until the event ends.
----@field set_energy fun(self: lsos.rover.battery, energy_j: number) Sets what it holds, at most its capacity.
+---@field set_energy fun(self: lsos.rover.battery, energy_j: number) Sets what it holds, from 0 to its capacity; anything else is an error.
 ---@field supply fun(self: lsos.rover.battery, power_w: number) Power from outside until the event ends.
 ---@field plug_into fun(self: lsos.rover.battery, asset_id: string, power_w?: number): boolean, string? Power from an asset within 20 m until the event ends, at most so much (default all that it has). Answers true, or false and why not.
 
@@ -99,14 +107,15 @@
 ---@field sun_fraction number Share of their area that sees the Sun; nil without panels.
 ---@field incidence number The same times the cosine of incidence.
 ---@field turn_left_s number Until all have arrived where they turn; 0: none turns.
----@field deploy fun(self: lsos.rover.panels, name?: string, duration_s?: number): number Puts up the panel of that name (nil: all). Answers how long that takes, s.
----@field stow fun(self: lsos.rover.panels, name?: string, duration_s?: number): number Folds it away; the same.
+---@field deploy fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Puts up the panel of that name (nil: all). Answers how long that takes, s, and whether any moves: false when all are up.
+---@field stow fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Folds it away; the same.
 ---@field steer fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', azimuth_rad?: number, elevation_rad?: number }) Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, 'fixed' angles about the rover.
+---@field misses fun(self: lsos.rover.panels): table[] Panels that were told angles, have turned and do not face that way: a limit has stopped them, or they are stuck. A list of { panel = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.
 
 ---The rover's antennas.
 ---@class lsos.rover.antennas
----@field deploy fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number Raises the one with that name (nil: all that can be stowed), in that time or its own. Answers how long it takes, s.
----@field stow fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number The reverse.
+---@field deploy fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number, boolean Raises the one with that name (nil: all that can be stowed), in that time or its own. Answers how long it takes, s, and whether any moves: false when all are up.
+---@field stow fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number, boolean The reverse.
 
 ---A simulation in hand: of a scenario or the prompt. It stands still between two calls.
 ---@class lsos.sim
@@ -151,9 +160,10 @@
 ---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
 ---@field start? string The first phase; may be left out if there is one.
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
----@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil.
+---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `initial_charge`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its ways: gives what rover:plan_path will be told, so that they are planned and checked before the run.
----@field on_abort? any Called once when the event is ended from outside.
+---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
+---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
 
 ---@class lsos.sub_event.keys
 ---@field event string Name of the event that this phase is.

@@ -12,6 +12,8 @@
 #include "lua/host.h"
 #include "lua/script_folders.h"
 #include "lua/version.h"
+#include "mission/mission_span.h"
+#include "mission/plan_aims.h"
 #include "mission/plan_names.h"
 #include "mission/site.h"
 #include "plan/kml_reader.h"
@@ -112,10 +114,14 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     // A script says of a part of its fields what only the rest would make true.
     if (!event.has_all_params || (has_time && plan.gaps.start_time)) continue;
     try {
-      const std::string fault =
-          host.fault_of(event.type, {event.params, {}}, plan.mission.start_time);
-      if (fault.empty()) continue;
-      faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, fault));
+      const LuaHost::CheckAnswer answer =
+          host.check(event.type, {event.params, {}}, plan.mission.start_time, rover,
+                     model == files.rover_models.end() ? nullptr : &model->second);
+      const auto text = [&](const std::string& what) {
+        return fmt::format("{} '{}': {}", event.type, event.label, what);
+      };
+      if (!answer.fault.empty()) faults.error(event.place, text(answer.fault));
+      if (!answer.warning.empty()) faults.warning(event.place, text(answer.warning));
     } catch (const ScriptError& error) {
       faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, error.what()));
     }
@@ -135,6 +141,28 @@ std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
 }
 
 namespace {
+
+// A plan that gives none has one that is said among its defaults.
+void set_max_duration(MissionFiles& files) {
+  Plan& plan = files.plan;
+  const bool is_known =
+      plan.mission.planet != nullptr && !plan.gaps.start_time && !files.faults.has_errors();
+  if (plan.mission.has_max_duration || !is_known) return;
+  LuaHost host(*files.catalog);
+  const auto is_open_ended = [&](const PlanEvent& event) {
+    return host.is_open_ended(event.type, {event.params, {}}, plan.mission.start_time);
+  };
+  try {
+    plan.mission.max_duration = default_max_duration(plan, files.catalog->declarations(),
+                                                     files.rover_models, is_open_ended);
+  } catch (const ScriptError& error) {
+    files.faults.error(plan.mission.place, error.what());
+  }
+  const double hours = seconds(plan.mission.max_duration) / 3600;
+  plan.defaults.push_back(
+      fmt::format("MissionInfo: MaxDuration = {}",
+                  hours > 999 ? fmt::format("{:g} d", hours / 24) : fmt::format("{:g} h", hours)));
+}
 
 // Reads what the plan names.
 void read_models(MissionFiles& files) {
@@ -166,6 +194,8 @@ void read_models(MissionFiles& files) {
   }
   check_events(files.plan, files, files.faults);
   check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  check_plan_aims(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  set_max_duration(files);
   const MissionInfo& mission = files.plan.mission;
   const auto is_known = [&](const TerrainName& terrain) {
     return terrain.is_raster || std::ranges::count(declarations.terrains, terrain.name) > 0;

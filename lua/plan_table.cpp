@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include "lua/made.h"
 #include "lua/reader.h"
 #include "lua/sandbox.h"
 #include "lua/vec3.h"
-#include "plan/kml_writer.h"
 #include "planet/body.h"
 
 namespace lsos {
@@ -146,6 +144,7 @@ class PlanTableReader {
       read_entry(type, key, site, placemark);
       lua_pop(L_, 1);
     }
+    read_holes(type, index, site, placemark);
   }
 
  private:
@@ -153,6 +152,7 @@ class PlanTableReader {
   void read_entry(const std::string& type, const std::string& key, const SiteFrame& site,
                   SourcePlacemark& placemark) {
     const KeptTop kept(L_);
+    if (key == "holes") return;  // read with the polygon
     if (key == "path" || key == "at" || key == "polygon") {
       SourceGeometry geometry{key == "at"     ? "Point"
                               : key == "path" ? "LineString"
@@ -162,27 +162,10 @@ class PlanTableReader {
         const auto p_m = point_at(L_, -1);
         if (!p_m) return fault(fmt::format("{}: at: {{ east_m, north_m }} is wanted", type));
         geometry.coordinates = coordinates(site, *p_m);
-      } else if (lua_istable(L_, -1)) {
-        int count = 0;
-        for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {
-          const auto p_m = point_at(L_, -1);
-          if (!p_m) {
-            fault(fmt::format("{}: {}[{}]: {{ east_m, north_m }} is wanted", type, key, k));
-            continue;
-          }
-          geometry.coordinates += coordinates(site, *p_m) + " ";
-          ++count;
-        }
-        const int least = key == "path" ? 2 : 3;
-        if (count < least) {
-          return fault(
-              fmt::format("{}: {}: {} places; {} or more are wanted: {{ {{ east_m, "
-                          "north_m }}, ... }}",
-                          type, key, count, least));
-        }
       } else {
-        return fault(fmt::format("{}: {}: a list of {{ east_m, north_m }} is wanted, found {}",
-                                 type, key, describe(L_, -1)));
+        const auto places = read_places(type, key, key == "path" ? 2 : 3, site);
+        if (!places) return;
+        geometry.coordinates = *places;
       }
       placemark.geometries.push_back(geometry);
       return;
@@ -198,6 +181,53 @@ class PlanTableReader {
       set(placemark, "Sequence", *text);
     } else {
       set(placemark, key, *text);
+    }
+  }
+
+  // Coordinates of the list of places at the top; absent after a fault.
+  std::optional<std::string> read_places(const std::string& type, const std::string& key, int least,
+                                         const SiteFrame& site) {
+    if (!lua_istable(L_, -1)) {
+      fault(fmt::format("{}: {}: a list of {{ east_m, north_m }} is wanted, found {}", type, key,
+                        describe(L_, -1)));
+      return {};
+    }
+    std::string text;
+    int count = 0;
+    for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {
+      const auto p_m = point_at(L_, -1);
+      if (!p_m) {
+        fault(fmt::format("{}: {}[{}]: {{ east_m, north_m }} is wanted", type, key, k));
+        continue;
+      }
+      text += coordinates(site, *p_m) + " ";
+      ++count;
+    }
+    lua_pop(L_, 1);
+    if (count >= least) return text;
+    fault(fmt::format("{}: {}: {} places; {} or more are wanted: {{ {{ east_m, north_m }}, ... }}",
+                      type, key, count, least));
+    return {};
+  }
+
+  // The holes of the event's table, for its polygon.
+  void read_holes(const std::string& type, int event, const SiteFrame& site,
+                  SourcePlacemark& placemark) {
+    const KeptTop kept(L_);
+    lua_pushstring(L_, "holes");
+    if (lua_rawget(L_, event) == LUA_TNIL) return;
+    if (placemark.geometries.empty() || placemark.geometries.front().kind != "Polygon") {
+      return fault(fmt::format("{}: holes: they are of a polygon, and there is none", type));
+    }
+    if (!lua_istable(L_, -1)) {
+      return fault(
+          fmt::format("{}: holes: a list of lists of {{ east_m, north_m }} is wanted, "
+                      "found {}",
+                      type, describe(L_, -1)));
+    }
+    for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {
+      const auto places = read_places(type, fmt::format("holes[{}]", k), 3, site);
+      if (places) placemark.geometries.front().holes.push_back({*places, place_.line});
     }
   }
 
@@ -350,42 +380,6 @@ SourcePlacemark read_event_table(lua_State* L, int index, const SiteFrame& site,
   PlanTableReader(L, place, faults).read_event(index, site, placemark);
   faults.throw_if_errors();
   return placemark;
-}
-
-std::string kml_of(const KmlSource& source) {
-  KmlDocument document;
-  document.name = source.file;
-  for (const SourcePlacemark& from : source.placemarks) {
-    const SourceData& data = from.data.front();
-    const auto known = std::ranges::find(document.schemas, data.schema, &KmlSchema::id);
-    KmlSchema& schema =
-        known != document.schemas.end()
-            ? *known
-            : document.schemas.emplace_back(KmlSchema{data.schema, data.schema, {}});
-    KmlPlacemark placemark;
-    placemark.name = from.name;
-    placemark.schema_id = data.schema;
-    for (const SourceField& field : data.fields) {
-      placemark.data.emplace_back(field.name, field.text);
-      if (std::ranges::find(schema.fields, field.name, &KmlField::name) == schema.fields.end()) {
-        schema.fields.push_back({field.name, "string", ""});
-      }
-    }
-    for (const SourceGeometry& geometry : from.geometries) {
-      placemark.geometry.kind = geometry.kind == "Point"     ? KmlGeometryKind::point
-                                : geometry.kind == "Polygon" ? KmlGeometryKind::polygon
-                                                             : KmlGeometryKind::line;
-      std::istringstream points(geometry.coordinates);
-      for (std::string point; points >> point;) {
-        double lon = 0, lat = 0;
-        char comma = 0;
-        std::istringstream(point) >> lon >> comma >> lat;
-        placemark.geometry.points.push_back(geodetic_from_degrees(lon, lat));
-      }
-    }
-    document.placemarks.push_back(std::move(placemark));
-  }
-  return write_kml(document);
 }
 
 }  // namespace lsos

@@ -81,8 +81,10 @@ template <bool up>
 int deploy(lua_State* L) {
   std::optional<double> duration_s;
   if (!lua_isnoneornil(L, 3)) duration_s = check_deploying_s(L, 3, "panels");
-  lua_pushnumber(L, panels_of(L).deploy_panel(panel_name(L), up, duration_s));
-  return 1;
+  const Deployment deployment = panels_of(L).deploy_panel(panel_name(L), up, duration_s);
+  lua_pushnumber(L, deployment.takes_s);
+  lua_pushboolean(L, deployment.moves);
+  return 2;
 }
 
 int steer(lua_State* L) {
@@ -102,6 +104,27 @@ int steer(lua_State* L) {
   faults.throw_if_errors();
   power.steer_panel(panel_name(L), steering);
   return 0;
+}
+
+int misses(lua_State* L) {
+  const std::vector<PanelMiss> misses = panels_of(L).panel_misses();
+  lua_createtable(L, static_cast<int>(misses.size()), 0);
+  lua_Integer count = 0;
+  for (const PanelMiss& miss : misses) {
+    lua_createtable(L, 0, 6);
+    lua_pushlstring(L, miss.panel.data(), miss.panel.size());
+    lua_setfield(L, -2, "panel");
+    for (const auto& [name, value] : {std::pair{"azimuth_rad", miss.reached.azimuth_rad},
+                                      {"elevation_rad", miss.reached.elevation_rad},
+                                      {"wanted_azimuth_rad", miss.wanted.azimuth_rad},
+                                      {"wanted_elevation_rad", miss.wanted.elevation_rad},
+                                      {"off_rad", miss.off_rad}}) {
+      lua_pushnumber(L, value);
+      lua_setfield(L, -2, name);
+    }
+    lua_rawseti(L, -2, ++count);
+  }
+  return 1;
 }
 
 int turn_left_s(lua_State* L) {
@@ -131,7 +154,7 @@ const HandleType& battery_handle_type() {
         "ends.",
         "fun(self: lsos.rover.battery, charge: number)"},
        {"set_energy", guard<set_energy>, "battery:set_energy(energy_j)",
-        "Sets what it holds, at most its capacity.",
+        "Sets what it holds, from 0 to its capacity; anything else is an error.",
         "fun(self: lsos.rover.battery, energy_j: number)"},
        {"supply", guard<supply>, "battery:supply(power_w)",
         "Power from outside until the event ends.",
@@ -155,15 +178,22 @@ const HandleType& panels_handle_type() {
        {"turn_left_s", turn_left_s, "number",
         "Until all have arrived where they turn; 0: none turns."}},
       {{"deploy", guard<deploy<true>>, "panels:deploy(name, duration_s)",
-        "Puts up the panel of that name (nil: all). Answers how long that takes, s.",
-        "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number"},
+        "Puts up the panel of that name (nil: all). Answers how long that takes, s, and whether "
+        "any "
+        "moves: false when all are up.",
+        "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean"},
        {"stow", guard<deploy<false>>, "panels:stow(name, duration_s)", "Folds it away; the same.",
-        "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number"},
+        "fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean"},
        {"steer", guard<steer>, "panels:steer(name, { mode = , azimuth_rad = , elevation_rad = })",
         "Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, "
         "'fixed' angles about the rover.",
         "fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', "
-        "azimuth_rad?: number, elevation_rad?: number })"}}};
+        "azimuth_rad?: number, elevation_rad?: number })"},
+       {"misses", guard<misses>, "panels:misses()",
+        "Panels that were told angles, have turned and do not face that way: a limit has stopped "
+        "them, or they are stuck. A list of { panel = , azimuth_rad = , elevation_rad = , "
+        "wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.",
+        "fun(self: lsos.rover.panels): table[]"}}};
   return type;
 }
 

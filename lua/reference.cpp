@@ -123,8 +123,8 @@ end)
 ```
 
 Events are tables with their type first; names that begin with a capital are fields as a plan has them,
-`path`, `at` and `polygon` are places in metres to the east and north of the site, `label` and
-`sequence` what they say (10, 20, ... when left out).
+`path`, `at` and `polygon` are places in metres to the east and north of the site, `holes` a list of
+such polygons within it, `label` and `sequence` what they say (10, 20, ... when left out).
 )";
 
 std::string key_table(const Constructor& constructor) {
@@ -157,9 +157,9 @@ std::string handle_section(const HandleType& type) {
 
 const std::vector<const HandleType*>& scripted_objects() {
   static const std::vector<const HandleType*> objects{
-      &event_handle_type(),   &rover_handle_type(),   &drive_handle_type(),
-      &battery_handle_type(), &panels_handle_type(),  &antennas_handle_type(),
-      &sim_handle_type(),     &scenario_handle_type()};
+      &event_handle_type(),    &geometry_type(),       &rover_handle_type(),
+      &drive_handle_type(),    &battery_handle_type(), &panels_handle_type(),
+      &antennas_handle_type(), &sim_handle_type(),     &scenario_handle_type()};
   return objects;
 }
 

@@ -320,6 +320,8 @@ const HandleType& rover_handle_type() {
        {"drive_j", quantity<&V::drive_j>, "number", "Its integral since the mission's start."},
        {"cruise_speed_mps", quantity<&V::cruise_speed_mps>, "number", "The type's usual speed."},
        {"length_m", quantity<&V::length_m>, "number", "Of the ground that it covers, ahead."},
+       {"turning_radius_m", quantity<&V::turning_radius_m>, "number",
+        "The least; 0: it turns on the spot."},
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
        {"drive", drive, "rover.drive", "What became of the last rover:follow."},
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},

@@ -22,7 +22,7 @@ constexpr SimTime quiet_look{1'000'000};
 constexpr std::size_t hash_bytes = 64;
 
 // Its number changes with what is saved.
-std::string saved_head() { return std::string(SimSession::saved_mark) + " 3\n"; }
+std::string saved_head() { return std::string(SimSession::saved_mark) + " 4\n"; }
 
 // One more event, checked as those of a plan's file are. Throws InputError.
 PlanEvent checked_event(const SourcePlacemark& placemark, const Plan& plan,

@@ -91,11 +91,11 @@ double AntennaArray::power_w(SimTime now) const {
   return sum_w;
 }
 
-double AntennaArray::deploy(const std::string& name, bool up, std::optional<double> duration_s,
-                            SimTime now) {
+Deployment AntennaArray::deploy(const std::string& name, bool up, std::optional<double> duration_s,
+                                SimTime now) {
   std::vector<std::string> names;
   bool is_any = false;
-  double longest_s = 0;
+  Deployment deployment;
   for (std::size_t i = 0; i < specs_.size(); ++i) {
     if (specs_[i].is_stowable()) names.push_back(specs_[i].name);
     if (!name.empty() && specs_[i].name != name) continue;
@@ -106,13 +106,17 @@ double AntennaArray::deploy(const std::string& name, bool up, std::optional<doub
     is_any = true;
     State& state = states_[i];
     if (state.goes_up != up) {
+      deployment.moves = true;
       const double takes_s = duration_s.value_or(specs_[i].deploy_s);
       state = {up, state.share_up(now), now, round_up_to_exchange(now + from_seconds(takes_s))};
     }
     // One that is there, or on its way, takes what is left.
-    if (state.end) longest_s = std::max(longest_s, seconds(*state.end - now));
+    if (state.end && *state.end > now) {
+      deployment.moves = true;
+      deployment.takes_s = std::max(deployment.takes_s, seconds(*state.end - now));
+    }
   }
-  if (is_any) return longest_s;
+  if (is_any) return deployment;
   if (name.empty() || names.empty()) {
     throw EquipmentFault("none of the rover's antennas can be stowed");
   }

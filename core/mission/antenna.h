@@ -9,6 +9,7 @@
 #include "base/archive.h"
 #include "base/shape.h"
 #include "base/vector.h"
+#include "mission/power_port.h"
 
 namespace lsos {
 
@@ -56,9 +57,10 @@ class AntennaArray {
   // What all use, W.
   double power_w(SimTime now) const;
 
-  // Of the antenna with that name, "" for all that can be stowed. Answers how long it takes, s.
-  // Throws std::runtime_error: no such antenna; EquipmentFault: it cannot be stowed.
-  double deploy(const std::string& name, bool up, std::optional<double> duration_s, SimTime now);
+  // The antenna with that name, "" for all that can be stowed. Throws std::runtime_error: no such
+  // antenna; EquipmentFault: it cannot be stowed.
+  Deployment deploy(const std::string& name, bool up, std::optional<double> duration_s,
+                    SimTime now);
   // When the next that moves arrives, after now.
   std::optional<SimTime> next_end(SimTime now) const;
   // Which one is in use, or whether it is up, may differ from before this exchange.

@@ -28,15 +28,19 @@ bool has_ended(const EventRecord& record) {
   }
 }
 
-}  // namespace
-
-Path3 geometry_S_m(const PlanGeometry& geometry, const Ground& ground) {
+Path3 on_ground_S_m(const std::vector<Geodetic>& points, const Ground& ground) {
   Path3 path;
-  for (const Geodetic& point : geometry.points) {
+  for (const Geodetic& point : points) {
     const double elevation_m = ground.elevation_m(point).value_or(0);
     path.push_back(ground.site().p_S_m({point.lon_rad, point.lat_rad, elevation_m}));
   }
   return path;
+}
+
+}  // namespace
+
+Path3 geometry_S_m(const PlanGeometry& geometry, const Ground& ground) {
+  return on_ground_S_m(geometry.points, ground);
 }
 
 void EventRecord::archive(Archive& a) {
@@ -96,7 +100,9 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       hindered = fmt::format("timed out after {} s", seconds(*event().timeout));
     }
     if (!hindered.empty()) {
-      abort(now, agent, host);
+      const bool is_late = is_timed_out(now);
+      const std::string state = abort(now, agent, host);
+      if (is_late && !state.empty()) hindered += "; " + state;
       end(EventStatus::failed, hindered, now, agent);
       if (agent.is_broken()) finish(now, hindered, true);
       continue;
@@ -247,7 +253,10 @@ void EventSequence::start(SimTime now, const RoverAgent& agent, ScriptHost& host
   current().place = agent.place_now();
   changed(index_);
   const EventMachine& machine = machine_.events[index_];
-  const Path3 path_S_m = geometry_S_m(event().geometry, *ground_);
+  EventArguments arguments{event().params, geometry_S_m(event().geometry, *ground_)};
+  for (const std::vector<Geodetic>& hole : event().geometry.holes) {
+    arguments.holes_S_m.push_back(on_ground_S_m(hole, *ground_));
+  }
   if (!machine.declaration.drives && event().geometry.kind == GeometryKind::point) {
     const double away_m =
         surface_distance_m(*mission_.planet, agent.place_now(), event().geometry.points.front());
@@ -256,13 +265,13 @@ void EventSequence::start(SimTime now, const RoverAgent& agent, ScriptHost& host
                                       event().label, event().rover_id, away_m));
     }
   }
-  running_.emplace(event(), EventArguments{event().params, path_S_m}, now, host);
+  running_.emplace(event(), arguments, now, host);
 }
 
-void EventSequence::abort(SimTime now, RoverAgent& agent, ScriptHost& host) {
-  for (std::string& fault : running_->abort(now, mission_, agent, host)) {
-    warnings_.push_back(std::move(fault));
-  }
+std::string EventSequence::abort(SimTime now, RoverAgent& agent, ScriptHost& host) {
+  RunningEvent::Ending ending = running_->abort(now, mission_, agent, host);
+  for (std::string& fault : ending.faults) warnings_.push_back(std::move(fault));
+  return ending.state;
 }
 
 void EventSequence::end(EventStatus status, const std::string& reason, SimTime now,
@@ -331,22 +340,6 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
     record.end = now;
   }
   index_ = index;
-}
-
-void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host, const std::string& why,
-                         bool is_failure) {
-  std::string reason = why;
-  if (running_ && !is_failure) {
-    reason += fmt::format(", in phase '{}' since {:.0f} s", running_->phase(),
-                          seconds(running_->phase_start()));
-  }
-  if (running_) abort(now, agent, host);
-  if (has_turn_) {
-    const bool has_started = current().start.has_value();
-    current().is_prevented = is_failure && !has_started;
-    end(has_started ? EventStatus::incomplete : EventStatus::not_started, reason, now, agent);
-  }
-  finish(now, why, is_failure);
 }
 
 std::optional<SimTime> EventSequence::wake(SimTime now) const {

@@ -48,9 +48,9 @@ class EventSequence {
   std::optional<SimTime> wake(SimTime now) const;
 
   // Ends the running event as incomplete and starts no other.
-  // `is_failure`: because an event failed.
-  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const std::string& reason,
-            bool is_failure);
+  // `is_failure`: because an event failed; else the reasons say besides what each waited for.
+  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others,
+            const std::string& reason, bool is_failure);
 
   bool is_finished() const { return is_finished_; }
   // When the last event so far ended.
@@ -93,7 +93,14 @@ class EventSequence {
   std::string hindrance(const RoverAgent& agent) const;
   bool is_powerless(const RoverAgent& agent) const;
   bool is_timed_out(SimTime now) const;
-  void abort(SimTime now, RoverAgent& agent, ScriptHost& host);
+  // Answers how far it had come, as far as it says so.
+  std::string abort(SimTime now, RoverAgent& agent, ScriptHost& host);
+  // What the event whose turn it is waits for before it starts, with the values it has
+  // (event_sequence_waiting.cpp).
+  std::string waits_for(SimTime now, const RoverAgent& agent, ScriptHost& host,
+                        const Others& others) const;
+  // How far the running event has come: "in phase 'charge' since 600 s"; ends it.
+  std::string progress_until(SimTime now, RoverAgent& agent, ScriptHost& host);
   void end(EventStatus status, const std::string& reason, SimTime now, RoverAgent& agent);
   void after_failure(SimTime now);
   void skip_to(std::size_t index, SimTime now);

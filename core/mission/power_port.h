@@ -19,6 +19,12 @@ struct PowerView {
   double sun_fraction = not_modelled, incidence = not_modelled;
 };
 
+// What became of putting panels or antennas up or down.
+struct Deployment {
+  double takes_s = 0;
+  bool moves = false;  // false: all are so already
+};
+
 class PowerPort {
  public:
   virtual ~PowerPort() = default;
@@ -31,8 +37,8 @@ class PowerPort {
   // ends.
   virtual void await_charge(double charge) = 0;
 
-  // Sets what the battery holds, at most its capacity; counts as external. Throws EquipmentFault
-  // without a battery.
+  // Sets what the battery holds, 0 to its capacity; counts as external. Throws std::runtime_error
+  // for what it cannot hold, EquipmentFault without a battery.
   virtual void set_energy(double energy_j) = 0;
   // Until the event ends: external power, W, and what its work uses, W.
   virtual void set_supply(double power_w) = 0;
@@ -46,13 +52,15 @@ class PowerPort {
   // False when there is not so much: then nothing is taken.
   virtual bool use(const std::string& name, double amount) = 0;
 
-  // Of the panel with that name, "" for all. Answers how long that takes, s. Throws
-  // std::runtime_error where no panel has the name, EquipmentFault for what panels cannot do.
-  virtual double deploy_panel(const std::string& panel, bool up,
-                              std::optional<double> duration_s) = 0;
+  // The panel with that name, "" for all. Throws std::runtime_error where no panel has the
+  // name, EquipmentFault for what panels cannot do.
+  virtual Deployment deploy_panel(const std::string& panel, bool up,
+                                  std::optional<double> duration_s) = 0;
   virtual void steer_panel(const std::string& panel, const Steering& steering) = 0;
   // Until the last panel that turns has arrived, s; 0: none turns.
   virtual double panel_turn_left_s() const = 0;
+  // Panels that have turned and do not face where they were told.
+  virtual std::vector<PanelMiss> panel_misses() const = 0;
 };
 
 }  // namespace lsos

@@ -44,6 +44,7 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
   view_.length_m = 2 * footprint_at_rest_.half_m.x();
+  view_.turning_radius_m = config.can_turn_on_spot ? 0 : config.turning_radius_min_m;
 }
 
 void RoverAgent::place(double default_heading_rad) {
@@ -191,8 +192,8 @@ double RoverAgent::elevation_gain_m() const {
   return elevation_gain_m_ + (is_rising_ ? elevation_high_m_ - elevation_low_m_ : 0);
 }
 
-double RoverAgent::deploy_antenna(const std::string& antenna, bool up,
-                                  std::optional<double> duration_s) {
+Deployment RoverAgent::deploy_antenna(const std::string& antenna, bool up,
+                                      std::optional<double> duration_s) {
   return antennas_.deploy(antenna, up, duration_s, now_);
 }
 
@@ -268,7 +269,7 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(power_)(antennas_)(routes_)(now_);
-  a(has_motion_ended_)(is_shedding_)(has_told_empty_);
+  a(has_motion_ended_)(is_shedding_)(has_told_empty_)(has_told_shed_);
   a(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_);
   a(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_);
   a(view_.distance_m)(view_.drive_w)(view_.drive_j);

@@ -79,8 +79,8 @@ class RoverAgent : public RoverPort {
 
   const RoverView& view() const override { return view_; }
   RoverPower& power() override { return power_; }
-  double deploy_antenna(const std::string& antenna, bool up,
-                        std::optional<double> duration_s) override;
+  Deployment deploy_antenna(const std::string& antenna, bool up,
+                            std::optional<double> duration_s) override;
   const AntennaArray& antennas() const { return antennas_; }
   // Failures that a scenario makes; they are seen at the next exchange. Wheels by the names of
   // their links; throws std::runtime_error where there is none.
@@ -112,6 +112,7 @@ class RoverAgent : public RoverPort {
   // The event has ended: stops whatever it left under way.
   void release();
   void note(const std::string& name, const std::string& fields_json) override;
+  void warn(const std::string& text) override { warnings_.push_back(text); }
 
   // Notes that follow are of this event.
   void set_noting_sequence(std::int64_t sequence) { noting_sequence_ = sequence; }
@@ -141,6 +142,8 @@ class RoverAgent : public RoverPort {
   bool is_driving() const;
   void fail_drive(const std::string& finding, const std::string& reason,
                   const std::string& fields_json);
+  void tell_shed(double shed_w);
+  void tell_short();
   void update_view();
   void count_extremes();
 
@@ -157,6 +160,7 @@ class RoverAgent : public RoverPort {
   bool has_motion_ended_ = false;  // since the last look at the Sun
   bool is_shedding_ = false;
   bool has_told_empty_ = false;  // that its battery was
+  bool has_told_shed_ = false;   // that its battery, though not empty, gives less than is asked
   RoverView view_;
   VehicleReport report_;
   std::vector<double> joints_;  // m or rad, as report_ of the last good exchange

@@ -41,13 +41,43 @@ double RoverAgent::taken_w(double offered_w) {
   return power_.taken_w(offered_w, is_parked_);
 }
 
+// A battery that is empty is told of elsewhere.
+void RoverAgent::tell_shed(double shed_w) {
+  if (has_told_shed_ || !(power_.account().energy_j > 0)) return;
+  has_told_shed_ = true;
+  warn(fmt::format(
+      "{}: at {} s its loads and motors ask {:.0f} W more than its battery gives; events go on "
+      "as if they had them, and the energy is not counted",
+      rover_.id, seconds(now_), shed_w));
+}
+
+void RoverAgent::tell_short() {
+  if (!power_.take_short()) return;
+  const PowerClaims& claims = power_.claims();
+  const double got_w = power_.flows().external_w;
+  const bool is_plugged = !claims.plugged_into.empty();
+  const double asked_w = claims.supply_w + (is_plugged ? claims.asked_w : 0);
+  note("supply_short",
+       fmt::format(R"({{"asked_w":{},"given_w":{}}})",
+                   note_json(std::isfinite(asked_w) ? asked_w : not_modelled), note_json(got_w)));
+  const std::string from = is_plugged ? fmt::format("'{}'", claims.plugged_into) : "outside";
+  if (!std::isfinite(asked_w)) {
+    warn(fmt::format("{}: at {} s {} has no power to give", rover_.id, seconds(now_), from));
+    return;
+  }
+  warn(fmt::format("{}: at {} s {:.0f} W come from {}, {:.0f} W are asked for", rover_.id,
+                   seconds(now_), got_w, from, asked_w));
+}
+
 void RoverAgent::settle_energy() {
   find_flows();
+  tell_short();
   const double shed_w = power_.shed_w();
   if ((shed_w > 0) == is_shedding_) return;
   is_shedding_ = shed_w > 0;
   noting_sequence_ = 0;
   if (is_shedding_) {
+    tell_shed(shed_w);
     note("loads_shed", fmt::format(R"({{"shed_w":{}}})", note_json(shed_w)));
   } else {
     note("loads_restored", "{}");

@@ -26,6 +26,7 @@ struct RoverView {
   double drive_w = 0, drive_j = 0;
   double cruise_speed_mps = 0;  // the type's default driving speed
   double length_m = 0;          // of the ground that it covers
+  double turning_radius_m = 0;  // the least; 0: it turns on the spot
   bool is_parked = false;
 };
 
@@ -120,12 +121,14 @@ class RoverPort {
   // Stop and hold.
   virtual void brake() = 0;
   virtual PowerPort& power() = 0;
-  // Raises or stows the antenna with that name, "" for all that can be. Answers how long that
-  // takes, s. Throws std::runtime_error where none has the name, EquipmentFault for what cannot be.
-  virtual double deploy_antenna(const std::string& antenna, bool up,
-                                std::optional<double> duration_s) = 0;
+  // Raises or stows the antenna with that name, "" for all that can be. Throws std::runtime_error
+  // where none has the name, EquipmentFault for what cannot be.
+  virtual Deployment deploy_antenna(const std::string& antenna, bool up,
+                                    std::optional<double> duration_s) = 0;
   // A row in `notes`. `fields_json`: an object with sorted keys.
   virtual void note(const std::string& name, const std::string& fields_json) = 0;
+  // A warning of the run, for its summary and report.
+  virtual void warn(const std::string& text) = 0;
 };
 
 }  // namespace lsos

@@ -13,6 +13,8 @@ namespace lsos {
 
 namespace {
 
+constexpr double rounding = 1e-9;  // a share of what is compared
+
 std::string stuck_text(const PanelSpec& panel) {
   return fmt::format("the panel '{}' is stuck", panel.name);
 }
@@ -238,8 +240,28 @@ double RoverPower::time_to_charge_s(double charge) const {
 
 void RoverPower::set_energy(double energy_j) {
   if (!has_battery()) throw EquipmentFault("the rover has no battery");
+  const double capacity_j = spec_.battery->capacity_j;
+  if (!(energy_j >= 0 && energy_j <= capacity_j * (1 + rounding))) {
+    throw std::runtime_error(
+        fmt::format("{} J cannot be set: the battery holds 0 to {} J", energy_j, capacity_j));
+  }
   begin_segment();
-  at_start_ = with_energy(at_start_, std::clamp(energy_j, 0.0, spec_.battery->capacity_j));
+  at_start_ = with_energy(at_start_, std::min(energy_j, capacity_j));
+}
+
+bool RoverPower::is_full() const {
+  return account().energy_j >= spec_.battery->capacity_j * (1 - rounding);
+}
+
+bool RoverPower::take_short() {
+  if (!has_battery() || claims_.is_short_told || is_full()) return false;
+  const bool is_plugged = !claims_.plugged_into.empty();
+  const double asked_w = claims_.supply_w + (is_plugged ? claims_.asked_w : 0);
+  const double got_w = flows().external_w;
+  // One that asked for all that there is has got it, unless that is nothing.
+  const bool is_short = std::isfinite(asked_w) ? got_w < asked_w * (1 - rounding) : got_w <= 0;
+  claims_.is_short_told = is_short;
+  return is_short;
 }
 
 std::string RoverPower::plug_into(const std::string& asset_id, std::optional<double> power_w) {
@@ -267,9 +289,9 @@ bool RoverPower::use(const std::string& name, double amount) {
   if (found == resources_.end()) return false;
   // What equal parts leave over by rounding is nothing.
   const double at_first = std::ranges::find(spec_.resources, name, &ResourceSpec::name)->amount;
-  const double rounding = 1e-9 * at_first, left = found->second - amount;
-  if (left < -rounding) return false;
-  found->second = left > rounding ? left : 0;
+  const double nothing = rounding * at_first, left = found->second - amount;
+  if (left < -nothing) return false;
+  found->second = left > nothing ? left : 0;
   return true;
 }
 
@@ -288,9 +310,9 @@ std::vector<std::size_t> RoverPower::panels_named(const std::string& name) const
   return found;
 }
 
-double RoverPower::deploy_panel(const std::string& name, bool up,
-                                std::optional<double> duration_s) {
-  double takes_s = 0;
+Deployment RoverPower::deploy_panel(const std::string& name, bool up,
+                                    std::optional<double> duration_s) {
+  Deployment deployment;
   bool is_any = false;
   for (const std::size_t i : panels_named(name)) {
     if (!spec_.panels[i].is_stowable) {
@@ -299,11 +321,14 @@ double RoverPower::deploy_panel(const std::string& name, bool up,
     }
     is_any = true;
     if (panels_.is_stuck(i)) throw EquipmentFault(stuck_text(spec_.panels[i]));
-    takes_s = std::max(takes_s, panels_.deploy(i, up, duration_s, now_));
+    const bool is_so = panels_.is_stowed(i) != up;
+    const double takes_s = panels_.deploy(i, up, duration_s, now_);
+    deployment.takes_s = std::max(deployment.takes_s, takes_s);
+    deployment.moves |= !is_so || takes_s > 0;
   }
   if (!is_any) throw EquipmentFault("none of the rover's panels can be stowed");
   has_panel_command_ = true;
-  return takes_s;
+  return deployment;
 }
 
 void RoverPower::steer_panel(const std::string& name, const Steering& steering) {

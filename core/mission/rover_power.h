@@ -44,8 +44,11 @@ struct PowerClaims {
   std::string plugged_into;  // of an asset
   double asked_w = 0;        // of that
   std::optional<double> charge_awaited;
+  bool is_short_told = false;  // that less comes from outside than was asked for
 
-  void archive(Archive& a) { a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited); }
+  void archive(Archive& a) {
+    a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited)(is_short_told);
+  }
 };
 
 class RoverPower : public PowerPort {
@@ -76,6 +79,11 @@ class RoverPower : public PowerPort {
   // Of what an asset offers: as much as was asked for, is used and finds room in the battery.
   double taken_w(double offered_w, bool is_parked) const;
   void set_given(double power_w) { given_w_ = power_w; }
+  // The battery takes no more than it does of what is offered to it.
+  bool is_full() const;
+  // Less comes from outside than the event asked for, though there is room for it in the battery.
+  // True once an event.
+  bool take_short();
 
   // The battery was empty, and its charge has not risen above the reserve since.
   bool waits_for_reserve() const { return waits_for_reserve_; }
@@ -107,9 +115,11 @@ class RoverPower : public PowerPort {
   std::string plug_into(const std::string& asset_id, std::optional<double> power_w) override;
   std::optional<double> resource(const std::string& name) const override;
   bool use(const std::string& name, double amount) override;
-  double deploy_panel(const std::string& panel, bool up, std::optional<double> duration_s) override;
+  Deployment deploy_panel(const std::string& panel, bool up,
+                          std::optional<double> duration_s) override;
   void steer_panel(const std::string& panel, const Steering& steering) override;
   double panel_turn_left_s() const override;
+  std::vector<PanelMiss> panel_misses() const override { return panels_.misses(now_); }
   void await_charge(double charge) override { claims_.charge_awaited = charge; }
   // That has been reached at this exchange.
   bool has_reached_charge() const { return has_reached_charge_; }

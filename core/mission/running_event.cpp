@@ -112,25 +112,26 @@ RunningEvent::Progress RunningEvent::fail(const std::string& reason, SimTime now
                                           const MissionInfo& mission, RoverAgent& agent,
                                           ScriptHost& host) {
   reason_ = reason;
-  for (const std::string& fault : abort(now, mission, agent, host)) reason_ += "; " + fault;
+  for (const std::string& fault : abort(now, mission, agent, host).faults) reason_ += "; " + fault;
   return Progress::failed;
 }
 
-std::vector<std::string> RunningEvent::abort(SimTime now, const MissionInfo& mission,
-                                             RoverAgent& agent, ScriptHost& host) {
-  std::vector<std::string> faults;
+RunningEvent::Ending RunningEvent::abort(SimTime now, const MissionInfo& mission, RoverAgent& agent,
+                                         ScriptHost& host) {
+  Ending ending;
   agent.set_noting_sequence(sequence_);
   while (!frames_.empty()) {
     PhaseContext called = context(now, mission, agent);
     try {
-      host.run_abort(frames_.back().instance, called);
+      const std::string state = host.run_abort(frames_.back().instance, called);
+      if (!state.empty()) ending.state += (ending.state.empty() ? "" : "; ") + state;
     } catch (const ScriptError& error) {
-      faults.push_back(error.what());
+      ending.faults.push_back(error.what());
     }
     pop(now, agent, host);
   }
   agent.brake();
-  return faults;
+  return ending;
 }
 
 std::optional<SimTime> RunningEvent::wake(SimTime now) const {

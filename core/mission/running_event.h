@@ -26,9 +26,12 @@ class RunningEvent {
   // Calls the present phase once. `goes_on`: another call is due at this exchange. After
   // `completed` and `failed` (with the reason) no script runs any more.
   Progress call(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
-  // Ends it from outside: innermost first, each script may clean up. Answers what went wrong there.
-  std::vector<std::string> abort(SimTime now, const MissionInfo& mission, RoverAgent& agent,
-                                 ScriptHost& host);
+  // Ends it from outside: innermost first, each script may clean up and say how far it had come.
+  struct Ending {
+    std::vector<std::string> faults;  // what went wrong there
+    std::string state;                // "charge was 0.42, UntilCharge is 0.8"; "": nothing is said
+  };
+  Ending abort(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
 
   // When it is due though nothing else happens; nullopt: at an arrival.
   std::optional<SimTime> wake(SimTime now) const;

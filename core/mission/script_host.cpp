@@ -48,7 +48,7 @@ struct ArchivedValue {
 void EventArguments::archive(Archive& a) {
   std::map<std::string, ArchivedValue> values;
   for (const auto& [key, value] : params) values[key] = {value};
-  a(values)(geometry_S_m);
+  a(values)(geometry_S_m)(holes_S_m);
   params.clear();
   for (const auto& [key, value] : values) params[key] = value.value;
 }

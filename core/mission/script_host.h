@@ -23,6 +23,7 @@ namespace lsos {
 struct EventArguments {
   std::map<std::string, FieldValue> params;
   Path3 geometry_S_m;
+  std::vector<Path3> holes_S_m = {};  // of a polygon
 
   void archive(Archive& a);
 };
@@ -90,13 +91,21 @@ class ScriptHost {
     (void)condition, (void)row, (void)rover;
     return false;
   }
+  // What the quantities that a condition names are: "charge was 0.93, distance_to('B') was 210";
+  // "" where it names none.
+  virtual std::string values_in(const std::string& condition, const SampleRow& row,
+                                const RoverPort& rover) {
+    (void)condition, (void)row, (void)rover;
+    return "";
+  }
   // Begins an event: ev.state is empty, ev.params and ev.geometry are the arguments.
   virtual ScriptInstance begin(const std::string& type, const EventArguments& arguments) = 0;
   // Throws ScriptError.
   virtual PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,
                                 PhaseContext& context) = 0;
-  // Calls on_abort, if the script has one: the event ends from outside.
-  virtual void run_abort(ScriptInstance instance, PhaseContext& context) = 0;
+  // Calls on_abort, if the script has one: the event ends from outside. Answers what the script
+  // says of how far it had come, "" when it says nothing.
+  virtual std::string run_abort(ScriptInstance instance, PhaseContext& context) = 0;
   virtual void end(ScriptInstance instance) = 0;
 
   // ev.state, as bytes, and back into an event that has just begun. Throws ScriptError for what

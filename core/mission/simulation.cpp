@@ -165,7 +165,10 @@ void Simulation::advance(std::optional<SimTime> until) {
     // The last exchange within it.
     now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
     for (Rover& rover : rovers_) rover.agent->count_energy(now_);
-    stop("MaxDuration is over");
+    stop(setup_.plan.mission.has_max_duration
+             ? "MaxDuration is over"
+             : fmt::format("MaxDuration is over, {:.0f} h by default",
+                           seconds(setup_.plan.mission.max_duration) / 3600));
     return;
   }
   LSOS_ASSERT(next > now_);
@@ -304,7 +307,7 @@ void Simulation::run_scripts() {
 
 void Simulation::stop(const std::string& reason, bool is_failure) {
   for (Rover& rover : rovers_) {
-    rover.sequence.stop(now_, *rover.agent, *host_, reason, is_failure);
+    rover.sequence.stop(now_, *rover.agent, *host_, *this, reason, is_failure);
     take_warnings(rover);
   }
   is_finished_ = true;

@@ -96,11 +96,12 @@ const std::vector<FieldDeclaration>& mission_fields() {
                             2.0),
                "s", seconds(exchange_period), longest_s),
       in_range(field("ParkedLogInterval", "parked_log_interval_s", FieldKind::duration,
-                     "time between log rows of a parked rover; default LogInterval"),
+                     "time between log rows of a parked rover; default 60 s, or LogInterval where "
+                     "that is longer"),
                "s", seconds(exchange_period), longest_s),
-      in_range(with_default(field("MaxDuration", "max_duration_s", FieldKind::duration,
-                                  "the run ends there as incomplete"),
-                            366 * 86400.0),
+      in_range(field("MaxDuration", "max_duration_s", FieldKind::duration,
+                     "the run ends there as incomplete; default by what the plan says of times, "
+                     "366 d where a condition may keep it waiting"),
                "s", seconds(exchange_period), longest_s),
   };
   return fields;

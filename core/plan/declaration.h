@@ -59,6 +59,7 @@ struct EventDeclaration {
   std::vector<GeometryKind> geometries;  // allowed; `none` among them: may have no geometry
   bool drives = false;                   // a Point means: drive there from where the rover is
   bool goes_on_without_power = false;    // also when the rover's battery is empty
+  std::optional<bool> is_open_ended;     // no field says when it ends; absent: by its fields
   std::string start_phase;
   struct Phase {
     std::string name;

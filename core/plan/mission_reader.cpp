@@ -115,7 +115,7 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
       read_interval(fields, values, "log_interval_s", "LogInterval").value_or(mission.log_interval);
   mission.parked_log_interval =
       read_interval(fields, values, "parked_log_interval_s", "ParkedLogInterval")
-          .value_or(mission.log_interval);
+          .value_or(std::max(mission.parked_log_interval, mission.log_interval));
   if (fields.find("ParkedLogInterval") == nullptr) {
     defaults.push_back(
         fmt::format("MissionInfo: ParkedLogInterval = {}",
@@ -123,6 +123,7 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
   }
   if (const auto* longest_s = find_value<double>(values, "max_duration_s")) {
     mission.max_duration = from_seconds(*longest_s);
+    mission.has_max_duration = true;
   }
   return mission;
 }

@@ -34,8 +34,9 @@ struct MissionInfo {
   TerrainName terrain_beyond;  // the ground where the terrain ends
   std::uint64_t seed = 0;
   SimTime log_interval{2'000'000};
-  SimTime parked_log_interval{2'000'000};
+  SimTime parked_log_interval{60'000'000};
   SimTime max_duration{366LL * 86400 * 1'000'000};
+  bool has_max_duration = false;  // the plan says it; else default_max_duration() does
 };
 
 struct PlanRover {

@@ -9,6 +9,8 @@ namespace {
 
 // Smaller turns are not worth the motor.
 constexpr double turn_least_rad = 1e-4;
+// A panel that faces its direction within this has reached it.
+constexpr double miss_least_rad = 0.5 * std::numbers::pi / 180;
 
 // Angles about the ground, as a direction in frame B.
 Vec3 direction_B(const PanelAngles& angles, const PanelSurroundings& around) {
@@ -16,6 +18,13 @@ Vec3 direction_B(const PanelAngles& angles, const PanelSurroundings& around) {
   return std::cos(angles.elevation_rad) * (std::cos(angles.azimuth_rad) * around.north_B +
                                            std::sin(angles.azimuth_rad) * east_B) +
          std::sin(angles.elevation_rad) * around.up_B;
+}
+
+// The same back.
+PanelAngles angles_of(const Vec3& direction_B, const PanelSurroundings& around) {
+  const Vec3 east_B = around.north_B.cross(around.up_B);
+  return {std::atan2(direction_B.dot(east_B), direction_B.dot(around.north_B)),
+          std::asin(std::clamp(direction_B.dot(around.up_B), -1.0, 1.0))};
 }
 
 }  // namespace
@@ -72,7 +81,28 @@ void PanelArray::steer(std::size_t panel, const Steering& steering) {
   states_[panel].steering = steering;
 }
 
+std::vector<PanelMiss> PanelArray::misses(SimTime now) const {
+  std::vector<PanelMiss> misses;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const State& state = states_[i];
+    if (!is_up(i, now) || !specs_[i].can_turn() || now < state.turn_end) continue;
+    if (state.steering.mode == SteerMode::track) continue;
+    const PanelAngles& wanted = state.steering.angles;
+    const bool is_of_ground = state.steering.mode == SteerMode::point;
+    const Vec3 wanted_B =
+        is_of_ground ? direction_B(wanted, around_) : pose(specs_[i], wanted).normal_B();
+    const Vec3 faced_B = pose_at(i, now).normal_B();
+    const double off_rad = std::atan2(faced_B.cross(wanted_B).norm(), faced_B.dot(wanted_B));
+    if (off_rad <= miss_least_rad) continue;
+    misses.push_back({specs_[i].name, state.steering.mode,
+                      is_of_ground ? angles_of(faced_B, around_) : angles(i, now), wanted,
+                      off_rad});
+  }
+  return misses;
+}
+
 void PanelArray::aim(const PanelSurroundings& around, SimTime now) {
+  around_ = around;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     State& state = states_[i];
     const PanelSpec& spec = specs_[i];

@@ -26,6 +26,16 @@ struct PanelSurroundings {
   Vec3 sun_B = Vec3::UnitZ();
   bool is_sun_up = false;
   Vec3 north_B = Vec3::UnitX(), up_B = Vec3::UnitZ();
+
+  void archive(Archive& a) { a(sun_B)(is_sun_up)(north_B)(up_B); }
+};
+
+// A panel that does not face where it was told: it has stopped at a limit, or is stuck.
+struct PanelMiss {
+  std::string panel;
+  SteerMode mode = SteerMode::fixed;
+  PanelAngles reached, wanted;  // as the mode counts them
+  double off_rad = 0;           // between the two directions
 };
 
 class PanelArray {
@@ -42,6 +52,9 @@ class PanelArray {
   // Puts it up or down; answers how long that takes, s, 0 when it is so already.
   double deploy(std::size_t panel, bool up, std::optional<double> duration_s, SimTime now);
   void steer(std::size_t panel, const Steering& steering);
+  // Those that were told angles and face another way by more than half a degree, once they have
+  // turned.
+  std::vector<PanelMiss> misses(SimTime now) const;
   // Turns those that are up towards where they shall face.
   void aim(const PanelSurroundings& surroundings, SimTime now);
 
@@ -58,7 +71,7 @@ class PanelArray {
   std::optional<SimTime> last_end(SimTime now) const;
   double motors_w(SimTime now) const;
 
-  void archive(Archive& a) { a.tag("panels")(states_); }
+  void archive(Archive& a) { a.tag("panels")(states_)(around_); }
 
  private:
   struct State {
@@ -76,6 +89,7 @@ class PanelArray {
 
   std::vector<PanelSpec> specs_;
   std::vector<State> states_;
+  PanelSurroundings around_;  // when they were last aimed
 };
 
 }  // namespace lsos

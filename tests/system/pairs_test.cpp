@@ -179,7 +179,7 @@ TEST(Pairs, of_earth_ends_where_the_near_side_ends) {
 }
 
 TEST(Pairs, a_mast_links_while_it_is_up_and_takes_power) {
-  const PlanRun run({flat({{"LogInterval", "1"}}), rover("A", "SEV", 0),
+  const PlanRun run({flat({{"LogInterval", "1"}, {"ParkedLogInterval", "1"}}), rover("A", "SEV", 0),
                      event("DeployCA", "A", 1, {{"Asset", "Mast"}, {"Duration", "100"}}),
                      event("Pause", "A", 2, {{"Duration", "50"}}),
                      event("StowCA", "A", 3, {{"Duration", "30"}})});

@@ -1,5 +1,7 @@
 #include "system/plan_text.h"
 
+#include <algorithm>
+
 namespace lsos::test {
 
 namespace {
@@ -35,9 +37,13 @@ std::string line(const std::string& coordinates) {
   return "<LineString><coordinates>" + coordinates + "</coordinates></LineString>";
 }
 
+// Short missions, logged at full rate also where the rover stands.
 Mark mission(const Fields& more) {
-  const Fields fields = {
-      {"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "Flat"}};
+  Fields fields = {{"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "Flat"}};
+  const auto is_parked_interval = [](const auto& field) {
+    return field.first == "ParkedLogInterval";
+  };
+  if (std::ranges::none_of(more, is_parked_interval)) fields.emplace_back("ParkedLogInterval", "2");
   return {"MissionInfo", joined(fields, more), ""};
 }
 

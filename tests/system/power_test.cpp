@@ -75,7 +75,8 @@ TEST(Power, that_never_comes_is_waited_for_in_rows_until_the_end) {
     is_said |= note.name == "waits_for_charge" && note.sequence == 2;
   }
   EXPECT_TRUE(is_said);
-  EXPECT_EQ(summary["events"][2]["reason"], "MaxDuration is over");
+  EXPECT_EQ(summary["events"][2]["reason"],
+            "MaxDuration is over; its turn did not come, 'Route 2' waited to start");
 }
 
 TEST(Power, closes_in_every_row_driving_and_parked) {
@@ -363,7 +364,8 @@ TEST(Light, a_neighbours_panel_shades_as_soon_as_it_moves) {
                       {{"Planet", "Moon"},
                        {"StartTime", "2026-07-28T00:00:00Z"},
                        {"Terrain", "Flat"},
-                       {"LogInterval", "1"}},
+                       {"LogInterval", "1"},
+                       {"ParkedLogInterval", "1"}},
                       ""},
                      rover_at("A", "0,-86"),
                      rover_at("B", beside),

@@ -28,6 +28,7 @@ class RecordingRover : public RoverPort {
   RouteSettings route;
   PlannedWay way;
   RoverPower energy{{}, 1, {}};
+  bool moves = true;  // what it is told to deploy
 
   const RoverView& view() const override { return rover; }
   DriveState drive() const override { return drive_state; }
@@ -37,10 +38,10 @@ class RecordingRover : public RoverPort {
     calls.push_back("follow " + std::to_string(path.size()) + " points");
   }
   RoverPower& power() override { return energy; }
-  double deploy_antenna(const std::string& antenna, bool up,
-                        std::optional<double> duration_s) override {
+  Deployment deploy_antenna(const std::string& antenna, bool up,
+                            std::optional<double> duration_s) override {
     calls.push_back((up ? "deploy '" : "stow '") + antenna + "'");
-    return duration_s.value_or(60);
+    return {duration_s.value_or(60), moves};
   }
   PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
                        const RouteSettings& with) override {
@@ -70,6 +71,7 @@ class RecordingRover : public RoverPort {
   void note(const std::string& name, const std::string& fields_json) override {
     calls.push_back("note " + name + " " + fields_json);
   }
+  void warn(const std::string& text) override { calls.push_back("warn " + text); }
 };
 
 // A folder with scripts that is removed with the object.

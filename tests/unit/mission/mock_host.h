@@ -64,9 +64,10 @@ class MockHost : public ScriptHost {
     ++calls;
     return phases_.at({instances_.at(id).type, phase})(instances_.at(id), context);
   }
-  void run_abort(ScriptInstance, PhaseContext& context) override {
+  std::string run_abort(ScriptInstance, PhaseContext& context) override {
     ++aborts;
     context.rover.brake();
+    return "";
   }
   void end(ScriptInstance id) override { instances_.erase(id); }
   std::string save(ScriptInstance id) override { return std::to_string(instances_.at(id).state); }

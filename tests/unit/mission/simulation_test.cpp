@@ -60,6 +60,35 @@ TEST(Simulation, max_duration_ends_the_run_as_incomplete) {
   EXPECT_EQ(mission.simulation_->now(), milliseconds(30000));
 }
 
+TEST(Simulation, that_ends_too_early_says_what_each_event_waited_for) {
+  Mission mission;
+  mission.setup_.plan.mission.max_duration = milliseconds(30000);
+  mission.setup_.plan.mission.has_max_duration = true;
+  mission.rover("A");
+  mission.event("Hold", 100);
+  mission.event("Hold", 1);
+  mission.rover("B");
+  mission.event("Hold", 1).start_after = {{"A", 1}};
+  mission.rover("C");
+  mission.event("Hold", 1).start_time = *parse_utc("2026-01-02").value;
+  mission.rover("D");
+  mission.event("Hold", 1).start_when = {"charge > 1.5", 1};
+  mission.rover("E");
+  mission.drive(300);
+  const std::vector<EventRow> events = mission.run();
+  EXPECT_EQ(events[0].reason, "MaxDuration is over, in phase 'hold' since 0 s");
+  EXPECT_EQ(events[1].reason, "MaxDuration is over; its turn did not come, 'Hold 1' was under way");
+  EXPECT_EQ(events[2].reason,
+            "MaxDuration is over; it waited for StartAfter: A/1 is still under way");
+  EXPECT_EQ(events[3].reason,
+            "MaxDuration is over; it waited for StartTime: 2026-01-02T00:00:00.000Z");
+  // The mock host knows no quantities.
+  EXPECT_EQ(events[4].reason,
+            "MaxDuration is over; it waited for StartWhen: charge > 1.5, which did not hold");
+  EXPECT_THAT(events[5].reason, testing::MatchesRegex(".*in phase 'arrive' since 0 s; 2[0-9]* m "
+                                                      "are left to drive"));
+}
+
 TEST(Simulation, drives_a_rover_to_its_point) {
   Mission mission;
   mission.rover("A");

@@ -63,12 +63,18 @@ TEST(PlanReader, reads_a_mission_in_si) {
 TEST(PlanReader, fills_in_the_defaults_of_a_mission) {
   const Plan plan = good(mission({{"LogInterval", "4"}}) + rover());
   EXPECT_EQ(plan.mission.seed, 0u);
-  EXPECT_EQ(plan.mission.parked_log_interval, from_seconds(4));
-  EXPECT_EQ(plan.mission.max_duration, from_seconds(366 * 86400));
+  EXPECT_EQ(plan.mission.parked_log_interval, from_seconds(60));
+  EXPECT_FALSE(plan.mission.has_max_duration);
   EXPECT_THAT(plan.defaults,
-              ElementsAre("MissionInfo: Seed = 0", "MissionInfo: MaxDuration = 31622400 s",
-                          "MissionInfo: ParkedLogInterval = 4 s", "Rover 'A': InitialCharge = 1",
+              ElementsAre("MissionInfo: Seed = 0", "MissionInfo: ParkedLogInterval = 60 s",
+                          "Rover 'A': InitialCharge = 1",
                           "Rover 'A': Heading = toward its first waypoint"));
+}
+
+// A parked rover is not logged more often than one that drives.
+TEST(PlanReader, a_parked_rover_is_logged_no_more_often_than_a_moving_one) {
+  const Plan plan = good(mission({{"LogInterval", "2 min"}}) + rover());
+  EXPECT_EQ(plan.mission.parked_log_interval, from_seconds(120));
 }
 
 TEST(PlanReader, a_raster_is_found_beside_the_plan) {

@@ -145,5 +145,37 @@ TEST(PanelArray, is_of_no_use_until_it_is_up) {
   EXPECT_FALSE(array.is_up(0, SimTime{40'000'000}));
 }
 
+// The upper half of the sky is all that it can face.
+TEST(PanelArray, tells_of_a_panel_that_stopped_at_its_limit) {
+  PanelArray panels({panel()});
+  const PanelSurroundings level;  // the nose to the north
+  panels.steer(0, {SteerMode::point, {pi / 2, -pi / 3}});
+  panels.aim(level, SimTime{});
+  const SimTime later = from_seconds(1000);
+  EXPECT_TRUE(panels.misses(SimTime{1}).empty());  // it turns yet
+  const std::vector<PanelMiss> misses = panels.misses(later);
+  ASSERT_EQ(misses.size(), 1u);
+  EXPECT_EQ(misses[0].panel, "Roof");
+  EXPECT_NEAR(misses[0].reached.azimuth_rad, pi / 2, 1e-9);
+  EXPECT_NEAR(misses[0].reached.elevation_rad, 0, 1e-9);
+  EXPECT_NEAR(misses[0].off_rad, pi / 3, 1e-9);
+
+  panels.steer(0, {SteerMode::fixed, {pi, 2}});
+  panels.aim(level, later);
+  ASSERT_EQ(panels.misses(2 * later).size(), 1u);
+  EXPECT_NEAR(panels.misses(2 * later)[0].reached.elevation_rad, pi / 2, 1e-9);
+}
+
+TEST(PanelArray, has_nothing_to_tell_of_panels_that_face_where_they_were_told) {
+  PanelArray panels({panel()});
+  SimTime now{};
+  for (const SteerMode mode : {SteerMode::point, SteerMode::fixed, SteerMode::track}) {
+    panels.steer(0, {mode, {-2, 0.7}});
+    panels.aim({}, now);
+    now += from_seconds(1000);
+    EXPECT_TRUE(panels.misses(now).empty());
+  }
+}
+
 }  // namespace
 }  // namespace lsos

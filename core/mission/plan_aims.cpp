@@ -1,0 +1,95 @@
+#include "mission/plan_aims.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/field_reader.h"
+
+namespace lsos {
+
+namespace {
+
+// Time between two moments for messages: "1.5 h", "45 s".
+std::string span_text(SimTime span) {
+  const double whole_s = std::abs(seconds(span));
+  if (whole_s >= 86400) return fmt::format("{:.4g} d", whole_s / 86400);
+  if (whole_s >= 3600) return fmt::format("{:.4g} h", whole_s / 3600);
+  if (whole_s >= 60) return fmt::format("{:.4g} min", whole_s / 60);
+  return fmt::format("{:.4g} s", whole_s);
+}
+
+void check_times(const Plan& plan, const Declarations& declarations, Faults& faults) {
+  const MissionInfo& mission = plan.mission;
+  for (const PlanEvent& event : plan.events) {
+    if (!event.is_enabled) continue;
+    const auto check = [&](const std::string& field, Instant time) {
+      const SimTime at = time - mission.start_time;
+      const auto warn = [&](const std::string& what) {
+        faults.warning(event.place, fmt::format("{} '{}': {} = {}: {}", event.type, event.label,
+                                                field, format_utc(time), what));
+      };
+      if (at < SimTime{}) {
+        warn(fmt::format("is {} before the mission's StartTime, {}: nothing waits for it",
+                         span_text(at), format_utc(mission.start_time)));
+      } else if (mission.has_max_duration && at > mission.max_duration) {
+        warn(fmt::format("is {} after the mission's end by its MaxDuration, {}: it never comes",
+                         span_text(at - mission.max_duration),
+                         format_utc(mission.start_time + mission.max_duration)));
+      }
+    };
+    if (event.start_time) check("StartTime", *event.start_time);
+    for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
+      const auto value = event.params.find(field.key);
+      if (field.kind != FieldKind::utc || value == event.params.end()) continue;
+      check(field.name, std::get<Instant>(value->second));
+    }
+  }
+}
+
+void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& rovers,
+                   Faults& faults) {
+  for (const PlanRover& rover : plan.rovers) {
+    const auto model = rovers.find(rover.type);
+    if (model == rovers.end() || model->second.power.battery || rover.initial_charge == 1) continue;
+    faults.warning(rover.place, fmt::format("Rover '{}': InitialCharge = {}: {} has no battery",
+                                            rover.id, rover.initial_charge, rover.type));
+  }
+}
+
+// What is asked of an asset whose power is known: one without panels.
+void check_supplies(const Plan& plan, const Declarations& declarations,
+                    const std::map<std::string, AssetModel>& assets, Faults& faults) {
+  for (const PlanEvent& event : plan.events) {
+    const auto& fields = declarations.events.at(event.type).fields;
+    const auto source = std::ranges::find(fields, NameOf::power_source, &FieldDeclaration::names);
+    if (source == fields.end() || !event.is_enabled) continue;
+    const auto* asset_id = find_value<std::string>(event.params, source->key);
+    if (asset_id == nullptr) continue;
+    const auto asset = std::ranges::find(plan.assets, *asset_id, &PlanAsset::id);
+    if (asset == plan.assets.end() || !assets.contains(asset->type)) continue;
+    const AssetModel& model = assets.at(asset->type);
+    if (!model.panels.empty()) continue;
+    for (const FieldDeclaration& field : fields) {
+      const bool is_power = field.unit != nullptr && field.unit->suffix == "w";
+      const double* asked_w = is_power ? find_value<double>(event.params, field.key) : nullptr;
+      if (asked_w == nullptr || *asked_w <= model.supply_w) continue;
+      faults.warning(event.place,
+                     fmt::format("{} '{}': {} = {:g} W: '{}' has {:g} W to give", event.type,
+                                 event.label, field.name, *asked_w, *asset_id, model.supply_w));
+    }
+  }
+}
+
+}  // namespace
+
+void check_plan_aims(const Plan& plan, const Declarations& declarations,
+                     const std::map<std::string, RoverModel>& rovers,
+                     const std::map<std::string, AssetModel>& assets, Faults& faults) {
+  if (!plan.gaps.start_time) check_times(plan, declarations, faults);
+  check_charges(plan, rovers, faults);
+  check_supplies(plan, declarations, assets, faults);
+}
+
+}  // namespace lsos

@@ -1,0 +1,16 @@
+// Everyday words in conditions, and the logged quantities that are meant.
+#pragma once
+
+#include <string>
+
+namespace lsos {
+
+// "; did you mean 'charge' (of the battery, 0 to 1)?" for "battery"; "" for a word that could mean
+// anything. A unit that is not the quantity's own, as in slope_deg, is told with its conversion.
+std::string everyday_word_hint(const std::string& word);
+
+// Why `quantity` is never near that number: 80 for a share, 20 for an angle in radians; "" where it
+// can be.
+std::string size_fault(const std::string& quantity, double number);
+
+}  // namespace lsos

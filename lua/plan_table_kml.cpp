@@ -1,0 +1,60 @@
+// The KML document of a plan that was read from a table.
+#include <algorithm>
+#include <sstream>
+
+#include "lua/plan_table.h"
+#include "plan/kml_writer.h"
+
+namespace lsos {
+
+namespace {
+
+// Places of a text of coordinates.
+std::vector<Geodetic> places_of(const std::string& text) {
+  std::vector<Geodetic> places;
+  std::istringstream points(text);
+  for (std::string point; points >> point;) {
+    double lon = 0, lat = 0;
+    char comma = 0;
+    std::istringstream(point) >> lon >> comma >> lat;
+    places.push_back(geodetic_from_degrees(lon, lat));
+  }
+  return places;
+}
+
+}  // namespace
+
+std::string kml_of(const KmlSource& source) {
+  KmlDocument document;
+  document.name = source.file;
+  for (const SourcePlacemark& from : source.placemarks) {
+    const SourceData& data = from.data.front();
+    const auto known = std::ranges::find(document.schemas, data.schema, &KmlSchema::id);
+    KmlSchema& schema =
+        known != document.schemas.end()
+            ? *known
+            : document.schemas.emplace_back(KmlSchema{data.schema, data.schema, {}});
+    KmlPlacemark placemark;
+    placemark.name = from.name;
+    placemark.schema_id = data.schema;
+    for (const SourceField& field : data.fields) {
+      placemark.data.emplace_back(field.name, field.text);
+      if (std::ranges::find(schema.fields, field.name, &KmlField::name) == schema.fields.end()) {
+        schema.fields.push_back({field.name, "string", ""});
+      }
+    }
+    for (const SourceGeometry& geometry : from.geometries) {
+      placemark.geometry.kind = geometry.kind == "Point"     ? KmlGeometryKind::point
+                                : geometry.kind == "Polygon" ? KmlGeometryKind::polygon
+                                                             : KmlGeometryKind::line;
+      placemark.geometry.points = places_of(geometry.coordinates);
+      for (const SourceGeometry::Ring& hole : geometry.holes) {
+        placemark.geometry.holes.push_back(places_of(hole.coordinates));
+      }
+    }
+    document.placemarks.push_back(std::move(placemark));
+  }
+  return write_kml(document);
+}
+
+}  // namespace lsos

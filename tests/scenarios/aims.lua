@@ -1,0 +1,120 @@
+-- An event that has missed its aim does not complete, and what is done in vain is said.
+
+local lsos = require 'lsos'
+
+-- High Sun: the middle of the Moon's near side at its noon.
+local noon = '2026-07-29T14:00:00Z'
+
+local function sim_of(events, more)
+  local plan = { start = noon, rovers = { A = { type = 'SEV', charge = 0.5, events = events } } }
+  for key, value in pairs(more or {}) do plan[key] = value end
+  return lsos.sim(plan)
+end
+
+local function warned(sim) return #sim:notes('warning') end
+
+lsos.scenario('a recharge whose duration ends below its charge fails', function(t)
+  local sim = sim_of {
+    { 'StowSP', Duration = 0 },
+    { 'Recharge', EnergyRate = '3 kW', UntilCharge = 0.8, Duration = 600, OnFailure = 'skip' },
+    { 'Recharge', EnergyRate = '3 kW', UntilCharge = 0.5, Duration = 600 },
+  }
+  sim:run()
+  -- 3 kW less the loads, into 40 kWh with 0.96: 1.2 % at most in ten minutes.
+  local charge = tonumber(sim:event('A/20').reason:match('charge is ([%d.]+), UntilCharge is 0.8$'))
+  t:near(charge, 0.506, 0.006, sim:event('A/20').reason)
+  t:equal(sim:event('A/20').status, 'failed')
+  t:equal(sim:event('A/30').status, 'completed')
+end)
+
+lsos.scenario('a panel that stops at its limit fails, with the angles', function(t)
+  local sim = sim_of {
+    { 'SteerSP', Mode = 'point', Azimuth = 0, Elevation = -90, OnFailure = 'skip' },
+    { 'SteerSP', Mode = 'point', Azimuth = 120, Elevation = 40 },
+    { 'SteerSP', Mode = 'fixed', Azimuth = 350, Elevation = 10 },
+  }
+  sim:run()
+  local reason = sim:event('A/10').reason
+  t:equal(sim:event('A/10').status, 'failed')
+  t:check(reason:find('was told azimuth 0 deg, elevation -90 deg and stopped at', 1, true), reason)
+  t:near(tonumber(reason:match('elevation ([%d.e-]+) deg$')), 0, 0.5, reason)
+  t:equal(sim:event('A/20').status, 'completed')
+  t:equal(sim:event('A/30').status, 'completed')
+end)
+
+lsos.scenario('what is up already is not raised, and that is said', function(t)
+  local sim = sim_of {
+    { 'DeploySP' }, { 'StowSP' }, { 'StowSP', Panel = 'Roof' }, { 'StowCA' }, { 'DeployCA' },
+  }
+  sim:run()
+  t:equal(warned(sim), 3)
+  t:equal(sim:notes('warning')[1].fields.text, 'all are up already: nothing was done')
+  t:equal(sim:notes('warning')[2].fields.text, "'Roof' is stowed already: nothing was done")
+end)
+
+lsos.scenario('a moment that is over when its turn comes is said, and not waited for', function(t)
+  local sim = sim_of {
+    { 'Pause', Duration = 600 }, { 'Wait', Until = '2026-07-29T14:05:00Z' },
+    { 'Wait', Until = '2026-07-29T14:20:00Z' },
+  }
+  sim:run()
+  t:equal(sim:event('A/20').status, 'completed')
+  t:equal(sim:event('A/20').end_s, 600.0)
+  t:equal(warned(sim), 1)
+  t:equal(sim:notes('warning')[1].fields.text, 'Until was over 300 s before its turn came')
+end)
+
+lsos.scenario('tracking a Sun below the horizon is said', function(t)
+  local sim = sim_of({ { 'SteerSP' } }, { start = '2026-07-15T00:00:00Z' })
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed')
+  t:check(sim:notes('warning')[1].fields.text:find('below the horizon', 1, true))
+end)
+
+lsos.scenario('power from outside that falls short is said once an event', function(t)
+  local sim = sim_of({
+    { 'Recharge', From = 'Home', EnergyRate = '9 kW', Duration = 100 },
+    { 'Recharge', From = 'Home', EnergyRate = '2 kW', Duration = 100 },
+    { 'Recharge', From = 'Home', Duration = 100 },
+  }, { assets = { Home = { type = 'Habitat', at = { 12, 0 } } } })
+  sim:run()
+  local short = sim:notes('supply_short')
+  t:equal(#short, 1)
+  t:equal(short[1].sequence, 10)
+  t:equal(short[1].fields.asked_w, 9000)
+  t:equal(short[1].fields.given_w, 5000)
+end)
+
+lsos.scenario('what a mission that ends too early waited for', function(t)
+  local sim = lsos.sim {
+    start = noon, max_duration_s = 600,
+    rovers = {
+      A = { type = 'SEV', events = { { 'Pause', Duration = 10, StartWhen = 'charge > 1.5' },
+        { 'Pause', Duration = 10 } } },
+      B = { type = 'SEV', at = { 40, 0 },
+        events = { { 'Pause', Duration = 10, StartAfter = 'A/10' } } },
+      C = { type = 'SEV', at = { 80, 0 }, charge = 0.5, events = { { 'StowSP', Duration = 0 },
+        { 'Recharge', UntilCharge = 0.9 } } },
+      D = { type = 'SEV', at = { 120, 0 },
+        events = { { 'Rendezvous', With = 'Mast', Speed = 0.1 } } },
+      E = { type = 'SEV', at = { 160, 60 },
+        events = { { 'Pause', Duration = 10, StartTime = '2026-07-29T18:00:00Z' } } },
+    },
+    assets = { Mast = { type = 'CommStation', at = { 400, 0 } } },
+  }
+  sim:run()
+  local function says(event, text)
+    local reason = sim:event(event).reason
+    t:check(reason:find(text, 1, true), event .. ': ' .. reason)
+  end
+  says('A/10', 'it waited for StartWhen: charge > 1.5, which did not hold; charge was 1')
+  says('A/20', "its turn did not come, 'Pause 10' waited to start")
+  says('B/10', 'it waited for StartAfter: A/10 waits itself')
+  says('C/20', "in phase 'charge' since 0 s; charge was 0.4")
+  says('C/20', 'UntilCharge is 0.9')
+  says('D/10', "'Mast' was 2")
+  says('D/10', 'm away, Distance is 20 m')
+  says('E/10', 'it waited for StartTime: 2026-07-29T18:00:00.000Z')
+  t:equal(sim:event('A/10').status, 'not_started')
+  t:equal(sim:event('C/20').status, 'incomplete')
+end)

@@ -1,0 +1,63 @@
+-- Surveys keep out of holes and within outlines that cut in.
+
+local lsos = require 'lsos'
+
+local function is_within(p, west, south, east, north)
+  return p.x > west and p.x < east and p.y > south and p.y < north
+end
+
+-- Runs it, and answers the least that `of` gives of the rover's places, some metres apart.
+local function drive(sim, of)
+  local least = math.huge
+  while not sim.is_finished do
+    sim:run_for(2)
+    least = math.min(least, of(sim.rovers.A.position))
+  end
+  return least
+end
+
+lsos.scenario('a survey drives round a hole and samples none of it', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = {
+        type = 'SEV', at = { 0, 0 },
+        events = {
+          { 'Survey', polygon = { { 0, 0 }, { 80, 0 }, { 80, 60 }, { 0, 60 } },
+            holes = { { { 25, 20 }, { 55, 20 }, { 55, 45 }, { 25, 45 } } },
+            SampleDuration = 5, SampleEvery = 40 },
+        },
+      },
+    },
+  }
+  -- How far outside the hole, m; below 0 in it.
+  local function outside(p)
+    return math.max(25 - p.x, p.x - 55, 20 - p.y, p.y - 45)
+  end
+  local least_m = drive(sim, outside)
+  t:equal(sim:event('A/10').status, 'completed', sim:event('A/10').reason)
+  local margin_m = sim.rovers.A.length_m
+  t:check(least_m > margin_m - 1.5, 'nearest ' .. least_m)
+  local samples = sim:notes('sample')
+  t:equal(#samples, sim:notes('survey')[1].fields.stops)
+  -- Four lines of 60 m to the north; the two in the middle are cut into parts of 15 m.
+  t:equal(#samples, 3 + 2 * 2 + 2 * 2 + 3)
+end)
+
+lsos.scenario('a survey of a bay goes round it', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = {
+        type = 'SEV', at = { 5, 5 },
+        events = {
+          { 'Survey',
+            polygon = { { 0, 0 }, { 80, 0 }, { 80, 60 }, { 55, 60 }, { 55, 20 }, { 25, 20 },
+              { 25, 60 }, { 0, 60 } },
+            SampleDuration = 5, SampleEvery = 40 },
+        },
+      },
+    },
+  }
+  local function depth(p) return is_within(p, 25, 20, 55, 60) and -1 or 1 end
+  t:equal(drive(sim, depth), 1, 'never in the bay')
+  t:equal(sim:event('A/10').status, 'completed')
+end)
