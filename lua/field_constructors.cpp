@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/quantity_advice.h"
 #include "base/units.h"
 #include "lua/constructors.h"
 #include "plan/declaration.h"
@@ -51,7 +52,7 @@ void read_quantity(TableReader& t, FieldDeclaration& field, const char* unit_sym
   if (field.unit == nullptr) {
     std::vector<std::string> symbols;
     for (const Unit& unit : all_units()) symbols.emplace_back(unit.symbol);
-    t.fault(fmt::format("unknown unit '{}'{}; known are {}", symbol, did_you_mean(symbol, symbols),
+    t.fault(fmt::format("unknown unit '{}'{}; known are {}", symbol, unit_advice(symbol),
                         fmt::join(symbols, ", ")));
     field.unit = find_unit(unit_symbol);
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/quantity_advice.h"
 #include "lua/made.h"
 #include "terrain/length_unit.h"
 
@@ -38,7 +39,7 @@ void read_raster(TableReader& t, RasterSurface& raster) {
   if (!raster.unit.empty() && !length_unit_m(raster.unit)) {
     const std::vector<std::string> names = length_unit_names();
     t.fault(fmt::format("unit: '{}' is no unit of length; {} are allowed{}", raster.unit,
-                        fmt::join(names, ", "), did_you_mean(raster.unit, names)));
+                        fmt::join(names, ", "), unit_advice(raster.unit, "length")));
   }
   t.boolean(optional, "is_radius", raster.is_radius,
             "Samples are distances from the body's centre, not heights (by default as their size "

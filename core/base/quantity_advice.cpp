@@ -244,6 +244,19 @@ std::string quantity_advice(std::string_view text, const Unit& wanted) {
   return spelled_unit(word, wanted.kind)->factor == 1 ? asked({part->symbol}) : asked(part->texts);
 }
 
+std::string unit_advice(std::string_view symbol, std::string_view kind) {
+  if (symbol.empty() || symbol.size() > text_bytes_max) return "";
+  std::vector<std::string> found;
+  for (const Unit& unit : all_units()) {
+    if (!kind.empty() && unit.kind != kind) continue;
+    const std::optional<UnitSpelling> spelling = spelled_unit(symbol, unit.kind);
+    if (spelling && spelling->factor == 1 && spelling->symbol == unit.symbol) {
+      found.emplace_back(unit.symbol);
+    }
+  }
+  return asked(found);
+}
+
 std::string whole_number_advice(std::string_view text) {
   if (text.size() > text_bytes_max) return "";
   const std::string plain = trimmed(in_ascii(std::string(text)));

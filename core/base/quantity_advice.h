@@ -13,6 +13,9 @@ namespace lsos {
 // that was written.
 std::string quantity_advice(std::string_view text, const Unit& wanted);
 
+// The same for a unit alone; `kind` "" for any.
+std::string unit_advice(std::string_view symbol, std::string_view kind = "");
+
 // The same for a whole number: "; did you mean '1500'?" for "1,500", and "10" for "10.0".
 std::string whole_number_advice(std::string_view text);
 

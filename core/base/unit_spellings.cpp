@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "base/error.h"
 #include "base/units.h"
 
 namespace lsos {
@@ -256,6 +257,23 @@ std::optional<UnitSpelling> found_in(std::span<const Spelling> table, std::strin
   return {};
 }
 
+// A word with one wrong letter, "feat"; not its first, which may be a prefix, and none so short
+// that it could be another unit.
+std::optional<UnitSpelling> misspelt(std::string_view small, std::string_view kind) {
+  constexpr std::size_t letters_min = 4;
+  const bool is_word = small.size() >= letters_min &&
+                       std::ranges::all_of(small, [](char c) { return c >= 'a' && c <= 'z'; });
+  if (!is_word) return {};
+  for (const Spelling& each : words) {
+    const bool may_be = each.factor == 1 && each.word.size() >= letters_min &&
+                        each.word.front() == small.front() && is_of_kind(each.symbol, kind);
+    if (may_be && edit_distance(small, each.word) == 1) {
+      return UnitSpelling{std::string(each.symbol), 1};
+    }
+  }
+  return {};
+}
+
 // An m in front is milli or mega, as in "mw", and a capital does not tell which. Lengths, speeds
 // and durations have no mega in use.
 bool may_be_milli_or_mega(std::string_view small, std::string_view kind) {
@@ -271,6 +289,7 @@ std::optional<UnitSpelling> spelled_unit(std::string_view word, std::string_view
   if (auto found = found_in(exact, plain, kind)) return found;
   const std::string small = in_small_letters(plain);
   if (auto found = found_in(words, small, kind)) return found;
+  if (auto found = misspelt(small, kind)) return found;
   if (small.empty() || may_be_milli_or_mega(small, kind)) return {};
   for (const Unit& unit : all_units()) {
     if (unit.kind != kind || in_small_letters(bare(std::string(unit.symbol))) != small) continue;

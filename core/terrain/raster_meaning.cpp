@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/quantity_advice.h"
 #include "terrain/gdal_call.h"
 #include "terrain/length_unit.h"
 #include "terrain/raster_body.h"
@@ -32,8 +33,7 @@ std::optional<double> unit_m(GDALRasterBand& band, const RasterSurface& surface,
     const auto unit = length_unit_m(surface.unit);
     if (!unit) {
       name.refuse(fmt::format("is said to be in '{}', which is no unit of length: {}{}",
-                              surface.unit, allowed,
-                              did_you_mean(surface.unit, length_unit_names())));
+                              surface.unit, allowed, unit_advice(surface.unit, "length")));
     }
     return unit;
   }

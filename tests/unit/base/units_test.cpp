@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "base/quantity_advice.h"
+
 namespace lsos {
 namespace {
 
@@ -159,6 +161,17 @@ TEST(Suggestions, convert_what_is_no_unit_here) {
   EXPECT_EQ(suggested("2 weeks", "s"), "'14 d'?");
   EXPECT_EQ(suggested("3 sols", "s"), "'3.082474 d'?");
   EXPECT_EQ(suggested("20 %", "deg"), "'11.31 deg'?");
+}
+
+TEST(Suggestions, of_units_alone_are_of_the_same_size) {
+  EXPECT_EQ(unit_advice("hrs"), "; did you mean 'h'?");
+  EXPECT_EQ(unit_advice("kmh"), "; did you mean 'km/h'?");
+  EXPECT_EQ(unit_advice("KW"), "; did you mean 'kW'?");
+  EXPECT_EQ(unit_advice("meters"), "; did you mean 'm'?");
+  EXPECT_EQ(unit_advice("mi", "length"), "") << "a mile is none of them";
+  EXPECT_EQ(unit_advice("parsec"), "");
+  EXPECT_EQ(unit_advice("feat", "length"), "; did you mean 'ft'?");
+  EXPECT_EQ(unit_advice("mils", "length"), "") << "a thousandth of an inch";
 }
 
 TEST(Suggestions, never_take_milli_for_mega) {
