@@ -29,7 +29,8 @@ RunSummary summarise(const Simulation& simulation, const MissionFiles& files, do
     rover.drive_s = result.drive_s;
     rover.elevation_gain_m = result.elevation_gain_m;
     rover.max_slope_rad = result.slope_max_rad;
-    rover.max_slip = result.slip_max;
+    rover.max_slip = result.slip_greatest;
+    rover.p95_slip = result.slip_p95;
     rover.energy_start_j = result.energy_start_j;
     rover.energy_end_j = result.energy_end_j;
     rover.energy_used_j = result.energy_used_j;

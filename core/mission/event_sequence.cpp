@@ -210,7 +210,7 @@ bool EventSequence::is_met(const char* name, const PlanEvent::Condition& conditi
                            std::string& fault) {
   if (condition.text.empty() || (!is_first && now % condition_period != SimTime{})) return false;
   try {
-    return host.holds(condition.text, agent.sample(now, event_label(), phase()), agent);
+    return host.holds(condition.text, agent.condition_sample(now, event_label(), phase()), agent);
   } catch (const ScriptError& error) {
     fault = to_string({Severity::error,
                        {event().place.file, condition.line},

@@ -76,6 +76,7 @@ void RoverAgent::observe() {
   if (is_parked_) return;
   look();
   count_extremes();
+  count_slip();
   if (fault_.empty()) find_faults();
   if (!fault_.empty()) {
     command_ = {};
@@ -163,11 +164,8 @@ void RoverAgent::update_view() {
 }
 
 void RoverAgent::count_extremes() {
-  const auto raise = [](double& most, double value) {
-    if (!(most >= value) && !std::isnan(value)) most = value;
-  };
-  raise(slip_max_, std::abs(report_.slip_max));
-  raise(slope_max_rad_, report_.slope_rad);
+  const double slope_rad = report_.slope_rad;
+  if (!(slope_max_rad_ >= slope_rad) && !std::isnan(slope_rad)) slope_max_rad_ = slope_rad;
   if (report_.speed_mps > driving_mps) drive_time_ += exchange_period;
   // Rises from turning point to turning point; what is smaller than the hysteresis is no turn.
   const double elevation_m = report_.elevation_m;
@@ -210,6 +208,7 @@ Vec3 RoverAgent::antenna_S_m() const {
 }
 
 void RoverAgent::release() {
+  drive_time_in_events_ = drive_time_;
   brake();
   power_.set_claims({});
   find_flows();
@@ -250,6 +249,14 @@ SampleRow RoverAgent::sample(SimTime now, const std::string& event,
   return row;
 }
 
+SampleRow RoverAgent::condition_sample(SimTime now, const std::string& event,
+                                       const std::string& phase) const {
+  SampleRow row = sample(now, event, phase);
+  row.slip = is_parked_ ? not_modelled : slip_.now();
+  row.slip_max = is_parked_ ? not_modelled : slip_.now_max();
+  return row;
+}
+
 std::vector<JointRow> RoverAgent::joints(SimTime now) const {
   std::vector<JointRow> rows;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -273,8 +280,8 @@ void RoverAgent::archive(Archive& a) {
   a(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_);
   a(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_);
   a(view_.distance_m)(view_.drive_w)(view_.drive_j);
-  a(slip_max_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_);
-  a(drive_time_);
+  a(slip_)(slope_max_rad_)(elevation_gain_m_)(elevation_low_m_)(elevation_high_m_)(is_rising_);
+  a(drive_time_)(drive_time_in_events_);
   if (a.is_reading()) update_view();
 }
 

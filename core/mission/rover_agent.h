@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mission/body_shape.h"
+#include "mission/drive_slip.h"
 #include "mission/motion.h"
 #include "mission/rover_model.h"
 #include "mission/rover_port.h"
@@ -122,15 +123,18 @@ class RoverAgent : public RoverPort {
   std::vector<std::string> take_warnings();
   Geodetic place_now() const;
   SampleRow sample(SimTime now, const std::string& event, const std::string& phase) const;
+  // The same with the slip that conditions look at: of driving, over the last second.
+  SampleRow condition_sample(SimTime now, const std::string& event, const std::string& phase) const;
   std::vector<JointRow> joints(SimTime now) const;
   std::vector<PanelRow> panels(SimTime now) const;
   std::vector<ResourceRow> resources(SimTime now) const;
 
+  const DriveSlip& slip() const { return slip_; }
   // Extremes over all exchanges.
-  double slip_max() const { return slip_max_; }
   double slope_max_rad() const { return slope_max_rad_; }
   double elevation_gain_m() const;
-  double drive_s() const { return seconds(drive_time_); }
+  // Faster than 1 mm/s, until an event last ended: what sways on after it is no driving.
+  double drive_s() const { return seconds(drive_time_in_events_); }
 
   void archive(Archive& a);
 
@@ -146,6 +150,7 @@ class RoverAgent : public RoverPort {
   void tell_short();
   void update_view();
   void count_extremes();
+  void count_slip();
 
   PlanRover rover_;
   const Ground* ground_;
@@ -176,11 +181,12 @@ class RoverAgent : public RoverPort {
   std::vector<Note> notes_;
   std::vector<std::string> warnings_;
   std::int64_t noting_sequence_ = 0;
-  double slip_max_ = not_modelled, slope_max_rad_ = not_modelled;
+  DriveSlip slip_;
+  double slope_max_rad_ = not_modelled;
   double elevation_gain_m_ = 0;
   double elevation_low_m_ = not_modelled, elevation_high_m_ = not_modelled;
   bool is_rising_ = false;
-  SimTime drive_time_{};
+  SimTime drive_time_{}, drive_time_in_events_{};
 };
 
 }  // namespace lsos

@@ -39,6 +39,18 @@ void RoverAgent::drive_on() {
   }
 }
 
+// In the period that has just gone by, under the command that was given before it.
+void RoverAgent::count_slip() {
+  DriveSlip::Motion motion;
+  motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
+  motion.is_commanded = is_driving() && !command_.is_braking && motion.command_mps > 0;
+  if (motion.is_commanded) motion.requested_mps = follower_->requested_mps();
+  motion.speed_mps = report_.speed_mps;
+  motion.slip = report_.slip;
+  motion.slip_max = report_.slip_max;
+  slip_.add(motion);
+}
+
 bool RoverAgent::is_driving() const {
   return follower_ && follower_->status() == PathFollower::Status::driving &&
          drive_failure_.empty();

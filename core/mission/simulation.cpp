@@ -360,7 +360,8 @@ std::vector<RoverResult> Simulation::results() const {
     result.drive_s = agent.drive_s();
     result.elevation_gain_m = agent.elevation_gain_m();
     result.slope_max_rad = agent.slope_max_rad();
-    result.slip_max = agent.slip_max();
+    result.slip_greatest = agent.slip().greatest();
+    result.slip_p95 = agent.slip().p95();
     if (agent.power().has_battery()) {
       result.energy_start_j = agent.power().energy_at_start_j();
       result.energy_end_j = agent.power().account().energy_j;

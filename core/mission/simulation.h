@@ -57,7 +57,8 @@ struct RoverResult {
   double duration_s = 0;  // to its last event's end
   double drive_s = 0;
   double elevation_gain_m = 0;
-  double slope_max_rad = not_modelled, slip_max = not_modelled;
+  double slope_max_rad = not_modelled;
+  double slip_greatest = not_modelled, slip_p95 = not_modelled;  // of driving, see DriveSlip
   double energy_start_j = not_modelled, energy_end_j = not_modelled;
   double energy_used_j = not_modelled, solar_j = not_modelled;
   std::map<std::string, double> resources = {};

@@ -42,6 +42,7 @@ Json json_of(const RoverSummary& rover) {
                  {"elevation_gain_m", rover.elevation_gain_m},
                  {"max_slope_rad", rover.max_slope_rad},
                  {"max_slip", rover.max_slip},
+                 {"p95_slip", rover.p95_slip},
                  {"resources", nullptr}};
   if (rover.resources) object["resources"] = *rover.resources;
   return object;

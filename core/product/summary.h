@@ -28,9 +28,10 @@ struct RoverSummary {
   double energy_end_j = not_modelled;
   double energy_used_j = not_modelled;
   double solar_j = not_modelled;
-  double elevation_gain_m = not_modelled;                  // sum of rises, 0.5 m hysteresis
-  double max_slope_rad = not_modelled;                     // over all exchanges
-  double max_slip = not_modelled;                          // over all exchanges
+  double elevation_gain_m = not_modelled;  // sum of rises, 0.5 m hysteresis
+  double max_slope_rad = not_modelled;     // over all exchanges
+  double max_slip = not_modelled;          // of driving: greatest mean over a second
+  double p95_slip = not_modelled;          // and what 95 % of that time does not exceed
   std::optional<std::map<std::string, double>> resources;  // what is left of each
 };
 

@@ -63,6 +63,7 @@ class PathFollower {
   // The waypoint that comes next, counted as in the path that was given.
   std::size_t next_waypoint() const;
   double remaining_m() const { return remaining_m_; }
+  double requested_mps() const { return limits_.speed_mps; }
   // How much of the line lies behind, 0..1.
   double share() const;
 

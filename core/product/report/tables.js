@@ -70,6 +70,7 @@ function fillTables() {
     ['Climbed', rover => distanceText(about(rover).elevation_gain_m), true],
     ['Steepest', rover => degrees(about(rover).max_slope_rad), true],
     ['Most slip', rover => percent(about(rover).max_slip), true],
+    ['Slip, 95 %', rover => percent(about(rover).p95_slip), true],
   ];
   if (has('resources')) {
     columns.push(['Resources left', rover => Object.entries(about(rover).resources || {}).map(([name, left]) => `${name} ${numberText(left)}`).join(', ') || '–']);

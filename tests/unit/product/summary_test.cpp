@@ -84,6 +84,7 @@ RunSummary test_summary() {
   rover.duration_s = 3725;
   rover.drive_s = 60.25;
   rover.max_slip = 0.25;
+  rover.p95_slip = 0.125;
   summary.rovers["SEV1"] = rover;
   EventRow event = event_of("SEV1", 10, EventStatus::failed);
   event.reason = "stuck";
@@ -114,6 +115,7 @@ TEST(Summary, has_the_keys_of_the_contract_in_its_order) {
       "elevation_gain_m": null,
       "max_slope_rad": null,
       "max_slip": 0.25,
+      "p95_slip": 0.125,
       "resources": null
     }
   },
