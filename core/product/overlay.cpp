@@ -296,23 +296,29 @@ KmlFolder note_points(const ThinnedNotes& notes, Instant start) {
   return folder;
 }
 
-std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan) {
+std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
+                                         const std::vector<EventRow>& events) {
   const MissionInfo& mission = plan.mission;
   LSOS_ASSERT(mission.planet != nullptr);
-  const auto interval = [&](int count) {
-    return sample_interval(log.last_sample_time(), count, mission.log_interval,
-                           mission.parked_log_interval);
-  };
-  const SimTime of_samples = interval(overlay_samples_max);
-  const int of_a_rover = std::max(
-      overlay_samples_max, overlay_track_max / std::max(1, static_cast<int>(plan.rovers.size())));
-  std::size_t most = 0;
-  for (const auto& [id, count] : log.sample_counts()) most = std::max(most, count);
-  const bool is_whole = most <= static_cast<std::size_t>(of_a_rover);
-  const SimTime of_track = is_whole ? SimTime{} : interval(of_a_rover);
+  const std::map<std::string, SampleTotals> totals = log.sample_totals();
+  const int of_a_rover = std::max(overlay_samples_max,
+                                  overlay_track_max / std::max(1, static_cast<int>(totals.size())));
+  // Half of a track's places follow the drive, half the time.
+  const int half = of_a_rover / 2;
+  const SimTime interval = sample_interval(log.last_sample_time(), half, mission.log_interval,
+                                           mission.parked_log_interval);
   std::map<std::string, RoverTrack> tracks;
+  for (const auto& [id, of_rover] : totals) {
+    const auto marks = [&, &id = id, &of_rover = of_rover](int most) {
+      return DriveMarks(of_rover, events, id, static_cast<std::size_t>(most));
+    };
+    const bool is_whole = of_rover.rows <= static_cast<std::size_t>(of_a_rover);
+    tracks.try_emplace(id, *mission.planet, marks(overlay_samples_max), marks(half),
+                       is_whole ? SimTime{} : interval);
+  }
   log.for_each_sample([&](const SampleRow& row) {
-    tracks.try_emplace(row.rover_id, *mission.planet, of_samples, of_track).first->second.add(row);
+    const auto track = tracks.find(row.rover_id);
+    if (track != tracks.end()) track->second.add(row);  // else of a run that goes on
   });
   return tracks;
 }
@@ -330,7 +336,7 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
   document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<PlannedPathRow>(),
                       schema<NoteRow>(), track_schema()};
   std::size_t i = 0;
-  for (const auto& [rover_id, track] : tracks(log, plan)) {
+  for (const auto& [rover_id, track] : tracks(log, plan, events)) {
     const RoverStyle style(i++);
     style.add_to(document.styles, sample_balloon(track.samples(), start));
     KmlFolder rover = named_folder(rover_id);

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "product/drive_marks.h"
 #include "product/rover_colors.h"
 
 namespace lsos {
@@ -85,24 +86,46 @@ double heading_on_map_rad(const SiteFrame& site, const SampleRow& row) {
   return std::atan2(ahead_S.x(), ahead_S.y());
 }
 
+// How a rover's rows are thinned: what is shown over time, and on the map.
+struct Thinning {
+  EventMarks of_series;
+  DriveMarks of_places;
+  KeptRows places;
+};
+
+void add_place(const SampleRow& row, const SiteFrame& site, ThinnedRows& position) {
+  position.add(seconds(row.time), std::array{row.p_S_m.x(), row.p_S_m.y(), lon_deg(row.place),
+                                             lat_deg(row.place), heading_on_map_rad(site, row)});
+}
+
 void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data) {
   std::map<std::string, ReportRover> rovers;
-  for (const auto& [id, count] : log.sample_counts()) rovers.try_emplace(id, id, count);
+  std::map<std::string, Thinning> thinnings;
+  for (const auto& [id, totals] : log.sample_totals()) {
+    rovers.try_emplace(id, id, totals);
+    thinnings.try_emplace(id, Thinning{EventMarks(data.events, id, report_event_points_max),
+                                       DriveMarks(totals, data.events, id, report_places_max),
+                                       {}});
+  }
   log.for_each_sample([&](const SampleRow& row) {
     const auto known = rovers.find(row.rover_id);
     if (known == rovers.end())
-      return;  // of a run that goes on: its first came since they were counted
+      return;  // its first came since they were counted, of a run that goes on
     ReportRover& rover = known->second;
+    Thinning& thinning = thinnings.at(row.rover_id);
     const double time_s = seconds(row.time);
-    rover.position.add(time_s, std::array{row.p_S_m.x(), row.p_S_m.y(), lon_deg(row.place),
-                                          lat_deg(row.place), heading_on_map_rad(site, row)});
+    thinning.places.add(row, thinning.of_places.next(row));
+    const WantedRows wanted = thinning.of_series.next(row.time);
+    const bool is_moving = row.speed_mps > moving_mps;
     for (std::size_t k = 0; k < quantities.size(); ++k) {
-      rover.series[k].second.add(time_s, std::array{row.*quantities[k].value});
+      rover.series[k].second.add(time_s, std::array{row.*quantities[k].value}, is_moving, wanted);
     }
     rover.distance_m = row.distance_m;
     rover.last_s = time_s;
   });
   for (auto& [id, rover] : rovers) {
+    for (const SampleRow& row : thinnings.at(id).places.rows())
+      add_place(row, site, rover.position);
     rover.position.finish();
     for (auto& [name, series] : rover.series) series.finish();
     rover.colour = web_colour(data.rovers.size());
@@ -159,7 +182,7 @@ struct OpenSight {
 
 void read_pairs(const LogReader& log, ReportData& data) {
   std::map<std::pair<std::string, std::string>, ThinnedRows> distances;
-  const std::size_t rows = log.pair_count();
+  const ThinnedRows::Count count{log.pair_count(), 0};
   std::map<std::pair<std::string, std::string>, ReportPair> pairs;
   std::map<std::pair<std::string, std::string>, OpenSight> open;
   const auto add = [&](const std::string& from_id, const std::string& to_id, bool is_link,
@@ -182,7 +205,7 @@ void read_pairs(const LogReader& log, ReportData& data) {
     sight.last = row.time;
     if (!find_rover(data, row.from_id) || !find_rover(data, row.to_id)) return;
     const auto [at, is_new] =
-        distances.try_emplace({row.from_id, row.to_id}, rows, report_stretches, 1, 1);
+        distances.try_emplace({row.from_id, row.to_id}, count, report_stretches, 1, 1);
     at->second.add(seconds(row.time), std::array{row.distance_m});
   });
   for (auto& [ids, series] : distances) {
@@ -200,12 +223,13 @@ void read_pairs(const LogReader& log, ReportData& data) {
 
 }  // namespace
 
-ReportRover::ReportRover(const std::string& rover_id, std::size_t sample_count)
+ReportRover::ReportRover(const std::string& rover_id, const SampleTotals& totals)
     : id(rover_id),
-      samples(sample_count),
-      position(sample_count, report_stretches, position_columns, 2) {
+      samples(totals.rows),
+      position({report_places_max, 0}, report_places_max, position_columns, 2) {
   for (const Quantity& quantity : quantities) {
-    series.emplace_back(quantity.name, ThinnedRows(sample_count, report_stretches, 1, 1));
+    series.emplace_back(quantity.name,
+                        ThinnedRows({totals.rows, totals.moving}, report_stretches, 1, 1));
   }
 }
 
@@ -228,12 +252,12 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
   data.start = log.start();
   data.end_s = seconds(log.last_sample_time());
   data.run = log.run();
-  read_samples(log, site, data);
-  read_lines(log, plan, site, data);
   data.events = log.events();
   std::ranges::sort(data.events, {}, [](const EventRow& event) {
     return std::pair(event.rover_id, event.sequence);
   });
+  read_samples(log, site, data);
+  read_lines(log, plan, site, data);
   data.notes = thinned_notes(log);
   read_pairs(log, data);
   return data;

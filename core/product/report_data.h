@@ -14,8 +14,10 @@
 
 namespace lsos {
 
-// Points of a series at most are about four times as many; the log has all.
+// Points of a series at most are about four times as many, besides those at the starts and ends of
+// events; and places of a rover on the map. The log has all.
 inline constexpr int report_stretches = 1000;
+inline constexpr std::size_t report_event_points_max = 1000, report_places_max = 5000;
 
 // On the map: metres east and north in the site's frame.
 struct MapPoint {
@@ -34,7 +36,7 @@ enum PositionColumn : std::size_t {
 };
 
 struct ReportRover {
-  ReportRover(const std::string& rover_id, std::size_t sample_count);
+  ReportRover(const std::string& rover_id, const SampleTotals& totals);
 
   std::string id, type;
   std::string colour;   // #rrggbb

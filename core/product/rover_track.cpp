@@ -1,6 +1,7 @@
 #include "product/rover_track.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 
@@ -9,7 +10,6 @@ namespace lsos {
 namespace {
 
 constexpr double vertex_spacing_m = 0.5;  // finer than a wheelbase, so no turn is lost
-constexpr double moving_mps = 1e-3;
 
 SimTime round_up(SimTime time, SimTime step) { return (time + step - SimTime{1}) / step * step; }
 
@@ -24,38 +24,25 @@ SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime pa
   return fits ? parked_too : interval;
 }
 
-void RoverTrack::Thinned::add(const SampleRow& row) {
-  if (row.time < next) return;
-  rows.push_back(row);
-  if (interval > SimTime{0}) next = row.time / interval * interval + interval;
-}
+RoverTrack::RoverTrack(const Body& body, DriveMarks marks, DriveMarks track_marks,
+                       SimTime track_interval)
+    : body_(&body),
+      marks_(std::move(marks)),
+      track_marks_(std::move(track_marks)),
+      track_interval_(track_interval) {}
 
 void RoverTrack::add(const SampleRow& row) {
-  samples_.add(row);
-  add_to_track(row);
+  samples_.add(row, marks_.next(row));
+  WantedRows wanted = track_marks_.next(row);
+  if (row.time >= next_) {
+    wanted.current = true;
+    if (track_interval_ > SimTime{0}) next_ = (row.time / track_interval_ + 1) * track_interval_;
+  }
+  track_.add(row, wanted);
   last_ = row.place;
   if (line_.empty() || surface_distance_m(*body_, line_.back(), row.place) >= vertex_spacing_m) {
     line_.push_back(row.place);
   }
-}
-
-void RoverTrack::add_to_track(const SampleRow& row) {
-  const bool is_moving = row.speed_mps > moving_mps;
-  if (is_moving != was_moving_) {
-    if (passed_) track_.rows.push_back(*passed_);
-    track_.next = row.time;
-  }
-  was_moving_ = is_moving;
-  const std::size_t before = track_.rows.size();
-  track_.add(row);
-  passed_.reset();
-  if (track_.rows.size() == before) passed_ = row;
-}
-
-std::vector<SampleRow> RoverTrack::track() const {
-  std::vector<SampleRow> rows = track_.rows;
-  if (passed_) rows.push_back(*passed_);
-  return rows;
 }
 
 std::vector<Geodetic> RoverTrack::line() const {

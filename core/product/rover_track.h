@@ -1,11 +1,12 @@
 // What the overlay shows of one rover's samples, gathered in one pass over a log of any length.
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "planet/body.h"
-#include "record/rows.h"
+#include "product/drive_marks.h"
+#include "record/log.h"
 
 namespace lsos {
 
@@ -16,36 +17,23 @@ SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime pa
 
 class RoverTrack {
  public:
-  // Intervals of samples() and of track(); without one track() has every sample.
-  RoverTrack(const Body& body, SimTime interval, SimTime track_interval)
-      : body_(&body), samples_(interval), track_(track_interval) {}
+  // `marks`: the samples that are shown. `track_marks` and one sample in each `track_interval`
+  // make the track; without an interval it has every sample.
+  RoverTrack(const Body& body, DriveMarks marks, DriveMarks track_marks, SimTime track_interval);
 
   // In order of time.
   void add(const SampleRow& row);
 
   // Where it drove, every 0.5 m or so; fewer than two points when it never moved.
   std::vector<Geodetic> line() const;
-  // The first sample of each interval.
-  const std::vector<SampleRow>& samples() const { return samples_.rows; }
-  // The same, with the samples between which the rover sets off or comes to rest, and the last: who
-  // stands is not seen creeping.
-  std::vector<SampleRow> track() const;
+  std::vector<SampleRow> samples() const { return samples_.rows(); }
+  std::vector<SampleRow> track() const { return track_.rows(); }
 
  private:
-  // The first row of each interval.
-  struct Thinned {
-    explicit Thinned(SimTime every) : interval(every) {}
-    void add(const SampleRow& row);
-
-    SimTime interval, next{};
-    std::vector<SampleRow> rows;
-  };
-  void add_to_track(const SampleRow& row);
-
   const Body* body_;
-  Thinned samples_, track_;
-  std::optional<SampleRow> passed_;  // the last sample, where the track left it out
-  bool was_moving_ = false;
+  DriveMarks marks_, track_marks_;
+  SimTime track_interval_, next_{};  // when the interval's next sample is due
+  KeptRows samples_, track_;
   std::vector<Geodetic> line_;
   Geodetic last_;
 };

@@ -73,6 +73,15 @@ struct LogRow {
   std::string geometry;             // ISO WKB; "" is NULL
 };
 
+// Faster than this a rover moves.
+inline constexpr double moving_mps = 1e-3;
+
+// What the samples of one rover come to.
+struct SampleTotals {
+  std::size_t rows = 0, moving = 0;  // those in which it moves
+  double distance_m = 0;             // driven at the last
+};
+
 // Both ends belong to it.
 struct TimeSpan {
   SimTime from = SimTime::min(), to = SimTime::max();
@@ -104,8 +113,9 @@ class LogReader {
   void for_each_note(const std::function<void(const NoteRow&)>& visit) const;
   // False of a run that was killed before its first.
   bool has_samples() const;
-  // Samples of each rover; rows of the pair that has most.
-  std::map<std::string, std::size_t> sample_counts() const;
+  // By rover.
+  std::map<std::string, SampleTotals> sample_totals() const;
+  // Rows of the pair that has most.
   std::size_t pair_count() const;
   using NoteKind = std::pair<std::string, std::string>;  // rover_id, name
   struct NoteCounts {

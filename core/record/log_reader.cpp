@@ -244,13 +244,18 @@ bool LogReader::has_samples() const {
   return is_any;
 }
 
-std::map<std::string, std::size_t> LogReader::sample_counts() const {
-  std::map<std::string, std::size_t> counts;
-  impl_->query(
-      "SELECT rover_id, count(*) FROM samples GROUP BY rover_id", [&](const OGRFeature& row) {
-        counts[row.GetFieldAsString(0)] = static_cast<std::size_t>(row.GetFieldAsInteger64(1));
-      });
-  return counts;
+std::map<std::string, SampleTotals> LogReader::sample_totals() const {
+  std::map<std::string, SampleTotals> totals;
+  const std::string sql = fmt::format(
+      "SELECT rover_id, count(*), sum(speed_mps > {}), max(distance_m) FROM samples GROUP BY "
+      "rover_id",
+      moving_mps);
+  impl_->query(sql, [&](const OGRFeature& row) {
+    totals[row.GetFieldAsString(0)] = {static_cast<std::size_t>(row.GetFieldAsInteger64(1)),
+                                       static_cast<std::size_t>(row.GetFieldAsInteger64(2)),
+                                       row.GetFieldAsDouble(3)};
+  });
+  return totals;
 }
 
 std::size_t LogReader::pair_count() const {

@@ -12,11 +12,12 @@ namespace {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::Not;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ThinnedRows, keep_all_of_a_short_series) {
-  ThinnedRows rows(11, 1000, 1, 1);
+  ThinnedRows rows({11, 0}, 1000, 1, 1);
   for (int k = 0; k <= 10; ++k) rows.add(k, std::array{0.5 * k});
   rows.finish();
   EXPECT_EQ(rows.size(), 11u);
@@ -25,7 +26,7 @@ TEST(ThinnedRows, keep_all_of_a_short_series) {
 
 TEST(ThinnedRows, keep_least_and_greatest_of_each_stretch) {
   constexpr int count = 99'990, stretches = 50;  // 2000 in each, but for the last
-  ThinnedRows rows(count, stretches, 1, 1);
+  ThinnedRows rows({count, 0}, stretches, 1, 1);
   std::array<double, stretches> least, greatest;
   least.fill(1e9);
   greatest.fill(-1e9);
@@ -50,14 +51,37 @@ TEST(ThinnedRows, keep_least_and_greatest_of_each_stretch) {
 
 // As in a log of a short drive and a long wait.
 TEST(ThinnedRows, keep_what_happens_in_little_of_the_time) {
-  ThinnedRows rows(700, 1000, 1, 1);
+  ThinnedRows rows({700, 0}, 1000, 1, 1);
   for (int k = 0; k < 700; ++k) rows.add(k < 200 ? 2 * k : 3600 * k, std::array{std::sin(0.1 * k)});
   rows.finish();
   EXPECT_EQ(rows.size(), 700u);
 }
 
+TEST(ThinnedRows, keep_a_short_drive_in_weeks_of_standing) {
+  constexpr std::size_t count = 40'000, drive = 200;
+  ThinnedRows rows({count, drive}, 1000, 1, 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_moving = k >= 20'000 && k < 20'000 + drive;
+    const double value = is_moving ? std::sin(0.3 * static_cast<double>(k)) : 0;
+    rows.add(60.0 * static_cast<double>(k), std::array{value}, is_moving);
+  }
+  rows.finish();
+  EXPECT_TRUE(std::ranges::is_sorted(rows.times_s()));
+  EXPECT_EQ(std::ranges::count_if(rows.column(0), [](double value) { return value != 0; }), 200);
+  EXPECT_LE(rows.size(), 4000u);
+}
+
+TEST(ThinnedRows, keep_rows_that_are_wanted) {
+  ThinnedRows rows({1000, 500}, 4, 1, 1);
+  for (int k = 0; k < 1000; ++k) rows.add(k, std::array{1.0}, k % 2 == 1, {k == 334, k == 666});
+  rows.finish();
+  EXPECT_THAT(rows.times_s(), Contains(333));
+  EXPECT_THAT(rows.times_s(), Contains(666));
+  EXPECT_THAT(rows.times_s(), Not(Contains(334)));
+}
+
 TEST(ThinnedRows, keep_gaps) {
-  ThinnedRows rows(100, 1, 1, 1);
+  ThinnedRows rows({100, 0}, 1, 1, 1);
   for (int k = 0; k < 100; ++k) rows.add(k, std::array{k >= 40 && k < 60 ? nan : 1.0 * k});
   rows.finish();
   EXPECT_THAT(rows.times_s(), ElementsAre(0, 40, 99));
@@ -65,7 +89,7 @@ TEST(ThinnedRows, keep_gaps) {
 }
 
 TEST(ThinnedRows, keep_extremes_of_all_that_decides_and_the_rest_beside_it) {
-  ThinnedRows rows(100, 1, 3, 2);
+  ThinnedRows rows({100, 0}, 1, 3, 2);
   for (int k = 0; k < 100; ++k) {
     rows.add(k, std::array{k == 30 ? 9.0 : 0.0, k == 70 ? -9.0 : 0.0, 2.0 * k});
   }
@@ -75,7 +99,7 @@ TEST(ThinnedRows, keep_extremes_of_all_that_decides_and_the_rest_beside_it) {
 }
 
 TEST(ThinnedRows, know_whether_there_is_any_value) {
-  ThinnedRows rows(2, 10, 1, 1);
+  ThinnedRows rows({2, 0}, 10, 1, 1);
   rows.add(0, std::array{nan});
   rows.add(1, std::array{nan});
   rows.finish();
