@@ -11,6 +11,7 @@
 #include "lua/condition.h"
 #include "lua/host.h"
 #include "lua/script_folders.h"
+#include "lua/script_use.h"
 #include "lua/version.h"
 #include "mission/mission_span.h"
 #include "mission/plan_aims.h"
@@ -63,18 +64,6 @@ TerrainSpec terrain_of(const MissionInfo& mission, const Catalog& catalog, Missi
   terrain.soil = catalog.load_soil(default_soil(mission.planet), mission.place);
   files.is_soil_assumed = true;
   return terrain;
-}
-
-// Scripts that are broken or hidden: a warning each, unless the plan names them, which is an error
-// already.
-void add_script_warnings(const Catalog& catalog, Faults& faults) {
-  const std::vector<Fault> known = faults.sorted();
-  for (const Fault& fault : catalog.faults().sorted()) {
-    const bool is_known = std::ranges::any_of(known, [&](const Fault& k) {
-      return k.place == fault.place && fault.what.ends_with(k.what);
-    });
-    if (!is_known) faults.warning(fault.place, fault.what);
-  }
 }
 
 }  // namespace
@@ -166,7 +155,6 @@ void set_max_duration(MissionFiles& files) {
 
 // Reads what the plan names.
 void read_models(MissionFiles& files) {
-  add_script_warnings(*files.catalog, files.faults);
   const Declarations& declarations = files.catalog->declarations();
   // Of what there is not, the plan's reader has told.
   const auto has_type = [&](const std::string& name, bool is_asset) {
@@ -201,14 +189,17 @@ void read_models(MissionFiles& files) {
     return terrain.is_raster || std::ranges::count(declarations.terrains, terrain.name) > 0;
   };
   const TerrainName& beyond = mission.terrain_beyond;
-  if (!is_known(mission.terrain) || (!beyond.name.empty() && !is_known(beyond))) return;
+  const bool has_terrain = is_known(mission.terrain) && (beyond.name.empty() || is_known(beyond));
   collect([&] {
+    if (!has_terrain) return;
     files.terrain = terrain_of(mission, *files.catalog, files);
     // The simulation does so too, but it is made of plans without errors.
     const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
     if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
     ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start, mission.seed);
   });
+  add_script_warnings(*files.catalog, ScriptUse(*files.catalog, files.plan, files.terrain),
+                      files.faults);
 }
 
 // Regolith is much alike all over the Moon; on Mars and Earth any drive depends on the choice.
@@ -319,15 +310,7 @@ std::vector<Fault> keep_legs(const std::string& plan_file, const std::string& by
   }
 }
 
-namespace {
-
-bool is_terrain_of(const MissionInfo& mission, const std::string& script) {
-  return std::ranges::any_of(
-      std::array{&mission.terrain, &mission.terrain_beyond},
-      [&](const TerrainName* terrain) { return !terrain->is_raster && terrain->name == script; });
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation) {
@@ -347,29 +330,10 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
   };
   if (files.terrain.beyond) values["terrain_beyond"] = files.terrain.beyond->name;
   if (!simulation.renderer().empty()) values["renderer"] = simulation.renderer();
-  std::set<std::string> events, rovers;
-  // With the events that their phases are.
-  std::vector<std::string> types;
-  for (const PlanEvent& event : files.plan.events) types.push_back(event.type);
-  while (!types.empty()) {
-    const std::string type = std::move(types.back());
-    types.pop_back();
-    if (!events.insert(type).second) continue;
-    for (const EventDeclaration::Phase& phase :
-         files.catalog->declarations().events.at(type).phases) {
-      if (!phase.sub_event.empty()) types.push_back(phase.sub_event);
-    }
-  }
-  for (const PlanRover& rover : files.plan.rovers) rovers.insert(rover.type);
-  for (const PlanAsset& asset : files.plan.assets) rovers.insert(asset.type);
+  const ScriptUse use(*files.catalog, files.plan, files.terrain);
   for (const Script& script : files.catalog->scripts()) {
-    const bool is_used =
-        (script.kind == ScriptKind::event && events.contains(script.name)) ||
-        (script.kind == ScriptKind::rover && rovers.contains(script.name)) ||
-        (script.kind == ScriptKind::terrain && is_terrain_of(mission, script.name)) ||
-        (script.kind == ScriptKind::soil && script.name == files.terrain.soil.name);
+    if (!use.has(script)) continue;
     constexpr const char* kinds[] = {"event", "rover", "terrain", "soil"};
-    if (!is_used) continue;
     values[fmt::format("{}_{}_sha256", kinds[static_cast<int>(script.kind)], script.name)] =
         script.sha256;
   }
