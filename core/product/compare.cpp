@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "product/quantity_text.h"
+
 namespace lsos {
 
 namespace {
@@ -88,29 +90,36 @@ void compare_events(const Json& a, const Json& b, Collector& found) {
   }
 }
 
-// Numbers as people read them; texts without their quotes.
-std::string shown(const std::string& json) {
+// Numbers in the units of the report; texts without their quotes.
+std::string shown(const std::string& quantity, const std::string& json) {
   const Json value = Json::parse(json, nullptr, false);
   if (value.is_null()) return "-";
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+  if (value.is_number_float()) return quantity_text(quantity, value.get<double>());
   if (value.is_string()) return value.get<std::string>();
   return json;
 }
+
+bool is_number_of(const std::string& json) { return Json::parse(json).is_number(); }
 
 std::string lines(const std::vector<Difference>& differences) {
   std::string text, of;
   for (const Difference& difference : differences) {
     if (difference.of != of) text += fmt::format("\n{}\n", difference.of);
     of = difference.of;
-    const std::string a = shown(difference.a), b = shown(difference.b);
+    const std::string& quantity = difference.quantity;
+    const bool is_number = is_number_of(difference.a) || is_number_of(difference.b);
+    const std::string label = is_number ? quantity_label(quantity) : quantity;
+    const std::string a = shown(quantity, difference.a), b = shown(quantity, difference.b);
     constexpr std::size_t column = 28;
     if (std::max(a.size(), b.size()) > column) {
-      text += fmt::format("  {}\n    {}\n    {}\n", difference.quantity, a, b);
+      text += fmt::format("  {}\n    {}\n    {}\n", label, a, b);
       continue;
     }
-    text += fmt::format("  {:<20} {:>28} {:>28}", difference.quantity, a, b);
-    if (difference.change) text += fmt::format(" {:>+14.6g}", *difference.change);
+    text += fmt::format("  {:<20} {:>28} {:>28}", label, a, b);
+    if (difference.change) {
+      text += fmt::format(" {:>14}", change_text(quantity, *difference.change));
+    }
     text += '\n';
   }
   return text;

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+#include <regex>
+
 #include "unit/record/log_fixture.h"
 
 namespace lsos {
@@ -76,6 +79,29 @@ TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
   EXPECT_EQ(found.differences[1].of, "event SEV1/10 Route 10");
   EXPECT_EQ(found.differences[1].b, "\"failed\"");
   EXPECT_THAT(to_text(found, {"x", "y"}), HasSubstr("rover SEV1"));
+}
+
+TEST(Compare, tells_people_quantities_in_the_units_of_the_report) {
+  RunSummary one = test_summary(), other = test_summary();
+  RoverSummary& rover = one.rovers["SEV1"];
+  rover.distance_m = 3450;
+  rover.duration_s = 5400;
+  rover.energy_used_j = 7.2e6;
+  rover.max_slope_rad = std::numbers::pi / 6;
+  rover.max_slip = 0.25;
+  RoverSummary& changed = other.rovers["SEV1"];
+  changed.distance_m = 3445;
+  changed.duration_s = 5436;
+  changed.energy_used_j = 7.2036e6;
+  const std::string text = to_text(comparison(one, other), {"x", "y"});
+  const auto has = [&](const std::string& pattern) {
+    EXPECT_TRUE(std::regex_search(text, std::regex(pattern))) << pattern << "\n" << text;
+  };
+  has("\\n  distance +3.45 km +3.445 km +-5 m\\n");
+  has("\\n  duration +1.5 h +1.51 h +\\+36 s\\n");
+  has("\\n  energy used +2 kWh +2.001 kWh +\\+1 Wh\\n");
+  has("\\n  max slope +30\u00b0 +-\\n");
+  has("\\n  max slip +25 % +-\\n");
 }
 
 TEST(Compare, tells_rovers_and_events_that_only_one_run_has) {
