@@ -61,5 +61,28 @@ TEST(Machine, is_drawn_from_initialise_through_every_rover_to_terminate) {
   EXPECT_THAT(dot, HasSubstr("leg \\\"A\\\""));
 }
 
+// Graphviz lays the columns of ranks beside each other.
+TEST(Machine, of_many_events_is_drawn_in_rows) {
+  Plan plan = two_rovers();
+  plan.events.clear();
+  for (int sequence = 1; sequence <= 15; ++sequence) {
+    PlanEvent event;
+    event.rover_id = "A";
+    event.sequence = sequence;
+    event.type = "Pause";
+    event.label = "stay";
+    event.is_enabled = sequence != 6 && sequence != 7;
+    plan.events.push_back(event);
+  }
+  const std::string dot = to_dot(synthesise(plan, declarations()));
+  EXPECT_THAT(dot, HasSubstr("{ rank=same; \"A/1\"; \"A/7\"; \"A/13\"; }"));
+  EXPECT_THAT(dot, HasSubstr("{ rank=same; \"A/6\"; \"A/12\"; }"));
+  EXPECT_THAT(dot, HasSubstr("initialise -> \"A/1\" -> \"A/2\" -> \"A/3\" -> \"A/4\" -> \"A/5\";"));
+  EXPECT_THAT(dot, HasSubstr("\"A/5\" -> \"A/8\" [constraint=false];"));
+  EXPECT_THAT(dot, HasSubstr("\"A/8\" -> \"A/9\" -> \"A/10\" -> \"A/11\" -> \"A/12\";"));
+  EXPECT_THAT(dot, HasSubstr("\"A/15\" -> terminate [constraint=false];"));
+  EXPECT_THAT(dot, HasSubstr("initialise -> terminate;")) << "B has no events";
+}
+
 }  // namespace
 }  // namespace lsos
