@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/rounded_distance.h"
 #include "base/units.h"
 #include "lua/commands.h"
 #include "lua/console.h"
+#include "lua/instrument_answer.h"
 #include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
@@ -115,10 +115,12 @@ int light_command(const LightOptions& options) {
   };
   write_map(options.file, grid, *source.body,
             {{"share of the Sun's disc seen", ""}, {"cosine of incidence", ""}}, row);
-  nlohmann::ordered_json answer{
-      {"file", options.file},      {"columns", grid.columns},
-      {"rows", grid.rows},         {"utc", format_utc(question.at)},
-      {"body", source.body->name}, {"mean_sun_fraction", cells > 0 ? lit / cells : missing}};
+  AnswerRow answer{{"file", options.file},
+                   {"columns", grid.columns},
+                   {"rows", grid.rows},
+                   {"utc", format_utc(question.at)},
+                   {"body", source.body->name},
+                   {"mean_sun_fraction", computed(cells > 0 ? lit / cells : missing)}};
   if (over_end.is_any()) {
     const Sunlight sun = sunlight(*source.body, *question.site, question.at, 0);
     const std::string warning = over_end.warning(sun.seen.elevation_rad);
@@ -126,7 +128,7 @@ int light_command(const LightOptions& options) {
     answer["ground_reaches_m"] = std::round(over_end.mean_m());
     answer["warnings"] = {warning};
   }
-  print_result("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
+  print_answer(AnswerRow::array({answer}), options.terrain.style);
   return 0;
 }
 

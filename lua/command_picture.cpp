@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 
 #include "lua/commands.h"
 #include "lua/console.h"
+#include "lua/instrument_answer.h"
 #include "lua/output_file.h"
 #include "lua/picture_frame.h"
 #include "product/film.h"
@@ -42,16 +44,16 @@ void check(const PictureOptions& options) {
   }
 }
 
-void print(const PictureOptions& options, const nlohmann::ordered_json& about) {
-  nlohmann::ordered_json answer{{"file", options.file}};
+void print(const PictureOptions& options, const AnswerRow& about) {
+  AnswerRow answer{{"file", options.file}};
   answer.update(about);
-  print_result("{}\n", nlohmann::ordered_json::array({answer}).dump(2));
+  print_answer(AnswerRow::array({answer}), options.style);
 }
 
 int make_film(const PictureOptions& options, const PictureRun& run, const PictureWish& wish,
               const Gpu& gpu, Lettering& letters) {
   const PictureSize size = picture_size(run, wish);
-  nlohmann::ordered_json about;
+  AnswerRow about;
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   Film film(options.file, size.width_px, size.height_px);
@@ -67,6 +69,12 @@ int make_film(const PictureOptions& options, const PictureRun& run, const Pictur
   }
   film.finish();
   about["pictures"] = run.times.size();
+  const auto rate = [&](bool is_quiet) {
+    const auto found = std::ranges::find(run.film, is_quiet, &FilmTime::is_quiet);
+    return found == run.film.end() ? AnswerRow() : AnswerRow(computed(found->rate));
+  };
+  about["times_real_time"] = rate(false);
+  about["times_real_time_while_standing"] = rate(true);
   print(options, about);
   return 0;
 }
@@ -78,9 +86,13 @@ int picture_command(const PictureOptions& options) {
   Faults faults;
   check_output("-o", options.file, {options.is_movie ? ".mp4" : ".png"}, {}, faults);
   faults.throw_if_errors();
-  const PictureRun run = open_run(options.folder, options.at, options.every);
+  const PictureRun run = options.is_movie ? open_film(options.folder, options.every, options.rover)
+                                          : open_picture(options.folder, options.at);
   for (const std::string& warning : run.warnings) print_message("warning: {}\n", warning);
-  const PictureWish wish{options.from, options.rover, options.size_px};
+  const std::string from = !options.from.empty() ? options.from
+                           : options.is_movie    ? "chase"
+                                                 : "sun";
+  const PictureWish wish{from, options.rover, options.size_px};
   const Gpu gpu;
   Lettering letters;
   if (options.is_movie) return make_film(options, run, wish, gpu, letters);

@@ -3,12 +3,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/units.h"
 #include "lua/catalog.h"
 #include "lua/commands.h"
 #include "lua/console.h"
+#include "lua/instrument_answer.h"
 #include "lua/mission_files.h"
 #include "lua/soil_file.h"
 #include "vehicle/single_wheel.h"
@@ -71,7 +71,7 @@ int rig_command(const RigOptions& options) {
   const std::string overload = soil_fault(soil, wheel, options.load_n, options.gravity_mps2);
   if (!overload.empty()) print_message("{}: warning: {}\n", options.soil, overload);
   const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
-  auto points = nlohmann::ordered_json::array();
+  AnswerRow points = AnswerRow::array();
   for (const double slip : options.slips) {
     const SingleWheelPoint point =
         single_wheel(wheel_soil, options.load_n, slip, radians(options.slip_angle_deg));
@@ -84,7 +84,7 @@ int rig_command(const RigOptions& options) {
                       {"sinkage_m", point.sinkage_m},
                       {"traction_limit_n", point.traction_limit_n}});
   }
-  print_result("{}\n", points.dump(2));
+  print_answer(points, options.style);
   return 0;
 }
 

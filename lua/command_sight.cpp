@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/rounded_distance.h"
 #include "base/units.h"
 #include "lua/commands.h"
 #include "lua/console.h"
+#include "lua/instrument_answer.h"
 #include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
@@ -22,8 +22,6 @@
 namespace lsos {
 
 namespace {
-
-using nlohmann::ordered_json;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
@@ -134,26 +132,26 @@ std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
 }
 
 // Of the straight line, in the sky of `from`.
-ordered_json line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
+AnswerRow line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 way_m = to_S_m - from_S_m;
   const double east_m = way_m.dot(site.east_S(from_S_m));
   const double north_m = way_m.dot(site.north_S(from_S_m));
   const double up_m = way_m.dot(site.up_S(from_S_m));
   const double level_m = std::hypot(east_m, north_m);
-  ordered_json line{
-      {"distance_m", way_m.norm()}, {"azimuth_deg", nullptr}, {"elevation_deg", nullptr}};
+  AnswerRow line{
+      {"distance_m", computed(way_m.norm())}, {"azimuth_deg", nullptr}, {"elevation_deg", nullptr}};
   constexpr double least_m = 1e-6;  // nearer there is no direction
   if (level_m > least_m) {
     const double azimuth_deg = degrees(std::atan2(east_m, north_m));
     const double from_north_deg = azimuth_deg < 0 ? azimuth_deg + 360 : azimuth_deg;
-    line["azimuth_deg"] = from_north_deg < 360 ? from_north_deg : 0;
+    line["azimuth_deg"] = from_north_deg < 360 ? computed(from_north_deg) : 0;
   }
-  if (way_m.norm() > least_m) line["elevation_deg"] = degrees(std::atan2(up_m, level_m));
+  if (way_m.norm() > least_m) line["elevation_deg"] = computed(degrees(std::atan2(up_m, level_m)));
   return line;
 }
 
 // What is seen is seen over ground that is not known.
-void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, ordered_json& line) {
+void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, AnswerRow& line) {
   if (!end || line["visible"] == 0) return;
   const std::string warning = fmt::format(
       "{}: the ground on the line is not known from {} away on; what stands there may hide it; "
@@ -165,7 +163,7 @@ void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, ordered_
 }
 
 // As missions have them: drawn.
-ordered_json lines(const Ground& ground, const Question& question) {
+AnswerRow lines(const Ground& ground, const Question& question) {
   Faults faults;
   const auto from = on_ground(ground, *question.from, 0, faults);
   std::vector<Vec3> to_S_m;
@@ -178,10 +176,10 @@ ordered_json lines(const Ground& ground, const Question& question) {
   Renderer renderer;
   Sight sight(ground, renderer);
   GroundEndProbe end(ground);
-  auto answer = ordered_json::array();
+  AnswerRow answer = AnswerRow::array();
   for (std::size_t k = 0; k < to_S_m.size(); ++k) {
     const Vec3& p_S_m = to_S_m[k];
-    ordered_json line{{"visible", sight.sees(from_S_m, p_S_m, {}) ? 1 : 0}};
+    AnswerRow line{{"visible", sight.sees(from_S_m, p_S_m, {}) ? 1 : 0}};
     line.update(line_of(ground.site(), from_S_m, p_S_m));
     add_end(question.to[k], end.between(from_S_m, p_S_m), line);
     answer.push_back(line);
@@ -288,8 +286,8 @@ class SeenOverEnd {
   int asked_ = 0, over_ = 0;
 };
 
-ordered_json viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
-                      const SightOptions& options) {
+AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
+                   const SightOptions& options) {
   const SiteFrame& site = ground.site();
   const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m);
   const double resolution_m = cell_m(grid, *source.body);
@@ -331,11 +329,11 @@ ordered_json viewshed(const TerrainSource& source, const Ground& ground, const Q
     return values;
   };
   write_map(options.file, grid, *source.body, {{"seen", ""}}, is_seen);
-  ordered_json answer{{"file", options.file},
-                      {"columns", grid.columns},
-                      {"rows", grid.rows},
-                      {"body", source.body->name},
-                      {"seen_share", cells > 0 ? seen / cells : missing}};
+  AnswerRow answer{{"file", options.file},
+                   {"columns", grid.columns},
+                   {"rows", grid.rows},
+                   {"body", source.body->name},
+                   {"seen_share", computed(cells > 0 ? seen / cells : missing)}};
   if (const auto warning = over_end.warning()) {
     print_message("warning: {}\n", *warning);
     answer["warnings"] = {*warning};
@@ -354,10 +352,9 @@ int sight_command(const SightOptions& options) {
   check_near_site(*source.body, site, *question.from);
   const std::unique_ptr<Ground> ground =
       ground_of(source, {site.lon_rad, site.lat_rad, 0}, options.terrain.seed);
-  const ordered_json answer =
-      is_map ? ordered_json::array({viewshed(source, *ground, question, options)})
-             : lines(*ground, question);
-  print_result("{}\n", answer.dump(2));
+  const AnswerRow answer = is_map ? AnswerRow::array({viewshed(source, *ground, question, options)})
+                                  : lines(*ground, question);
+  print_answer(answer, options.terrain.style);
   return 0;
 }
 

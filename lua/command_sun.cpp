@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/units.h"
 #include "lua/commands.h"
 #include "lua/console.h"
+#include "lua/instrument_answer.h"
 #include "lua/places.h"
 #include "planet/sky.h"
 
@@ -14,43 +14,41 @@ namespace lsos {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 Instant moment(const std::string& text, Faults& faults) {
   const Parsed<Instant> at = parse_utc(text);
   if (!at) faults.error({}, fmt::format("--at {}: {}", text, at.why));
   return at.value.value_or(Instant{});
 }
 
-ordered_json angle_or_null(const std::optional<double>& angle_rad) {
-  return angle_rad ? ordered_json(degrees(*angle_rad)) : ordered_json(nullptr);
+AnswerRow angle_or_null(const std::optional<double>& angle_rad) {
+  return angle_rad ? AnswerRow(computed(degrees(*angle_rad))) : AnswerRow(nullptr);
 }
 
-template <class T>
-ordered_json or_null(const std::optional<T>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
+AnswerRow number_or_null(const std::optional<double>& value, int decimals) {
+  return value ? AnswerRow(with_decimals(*value, decimals)) : AnswerRow(nullptr);
 }
 
-ordered_json row(const Body& body, const Geodetic& site, Instant at) {
+AnswerRow row(const Body& body, const Geodetic& site, Instant at) {
   const Sky seen = sky(body, site, at);
   const auto of_earth = [&](double SkyPosition::*angle) {
     return seen.earth ? std::optional((*seen.earth).*angle) : std::nullopt;
   };
+  constexpr int millimetres = 3, shares = 9;  // decimals
   return {{"utc", format_utc(at)},
           {"body", body.name},
-          {"lon_deg", lon_deg(site)},
-          {"lat_deg", lat_deg(site)},
-          {"azimuth_deg", degrees(seen.sun.azimuth_rad)},
-          {"elevation_deg", degrees(seen.sun.elevation_rad)},
+          {"lon_deg", asked_deg(lon_deg(site))},
+          {"lat_deg", asked_deg(lat_deg(site))},
+          {"azimuth_deg", computed(degrees(seen.sun.azimuth_rad))},
+          {"elevation_deg", computed(degrees(seen.sun.elevation_rad))},
           {"elevation_refracted_deg", angle_or_null(seen.sun_refracted_rad)},
-          {"angular_diameter_deg", degrees(2 * seen.sun_disc_rad)},
-          {"distance_m", seen.sun_distance_m},
-          {"sub_solar_lon_deg", lon_deg(seen.sub_solar)},
-          {"sub_solar_lat_deg", lat_deg(seen.sub_solar)},
-          {"eclipsed", or_null(seen.eclipsed)},
+          {"angular_diameter_deg", computed(degrees(2 * seen.sun_disc_rad))},
+          {"distance_m", with_decimals(seen.sun_distance_m, millimetres)},
+          {"sub_solar_lon_deg", computed(lon_deg(seen.sub_solar))},
+          {"sub_solar_lat_deg", computed(lat_deg(seen.sub_solar))},
+          {"eclipsed", number_or_null(seen.eclipsed, shares)},
           {"earth_azimuth_deg", angle_or_null(of_earth(&SkyPosition::azimuth_rad))},
           {"earth_elevation_deg", angle_or_null(of_earth(&SkyPosition::elevation_rad))},
-          {"earth_distance_m", or_null(seen.earth_distance_m)}};
+          {"earth_distance_m", number_or_null(seen.earth_distance_m, millimetres)}};
 }
 
 }  // namespace
@@ -62,9 +60,9 @@ int sun_command(const SunOptions& options) {
   std::vector<Instant> moments;
   for (const std::string& text : options.at) moments.push_back(moment(text, faults));
   faults.throw_if_errors();
-  auto rows = ordered_json::array();
+  AnswerRow rows = AnswerRow::array();
   for (const Instant at : moments) rows.push_back(row(*body, *site, at));
-  print_result("{}\n", rows.dump(2));
+  print_answer(rows, options.style);
   return 0;
 }
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "base/units.h"
 #include "lua/console.h"
+#include "lua/instrument_answer.h"
 #include "lua/output_file.h"
 #include "lua/places.h"
 #include "lua/terrain_source.h"
@@ -18,8 +18,6 @@
 namespace lsos {
 
 namespace {
-
-using nlohmann::ordered_json;
 
 struct Question {
   std::vector<Geodetic> places;
@@ -60,23 +58,22 @@ Question question_of(const TerrainOptions& options) {
   return question;
 }
 
-template <class T>
-ordered_json or_null(const std::optional<T>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
+AnswerRow or_null(const std::optional<double>& value) {
+  return value ? AnswerRow(computed(*value)) : AnswerRow(nullptr);
 }
 
-ordered_json degrees_or_null(const std::optional<double>& angle_rad) {
-  return angle_rad ? ordered_json(degrees(*angle_rad)) : ordered_json(nullptr);
+AnswerRow degrees_or_null(const std::optional<double>& angle_rad) {
+  return angle_rad ? AnswerRow(computed(degrees(*angle_rad))) : AnswerRow(nullptr);
 }
 
 // What wheels feel: height, and the normal as east, north, up of the place.
-void add_ground(const Ground& ground, const Geodetic& place, ordered_json& fields) {
+void add_ground(const Ground& ground, const Geodetic& place, AnswerRow& fields) {
   fields["height_m"] = nullptr;
   fields["normal"] = nullptr;
   fields["surface_slope_deg"] = nullptr;
   const std::optional<double> height_m = ground.elevation_m(place);
   if (!height_m) return;
-  fields["height_m"] = *height_m;
+  fields["height_m"] = computed(*height_m);
   const SiteFrame& site = ground.site();
   const Vec3 p_S_m = site.p_S_m({place.lon_rad, place.lat_rad, *height_m});
   const GroundSample sample = Ground::Probe(ground).sample(p_S_m);
@@ -84,14 +81,12 @@ void add_ground(const Ground& ground, const Geodetic& place, ordered_json& field
   const double east = sample.normal_S.dot(site.east_S(p_S_m));
   const double north = sample.normal_S.dot(site.north_S(p_S_m));
   const double up = sample.normal_S.dot(site.up_S(p_S_m));
-  fields["normal"] = {east, north, up};
-  fields["surface_slope_deg"] = degrees(std::atan2(std::hypot(east, north), up));
+  fields["normal"] = {computed(east), computed(north), computed(up)};
+  fields["surface_slope_deg"] = computed(degrees(std::atan2(std::hypot(east, north), up)));
 }
 
-ordered_json point_of(const TerrainSource& source, const Ground& ground, const Geodetic& place) {
-  // As they were asked, without the digits of a turn into radians and back.
-  const auto plain = [](double angle_deg) { return std::round(angle_deg * 1e12) / 1e12; };
-  ordered_json fields{{"lon_deg", plain(lon_deg(place))}, {"lat_deg", plain(lat_deg(place))}};
+AnswerRow point_of(const TerrainSource& source, const Ground& ground, const Geodetic& place) {
+  AnswerRow fields{{"lon_deg", asked_deg(lon_deg(place))}, {"lat_deg", asked_deg(lat_deg(place))}};
   std::optional<RasterPoint> raster;
   // The finest raster that has a height there; without one, what the finest says of the place.
   for (const auto& reader : source.readers) {
@@ -107,19 +102,19 @@ ordered_json point_of(const TerrainSource& source, const Ground& ground, const G
   fields["aspect_grid_deg"] = degrees_or_null(found.aspect_grid_rad);
   if (source.is_script) {
     const Vec3 p_S_m = ground.site().p_S_m({place.lon_rad, place.lat_rad, 0});
-    fields["x"] = p_S_m.x();
-    fields["y"] = p_S_m.y();
+    fields["x"] = computed(p_S_m.x());
+    fields["y"] = computed(p_S_m.y());
   } else {
-    fields["x"] = raster ? ordered_json(raster->map.x) : ordered_json(nullptr);
-    fields["y"] = raster ? ordered_json(raster->map.y) : ordered_json(nullptr);
+    fields["x"] = raster ? AnswerRow(computed(raster->map.x)) : AnswerRow(nullptr);
+    fields["y"] = raster ? AnswerRow(computed(raster->map.y)) : AnswerRow(nullptr);
   }
   fields["crs_unit"] = source.is_script ? "m" : source.reader()->crs_unit();
   fields["body"] = source.body->name;
   return fields;
 }
 
-ordered_json exported(const TerrainSource& source, const Ground& ground, const Question& question,
-                      const TerrainOptions& options) {
+AnswerRow exported(const TerrainSource& source, const Ground& ground, const Question& question,
+                   const TerrainOptions& options) {
   const bool is_own_grid = !options.resolution_m;
   const MapGrid grid = map_grid(source, question.window, options.resolution_m);
   // Beside missing samples there is no ground, but the raster's own cells have their samples.
@@ -144,7 +139,7 @@ int terrain_command(const TerrainOptions& options) {
   if (is_export) check_grid(source, question.window, options.resolution_m);
   if (!question.site) question.site = middle(source);
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.seed);
-  auto points = ordered_json::array();
+  AnswerRow points = AnswerRow::array();
   for (const Geodetic& place : question.places) {
     // Beyond the reach of the site's tangent plane there is a site of its own.
     const double away_rad =
@@ -155,10 +150,10 @@ int terrain_command(const TerrainOptions& options) {
                              : point_of(source, *ground_of(source, place, options.seed), place));
   }
   if (is_export) {
-    const ordered_json file = exported(source, *ground, question, options);
+    const AnswerRow file = exported(source, *ground, question, options);
     if (question.places.empty()) points.push_back(file);
   }
-  print_result("{}\n", points.dump(2));
+  print_answer(points, options.style);
   return 0;
 }
 

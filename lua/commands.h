@@ -10,6 +10,9 @@
 
 namespace lsos {
 
+// How an instrument answers: a table on a terminal and JSON elsewhere, or as it is asked to.
+enum class AnswerStyle { by_output, json, text };
+
 struct RunOptions {
   std::string plan;
   std::string folder;  // "": out/PLAN-NAME
@@ -73,6 +76,7 @@ struct RigOptions {
   double gravity_mps2 = 9.80665;
   std::vector<double> slips;
   double slip_angle_deg = 0;
+  AnswerStyle style = AnswerStyle::by_output;
 };
 int rig_command(const RigOptions& options);
 
@@ -94,6 +98,7 @@ struct TerrainOptions {
   std::string window;  // "LON0,LAT0,LON1,LAT1"
   std::optional<double> resolution_m;
   bool is_hillshade = false;
+  AnswerStyle style = AnswerStyle::by_output;
 };
 int terrain_command(const TerrainOptions& options);
 
@@ -120,19 +125,21 @@ struct SunOptions {
   std::string planet;
   std::string site;             // "LON,LAT[,HEIGHT]"
   std::vector<std::string> at;  // UTC
+  AnswerStyle style = AnswerStyle::by_output;
 };
 int sun_command(const SunOptions& options);
 
 struct PictureOptions {
   std::string folder;  // of a run
   std::string at;      // UTC, or a time from the start; "": of a film
-  std::string from = "sun";
-  std::string rover;  // "": the first
-  std::string file;   // X.png, X.mp4
-  int size_px = 0;    // 0: as the view has it
+  std::string from;    // "": chase for a film, else sun
+  std::string rover;   // "": the first
+  std::string file;    // X.png, X.mp4
+  int size_px = 0;     // 0: as the view has it
   bool is_movie = false;
   std::string every;  // of a film, "": some 250 pictures
   bool is_quiet = false;
+  AnswerStyle style = AnswerStyle::by_output;
 };
 int picture_command(const PictureOptions& options);
 

@@ -46,6 +46,14 @@ void insert_run(std::vector<std::string>& arguments) {
                                    lsos::did_you_mean(first, known)));
 }
 
+// How an instrument prints its answer.
+void add_style(CLI::App& command, lsos::AnswerStyle& style) {
+  command.add_flag_callback(
+      "--json", [&] { style = lsos::AnswerStyle::json; }, "JSON, as in a file or a pipe");
+  command.add_flag_callback(
+      "--text", [&] { style = lsos::AnswerStyle::text; }, "A table, as on a terminal");
+}
+
 // Which terrain, and which part of it.
 void add_ground(CLI::App& command, lsos::TerrainOptions& terrain) {
   command.add_option("NAME", terrain.name, "A terrain script by name, or a raster")->required();
@@ -70,7 +78,7 @@ void add_ground(CLI::App& command, lsos::TerrainOptions& terrain) {
                      "Cell size of the map, m (the finest raster's own grid)");
 }
 
-CLI::App* add_terrain(CLI::App& app, lsos::TerrainOptions& terrain, bool& is_json) {
+CLI::App* add_terrain(CLI::App& app, lsos::TerrainOptions& terrain) {
   CLI::App* command = app.add_subcommand(
       "terrain", "The ground at given places, as a raster has it and as wheels feel it");
   add_ground(*command, terrain);
@@ -78,11 +86,11 @@ CLI::App* add_terrain(CLI::App& app, lsos::TerrainOptions& terrain, bool& is_jso
       ->allow_extra_args(false);
   command->add_option("--export", terrain.export_file, "Write heights as a GeoTIFF");
   command->add_flag("--hillshade", terrain.is_hillshade, "Export a hillshade, not heights");
-  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  add_style(*command, terrain.style);
   return command;
 }
 
-CLI::App* add_light(CLI::App& app, lsos::LightOptions& light, bool& is_json) {
+CLI::App* add_light(CLI::App& app, lsos::LightOptions& light) {
   CLI::App* command =
       app.add_subcommand("light", "A map of how much of the Sun the ground sees at a time");
   add_ground(*command, light.terrain);
@@ -90,11 +98,11 @@ CLI::App* add_light(CLI::App& app, lsos::LightOptions& light, bool& is_json) {
   command->add_option("-o,--output", light.file, "The GeoTIFF to write")->required();
   command->add_option("--threads", light.threads, "Threads that work on it")
       ->check(CLI::Range(1, 256));
-  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  add_style(*command, light.terrain.style);
   return command;
 }
 
-CLI::App* add_sight(CLI::App& app, lsos::SightOptions& sight, bool& is_json) {
+CLI::App* add_sight(CLI::App& app, lsos::SightOptions& sight) {
   CLI::App* command = app.add_subcommand(
       "sight", "Whether places see each other over the ground, and maps of what one sees");
   add_ground(*command, sight.terrain);
@@ -108,27 +116,28 @@ CLI::App* add_sight(CLI::App& app, lsos::SightOptions& sight, bool& is_json) {
   command->add_flag("--flat", sight.is_flat, "The map as if the body did not curve");
   command->add_option("--threads", sight.threads, "Threads that work on it")
       ->check(CLI::Range(1, 256));
-  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  add_style(*command, sight.terrain.style);
   return command;
 }
 
-CLI::App* add_picture(CLI::App& app, lsos::PictureOptions& picture, bool& is_json) {
+CLI::App* add_picture(CLI::App& app, lsos::PictureOptions& picture) {
   CLI::App* command =
       app.add_subcommand("picture", "A rover of a run as the Sun or a camera saw it");
   command->add_option("DIR", picture.folder, "Folder of a run")->required();
   command->add_option("--at", picture.at, "UTC, or a time from the start: 90, 2 h");
   command->add_option("--from", picture.from,
                       "sun (its panels green), chase, east, above, or the RoverId of one that sees "
-                      "it (sun)");
+                      "it (sun; of a film chase)");
   command->add_option("--rover", picture.rover, "RoverId (the first)");
   command->add_option("--size", picture.size_px, "Width, pixels (1280; from sun 800)")
       ->check(CLI::Range(64, 4096));
   command->add_flag("--movie", picture.is_movie, "A film of all the run, in place of --at");
   command->add_option("--every", picture.every,
-                      "Of the mission, from one of its pictures to the next (for some 250)");
+                      "Of the mission, from one of its pictures to the next (for some 250, four "
+                      "in five of them while the rover drives)");
   command->add_option("-o,--output", picture.file, "The PNG, or MP4, to write")->required();
   command->add_flag("--quiet", picture.is_quiet, "No progress");
-  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  add_style(*command, picture.style);
   return command;
 }
 
@@ -165,14 +174,14 @@ CLI::App* add_verify(CLI::App& app, lsos::VerifyOptions& verify) {
   return command;
 }
 
-CLI::App* add_sun(CLI::App& app, lsos::SunOptions& sun, bool& is_json) {
+CLI::App* add_sun(CLI::App& app, lsos::SunOptions& sun) {
   CLI::App* command = app.add_subcommand("sun", "Sun and Earth in the sky of a place");
   command->add_option("--planet", sun.planet, "Moon, Mars or Earth")->required();
   command->add_option("--site", sun.site, "LON,LAT[,HEIGHT] in degrees and m")->required();
   command->add_option("--at", sun.at, "UTC, one or several: 2026-07-01T00:00:00Z,...")
       ->required()
       ->delimiter(',');
-  command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  add_style(*command, sun.style);
   return command;
 }
 
@@ -281,19 +290,19 @@ int run_program(std::vector<std::string> arguments) {
   rig_command->add_option("--stiffness", rig.stiffness_npm,
                           "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
   rig_command->add_option("--gravity", rig.gravity_mps2, "m/s2 (9.80665)");
-  rig_command->add_flag("--json", is_json, "Its answer is JSON in any case");
+  add_style(*rig_command, rig.style);
 
   lsos::TerrainOptions terrain;
-  CLI::App* terrain_command = add_terrain(app, terrain, is_json);
+  CLI::App* terrain_command = add_terrain(app, terrain);
 
   lsos::LightOptions light;
-  CLI::App* light_command = add_light(app, light, is_json);
+  CLI::App* light_command = add_light(app, light);
 
   lsos::SightOptions sight;
-  CLI::App* sight_command = add_sight(app, sight, is_json);
+  CLI::App* sight_command = add_sight(app, sight);
 
   lsos::PictureOptions picture;
-  CLI::App* picture_command = add_picture(app, picture, is_json);
+  CLI::App* picture_command = add_picture(app, picture);
 
   lsos::ReportOptions report;
   CLI::App* report_command = add_report(app, report);
@@ -305,7 +314,7 @@ int run_program(std::vector<std::string> arguments) {
   CLI::App* verify_command = add_verify(app, verify);
 
   lsos::SunOptions sun;
-  CLI::App* sun_command = add_sun(app, sun, is_json);
+  CLI::App* sun_command = add_sun(app, sun);
 
   // Every command takes what any may be given, so that scripts need not know which has a use for
   // it.

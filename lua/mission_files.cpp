@@ -310,8 +310,6 @@ std::vector<Fault> keep_legs(const std::string& plan_file, const std::string& by
   }
 }
 
-namespace {}  // namespace
-
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation) {
   const MissionInfo& mission = files.plan.mission;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/units.h"
 #include "lua/picture_scene.h"
@@ -39,6 +40,13 @@ std::string view_text(const PictureView& view, const std::string& rover) {
   return {};
 }
 
+// How fast a film goes; three digits that count.
+std::string rate_text(const FilmTime& film) {
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(film.rate)) - 2));
+  return fmt::format("{}{:.0f} x real time", film.is_quiet ? "time-lapse: " : "",
+                     std::round(film.rate / unit) * unit);
+}
+
 // `metres_a_pixel`: where the rover is; 0 where it is not seen.
 Caption caption_of(const PictureMoment& moment, const PictureView& view, const DrawnBody& body,
                    double metres_a_pixel) {
@@ -48,6 +56,7 @@ Caption caption_of(const PictureMoment& moment, const PictureView& view, const D
   utc = utc.substr(0, 10) + " " + utc.substr(11, 8) + " UTC";
   Caption caption;
   caption.title = fmt::format("{} ({})   {}", body.id, body.type, utc);
+  if (moment.film) caption.title += "   " + rate_text(*moment.film);
   caption.lines = {
       fmt::format("lon {:.5f}\u00b0, lat {:.5f}\u00b0   {}   Sun {:.1f}\u00b0 {} the horizon at "
                   "azimuth {:.0f}\u00b0",

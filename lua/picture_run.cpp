@@ -15,8 +15,6 @@ namespace lsos {
 
 namespace {
 
-constexpr int film_pictures = 250, film_pictures_max = 20000;
-
 // Of the scripts and the ground that the run names, those that are not what they were.
 std::vector<std::string> changed_since(const MissionFiles& files, const Ground& ground,
                                        const std::map<std::string, std::string>& run) {
@@ -32,28 +30,6 @@ std::vector<std::string> changed_since(const MissionFiles& files, const Ground& 
   return changed;
 }
 
-std::vector<SimTime> film_times(const std::string& every, SimTime end) {
-  SimTime step = std::max(exchange_period, round_up_to_exchange(end / film_pictures));
-  if (!every.empty()) {
-    const Parsed<double> step_s = parse_quantity(every, *find_unit("s"));
-    if (!step_s) {
-      throw InputError({},
-                       fmt::format("--every {}: the mission's time from one picture to the next "
-                                   "is wanted, as 10 s or 2 min",
-                                   every));
-    }
-    const double least_s = std::max(seconds(exchange_period), seconds(end) / film_pictures_max);
-    if (!(*step_s.value >= least_s)) {
-      throw InputError(
-          {}, fmt::format("--every {}: must be at least {:.3g} s in this run", every, least_s));
-    }
-    step = from_seconds(*step_s.value);
-  }
-  std::vector<SimTime> times;
-  for (SimTime time{}; time <= end; time += step) times.push_back(time);
-  return times;
-}
-
 }  // namespace
 
 SimTime time_since_start(const std::string& option, const std::string& text, Instant start) {
@@ -66,8 +42,15 @@ SimTime time_since_start(const std::string& option, const std::string& text, Ins
 }
 
 PictureRun open_run(const std::string& folder, const LogReader& log) {
-  PictureRun run{
-      mission_of_run(folder, log.run()), {}, log.start(), log.last_sample_time(), {}, {}, {}, {}};
+  PictureRun run{mission_of_run(folder, log.run()),
+                 {},
+                 log.start(),
+                 log.last_sample_time(),
+                 {},
+                 {},
+                 {},
+                 {},
+                 {}};
   run.files.faults.throw_if_errors();
   const MissionInfo& mission = run.files.plan.mission;
   run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
@@ -86,20 +69,29 @@ void read_moments(PictureRun& run, const LogReader& log, const std::vector<SimTi
   for (const auto& [id, track] : run.logged.tracks) run.rovers.push_back(id);
 }
 
-PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every) {
+PictureRun open_picture(const std::string& folder, const std::string& at) {
   const LogReader log(folder + "/log.gpkg");
   require_samples(log, folder);
   PictureRun run = open_run(folder, log);
-  if (at.empty()) {
-    read_moments(run, log, film_times(every, run.end));
-    return run;
-  }
   const SimTime time = time_since_start("--at", at, run.start);
   if (time < SimTime{} || time > run.end) {
     throw InputError({}, fmt::format("--at {}: the run is from {} to {}", at, format_utc(run.start),
                                      format_utc(run.start + run.end)));
   }
   read_moments(run, log, {time});
+  return run;
+}
+
+PictureRun open_film(const std::string& folder, const std::string& every,
+                     const std::string& rover) {
+  const LogReader log(folder + "/log.gpkg");
+  PictureRun run = open_run(folder, log);
+  const SimTime interval = run.files.plan.mission.log_interval;
+  run.film = every.empty() ? film_times(drive_times(log, rover, interval), run.end)
+                           : film_times(every, run.end);
+  std::vector<SimTime> times;
+  for (const FilmTime& film : run.film) times.push_back(film.time);
+  read_moments(run, log, times);
   return run;
 }
 
@@ -116,6 +108,7 @@ PictureMoment moment(const PictureRun& run, std::size_t k, const std::string& ro
                                        : fmt::format("--rover {}: the run has no such rover{}",
                                                      rover, did_you_mean(rover, ids)));
   }
+  if (!run.film.empty()) moment.film = run.film[k];
   const SampleRow& sample = moment.rover->sample;
   const SiteFrame& site = run.ground->site();
   // A parked rover has few samples; the Sun goes on.

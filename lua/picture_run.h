@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "lua/film_times.h"
 #include "lua/mission_files.h"
 #include "mission/logged_run.h"
 #include "planet/sunlight.h"
@@ -18,14 +20,16 @@ struct PictureRun {
   Instant start;
   SimTime end{};
   std::vector<SimTime> times;  // of the pictures
+  std::vector<FilmTime> film;  // the same of a film, else empty
   LoggedRun logged;            // then
   std::vector<std::string> rovers;
   std::vector<std::string> warnings;
 };
 
-// `at`: "" for a film. `every`: of a film, "" for some 250 pictures. Throws InputError: no such
-// run, or no such time in it.
-PictureRun open_run(const std::string& folder, const std::string& at, const std::string& every);
+// Throw InputError: no such run, or no such time in it.
+PictureRun open_picture(const std::string& folder, const std::string& at);
+// `every`: "" for some 250 pictures, most of them while `rover` ("" for the first) drives.
+PictureRun open_film(const std::string& folder, const std::string& every, const std::string& rover);
 // The same without any moments yet.
 PictureRun open_run(const std::string& folder, const LogReader& log);
 // `times` ascend.
@@ -40,6 +44,7 @@ struct PictureMoment {
   Instant utc;
   Sunlight sun;
   Vec3 sun_S = Vec3::UnitZ();
+  std::optional<FilmTime> film;
 };
 // `k`: of the run's times. `rover`: "" for the first. Throws InputError: none of that name until
 // then.

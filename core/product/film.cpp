@@ -22,8 +22,6 @@ namespace lsos {
 
 namespace {
 
-constexpr const char* pictures_a_second = "25";
-
 std::string ffmpeg() {
   const char* folders = std::getenv("PATH");
   std::istringstream list(folders ? folders : "");
@@ -57,7 +55,7 @@ Film::Film(const std::string& file, int width_px, int height_px)
                                        "-f",           "rawvideo",
                                        "-pix_fmt",     "rgb24",
                                        "-video_size",  fmt::format("{}x{}", width_px, height_px),
-                                       "-framerate",   pictures_a_second,
+                                       "-framerate",   std::to_string(film_pictures_a_second),
                                        "-i",           "-",
                                        "-pix_fmt",     "yuv420p",
                                        "-movflags",    "+faststart",

@@ -10,10 +10,12 @@
 
 namespace lsos {
 
+inline constexpr int film_pictures_a_second = 25;
+
 // Written under another name, which is the file's only when it is complete; gone when it never is.
 class Film {
  public:
-  // An MP4 of 25 pictures a second. Throws InputError: ffmpeg is not installed; says how to.
+  // An MP4. Throws InputError: ffmpeg is not installed; says how to.
   Film(const std::string& file, int width_px, int height_px);
   ~Film();
   Film(const Film&) = delete;

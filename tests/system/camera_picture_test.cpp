@@ -245,6 +245,18 @@ TEST_F(Film, gives_it_all_pictures) {
   std::filesystem::remove(*folder / "x.mp4");
 }
 
+TEST_F(Film, looks_from_behind_unless_it_is_told_otherwise) {
+  const std::string path = program("eats", "for file; do :; done; cat > \"${file#file:}\"");
+  const Outcome outcome = run({"picture", *folder / "run", "-o", *folder / "x.mp4", "--size", "64",
+                               "--movie", "--every", "20"},
+                              {.environment = {"PATH=" + path}});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json about = json::parse(outcome.out)[0];
+  EXPECT_EQ(about["from"], "chase");
+  EXPECT_EQ(about["times_real_time"], 20 * 25);
+  std::filesystem::remove(*folder / "x.mp4");
+}
+
 TEST_F(Film, is_stopped_from_outside_and_leaves_nothing) {
   const std::string path = program("waits", "cat > /dev/null; sleep 60");
   Process process({LSOS_PROGRAM, "picture", *folder / "run", "-o", *folder / "x.mp4", "--size",
