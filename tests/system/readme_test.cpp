@@ -144,6 +144,41 @@ TEST(FirstEvent, of_the_readme_works_beside_a_plan_without_building) {
   EXPECT_EQ(query(log, "select status from events where type = 'Beacon'"), "completed");
 }
 
+TEST(TerrainCommand, of_the_readme_shows_the_floor_and_the_rim_of_a_crater) {
+  const Words commands = shown_commands(repository() / "README.md");
+  const auto command = std::ranges::find_if(commands, [](const std::string& text) {
+    return text.starts_with("script/run terrain Craters") && text.find("--at") != text.npos;
+  });
+  ASSERT_NE(command, commands.end());
+  const Outcome outcome =
+      run_command({"bash", "-c", *command}, {.folder = repository(), .environment = environment()});
+  const auto points = nlohmann::json::parse(outcome.out);
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_LT(points[0]["height_m"].get<double>(), -1.5);
+  EXPECT_GT(points[1]["height_m"].get<double>(), 0.3);
+}
+
+// What plans/README.md says was driven.
+double shown_distance_m(const std::string& plan) {
+  const std::regex row("\\| `" + plan + "` \\| [^|]+ \\| ([0-9]+) m \\|");
+  std::smatch found;
+  const std::string text = read_text(repository() / "plans" / "README.md");
+  return std::regex_search(text, found, row) ? std::stod(found[1]) : 0;
+}
+
+TEST(PlansReadme, says_how_far_rovers_drive) {
+  for (const std::string plan : {"crater_crossing", "first_drive", "solar_stop", "two_rovers"}) {
+    const TempFolder folder;
+    const std::string file =
+        folder.write(plan + ".kml", read_text(repository() / "plans" / (plan + ".kml")));
+    ASSERT_EQ(run({file, "-o", folder / "run", "--quiet", "--no-report"}).exit_code, 0) << plan;
+    double driven_m = 0;
+    const auto of_run = summary(folder / "run");
+    for (const auto& rover : of_run["rovers"]) driven_m += rover["distance_m"].get<double>();
+    EXPECT_NEAR(driven_m, shown_distance_m(plan), 3) << plan;
+  }
+}
+
 TEST(TerrainReadme, shows_a_terrain_of_rasters_that_works) {
   const TempFolder folder;
   folder.write("terrain/Nested.lua", shown_block("lua", "terrain/README.md"));
