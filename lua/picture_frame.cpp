@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "lua/instrument_answer.h"
 #include "lua/picture_scene.h"
 #include "lua/picture_view.h"
 #include "product/caption.h"
@@ -114,7 +115,7 @@ PictureFrameOut as_the_sun_sees(const PictureRun& run, const PictureMoment& mome
       {size_px, size_px, picture.rgb},
       {{"green_pixels", seen},
        {"green_pixels_alone", most},
-       {"seen_share", most > 0 ? nlohmann::ordered_json(static_cast<double>(seen) / most)
+       {"seen_share", most > 0 ? nlohmann::ordered_json(computed(static_cast<double>(seen) / most))
                                : nlohmann::ordered_json(nullptr)}}};
   add_caption({size_px, size_px, &out.picture.rgb},
               caption_of(moment, view, subject, 2 * frame.half_m / size_px), letters);
@@ -187,13 +188,14 @@ PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureWi
   PictureFrameOut out = view.kind == PictureView::Kind::sun
                             ? as_the_sun_sees(run, then, view, size.width_px, gpu, letters)
                             : as_a_camera_sees(run, then, view, run.times[k], size, gpu, letters);
-  nlohmann::ordered_json about{{"rover_id", then.rover->sample.rover_id},
-                               {"utc", format_utc(then.utc)},
-                               {"from", wish.from},
-                               {"width_px", out.picture.width_px},
-                               {"height_px", out.picture.height_px},
-                               {"sun_azimuth_deg", degrees(then.sun.seen.azimuth_rad)},
-                               {"sun_elevation_deg", degrees(then.sun.seen.elevation_rad)}};
+  nlohmann::ordered_json about{
+      {"rover_id", then.rover->sample.rover_id},
+      {"utc", format_utc(then.utc)},
+      {"from", wish.from},
+      {"width_px", out.picture.width_px},
+      {"height_px", out.picture.height_px},
+      {"sun_azimuth_deg", computed(degrees(then.sun.seen.azimuth_rad))},
+      {"sun_elevation_deg", computed(degrees(then.sun.seen.elevation_rad))}};
   if (out.about.is_object()) about.update(out.about);
   out.about = about;
   return out;

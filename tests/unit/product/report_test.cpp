@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -73,6 +75,30 @@ class ReportTest : public ::testing::Test {
   TestFolder folder;
   Plan plan;
 };
+
+// 30 days at 60 s, and 40 rows of a drive between them.
+TEST_F(ReportTest, shows_a_short_drive_in_a_month_of_standing) {
+  constexpr int before = 20'000, drive = 40, after = 23'000;
+  LogWriter log(folder / "long.gpkg", moon_crs, test_start());
+  SimTime time{};
+  for (int i = 0; i < before + drive + after; ++i) {
+    const bool is_moving = i >= before && i < before + drive;
+    SampleRow row = test_sample(std::clamp(i - before, 0, drive));
+    row.p_S_m.y() = 3 * std::sin(row.p_S_m.x());
+    row.speed_mps = is_moving ? 0.3 + 0.01 * (i % 7) : 0;
+    row.time = time;
+    time += SimTime{(is_moving ? 2 : 60) * 1'000'000};
+    log.write(row);
+  }
+  log.finish();
+  const ReportData found = read_report_data(LogReader(folder / "long.gpkg"), plan, site());
+  const ReportRover& rover = found.rovers.front();
+  EXPECT_LT(rover.position.size(), 60u) << "the drive, and little else";
+  EXPECT_GT(rover.position.size(), 40u);
+  const auto speed = std::ranges::find(rover.series, std::string("speed_mps"),
+                                       &std::pair<std::string, ThinnedRows>::first);
+  EXPECT_EQ(std::ranges::count_if(speed->second.column(0), [](double v) { return v > 0; }), drive);
+}
 
 TEST_F(ReportTest, holds_valid_json_whatever_labels_say) {
   const std::string text = report_json(data(), plan, site(), R"({"warnings": ["</script>"]})", {});
