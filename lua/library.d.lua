@@ -492,7 +492,7 @@
 
 ---@class lsos.craters.keys
 ---@field diameter_min_m? number Smallest (default 3).
----@field diameter_max_m? number Largest (default 60).
+---@field diameter_max_m? number Largest (default 60); over a raster smaller than a cell.
 ---@field age_gyr? number Age of the surface: numbers as such a lunar surface has, at most those in equilibrium. Without it they follow exponent and density_pm2.
 ---@field exponent? number Of the cumulative size distribution (default 2).
 ---@field density_pm2? number Craters larger than diameter_min_m per area (default 2e-4).
@@ -502,13 +502,13 @@
 ---@class lsos.rocks.keys
 ---@field cover? number Share of the ground that rocks cover (default 0.01).
 ---@field diameter_min_m? number Smallest (default 0.15).
----@field diameter_max_m? number Largest (default 4).
+---@field diameter_max_m? number Largest (default 4); over a raster smaller than a cell.
 ---@field height_to_diameter? number Default 0.5.
 
 ---@class lsos.roughness.keys
 ---@field deviation_m? number RMS difference of height between points 1 m apart (default 0.01).
 ---@field hurst? number How it grows with distance: as its power (default 0.7).
----@field longest_m? number Longest wave (default 16); over a raster at most two of its cells.
+---@field longest_m? number Longest wave (default 16); over a raster at most half a cell.
 
 ---@class lsos.soil_patch.keys
 ---@field soil any A script in terrain/soils/, or the soil.
@@ -585,7 +585,7 @@
 ---@field plane fun(keys: lsos.plane.keys): lsos.made Level or tilted ground.
 ---@field relief fun(keys: lsos.relief.keys): lsos.made Ground of landforms at known places.
 ---@field landform fun(keys: lsos.landform.keys): lsos.made A crater or a mountain.
----@field detail fun(keys: lsos.detail.keys): lsos.made What is finer than the layers: by the plan's Seed, and over a raster such that its cells keep their heights.
+---@field detail fun(keys: lsos.detail.keys): lsos.made What is finer than the layers: by the plan's Seed, and over a raster what is smaller than its cells, so that their means stay.
 ---@field craters fun(keys: lsos.craters.keys): lsos.made Craters at random places.
 ---@field rocks fun(keys: lsos.rocks.keys): lsos.made Rocks at random places.
 ---@field roughness fun(keys: lsos.roughness.keys): lsos.made A self-affine surface.

@@ -56,7 +56,8 @@ void read_relief(TableReader& t, ReliefSurface& relief) {
 
 void read_craters(TableReader& t, CraterPopulation& craters) {
   t.number(optional, "diameter_min_m", craters.diameter_min_m, {0.1, 1e5}, "Smallest (default 3).");
-  t.number(optional, "diameter_max_m", craters.diameter_max_m, positive, "Largest (default 60).");
+  t.number(optional, "diameter_max_m", craters.diameter_max_m, positive,
+           "Largest (default 60); over a raster smaller than a cell.");
   t.number(optional, "age_gyr", craters.age_gyr, {0, 4.5},
            "Age of the surface: numbers as such a lunar surface has, at most those in equilibrium. "
            "Without it they follow exponent and density_pm2.");
@@ -96,7 +97,8 @@ void read_rocks(TableReader& t, RockPopulation& rocks) {
            "Share of the ground that rocks cover (default 0.01).");
   t.number(optional, "diameter_min_m", rocks.diameter_min_m, {0.02, 10},
            "Smallest (default 0.15).");
-  t.number(optional, "diameter_max_m", rocks.diameter_max_m, {0.02, 30}, "Largest (default 4).");
+  t.number(optional, "diameter_max_m", rocks.diameter_max_m, {0.02, 30},
+           "Largest (default 4); over a raster smaller than a cell.");
   t.number(optional, "height_to_diameter", rocks.height_to_diameter, {0.05, 1}, "Default 0.5.");
   if (rocks.diameter_min_m > rocks.diameter_max_m) {
     t.fault("diameter_min_m is above diameter_max_m");
@@ -109,7 +111,7 @@ void read_roughness(TableReader& t, Roughness& roughness) {
   t.number(optional, "hurst", roughness.hurst, {0.1, 1},
            "How it grows with distance: as its power (default 0.7).");
   t.number(optional, "longest_m", roughness.longest_m, {0.1, 1000},
-           "Longest wave (default 16); over a raster at most two of its cells.");
+           "Longest wave (default 16); over a raster at most half a cell.");
 }
 
 void read_detail(TableReader& t, Detail& detail) {
@@ -319,8 +321,8 @@ std::vector<Constructor> terrain_constructors() {
       constructor<Landform, read_landform>("landform", "A crater or a mountain."),
       constructor<Detail, read_detail>(
           "detail",
-          "What is finer than the layers: by the plan's Seed, and over a raster such "
-          "that its cells keep their heights."),
+          "What is finer than the layers: by the plan's Seed, and over a raster what is "
+          "smaller than its cells, so that their means stay."),
       constructor<CraterPopulation, read_craters>("craters", "Craters at random places."),
       constructor<RockPopulation, read_rocks>("rocks", "Rocks at random places."),
       constructor<Roughness, read_roughness>("roughness", "A self-affine surface."),

@@ -21,8 +21,13 @@ std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
         fmt::format("terrain {} has no ground at the first rover's start {:.6f},{:.6f}",
                     terrain.name, lon_deg(start), lat_deg(start)));
   }
-  return std::make_unique<Ground>(
+  auto ground = std::make_unique<Ground>(
       terrain, SiteFrame(body, {start.lon_rad, start.lat_rad, *elevation_m}), seed);
+  if (const std::string slivers = ground->slivers(start); !slivers.empty()) {
+    throw InputError(terrain.place, fmt::format("no rover can start at {:.6f},{:.6f}: {}",
+                                                lon_deg(start), lat_deg(start), slivers));
+  }
+  return ground;
 }
 
 double default_heading_rad(const RoverMachine& machine, const SiteFrame& site) {
@@ -57,17 +62,29 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
                                   "not known",
                                   rover.id, lon_deg(rover.start), lat_deg(rover.start))});
   }
+  if (const std::string slivers = ground.slivers(rover.start); !slivers.empty()) {
+    faults.push_back({Severity::error, rover.place,
+                      fmt::format("Rover '{}': no rover can start at {:.6f},{:.6f}: {}", rover.id,
+                                  lon_deg(rover.start), lat_deg(rover.start), slivers)});
+  }
   for (const EventMachine& event : machine.events) {
     if (!event.declaration.drives || !event.event.is_enabled) continue;
-    if (plans_its_way(event.event)) continue;
+    const bool is_known_by_plan = plans_its_way(event.event);
     std::int64_t number = 0;
     for (const Geodetic& point : event.event.geometry.points) {
       ++number;
-      if (ground.elevation_m(point)) continue;
+      const std::string slivers = ground.slivers(point);
+      std::string text;
+      if (!slivers.empty()) {
+        text = fmt::format("no rover can drive to waypoint {} ({:.6f},{:.6f}): {}", number,
+                           lon_deg(point), lat_deg(point), slivers);
+      } else if (!is_known_by_plan && !ground.elevation_m(point)) {
+        text = unknown_ground_text(number, point);
+      }
+      if (text.empty()) continue;
       faults.push_back({Severity::error,
                         {event.event.place.file, event.event.geometry.line},
-                        fmt::format("{} '{}': {}", event.event.type, event.event.label,
-                                    unknown_ground_text(number, point))});
+                        fmt::format("{} '{}': {}", event.event.type, event.event.label, text)});
     }
   }
   return faults;

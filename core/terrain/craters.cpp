@@ -59,6 +59,24 @@ double drawn_diameter_m(const Octave& o, double share) {
   return o.diameter_low_m * std::pow(1 + share * (ratio - 1), o.exponent);
 }
 
+// The share of the octave's craters that are not larger.
+double share_below(const Octave& o, double diameter_m) {
+  const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
+  return (std::pow(diameter_m / o.diameter_low_m, 1 / o.exponent) - 1) / (ratio - 1);
+}
+
+double life_max(const CraterPopulation& p, const Octave& o, double diameter_m) {
+  return o.is_full ? p.degradation.value_or(1) : life_max(p, diameter_m);
+}
+
+// A crater that has lived that share of a life.
+Crater worn_crater(const CraterPopulation& p, const PlanePoint& at, double diameter_m,
+                   double lived) {
+  const double left = 1 / (1 + depth_lost_at_end * lived);
+  const double fresh_m = p.depth_to_diameter * diameter_m;
+  return {at, diameter_m, fresh_m * left, rim_to_depth * fresh_m * left * left};
+}
+
 }  // namespace
 
 double crater_production_pm2(double age_gyr, double diameter_m) {
@@ -84,6 +102,29 @@ double cumulative_pm2(const CraterPopulation& p, double diameter_m) {
                   crater_equilibrium_pm2(diameter_m));
 }
 
+// Midpoints of even parts of the craters drawn, by size and by age.
+double crater_volume_pm2(const CraterPopulation& p, double low_m, double high_m) {
+  constexpr int parts = 16;
+  double sum_pm2 = 0;
+  for (const Octave& octave : octaves(p)) {
+    const double low = std::max(low_m, octave.diameter_low_m);
+    const double high = std::min(high_m, octave.diameter_high_m);
+    if (low >= high) continue;
+    const double from = share_below(octave, low), to = share_below(octave, high);
+    double sum_m3 = 0;
+    for (int i = 0; i < parts; ++i) {
+      const double diameter_m = drawn_diameter_m(octave, from + (i + 0.5) / parts * (to - from));
+      const double most = life_max(p, octave, diameter_m);
+      for (int j = 0; j < parts; ++j) {
+        sum_m3 += crater_volume_m3(worn_crater(p, {}, diameter_m, (j + 0.5) / parts * most));
+      }
+    }
+    sum_pm2 += (octave.cumulative_low_pm2 - octave.cumulative_high_pm2) * (to - from) * sum_m3 /
+               (parts * parts);
+  }
+  return sum_pm2;
+}
+
 std::vector<Crater> craters_touching(const CraterPopulation& population, std::uint64_t seed,
                                      const PlaneRectangle& area, double diameter_low_m,
                                      double diameter_high_m) {
@@ -97,23 +138,19 @@ std::vector<Crater> craters_touching(const CraterPopulation& population, std::ui
         mix_key(mix_key(seed, "craters"), static_cast<std::uint64_t>(octave.number));
     const PlaneRectangle around{{area.low.x_m - reach_m, area.low.y_m - reach_m},
                                 {area.high.x_m + reach_m, area.high.y_m + reach_m}};
-    visit_points(
-        key, octave.cumulative_low_pm2 - octave.cumulative_high_pm2,
-        cell_to_diameter * octave.diameter_high_m, around,
-        [&](const PlanePoint& at, RandomStream& random) {
-          const double diameter_m = drawn_diameter_m(octave, random.uniform());
-          const double lived = random.uniform();
-          if (diameter_m < diameter_low_m || diameter_m >= diameter_high_m) return;
-          const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);
-          const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);
-          const double touch_m = crater_reach * diameter_m / 2;
-          if (dx * dx + dy * dy >= touch_m * touch_m) return;
-          const double most = octave.is_full ? population.degradation.value_or(1)
-                                             : life_max(population, diameter_m);
-          const double left = 1 / (1 + depth_lost_at_end * lived * most);
-          const double fresh_m = population.depth_to_diameter * diameter_m;
-          craters.push_back({at, diameter_m, fresh_m * left, rim_to_depth * fresh_m * left * left});
-        });
+    visit_points(key, octave.cumulative_low_pm2 - octave.cumulative_high_pm2,
+                 cell_to_diameter * octave.diameter_high_m, around,
+                 [&](const PlanePoint& at, RandomStream& random) {
+                   const double diameter_m = drawn_diameter_m(octave, random.uniform());
+                   const double lived = random.uniform();
+                   if (diameter_m < diameter_low_m || diameter_m >= diameter_high_m) return;
+                   const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);
+                   const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);
+                   const double touch_m = crater_reach * diameter_m / 2;
+                   if (dx * dx + dy * dy >= touch_m * touch_m) return;
+                   const double most = life_max(population, octave, diameter_m);
+                   craters.push_back(worn_crater(population, at, diameter_m, lived * most));
+                 });
   }
   return craters;
 }

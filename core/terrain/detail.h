@@ -13,26 +13,28 @@
 #include "terrain/height_grid.h"
 #include "terrain/patch_map.h"
 #include "terrain/poisson_field.h"
-#include "terrain/rock_tile.h"
 #include "terrain/roughness.h"
+#include "terrain/shape_tile.h"
 #include "terrain/stereographic.h"
+#include "terrain/volume_lattice.h"
 
 namespace lsos {
 
 struct DetailTile {
   explicit DetailTile(const TileKey& key) : heights(key) {}
   HeightTile heights;
-  RockTile rocks;
+  ShapeTile<PlacedCrater> craters;  // those too small for the heights' nodes
+  ShapeTile<PlacedRock> rocks;
   const TileKey& key() const { return heights.key(); }
-  std::size_t bytes() const { return sizeof(*this) + rocks.bytes(); }
+  std::size_t bytes() const { return sizeof(*this) + craters.bytes() + rocks.bytes(); }
 };
 
 // How the detail goes with the grid below it.
 struct DetailSetting {
-  double cell_m = 1;           // mean side of the grid's cells
-  double height_to_width = 1;  // of those
-  bool keeps_cells = false;    // zero at cells' centres and in the mean of each cell
-  double crater_max_m = 1e9;   // larger ones are the grid's own
+  double cell_m = 1;            // mean side of the grid's cells
+  double height_to_width = 1;   // of those
+  bool is_over_raster = false;  // nothing is added at the scale of cells, which a raster knows
+  double crater_max_m = 1e9;    // larger ones are the grid's own
 };
 
 class DetailField {
@@ -47,6 +49,10 @@ class DetailField {
   // is too small for those: for looks from afar.
   DetailTile tile(const TileKey& key) const;
   static constexpr int coarsest_level = 20;
+  // Craters and rocks over a raster are smaller than this. Wider ones could not be kept out of the
+  // mean over two cells without losing their shape: of craters of 1.25 cells a tenth of their
+  // relief would stay there.
+  static double largest_over_raster(double cell_m) { return cell_m; }
   // Of what it holds: a look at what is larger finds nothing.
   double largest_m() const;
 
@@ -54,17 +60,21 @@ class DetailField {
   // The finer grid's coordinates of a point of the grid.
   double fine(double u) const { return (u + 0.5) * subdivision_; }
   std::optional<PlanePoint> map_point(double U, double V) const;
-  PlaneRectangle rectangle(const NodeLattice& at) const;
+  PlaneRectangle map_rectangle(const NodeRectangle& on_grid) const;
   std::optional<GridPoint> grid_point(const PlanePoint& at) const;
   double near_tile(double U, const NodeLattice& at) const;
-  double largest_crater_m() const;
-  std::vector<Crater> craters(const NodeLattice& at) const;
-  void add_craters(HeightTile& tile, const NodeLattice& at) const;
-  void add_rocks(RockTile& tile, const NodeLattice& at) const;
-  HeightTile raw(const TileKey& key, const NodeLattice& at) const;
-  HeightTile zero_at_centres(const TileKey& key) const;
-  double mean_of_cell_m(const TileKey& cell) const;
-  void correct_means(HeightTile& tile) const;
+  double smallest_crater_m(int level) const;
+  double smallest_rock_m(int level) const;
+  ShapePlace shape_place(const GridPoint& centre, double radius_m, double reach,
+                         const NodeLattice& at) const;
+  void add_craters(DetailTile& tile, const NodeLattice& at) const;
+  void add_to_nodes(HeightTile& tile, const Crater& crater, const GridPoint& centre,
+                    const NodeLattice& at) const;
+  void add_rocks(DetailTile& tile, const NodeLattice& at) const;
+  void set_lattice();
+  void take_off_volumes(HeightTile& tile, const NodeLattice& at) const;
+  void add_volume(VolumeLattice& lattice, const NodeLattice& at, const PlanePoint& centre,
+                  double volume_m3) const;
 
   Detail detail_;
   const HeightGrid& grid_;
@@ -74,10 +84,11 @@ class DetailField {
   int subdivision_;
   std::int64_t period_ = 0;  // of the finer grid, nodes; 0: does not go around
   std::optional<RoughnessField> roughness_;
+  int lattice_column_log2_ = 0, lattice_row_log2_ = 0;
+  double largest_crater_m_ = 0, largest_rock_m_ = 0;
+  std::vector<double> mean_of_small_m_;  // by level
   ExactMap exact_;
   mutable PatchMap patches_;
-  mutable KeyCache<TileKey, HeightTile> centres_{megabytes(3)};
-  mutable KeyCache<TileKey, double> means_{megabytes(1)};  // of cells of more than a tile, by level
 };
 
 }  // namespace lsos

@@ -9,7 +9,9 @@
 
 #include "planet/vertical_cells.h"
 #include "terrain/blend.h"
+#include "terrain/cell_sides.h"
 #include "terrain/layer.h"
+#include "terrain/raster_advice.h"
 #include "terrain/soil_map.h"
 #include "terrain/terrain_beyond.h"
 
@@ -89,26 +91,6 @@ std::vector<Geodetic> places_around(const HeightGrid& grid) {
   return places;
 }
 
-GridCoordinates centre(const GridExtent& extent) {
-  if (!std::isfinite(extent.u_low)) return {0, 0};
-  return {(extent.u_low + extent.u_high) / 2, (extent.v_low + extent.v_high) / 2};
-}
-
-// Of a cell in the middle of the grid.
-struct CellSides {
-  double along_row_m = std::numeric_limits<double>::infinity();
-  double along_column_m = std::numeric_limits<double>::infinity();
-  double mean_m() const { return std::sqrt(along_row_m * along_column_m); }
-};
-
-CellSides cell_sides(const HeightGrid& grid, const Body& body) {
-  const GridCoordinates at = centre(grid.extent());
-  const auto middle = grid.place(at), right = grid.place({at.u + 1, at.v}),
-             below = grid.place({at.u, at.v + 1});
-  if (!middle || !right || !below) return {};
-  return {surface_distance_m(body, *middle, *right), surface_distance_m(body, *middle, *below)};
-}
-
 Stereographic detail_map(const Surface& finest, const HeightGrid& grid, const SitePlane& plane) {
   const Body& body = plane.site().body();
   const Geodetic& site = plane.site().origin();
@@ -132,7 +114,7 @@ DetailSetting setting_of(const Surface& surface, const CellSides& sides) {
   DetailSetting setting;
   setting.cell_m = sides.mean_m();
   setting.height_to_width = sides.along_column_m / sides.along_row_m;
-  setting.keeps_cells = std::holds_alternative<RasterSurface>(surface);
+  setting.is_over_raster = std::holds_alternative<RasterSurface>(surface);
   if (std::holds_alternative<ReliefSurface>(surface)) {
     setting.crater_max_m = relief_crater_min_cells * setting.cell_m;
   }
@@ -164,7 +146,7 @@ struct Ground::Impl {
     for (std::size_t k = 0; k < spec.layers.size(); ++k) {
       std::unique_ptr<HeightGrid> grid = make_grid(spec.layers[k], spec, plane, seed);
       if (place_of(k) == LayerPlace::above) check_room_to_fade(grid->extent(), spec);
-      const double side_m = cell_sides(*grid, plane.site().body()).mean_m();
+      const double side_m = middle_sides(*grid).mean_m();
       layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, place_of(k)));
     }
     if (spec.beyond) check_beyond();
@@ -174,7 +156,7 @@ struct Ground::Impl {
     const Stereographic map = detail_map(spec.layers[first], layers[first]->grid(), plane);
     for (std::size_t k = first; k < layers.size(); ++k) {
       if (!(layers[k]->cell_m() <= detail_cell_max_m)) continue;
-      const CellSides sides = cell_sides(layers[k]->grid(), plane.site().body());
+      const CellSides sides = middle_sides(layers[k]->grid());
       layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
     }
   }
@@ -198,9 +180,34 @@ struct Ground::Impl {
                     is_finer ? "; its cells are the finer ones: are the two exchanged?" : ""));
   }
 
+  CellSides middle_sides(const HeightGrid& grid) const {
+    return cell_sides(grid, plane.site().body(), centre(grid.extent()));
+  }
+
   LayerPlace place_of(std::size_t layer) const {
     if (spec.layers.size() == 1) return LayerPlace::alone;
     return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
+  }
+
+  // Detail that is all larger than what may be added to the finest raster.
+  std::string detail_advice() const {
+    const auto* raster = std::get_if<RasterSurface>(&spec.layers.front());
+    const double cell_m = layers.front()->cell_m();
+    if (!spec.detail || raster == nullptr || !(cell_m <= detail_cell_max_m)) return "";
+    const auto none = [&](const char* what, double least_m) {
+      if (least_m < DetailField::largest_over_raster(cell_m)) return std::string();
+      return fmt::format(
+          "detail adds no {} to raster '{}': what is as wide as its cells of {:.3g} m stands in "
+          "it, "
+          "and diameter_min_m is {:.3g}",
+          what, raster->file, cell_m, least_m);
+    };
+    std::string text;
+    if (const auto& craters = spec.detail->craters) text = none("craters", craters->diameter_min_m);
+    if (const auto& rocks = spec.detail->rocks; rocks && text.empty()) {
+      text = none("rocks", rocks->diameter_min_m);
+    }
+    return text;
   }
 
   TerrainSpec spec;
@@ -238,10 +245,34 @@ std::string Ground::stamp() const {
 std::vector<Fault> Ground::advice() const {
   std::vector<Fault> faults;
   for (const auto& layer : impl_->layers) {
-    const std::string advice = layer->grid().advice();
-    if (!advice.empty()) faults.push_back({Severity::warning, impl_->spec.place, advice});
+    for (const std::string& advice : layer->grid().advice()) {
+      faults.push_back({Severity::warning, impl_->spec.place, advice});
+    }
+  }
+  if (const std::string advice = impl_->detail_advice(); !advice.empty()) {
+    faults.push_back({Severity::warning, impl_->spec.place, advice});
   }
   return faults;
+}
+
+std::string Ground::slivers(const Geodetic& place) const {
+  // The layer that most of the ground is made of there.
+  std::optional<std::size_t> most;
+  double left = 1, largest_share = 0;
+  for (std::size_t k = 0; k < impl_->layers.size(); ++k) {
+    Layer& layer = *impl_->layers[k];
+    const auto sample = Layer::Probe(layer, layer.look(0)).sample(place);
+    if (!sample) continue;
+    const double share = left * sample->weight;
+    left -= share;
+    if (share <= largest_share) continue;
+    largest_share = share;
+    most = k;
+  }
+  if (!most) return "";
+  const auto* raster = std::get_if<RasterSurface>(&impl_->spec.layers[*most]);
+  if (raster == nullptr) return "";
+  return sliver_text(*raster, impl_->layers[*most]->grid(), site().body(), place);
 }
 
 std::optional<double> Ground::elevation_m(const Geodetic& place, double resolution_m) const {
@@ -253,10 +284,10 @@ std::optional<double> Ground::elevation_m(const Geodetic& place, double resoluti
 }
 
 struct Ground::Probe::Impl {
-  Impl(Ground::Impl& of, double resolution_m, double detail_nodes)
+  Impl(Ground::Impl& of, double resolution_m, double detail_nodes, bool fades)
       : ground(of), is_close(resolution_m == 0), verticals(of.plane.site()) {
     for (const auto& layer : of.layers) {
-      layers.emplace_back(*layer, layer->look(resolution_m, detail_nodes));
+      layers.emplace_back(*layer, layer->look(resolution_m, detail_nodes, fades));
     }
   }
   // Close looks come one beside the other; looks from afar would make a cell each.
@@ -272,10 +303,15 @@ struct Ground::Probe::Impl {
 };
 
 Ground::Probe::Probe(const Ground& ground, double resolution_m)
-    : Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown)) {}
+    : Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown, false)) {
+}
 Ground::Probe::Probe(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Ground::Probe Ground::Probe::rough(const Ground& ground, double resolution_m) {
-  return Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, 1));
+  return Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, 1, false));
+}
+Ground::Probe Ground::Probe::fading(const Ground& ground, double resolution_m) {
+  return Probe(
+      std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown, true));
 }
 Ground::Probe::~Probe() = default;
 Ground::Probe::Probe(Probe&&) noexcept = default;

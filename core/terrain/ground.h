@@ -40,6 +40,9 @@ class Ground {
     explicit Probe(const Ground& ground, double resolution_m = 0);
     // The same with detail at the resolution itself: what is lower than some of it may be missing.
     static Probe rough(const Ground& ground, double resolution_m);
+    // The same as with a resolution, but detail smaller than that goes on as far as its nodes show
+    // it: for pictures, in which it must not end at an edge.
+    static Probe fading(const Ground& ground, double resolution_m);
     ~Probe();
     Probe(Probe&&) noexcept;
     Probe& operator=(Probe&&) noexcept;
@@ -64,7 +67,10 @@ class Ground {
   std::string hash() const;
   // Also tells apart large rasters that hash() may take for the same, by when they were changed.
   std::string stamp() const;
-  // Warnings about what makes it slow.
+  // Why no rover can drive at a place though its heights are known: next to a pole, cells of a
+  // raster in longitude and latitude are slivers; "" where they are not.
+  std::string slivers(const Geodetic& place) const;
+  // Warnings about rasters that make it slow, or whose heights may be in another unit.
   std::vector<Fault> advice() const;
 
  private:

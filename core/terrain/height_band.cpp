@@ -60,10 +60,12 @@ bool HeightBand::is_missing(double sample) const {
   if (!std::isfinite(sample) || sample <= -3e38) return true;
   // Of ISIS's five special values in 16 bits GDAL declares one.
   if (is_isis_ && band_->GetRasterDataType() == GDT_Int16 && sample <= -32764) return true;
-  if (nodata_) {
-    return sample == *nodata_ || (band_->GetRasterDataType() == GDT_Float32 &&
-                                  sample == static_cast<double>(static_cast<float>(*nodata_)));
+  const std::optional<double>& mark = nodata_ ? nodata_ : declared_;
+  const bool is_float = band_->GetRasterDataType() == GDT_Float32;
+  if (mark && (sample == *mark || (is_float && sample == double{static_cast<float>(*mark)}))) {
+    return true;
   }
+  if (nodata_) return false;
   if (sample != -32768 && sample != -32767) return false;
   return band_->GetRasterDataType() == GDT_Int16 || sample * scale_.scale < lowest_ground_m;
 }
@@ -73,6 +75,36 @@ HeightBand::HeightBand(GDALRasterBand& band, const HeightScale& scale, std::opti
   GDALDataset* dataset = band.GetDataset();
   GDALDriver* driver = dataset != nullptr ? dataset->GetDriver() : nullptr;
   is_isis_ = driver != nullptr && std::string_view(driver->GetDescription()).starts_with("ISIS");
+  int is_declared = FALSE;
+  const double declared = band.GetNoDataValue(&is_declared);
+  if (is_declared != 0) declared_ = declared;
+  find_masks();
+}
+
+// GDAL has one mask of a band: the file's; else of the nodata value; else an alpha band, and that
+// only of whole numbers beside one other band or three.
+void HeightBand::find_masks() {
+  const int flags = band_->GetMaskFlags();
+  const bool is_of_nodata = (flags & GMF_NODATA) != 0;
+  has_nodata_mask_ = is_of_nodata && !nodata_;
+  if ((flags & GMF_ALL_VALID) == 0 && !is_of_nodata) {
+    masks_.push_back(band_->GetMaskBand());
+    is_first_mask_gdals_ = true;
+  }
+  GDALDataset* dataset = band_->GetDataset();
+  for (int k = 1; dataset != nullptr && k <= dataset->GetRasterCount(); ++k) {
+    GDALRasterBand* other = dataset->GetRasterBand(k);
+    const bool is_alpha = other != band_ && other->GetColorInterpretation() == GCI_AlphaBand;
+    if (is_alpha && (flags & GMF_ALPHA) == 0) masks_.push_back(other);
+  }
+}
+
+// GDAL averages without the samples that its one mask leaves out.
+bool HeightBand::is_averaged_right() const {
+  if (is_first_mask_gdals_) return masks_.size() == 1 && !nodata_ && !declared_;
+  if (!masks_.empty()) return false;
+  if (declared_) return !nodata_ || *nodata_ == *declared_;
+  return band_->GetRasterDataType() != GDT_Int16 && !nodata_;
 }
 
 bool HeightBand::is_floating_point() const {
@@ -80,14 +112,8 @@ bool HeightBand::is_floating_point() const {
 }
 
 std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
-  int is_declared = FALSE;
-  const double declared = band_->GetNoDataValue(&is_declared);
-  const bool is_masked = (band_->GetMaskFlags() & GMF_ALL_VALID) == 0;
-  const bool may_hold_marks = band_->GetRasterDataType() == GDT_Int16 || nodata_;
-  const bool is_averaged_right =
-      is_declared != 0 ? !nodata_ || *nodata_ == declared : is_masked || !may_hold_marks;
   std::pair<GDALRasterBand*, int> found{band_, 0};
-  if (!is_averaged_right) return found;
+  if (!is_averaged_right()) return found;
   const auto coarser = [](int size, int by) { return ((size - 1) >> by) + 1; };
   for (int k = 0; k < band_->GetOverviewCount(); ++k) {
     GDALRasterBand* band = band_->GetOverview(k);
@@ -104,14 +130,17 @@ std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
 std::vector<double> HeightBand::samples(const RasterBlock& window, int level) const {
   const auto [from, done] = overview(level);
   std::vector<double> samples = thinned<double>(*from, window, level - done, GDT_Float64);
-  const int flags = band_->GetMaskFlags();
-  const bool is_mask_wanted =
-      (flags & GMF_ALL_VALID) == 0 && ((flags & GMF_NODATA) == 0 || !nodata_);
-  std::vector<GByte> mask;
-  if (is_mask_wanted) mask = thinned<GByte>(*from->GetMaskBand(), window, level - done, GDT_Byte);
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    if ((is_mask_wanted && mask[k] == 0) || is_missing(samples[k])) samples[k] = missing;
+  for (double& sample : samples) {
+    if (is_missing(sample)) sample = missing;
   }
+  const auto apply = [&, done = done](GDALRasterBand& mask) {
+    const auto shown = thinned<double>(mask, window, level - done, GDT_Float64);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (shown[k] == 0) samples[k] = missing;
+    }
+  };
+  if (has_nodata_mask_) apply(*from->GetMaskBand());
+  for (GDALRasterBand* mask : masks_) apply(from == band_ ? *mask : *from->GetMaskBand());
   return samples;
 }
 

@@ -35,6 +35,9 @@ class HeightBand {
   GDALRasterBand& band() const { return *band_; }
   const HeightScale& scale() const { return scale_; }
   std::optional<double> nodata() const { return nodata_; }
+  // Bands of which a 0 says that a sample of this one is missing: the file's mask and its alpha
+  // band.
+  const std::vector<GDALRasterBand*>& masks() const { return masks_; }
   bool is_floating_point() const;
 
   // Samples as they are written, row by row; NaN where they are missing. On a level above 0 the
@@ -47,6 +50,8 @@ class HeightBand {
   SampleRange range() const;
 
  private:
+  void find_masks();
+  bool is_averaged_right() const;
   bool is_missing(double sample) const;
   // The coarsest overview that is not beyond the level, and its own level. They may have averaged
   // what only we know to be missing; then there is none.
@@ -55,6 +60,10 @@ class HeightBand {
   GDALRasterBand* band_;
   HeightScale scale_;
   std::optional<double> nodata_;
+  std::optional<double> declared_;  // by the file, in place of which `nodata_` counts
+  bool has_nodata_mask_ = false;    // which GDAL makes of the file's
+  std::vector<GDALRasterBand*> masks_;
+  bool is_first_mask_gdals_ = false;
   bool is_isis_ = false;  // read by GDAL's driver of that format
 };
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/sha256.h"
 #include "terrain/height_tile.h"
@@ -62,8 +63,8 @@ class HeightGrid {
   virtual void add_to(Sha256& hash) const = 0;
   // Of what add_to() leaves out, when it was last changed on this machine.
   virtual void add_change_to(Sha256&) const {}
-  // What would make it faster; "" for nothing.
-  virtual std::string advice() const { return {}; }
+  // What would make it faster, and what it may mean instead.
+  virtual std::vector<std::string> advice() const { return {}; }
 
   const GridExtent& extent() const { return extent_; }
 

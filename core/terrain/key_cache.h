@@ -1,13 +1,31 @@
 // Values that are pure functions of their key, made once and shared by threads.
 #pragma once
 
-#include <map>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <mutex>
+#include <unordered_map>
 
 namespace lsos {
 
 constexpr std::size_t megabytes(std::size_t count) { return count << 20; }
+
+// Of a square of a grid; of any other key its standard hash.
+template <class Key>
+struct KeyHash {
+  std::size_t operator()(const Key& key) const {
+    if constexpr (requires { key.column + key.row + key.level; }) {
+      std::uint64_t z = static_cast<std::uint64_t>(key.column) * 0x9e3779b97f4a7c15u +
+                        static_cast<std::uint64_t>(key.row) * 0xd1b54a32d192ed03u +
+                        static_cast<std::uint64_t>(key.level);
+      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+      return static_cast<std::size_t>(z ^ (z >> 31));
+    } else {
+      return std::hash<Key>{}(key);
+    }
+  }
+};
 
 // Keeps between `capacity_bytes` and twice that of the values last asked for. Shared pointers: a
 // value may be dropped here while a reader on another thread still works with it. A value that owns
@@ -52,8 +70,9 @@ class KeyCache {
   std::size_t capacity_bytes_;
   std::size_t young_bytes_ = 0;
   std::mutex mutex_;
-  std::map<Key, std::shared_ptr<const Value>> young_;
-  std::map<Key, std::shared_ptr<const Value>> old_;
+  using Kept = std::unordered_map<Key, std::shared_ptr<const Value>, KeyHash<Key>>;
+  Kept young_;
+  Kept old_;
 };
 
 }  // namespace lsos

@@ -62,10 +62,11 @@ void Layer::add_detail(const Detail& detail, const Stereographic& map, const Det
   detail_ = std::make_unique<DetailField>(detail, *grid_, map, setting, seed);
 }
 
-Look Layer::look(double resolution_m, double detail_nodes) const {
+Look Layer::look(double resolution_m, double detail_nodes, bool fades) const {
   Look look;
   look.level = level_for(resolution_m, cell_m_, grid_->coarsest_level());
-  look.has_detail = detail_ != nullptr && resolution_m < detail_->largest_m();
+  const double least_m = fades ? 2 * resolution_m / detail_nodes : resolution_m;
+  look.has_detail = detail_ != nullptr && least_m < detail_->largest_m();
   if (look.has_detail) {
     look.detail_level =
         level_for(resolution_m / detail_nodes, detail_->spacing_m(), DetailField::coarsest_level);
@@ -152,10 +153,11 @@ void Layer::Probe::add_detail(const GridPoint& at, SurfaceHeight& surface, Layer
   const DetailTile& tile =
       details_.get(key, [this](const TileKey& wanted) { return layer_->detail_tile(wanted); });
   const SurfaceHeight relief = surface_height(tile.heights, fine);
+  const SurfaceHeight crater = tile.craters.at(fine);
   const SurfaceHeight rock = tile.rocks.at(fine);
-  surface.height_m += relief.height_m + rock.height_m;
-  surface.by_u_m += per_cell * (relief.by_u_m + rock.by_u_m);
-  surface.by_v_m += per_cell * (relief.by_v_m + rock.by_v_m);
+  surface.height_m += relief.height_m + crater.height_m + rock.height_m;
+  surface.by_u_m += per_cell * (relief.by_u_m + crater.by_u_m + rock.by_u_m);
+  surface.by_v_m += per_cell * (relief.by_v_m + crater.by_v_m + rock.by_v_m);
   sample.is_rock = rock.height_m > 0;
 }
 

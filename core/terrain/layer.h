@@ -63,8 +63,10 @@ class Layer {
   void add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
                   std::uint64_t seed);
   // The coarsest look that still shows what is as large as the resolution; 0: all there is. Detail
-  // has so many nodes for what is just large enough.
-  Look look(double resolution_m, double detail_nodes = detail_nodes_shown) const;
+  // has so many nodes for what is just large enough. Where none of it is, detail is left out; where
+  // it `fades`, only when it is smaller than two nodes.
+  Look look(double resolution_m, double detail_nodes = detail_nodes_shown,
+            bool fades = false) const;
 
   class Probe {
    public:

@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <gdal_priv.h>
 
+#include <algorithm>
+
+#include "terrain/cell_sides.h"
 #include "terrain/gdal_call.h"
+#include "terrain/raster_name.h"
+#include "terrain/raster_open.h"
 
 namespace lsos {
 
@@ -12,9 +17,22 @@ namespace {
 // Four bytes each: 400 MB to go through for a look at all of it.
 constexpr double most_cells_without_overviews = 1e8;
 
+// The smoothest plains of Moon and Mars rise and fall by more than this share of their width, and
+// none of 150 km and more by less than 30 m.
+constexpr double smoothest_share = 2e-4, smoothest_m = 30;
+// On less, a raster made by hand may well be as level.
+constexpr double narrowest_m = 20e3;
+
+// A polar map of the body, as GDAL knows it.
+std::string polar_crs(const Body& body, bool is_north) {
+  if (body.name == "Moon") return is_north ? "IAU_2015:30130" : "IAU_2015:30135";
+  if (body.name == "Mars") return is_north ? "IAU_2015:49930" : "IAU_2015:49935";
+  return is_north ? "EPSG:3995" : "EPSG:3031";
+}
+
 }  // namespace
 
-std::string raster_advice(GDALRasterBand& band, const std::string& file) {
+std::string overview_advice(GDALRasterBand& band, const std::string& file) {
   const GdalSilence silence;
   const double cells = static_cast<double>(band.GetXSize()) * band.GetYSize();
   if (cells <= most_cells_without_overviews || band.GetOverviewCount() > 0) return {};
@@ -22,6 +40,39 @@ std::string raster_advice(GDALRasterBand& band, const std::string& file) {
       "raster '{}' has {} x {} cells and no overviews, so that a look from afar reads all of it; "
       "make them once with: gdaladdo -r average {} 2 4 8 16",
       file, band.GetXSize(), band.GetYSize(), file);
+}
+
+std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
+                        const Body& body) {
+  HeightBand const& heights = raster.band();
+  if (names_unit(heights.band(), surface) || heights.scale().scale != 1) return {};
+  const CellSides sides = cell_sides(grid, body, centre(grid.extent()));
+  const double across_m =
+      std::max(raster.columns() * sides.along_row_m, raster.rows() * sides.along_column_m);
+  const SampleRange range = heights.range();
+  const double rise = range.high - range.low;
+  if (!(across_m >= narrowest_m) || range.count == 0 || rise <= 0) return {};
+  if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
+  return fmt::format(
+      "raster '{}' holds {:.6g} to {:.6g} over {:.0f} km and names no unit: heights in km? They "
+      "are "
+      "taken as metres; say the unit ({})",
+      surface.file, range.low, range.high, across_m / 1000, option_of_raster("unit"));
+}
+
+std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, const Body& body,
+                        const Geodetic& place) {
+  const auto at = grid.coordinates(place);
+  if (!at) return {};
+  const CellSides sides = cell_sides(grid, body, *at);
+  const double width_m = std::min(sides.along_row_m, sides.along_column_m);
+  const double length_m = std::max(sides.along_row_m, sides.along_column_m);
+  if (!std::isfinite(length_m) || length_m <= sliver_aspect * width_m) return {};
+  return fmt::format(
+      "the cells of raster '{}' are slivers there, {:.3g} m wide and {:.0f} m long; cells of at "
+      "most {} times their width make ground to drive on, as in longitude and latitude up to 87 "
+      "degrees: a polar map is wanted, as gdalwarp -t_srs {} makes",
+      surface.file, width_m, length_m, sliver_aspect, polar_crs(body, place.lat_rad > 0));
 }
 
 }  // namespace lsos

@@ -1,13 +1,27 @@
-// Rasters that work, but slowly.
+// What to tell the user of a raster that can be read, and yet.
 #pragma once
 
 #include <string>
 
-class GDALRasterBand;
+#include "terrain/height_grid.h"
+#include "terrain/raster.h"
 
 namespace lsos {
 
-// What whoever has this raster should do about it: "raster 'FILE' has ..."; "" for nothing.
-std::string raster_advice(GDALRasterBand& band, const std::string& file);
+// Asked to show large areas, a large raster without overviews is read whole. "" for good ones.
+std::string overview_advice(GDALRasterBand& band, const std::string& file);
+
+// Heights that differ by no more than no ground does over such a distance, of a raster that names
+// no unit: in km, more often than not. "" for good ones.
+std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
+                        const Body& body);
+
+// Cells more than this many times as long as wide make no ground to drive on: what is told apart
+// along a parallel lies within a wheel's width, and next to the pole every column has a height of
+// its own for the same place. In longitude and latitude cells are so from 87.1 degrees on.
+inline constexpr double sliver_aspect = 20;
+// "" where the raster's cells at the place are not slivers.
+std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, const Body& body,
+                        const Geodetic& place);
 
 }  // namespace lsos

@@ -18,7 +18,7 @@ namespace {
 class RasterGrid : public HeightGrid {
  public:
   RasterGrid(const RasterSurface& surface, const Place& place, const SitePlane& plane)
-      : plane_(plane), file_(surface.file), raster_(surface, place, &plane.site().body()) {
+      : plane_(plane), surface_(surface), raster_(surface, place, &plane.site().body()) {
     extent_.u_low = -0.5;
     extent_.u_high = raster_.columns() - 0.5;
     extent_.v_low = -0.5;
@@ -56,21 +56,25 @@ class RasterGrid : public HeightGrid {
                          band.scale().offset_m));
     if (band.nodata()) hash.add(fmt::format("nodata {}", *band.nodata()));
     add_samples(band.band(), hash);
+    for (GDALRasterBand* mask : band.masks()) add_samples(*mask, hash);
   }
   void add_change_to(Sha256& hash) const override {
     const std::lock_guard lock(mutex_);
     add_change(raster_.band().band(), hash);
   }
-  std::string advice() const override {
+  std::vector<std::string> advice() const override {
     const std::lock_guard lock(mutex_);
-    return raster_advice(raster_.band().band(), file_);
+    std::vector<std::string> all{overview_advice(raster_.band().band(), surface_.file),
+                                 unit_advice(raster_, surface_, *this, plane_.site().body())};
+    std::erase(all, "");
+    return all;
   }
 
  private:
   const RasterMap& map() const { return raster_.map(); }
 
   const SitePlane& plane_;
-  std::string file_;
+  RasterSurface surface_;
   Raster raster_;
   ExactMap exact_;
   mutable std::mutex mutex_;  // a raster serves one thread at a time

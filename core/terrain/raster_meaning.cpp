@@ -134,6 +134,11 @@ void refuse_impossible(const SampleRange& range, const HeightRange& heights, con
 
 }  // namespace
 
+bool names_unit(GDALRasterBand& band, const RasterSurface& surface) {
+  return !surface.unit.empty() || !is_no_unit(band.GetUnitType()) ||
+         length_unit_m(vertical_unit(*band.GetDataset())).has_value();
+}
+
 HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
                       const RasterName& name) {
   HeightScale scale = scale_of(band, surface, body, name);

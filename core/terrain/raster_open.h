@@ -23,6 +23,8 @@ GDALRasterBand& chosen_band(GDALDataset& dataset, const RasterSurface& surface,
 OGRSpatialReference crs_of(GDALDataset& dataset, const RasterSurface& surface,
                            const RasterName& name);
 std::array<double, 6> geotransform_of(GDALDataset& dataset, const RasterName& name);
+// Whether the user, the band or its CRS says what unit the heights have.
+bool names_unit(GDALRasterBand& band, const RasterSurface& surface);
 HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
                       const RasterName& name);
 

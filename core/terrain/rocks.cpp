@@ -19,17 +19,23 @@ double density_pm3(const RockPopulation& p, double diameter_m) {
   return 4 / std::numbers::pi * p.cover * q * std::exp(-q * diameter_m) / (diameter_m * diameter_m);
 }
 
-// Simpson's rule in the logarithm of the diameter, over an octave or less: exact to 1e-6.
-double number_pm2(const RockPopulation& p, double low_m, double high_m) {
+// Sum over rocks of a quantity of each, a m2. Simpson's rule in the logarithm of the diameter, over
+// an octave or less: exact to 1e-6.
+template <class Of>
+double sum_pm2(const RockPopulation& p, double low_m, double high_m, const Of& of) {
   constexpr int halves = 8;
   const double step = std::log(high_m / low_m) / (2 * halves);
   double sum = 0;
   for (int k = 0; k <= 2 * halves; ++k) {
     const double diameter_m = low_m * std::exp(k * step);
     const double weight = k == 0 || k == 2 * halves ? 1 : k % 2 == 1 ? 4 : 2;
-    sum += weight * density_pm3(p, diameter_m) * diameter_m;
+    sum += weight * density_pm3(p, diameter_m) * diameter_m * of(diameter_m);
   }
   return sum * step / 3;
+}
+
+double number_pm2(const RockPopulation& p, double low_m, double high_m) {
+  return sum_pm2(p, low_m, high_m, [](double) { return 1.0; });
 }
 
 // A diameter of the octave: from D^-2, accepted by the exponential.
@@ -56,13 +62,30 @@ double rocks_pm2(const RockPopulation& p, double diameter_m) {
   return sum;
 }
 
+double rock_volume_m3(const Rock& rock) {
+  const double radius_m = rock.diameter_m / 2;
+  return 8.0 / 15 * std::numbers::pi * radius_m * radius_m * rock.height_m;
+}
+
+double rock_volume_pm2(const RockPopulation& p, double low_m, double high_m) {
+  double sum = 0;
+  for (double low = std::max(low_m, p.diameter_min_m); low < std::min(high_m, p.diameter_max_m);
+       low *= 2) {
+    sum += sum_pm2(p, low, std::min({2 * low, high_m, p.diameter_max_m}), [&p](double diameter_m) {
+      return rock_volume_m3({{}, diameter_m, p.height_to_diameter * diameter_m});
+    });
+  }
+  return sum;
+}
+
 std::vector<Rock> rocks_touching(const RockPopulation& p, std::uint64_t seed,
-                                 const PlaneRectangle& area, double diameter_low_m) {
+                                 const PlaneRectangle& area, double diameter_low_m,
+                                 double diameter_high_m) {
   std::vector<Rock> rocks;
   std::uint64_t octave = 0;
   for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2, ++octave) {
     const double high = std::min(2 * low, p.diameter_max_m);
-    if (high <= diameter_low_m) continue;
+    if (high <= diameter_low_m || low >= diameter_high_m) continue;
     const std::uint64_t key = mix_key(mix_key(seed, "rocks"), octave);
     const double reach_m = high / 2;
     const PlaneRectangle around{{area.low.x_m - reach_m, area.low.y_m - reach_m},
@@ -70,7 +93,7 @@ std::vector<Rock> rocks_touching(const RockPopulation& p, std::uint64_t seed,
     visit_points(key, number_pm2(p, low, high), cell_to_diameter * high, around,
                  [&](const PlanePoint& at, RandomStream& random) {
                    const double diameter_m = drawn_diameter_m(p, low, high, random);
-                   if (diameter_m < diameter_low_m) return;
+                   if (diameter_m < diameter_low_m || diameter_m >= diameter_high_m) return;
                    const double dx = at.x_m - std::clamp(at.x_m, area.low.x_m, area.high.x_m);
                    const double dy = at.y_m - std::clamp(at.y_m, area.low.y_m, area.high.y_m);
                    if (dx * dx + dy * dy >= diameter_m * diameter_m / 4) return;

@@ -32,8 +32,15 @@ inline RockShape rock_shape(double q) {
   return {f * f, -4 * q * f};
 }
 
-// All rocks not smaller than that which touch the rectangle, in a fixed order.
+// Integral of that shape, m3.
+double rock_volume_m3(const Rock& rock);
+// Expected volume of the rocks with a diameter in [low_m, high_m), m3 a m2.
+double rock_volume_pm2(const RockPopulation& population, double low_m, double high_m);
+
+// All rocks with a diameter in [diameter_low_m, diameter_high_m) that touch the rectangle, in a
+// fixed order.
 std::vector<Rock> rocks_touching(const RockPopulation& population, std::uint64_t seed,
-                                 const PlaneRectangle& area, double diameter_low_m = 0);
+                                 const PlaneRectangle& area, double diameter_low_m = 0,
+                                 double diameter_high_m = 1e9);
 
 }  // namespace lsos

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "terrain/b_spline.h"
 
 namespace lsos {
 
@@ -27,11 +28,6 @@ double normal(std::uint64_t key, std::int64_t column, std::int64_t row) {
   return (sum - mean) * (1 / deviation);
 }
 
-std::array<double, 4> b_spline(double t) {
-  const double s = 1 - t, t2 = t * t, t3 = t2 * t;
-  return {s * s * s / 6, (4 - 6 * t2 + 3 * t3) / 6, (1 + 3 * t + 3 * t2 - 3 * t3) / 6, t3 / 6};
-}
-
 // Autocorrelation of one axis of the waves at a lag in lattice spacings, averaged over where in the
 // lattice it is taken: the B-spline of order 7, by its recurrence.
 double b_spline_at(int order, double x) {  // centred, support [-order/2, order/2]
@@ -47,27 +43,6 @@ double structure(double lag) {
   const double at_zero = b_spline_at(8, 0);
   return 2 * at_zero * (at_zero - b_spline_at(8, lag));
 }
-
-// Where the nodes of one axis fall on a lattice: its points in use, and for each node the first of
-// four among them and their weights.
-struct Axis {
-  Axis(std::int64_t first, std::int64_t stride, int spacing_log2) {
-    const std::int64_t mask = (std::int64_t{1} << spacing_log2) - 1;
-    const double per_spacing = 1.0 / static_cast<double>(mask + 1);
-    for (int k = 0; k < nodes; ++k) {
-      const std::int64_t node = first + k * stride;
-      const std::int64_t low = (node >> spacing_log2) - 1;
-      for (std::int64_t i = low; i < low + 4; ++i) {
-        if (points.empty() || i > points.back()) points.push_back(i);
-      }
-      start[k] = static_cast<int>(std::ranges::lower_bound(points, low) - points.begin());
-      weights[k] = b_spline(static_cast<double>(node & mask) * per_spacing);
-    }
-  }
-  std::vector<std::int64_t> points;
-  std::array<int, nodes> start{};
-  std::array<std::array<double, 4>, nodes> weights{};
-};
 
 }  // namespace
 
@@ -107,23 +82,27 @@ void RoughnessField::add_to(HeightTile& tile, const NodeLattice& at) const {
   }
 }
 
+void RoughnessField::fill_row(const Octave& octave, std::int64_t first, std::int64_t row,
+                              std::vector<double>& values) const {
+  const std::int64_t period = period_ >> (octave.k + along_row_log2_);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::int64_t around = first + static_cast<std::int64_t>(i);
+    const std::int64_t column = period > 0 ? (around % period + period) % period : around;
+    values[i] = octave.amplitude_m * normal(octave.key, column, row);
+  }
+}
+
 void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
                                 const NodeLattice& at) const {
-  const int column_log2 = octave.k + along_row_log2_;
-  const std::int64_t period = period_ >> column_log2;
-  const Axis columns(at.column, at.stride, column_log2);
-  const Axis rows(at.row, at.stride, octave.k + along_column_log2_);
+  const SplineAxis columns(at.column, at.stride, octave.k + along_row_log2_);
+  const SplineAxis rows(at.row, at.stride, octave.k + along_column_log2_);
   std::vector<double> values(columns.points.size());
   // Along rows first: one line of nodes for each lattice row in use, of which the last four are
   // kept, each in the place of its number's last two bits.
   std::array<std::array<double, nodes>, 4> lines;
   int made = 0;
   const auto make_line = [&](std::array<double, nodes>& line, std::int64_t row) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::int64_t around = columns.points[i];
-      const std::int64_t column = period > 0 ? (around % period + period) % period : around;
-      values[i] = octave.amplitude_m * normal(octave.key, column, row);
-    }
+    fill_row(octave, columns.points.front(), row, values);
     for (int k = 0; k < nodes; ++k) {
       const double* v = &values[static_cast<std::size_t>(columns.start[k])];
       const auto& w = columns.weights[k];
@@ -142,6 +121,33 @@ void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
     for (int i = 0; i < nodes; ++i) {
       row_m[i] += w[0] * a[i] + w[1] * b[i] + (w[2] * c[i] + w[3] * d[i]);
     }
+  }
+}
+
+void RoughnessField::add_volumes(VolumeLattice& lattice, int level) const {
+  for (const Octave& octave : octaves_) {
+    if (octave.k >= level && 4 << octave.k >= lattice.spacing()) add_volumes(octave, lattice);
+  }
+}
+
+// A wave is a bump of its amplitude times the area between four points of its lattice.
+void RoughnessField::add_volumes(const Octave& octave, VolumeLattice& lattice) const {
+  const int column_log2 = octave.k + along_row_log2_, row_log2 = octave.k + along_column_log2_;
+  const auto point = [](double node, int log2) {
+    return static_cast<std::int64_t>(std::floor(std::ldexp(node, -log2)));
+  };
+  const NodeRectangle& reach = lattice.reach();
+  const std::int64_t first = point(reach.U_low, column_log2);
+  std::vector<double> values(
+      static_cast<std::size_t>(point(reach.U_high, column_log2) - first + 1));
+  const auto columns = lattice.columns(std::ldexp(static_cast<double>(first), column_log2),
+                                       std::ldexp(1.0, column_log2), values.size());
+  const double area = std::ldexp(1.0, column_log2 + row_log2);
+  for (std::int64_t row = point(reach.V_low, row_log2); row <= point(reach.V_high, row_log2);
+       ++row) {
+    fill_row(octave, first, row, values);
+    for (double& value : values) value *= area;
+    lattice.add_row(columns, std::ldexp(static_cast<double>(row), row_log2), values);
   }
 }
 

@@ -2,23 +2,14 @@
 // follows the power law from two nodes to a sixteenth of the longest wave, and levels off there.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "terrain/height_tile.h"
+#include "terrain/node_lattice.h"
 #include "terrain/terrain_spec.h"
+#include "terrain/volume_lattice.h"
 
 namespace lsos {
-
-// Every `stride`-th node of the grid from (column, row) on. What is smaller than 2^level nodes does
-// not count.
-struct NodeLattice {
-  std::int64_t column = 0;
-  std::int64_t row = 0;
-  std::int64_t stride = 1;
-  int level = 0;
-};
 
 // The grid that a surface stands on.
 struct RoughGrid {
@@ -36,6 +27,9 @@ class RoughnessField {
   // Adds the surface to all nodes of the tile, which lie on `at`. The height of a node does not
   // depend on the tile or the stride that it is asked with, but for rounding.
   void add_to(HeightTile& tile, const NodeLattice& at) const;
+  // What waves of that level and above hold at the lattice's scale. Waves of less than half its
+  // spacing hold next to nothing there.
+  void add_volumes(VolumeLattice& lattice, int level) const;
 
  private:
   // Normal random numbers on every 2^k-th node, smoothed by cubic B-splines.
@@ -45,6 +39,10 @@ class RoughnessField {
     double amplitude_m;
   };
   void add_octave(const Octave& octave, HeightTile& tile, const NodeLattice& at) const;
+  void add_volumes(const Octave& octave, VolumeLattice& lattice) const;
+  // Amplitudes of an octave's waves along a row of its lattice, from a column on.
+  void fill_row(const Octave& octave, std::int64_t first, std::int64_t row,
+                std::vector<double>& values) const;
 
   std::vector<Octave> octaves_;
   std::int64_t period_;

@@ -13,16 +13,34 @@ class GroundLadder {
  public:
   explicit GroundLadder(const Ground& ground) : ground_(&ground) {}
 
+  // At the octave below the resolution.
+  GroundSample at_octave(const Vec3& p_S_m, double resolution_m) {
+    return probe(static_cast<int>(std::floor(std::log2(resolution_m)))).sample(p_S_m);
+  }
+
+  // Between the octaves below and above it, so that what one of them leaves out fades with the
+  // resolution, instead of ending at an edge.
   GroundSample sample(const Vec3& p_S_m, double resolution_m) {
-    const int octave = static_cast<int>(std::floor(std::log2(resolution_m)));
-    auto at = probes_.find(octave);
-    if (at == probes_.end()) {
-      at = probes_.emplace(octave, Ground::Probe(*ground_, std::ldexp(1.0, octave))).first;
-    }
-    return at->second.sample(p_S_m);
+    const double exact = std::log2(resolution_m), octave = std::floor(exact);
+    GroundSample fine = probe(static_cast<int>(octave)).sample(p_S_m);
+    const GroundSample coarse = probe(static_cast<int>(octave) + 1).sample(p_S_m);
+    if (!fine.is_ground() || !coarse.is_ground()) return fine;
+    const double share = exact - octave;
+    fine.gap_m = std::lerp(fine.gap_m, coarse.gap_m, share);
+    fine.elevation_m = std::lerp(fine.elevation_m, coarse.elevation_m, share);
+    fine.normal_S = (fine.normal_S + share * (coarse.normal_S - fine.normal_S)).normalized();
+    return fine;
   }
 
  private:
+  Ground::Probe& probe(int octave) {
+    auto at = probes_.find(octave);
+    if (at == probes_.end()) {
+      at = probes_.emplace(octave, Ground::Probe::fading(*ground_, std::ldexp(1.0, octave))).first;
+    }
+    return at->second;
+  }
+
   const Ground* ground_;
   std::map<int, Ground::Probe> probes_;
 };

@@ -22,6 +22,7 @@ constexpr double march_share = 0.01, march_resolution_share = 0.01;  // of the d
 constexpr double steepest = 30;      // a higher Sun throws no shadow worth a picture
 constexpr double soft_cells = 0.02;  // shadows' edges are no sharper than the nodes allow
 constexpr double sector_margin_cells = 4;
+constexpr double faded_from = 0.6;  // of a square's half width
 constexpr float none = -1e30f;
 
 std::size_t node_at(int row, int column) { return static_cast<std::size_t>(row * nodes + column); }
@@ -118,7 +119,7 @@ TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& ey
       const double x_m = i * level.cell_m - half_m, y_m = j * level.cell_m - half_m;
       const double drop_m = (x_m * x_m + y_m * y_m) / (2 * radius_m);
       const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
-      const GroundSample sample = look.sample(eye_S_m + p_m, resolution_cells * level.cell_m);
+      const GroundSample sample = look.at_octave(eye_S_m + p_m, resolution_cells * level.cell_m);
       if (!sample.is_ground()) continue;
       height_m = static_cast<float>((p_m - sample.gap_m * sample.up_S).dot(up_S_));
     }
@@ -156,7 +157,7 @@ void TerrainShadow::march(const Ground& ground, const Vec3& eye_S_m) {
       const double from_edge_m = x_m - last.half_m;
       if (from_edge_m * slopes_.front() + drop_m > over_m + last.half_m) break;
       const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
-      const GroundSample sample = look.sample(eye_S_m + p_m, march_resolution_share * x_m);
+      const GroundSample sample = look.at_octave(eye_S_m + p_m, march_resolution_share * x_m);
       if (!sample.is_ground()) continue;
       const double height_m = (p_m - sample.gap_m * sample.up_S).dot(up_S_);
       for (int s = 0; s <= slices; ++s) {
@@ -250,13 +251,23 @@ TerrainShadow::Limits TerrainShadow::limits_at(const Spot& spot) {
                  between(at[k + nodes], at[k + nodes + 1], spot.right), spot.up);
 }
 
-double TerrainShadow::on_ground(const Vec3& p_m) const {
-  const Spot at = spot(p_m.dot(along_S_), p_m.dot(across_S_));
-  if (!at.level) return slopes_.front() > 0 ? 1 : 0;
+double TerrainShadow::share_at(const Spot& at) {
   const std::vector<float>& share = at.level->share;
   const std::size_t k = at.node;
   return std::lerp(std::lerp(share[k], share[k + 1], at.right),
                    std::lerp(share[k + nodes], share[k + nodes + 1], at.right), at.up);
+}
+
+double TerrainShadow::on_ground(const Vec3& p_m) const {
+  const double along_m = p_m.dot(along_S_), across_m = p_m.dot(across_S_);
+  const Spot at = spot(along_m, across_m);
+  if (!at.level) return slopes_.front() > 0 ? 1 : 0;
+  // A coarser square, in which small things throw no shadow, takes over step by step.
+  const double out = std::max(std::abs(along_m), std::abs(across_m)) / at.level->half_m;
+  const double coarse = (out - faded_from) / (1 - faded_from);
+  const auto next = static_cast<std::size_t>(at.level - levels_.data()) + 1;
+  if (coarse <= 0 || next == levels_.size()) return share_at(at);
+  return std::lerp(share_at(at), share_at(spot(along_m, across_m, next)), coarse);
 }
 
 double TerrainShadow::at(const Vec3& p_m) const {

@@ -63,6 +63,7 @@ class TerrainShadow {
   Spot spot(double along_m, double across_m, std::size_t from = 0) const;
   static Limits unobstructed();
   static Limits limits_at(const Spot& spot);
+  static double share_at(const Spot& spot);
 
   Vec3 up_S_, along_S_, across_S_;
   std::array<double, slices + 1> slopes_;  // of the rays

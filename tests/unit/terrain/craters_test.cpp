@@ -37,6 +37,27 @@ TEST(CraterProfile, rises_to_the_rim_and_falls_beyond) {
   }
 }
 
+TEST(CraterProfile, has_the_volume_of_its_shape) {
+  const Crater crater{{}, 2, 0.3, 0.05};
+  double sum_m3 = 0;
+  for (double r = 0.0005; r < crater_reach; r += 0.001) {
+    sum_m3 += 2 * std::numbers::pi * r * 0.001 * crater_height_m(r, crater.depth_m, crater.rim_m);
+  }
+  EXPECT_NEAR(crater_volume_m3(crater), sum_m3, 1e-5);
+}
+
+TEST(CraterField, has_the_volume_that_is_expected) {
+  CraterPopulation p;
+  p.age_gyr = 3.9;
+  p.diameter_min_m = 1;
+  p.diameter_max_m = 30;
+  double drawn_m3 = 0;
+  for (const Crater& crater : craters_touching(p, 5, {{0, 0}, {1500, 1500}}, 1.5, 3)) {
+    drawn_m3 += crater_volume_m3(crater);
+  }
+  EXPECT_NEAR(drawn_m3 / 225e4 / crater_volume_pm2(p, 1.5, 3), 1, 0.03);
+}
+
 // Lines through the bowl, beside it, and along its edge; parts of them; points that are far apart.
 TEST(CraterRows, of_no_points_change_nothing) {
   for (const int high : {2, 1, -5}) {

@@ -33,6 +33,21 @@ TEST(Rocks, cover_as_much_as_published) {
   }
 }
 
+TEST(Rocks, have_the_volume_of_their_shapes) {
+  const Rock rock{{}, 2, 1};
+  double sum_m3 = 0;
+  for (double r = 0.0005; r < 1; r += 0.001) {
+    sum_m3 += 2 * std::numbers::pi * r * 0.001 * rock.height_m * rock_shape(r * r).height;
+  }
+  EXPECT_NEAR(rock_volume_m3(rock), sum_m3, 1e-5);
+  const RockPopulation p{0.1, 0.2, 3, 0.5};
+  double drawn_m3 = 0;
+  for (const Rock& drawn : rocks_touching(p, 3, {{0, 0}, {300, 300}}, 0.3, 0.7)) {
+    drawn_m3 += rock_volume_m3(drawn);
+  }
+  EXPECT_NEAR(drawn_m3 / 9e4 / rock_volume_pm2(p, 0.3, 0.7), 1, 0.02);
+}
+
 // Heights of a block of nodes as tiles give them.
 std::vector<std::vector<double>> heights(const RoughnessField& field, int tiles) {
   std::vector<std::vector<double>> result(64 * tiles, std::vector<double>(64 * tiles));
@@ -102,6 +117,37 @@ Detail all_detail(bool with_rocks) {
   return detail;
 }
 
+// What detail adds to the raster's heights, at so many places of a cell on each axis.
+struct AddedRelief {
+  static constexpr int samples = 12, cells = 40, side = samples * cells;
+  std::vector<double> heights_m = std::vector<double>(std::size_t{side} * side);
+
+  double at(int i, int j) const { return heights_m[static_cast<std::size_t>(j * side + i)]; }
+  // Of the means over squares of so many samples a side, at every place.
+  double rms_m(int across) const {
+    std::vector<double> sums(std::size_t{side + 1} * (side + 1), 0);  // of all before i and j
+    const auto sum = [&](int i, int j) -> double& {
+      return sums[static_cast<std::size_t>(j * (side + 1) + i)];
+    };
+    for (int j = 0; j < side; ++j) {
+      for (int i = 0; i < side; ++i) {
+        sum(i + 1, j + 1) = at(i, j) + sum(i, j + 1) + sum(i + 1, j) - sum(i, j);
+      }
+    }
+    double squares = 0;
+    const int places = side - across + 1;
+    for (int j = 0; j < places; ++j) {
+      for (int i = 0; i < places; ++i) {
+        const double mean_m =
+            (sum(i + across, j + across) - sum(i, j + across) - sum(i + across, j) + sum(i, j)) /
+            across / across;
+        squares += mean_m * mean_m;
+      }
+    }
+    return std::sqrt(squares / places / places);
+  }
+};
+
 struct Case {
   const char* name;
   double cell_m;
@@ -109,7 +155,7 @@ struct Case {
 
 class EnhancedRaster : public ::testing::TestWithParam<Case> {
  protected:
-  TerrainSpec spec(bool is_enhanced, bool with_rocks = false) {
+  TerrainSpec spec(bool is_enhanced, bool with_rocks = false) const {
     const double cell_m = GetParam().cell_m;
     const TextRaster raster{
         "+proj=stere +lat_0=-90 +R=1737400 +units=m",
@@ -127,6 +173,31 @@ class EnhancedRaster : public ::testing::TestWithParam<Case> {
         -90 + 2 * std::atan(std::hypot(x, y) / (2 * 1737400)) * 180 / std::numbers::pi;
     return site_on("Moon", std::atan2(x, y) * 180 / std::numbers::pi, lat_deg);
   }
+  // What is smaller is seldom hit by the samples and takes long.
+  Detail coarse_detail(bool with_rocks) const {
+    Detail detail = all_detail(with_rocks);
+    detail.craters->diameter_min_m = GetParam().cell_m / 4;
+    detail.spacing_m = GetParam().cell_m / 16;
+    if (with_rocks) detail.rocks->diameter_min_m = GetParam().cell_m / 16;
+    return detail;
+  }
+  AddedRelief added_relief(const Detail& detail) const {
+    const SiteFrame at = site();
+    TerrainSpec with_detail = spec(false);
+    with_detail.detail = detail;
+    const Ground plain(spec(false), at, 4), enhanced(with_detail, at, 4);
+    Ground::Probe plain_probe(plain), probe(enhanced);
+    AddedRelief added;
+    for (int j = 0; j < AddedRelief::side; ++j) {
+      for (int i = 0; i < AddedRelief::side; ++i) {
+        const auto cell = [](int k) { return 10 - 0.5 + (k + 0.5) / AddedRelief::samples; };
+        const Vec3 p_S_m = at.p_S_m(place(cell(i), cell(j)));
+        added.heights_m[static_cast<std::size_t>(j * AddedRelief::side + i)] =
+            probe.sample(p_S_m).elevation_m - plain_probe.sample(p_S_m).elevation_m;
+      }
+    }
+    return added;
+  }
   // The cell's centre, and points of it in shares of its side.
   Geodetic place(double column, double row) const {
     const double x = 100000 + (column + 0.5) * GetParam().cell_m;
@@ -136,28 +207,43 @@ class EnhancedRaster : public ::testing::TestWithParam<Case> {
   }
 };
 
-TEST_P(EnhancedRaster, is_the_raster_at_cell_centres_and_in_the_mean_of_each_cell) {
-  const Ground plain(spec(false), site(), 4), enhanced(spec(true), site(), 4);
-  double rms = 0;
-  for (int column = 20; column < 23; ++column) {
-    for (int row = 17; row < 20; ++row) {
-      EXPECT_NEAR(*enhanced.elevation_m(place(column, row)), *plain.elevation_m(place(column, row)),
-                  1e-7);
-      double sum = 0;
-      constexpr int side = 256;  // the finer grid's cells are cut in four at least
-      for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-          const Geodetic at = place(column - 0.5 + (i + 0.5) / side, row - 0.5 + (j + 0.5) / side);
-          const double added_m = *enhanced.elevation_m(at) - *plain.elevation_m(at);
-          sum += added_m;
-          rms += added_m * added_m;
-        }
-      }
-      EXPECT_NEAR(sum / side / side, 0, 1e-5) << column << " " << row;
+TEST_P(EnhancedRaster, adds_nothing_at_the_scale_of_its_cells) {
+  Detail roughness = coarse_detail(false);
+  roughness.craters.reset();
+  for (const Detail& detail : {coarse_detail(false), coarse_detail(true), roughness}) {
+    const AddedRelief added = added_relief(detail);
+    const double rms_m = added.rms_m(1);
+    EXPECT_GT(rms_m, detail.craters ? 0.005 * GetParam().cell_m : 0.01);  // there is something
+    // Over two cells by two, anywhere.
+    EXPECT_LT(added.rms_m(2 * AddedRelief::samples), 0.1 * rms_m);
+    double sum_m = 0;
+    for (const double height_m : added.heights_m) sum_m += height_m;
+    EXPECT_LT(std::abs(sum_m / static_cast<double>(added.heights_m.size())), 0.02 * rms_m);
+  }
+}
+
+// Neither cells' centres nor their rows and columns show.
+TEST_P(EnhancedRaster, is_rough_alike_anywhere_in_a_cell_and_in_any_direction) {
+  const AddedRelief added = added_relief(coarse_detail(false));
+  constexpr int samples = AddedRelief::samples, side = AddedRelief::side;
+  double middle = 0, all = 0;                       // mean squares
+  int in_middle = 0, count = 0;                     // of cells
+  double straight = 0, slanted = 0;                 // mean square rise to a place as far away
+  constexpr int straight_lag = 7, slanted_lag = 5;  // 7 and 7.07 samples
+  for (int j = slanted_lag; j < side - straight_lag; ++j) {
+    for (int i = 0; i < side - straight_lag; ++i) {
+      const double here_m = added.at(i, j);
+      const auto is_middle = [](int k) { return k % samples >= 3 && k % samples < 9; };
+      if (is_middle(i) && is_middle(j)) middle += here_m * here_m, ++in_middle;
+      all += here_m * here_m, ++count;
+      straight += std::pow(added.at(i + straight_lag, j) - here_m, 2) +
+                  std::pow(added.at(i, j + straight_lag) - here_m, 2);
+      slanted += std::pow(added.at(i + slanted_lag, j + slanted_lag) - here_m, 2) +
+                 std::pow(added.at(i + slanted_lag, j - slanted_lag) - here_m, 2);
     }
   }
-  rms = std::sqrt(rms / 9 / 256 / 256);
-  EXPECT_GT(rms, 0.02);  // and yet there is something
+  EXPECT_NEAR(straight / slanted, 1, 0.06);
+  EXPECT_NEAR(middle / in_middle / (all / count), 1, 0.15);
 }
 
 TEST_P(EnhancedRaster, has_normals_that_are_its_gradients) {
@@ -212,6 +298,54 @@ INSTANTIATE_TEST_SUITE_P(Cells, EnhancedRaster,
                          ::testing::Values(Case{"two_metres", 2}, Case{"twenty_metres", 20},
                                            Case{"forty_metres", 40}),
                          [](const auto& test) { return test.param.name; });
+
+// Fresh craters of one size, so few that most stand alone: depth, rim and outline.
+TEST(Detail, over_a_raster_has_craters_that_are_round_and_as_deep_as_published) {
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-60,1,0,60,0,-1", "",
+                          rows_of(120, 120, [](int, int) { return 5; })};
+  TerrainSpec spec = raster_terrain(raster.write("level"));
+  const double diameter_m = 0.6, depth_m = 0.196 * diameter_m, rim_m = 0.036 * diameter_m;
+  CraterPopulation craters;
+  craters.diameter_min_m = diameter_m;
+  craters.diameter_max_m = 1.001 * diameter_m;
+  craters.density_pm2 = 20;  // of those, one in 500 is in that range
+  spec.detail = Detail{.craters = craters, .rocks = {}, .roughness = {}};
+  const SiteFrame site = site_on("Moon", 0, 0);
+  const Ground ground(spec, site, 4);
+  Ground::Probe probe(ground);
+  const Stereographic map(site.body(), 0, 0);
+  const auto all = craters_touching(craters, 4, {{-40, -40}, {40, 40}});
+  int alone = 0;
+  for (const Crater& crater : all) {
+    const auto is_near = [&](const Crater& other) {
+      return &other != &crater && std::hypot(other.centre.x_m - crater.centre.x_m,
+                                             other.centre.y_m - crater.centre.y_m) < 4;
+    };
+    if (std::ranges::any_of(all, is_near)) continue;
+    ++alone;
+    const auto height_m = [&](double r_m, double angle) {
+      const PlanePoint at{crater.centre.x_m + r_m * std::cos(angle),
+                          crater.centre.y_m + r_m * std::sin(angle)};
+      return probe.sample(site.p_S_m(map.place(at))).elevation_m - 5;
+    };
+    double mean_m = 0, low_m = 1, high_m = -1, half_low_m = 1, half_high_m = -1;
+    constexpr int around = 32;
+    for (int k = 0; k < around; ++k) {
+      const double angle = 2 * std::numbers::pi * k / around;
+      const double crest_m = height_m(diameter_m / 2, angle);
+      const double half_m = height_m(diameter_m / 4, angle);
+      mean_m += crest_m / around;
+      low_m = std::min(low_m, crest_m), high_m = std::max(high_m, crest_m);
+      half_low_m = std::min(half_low_m, half_m), half_high_m = std::max(half_high_m, half_m);
+    }
+    // Rim to floor; above the ground far around; and all around.
+    EXPECT_NEAR((mean_m - height_m(0, 0)) / depth_m, 1, 0.08);
+    EXPECT_NEAR(height_m(1.45, 0.4), 0, 0.1 * rim_m);
+    EXPECT_LT(high_m - low_m, 0.12 * depth_m);
+    EXPECT_LT(half_high_m - half_low_m, 0.06 * depth_m);
+  }
+  EXPECT_GT(alone, 10);
+}
 
 TEST(Detail, stays_where_it_is_when_the_site_moves) {
   const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-300,5,0,300,0,-5", "",

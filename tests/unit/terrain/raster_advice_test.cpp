@@ -1,0 +1,76 @@
+// What is told of rasters that can be read and yet are not what they seem.
+#include "terrain/raster_advice.h"
+
+#include "ground_fixture.h"
+
+namespace lsos {
+namespace {
+
+using ::testing::HasSubstr;
+
+// A globe of that many cells a degree.
+TerrainSpec globe(double cells) {
+  const int columns = static_cast<int>(360 * cells), rows = static_cast<int>(180 * cells);
+  const TextRaster raster{
+      "+proj=longlat +R=1737400",
+      "0," + std::to_string(1 / cells) + ",0,90,0," + std::to_string(-1 / cells), "",
+      rows_of(columns, rows, [](int column, int row) { return 300 * std::sin(column + row); })};
+  return raster_terrain(raster.write("globe"));
+}
+
+TEST(Slivers, are_the_cells_next_to_a_pole) {
+  for (const double cells : {0.1, 1.0}) {
+    const TerrainSpec spec = globe(cells);
+    for (const double side : {-1, 1}) {
+      const Ground ground(spec, site_on("Moon", 20, side * 85), 0);
+      // 1 : 19.6 at 87.08 degrees.
+      for (const double lat_deg : {0.0, 60.0, 80.0, 86.0, 87.08}) {
+        EXPECT_EQ(ground.slivers(geodetic_from_degrees(20, side * lat_deg)), "") << lat_deg;
+      }
+      for (const double lat_deg : {87.3, 89.0, 89.9999, 90.0}) {
+        EXPECT_THAT(
+            ground.slivers(geodetic_from_degrees(20, side * lat_deg)),
+            HasSubstr(side < 0 ? "a polar map is wanted, as gdalwarp -t_srs IAU_2015:30135"
+                               : "a polar map is wanted, as gdalwarp -t_srs IAU_2015:30130"))
+            << lat_deg;
+      }
+    }
+  }
+}
+
+TEST(Slivers, do_not_matter_under_a_polar_map) {
+  const TextRaster polar{"+proj=stere +lat_0=-90 +R=1737400 +units=m", "-5000,100,0,5000,0,-100",
+                         "", rows_of(100, 100, [](int, int) { return 50; })};
+  TerrainSpec spec = raster_terrain(polar.write("polar"));
+  spec.layers.push_back(globe(1).layers.front());
+  const Ground ground(spec, site_on("Moon", 0, -90), 0);
+  EXPECT_EQ(ground.slivers(geodetic_from_degrees(0, -90)), "");
+  EXPECT_EQ(ground.slivers(geodetic_from_degrees(40, -89.95)), "");
+  EXPECT_THAT(ground.slivers(geodetic_from_degrees(40, -89)), HasSubstr("slivers"));
+}
+
+// Hills of that many units over 400 km.
+std::vector<Fault> advice_of(double rise, const std::string& band, const std::string& unit = "") {
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-200000,10000,0,200000,0,-10000", band,
+                          rows_of(40, 40, [&](int column, int row) {
+                            return -2 + rise / 4 * (std::sin(column) + std::cos(row));
+                          })};
+  TerrainSpec spec = raster_terrain(raster.write("hills"));
+  std::get<RasterSurface>(spec.layers[0]).unit = unit;
+  return Ground(spec, site_on("Moon", 0, 0), 0).advice();
+}
+
+TEST(RasterUnit, of_heights_that_may_be_in_km_is_asked_for) {
+  const auto asked = advice_of(6, "");
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked[0].severity, Severity::warning);
+  EXPECT_THAT(asked[0].what, HasSubstr("over 400 km and names no unit: heights in km?"));
+  EXPECT_THAT(asked[0].what, HasSubstr("say the unit (unit in lsos.raster, or --unit)"));
+  EXPECT_EQ(advice_of(6, "<UnitType>m</UnitType>").size(), 0u);
+  EXPECT_EQ(advice_of(6, "", "km").size(), 0u);
+  EXPECT_EQ(advice_of(600, "").size(), 0u);
+  EXPECT_EQ(advice_of(0, "").size(), 0u);  // level, made by hand
+}
+
+}  // namespace
+}  // namespace lsos
