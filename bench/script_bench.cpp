@@ -50,8 +50,11 @@ class StandingRover : public lsos::RoverPort {
   std::optional<lsos::PairSight> sight_of(const std::string&) const override { return {}; }
   void brake() override {}
   lsos::PowerPort& power() override { return power_; }
-  double deploy_antenna(const std::string&, bool, std::optional<double>) override { return 0; }
+  lsos::Deployment deploy_antenna(const std::string&, bool, std::optional<double>) override {
+    return {};
+  }
   void note(const std::string&, const std::string&) override {}
+  void warn(const std::string&) override {}
 
  private:
   lsos::RoverView view_;

@@ -179,6 +179,7 @@
 ---@field min? number Smallest allowed value.
 ---@field max? number Largest allowed value.
 ---@field default? number Value when the plan gives none; without one the script sees nil.
+---@field amount_of? string Key of the text that names a resource of the rover: so much of that is used up; checked before the run against what is aboard.
 ---@field required? boolean The plan must give it (default false).
 
 ---@class lsos.integer.keys
@@ -201,7 +202,7 @@
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
----@field names? string What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the rover, a 'power_source', an asset that has power to give, or any 'other' rover or asset.
+---@field names? string What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, or any 'other' rover or asset.
 ---@field default? string Value when the plan gives none.
 ---@field required? boolean The plan must give it (default false).
 

@@ -126,26 +126,6 @@ std::vector<Fault> Simulation::advice() const {
   return advice;
 }
 
-void Simulation::find_things_in_each_other(Faults& faults) const {
-  for (std::size_t i = 0; i < rovers_.size(); ++i) {
-    const RoverAgent& rover = *rovers_[i].agent;
-    for (const StandingAsset& asset : assets_) {
-      if (gap_m(asset, rover.footprint()) > 0) continue;
-      faults.error(
-          machine_.rovers[i].rover.place,
-          fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre", rover.id(),
-                      asset.plan.id, (rover.view().p_S_m - asset.pose.p_S_m).norm()));
-    }
-    for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
-      const RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
-      if (!overlap(a.footprint(), b.footprint())) continue;
-      faults.error(machine_.rovers[k].rover.place,
-                   fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre",
-                               b.id(), a.id(), (b.view().p_S_m - a.view().p_S_m).norm()));
-    }
-  }
-}
-
 void Simulation::start() {
   for (Rover& rover : rovers_) {
     rover.agent->routes().log_ahead(rover.agent->id());
@@ -242,48 +222,6 @@ void Simulation::exchange() {
     const std::string state = save();
     build();
     restore(state);
-  }
-}
-
-// Ends the drive of a rover that could not stop before another, or that would turn into it, by its
-// own motion. Those that move away may go.
-void Simulation::keep_apart() {
-  constexpr double turning_ahead_s = 1;
-  for (std::size_t i = 0; i < rovers_.size(); ++i) {
-    for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
-      RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
-      if (a.is_parked() && b.is_parked()) continue;
-      if (!overlap(a.swept_footprint(), b.swept_footprint()) &&
-          !overlap(a.footprint(turning_ahead_s), b.footprint(turning_ahead_s))) {
-        continue;
-      }
-      const Footprint of_a = a.footprint(), of_b = b.footprint();
-      const double now_m = gap_m(of_a, of_b), apart_m = (of_b.center_S_m - of_a.center_S_m).norm();
-      const double period_s = seconds(exchange_period);
-      if (gap_m(a.footprint(period_s), of_b) < now_m) a.end_drive_before(b.id(), apart_m);
-      if (gap_m(of_a, b.footprint(period_s)) < now_m) b.end_drive_before(a.id(), apart_m);
-    }
-  }
-}
-
-// The same before assets, which stay where they are.
-void Simulation::keep_off_assets() {
-  constexpr double turning_ahead_s = 1;
-  constexpr double near_m = 100;  // a rover at 5 m/s stops within
-  for (const Rover& rover : rovers_) {
-    RoverAgent& agent = *rover.agent;
-    if (agent.is_parked()) continue;
-    for (const StandingAsset& asset : assets_) {
-      const double apart_m = (agent.view().p_S_m - asset.pose.p_S_m).norm();
-      if (apart_m > asset.shape.reach_m() + near_m) continue;
-      const bool is_ahead = gap_m(asset, agent.swept_footprint()) <= 0 ||
-                            gap_m(asset, agent.footprint(turning_ahead_s)) <= 0;
-      if (!is_ahead) continue;
-      const double now_m = gap_m(asset, agent.footprint());
-      if (gap_m(asset, agent.footprint(seconds(exchange_period))) < now_m) {
-        agent.end_drive_before(asset.plan.id, apart_m);
-      }
-    }
   }
 }
 

@@ -17,7 +17,8 @@ namespace lsos {
 namespace {
 
 // A leg is far from this on, and when it is so many times longer than the median of the rover's
-// other legs; a place that a slip explains, and 0,0, from less on.
+// other legs or leads to one end of a line that turns back there; a place that a slip explains, and
+// 0,0, from less on.
 constexpr double far_m = 10e3, median_times = 20, slip_m = 1e3;
 // A slip explains a place that without it would be so much nearer.
 constexpr double nearer_share = 0.1;
@@ -65,13 +66,15 @@ struct Leg {
   std::size_t waypoint = 0;  // the first is 1
   std::optional<Geodetic> from;
   Geodetic to;
+  std::optional<Geodetic> next;  // waypoint of the same event
 };
 
 std::vector<Leg> legs_of(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
   std::vector<Leg> legs;
   std::optional<Geodetic> from = expected;
   for (const Geodetic& point : draft.event.geometry.points) {
-    legs.push_back({legs.size() + 1, from, point});
+    if (!legs.empty()) legs.back().next = point;
+    legs.push_back({legs.size() + 1, from, point, {}});
     from = point;
   }
   return legs;
@@ -103,6 +106,11 @@ class FarWaypoints {
   }
 
  private:
+  // The waypoint after it lies near the one before it again.
+  bool is_spike(const Leg& leg, double distance_m) const {
+    return leg.next && surface_distance_m(body_, *leg.from, *leg.next) < nearer_share * distance_m;
+  }
+
   bool warn_if_far(const DraftEvent& draft, const Leg& leg) {
     const PlanEvent& event = draft.event;
     const double distance_m = surface_distance_m(body_, *leg.from, leg.to);
@@ -114,7 +122,8 @@ class FarWaypoints {
     std::vector<double> others_m = lengths_m_[event.rover_id];
     others_m.erase(std::ranges::find(others_m, distance_m));
     const double usual_m = median_times * median(std::move(others_m));
-    const bool is_far = distance_m > far_m && (distance_m > usual_m || distance_m > together_m);
+    const bool is_far = distance_m > far_m && (distance_m > usual_m || distance_m > together_m ||
+                                               is_spike(leg, distance_m));
     if (slip.empty() && !is_far) return false;
     const bool is_corner = event.geometry.kind == GeometryKind::polygon;
     const std::string from =

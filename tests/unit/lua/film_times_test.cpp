@@ -24,7 +24,9 @@ TEST(FilmTimes, go_slowly_through_the_drive_and_fast_through_what_is_quiet) {
     EXPECT_EQ(times[k].is_quiet, !is_driving);
     EXPECT_EQ(times[k].rate, is_driving ? 2 * 25 : 1720 * 25)
         << "400 s in 200 pictures, a day in 50";
-    if (k > 0) EXPECT_GT(times[k].time, times[k - 1].time);
+    if (k > 0) {
+      EXPECT_GT(times[k].time, times[k - 1].time);
+    }
   }
   EXPECT_EQ(driving, 200u);
   EXPECT_LE(times.size(), 253u);

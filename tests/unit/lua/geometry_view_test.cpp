@@ -43,7 +43,7 @@ TEST(Geometry, knows_a_path_round_its_holes) {
 
 TEST(Geometry, says_what_is_no_polygon) {
   EXPECT_THAT(EventRun::of_phase("ev.geometry:path(lsos.vec3(0, 0), lsos.vec3(1, 0))")->error(),
-              HasSubstr("ev.geometry:way is for polygons; this one has 0 waypoints"));
+              HasSubstr("ev.geometry:path is for polygons; this one has 0 waypoints"));
   EXPECT_THAT(EventRun::of_phase("return ev.geometry.hole", area())->error(),
               HasSubstr("beside that it has holes, parts and path"));
 }

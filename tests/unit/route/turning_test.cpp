@@ -341,8 +341,22 @@ TEST(PlanLeg, keeps_off_places_that_are_avoided) {
 
 TEST(IsFree, tells_level_ground_from_a_wall) {
   const Site site({{30, 0, 24, 5, 0.5}});
-  EXPECT_TRUE(is_free(site.ground(), simple_rover(), {0, 0, 0}, {4, 3, 0}));
-  EXPECT_FALSE(is_free(site.ground(), simple_rover(), {14, 0, 0}, {24, 0, 0}));
+  EXPECT_TRUE(is_free(site.ground(), simple_rover(), {}, {0, 0, 0}, {4, 3, 0}));
+  EXPECT_FALSE(is_free(site.ground(), simple_rover(), {}, {14, 0, 0}, {24, 0, 0}));
+}
+
+TEST(IsFree, tells_open_ground_from_what_stands_there) {
+  const Site site({});
+  Obstacles obstacles;
+  obstacles.rover_at_rest.half_m = {1, 0.8};
+  obstacles.standing = {{"Hab", {10, 0, 0}, {0, 1, 0}, {3, 1}}};  // 2 m wide, 6 m north to south
+  const auto free_to = [&](const Vec3& from_S_m, const Vec3& to_S_m) {
+    return is_free(site.ground(), simple_rover(), obstacles, from_S_m, to_S_m);
+  };
+  EXPECT_FALSE(free_to({4, 0, 0}, {16, 0, 0}));
+  EXPECT_FALSE(free_to({4, 3.5, 0}, {16, 3.5, 0}));
+  // Half its diagonal is 1.28 m, and it keeps off by 0.4 m more.
+  EXPECT_TRUE(free_to({4, 4.8, 0}, {16, 4.8, 0}));
 }
 
 }  // namespace
