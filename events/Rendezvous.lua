@@ -5,12 +5,22 @@ local lsos = require 'lsos'
 -- The way is planned again when the other has moved by this share of what is left, or this far.
 local moved_share, moved_least_m = 0.2, 5
 
+-- No route leads to the place of an asset itself: then one to where it is near enough will do.
+local near_share = 0.9
+
+local function plan(ev, rover, target)
+  local options = { speed_mps = ev.params.speed_mps, arrival_radius_m = ev.params.distance_m }
+  local way, reason = rover:plan_path(target, options)
+  if way then return way end
+  local back = rover.position - target
+  local near = target + back * (near_share * ev.params.distance_m / back:length())
+  return rover:plan_path(near, options), reason
+end
+
 local function aim(ev, rover, target)
   local path = target
   if ev.params.plans then
-    local way, reason = rover:plan_path(target, {
-      speed_mps = ev.params.speed_mps, arrival_radius_m = ev.params.distance_m,
-    })
+    local way, reason = plan(ev, rover, target)
     if not way then return lsos.fail('%s', reason) end
     path = way.path
   end

@@ -196,7 +196,8 @@ void read_models(MissionFiles& files) {
     // The simulation does so too, but it is made of plans without errors.
     const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
     if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
-    ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start, mission.seed);
+    drivable_ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start,
+                       mission.seed);
   });
   add_script_warnings(*files.catalog, ScriptUse(*files.catalog, files.plan, files.terrain),
                       files.faults);

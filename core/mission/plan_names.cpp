@@ -33,18 +33,25 @@ struct Known {
   std::vector<std::string> names = {};
   bool are_all = false;                 // false: faults of the plan keep others from being read
   bool means_all = false;               // without the field: all of them
-  std::vector<std::string> unfit = {};  // there, but not able to do what the field is for
+  std::vector<std::string> unfit = {};  // there, but not fit for what the field is for
+  std::string fitness = {};             // " that can be stowed"
 };
+
+std::string no_text(const Known& known) {
+  return fmt::format("{} has no {}{}", known.owner, known.what,
+                     known.unfit.empty() ? "" : known.fitness);
+}
 
 // "" too when it may be there without being known.
 std::string fault_of(const Known& known, const std::string& name) {
   if (std::ranges::find(known.names, name) != known.names.end()) return "";
   if (!known.are_all) return "";
-  if (known.names.empty()) return fmt::format("{} has no {}", known.owner, known.what);
+  if (known.names.empty()) return no_text(known);
   const bool is_unfit = std::ranges::find(known.unfit, name) != known.unfit.end();
   std::string hint = name.size() > 100 || is_unfit ? "" : did_you_mean(name, known.names);
   if (hint.empty()) hint = fmt::format("; it has {}", listed(known.names));
-  return fmt::format("{} has no {} of that name{}", known.owner, known.what, hint);
+  return fmt::format("{} has no {} of that name{}{}", known.owner, known.what,
+                     is_unfit ? known.fitness : "", hint);
 }
 
 // Which of the plan's assets have power to give; all of them are known but for those that the
@@ -87,13 +94,15 @@ Known equipment(const RoverModel& model, const std::string& type, NameOf names) 
       known.names = names_of(panels);
       break;
     case NameOf::stowable_panel:
-      known.what = "panel that can be stowed";
+      known.what = "panel";
+      known.fitness = " that can be stowed";
       known.names = names_if(panels, &PanelSpec::is_stowable);
       known.means_all = true;
       known.unfit = names_of(panels);
       break;
     case NameOf::turning_panel:
-      known.what = "panel that turns";
+      known.what = "panel";
+      known.fitness = " that turns";
       known.names = names_if(panels, &PanelSpec::can_turn);
       known.means_all = true;
       known.unfit = names_of(panels);
@@ -111,7 +120,6 @@ Known equipment(const RoverModel& model, const std::string& type, NameOf names) 
     default:
       break;
   }
-  if (panels.empty() && known.what.starts_with("panel")) known.what = "panel";
   return known;
 }
 
@@ -124,7 +132,7 @@ void check_names(const PlanEvent& event, const EventDeclaration& declaration,
     if (value == event.params.end()) {
       const bool is_none = known.means_all && known.are_all && known.names.empty();
       if (is_none && event.has_all_params && event.is_enabled) {
-        faults.add({foreseen_failure(event, fmt::format("{} has no {}", known.owner, known.what))});
+        faults.add({foreseen_failure(event, no_text(known))});
       }
       continue;
     }

@@ -21,7 +21,8 @@ Simulation::Simulation(SimulationSetup setup)
       pool_(std::min(setup_.threads, static_cast<int>(setup_.plan.rovers.size()))) {
   LSOS_ASSERT(!setup_.plan.rovers.empty());
   const Geodetic start = setup_.plan.rovers.front().start;
-  ground_ = ground_at(setup_.terrain, *setup_.plan.mission.planet, start, setup_.plan.mission.seed);
+  ground_ = drivable_ground_at(setup_.terrain, *setup_.plan.mission.planet, start,
+                               setup_.plan.mission.seed);
   const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
   for (const PlanRover& rover : setup_.plan.rovers) {
     vehicles_[{rover.type, rover.configuration}] =

@@ -21,8 +21,13 @@ std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
         fmt::format("terrain {} has no ground at the first rover's start {:.6f},{:.6f}",
                     terrain.name, lon_deg(start), lat_deg(start)));
   }
-  auto ground = std::make_unique<Ground>(
+  return std::make_unique<Ground>(
       terrain, SiteFrame(body, {start.lon_rad, start.lat_rad, *elevation_m}), seed);
+}
+
+std::unique_ptr<Ground> drivable_ground_at(const TerrainSpec& terrain, const Body& body,
+                                           const Geodetic& start, std::uint64_t seed) {
+  std::unique_ptr<Ground> ground = ground_at(terrain, body, start, seed);
   if (const std::string slivers = ground->slivers(start); !slivers.empty()) {
     throw InputError(terrain.place, fmt::format("no rover can start at {:.6f},{:.6f}: {}",
                                                 lon_deg(start), lat_deg(start), slivers));

@@ -17,6 +17,10 @@ namespace lsos {
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
                                   const Geodetic& start, std::uint64_t seed);
 
+// The same; throws InputError too where the raster's cells are slivers that no rover drives on.
+std::unique_ptr<Ground> drivable_ground_at(const TerrainSpec& terrain, const Body& body,
+                                           const Geodetic& start, std::uint64_t seed);
+
 // Clockwise from true north: from the rover's start to its first waypoint elsewhere, else 0.
 double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
 

@@ -45,12 +45,6 @@ class Classifier {
 
   Classified run() {
     for (const SourcePlacemark& placemark : source_.placemarks) classify(placemark);
-    for (const KmlSource::Link& link : source_.links) {
-      faults_.warning({source_.file, link.line},
-                      fmt::format("NetworkLink to {}: what it links to is not read; a plan is one "
-                                  "KML document with all its Placemarks",
-                                  shown(link.href)));
-    }
     return std::move(classified_);
   }
 

@@ -9,6 +9,7 @@
 #include "plan/mission_reader.h"
 #include "plan/plan.h"
 #include "plan/references.h"
+#include "plan/suggestions.h"
 #include "plan/unread.h"
 
 namespace lsos {
@@ -20,16 +21,28 @@ bool has_nothing_of_ours(const Classified& found) {
          found.events.empty();
 }
 
+constexpr const char* is_not_read = "is not read: a plan is one document with all its Placemarks";
+
+void warn_of_links(const KmlSource& source, Faults& faults) {
+  for (const KmlSource::Link& link : source.links) {
+    faults.warning({source.file, link.line}, fmt::format("NetworkLink to {}: what it links to {}",
+                                                         quoted(link.href), is_not_read));
+  }
+}
+
 // Any map that is no plan: one answer instead of a list of all that it lacks.
-std::string no_plan(int count) {
+std::string no_plan(int count, const std::vector<KmlSource::Link>& links) {
   const std::string seen =
       count == 0 ? "no Placemark"
                  : fmt::format("{} Placemark{}, none of them a MissionInfo, Rover, Asset or event",
                                count, count == 1 ? "" : "s");
   return fmt::format(
       "is KML but no plan: it has {}; a plan has one with <SchemaData schemaUrl=\"#MissionInfo\">, "
-      "and one with \"#Rover\" for each rover",
-      seen);
+      "and one with \"#Rover\" for each rover{}",
+      seen,
+      links.empty()
+          ? ""
+          : fmt::format("; it links to {}, which {}", quoted(links[0].href), is_not_read));
 }
 
 }  // namespace
@@ -46,9 +59,10 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   const Classified ours = classify(source, declarations, faults);
   plan.decoration_count = ours.decoration_count;
   if (has_nothing_of_ours(ours) && !faults.has_errors()) {
-    faults.error({source.file, 0}, no_plan(ours.decoration_count));
+    faults.error({source.file, 0}, no_plan(ours.decoration_count, source.links));
     return plan;
   }
+  warn_of_links(source, faults);
 
   const ReadContext context{file, source.file, declarations, faults};
   Unread unread = read_unread(ours.unread, context, plan.gaps);

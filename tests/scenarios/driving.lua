@@ -97,8 +97,8 @@ lsos.scenario('a planned route goes round an asset', function(t)
 end)
 
 lsos.scenario('a planned route leads to a place beside an asset', function(t)
-  -- Its side is 1.9 m from its middle, that of the hull 2.5 m: 1 m is left.
-  local sim = sim_with_habitat { 'PathPlanRoute', at = { 24.6, 0 } }
+  -- The hull's side is 2.5 m from its middle, the rover's nose less than 3 m from its own.
+  local sim = sim_with_habitat { 'PathPlanRoute', at = { 23, 0 } }
   sim:run()
   t:equal(sim:event('A/10').status, 'completed')
 end)

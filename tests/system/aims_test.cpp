@@ -19,7 +19,8 @@ std::string max_duration_of(const std::vector<Mark>& plan) {
   const TempFolder folder;
   const Outcome outcome = run({"check", folder.write("plan.kml", kml(plan)), "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
-  for (const json& line : json::parse(outcome.out)["defaults"]) {
+  const json answer = json::parse(outcome.out);
+  for (const json& line : answer["defaults"]) {
     const auto text = line.get<std::string>();
     if (text.find("MaxDuration") != std::string::npos) return text;
   }

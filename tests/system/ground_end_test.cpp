@@ -191,7 +191,7 @@ TEST(GroundEnd, check_tells_of_it_before_anything_runs) {
   EXPECT_THAT(alone.out, HasSubstr("the ground ends 500 m away towards the Sun, 4.3 deg high"));
   EXPECT_THAT(alone.out, HasSubstr("TerrainBeyond lays a coarser terrain"));
   const Outcome over =
-      run({"check", stay(folder, "over.kml", {{"TerrainBeyond", "LunarSouthPole"}})});
+      run({"check", stay(folder, "over.kml", {{"TerrainBeyond", "LunarSouthPole"}}), "--verbose"});
   EXPECT_EQ(over.exit_code, 0) << over.out;
   EXPECT_THAT(over.out, Not(HasSubstr("warning")));
   EXPECT_THAT(over.out, HasSubstr("fine.asc: beyond its end the ground is that of LunarSouthPole, "

@@ -100,7 +100,7 @@ TEST(Prompt, is_stopped_in_a_run_but_not_ended_by_a_signal) {
   const TempFolder folder;
   folder.write(
       "input",
-      R"(sim = lsos.sim { rovers = { A = { type = 'SEV', events = { { 'Pause', Duration = '1000 d' } } } } }
+      R"(sim = lsos.sim { max_duration_s = 86400 * 1000, parked_log_interval_s = 2, rovers = { A = { type = 'SEV', events = { { 'Pause', Duration = '1000 d' } } } } }
 sim:run_for(86400 * 900)
 'still here'
 )");

@@ -46,7 +46,7 @@ TEST(Slip, of_a_straight_drive_on_the_level_is_what_its_rows_say) {
   const std::vector<SampleRow> rows = run.samples();
   const auto spins = std::ranges::max(
       rows, {}, [](const SampleRow& row) { return std::isnan(row.slip) ? -1 : row.slip; });
-  EXPECT_GT(spins.slip, 0.5) << "a tenth of a second of setting off";
+  EXPECT_GT(spins.slip, 0.4) << "a tenth of a second of setting off";
   const Slips slips = slips_of(rows, cruise_mps);
   const auto rover = run.summary()["rovers"]["R1"];
   EXPECT_NEAR(rover["max_slip"].get<double>(), slips.greatest_mean, 1e-9);

@@ -94,8 +94,7 @@ TEST(KmlReader, schema_names_are_resolved) {
   };
   const KmlSource source =
       parse_kml(test::document(data("#S1") + data("other.kml#S1") + data("#Route") + data("#S2") +
-                               data("http://x/#a#Rover") + data("Route") +
-                               data("#Wait.schema") +
+                               data("http://x/#a#Rover") + data("Route") + data("#Wait.schema") +
                                "<Schema id='S1' name='Pause'/><Schema id='S2'/>"
                                "<Schema id='Wait.schema'/>"),
                 "a.kml");
