@@ -50,7 +50,7 @@ TEST(Watch, runs_again_when_plan_or_script_changes_and_ends_at_a_signal) {
   ASSERT_TRUE(comes(summary, "completed"));
 
   folder.write("say.kml", "<kml>");  // said, and waited on
-  std::this_thread::sleep_for(std::chrono::milliseconds(800));
+  std::this_thread::sleep_for(std::chrono::milliseconds(3000));
   EXPECT_TRUE(watched.is_running());
   folder.write("events/Say.lua", event_of(33));
   folder.write("say.kml", form.out);
