@@ -98,6 +98,10 @@ They are asked when the event's turn comes (or it starts), then at whole seconds
 not modelled is not-a-number: no comparison with it holds. What was decided is in the log's notes.
 Texts stand for ids: they have no methods here, and there are no tables. A condition may take a
 hundredth of the instructions of a call.
+
+`slip` and `slip_max` are those of driving here: means over the last second in which the wheels were
+told to roll at half the requested speed or more, also of a rover that digs itself in. While it sets off,
+stops, turns on the spot or stands they are not-a-number. The log has them as they are at the moment.
 )";
 
 constexpr const char* scenarios = R"(

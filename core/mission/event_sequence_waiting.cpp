@@ -34,7 +34,7 @@ std::string EventSequence::waits_for(SimTime now, const RoverAgent& agent, Scrip
     if (held_up.empty()) continue;
     return fmt::format("StartAfter: {}/{} {}", awaited.rover_id, awaited.sequence, held_up);
   }
-  const SampleRow row = agent.sample(now, "", "");
+  const SampleRow row = agent.condition_sample(now, "", "");  // as the condition saw it
   if (waits_for_charge_) {
     return fmt::format("charge above the reserve, as the battery was empty; charge was {:.4g}",
                        row.charge);
