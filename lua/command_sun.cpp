@@ -5,7 +5,6 @@
 
 #include "base/units.h"
 #include "lua/commands.h"
-#include "lua/console.h"
 #include "lua/instrument_answer.h"
 #include "lua/places.h"
 #include "planet/sky.h"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/units.h"
-#include "lua/console.h"
 #include "lua/instrument_answer.h"
 #include "lua/output_file.h"
 #include "lua/places.h"

@@ -15,6 +15,7 @@ namespace lsos {
 namespace {
 
 constexpr std::size_t screen = 100, gap = 2;  // characters
+constexpr const char* warnings_key = "warnings";
 
 struct UnitText {
   std::string_view suffix, unit;
@@ -121,6 +122,7 @@ std::string answer_table(const AnswerRow& rows) {
   std::vector<std::string> keys;
   for (const AnswerRow& row : rows) {
     for (const auto& [key, value] : row.items()) {
+      if (key == warnings_key) continue;  // they stand on standard error
       if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     }
   }

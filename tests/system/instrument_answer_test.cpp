@@ -57,6 +57,23 @@ TEST(InstrumentAnswer, has_places_as_they_were_asked_and_no_noise_of_sums) {
   EXPECT_FALSE(std::regex_search(line, ten_decimals)) << line;
 }
 
+// Warnings are sentences, and told on standard error.
+TEST(InstrumentAnswer, is_a_table_without_warnings) {
+  const TempFolder folder;
+  const std::string raster = folder / "small.tif";
+  ASSERT_EQ(run({"terrain", "Craters", "--window", "10,20,10.01,20.01", "--resolution", "5",
+                 "--export", raster})
+                .exit_code,
+            0);
+  const Words light{"light", raster, "--at", "2026-07-06", "-o", folder / "light.tif"};
+  const Outcome told = run(light), table = run(with(light, "--text"));
+  ASSERT_TRUE(json::parse(told.out)[0].contains("warnings")) << told.out;
+  EXPECT_THAT(table.out, HasSubstr("\nmean sun fraction "));
+  EXPECT_THAT(table.out, HasSubstr("\nground reaches "));
+  EXPECT_THAT(table.out, ::testing::Not(HasSubstr("warning")));
+  EXPECT_THAT(table.err, StartsWith("warning: "));
+}
+
 TEST(InstrumentAnswer, has_as_many_columns_as_fit_on_a_screen) {
   const Outcome outcome =
       run({"rig", "--soil", "DrySand", "--radius", "0.125", "--width", "0.16", "--load", "107",
