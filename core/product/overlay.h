@@ -14,8 +14,7 @@ inline constexpr int overlay_samples_max = 2000, overlay_track_max = 50'000;
 
 // The document: for each rover its drawn lines, the line that it drove, its events where they
 // happened, a track that a time slider plays, and samples evenly spaced along the drive and at each
-// event (see DriveMarks) with every column of the log; then the notes,
-// thinned.
+// event (see DriveMarks) with every column of the log; then the notes, thinned.
 std::string overlay_kml(const LogReader& log, const Plan& plan);
 
 // Reads DIR/log.gpkg and writes DIR/overlay.kml. Throws InputError when there is no log.
