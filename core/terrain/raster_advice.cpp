@@ -45,19 +45,24 @@ std::string overview_advice(GDALRasterBand& band, const std::string& file) {
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
                         const Body& body) {
   HeightBand const& heights = raster.band();
-  if (names_unit(heights.band(), surface) || heights.scale().scale != 1) return {};
+  if (names_unit(heights.band(), surface)) return {};
   const CellSides sides = cell_sides(grid, body, centre(grid.extent()));
   const double across_m =
       std::max(raster.columns() * sides.along_row_m, raster.rows() * sides.along_column_m);
   const SampleRange range = heights.range();
-  const double rise = range.high - range.low;
-  if (!(across_m >= narrowest_m) || range.count == 0 || rise <= 0) return {};
+  if (!(across_m >= narrowest_m) || range.count == 0) return {};
+  const auto height = [&](double sample) {
+    return sample * heights.scale().scale + heights.scale().offset_m;
+  };
+  const auto [low, high] = std::minmax({height(range.low), height(range.high)});
+  const double rise = high - low;
+  if (rise <= 0) return {};
   if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
   return fmt::format(
-      "raster '{}' holds {:.6g} to {:.6g} over {:.0f} km and names no unit: heights in km? They "
-      "are "
-      "taken as metres; say the unit ({})",
-      surface.file, range.low, range.high, across_m / 1000, option_of_raster("unit"));
+      "raster '{}' holds heights of {:.6g} to {:.6g} over {:.0f} km and names no unit: are they "
+      "km? "
+      "They are taken as metres; say the unit ({})",
+      surface.file, low, high, across_m / 1000, option_of_raster("unit"));
 }
 
 std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, const Body& body,

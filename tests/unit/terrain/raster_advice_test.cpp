@@ -64,10 +64,12 @@ TEST(RasterUnit, of_heights_that_may_be_in_km_is_asked_for) {
   const auto asked = advice_of(6, "");
   ASSERT_EQ(asked.size(), 1u);
   EXPECT_EQ(asked[0].severity, Severity::warning);
-  EXPECT_THAT(asked[0].what, HasSubstr("over 400 km and names no unit: heights in km?"));
+  EXPECT_THAT(asked[0].what, HasSubstr("over 400 km and names no unit: are they km?"));
   EXPECT_THAT(asked[0].what, HasSubstr("say the unit (unit in lsos.raster, or --unit)"));
   EXPECT_EQ(advice_of(6, "<UnitType>m</UnitType>").size(), 0u);
   EXPECT_EQ(advice_of(6, "", "km").size(), 0u);
+  // Metres as whole numbers, and a scale that makes km of them.
+  EXPECT_EQ(advice_of(6000, "<Scale>0.001</Scale>").size(), 1u);
   EXPECT_EQ(advice_of(600, "").size(), 0u);
   EXPECT_EQ(advice_of(0, "").size(), 0u);  // level, made by hand
 }
