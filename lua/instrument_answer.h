@@ -21,8 +21,8 @@ double computed(double value);
 // terminal, and as JSON where it is a file or a pipe.
 void print_answer(const AnswerRow& rows, AnswerStyle style);
 
-// A line a quantity and a column a row, as many side by side as fit on a screen. Without `warnings`,
-// which are long, and are told on standard error.
+// A line a quantity and a column a row, as many side by side as fit on a screen. Without
+// `warnings`, which are long, and are told on standard error.
 std::string answer_table(const AnswerRow& rows);
 
 }  // namespace lsos
