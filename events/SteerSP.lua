@@ -65,16 +65,17 @@ local function start(ev, rover)
   return 'turn'
 end
 
--- A panel that stopped at a limit faces another way than it was told.
+-- A panel that stopped at a limit, or got stuck, faces another way than was asked.
 local function turn(ev, rover)
   local left_s = rover.panels.turn_left_s
   if left_s > 0 then return lsos.sleep(left_s) end
   for _, miss in ipairs(rover.panels:misses()) do
     if not ev.params.panel or ev.params.panel == miss.panel then
       return lsos.fail(
-        "the panel '%s' was told azimuth %s, elevation %s and stopped at azimuth %s, elevation %s",
+        "the panel '%s' was asked for azimuth %s, elevation %s and %s at azimuth %s, elevation %s",
         miss.panel, degrees(miss.wanted_azimuth_rad), degrees(miss.wanted_elevation_rad),
-        degrees(miss.azimuth_rad), degrees(miss.elevation_rad))
+        miss.is_stuck and 'is stuck' or 'stopped', degrees(miss.azimuth_rad),
+        degrees(miss.elevation_rad))
     end
   end
   return lsos.done

@@ -110,7 +110,7 @@
 ---@field deploy fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Puts up the panel of that name (nil: all). Answers how long that takes, s, and whether any moves: false when all are up.
 ---@field stow fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Folds it away; the same.
 ---@field steer fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', azimuth_rad?: number, elevation_rad?: number }) Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, 'fixed' angles about the rover.
----@field misses fun(self: lsos.rover.panels): table[] Panels that were told angles, have turned and do not face that way: a limit has stopped them, or they are stuck. A list of { panel = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.
+---@field misses fun(self: lsos.rover.panels): table[] Panels that have turned and do not face the way asked: a limit has stopped them, or they are stuck; one that follows the Sun only when it is stuck. A list of { panel = , is_stuck = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.
 
 ---The rover's antennas.
 ---@class lsos.rover.antennas

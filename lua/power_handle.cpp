@@ -111,9 +111,11 @@ int misses(lua_State* L) {
   lua_createtable(L, static_cast<int>(misses.size()), 0);
   lua_Integer count = 0;
   for (const PanelMiss& miss : misses) {
-    lua_createtable(L, 0, 6);
+    lua_createtable(L, 0, 7);
     lua_pushlstring(L, miss.panel.data(), miss.panel.size());
     lua_setfield(L, -2, "panel");
+    lua_pushboolean(L, miss.is_stuck ? 1 : 0);
+    lua_setfield(L, -2, "is_stuck");
     for (const auto& [name, value] : {std::pair{"azimuth_rad", miss.reached.azimuth_rad},
                                       {"elevation_rad", miss.reached.elevation_rad},
                                       {"wanted_azimuth_rad", miss.wanted.azimuth_rad},
@@ -190,9 +192,10 @@ const HandleType& panels_handle_type() {
         "fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', "
         "azimuth_rad?: number, elevation_rad?: number })"},
        {"misses", guard<misses>, "panels:misses()",
-        "Panels that were told angles, have turned and do not face that way: a limit has stopped "
-        "them, or they are stuck. A list of { panel = , azimuth_rad = , elevation_rad = , "
-        "wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.",
+        "Panels that have turned and do not face the way asked: a limit has stopped them, or they "
+        "are stuck; one that follows the Sun only when it is stuck. A list of { panel = , "
+        "is_stuck = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , "
+        "wanted_elevation_rad = , off_rad = }.",
         "fun(self: lsos.rover.panels): table[]"}}};
   return type;
 }

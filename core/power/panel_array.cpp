@@ -86,17 +86,18 @@ std::vector<PanelMiss> PanelArray::misses(SimTime now) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const State& state = states_[i];
     if (!is_up(i, now) || !specs_[i].can_turn() || now < state.turn_end) continue;
-    if (state.steering.mode == SteerMode::track) continue;
-    const PanelAngles& wanted = state.steering.angles;
-    const bool is_of_ground = state.steering.mode == SteerMode::point;
+    const bool tracks = state.steering.mode == SteerMode::track;
+    if (tracks && !(state.is_stuck && around_.is_sun_up)) continue;
+    const PanelAngles wanted = tracks ? angles_of(around_.sun_B, around_) : state.steering.angles;
+    const bool is_of_ground = state.steering.mode != SteerMode::fixed;
     const Vec3 wanted_B =
         is_of_ground ? direction_B(wanted, around_) : pose(specs_[i], wanted).normal_B();
     const Vec3 faced_B = pose_at(i, now).normal_B();
     const double off_rad = std::atan2(faced_B.cross(wanted_B).norm(), faced_B.dot(wanted_B));
     if (off_rad <= miss_least_rad) continue;
     misses.push_back({specs_[i].name, state.steering.mode,
-                      is_of_ground ? angles_of(faced_B, around_) : angles(i, now), wanted,
-                      off_rad});
+                      is_of_ground ? angles_of(faced_B, around_) : angles(i, now), wanted, off_rad,
+                      state.is_stuck});
   }
   return misses;
 }

@@ -34,8 +34,9 @@ struct PanelSurroundings {
 struct PanelMiss {
   std::string panel;
   SteerMode mode = SteerMode::fixed;
-  PanelAngles reached, wanted;  // as the mode counts them
+  PanelAngles reached, wanted;  // as the mode counts them; track: about the ground
   double off_rad = 0;           // between the two directions
+  bool is_stuck = false;
 };
 
 class PanelArray {
@@ -52,8 +53,8 @@ class PanelArray {
   // Puts it up or down; answers how long that takes, s, 0 when it is so already.
   double deploy(std::size_t panel, bool up, std::optional<double> duration_s, SimTime now);
   void steer(std::size_t panel, const Steering& steering);
-  // Those that were told angles and face another way by more than half a degree, once they have
-  // turned.
+  // Panels that face another way than asked by more than half a degree, once they have turned. One
+  // that follows the Sun misses it only when it is stuck: its limits are no fault.
   std::vector<PanelMiss> misses(SimTime now) const;
   // Turns those that are up towards where they shall face.
   void aim(const PanelSurroundings& surroundings, SimTime now);

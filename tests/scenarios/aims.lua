@@ -36,7 +36,7 @@ lsos.scenario('a panel that stops at its limit fails, with the angles', function
   sim:run()
   local reason = sim:event('A/10').reason
   t:equal(sim:event('A/10').status, 'failed')
-  t:check(reason:find('was told azimuth 0 deg, elevation -90 deg and stopped at', 1, true), reason)
+  t:check(reason:find('was asked for azimuth 0 deg, elevation -90 deg and stopped at', 1, true), reason)
   t:near(tonumber(reason:match('elevation ([%d.e-]+) deg$')), 0, 0.5, reason)
   t:equal(sim:event('A/20').status, 'completed')
   t:equal(sim:event('A/30').status, 'completed')

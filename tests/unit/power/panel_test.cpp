@@ -166,6 +166,25 @@ TEST(PanelArray, tells_of_a_panel_that_stopped_at_its_limit) {
   EXPECT_NEAR(panels.misses(2 * later)[0].reached.elevation_rad, pi / 2, 1e-9);
 }
 
+TEST(PanelArray, misses_the_sun_that_it_tracks_only_when_it_is_stuck) {
+  PanelArray panels({panel()});
+  panels.steer(0, {SteerMode::track, {}});
+  PanelSurroundings low;
+  low.is_sun_up = true;
+  low.sun_B = direction(pi / 2, 0.2);
+  panels.aim(low, SimTime{});
+  const SimTime half_way = *panels.turn_end(SimTime{}) / 2;
+  panels.set_stuck(0, true, half_way);
+  const std::vector<PanelMiss> misses = panels.misses(half_way);
+  ASSERT_EQ(misses.size(), 1u);
+  EXPECT_TRUE(misses[0].is_stuck);
+  EXPECT_NEAR(misses[0].wanted.elevation_rad, 0.2, 1e-9);
+  EXPECT_GT(misses[0].off_rad, 0.1);
+  low.is_sun_up = false;
+  panels.aim(low, half_way);
+  EXPECT_TRUE(panels.misses(half_way).empty());
+}
+
 TEST(PanelArray, has_nothing_to_tell_of_panels_that_face_where_they_were_told) {
   PanelArray panels({panel()});
   SimTime now{};
