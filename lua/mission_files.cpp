@@ -203,6 +203,10 @@ void read_models(MissionFiles& files) {
                       files.faults);
 }
 
+std::string without_full_stop(const std::string& sentence) {
+  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
+}
+
 // Regolith is much alike all over the Moon; on Mars and Earth any drive depends on the choice.
 void say_assumed_soil(MissionFiles& files) {
   if (!files.is_soil_assumed) return;
@@ -216,11 +220,12 @@ void say_assumed_soil(MissionFiles& files) {
   };
   const bool is_moon = mission.planet == nullptr || mission.planet->name == "Moon";
   if (is_moon || std::ranges::none_of(files.plan.events, drives)) return;
-  files.faults.warning(mission.place,
-                       fmt::format("MissionInfo: {}, as anywhere on {} ({}); slip, sinkage, the "
-                                   "energy of driving and planned routes depend on it; a terrain "
-                                   "script can name another",
-                                   assumed, mission.planet->name, files.terrain.soil.doc));
+  files.faults.warning(
+      mission.place,
+      fmt::format("MissionInfo: {}, as anywhere on {} ({}); slip, sinkage, the "
+                  "energy of driving and planned routes depend on it; a terrain "
+                  "script can name another",
+                  assumed, mission.planet->name, without_full_stop(files.terrain.soil.doc)));
 }
 
 }  // namespace

@@ -116,6 +116,11 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
   mission.parked_log_interval =
       read_interval(fields, values, "parked_log_interval_s", "ParkedLogInterval")
           .value_or(std::max(mission.parked_log_interval, mission.log_interval));
+  if (mission.parked_log_interval < mission.log_interval) {
+    fields.error("ParkedLogInterval",
+                 fmt::format("must be at least the LogInterval, {}",
+                             format_quantity(seconds(mission.log_interval), *find_unit("s"))));
+  }
   if (fields.find("ParkedLogInterval") == nullptr) {
     defaults.push_back(
         fmt::format("MissionInfo: ParkedLogInterval = {}",

@@ -40,10 +40,13 @@ std::string line(const std::string& coordinates) {
 // Short missions, logged at full rate also where the rover stands.
 Mark mission(const Fields& more) {
   Fields fields = {{"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "Flat"}};
-  const auto is_parked_interval = [](const auto& field) {
-    return field.first == "ParkedLogInterval";
-  };
-  if (std::ranges::none_of(more, is_parked_interval)) fields.emplace_back("ParkedLogInterval", "2");
+  std::string interval = "2";
+  bool has_parked_interval = false;
+  for (const auto& [name, text] : more) {
+    if (name == "LogInterval") interval = text;
+    has_parked_interval |= name == "ParkedLogInterval";
+  }
+  if (!has_parked_interval) fields.emplace_back("ParkedLogInterval", interval);
   return {"MissionInfo", joined(fields, more), ""};
 }
 
