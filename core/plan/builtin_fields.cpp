@@ -134,4 +134,12 @@ const std::vector<FieldDeclaration>& asset_fields() {
   return fields;
 }
 
+std::vector<std::span<const FieldDeclaration>> fields_of(const std::string& name,
+                                                         const Declarations& declarations) {
+  if (name == "MissionInfo") return {mission_fields()};
+  if (name == "Rover") return {rover_fields()};
+  if (name == "Asset") return {asset_fields()};
+  return {event_identity_fields(), common_event_fields(), declarations.events.at(name).fields};
+}
+
 }  // namespace lsos

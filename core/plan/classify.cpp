@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
 #include <string_view>
 
@@ -16,6 +17,7 @@ namespace {
 constexpr std::string_view mission_name = "MissionInfo";
 constexpr std::string_view rover_name = "Rover";
 constexpr std::string_view asset_name = "Asset";
+constexpr std::string_view type_name = "Type";
 
 std::vector<std::string> known_names(const Declarations& declarations) {
   std::vector<std::string> names{std::string(mission_name), std::string(rover_name),
@@ -35,6 +37,16 @@ bool has_marker_field(const SourceData& data) {
                              [](const SourceField& field) { return is_marker(field.name); });
 }
 
+// What map tools stamp on features, in whatever case.
+bool is_stamped(std::string field) {
+  constexpr std::array<std::string_view, 14> stamped{
+      "fid",          "id",         "name",    "description", "timestamp", "begin", "end",
+      "altitudemode", "tessellate", "extrude", "visibility",  "draworder", "icon",  "snippet"};
+  std::ranges::transform(field, field.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::ranges::find(stamped, field) != stamped.end();
+}
+
 class Classifier {
  public:
   Classifier(const KmlSource& source, const Declarations& declarations, Faults& faults)
@@ -45,6 +57,7 @@ class Classifier {
 
   Classified run() {
     for (const SourcePlacemark& placemark : source_.placemarks) classify(placemark);
+    warn_of_unused();
     return std::move(classified_);
   }
 
@@ -64,8 +77,12 @@ class Classifier {
     return found->second;
   }
 
+  Place place(const SourcePlacemark& placemark, int line) const {
+    return {placemark.file.empty() ? source_.file : placemark.file, line};
+  }
+
   void error(const SourcePlacemark& placemark, int line, const std::string& what) {
-    faults_.error({source_.file, line}, fmt::format("{}: {}", subject(placemark), what));
+    faults_.error(place(placemark, line), fmt::format("{}: {}", subject(placemark), what));
   }
 
   void classify(const SourcePlacemark& placemark) {
@@ -73,40 +90,191 @@ class Classifier {
     for (const SourceData& data : placemark.data) {
       if (is_known(data.schema)) ours.push_back(&data);
     }
-    const SourceData* nearly_ours = report_nearly_ours(placemark, !ours.empty());
     if (ours.size() > 1) {
+      report_nearly_ours(placemark, true);
       error(placemark, ours[1]->line,
             fmt::format("is a {} and a {}; one Placemark is one thing", ours[0]->schema,
                         ours[1]->schema));
-      classified_.unread.push_back({&placemark, ours[0], nullptr});
+      classified_.unread.push_back({&placemark, *ours[0], nullptr});
     } else if (ours.size() == 1) {
-      add({&placemark, ours[0], nullptr});
-    } else if (nearly_ours != nullptr) {
-      classified_.unread.push_back({&placemark, nearly_ours, nullptr});
+      report_nearly_ours(placemark, true);
+      classify_by_schema(placemark, *ours[0]);
     } else {
-      ++classified_.decoration_count;
+      classify_by_type(placemark);
+    }
+  }
+
+  void classify_by_schema(const SourcePlacemark& placemark, const SourceData& data) {
+    const SourceField* type = type_field(placemark, data.schema);
+    if (type == nullptr || type->text == data.schema) {
+      add({&placemark, joined_fields(placemark, &data, data.schema), nullptr});
+      return;
+    }
+    error(placemark, type->line,
+          fmt::format("is a {} by its schemaUrl and {} by its Type; one of them is wrong",
+                      data.schema, shown(type->text)));
+    classified_.unread.push_back({&placemark, data, nullptr});
+  }
+
+  // Where no SchemaData says what it is.
+  void classify_by_type(const SourcePlacemark& placemark) {
+    const SourceField* type = type_field(placemark, "");
+    if (type != nullptr && is_known(type->text)) {
+      add({&placemark, joined_fields(placemark, nullptr, type->text), nullptr});
+      return;
+    }
+    if (type != nullptr && (has_marker(placemark) || is_nearly_known(type->text))) {
+      const std::string hint = suggestions_(type->text);
+      error(placemark, type->line,
+            fmt::format("Type = {}: there is no such event{}", shown(type->text),
+                        hint.empty() ? "; there are " + listed(suggestions_.known()) : hint));
+      classified_.unread.push_back({&placemark, all_fields(placemark), nullptr});
+      return;
+    }
+    if (const std::string folder = folder_name(placemark); !folder.empty()) {
+      if (has_field_of(placemark, folder)) {
+        add({&placemark, joined_fields(placemark, nullptr, folder), nullptr});
+        return;
+      }
+      count_unused(placemark, fmt::format("lies in the folder {} but has no field of a {}; it is "
+                                          "not used",
+                                          quoted(folder), folder));
+    } else if (const SourceData* nearly_ours = report_nearly_ours(placemark, false)) {
+      classified_.unread.push_back({&placemark, *nearly_ours, nullptr});
+      return;
+    } else {
       warn_if_ours(placemark);
+    }
+    ++classified_.decoration_count;
+  }
+
+  // The Type that the Placemark gives itself; not where a `name` has such a field of its own.
+  const SourceField* type_field(const SourcePlacemark& placemark, const std::string& name) const {
+    if (!name.empty() && has_declared(name, type_name)) return nullptr;
+    const SourceField* found = nullptr;
+    for_each_field(placemark, [&](const SourceField& field) {
+      if (found == nullptr && field.name == type_name && !field.text.empty()) found = &field;
+    });
+    return found;
+  }
+
+  template <class Visit>
+  static void for_each_field(const SourcePlacemark& placemark, const Visit& visit) {
+    for (const SourceData& data : placemark.data) std::ranges::for_each(data.fields, visit);
+    std::ranges::for_each(placemark.plain_data, visit);
+  }
+
+  static SourceData all_fields(const SourcePlacemark& placemark) {
+    SourceData all;
+    for_each_field(placemark, [&](const SourceField& field) { all.fields.push_back(field); });
+    return all;
+  }
+
+  static bool has_marker(const SourcePlacemark& placemark) {
+    return has_marker_field(all_fields(placemark));
+  }
+
+  // The innermost folder that is called like something known; "" when there is none.
+  std::string folder_name(const SourcePlacemark& placemark) const {
+    const auto& folders = placemark.folders;
+    const auto found = std::find_if(folders.rbegin(), folders.rend(),
+                                    [&](const std::string& name) { return is_known(name); });
+    return found == folders.rend() ? "" : *found;
+  }
+
+  bool has_declared(const std::string& name, std::string_view field) const {
+    return std::ranges::any_of(fields_of(name, declarations_), [&](const auto& list) {
+      return std::ranges::find(list, field, &FieldDeclaration::name) != list.end();
+    });
+  }
+
+  bool has_field_of(const SourcePlacemark& placemark, const std::string& name) const {
+    return std::ranges::any_of(all_fields(placemark).fields, [&](const SourceField& field) {
+      return !field.text.empty() && has_declared(name, field.name);
+    });
+  }
+
+  // The fields of a Placemark of that name: those of its SchemaData, of all of them where none is
+  // ours, and what stands in Data.
+  SourceData joined_fields(const SourcePlacemark& placemark, const SourceData* ours,
+                           const std::string& name) {
+    SourceData joined{"", name, {}, placemark.line};
+    if (ours != nullptr) joined = *ours;
+    joined.fields.clear();
+    for (const SourceData& data : placemark.data) {
+      if (ours != nullptr && &data != ours) continue;
+      for (const SourceField& field : data.fields) {
+        const bool is_left_out =
+            field.text.empty() || is_stamped(field.name) || field.name == type_name;
+        if (!is_left_out || has_declared(name, field.name)) joined.fields.push_back(field);
+      }
+    }
+    for (const SourceField& field : placemark.plain_data) {
+      if (is_wanted(placemark, field, name)) add_once(field, joined.fields);
+    }
+    return joined;
+  }
+
+  // A field in Data that is none of the Placemark's is told once for all Placemarks that have it;
+  // one that is nearly right is left for the message that suggests the right one.
+  bool is_wanted(const SourcePlacemark& placemark, const SourceField& field,
+                 const std::string& name) {
+    if (field.text.empty()) return false;
+    if (has_declared(name, field.name)) return true;
+    if (is_stamped(field.name) || field.name == type_name) return false;
+    std::vector<std::string> names;
+    for (const auto& list : fields_of(name, declarations_)) {
+      for (const FieldDeclaration& each : list) names.push_back(each.name);
+    }
+    if (field.name.size() <= 100 && !did_you_mean(field.name, names).empty()) return true;
+    count_unused(placemark, fmt::format("the Data {} is no field of a {}; it is not used",
+                                        quoted(field.name), name));
+    return false;
+  }
+
+  // The same text twice is no contradiction.
+  static void add_once(const SourceField& field, std::vector<SourceField>& fields) {
+    const auto same = std::ranges::find(fields, field.name, &SourceField::name);
+    if (same == fields.end()) {
+      fields.push_back(field);
+    } else if (same->text.empty()) {
+      *same = field;
+    } else if (same->text != field.text) {
+      fields.push_back(field);
+    }
+  }
+
+  void count_unused(const SourcePlacemark& placemark, const std::string& what) {
+    const auto [found, is_new] = unused_.emplace(what, Unused{&placemark, 0});
+    ++found->second.count;
+  }
+
+  void warn_of_unused() {
+    for (const auto& [what, unused] : unused_) {
+      const std::string others =
+          unused.count == 1 ? "" : fmt::format(" (so {} Placemarks)", unused.count);
+      faults_.warning(place(*unused.first, unused.first->line),
+                      fmt::format("{}: {}{}", subject(*unused.first), what, others));
     }
   }
 
   // Map tools rewrite SchemaData as Data, and what kind of thing it is is lost.
   void warn_if_ours(const SourcePlacemark& placemark) {
-    const auto may_be_ours = [](const std::string& field) {
-      return is_marker(field) || field == "Planet";
+    const auto may_be_ours = [](const SourceField& field) {
+      return !field.text.empty() && (is_marker(field.name) || field.name == "Planet");
     };
-    const auto warn = [&](const std::string& field, const char* where) {
-      faults_.warning({source_.file, placemark.line},
+    const auto warn = [&](const SourceField& field, const char* where) {
+      faults_.warning(place(placemark, placemark.line),
                       fmt::format("{}: is not used: its field {} stands in {}, which does not say "
-                                  "what it is; <SchemaData schemaUrl=\"#NAME\"> with "
-                                  "<SimpleData> is wanted",
-                                  subject(placemark), field, where));
+                                  "what it is; a field Type = NAME, a folder of that name or "
+                                  "<SchemaData schemaUrl=\"#NAME\"> is wanted",
+                                  subject(placemark), field.name, where));
     };
     const auto plain = std::ranges::find_if(placemark.plain_data, may_be_ours);
     if (plain != placemark.plain_data.end()) return warn(*plain, "<Data>");
     for (const SourceData& data : placemark.data) {
-      for (const SourceField& field : data.fields) {
-        if (may_be_ours(field.name)) return warn(field.name, "another SchemaData");
-      }
+      const auto found = std::ranges::find_if(data.fields, may_be_ours);
+      if (found != data.fields.end()) return warn(*found, "another SchemaData");
     }
   }
 
@@ -145,7 +313,7 @@ class Classifier {
   }
 
   void add(OurPlacemark ours) {
-    const std::string& name = ours.data->schema;
+    const std::string& name = ours.data.schema;
     if (name == mission_name) {
       classified_.missions.push_back(ours);
     } else if (name == rover_name) {
@@ -163,6 +331,12 @@ class Classifier {
   Faults& faults_;
   Suggestions suggestions_;
   std::map<std::string, bool> nearly_known_;
+  // What is not used, with the first Placemark that it was found in.
+  struct Unused {
+    const SourcePlacemark* first;
+    int count;
+  };
+  std::map<std::string, Unused> unused_;
   Classified classified_;
 };
 

@@ -9,10 +9,11 @@
 
 namespace lsos {
 
-// A Placemark with the SchemaData that makes it ours; both live in the KmlSource.
+// A Placemark that is ours, with its fields; the Placemark lives in the KmlSource.
 struct OurPlacemark {
   const SourcePlacemark* placemark = nullptr;
-  const SourceData* data = nullptr;
+  // `schema` is its NAME. Fields that no NAME is known to have are left out.
+  SourceData data;
   const EventDeclaration* event = nullptr;  // for an event
 };
 
@@ -25,8 +26,10 @@ struct Classified {
   int decoration_count = 0;
 };
 
-// A SchemaData that is nearly ours (it has a RoverId, Sequence or RoverType, or is called almost
-// like something known) is a fault; so are two of ours in one Placemark. The rest is decoration.
+// What a Placemark is is said by its SchemaData, else by its field Type, else by the innermost
+// folder that has such a name. A contradiction is a fault; so are a SchemaData that is nearly ours
+// (it has a RoverId, Sequence or RoverType, or is called almost like something known) and two of
+// ours in one Placemark. The rest is decoration, with a warning where it looks like ours.
 Classified classify(const KmlSource& source, const Declarations& declarations, Faults& faults);
 
 }  // namespace lsos

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -93,5 +94,9 @@ const std::vector<FieldDeclaration>& event_identity_fields();
 const std::vector<FieldDeclaration>& mission_fields();
 const std::vector<FieldDeclaration>& rover_fields();
 const std::vector<FieldDeclaration>& asset_fields();
+
+// The fields that a Placemark of that NAME may have: MissionInfo, Rover, Asset or an event.
+std::vector<std::span<const FieldDeclaration>> fields_of(const std::string& name,
+                                                         const Declarations& declarations);
 
 }  // namespace lsos

@@ -25,7 +25,7 @@ class EventsReader {
 
   DraftEvent read(const OurPlacemark& ours) {
     const EventDeclaration& declaration = *ours.event;
-    FieldReader fields(subject_of(ours, "Sequence", context_), *ours.data, context_.faults);
+    FieldReader fields(subject_of(ours, "Sequence", context_), ours.data, context_.faults);
     fields.check_names({event_identity_fields(), common_event_fields(), declaration.fields});
     const bool has_known_names = fields.fault_count() == 0;
 
@@ -117,10 +117,10 @@ void check_sequences(std::vector<DraftEvent>& drafts, const ReadContext& context
       continue;
     }
     draft.is_placed = false;
-    context.faults.error(
-        event.place,
-        fmt::format("{}: Sequence = {}: rover {} has an event with it at line {}", draft.subject,
-                    event.sequence, quoted(event.rover_id), first->event.place.line));
+    context.faults.error(event.place,
+                         fmt::format("{}: Sequence = {}: rover {} has an event with it at {}",
+                                     draft.subject, event.sequence, quoted(event.rover_id),
+                                     line_text(first->event.place, event.place.file)));
   }
 }
 
@@ -136,8 +136,8 @@ std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
   for (const OurPlacemark& ours : events) drafts.push_back(reader.read(ours));
   std::ranges::stable_sort(drafts, {}, [](const DraftEvent& draft) {
     const PlanEvent& event = draft.event;
-    return std::tuple<const std::string&, std::int64_t, int>(event.rover_id, event.sequence,
-                                                             event.place.line);
+    return std::tuple<const std::string&, std::int64_t, const std::string&, int>(
+        event.rover_id, event.sequence, event.place.file, event.place.line);
   });
   check_sequences(drafts, context);
   return drafts;
@@ -148,7 +148,7 @@ std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events
   for (const FieldDeclaration& declaration : common_event_fields()) {
     if (!declaration.default_value) continue;
     const auto lacks_it = [&](const OurPlacemark& ours) {
-      return std::ranges::none_of(ours.data->fields, [&](const SourceField& field) {
+      return std::ranges::none_of(ours.data.fields, [&](const SourceField& field) {
         return field.name == declaration.name && !field.text.empty();
       });
     };

@@ -19,7 +19,8 @@ struct DraftEvent {
   bool is_rover_known = false, is_sequence_known = false;
   bool has_default_label = false;  // "TYPE SEQUENCE"
   bool is_drive_known = true;      // false: faults leave open where to it drives, and whether
-  // Fields that name other events; nullptr when absent. They live in the KmlSource.
+  // Fields that name other events; nullptr when absent. They live in the
+  // OurPlacemark.
   const SourceField* start_after = nullptr;
   const SourceField* on_failure = nullptr;
   std::vector<std::string> defaults;

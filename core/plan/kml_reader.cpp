@@ -6,124 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "base/error.h"
+#include "plan/kml_geometry.h"
 #include "plan/kml_text.h"
+#include "plan/kmz_archive.h"
 
 namespace lsos {
 
 namespace {
 
 using tinyxml2::XMLElement;
-
-// "Placemark" of "kml:Placemark". Documents choose their prefixes freely, and no two elements that
-// are looked for differ in their prefix alone.
-std::string_view local_name(const XMLElement& element) {
-  const std::string_view name = element.Name();
-  const std::size_t colon = name.rfind(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
-}
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-struct LinedText {
-  std::string text;
-  int line = 0;
-};
-
-// Text and CDATA directly in `element`, trimmed, with the line of its first character.
-LinedText text_of(const XMLElement& element) {
-  LinedText found{{}, element.GetLineNum()};
-  bool has_text = false;
-  for (const auto* node = element.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    const tinyxml2::XMLText* text = node->ToText();
-    if (text == nullptr) continue;
-    if (!has_text && !trimmed(text->Value()).empty()) {
-      has_text = true;
-      found.line = text->GetLineNum();
-    }
-    found.text += text->Value();
-  }
-  found.text = std::string(trimmed(found.text));
-  return found;
-}
-
-std::string attribute(const XMLElement& element, const char* name) {
-  const char* value = element.Attribute(name);
-  return value == nullptr ? std::string() : std::string(trimmed(value));
-}
-
-const XMLElement* child(const XMLElement& parent, std::string_view name) {
-  for (const auto* each = parent.FirstChildElement(); each; each = each->NextSiblingElement()) {
-    if (local_name(*each) == name) return each;
-  }
-  return nullptr;
-}
-
-bool is_geometry(std::string_view name) {
-  constexpr std::array<std::string_view, 8> names{"Point",   "LineString",    "LinearRing",
-                                                  "Polygon", "MultiGeometry", "Model",
-                                                  "Track",   "MultiTrack"};
-  return std::ranges::find(names, name) != names.end();
-}
-
-// The one geometry in a MultiGeometry, which map tools write round any that could have several;
-// nullptr when there are more, or none.
-const XMLElement* only_member(const XMLElement& multi) {
-  const XMLElement* only = nullptr;
-  for (const auto* each = multi.FirstChildElement(); each; each = each->NextSiblingElement()) {
-    if (!is_geometry(local_name(*each))) continue;
-    if (only != nullptr) return nullptr;
-    only = each;
-  }
-  return only;
-}
-
-// The holes of a Polygon. Some tools write all rings into one innerBoundaryIs.
-std::vector<SourceGeometry::Ring> holes_of(const XMLElement& polygon) {
-  std::vector<SourceGeometry::Ring> holes;
-  for (const auto* each = polygon.FirstChildElement(); each; each = each->NextSiblingElement()) {
-    if (local_name(*each) != "innerBoundaryIs") continue;
-    for (const auto* ring = each->FirstChildElement(); ring; ring = ring->NextSiblingElement()) {
-      if (local_name(*ring) != "LinearRing") continue;
-      const XMLElement* coordinates = child(*ring, "coordinates");
-      LinedText text =
-          coordinates == nullptr ? LinedText{"", ring->GetLineNum()} : text_of(*coordinates);
-      holes.push_back({std::move(text.text), text.line});
-    }
-  }
-  return holes;
-}
-
-// Depth is bounded by tinyxml2's limit on nested elements.
-SourceGeometry geometry(const XMLElement& element) {
-  const std::string_view name = local_name(element);
-  if (const XMLElement* only = name == "MultiGeometry" ? only_member(element) : nullptr) {
-    return geometry(*only);
-  }
-  SourceGeometry found;
-  found.line = element.GetLineNum();
-  found.kind = name.ends_with("Track") ? fmt::format("gx:{}", name) : std::string(name);
-  const XMLElement* ring = nullptr;
-  if (name == "Polygon") {
-    const XMLElement* outline = child(element, "outerBoundaryIs");
-    if (outline != nullptr) ring = child(*outline, "LinearRing");
-    found.holes = holes_of(element);
-  }
-  if (name != "Point" && name != "LineString" && ring == nullptr) return found;
-  if (const XMLElement* coordinates = child(ring == nullptr ? element : *ring, "coordinates")) {
-    LinedText text = text_of(*coordinates);
-    found.coordinates = std::move(text.text);
-    found.line = text.line;
-  }
-  return found;
-}
 
 SourceData schema_data(const XMLElement& element) {
   SourceData data;
@@ -137,6 +32,12 @@ SourceData schema_data(const XMLElement& element) {
   return data;
 }
 
+SourceField plain_data(const XMLElement& element) {
+  const XMLElement* value = child(element, "value");
+  LinedText text = value == nullptr ? LinedText{"", element.GetLineNum()} : text_of(*value);
+  return {attribute(element, "name"), std::move(text.text), text.line};
+}
+
 SourcePlacemark placemark(const XMLElement& element) {
   SourcePlacemark found;
   found.line = element.GetLineNum();
@@ -147,45 +48,71 @@ SourcePlacemark placemark(const XMLElement& element) {
     } else if (name == "ExtendedData") {
       for (const auto* data = each->FirstChildElement(); data; data = data->NextSiblingElement()) {
         if (local_name(*data) == "SchemaData") found.data.push_back(schema_data(*data));
-        if (local_name(*data) == "Data") found.plain_data.push_back(attribute(*data, "name"));
+        if (local_name(*data) == "Data") found.plain_data.push_back(plain_data(*data));
       }
     } else if (is_geometry(name)) {
-      found.geometries.push_back(geometry(*each));
+      found.geometries.push_back(read_kml_geometry(*each));
     }
   }
   return found;
 }
 
+SourceSchema schema(const XMLElement& element, const std::string& file) {
+  SourceSchema found{file, attribute(element, "id"), attribute(element, "name"), {}};
+  for (const auto* each = element.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    if (local_name(*each) != "SimpleField") continue;
+    found.fields.push_back(
+        {attribute(*each, "name"), attribute(*each, "type"), each->GetLineNum()});
+  }
+  return found;
+}
+
+// Gathers what one document holds.
 class Collector {
  public:
-  explicit Collector(KmlSource& source) : source_(source) {}
+  Collector(KmlSource& source, const std::string& file, std::vector<std::string> folders)
+      : source_(source),
+        file_(file),
+        folders_(std::move(folders)),
+        first_placemark_(source.placemarks.size()),
+        first_schema_(source.schemas.size()) {}
 
   // Depth is bounded by tinyxml2's limit on nested elements.
   void collect(const XMLElement& element) {
     const std::string_view name = local_name(element);
     if (name == "Placemark") {
-      source_.placemarks.push_back(placemark(element));
+      SourcePlacemark found = placemark(element);
+      found.file = file_ == source_.file ? "" : file_;
+      found.folders = folders_;
+      source_.placemarks.push_back(std::move(found));
     } else if (name == "Schema") {
-      schema_names_.emplace(attribute(element, "id"), attribute(element, "name"));
+      source_.schemas.push_back(schema(element, file_));
     } else if (name == "NetworkLink") {
       collect_link(element);
     } else if (name == "kml" || name == "Document" || name == "Folder") {
+      const XMLElement* title = name == "kml" ? nullptr : child(element, "name");
+      if (title != nullptr) folders_.push_back(text_of(*title).text);
       for (const auto* each = element.FirstChildElement(); each;
            each = each->NextSiblingElement()) {
         collect(*each);
       }
+      if (title != nullptr) folders_.pop_back();
     }
   }
 
   // A <Schema> may stand after what refers to it, so names are resolved at the end.
   void resolve_schemas() {
-    for (SourcePlacemark& each : source_.placemarks) {
-      for (SourceData& data : each.data) {
+    std::map<std::string, std::string> names;  // by id
+    for (std::size_t i = first_schema_; i < source_.schemas.size(); ++i) {
+      names.emplace(source_.schemas[i].id, source_.schemas[i].name);
+    }
+    for (std::size_t i = first_placemark_; i < source_.placemarks.size(); ++i) {
+      for (SourceData& data : source_.placemarks[i].data) {
         const std::size_t hash = data.schema_url.rfind('#');
         if (hash == std::string::npos) continue;
         data.schema = data.schema_url.substr(hash + 1);
-        const auto named = schema_names_.find(data.schema);
-        if (hash == 0 && named != schema_names_.end() && !named->second.empty()) {
+        const auto named = names.find(data.schema);
+        if (hash == 0 && named != names.end() && !named->second.empty()) {
           data.schema = named->second;
         }
         // The driver LIBKML of GDAL, and QGIS with it, write "#Route.schema" for a layer Route.
@@ -195,6 +122,13 @@ class Collector {
     }
   }
 
+  // A NetworkLink to a file, and the folders that it lies in.
+  struct Link {
+    KmlSource::Link link;
+    std::vector<std::string> folders;
+  };
+  const std::vector<Link>& links() const { return links_; }
+
  private:
   void collect_link(const XMLElement& element) {
     const XMLElement* link = child(element, "Link");
@@ -203,11 +137,17 @@ class Collector {
     if (href == nullptr) return;
     LinedText text = text_of(*href);
     if (text.text.find("://") != std::string::npos) return;
-    source_.links.push_back({std::move(text.text), text.line});
+    links_.push_back({{file_, std::move(text.text), text.line}, folders_});
+    if (const XMLElement* title = child(element, "name")) {
+      links_.back().folders.push_back(text_of(*title).text);
+    }
   }
 
   KmlSource& source_;
-  std::map<std::string, std::string> schema_names_;  // by id
+  const std::string& file_;
+  std::vector<std::string> folders_;
+  std::size_t first_placemark_, first_schema_;
+  std::vector<Link> links_;
 };
 
 std::string in_plain_words(const tinyxml2::XMLDocument& document) {
@@ -255,20 +195,51 @@ const XMLElement& root_of(const tinyxml2::XMLDocument& document, const std::stri
   return *root;
 }
 
-}  // namespace
-
-KmlSource parse_kml(std::string bytes, const std::string& file) {
-  const KmlText text = kml_text(std::move(bytes), file);
+// What one document holds is added to the source; returns its links.
+std::vector<Collector::Link> add_document(const KmlText& text, std::vector<std::string> folders,
+                                          KmlSource& source) {
   check_markup(text);
   tinyxml2::XMLDocument document;
   document.Parse(text.utf8.data(), text.utf8.size());
   if (document.Error()) {
     throw InputError({text.file, document.ErrorLineNum()}, in_plain_words(document));
   }
-  KmlSource source{text.file, {}};
-  Collector collector(source);
+  Collector collector(source, text.file, std::move(folders));
   collector.collect(root_of(document, text.file));
   collector.resolve_schemas();
+  return collector.links();
+}
+
+// The document of an archive, and the documents in it that are linked, in the order of the links.
+KmlSource parse_kmz(const std::string& bytes, const std::string& file) {
+  KmzArchive archive(bytes, file);
+  const std::string root = archive.document_name();
+  KmlSource source{archive.path(root), {}};
+  std::set<std::string> seen{root};
+  const auto add = [&](const auto& add_next, const std::string& name,
+                       std::vector<std::string> folders) -> void {
+    for (Collector::Link& each : add_document(kml_text(archive.unpacked(name), archive.path(name)),
+                                              std::move(folders), source)) {
+      const std::string linked = archive.resolved(each.link.href, name);
+      if (linked.empty()) {
+        source.links.push_back(std::move(each.link));
+      } else if (seen.insert(linked).second) {
+        add_next(add_next, linked, std::move(each.folders));
+      }
+    }
+  };
+  add(add, root, {});
+  return source;
+}
+
+}  // namespace
+
+KmlSource parse_kml(std::string bytes, const std::string& file) {
+  if (is_zip(bytes)) return parse_kmz(bytes, file);
+  KmlSource source{file, {}};
+  for (Collector::Link& each : add_document(kml_text(std::move(bytes), file), {}, source)) {
+    source.links.push_back(std::move(each.link));
+  }
   return source;
 }
 

@@ -1,5 +1,5 @@
 // What a KML document says, as plain values: its Placemarks with data and geometry, each with the
-// line it came from. What the values mean is not known here.
+// file and line it came from. What the values mean is not known here.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lsos {
 
-// One <SimpleData>: its text without the blanks around it.
+// One <SimpleData>, or one <Data> with its <value>: the text without the blanks around it.
 struct SourceField {
   std::string name;
   std::string text;
@@ -23,7 +23,8 @@ struct SourceData {
 };
 
 struct SourceGeometry {
-  // "Point", "LineString", "Polygon", "MultiGeometry" (of several, or none), "gx:Track", ...
+  // "Point", "LineString" (also a LinearRing or gx:Track), "Polygon", "MultiGeometry" (of several,
+  // or none), "Model", ...
   std::string kind;
   // Of Point, LineString and a Polygon's outline: text as written, without blanks around it.
   std::string coordinates;
@@ -39,17 +40,32 @@ struct SourceGeometry {
 struct SourcePlacemark {
   std::string name;
   std::vector<SourceData> data;
-  std::vector<std::string> plain_data;     // names of <Data>, which say no kind of thing
+  std::vector<SourceField> plain_data;     // <Data>: fields that name no Schema
+  std::vector<std::string> folders;        // that it lies in, Documents too, the innermost last
   std::vector<SourceGeometry> geometries;  // more than one is not KML, but is seen
   int line = 0;
   std::string file = {};  // that the lines are of, where it is not the document's
 };
 
+// One <Schema>: what types it gives to fields.
+struct SourceSchema {
+  std::string file;
+  std::string id, name;
+  struct Field {
+    std::string name, type;
+    int line = 0;
+  };
+  std::vector<Field> fields;
+};
+
 struct KmlSource {
   std::string file;  // for messages; with the document's name for a KMZ
   std::vector<SourcePlacemark> placemarks;
-  // <NetworkLink>s to files, not to addresses with a scheme; their Placemarks are not among these.
+  std::vector<SourceSchema> schemas = {};
+  // <NetworkLink>s to files that are not read: outside the document's own KMZ archive. Those with
+  // an address (a scheme) are not among them.
   struct Link {
+    std::string file;
     std::string href;
     int line = 0;
   };

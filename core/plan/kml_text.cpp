@@ -39,11 +39,8 @@ std::string read_bytes(const std::string& file) {
 }
 
 KmlText kml_text(std::string bytes, const std::string& file) {
-  KmlText text{file, std::move(bytes)};
-  if (is_zip(text.utf8)) text = unpack_kmz(text.utf8, file);
-  refuse_foreign_bytes(text.utf8, text.file);
-  text.utf8 = to_utf8(std::move(text.utf8), text.file);
-  return text;
+  refuse_foreign_bytes(bytes, file);
+  return {file, to_utf8(std::move(bytes), file)};
 }
 
 }  // namespace lsos

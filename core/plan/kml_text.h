@@ -1,4 +1,4 @@
-// The text of a KML document, whatever it is packed in: a KMZ archive, an encoding.
+// The text of a KML document, in whatever encoding.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ struct KmlText {
 // All bytes of `file`. Throws InputError when it cannot be read or is too large.
 std::string read_bytes(const std::string& file);
 
-// Unpacks a KMZ (doc.kml, else its first .kml) and converts UTF-16, UTF-32 and declared 8-bit
-// encodings. Throws InputError when there is no document or the bytes are not of their encoding.
+// UTF-16, UTF-32 and declared 8-bit encodings are converted. Throws InputError where the bytes are
+// of no XML, or not of their encoding.
 KmlText kml_text(std::string bytes, const std::string& file);
 
 // Throws InputError for markup that the parser would misread (entities of the document's own) or
@@ -29,9 +29,6 @@ void check_markup(const KmlText& text);
 // Parts of kml_text.
 // Throws InputError where the first bytes are of no XML, in whatever encoding: JSON, CSV, a raster.
 void refuse_foreign_bytes(std::string_view bytes, const std::string& file);
-bool is_zip(std::string_view bytes);
-KmlText unpack_kmz(const std::string& bytes, const std::string& file,
-                   std::size_t max_bytes = max_kml_bytes);
 std::string to_utf8(std::string bytes, const std::string& file);
 
 }  // namespace lsos

@@ -62,16 +62,20 @@ TerrainName read_terrain(FieldReader& fields, const std::string& field, const st
 
 }  // namespace
 
+Place place_of(const SourcePlacemark& placemark, const ReadContext& context) {
+  return {placemark.file.empty() ? context.source_file : placemark.file, placemark.line};
+}
+
 Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
                    const ReadContext& context) {
-  const std::string& type = ours.data->schema;
-  Subject subject{{context.source_file, ours.placemark->line}, type};
+  const std::string& type = ours.data.schema;
+  Subject subject{place_of(*ours.placemark, context), type};
   if (!ours.placemark->name.empty()) {
     subject.name += " " + quoted(ours.placemark->name);
     return subject;
   }
-  const auto id = std::ranges::find(ours.data->fields, id_field, &SourceField::name);
-  if (id != ours.data->fields.end() && !id->text.empty()) subject.name += " " + shown(id->text);
+  const auto id = std::ranges::find(ours.data.fields, id_field, &SourceField::name);
+  if (id != ours.data.fields.end() && !id->text.empty()) subject.name += " " + shown(id->text);
   return subject;
 }
 
@@ -85,13 +89,13 @@ MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadCo
                          "<SchemaData schemaUrl=\"#MissionInfo\">");
     return mission;
   }
+  mission.place = place_of(*missions[0].placemark, context);
   for (std::size_t i = 1; i < missions.size(); ++i) {
-    context.faults.error({context.source_file, missions[i].placemark->line},
-                         fmt::format("MissionInfo: a second one; the first is at line {}",
-                                     missions[0].placemark->line));
+    const Place place = place_of(*missions[i].placemark, context);
+    context.faults.error(place, fmt::format("MissionInfo: a second one; the first is at {}",
+                                            line_text(mission.place, place.file)));
   }
-  mission.place = {context.source_file, missions[0].placemark->line};
-  FieldReader fields({mission.place, "MissionInfo"}, *missions[0].data, context.faults);
+  FieldReader fields({mission.place, "MissionInfo"}, missions[0].data, context.faults);
   fields.check_names({mission_fields()});
   const FieldValues values = fields.read(mission_fields(), &defaults);
 

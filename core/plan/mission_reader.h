@@ -23,16 +23,18 @@ struct ReadContext {
 MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
                          PlanGaps& gaps, std::vector<std::string>& defaults);
 
-// Lines of the ids that the plan gives, also of those whose Placemark has other faults.
-using IdLines = std::map<std::string, int>;
+// Where the ids of the plan are given, also by Placemarks with other faults.
+using IdPlaces = std::map<std::string, Place>;
 
 // In byte order of id.
 std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
-                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps,
+                                   const ReadContext& context, IdPlaces& ids, PlanGaps& gaps,
                                    std::vector<std::string>& defaults);
 std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
-                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps);
+                                   const ReadContext& context, IdPlaces& ids, PlanGaps& gaps);
 
+// The file and line of its element.
+Place place_of(const SourcePlacemark& placemark, const ReadContext& context);
 // "Rover 'NAME'" of the Placemark; where it has none, the text of `id_field` stands for it.
 Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
                    const ReadContext& context);

@@ -9,6 +9,7 @@
 #include "plan/mission_reader.h"
 #include "plan/plan.h"
 #include "plan/references.h"
+#include "plan/schema_types.h"
 #include "plan/suggestions.h"
 #include "plan/unread.h"
 
@@ -21,12 +22,14 @@ bool has_nothing_of_ours(const Classified& found) {
          found.events.empty();
 }
 
-constexpr const char* is_not_read = "is not read: a plan is one document with all its Placemarks";
+constexpr const char* is_not_read =
+    "is not read: a plan is one KML document, or a KMZ archive that holds what its document links "
+    "to";
 
 void warn_of_links(const KmlSource& source, Faults& faults) {
   for (const KmlSource::Link& link : source.links) {
-    faults.warning({source.file, link.line}, fmt::format("NetworkLink to {}: what it links to {}",
-                                                         quoted(link.href), is_not_read));
+    faults.warning({link.file, link.line}, fmt::format("NetworkLink to {}: what it links to {}",
+                                                       quoted(link.href), is_not_read));
   }
 }
 
@@ -63,6 +66,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
     return plan;
   }
   warn_of_links(source, faults);
+  check_schema_types(source, ours, faults);
 
   const ReadContext context{file, source.file, declarations, faults};
   Unread unread = read_unread(ours.unread, context, plan.gaps);
@@ -72,12 +76,12 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   } else {
     plan.mission = read_mission(ours.missions, context, plan.gaps, plan.defaults);
   }
-  IdLines ids;
+  IdPlaces ids;
   if (!ours.rovers.empty() || !unread.has_rover) {
     plan.rovers = read_rovers(ours.rovers, context, ids, plan.gaps, plan.defaults);
   }
   std::vector<std::string> rover_ids = std::move(unread.rover_ids);
-  for (const auto& [id, line] : ids) rover_ids.push_back(id);
+  for (const auto& [id, place] : ids) rover_ids.push_back(id);
   plan.assets = read_assets(ours.assets, context, ids, plan.gaps);
 
   std::vector<DraftEvent> drafts = read_events(ours.events, context, rover_ids, plan.gaps);

@@ -13,15 +13,16 @@ namespace {
 
 // Rovers and assets share one set of ids, and pairs of the log call the home planet "Earth".
 void check_id(FieldReader& fields, const std::string& field_name, const std::string& id,
-              IdLines& ids) {
+              IdPlaces& ids) {
   if (id == "Earth") fields.error(field_name, "this name stands for the planet in the log");
   if (id.find(',') != std::string::npos) {
     fields.error(field_name, "a comma is not allowed: it stands between ids in lists");
   }
-  const int line = fields.subject().place.line;
-  const auto [first, is_new] = ids.emplace(id, line);
+  const Place& place = fields.subject().place;
+  const auto [first, is_new] = ids.emplace(id, place);
   if (!is_new) {
-    fields.error(field_name, fmt::format("is taken; the first is at line {}", first->second));
+    fields.error(field_name,
+                 fmt::format("is taken; the first is at {}", line_text(first->second, place.file)));
   }
 }
 
@@ -88,9 +89,9 @@ struct DraftRover {
   std::vector<std::string> defaults;
 };
 
-DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdLines& ids,
+DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdPlaces& ids,
                       PlanGaps& gaps) {
-  FieldReader fields(subject_of(ours, "RoverId", context), *ours.data, context.faults);
+  FieldReader fields(subject_of(ours, "RoverId", context), ours.data, context.faults);
   DraftRover draft;
   fields.check_names({rover_fields()});
   const FieldValues values = fields.read(rover_fields(), &draft.defaults);
@@ -126,9 +127,9 @@ DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdLi
   return draft;
 }
 
-PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdLines& ids,
+PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdPlaces& ids,
                      PlanGaps& gaps) {
-  FieldReader fields(subject_of(ours, "AssetId", context), *ours.data, context.faults);
+  FieldReader fields(subject_of(ours, "AssetId", context), ours.data, context.faults);
   fields.check_names({asset_fields()});
   const FieldValues values = fields.read(asset_fields(), nullptr);
 
@@ -154,7 +155,7 @@ PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdLin
 }  // namespace
 
 std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
-                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps,
+                                   const ReadContext& context, IdPlaces& ids, PlanGaps& gaps,
                                    std::vector<std::string>& defaults) {
   if (rovers.empty()) {
     context.faults.error({context.source_file, 0},
@@ -174,7 +175,7 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
 }
 
 std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
-                                   const ReadContext& context, IdLines& ids, PlanGaps& gaps) {
+                                   const ReadContext& context, IdPlaces& ids, PlanGaps& gaps) {
   std::vector<PlanAsset> result;
   for (const OurPlacemark& ours : assets) result.push_back(read_asset(ours, context, ids, gaps));
   std::ranges::stable_sort(result, {}, &PlanAsset::id);

@@ -27,6 +27,11 @@ std::string listed(const std::vector<std::string>& names) {
   return list;
 }
 
+std::string line_text(const Place& place, const std::string& file) {
+  if (place.file == file) return fmt::format("line {}", place.line);
+  return fmt::format("line {} of {}", place.line, place.file);
+}
+
 std::string quoted(const std::string& text) {
   constexpr std::size_t longest = 80;
   std::string line = text.substr(0, longest);

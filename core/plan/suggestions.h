@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
+
 namespace lsos {
 
 class Suggestions {
@@ -25,6 +27,9 @@ class Suggestions {
 
 // "a, b, c"; a long list ends in "... (40 in all)".
 std::string listed(const std::vector<std::string>& names);
+
+// "line 7" of `place`, with its file where that is another than `file`.
+std::string line_text(const Place& place, const std::string& file);
 
 // Text of a plan as messages show it: in quotes, on one line and not longer than a line.
 std::string quoted(const std::string& text);

@@ -18,11 +18,11 @@ DraftEvent read_event(const OurPlacemark& ours, const ReadContext& context) {
   draft.is_read = false;
   draft.subject = subject_of(ours, "Sequence", context).name;
   PlanEvent& event = draft.event;
-  event.place = {context.source_file, ours.placemark->line};
+  event.place = place_of(*ours.placemark, context);
   event.label = ours.placemark->name;
   draft.has_default_label = event.label.empty();
-  event.rover_id = text_of(*ours.data, "RoverId");
-  const Parsed<std::int64_t> sequence = parse_integer(text_of(*ours.data, "Sequence"));
+  event.rover_id = text_of(ours.data, "RoverId");
+  const Parsed<std::int64_t> sequence = parse_integer(text_of(ours.data, "Sequence"));
   draft.is_sequence_known = static_cast<bool>(sequence);
   event.sequence = sequence.value.value_or(0);
   return draft;
@@ -34,17 +34,17 @@ Unread read_unread(const std::vector<OurPlacemark>& unread, const ReadContext& c
                    PlanGaps& gaps) {
   Unread read;
   for (const OurPlacemark& ours : unread) {
-    const auto has = [&](const char* name) { return !text_of(*ours.data, name).empty(); };
+    const auto has = [&](const char* name) { return !text_of(ours.data, name).empty(); };
     if (has("RoverType")) {
       read.has_rover = true;
       if (has("RoverId")) {
-        read.rover_ids.push_back(text_of(*ours.data, "RoverId"));
+        read.rover_ids.push_back(text_of(ours.data, "RoverId"));
         gaps.unread_ids.insert(read.rover_ids.back());
       } else {
         gaps.rover_ids = true;
       }
     } else if (has("AssetId")) {
-      gaps.unread_ids.insert(text_of(*ours.data, "AssetId"));
+      gaps.unread_ids.insert(text_of(ours.data, "AssetId"));
     } else if (has("AssetType")) {
       gaps.asset_ids = true;
     } else if (has("Planet") || has("Terrain")) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "plan/kml_text.h"
+#include "plan/kmz_archive.h"
 #include "plan_fixture.h"
 #include "support/reference_data.h"
 
@@ -122,7 +123,7 @@ TEST(KmlReader, kinds_of_geometry_are_told) {
                 "a.kml");
   std::vector<std::string> kinds;
   for (const auto& each : source.placemarks) kinds.push_back(each.geometries.at(0).kind);
-  EXPECT_THAT(kinds, ::testing::ElementsAre("Polygon", "gx:Track", "MultiGeometry"));
+  EXPECT_THAT(kinds, ::testing::ElementsAre("Polygon", "LineString", "MultiGeometry"));
 }
 
 // Map tools write it round any geometry that could have had more than one part.
@@ -137,6 +138,20 @@ TEST(KmlReader, a_multi_geometry_of_one_is_that_one) {
   EXPECT_EQ(source.placemarks[0].geometries.at(0).coordinates, "1,2 3,4");
   EXPECT_EQ(source.placemarks[1].geometries.at(0).kind, "Point");
   EXPECT_EQ(source.placemarks[2].geometries.at(0).kind, "MultiGeometry");
+}
+
+TEST(KmlReader, rings_and_tracks_are_lines) {
+  const KmlSource source = parse_kml(
+      test::document("<Placemark><LinearRing><coordinates>1,2 3,4 1,2</coordinates></LinearRing>"
+                     "</Placemark><Placemark><gx:MultiTrack><gx:Track><when>2026-01-01</when>"
+                     "<gx:coord>1 2  3</gx:coord><gx:coord/><gx:coord>4 5 6</gx:coord>"
+                     "</gx:Track></gx:MultiTrack></Placemark>"),
+      "a.kml");
+  std::vector<std::string> seen;
+  for (const auto& each : source.placemarks) {
+    seen.push_back(each.geometries.at(0).kind + " " + each.geometries.at(0).coordinates);
+  }
+  EXPECT_THAT(seen, ::testing::ElementsAre("LineString 1,2 3,4 1,2", "LineString 1,2,3 4,5,6"));
 }
 
 TEST(KmlReader, holes_of_a_polygon_are_read_however_they_are_wrapped) {
@@ -204,6 +219,28 @@ TEST(KmlReader, a_kmz_is_read_from_doc_kml_or_its_first_kml) {
   EXPECT_EQ(mac.placemarks.at(0).name, "here");
 }
 
+TEST(KmlReader, a_kmz_may_hold_its_layers_as_linked_documents) {
+  const auto link = [](const std::string& href) {
+    return "<NetworkLink><name>" + href + "</name><Link><href>" + href + "</href></Link>" +
+           "</NetworkLink>";
+  };
+  const auto named = [](const std::string& name) {
+    return "<name>L</name><Placemark><name>" + name + "</name></Placemark>";
+  };
+  const KmlSource source = read_kml(
+      kmz({{"doc.kml", test::document(link("layers/my%20a.kml") + link("b.kml#x") +
+                                      link("../c.kml") + link("http://x/d.kml"))},
+           {"layers/my a.kml", test::document(named("a") + link("../b.kml") + link("../doc.kml"))},
+           {"b.kml", test::document(named("b"))}}));
+  ASSERT_EQ(source.placemarks.size(), 2u) << "each is read once, and the first is not read again";
+  EXPECT_EQ(source.placemarks[0].name, "a");
+  EXPECT_TRUE(source.placemarks[0].file.ends_with("archive.kmz/layers/my a.kml"));
+  EXPECT_THAT(source.placemarks[0].folders, ::testing::ElementsAre("layers/my%20a.kml", "L"));
+  EXPECT_EQ(source.placemarks[1].name, "b");
+  ASSERT_EQ(source.links.size(), 1u);
+  EXPECT_EQ(source.links[0].href, "../c.kml");
+}
+
 TEST(KmlReader, a_kmz_without_a_document_or_cut_short_is_refused) {
   EXPECT_THAT(refusal(read_bytes(kmz({{"x.png", "?"}}))), HasSubstr("holds no .kml file"));
   const std::string whole = read_bytes(kmz({{"doc.kml", small}}));
@@ -225,9 +262,9 @@ TEST(KmlReader, a_kmz_that_unpacks_to_too_much_is_refused) {
   constexpr std::size_t limit = 4u << 20;
   const std::string bytes = read_bytes(kmz({{"doc.kml", std::string(limit + 1, ' ')}}));
   EXPECT_LT(bytes.size(), limit / 100);
-  EXPECT_NO_THROW(unpack_kmz(bytes, "a.kmz", limit + 1));
+  EXPECT_NO_THROW(KmzArchive(bytes, "a.kmz", limit + 1).unpacked("doc.kml"));
   try {
-    unpack_kmz(bytes, "a.kmz", limit);
+    KmzArchive(bytes, "a.kmz", limit).unpacked("doc.kml");
     FAIL() << "it was read";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "a.kmz/doc.kml: unpacks to more than 4 MiB");

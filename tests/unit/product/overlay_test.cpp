@@ -9,7 +9,7 @@
 #include <regex>
 #include <string>
 
-#include "plan/kml_text.h"
+#include "plan/kmz_archive.h"
 #include "product/files.h"
 #include "product/rover_track.h"
 #include "support/reference_data.h"
@@ -167,7 +167,8 @@ TEST(Overlay, is_packed_on_request_the_same_each_time) {
   write_packed_overlay(folder.path(), test_plan());
   const std::string packed = read_file(folder / "overlay.kmz").value_or("");
   EXPECT_LT(packed.size(), read_file(folder / "overlay.kml").value_or("").size() / 5);
-  EXPECT_EQ(unpack_kmz(packed, "overlay.kmz").utf8, read_file(folder / "overlay.kml"));
+  EXPECT_EQ(KmzArchive(packed, "overlay.kmz").unpacked("doc.kml"),
+            read_file(folder / "overlay.kml"));
   EXPECT_EQ(packed.substr(10, 4), std::string("\0\0!\0", 4)) << "of 1980-01-01, 00:00:00";
   write_packed_overlay(folder.path(), test_plan());
   EXPECT_EQ(packed, read_file(folder / "overlay.kmz"));

@@ -1,0 +1,18 @@
+// The geometry elements of KML, as written.
+#pragma once
+
+#include <string_view>
+
+#include "plan/kml_reader.h"
+#include "plan/xml_element.h"
+
+namespace lsos {
+
+// By its name without a prefix.
+bool is_geometry(std::string_view name);
+
+// A MultiGeometry or MultiTrack of one member is that member; a LinearRing and a Track, which has
+// its coordinates parted by blanks, are LineStrings.
+SourceGeometry read_kml_geometry(const tinyxml2::XMLElement& element);
+
+}  // namespace lsos

@@ -1,0 +1,45 @@
+// A KML document packed as a KMZ archive.
+#include <stdexcept>
+
+#include "plan/kml_writer.h"
+#include "plan/zip_handle.h"
+
+namespace lsos {
+
+std::string pack_kmz(const std::string& kml) {
+  const auto fail = [](zip_error_t* error) {
+    throw std::runtime_error("a KMZ cannot be packed: " + message(error));
+  };
+  zip_error_t error;
+  zip_error_init(&error);
+  const ZipSource packed(zip_source_buffer_create(nullptr, 0, 0, &error));
+  if (!packed) fail(&error);
+  zip_source_keep(packed.get());  // the archive lets go of its own
+  ZipHandle archive(zip_open_from_source(packed.get(), ZIP_TRUNCATE, &error));
+  if (!archive) fail(&error);
+  zip_source_t* source = zip_source_buffer(archive.get(), kml.data(), kml.size(), 0);
+  const zip_int64_t index =
+      source == nullptr ? -1 : zip_file_add(archive.get(), "doc.kml", source, ZIP_FL_ENC_UTF_8);
+  if (index < 0 && source != nullptr) zip_source_free(source);
+  // The same document gives the same bytes at any time: all are of 1 January 1980.
+  constexpr zip_uint16_t first_day = 0x21;
+  if (index < 0 ||
+      zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, first_day, 0) != 0) {
+    fail(zip_get_error(archive.get()));
+  }
+  if (zip_close(archive.get()) != 0) fail(zip_get_error(archive.get()));
+  static_cast<void>(archive.release());  // closed
+  std::string bytes;
+  if (zip_source_open(packed.get()) != 0 || zip_source_seek(packed.get(), 0, SEEK_END) != 0) {
+    fail(zip_source_error(packed.get()));
+  }
+  bytes.resize(static_cast<std::size_t>(zip_source_tell(packed.get())));
+  const bool is_read = zip_source_seek(packed.get(), 0, SEEK_SET) == 0 &&
+                       zip_source_read(packed.get(), bytes.data(), bytes.size()) ==
+                           static_cast<zip_int64_t>(bytes.size());
+  zip_source_close(packed.get());
+  if (!is_read) fail(zip_source_error(packed.get()));
+  return bytes;
+}
+
+}  // namespace lsos

@@ -1,0 +1,34 @@
+// Handles of libzip that close themselves.
+#pragma once
+
+#include <zip.h>
+
+#include <cctype>
+#include <memory>
+#include <string>
+
+namespace lsos {
+
+struct CloseArchive {
+  void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+struct CloseEntry {
+  void operator()(zip_file_t* entry) const { zip_fclose(entry); }
+};
+struct FreeSource {
+  void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+using ZipSource = std::unique_ptr<zip_source_t, FreeSource>;
+using ZipHandle = std::unique_ptr<zip_t, CloseArchive>;
+using ZipEntry = std::unique_ptr<zip_file_t, CloseEntry>;
+
+// "Not a zip archive" as the middle of a sentence; "CRC error" stays.
+inline std::string message(zip_error_t* error) {
+  std::string text = zip_error_strerror(error);
+  if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]))) {
+    text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  }
+  return text;
+}
+
+}  // namespace lsos
