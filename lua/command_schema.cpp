@@ -100,6 +100,9 @@ void add(KmlDocument& document, const Kind& kind, int number) {
   placemark.name = kind.name;
   placemark.schema_id = kind.name;
   placemark.geometry = kind.geometry;
+  // Map tools rewrite schemaUrl: then this still says what the Placemark is.
+  schema.fields.push_back({"Type", "string", "what the Placemark is"});
+  placemark.data.emplace_back("Type", kind.name);
   for (const FieldDeclaration& field : kind.fields) {
     schema.fields.push_back({field.name, kml_type(field.kind), field.doc});
     placemark.data.emplace_back(field.name,
