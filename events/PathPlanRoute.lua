@@ -27,7 +27,8 @@ local function plan(ev, rover)
   options.avoid_radius_m = rover.length_m
   local way, reason = rover:plan_path(ev.geometry, options)
   if not way then
-    return lsos.fail('%s', reason)
+    if not ev.state.blocked_by then return lsos.fail('%s', reason) end
+    return lsos.fail('%s; planned anew: %s', ev.state.blocked_by, reason)
   end
   ev.state.legs = way.legs
   rover:follow(way.path, {
@@ -52,6 +53,7 @@ local function replan(ev, rover)
     table.insert(ev.state.avoid, rover:ahead(1.25 * rover.length_m))
   end
   ev.state.replans = (ev.state.replans or 0) + 1
+  ev.state.blocked_by = drive.reason
   ev:log('replan', {
     attempt  = ev.state.replans,
     reason   = drive.reason,
@@ -93,7 +95,7 @@ return lsos.event {
     },
     arrival_radius_m = lsos.number {
       kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
-      doc = 'A waypoint is reached when the rover is this near.',
+      doc = 'The rover stops at the last waypoint, within this of it.',
     },
     slope_max_rad = lsos.number {
       kml = 'MaxSlope', unit = 'deg', min = 1, max = 60,

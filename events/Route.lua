@@ -10,11 +10,21 @@ local function start(ev, rover)
   return 'drive'
 end
 
-local function drive(_, rover)
+-- What stopped it stopped it near enough.
+local function is_near_end(ev, rover)
+  local points = ev.geometry
+  return rover:distance_to_m(points[#points]) <= ev.params.arrival_radius_m
+end
+
+local function drive(ev, rover)
   if rover.drive.status == 'arrived' then
     return 'stop'
   end
   if rover.drive.status == 'failed' then
+    if is_near_end(ev, rover) then
+      ev:warn('it stopped within ArrivalRadius: %s', rover.drive.reason)
+      return 'stop'
+    end
     return lsos.fail('%s', rover.drive.reason)
   end
   return lsos.arrival
@@ -39,7 +49,7 @@ return lsos.event {
     },
     arrival_radius_m = lsos.number {
       kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
-      doc = 'A waypoint is reached when the rover is this near.',
+      doc = 'The rover stops at the last waypoint, within this of it.',
     },
   },
 

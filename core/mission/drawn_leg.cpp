@@ -8,6 +8,7 @@
 
 #include "route/explain.h"
 #include "route/stance.h"
+#include "route/standing_things.h"
 
 namespace lsos {
 
@@ -96,11 +97,11 @@ class DrawnLeg {
   void find_obstacle(const MapFrame& frame, const Vec2& at_m, const Vec2& ahead, double along_m) {
     if (found_.occupied) return;
     const Footprint rover = moved(obstacles_.rover_at_rest, at_m, ahead);
-    for (const Obstacle& thing : obstacles_.standing) {
-      const Vec2 center_m = frame.at(thing.center_S_m);
-      const Vec2 along = frame.at(thing.center_S_m + thing.ahead_S) - center_m;
-      if (!overlap(rover, {center_m, along.normalized(), thing.half_m})) continue;
-      found_.occupied = {fmt::format("leads through '{}'", thing.id), along_m, frame.p_S_m(at_m)};
+    const StandingThings standing(obstacles_, frame);
+    for (std::size_t i = 0; i < standing.footprints().size(); ++i) {
+      if (!overlap(rover, standing.footprints()[i])) continue;
+      found_.occupied = {fmt::format("leads through '{}'", standing.id(i)), along_m,
+                         frame.p_S_m(at_m)};
       return;
     }
   }

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "mission/drawn_leg.h"
 #include "plan/field_reader.h"
 #include "route/ground_map.h"
+#include "route/standing_things.h"
+#include "route/turn_room.h"
 
 namespace lsos {
 
@@ -35,6 +38,15 @@ class DrawnRoute {
         cost_(routes.cost(settings_)) {}
 
   std::vector<Fault> look(const Path3& waypoints_S_m, const ExpectedPose& start) {
+    if (start.p_S_m && start.heading_rad && !waypoints_S_m.empty()) {
+      find_turn(*start.p_S_m, *start.heading_rad, waypoints_S_m);
+    }
+    const auto is_passed = [&](const Vec3& to_S_m) {
+      return RoverRoutes::is_passed(settings_, *start.p_S_m, to_S_m);
+    };
+    if (start.p_S_m && std::ranges::all_of(waypoints_S_m, is_passed)) {
+      warn("leads nowhere: the rover is expected to stand at its end already");
+    }
     std::optional<Vec3> before_S_m = start.p_S_m;
     for (std::size_t k = 0; k < waypoints_S_m.size(); ++k) {
       const Vec3& to_S_m = waypoints_S_m[k];
@@ -56,6 +68,25 @@ class DrawnRoute {
     std::optional<DrawnFinding> finding;
     std::size_t waypoint = 0;  // that the leg leads to, the first is 1
   };
+
+  // What keeps a rover that turns on the spot from turning to the first waypoint that it is not at.
+  void find_turn(const Vec3& from_S_m, double heading_rad, const Path3& waypoints_S_m) {
+    if (!cost_.can_turn_on_spot) return;
+    const MapFrame frame(ground_.site(), from_S_m);
+    for (std::size_t k = 0; k < waypoints_S_m.size(); ++k) {
+      const Vec2 to_m = frame.at(waypoints_S_m[k]);
+      if (RoverRoutes::is_passed(settings_, from_S_m, waypoints_S_m[k])) continue;
+      const Obstacles obstacles = routes_.obstacles_about(from_S_m, waypoints_S_m[k]);
+      const StandingThings standing(obstacles, frame);
+      const TurnRoom room = turn_room(obstacles.rover_at_rest, Vec2::Zero(),
+                                      std::numbers::pi / 2 - heading_rad, standing.footprints());
+      if (const auto thing = room.hindrance(std::atan2(to_m.y(), to_m.x()))) {
+        warn(fmt::format("there is no room to turn to waypoint {} beside '{}'", k + 1,
+                         standing.id(*thing)));
+      }
+      return;
+    }
+  }
 
   void look_along_leg(std::size_t waypoint, const Vec3& from_S_m, const Vec3& to_S_m) {
     const DrawnLegFindings leg =

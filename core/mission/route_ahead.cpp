@@ -88,7 +88,9 @@ class Ahead {
         go_to(goal_S_m);
         continue;
       }
-      const LegStart start{*place_S_m_, heading_rad_.value_or(0), is_at_rest};
+      const double heading_rad =
+          heading_rad_.value_or(heading_from_to_rad(ground_.site(), *place_S_m_, goal_S_m));
+      const LegStart start{*place_S_m_, heading_rad, is_at_rest};
       tell(fmt::format("{} '{}' to waypoint {}", event.rover_id, event.label, waypoint));
       PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
       tell("");

@@ -109,13 +109,6 @@ Footprint RoverAgent::footprint(double ahead_s) const {
                report_.yaw_rad + ahead_s * report_.yaw_rate_radps, Vec2::Zero());
 }
 
-Footprint RoverAgent::swept_footprint() const {
-  const Vec2 v_mps = report_.v_S_mps.head<2>();
-  const double braking_s = v_mps.norm() / (2 * vehicle_.config().acceleration_mps2);
-  return moved(footprint_at_rest_, report_.p_S_m.head<2>(), report_.yaw_rad,
-               (braking_s + seconds(exchange_period)) * v_mps);
-}
-
 void RoverAgent::control() {
   if (has_new_command_) {
     if (!command_.is_braking) is_parked_ = view_.is_parked = false;

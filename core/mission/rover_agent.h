@@ -54,10 +54,11 @@ class RoverAgent : public RoverPort {
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
 
-  // What it covers after so much more of its present motion, and stretched from where it is to
-  // where it could come to rest if it braked.
+  // What it covers after so much more of its present motion.
   Footprint footprint(double ahead_s = 0) const;
-  Footprint swept_footprint() const;
+  // What it covers, one after the other, before it could come to rest if it braked: on its line
+  // where it follows one, else straight on; while it turns on the spot, within a second.
+  std::vector<Footprint> footprints_ahead() const;
   // It would touch another: the drive ends.
   void end_drive_before(const std::string& other_id, double distance_m);
 

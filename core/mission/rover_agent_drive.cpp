@@ -24,6 +24,32 @@ FollowerPose pose_of(const VehicleReport& report) {
 
 }  // namespace
 
+std::vector<Footprint> RoverAgent::footprints_ahead() const {
+  constexpr double step_m = 0.25, turning_s = 1;
+  constexpr double turning_mps = 0.1;  // slower than this a rover that turns does so on the spot
+  const Vec2 p_m = report_.p_S_m.head<2>(), v_mps = report_.v_S_mps.head<2>();
+  const double braking_s =
+      v_mps.norm() / (2 * vehicle_.config().acceleration_mps2) + seconds(exchange_period);
+  const double braking_m = braking_s * v_mps.norm();
+  std::vector<Footprint> footprints;
+  if (v_mps.norm() < turning_mps) {
+    double turn_rad = turning_s * report_.yaw_rate_radps;
+    if (is_driving()) {
+      const double left_rad = follower_->turn_left_rad(report_.yaw_rad);
+      turn_rad = std::clamp(turn_rad, std::min(0.0, left_rad), std::max(0.0, left_rad));
+    }
+    footprints.push_back(moved(footprint_at_rest_, p_m, report_.yaw_rad + turn_rad));
+  }
+  if (is_driving()) {
+    for (const FollowerPose& pose : follower_->poses_ahead(pose_of(report_), braking_m, step_m)) {
+      footprints.push_back(moved(footprint_at_rest_, pose.p_S_m, pose.yaw_rad));
+    }
+  } else {
+    footprints.push_back(moved(footprint_at_rest_, p_m, report_.yaw_rad, braking_s * v_mps));
+  }
+  return footprints;
+}
+
 void RoverAgent::drive_on() {
   if (!is_driving()) return;
   find_hindrances();
@@ -45,6 +71,7 @@ void RoverAgent::count_slip() {
   motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
   motion.is_commanded = is_driving() && !command_.is_braking && motion.command_mps > 0;
   if (motion.is_commanded) motion.requested_mps = follower_->requested_mps();
+  motion.cruise_mps = vehicle_.config().cruise_speed_mps;
   motion.speed_mps = report_.speed_mps;
   motion.slip = report_.slip;
   motion.slip_max = report_.slip_max;

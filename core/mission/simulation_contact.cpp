@@ -1,6 +1,8 @@
 // Rovers that would touch each other, or an asset.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mission/simulation.h"
 
 namespace lsos {
@@ -25,20 +27,35 @@ void Simulation::find_things_in_each_other(Faults& faults) const {
   }
 }
 
+namespace {
+
+template <class Touches>
+bool any_of(const RoverAgent& rover, const Touches& touches) {
+  return std::ranges::any_of(rover.footprints_ahead(), touches);
+}
+
+// How far from where it is a rover may come before it rests, of its centre: 5 m/s need some 60 m.
+constexpr double near_m = 100;
+
+}  // namespace
+
 // Ends the drive of a rover that could not stop before another, or that would turn into it, by its
 // own motion. Those that move away may go.
 void Simulation::keep_apart() {
-  constexpr double turning_ahead_s = 1;
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
       RoverAgent &a = *rovers_[i].agent, &b = *rovers_[k].agent;
       if (a.is_parked() && b.is_parked()) continue;
-      if (!overlap(a.swept_footprint(), b.swept_footprint()) &&
-          !overlap(a.footprint(turning_ahead_s), b.footprint(turning_ahead_s))) {
-        continue;
-      }
       const Footprint of_a = a.footprint(), of_b = b.footprint();
       const double now_m = gap_m(of_a, of_b), apart_m = (of_b.center_S_m - of_a.center_S_m).norm();
+      if (now_m > 2 * near_m) continue;
+      const bool would_touch =
+          any_of(a, [&](const Footprint& a_then) { return overlap(a_then, of_b); }) ||
+          any_of(b, [&](const Footprint& b_then) {
+            return overlap(of_a, b_then) ||
+                   any_of(a, [&](const Footprint& a_then) { return overlap(a_then, b_then); });
+          });
+      if (!would_touch) continue;
       const double period_s = seconds(exchange_period);
       if (gap_m(a.footprint(period_s), of_b) < now_m) a.end_drive_before(b.id(), apart_m);
       if (gap_m(of_a, b.footprint(period_s)) < now_m) b.end_drive_before(a.id(), apart_m);
@@ -48,17 +65,13 @@ void Simulation::keep_apart() {
 
 // The same before assets, which stay where they are.
 void Simulation::keep_off_assets() {
-  constexpr double turning_ahead_s = 1;
-  constexpr double near_m = 100;  // a rover at 5 m/s stops within
   for (const Rover& rover : rovers_) {
     RoverAgent& agent = *rover.agent;
     if (agent.is_parked()) continue;
     for (const StandingAsset& asset : assets_) {
       const double apart_m = (agent.view().p_S_m - asset.pose.p_S_m).norm();
       if (apart_m > asset.shape.reach_m() + near_m) continue;
-      const bool is_ahead = gap_m(asset, agent.swept_footprint()) <= 0 ||
-                            gap_m(asset, agent.footprint(turning_ahead_s)) <= 0;
-      if (!is_ahead) continue;
+      if (!any_of(agent, [&](const Footprint& then) { return gap_m(asset, then) <= 0; })) continue;
       const double now_m = gap_m(asset, agent.footprint());
       if (gap_m(asset, agent.footprint(seconds(exchange_period))) < now_m) {
         agent.end_drive_before(asset.plan.id, apart_m);

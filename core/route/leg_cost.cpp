@@ -16,9 +16,13 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Longest step of the midpoint rule, in spacings: a diagonal is one. And of a closer look.
 constexpr double step_spacings = 1.5, close_spacings = 0.5;
-// A rover that follows a line may be so far beside it. Where it is farther from its limits than the
-// second the ground there is as good.
-constexpr double stray_m = 0.4, near_limit = StanceFinder::calm_share;
+// Where a rover is farther from its limits than this the ground within `stray_m` beside it is as
+// good.
+constexpr double near_limit = StanceFinder::calm_share;
+// From a start without room to turn the rover may drive so far along what stands beside it.
+constexpr double leaving_room_m = 25;
+// Before a corner the rover begins to turn, and its tail swings out.
+constexpr double corner_room_m = 2;
 // Nearer to a limit than this a metre of risk costs no more.
 constexpr double share_left_min = 0.05;
 
@@ -84,6 +88,7 @@ LegCosts LegCosts::over(GroundMap& map) const {
   costs.tight_ = tight_;
   costs.standing_ = standing_;
   costs.rover_at_rest_ = rover_at_rest_;
+  costs.turn_room_ = turn_room_;
   costs.leaving_ = leaving_;
   costs.leaving_limits_ = leaving_limits_;
   costs.is_rounding_ = is_rounding_;
@@ -112,9 +117,18 @@ bool LegCosts::is_occupied(const Vec2& at_m, const Vec2& ahead) const {
   const double off_m = rover.half_m.norm() + stray_m;
   const bool is_tight =
       std::ranges::any_of(tight_, [&](const Disc2& disc) { return disc.holds(at_m); });
+  const Vec2 from_start_m = at_m - (tight_.empty() ? at_m : tight_.front().center_m);
+  const bool is_at_start = is_tight && tight_.front().holds(at_m);
+  // A rover that has no room to turn drives on as it heads until it has.
+  const bool is_confined = !turn_room_.is_all_round() && from_start_m.norm() < leaving_room_m;
+  const bool leaves = is_at_start || is_confined;
+  const bool has_turned = !turn_room_.allows(std::atan2(ahead.y(), ahead.x()));
+  const double near_m = is_confined ? off_m + corner_room_m : off_m;
   return std::ranges::any_of(standing_, [&](const Footprint& thing) {
-    if (distance_m(thing, rover.center_S_m) >= off_m) return false;
-    return !is_tight || overlap(thing, rover);
+    if (distance_m(thing, rover.center_S_m) >= near_m) return false;
+    if (leaves && has_turned) return true;
+    if (!leaves && !is_tight) return true;
+    return gap_m(thing, rover) <= (is_at_start ? 0 : clearance_m);
   });
 }
 

@@ -10,6 +10,7 @@
 #include "base/footprint.h"
 #include "route/leg_request.h"
 #include "route/stance.h"
+#include "route/turn_room.h"
 
 namespace lsos {
 
@@ -64,12 +65,18 @@ class LegCosts {
   // it is to stand. Elsewhere it keeps off by as much as it may stray to either side.
   void set_tight(std::vector<Disc2> tight) { tight_ = std::move(tight); }
   // Things that stand on the map, and the ground that the rover covers (LegRequest::obstacles). A
-  // way keeps off them by half the rover's diagonal, so that it can turn; on tight ground it may
-  // come as near as the rover, heading along the way, does not touch them.
+  // route keeps off them by half the rover's diagonal, so that the rover can turn. On tight ground
+  // the rover, heading along the route, only keeps `clearance_m` off them, and on the first of the
+  // tight discs, where it stands, it need not touch them.
   void set_standing(std::vector<Footprint> standing, const Footprint& rover_at_rest) {
     standing_ = std::move(standing);
     rover_at_rest_ = rover_at_rest;
   }
+  static constexpr double clearance_m = 0.4;
+  // A rover that follows a line may be so far beside it.
+  static constexpr double stray_m = 0.4;
+  // How far the rover may turn on the spot where it stands; it sets off no other way.
+  void set_turn_room(const TurnRoom& room) { turn_room_ = room; }
   // Where the rover stands beyond a limit it may leave over ground that is no worse.
   void set_leaving(const Disc2& disc, const DriveLimits& limits) {
     leaving_ = disc;
@@ -153,6 +160,7 @@ class LegCosts {
   std::vector<Disc2> avoided_, tight_;
   std::vector<Footprint> standing_;
   Footprint rover_at_rest_;
+  TurnRoom turn_room_;
   Disc2 leaving_;  // nothing, without a radius
   DriveLimits leaving_limits_;
   bool is_rounding_ = false;

@@ -11,6 +11,7 @@
 #include "route/grid_search.h"
 #include "route/reach.h"
 #include "route/refine.h"
+#include "route/standing_things.h"
 #include "route/way_in_turns.h"
 
 namespace lsos {
@@ -45,16 +46,6 @@ Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
   return sample.is_ground() ? Vec3(p_S_m - sample.gap_m * sample.up_S) : p_S_m;
 }
 
-std::vector<Footprint> on_map(const Obstacles& obstacles, const MapFrame& frame) {
-  std::vector<Footprint> footprints;
-  for (const Obstacle& obstacle : obstacles.standing) {
-    const Vec2 center_m = frame.at(obstacle.center_S_m);
-    const Vec2 ahead = frame.at(obstacle.center_S_m + obstacle.ahead_S) - center_m;
-    footprints.push_back({center_m, ahead.normalized(), obstacle.half_m});
-  }
-  return footprints;
-}
-
 class LegPlanner {
  public:
   LegPlanner(const Ground& ground, const DriveCost& cost, const LegRequest& request)
@@ -65,11 +56,16 @@ class LegPlanner {
         spacing_m_(map_spacing_m(cost)),
         radius_m_(turning_margin * cost.turning_radius_min_m),
         goal_m_(frame_.at(request.goal_S_m)),
+        standing_(request.obstacles, frame_),
         probe_(ground) {
     for (const AvoidedDisc& disc : request.avoided) {
       avoided_.push_back(passable({frame_.at(disc.center_S_m), disc.radius_m}));
     }
-    standing_ = on_map(request.obstacles, frame_);
+    if (cost.can_turn_on_spot) {
+      turn_room_ =
+          turn_room(request.obstacles.rover_at_rest, Vec2::Zero(),
+                    std::numbers::pi / 2 - request.start_heading_rad, standing_.footprints());
+    }
   }
 
   PlannedLeg run() {
@@ -138,7 +134,7 @@ class LegPlanner {
     Reach reach;
     std::optional<Vec2> passed_m;
     std::string at_goal = fault_to_stop_at(map, finder_, goal_m_);
-    if (at_goal.empty()) at_goal = occupied(goal_m_);
+    if (at_goal.empty()) at_goal = standing_.fault_at(goal_m_);
     const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
     for (int k = 0; k < looks; ++k) {
       passed_m.reset();
@@ -146,7 +142,8 @@ class LegPlanner {
       LegCosts costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       costs.set_leaving(leaving_, leaving_limits_);
-      costs.set_standing(standing_, request_.obstacles.rover_at_rest);
+      costs.set_standing(standing_.footprints(), request_.obstacles.rover_at_rest);
+      costs.set_turn_room(turn_room_);
       // Cheap beside the search, which would look at all that can be reached before it gave up.
       reach = look_for_reach(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
@@ -161,6 +158,13 @@ class LegPlanner {
         passed_m = passed_m.value_or(at_m);
         avoided_.push_back({at_m, step_m()});
       }
+      if (!passed_m && finder_.cost().can_turn_on_spot) {
+        if (const auto thing = blocked_turn(corners(way->line))) {
+          return refuse(map,
+                        fmt::format("there is no room to turn beside '{}'", standing_.id(*thing)),
+                        nearest_m);
+        }
+      }
       if (!passed_m) {
         tell(map, costs, *way);
         return true;
@@ -173,28 +177,27 @@ class LegPlanner {
     if (passed_m) {
       const Stance there = best_stance(map, finder_, *passed_m);
       const Hazard found = hazard(there, finder_.cost());
-      return refuse(
-          map,
-          fmt::format("of {} ways looked at each passes a limit somewhere, the last {}", looks,
-                      found == Hazard::none ? "where the ground is rough"
-                                            : say(found, there, finder_.cost())),
-          *passed_m);
+      std::string where =
+          found == Hazard::none ? "where the ground is rough" : say(found, there, finder_.cost());
+      const auto thing = standing_.near(*passed_m, LegCosts::stray_m);
+      if (thing && found == Hazard::none) where = fmt::format("beside '{}'", standing_.id(*thing));
+      return refuse(map,
+                    fmt::format("of {} ways looked at each passes a limit somewhere, the last {}",
+                                looks, where),
+                    *passed_m);
     }
     return refuse(map, why_cut_off(map, reach), nearest_m);
   }
 
-  // "where 'Hab' stands": however the rover stood at that place it would touch it; else "".
-  std::string occupied(const Vec2& at_m) const {
-    constexpr int directions = 16;
-    for (std::size_t i = 0; i < standing_.size(); ++i) {
-      bool is_free = false;
-      for (int k = 0; k < directions && !is_free; ++k) {
-        const double yaw_rad = 2 * std::numbers::pi * k / directions;
-        is_free = !overlap(standing_[i], moved(request_.obstacles.rover_at_rest, at_m, yaw_rad));
-      }
-      if (!is_free) return fmt::format("where '{}' stands", request_.obstacles.standing[i].id);
+  // What a rover that turns on the spot would touch at one of a route's corners.
+  std::optional<std::size_t> blocked_turn(const Line2& route_m) const {
+    for (std::size_t k = 1; k + 1 < route_m.size(); ++k) {
+      const Vec2 in_m = route_m[k] - route_m[k - 1], out_m = route_m[k + 1] - route_m[k];
+      const TurnRoom room = turn_room(request_.obstacles.rover_at_rest, route_m[k],
+                                      std::atan2(in_m.y(), in_m.x()), standing_.footprints());
+      if (const auto thing = room.hindrance(std::atan2(out_m.y(), out_m.x()))) return thing;
     }
-    return "";
+    return {};
   }
 
   std::string why_cut_off(GroundMap& map, const Reach& reach) const {
@@ -202,6 +205,10 @@ class LegPlanner {
     if (reach.answer == Reach::Answer::start_closed) {
       const std::string at_start = fault_at(map, finder_, Vec2::Zero());
       if (!at_start.empty()) return fmt::format("no way leads on from the start, {}", at_start);
+      const double goal_yaw_rad = std::atan2(goal_m_.y(), goal_m_.x());
+      if (const auto thing = turn_room_.hindrance(goal_yaw_rad)) {
+        return fmt::format("there is no room to turn beside '{}'", standing_.id(*thing));
+      }
     }
     const Vec2 left_m = goal_m_ - reach.nearest_m;
     const double off_m = left_m.norm();
@@ -209,15 +216,18 @@ class LegPlanner {
     std::string beyond = fault_at(map, finder_, on_m);
     if (beyond.empty()) beyond = fault_ahead(map, finder_, on_m, ahead);
     if (beyond.empty()) beyond = "cut off";
+    beyond = "ahead the ground is " + beyond;
+    if (const auto thing = standing_.near(on_m, LegCosts::stray_m + 2 * spacing_m_)) {
+      beyond = fmt::format("'{}' stands in the way", standing_.id(*thing));
+    }
     const std::string told = fmt::format("{:.{}f}", off_m, off_m < 10 ? 1 : 0);
     if (reach.answer == Reach::Answer::given_up) {
       return fmt::format(
           "no way was found among {:.1f} million places; the nearest that was "
-          "reached is {:.0f} m from the goal, ahead the ground is {}",
+          "reached is {:.0f} m from the goal, {}",
           static_cast<double>(reach.looked_at) / 1e6, off_m, beyond);
     }
-    return fmt::format("no way comes nearer to the goal than {} m; ahead the ground is {}", told,
-                       beyond);
+    return fmt::format("no way comes nearer to the goal than {} m; {}", told, beyond);
   }
 
   // A rover that stands where it should not shall leave: over ground that is no worse.
@@ -337,7 +347,8 @@ class LegPlanner {
   double spacing_m_, radius_m_;
   Vec2 goal_m_;
   std::vector<Disc2> avoided_;
-  std::vector<Footprint> standing_;  // as the request's obstacles
+  StandingThings standing_;
+  TurnRoom turn_room_;
   Disc2 leaving_;
   DriveLimits leaving_limits_;
   bool turns_too_wide_ = false, are_turns_at_border_ = false;
@@ -363,7 +374,7 @@ bool is_free(const Ground& ground, const DriveCost& cost, const Obstacles& obsta
   GroundMap map(ground, frame, to_m.cwiseMin(0) - aside_m, to_m.cwiseMax(0) + aside_m,
                 map_spacing_m(cost));
   LegCosts costs(map, finder, RouteAim::risk);
-  costs.set_standing(on_map(obstacles, frame), obstacles.rover_at_rest);
+  costs.set_standing(StandingThings(obstacles, frame).footprints(), obstacles.rover_at_rest);
   return costs.is_free(Vec2::Zero(), to_m);
 }
 

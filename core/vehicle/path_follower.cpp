@@ -279,6 +279,36 @@ double PathFollower::share() const {
   return 1 - remaining_m_ / (line_.back().begin_m + line_.back().length_m);
 }
 
+double PathFollower::turn_left_rad(double yaw_rad) const {
+  if (line_.empty() || !is_turning_) return 0;
+  const Vec2& along_S = line_[leg_].along_S;
+  return wrapped_rad(std::atan2(along_S.y(), along_S.x()) - yaw_rad);
+}
+
+std::vector<FollowerPose> PathFollower::poses_ahead(const FollowerPose& pose, double length_m,
+                                                    double step_m) const {
+  std::vector<FollowerPose> poses;
+  if (line_.empty() || is_turning_ || is_stopping_) return poses;
+  std::size_t leg = leg_;
+  double along_m = std::max(0.0, line_[leg].along_S.dot(pose.p_S_m - line_[leg].from_S_m));
+  const Vec2 off_m = pose.p_S_m - (line_[leg].from_S_m + along_m * line_[leg].along_S);
+  for (double gone_m = step_m; gone_m < length_m + step_m; gone_m += step_m) {
+    along_m += std::min(step_m, length_m - (gone_m - step_m));
+    while (along_m > line_[leg].length_m) {
+      if (line_[leg].ends_in_stop || leg + 1 == line_.size()) return poses;
+      along_m -= line_[leg].length_m;
+      ++leg;
+    }
+    const double off_share = std::max(0.0, 1 - gone_m / (2 * limits_.lookahead_min_m));
+    FollowerPose next;
+    next.p_S_m = line_[leg].from_S_m + along_m * line_[leg].along_S + off_share * off_m;
+    next.yaw_rad = limits_.is_crabbing ? heading_rad_
+                                       : std::atan2(line_[leg].along_S.y(), line_[leg].along_S.x());
+    poses.push_back(next);
+  }
+  return poses;
+}
+
 // Arcs cut corners by some centimetres: what is left along the line is a little less than what is
 // left from waypoint to waypoint.
 std::size_t PathFollower::next_waypoint() const {

@@ -64,6 +64,12 @@ class PathFollower {
   std::size_t next_waypoint() const;
   double remaining_m() const { return remaining_m_; }
   double requested_mps() const { return limits_.speed_mps; }
+  // How far it has to turn yet, counter-clockwise, while it turns on the spot; else 0.
+  double turn_left_rad(double yaw_rad) const;
+  // Where a rover at `pose` will be on so much of the line that comes next, each `step_m`; its
+  // distance to the line decays over the lookahead. Ends where the rover comes to rest before.
+  std::vector<FollowerPose> poses_ahead(const FollowerPose& pose, double length_m,
+                                        double step_m) const;
   // How much of the line lies behind, 0..1.
   double share() const;
 
