@@ -22,6 +22,9 @@ end
 -- A level that is the battery's own may be rounded.
 local rounding = 1 + 1e-9
 
+-- A battery that holds this share takes nothing more.
+local full = 1 - 1e-6
+
 -- What is wrong with the level, once the battery is known.
 local function level_fault(p, rover)
   local capacity_j = rover.battery_capacity_j
@@ -29,6 +32,15 @@ local function level_fault(p, rover)
   if wanted_j and wanted_j > capacity_j * rounding then
     return ("EnergyLevel = '%s': the battery of %s holds %g kWh")
       :format(p.energy_level, rover.type, capacity_j / joules.kWh)
+  end
+end
+
+-- A level that was meant as a share, as charges are.
+local function as_share(p)
+  local number, unit = parts(p.energy_level or '')
+  if number and number > 0 and number <= 1 and unit == '' then
+    return ("EnergyLevel = '%s': is %g kWh; did you mean '%g%%'?"):format(p.energy_level, number,
+      100 * number)
   end
 end
 
@@ -68,7 +80,7 @@ local function check(p, rover)
   if not rover.battery_capacity_j then return rover.type .. ' has no battery' end
   local fault = p.energy_level and level_fault(p, rover)
   if fault then return fault end
-  return nil, vain(p, rover)
+  return nil, as_share(p) or vain(p, rover)
 end
 
 local function start(ev, rover)
@@ -81,9 +93,23 @@ local function start(ev, rover)
       return lsos.fail("EnergyLevel = '%s': the battery holds %g kWh", p.energy_level,
         battery.capacity_j / joules.kWh)
     end
+    if wanted_j < battery.energy_j - 1 then
+      ev:warn("EnergyLevel = '%s' lowers what the battery holds from %.4g to %.4g kWh",
+        p.energy_level, battery.energy_j / joules.kWh, wanted_j / joules.kWh)
+    end
     battery:set_energy(wanted_j)
   end
   if not (p.duration_s or p.until_charge) then return lsos.done end
+  if p.until_charge and battery.charge >= p.until_charge then
+    ev:warn('charge is %.4g already, UntilCharge is %.4g: nothing was done', battery.charge,
+      p.until_charge)
+    return lsos.done
+  end
+  local waits_for_sun = p.until_charge and not (p.energy_rate_w or p.from or p.duration_s)
+  if waits_for_sun and not rover.panels.is_any_up then
+    return lsos.fail('no panel is up, and UntilCharge without EnergyRate or From waits for the Sun')
+  end
+  ev.state.external_j = battery.external_j
   if p.from then
     local is_plugged, why = battery:plug_into(p.from, p.energy_rate_w)
     if not is_plugged then return lsos.fail('%s', why) end
@@ -101,7 +127,14 @@ local function charge(ev, rover)
     return lsos.fail('Duration is over, charge is %.4g, UntilCharge is %.4g', battery.charge,
       p.until_charge)
   end
-  if left_s <= 0 then return lsos.done end
+  if left_s <= 0 then
+    local wants_power = p.from or (p.energy_rate_w or 0) > 0
+    if wants_power and battery.charge < full and battery.external_j <= ev.state.external_j then
+      return lsos.fail('Duration is over and no power came from %s',
+        p.from and ("'%s'"):format(p.from) or 'outside')
+    end
+    return lsos.done
+  end
   if p.until_charge then battery:await_charge(p.until_charge) end
   return lsos.sleep(math.min(left_s, 86400))
 end

@@ -8,13 +8,24 @@ local moved_share, moved_least_m = 0.2, 5
 -- No route leads to the place of an asset itself: then one to where it is near enough will do.
 local near_share = 0.9
 
+-- Bodies are in each other's way before their reference points are so near.
+local function check(p, rover)
+  if rover and p.distance_m < rover.length_m then
+    return nil, ('Distance = %g m: %s is %.1f m long, and comes no nearer than bodies allow')
+      :format(p.distance_m, rover.type, rover.length_m)
+  end
+end
+
 local function plan(ev, rover, target)
   local options = { speed_mps = ev.params.speed_mps, arrival_radius_m = ev.params.distance_m }
   local way, reason = rover:plan_path(target, options)
   if way then return way end
   local back = rover.position - target
   local near = target + back * (near_share * ev.params.distance_m / back:length())
-  return rover:plan_path(near, options), reason
+  local near_way, near_reason = rover:plan_path(near, options)
+  if near_way then return near_way end
+  if near_reason == reason then return nil, reason end
+  return nil, ('%s; nor to within %g m of it: %s'):format(reason, ev.params.distance_m, near_reason)
 end
 
 local function aim(ev, rover, target)
@@ -77,6 +88,7 @@ return lsos.event {
   },
 
   open_ended = true,
+  check      = check,
   start      = 'chase',
   phases     = { chase = chase },
 

@@ -34,7 +34,10 @@ local function is_out_of_sight(p, panel)
 end
 
 local function check(p, rover)
-  if p.mode == 'track' then return nil end
+  if p.mode == 'track' then
+    if not (p.azimuth_rad or p.elevation_rad) then return nil end
+    return nil, 'Azimuth and Elevation are not used: Mode = track follows the Sun'
+  end
   if not (p.azimuth_rad and p.elevation_rad) then
     return ('Mode = %s wants both Azimuth and Elevation'):format(p.mode)
   end
@@ -104,6 +107,8 @@ return lsos.event {
       doc = 'Above the horizon (point) or the deck (fixed).',
     },
   },
+
+  open_ended = false,
 
   check  = check,
   start  = 'start',

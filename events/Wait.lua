@@ -5,8 +5,8 @@ local lsos = require 'lsos'
 local function wait(ev, rover)
   rover:brake()
   local left_s = ev.params.until_s - ev.time_s
-  if left_s < 0 and ev.phase_elapsed_s == 0 then
-    ev:warn('Until was over %.0f s before its turn came', -left_s)
+  if left_s < -0.1 and ev.phase_elapsed_s == 0 then
+    ev:warn('Until was over %.4g s before its turn came', -left_s)
   end
   if left_s <= 0 then return lsos.done end
   return lsos.sleep_until(ev.params.until_s)

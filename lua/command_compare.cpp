@@ -14,13 +14,13 @@ namespace lsos {
 
 namespace {
 
-// The text of DIR/summary.json.
-std::string finished_summary(const std::string& folder) {
+// The text of DIR/summary.json. `advice`: what the message ends in where there is none.
+std::string finished_summary(const std::string& folder, const char* advice = "") {
   std::string summary = read_file(folder + "/summary.json").value_or("");
   if (is_summary(summary)) return summary;
-  throw InputError({folder},
-                   "holds no finished run (there is no summary.json of lsos-host); compare --exact "
-                   "compares the logs of unfinished ones too");
+  throw InputError(
+      {folder},
+      fmt::format("holds no finished run (there is no summary.json of lsos-host){}", advice));
 }
 
 }  // namespace
@@ -33,7 +33,8 @@ int compare_command(const CompareOptions& options) {
     return found.difference ? 1 : 0;
   }
   const auto compared = [&](std::size_t k, const LogReader& log) {
-    return ComparedRun{finished_summary(options.folders[k]), log.run(), log.sha256()};
+    const char* advice = "; compare --exact compares the logs of unfinished ones too";
+    return ComparedRun{finished_summary(options.folders[k], advice), log.run(), log.sha256()};
   };
   const Comparison found = compare(compared(0, a), compared(1, b));
   print_result("{}", options.is_json ? to_json(found) : to_text(found, options.folders));

@@ -30,18 +30,24 @@ void check(const RigOptions& options, Faults& faults) {
     if (!is_good) faults.error({}, fmt::format("{} {}: must be {}", option, value, allowed));
   };
   const auto above = [](double value) { return std::isfinite(value) && value > 0; };
-  need("--radius", options.radius_m, above(options.radius_m), "above 0 m");
-  need("--width", options.width_m, above(options.width_m), "above 0 m");
+  const auto within = [](double value, double most) { return value > 0 && value <= most; };
+  // As the wheels of rover scripts may be.
+  need("--radius", options.radius_m, within(options.radius_m, 10), "above 0, at most 10 m");
+  need("--width", options.width_m, within(options.width_m, 10), "above 0, at most 10 m");
   need("--load", options.load_n, above(options.load_n), "above 0 N");
   if (options.stiffness_npm) {
-    need("--stiffness", *options.stiffness_npm, above(*options.stiffness_npm), "above 0 N/m");
+    need("--stiffness", *options.stiffness_npm,
+         *options.stiffness_npm * options.radius_m >= options.load_n &&
+             std::isfinite(*options.stiffness_npm),
+         "so great that the load does not flatten the wheel by its radius");
   }
-  need("--gravity", options.gravity_mps2, above(options.gravity_mps2), "above 0 m/s2");
+  need("--gravity", options.gravity_mps2, within(options.gravity_mps2, 1000),
+       "above 0, at most 1000 m/s2");
   const double h_m = options.grouser_height_m;
   need("--grouser-height", h_m, h_m >= 0 && h_m < options.radius_m, "0 to the wheel's radius");
   need("--grouser-count", options.grouser_count,
-       options.grouser_count > 0 || (h_m == 0 && options.grouser_count == 0),
-       "above 0 when there is a --grouser-height");
+       (h_m > 0) == (options.grouser_count > 0) && options.grouser_count <= 1000,
+       "1..1000 where there is a --grouser-height, and only there");
   need("--interface-friction", options.interface_friction_ratio,
        options.interface_friction_ratio > 0 && options.interface_friction_ratio <= 1,
        "above 0, at most 1");

@@ -12,6 +12,7 @@
 #include "lua/mission_files.h"
 #include "lua/planning_watch.h"
 #include "lua/progress.h"
+#include "lua/qgis_run.h"
 #include "lua/report_run.h"
 #include "lua/run_record.h"
 #include "plan/kml_text.h"
@@ -91,6 +92,9 @@ int run_command(const RunOptions& options) {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   std::vector<Product> products;
   if (options.has_report) {
+    products.push_back({"mission.qgz", "report", [&](const RunSummary&) {
+                          write_qgis_project(folder.path(), files, simulation.ground());
+                        }});
     products.push_back({"report.html", "report", [&](const RunSummary& came_to) {
                           // Who stops a run does not want to wait for pictures.
                           const ReportWish wish{{}, stopped_by == 0, std::max(2, options.threads)};

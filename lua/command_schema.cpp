@@ -1,8 +1,9 @@
 // `lsos-host schema`: what a plan can hold, as KML: <Schema> elements for a map's forms, and a plan
-// with one Placemark of each.
+// with one Placemark of each; or as the empty layers of a GeoPackage with forms for QGIS.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -10,8 +11,11 @@
 #include "lua/commands.h"
 #include "lua/console.h"
 #include "lua/mission_files.h"
+#include "lua/output_file.h"
 #include "plan/field_reader.h"
 #include "plan/kml_writer.h"
+#include "plan/layer_writer.h"
+#include "product/files.h"
 
 namespace lsos {
 
@@ -21,6 +25,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr const char* rover_id = "A";
+// What any plan has, beside its events.
+constexpr std::array<std::string_view, 3> always{"MissionInfo", "Rover", "Asset"};
 constexpr const char* asset_id = "Base";
 
 std::string kml_type(FieldKind kind) {
@@ -77,9 +83,10 @@ std::string example(const FieldDeclaration& field) {
 }
 
 struct Kind {
-  std::string name;
+  std::string name, doc;
   std::vector<FieldDeclaration> fields;
-  KmlGeometry geometry;
+  KmlGeometry geometry;  // an example
+  bool is_event = false;
 };
 
 KmlGeometry example_geometry(const EventDeclaration& event) {
@@ -92,6 +99,74 @@ KmlGeometry example_geometry(const EventDeclaration& event) {
   if (takes(GeometryKind::line)) return {KmlGeometryKind::line, {corners[0], corners[1]}};
   if (takes(GeometryKind::point)) return {KmlGeometryKind::point, {corners[1]}};
   return {KmlGeometryKind::polygon, corners};
+}
+
+std::vector<Kind> kinds_of(const Catalog& catalog, const std::vector<std::string>& names) {
+  const auto point = [](double lon_deg) {
+    return KmlGeometry{KmlGeometryKind::point, {geodetic_from_degrees(lon_deg, 0)}};
+  };
+  std::vector<Kind> kinds{
+      {"MissionInfo", "The mission as a whole: one of these", mission_fields(), {}},
+      {"Rover", "Rovers, where they start", rover_fields(), point(0)},
+      {"Asset", "Habitats, comm stations and solar arrays", asset_fields(), point(-0.001)}};
+  for (const auto& [name, event] : catalog.declarations().events) {
+    if (!names.empty() && std::ranges::find(names, name) == names.end()) continue;
+    Kind kind{name, event.doc, event_identity_fields(), example_geometry(event), true};
+    kind.fields.insert(kind.fields.end(), event.fields.begin(), event.fields.end());
+    const auto& common = common_event_fields();
+    kind.fields.insert(kind.fields.end(), common.begin(), common.end());
+    kinds.push_back(std::move(kind));
+  }
+  return kinds;
+}
+
+// What forms offer to choose from.
+std::vector<std::string> choices_of(const FieldDeclaration& field, const Catalog& catalog) {
+  const bool is_asset = field.name == "AssetType";
+  if (field.name != "RoverType" && !is_asset) return field.choices;
+  std::vector<std::string> types;
+  for (const auto& [name, type] : catalog.declarations().rover_types) {
+    if (type.is_asset == is_asset) types.push_back(name);
+  }
+  return types;
+}
+
+// What a new feature has: what it must have, and what is filled in where a plan says nothing.
+std::string initial_value(const FieldDeclaration& field, std::string_view planet) {
+  if (field.name == "Planet") return std::string(planet);
+  if (field.kind == FieldKind::boolean && field.default_value) {
+    return std::get<bool>(*field.default_value) ? "1" : "0";
+  }
+  if (field.default_value) return format_value(field, *field.default_value);
+  const bool is_an_id =
+      field.name == "RoverId" || field.name == "AssetId" || field.name == "Sequence";
+  const std::string shown = is_an_id ? "" : example(field);
+  return field.is_required && shown != "?" ? shown : "";
+}
+
+// A line is drawn where a point would do as well; what needs no place may have a point.
+GeometryKind form_geometry(const Kind& kind, const Catalog& catalog) {
+  if (kind.name == "MissionInfo") return GeometryKind::none;
+  if (!kind.is_event) return GeometryKind::point;
+  const auto& kinds = catalog.declarations().events.at(kind.name).geometries;
+  for (const GeometryKind each : {GeometryKind::polygon, GeometryKind::line, GeometryKind::point}) {
+    if (std::ranges::find(kinds, each) != kinds.end()) return each;
+  }
+  return GeometryKind::none;
+}
+
+std::vector<FormLayer> form_layers(const std::vector<Kind>& kinds, const Catalog& catalog,
+                                   std::string_view planet) {
+  std::vector<FormLayer> layers;
+  for (const Kind& kind : kinds) {
+    FormLayer layer{
+        kind.name, kind.doc, form_geometry(kind, catalog), {}, kind.name == "MissionInfo"};
+    for (const FieldDeclaration& field : kind.fields) {
+      layer.fields.push_back({field, initial_value(field, planet), choices_of(field, catalog)});
+    }
+    layers.push_back(std::move(layer));
+  }
+  return layers;
 }
 
 void add(KmlDocument& document, const Kind& kind, int number) {
@@ -132,40 +207,44 @@ Json kinds_json(const KmlDocument& document) {
 
 }  // namespace
 
-int schema_command(const std::vector<std::string>& names, bool is_json) {
+int schema_command(const SchemaOptions& options) {
+  const std::vector<std::string>& names = options.names;
   const std::shared_ptr<const Catalog> catalog = read_catalog("");
   const auto& events = catalog->declarations().events;
   std::vector<std::string> known;
   for (const auto& [name, event] : events) known.push_back(name);
   Faults faults;
+  for (const std::string_view name : always) known.emplace_back(name);
   for (const std::string& name : names) {
-    if (events.contains(name)) continue;
+    if (events.contains(name) || std::ranges::find(always, name) != always.end()) continue;
     if (const auto broken = catalog->faults_of(ScriptKind::event, name); !broken.empty()) {
       faults.add(broken);
       continue;
     }
     faults.error({}, fmt::format("there is no event '{}'{}", name, did_you_mean(name, known)));
   }
+  if (!options.file.empty()) check_output("-o", options.file, {".kml", ".gpkg"}, {}, faults);
+  const Body* planet = find_body(options.planet);
+  if (planet == nullptr) {
+    faults.error({}, fmt::format("--planet {}: there are Moon, Mars, Earth", options.planet));
+  }
   faults.throw_if_errors();
 
+  const std::vector<Kind> kinds = kinds_of(*catalog, names);
+  if (options.file.ends_with(".gpkg")) {
+    write_form_layers(options.file, *planet, form_layers(kinds, *catalog, planet->name));
+    print_result("{}: {} layers; open it in QGIS, draw, fill in the forms, and run it as a plan\n",
+                 options.file, kinds.size());
+    return 0;
+  }
   KmlDocument document;
   document.name = "lsos-host plan";
   document.description = "One Placemark of each kind: copy, move and fill in what you need.";
-  add(document, {"MissionInfo", mission_fields(), {}}, 0);
-  add(document, {"Rover", rover_fields(), {KmlGeometryKind::point, {geodetic_from_degrees(0, 0)}}},
-      0);
-  add(document,
-      {"Asset", asset_fields(), {KmlGeometryKind::point, {geodetic_from_degrees(-0.001, 0)}}}, 0);
   int number = 0;
-  for (const auto& [name, event] : events) {
-    if (!names.empty() && std::ranges::find(names, name) == names.end()) continue;
-    Kind kind{name, event_identity_fields(), example_geometry(event)};
-    kind.fields.insert(kind.fields.end(), event.fields.begin(), event.fields.end());
-    const auto& common = common_event_fields();
-    kind.fields.insert(kind.fields.end(), common.begin(), common.end());
-    add(document, kind, number += 10);
-  }
-  if (is_json) {
+  for (const Kind& kind : kinds) add(document, kind, kind.is_event ? number += 10 : 0);
+  if (!options.file.empty()) {
+    write_file(options.file, write_kml(document));
+  } else if (options.is_json) {
     print_result("{}\n", kinds_json(document).dump(2));
   } else {
     print_result("{}", write_kml(document));

@@ -54,7 +54,13 @@ int repl_command(const std::string& plan_file);
 
 // KML <Schema> elements, and a plan with one Placemark each, of these events or of all.
 // As KML; or the names, types, docs and examples of the fields as JSON.
-int schema_command(const std::vector<std::string>& names, bool is_json);
+struct SchemaOptions {
+  std::vector<std::string> names;  // events; none: all
+  bool is_json = false;
+  std::string file;             // .kml or .gpkg; "": KML on standard output
+  std::string planet = "Moon";  // of a GeoPackage
+};
+int schema_command(const SchemaOptions& options);
 // A skeleton in events/, and a scenario in tests/scenarios/.
 // Says in JSON or for people which files it wrote.
 int new_event_command(const std::string& name, bool is_json);

@@ -92,6 +92,7 @@ void read_duration(TableReader& t, FieldDeclaration& field) {
                         field.unit->symbol));
   }
   if (!field.min_si) field.min_si = 0;
+  if (!field.max_si) field.max_si = longest_duration_s;
   read_required(t, field);
 }
 

@@ -19,6 +19,13 @@ SimTime step_of(SimTime time, int pictures) {
   return std::max(exchange_period, round_up_to_exchange(time / pictures));
 }
 
+// A film of a whole run shows its end.
+void add_end(std::vector<FilmTime>& times, SimTime end) {
+  if (times.empty() || times.back().time >= end) return;
+  times.push_back(times.back());
+  times.back().time = end;
+}
+
 double rate_of(SimTime step) { return seconds(step) * film_pictures_a_second; }
 
 }  // namespace
@@ -60,6 +67,7 @@ std::vector<FilmTime> film_times(const DriveTimes& drives, SimTime end) {
     time += step;
     if (is_quiet && drive != drives.end()) time = std::min(time, drive->first);
   }
+  add_end(times, end);
   return times;
 }
 
@@ -78,6 +86,7 @@ std::vector<FilmTime> film_times(const std::string& every, SimTime end) {
   const SimTime step = from_seconds(*step_s.value);
   std::vector<FilmTime> times;
   for (SimTime time{}; time <= end; time += step) times.push_back({time, rate_of(step), false});
+  add_end(times, end);
   return times;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/output_error.h"
+#include "base/units.h"
 #include "lua/commands.h"
 #include "lua/console.h"
 #include "lua/version.h"
@@ -47,6 +48,14 @@ void insert_run(std::vector<std::string>& arguments) {
 }
 
 // How an instrument prints its answer.
+// What a plan's Seed may be: the library would take -1 for the greatest number.
+std::string seed_fault(const std::string& text) {
+  const lsos::Parsed<std::int64_t> seed = lsos::parse_integer(text);
+  if (seed && *seed.value >= 0) return "";
+  return "a whole number from 0 to 9223372036854775807 is wanted, found " + text;
+}
+const CLI::Validator is_seed(seed_fault, "0..9223372036854775807");
+
 void add_style(CLI::App& command, lsos::AnswerStyle& style) {
   command.add_flag_callback(
       "--json", [&] { style = lsos::AnswerStyle::json; }, "JSON, as in a file or a pipe");
@@ -71,7 +80,7 @@ void add_ground(CLI::App& command, lsos::TerrainOptions& terrain) {
   command.add_option("--site", terrain.site,
                      "LON,LAT where x, y and generated ground begin (the first --at, --from, or "
                      "the window's centre)");
-  command.add_option("--seed", terrain.seed, "Of generated ground (0)");
+  command.add_option("--seed", terrain.seed, "Of generated ground (0)")->check(is_seed);
   command.add_option("--window", terrain.window,
                      "LON0,LAT0,LON1,LAT1 of the map (all of the finest raster)");
   command.add_option("--resolution", terrain.resolution_m,
@@ -204,14 +213,14 @@ int run_program(std::vector<std::string> arguments) {
   run_command->add_flag("--watch", is_watched, "Run again whenever the plan or a script changes");
   run_command->add_option("--threads", run.threads, "Threads that step rovers")
       ->check(CLI::Range(1, 256));
-  run_command->add_option("--seed", run.seed, "Instead of the plan's Seed");
+  run_command->add_option("--seed", run.seed, "Instead of the plan's Seed")->check(is_seed);
   run_command->add_flag("--save-every-exchange", run.save_every_exchange,
                         "Write all state out and read it back every 0.1 s (a test of resuming)");
 
   lsos::CheckOptions check;
   CLI::App* check_command = app.add_subcommand("check", "Read and check a plan");
   check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
-  check_command->add_option("--seed", check.seed, "Instead of the plan's Seed");
+  check_command->add_option("--seed", check.seed, "Instead of the plan's Seed")->check(is_seed);
   check_command->add_flag("--json", check.is_json, "The answer as JSON");
   check_command->add_flag("--verbose", check.is_verbose, "Each default and assumption");
   check_command->add_flag("--quiet", check.is_quiet, "No progress");
@@ -248,10 +257,14 @@ int run_program(std::vector<std::string> arguments) {
       app.add_subcommand("repl", "A prompt with a simulation in hand; piped input is a script");
   repl_command->add_option("PLAN", repl_plan, "A KML or KMZ plan");
 
-  std::vector<std::string> schemas;
+  lsos::SchemaOptions schema;
   CLI::App* schema_command = app.add_subcommand(
       "schema", "KML <Schema> elements of events, and a plan with one Placemark of each");
-  schema_command->add_option("NAME", schemas, "Events (all)");
+  schema_command->add_option("NAME", schema.names, "Events (all)");
+  schema_command->add_option("-o,--output", schema.file,
+                             "X.kml, or X.gpkg: empty layers with forms, to draw a plan in QGIS");
+  schema_command->add_option("--planet", schema.planet,
+                             "Of the layers: Moon, Mars or Earth (Moon)");
   schema_command->add_flag("--json", is_json, "The fields of each as JSON, in place of KML");
 
   std::string new_what, new_name;
@@ -346,7 +359,10 @@ int run_program(std::vector<std::string> arguments) {
   if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);
   if (repl_command->parsed()) return lsos::repl_command(repl_plan);
-  if (schema_command->parsed()) return lsos::schema_command(schemas, is_json);
+  if (schema_command->parsed()) {
+    schema.is_json = is_json;
+    return lsos::schema_command(schema);
+  }
   if (new_command->parsed()) return lsos::new_event_command(new_name, is_json);
   if (test_command->parsed()) return lsos::test_command(test);
   if (list_command->parsed()) return lsos::list_command(list);

@@ -10,6 +10,7 @@
 
 #include "lua/condition.h"
 #include "lua/host.h"
+#include "lua/plan_table.h"
 #include "lua/script_folders.h"
 #include "lua/script_use.h"
 #include "lua/version.h"
@@ -19,6 +20,7 @@
 #include "mission/site.h"
 #include "plan/kml_reader.h"
 #include "plan/kml_text.h"
+#include "plan/layer_reader.h"
 #include "product/files.h"
 #include "route/refine.h"
 #include "terrain/terrain_beyond.h"
@@ -100,8 +102,9 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     const bool has_time = std::ranges::any_of(event.params, [](const auto& param) {
       return std::holds_alternative<Instant>(param.second);
     });
-    // A script says of a part of its fields what only the rest would make true.
-    if (!event.has_all_params || (has_time && plan.gaps.start_time)) continue;
+    // A script says of a part of its fields what only the rest would make true; and nothing of an
+    // event that is left out.
+    if (!event.is_enabled || !event.has_all_params || (has_time && plan.gaps.start_time)) continue;
     try {
       const LuaHost::CheckAnswer answer =
           host.check(event.type, {event.params, {}}, plan.mission.start_time, rover,
@@ -236,9 +239,9 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   files.plan.file = plan_file;
   // Once: a pipe has its bytes no second time, and a file may change.
   try {
-    files.plan_bytes = read_bytes(plan_file);
-    files.plan = read_plan(plan_file, parse_kml(files.plan_bytes, plan_file),
-                           files.catalog->declarations(), files.faults);
+    const PlanSource source = read_plan_source(plan_file);
+    files.plan_bytes = source.bytes;
+    files.plan = read_plan(plan_file, source.kml, files.catalog->declarations(), files.faults);
   } catch (const InputError& error) {
     files.faults.add(error.faults());
   }
@@ -249,8 +252,11 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 }
 
 PlanSource read_plan_source(const std::string& plan_file) {
-  const std::string bytes = read_bytes(plan_file);
-  return {plan_file, parse_kml(bytes, plan_file), "", bytes, true};
+  std::string bytes = read_bytes(plan_file);
+  KmlSource source = parse_plan(bytes, plan_file);
+  // What a run keeps is a map that any viewer opens.
+  if (is_geopackage(bytes)) bytes = kml_of(source);
+  return {plan_file, std::move(source), "", std::move(bytes), true};
 }
 
 MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,

@@ -41,11 +41,13 @@ std::string view_text(const PictureView& view, const std::string& rover) {
   return {};
 }
 
-// How fast a film goes; three digits that count.
+// How fast a film goes: three digits that count, without an exponent.
 std::string rate_text(const FilmTime& film) {
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(film.rate)) - 2));
-  return fmt::format("{}{:.0f} x real time", film.is_quiet ? "time-lapse: " : "",
-                     std::round(film.rate / unit) * unit);
+  const int digits = static_cast<int>(std::floor(std::log10(film.rate))) - 2;
+  const double unit = std::pow(10, digits);
+  const double rate = std::round(film.rate / unit) * unit;
+  return fmt::format("{}{} x real time", film.is_quiet ? "time-lapse: " : "",
+                     digits < 0 ? fmt::format("{:g}", rate) : fmt::format("{:.0f}", rate));
 }
 
 // `metres_a_pixel`: where the rover is; 0 where it is not seen.

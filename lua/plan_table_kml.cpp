@@ -1,4 +1,4 @@
-// The KML document of a plan that was read from a table.
+// The KML document of a plan that was read from a table, or from the layers of a GIS.
 #include <algorithm>
 #include <sstream>
 
@@ -22,13 +22,24 @@ std::vector<Geodetic> places_of(const std::string& text) {
   return places;
 }
 
+// Of a feature of a layer, which has no SchemaData: its Type, or its layer's name, says what it is.
+SourceData data_of(const SourcePlacemark& placemark) {
+  if (!placemark.data.empty()) return placemark.data.front();
+  SourceData data{"", placemark.folders.empty() ? "" : placemark.folders.back(), {}, 0};
+  for (const SourceField& field : placemark.plain_data) {
+    if (field.name == "Type") data.schema = field.text;
+    if (field.name != "name") data.fields.push_back(field);
+  }
+  return data;
+}
+
 }  // namespace
 
 std::string kml_of(const KmlSource& source) {
   KmlDocument document;
   document.name = source.file;
   for (const SourcePlacemark& from : source.placemarks) {
-    const SourceData& data = from.data.front();
+    const SourceData data = data_of(from);
     const auto known = std::ranges::find(document.schemas, data.schema, &KmlSchema::id);
     KmlSchema& schema =
         known != document.schemas.end()

@@ -129,6 +129,11 @@ int misses(lua_State* L) {
   return 1;
 }
 
+int is_any_up(lua_State* L) {
+  lua_pushboolean(L, panels_of(L).view().is_any_panel_up ? 1 : 0);
+  return 1;
+}
+
 int turn_left_s(lua_State* L) {
   lua_pushnumber(L, panels_of(L).panel_turn_left_s());
   return 1;
@@ -147,6 +152,7 @@ const HandleType& battery_handle_type() {
        {"energy_rate_w", of_battery<&V::energy_rate_w>, "number", "Into it; negative: out of it."},
        {"solar_w", of_battery<&V::solar_w>, "number", "From the panels, as far as it is used."},
        {"external_w", of_battery<&V::external_w>, "number", "From outside."},
+       {"external_j", of_battery<&V::external_j>, "number", "The same, since the start."},
        {"load_w", of_battery<&V::load_w>, "number", "Used by all but the wheel motors."}},
       {{"time_to_charge_s", guard<time_to_charge_s>, "battery:time_to_charge_s(charge)",
         "Until it holds that share, with what flows now; nil when it will not.",
@@ -177,6 +183,7 @@ const HandleType& panels_handle_type() {
       {{"sun_fraction", of_panels<&V::sun_fraction>, "number",
         "Share of their area that sees the Sun; nil without panels."},
        {"incidence", of_panels<&V::incidence>, "number", "The same times the cosine of incidence."},
+       {"is_any_up", is_any_up, "boolean", "Whether it has a panel that is not stowed."},
        {"turn_left_s", turn_left_s, "number",
         "Until all have arrived where they turn; 0: none turns."}},
       {{"deploy", guard<deploy<true>>, "panels:deploy(name, duration_s)",

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "vehicle/footprint.h"
+
 namespace lsos {
 
 namespace {
@@ -40,6 +42,7 @@ void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& mo
   set(L, "id", rover.id);
   set(L, "type", rover.type);
   set(L, "initial_charge", rover.initial_charge);
+  set(L, "length_m", 2 * footprint_at_rest(model.spec.vehicle).half_m.x());
   if (model.power.battery) {
     set(L, "battery_capacity_j", model.power.battery->capacity_j);
     set(L, "charge_power_max_w", model.power.battery->charge_power_max_w);

@@ -3,21 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <new>
 
 #include "base/output_error.h"
 #include "product/files.h"
 #include "product/overlay.h"
+#include "product/qgis_style.h"
 
 namespace lsos {
 
 namespace {
 
+// A rover whose slip is not in the summary though it drove for long; "" for others.
+std::string slip_warning(const RoverResult& result) {
+  constexpr double long_s = 60;
+  const bool is_missing = std::isnan(result.slip_p95) && !std::isnan(result.slip_rolling);
+  if (!is_missing || result.driven_s < long_s) return "";
+  return fmt::format(
+      "{}: its slip is not in the summary: in {:.3g} min of driving it was never faster than half "
+      "the speed asked for; its wheels slipped by {:.2f} at most, in the mean over a second",
+      result.id, result.driven_s / 60, result.slip_rolling);
+}
+
 RunSummary summarise(const Simulation& simulation, const MissionFiles& files, double wall_s) {
   RunSummary summary;
   // Whole, so that what lies beside it is found again from any folder.
   summary.plan = std::filesystem::absolute(files.plan.file).lexically_normal().string();
+  summary.start = files.plan.mission.start_time;
   summary.events = simulation.events();
   summary.status = run_status(summary.events);
   summary.sim_s = seconds(simulation.now());
@@ -35,6 +49,7 @@ RunSummary summarise(const Simulation& simulation, const MissionFiles& files, do
     rover.energy_end_j = result.energy_end_j;
     rover.energy_used_j = result.energy_used_j;
     rover.solar_j = result.solar_j;
+    rover.external_j = result.external_j;
     if (!result.resources.empty()) rover.resources = result.resources;
   }
   for (const Fault& fault : files.faults.sorted()) summary.warnings.push_back(to_string(fault));
@@ -82,6 +97,13 @@ RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const Mis
       log_(prepared(folder, plan_bytes), std::string(files.plan.mission.planet->crs),
            files.plan.mission.start_time) {
   log_.write_run(run_values(files, simulation));
+  std::vector<std::string> rovers;
+  for (const PlanRover& rover : files.plan.rovers) rovers.push_back(rover.id);
+  std::vector<LayerStyle> styles;
+  for (const QgisLayer& layer : qgis_layers(rovers)) {
+    styles.push_back({std::string(layer.layer), layer.title, qgis_style(layer)});
+  }
+  log_.write_styles(styles);
   log_.commit();
   simulation.set_log(&log_);
 }
@@ -91,6 +113,12 @@ RunSummary RunRecord::finish(const MissionFiles& files, const Simulation& simula
                              const std::vector<Product>& more) {
   log_.finish();
   RunSummary summary = summarise(simulation, files, wall_s);
+  for (const RoverResult& result : simulation.results()) {
+    const std::string warning = slip_warning(result);
+    if (warning.empty()) continue;
+    summary.warnings.push_back(warning);
+    warn(warning);
+  }
   summary.log_sha256 = LogReader(folder_.file("log.gpkg")).sha256();
   write_summary(folder_.path(), summary);
   const std::size_t warnings_before = summary.warnings.size();

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/sim_time.h"
+
 namespace lsos {
 
 namespace {
 
-constexpr double moving_mps = 0.05;      // slower than this slip is not told from creeping
+// Slower than this, or than so much of the cruise speed, slip is not told from creeping.
+constexpr double creeping_mps = 0.05, creeping_share = 0.1;
 constexpr double requested_share = 0.5;  // of the requested speed; below, it sets off or stops
 
 }  // namespace
@@ -50,6 +53,9 @@ void DriveSlip::add(const Motion& motion) {
   const bool is_rolling = motion.is_commanded && motion.command_mps >= fast_mps;
   now_.add(is_rolling ? motion.slip : not_modelled);
   now_max_.add(is_rolling ? motion.slip_max : not_modelled);
+  if (is_rolling) ++rolling_exchanges_;
+  if (!(greatest_rolling_ >= now()) && !std::isnan(now())) greatest_rolling_ = now();
+  const double moving_mps = std::min(creeping_mps, creeping_share * motion.cruise_mps);
   const bool is_driving =
       motion.is_commanded && motion.speed_mps > moving_mps && motion.speed_mps > fast_mps;
   const double slip = is_driving ? motion.slip : not_modelled;
@@ -57,6 +63,10 @@ void DriveSlip::add(const Motion& motion) {
   if (!std::isnan(slip)) histogram_.add(slip);
   const double mean = driving_.value();
   if (!(greatest_ >= mean) && !std::isnan(mean)) greatest_ = mean;
+}
+
+double DriveSlip::driven_s() const {
+  return static_cast<double>(rolling_exchanges_) * seconds(exchange_period);
 }
 
 }  // namespace lsos

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 
@@ -54,14 +55,17 @@ class DriveSlip {
     double speed_mps = 0;        // of the rover along the ground
     double command_mps = 0;      // that its wheels are told to roll at
     double requested_mps = 0;    // of the drive
+    double cruise_mps = 0;       // of the rover's type
     double slip = not_modelled;  // of the wheels
     double slip_max = not_modelled;
   };
   void add(const Motion& motion);
 
-  // While a drive is commanded, the rover faster than 0.05 m/s and than half the requested speed:
-  // the greatest mean over a second, and what 95 % of that time does not exceed. NaN without any.
-  double greatest() const { return greatest_; }
+  // While a drive is commanded, the rover faster than 0.05 m/s or a tenth of its cruise speed,
+  // whichever is less, and than half the requested speed: the greatest mean over a second (of a
+  // time that was nowhere so long its 95th percentile), and what 95 % of that time does not exceed.
+  // NaN without any.
+  double greatest() const { return std::isnan(greatest_) ? p95() : greatest_; }
   double p95() const { return histogram_.quantile(0.95); }
 
   // Mean over the last second in which the wheels were told to roll at half the requested speed or
@@ -69,12 +73,19 @@ class DriveSlip {
   double now() const { return now_.value(); }
   double now_max() const { return now_max_.value(); }  // of the wheel that slipped most
 
-  void archive(Archive& a) { a(driving_)(now_)(now_max_)(histogram_)(greatest_); }
+  // How long a drive was commanded, s, and the greatest now() of it, whatever the rover's speed.
+  double driven_s() const;
+  double greatest_rolling() const { return greatest_rolling_; }
+
+  void archive(Archive& a) {
+    a(driving_)(now_)(now_max_)(histogram_)(greatest_)(rolling_exchanges_)(greatest_rolling_);
+  }
 
  private:
   SecondMean driving_, now_, now_max_;
   SlipHistogram histogram_;
-  double greatest_ = not_modelled;
+  double greatest_ = not_modelled, greatest_rolling_ = not_modelled;
+  std::int64_t rolling_exchanges_ = 0;
 };
 
 }  // namespace lsos

@@ -23,16 +23,19 @@ struct Stop {
   Vec3 eye_S_m;
 };
 
-double length_m(const std::vector<Geodetic>& points, const SiteFrame& site) {
+// From where the rover is expected through all points; at the last it is then expected.
+double length_m(const std::vector<Geodetic>& points, const SiteFrame& site, Geodetic& at) {
   double length = 0;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    length += surface_distance_m(site.body(), points[k - 1], points[k]);
+  for (const Geodetic& point : points) {
+    length += surface_distance_m(site.body(), at, point);
+    at = point;
   }
   return length;
 }
 
-// Counted from the mission's start; `begins`: when its turn comes.
-SimTime end_of(const EventMachine& machine, SimTime begins, Instant start, const SiteFrame& site) {
+// Counted from the mission's start; `begins`: when its turn comes; `at`: where the rover then is.
+SimTime end_of(const EventMachine& machine, SimTime begins, Instant start, const SiteFrame& site,
+               Geodetic& at) {
   const PlanEvent& event = machine.event;
   SimTime end = begins;
   if (event.start_time) end = std::max(end, *event.start_time - start);
@@ -48,7 +51,7 @@ SimTime end_of(const EventMachine& machine, SimTime begins, Instant start, const
     if (is_speed && number != nullptr && *number > 0) speed_mps = *number;
   }
   if (!machine.declaration.drives) return end;
-  return end + from_seconds(length_m(event.geometry.points, site) / speed_mps);
+  return end + from_seconds(length_m(event.geometry.points, site, at) / speed_mps);
 }
 
 std::vector<Stop> stops_of(const MissionMachine& machine, const Ground& ground) {
@@ -97,8 +100,9 @@ SimTime rough_duration(const MissionMachine& machine, const SiteFrame& site) {
   SimTime longest{};
   for (const RoverMachine& rover : machine.rovers) {
     SimTime now{};
+    Geodetic at = rover.rover.start;
     for (const EventMachine& event : rover.events) {
-      if (event.event.is_enabled) now = end_of(event, now, machine.mission.start_time, site);
+      if (event.event.is_enabled) now = end_of(event, now, machine.mission.start_time, site, at);
     }
     longest = std::max(longest, now);
   }

@@ -2,7 +2,6 @@
 // see of the Sun and of Earth.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "mission/machine.h"
@@ -11,7 +10,8 @@
 namespace lsos {
 
 // How long the plan's events take in all, about: the rover's that takes longest, by the durations
-// and times that the plan gives and its drives at the speeds asked for; MaxDuration at most.
+// and times that the plan gives and its drives at the speeds asked for, else at 1 m/s; MaxDuration
+// at most.
 SimTime rough_duration(const MissionMachine& machine, const SiteFrame& site);
 
 // At most a warning for the Sun and one for Earth, each with the stop and time at which the

@@ -10,7 +10,6 @@ namespace lsos {
 namespace {
 
 constexpr double hour_s = 3600, day_s = 24 * hour_s;
-constexpr double longest_s = 366 * day_s;
 constexpr double detour = 3;  // of what is driven against what is drawn
 
 // How fast the event drives, m/s: as its field asks, at most as the rover can.
@@ -19,7 +18,7 @@ double speed_mps(const PlanEvent& event, const VehicleConfig& rover) {
   return std::min(asked_mps == nullptr ? rover.cruise_speed_mps : *asked_mps, rover.speed_max_mps);
 }
 
-// From where the rover is expected through the drawn points, which is where it is then expected.
+// From where the rover is expected through the drawn points; at the last it is then expected.
 double drawn_m(const Body& body, const PlanGeometry& geometry, Geodetic& at) {
   double length_m = 0;
   for (const Geodetic& point : geometry.points) {
@@ -43,7 +42,7 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
   for (const PlanEvent& event : plan.events) {
     if (!event.is_enabled) continue;
     const bool has_condition = !event.start_when.text.empty() || !event.stop_when.text.empty();
-    if (has_condition || is_open_ended(event)) return from_seconds(longest_s);
+    if (has_condition || is_open_ended(event)) return longest_mission;
     if (event.start_time) count_time(*event.start_time);
     const EventDeclaration& declaration = declarations.events.at(event.type);
     for (const FieldDeclaration& field : declaration.fields) {
@@ -58,7 +57,7 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
     sum_s += detour * length_m / speed_mps(event, rovers.at(rover->type).spec.vehicle);
   }
   const double hours = std::ceil((latest_s + sum_s + day_s) / hour_s - 1e-9);
-  return from_seconds(std::min(hours * hour_s, longest_s));
+  return std::min(from_seconds(hours * hour_s), longest_mission);
 }
 
 }  // namespace lsos

@@ -10,6 +10,9 @@
 
 namespace lsos {
 
+// No default is longer than this.
+inline constexpr SimTime longest_mission{366LL * 86'400 * 1'000'000};
+
 // 366 d when an event can start or end only by a condition: it has a StartWhen or StopWhen, or
 // `is_open_ended` says so. Else what the plan allows for, in whole hours: the latest time in it,
 // all durations, three times the drawn lengths at the speeds asked for, and a day.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plan/field_reader.h"
+#include "plan/suggestions.h"
 
 namespace lsos {
 
@@ -45,6 +46,51 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
       if (field.kind != FieldKind::utc || value == event.params.end()) continue;
       check(field.name, std::get<Instant>(value->second));
     }
+  }
+}
+
+// One rover's events that take longer than the mission may.
+void check_durations(const Plan& plan, const Declarations& declarations, Faults& faults) {
+  if (!plan.mission.has_max_duration) return;
+  for (const PlanRover& rover : plan.rovers) {
+    double sum_s = 0;
+    for (const PlanEvent& event : plan.events) {
+      if (event.rover_id != rover.id || !event.is_enabled) continue;
+      for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
+        if (field.kind != FieldKind::duration) continue;
+        const double* duration_s = find_value<double>(event.params, field.key);
+        sum_s += duration_s == nullptr ? 0 : *duration_s;
+      }
+    }
+    if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
+    faults.warning(
+        plan.mission.place,
+        fmt::format("MissionInfo: MaxDuration = {}: the durations of the events of rover "
+                    "{} alone come to {}; those that the time does not suffice for end "
+                    "as incomplete",
+                    span_text(plan.mission.max_duration), quoted(rover.id),
+                    span_text(from_seconds(sum_s))));
+  }
+}
+
+// Between two rows of the log tracks, pictures and overlay are straight.
+void check_log_interval(const Plan& plan, const Declarations& declarations,
+                        const std::map<std::string, RoverModel>& rovers, Faults& faults) {
+  constexpr double longest_m = 100;
+  const double interval_s = seconds(plan.mission.log_interval);
+  for (const PlanRover& rover : plan.rovers) {
+    const auto model = rovers.find(rover.type);
+    const bool drives = std::ranges::any_of(plan.events, [&](const PlanEvent& event) {
+      return event.rover_id == rover.id && declarations.events.at(event.type).drives;
+    });
+    if (model == rovers.end() || !drives) continue;
+    const double between_m = interval_s * model->second.spec.vehicle.cruise_speed_mps;
+    if (between_m <= longest_m) continue;
+    faults.warning(plan.mission.place,
+                   fmt::format("MissionInfo: LogInterval = {}: {} drives {:.0f} m from row to row; "
+                               "its track on maps and in pictures is straight between them",
+                               span_text(plan.mission.log_interval), quoted(rover.id), between_m));
+    return;
   }
 }
 
@@ -88,6 +134,8 @@ void check_plan_aims(const Plan& plan, const Declarations& declarations,
                      const std::map<std::string, RoverModel>& rovers,
                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
   if (!plan.gaps.start_time) check_times(plan, declarations, faults);
+  check_durations(plan, declarations, faults);
+  check_log_interval(plan, declarations, rovers, faults);
   check_charges(plan, rovers, faults);
   check_supplies(plan, declarations, assets, faults);
 }

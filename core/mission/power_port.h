@@ -15,8 +15,10 @@ struct PowerView {
   bool has_battery = false;
   double energy_j = not_modelled, capacity_j = not_modelled, charge = not_modelled;
   double energy_rate_w = not_modelled, solar_w = not_modelled, external_w = not_modelled;
+  double external_j = not_modelled;
   double load_w = not_modelled;
   double sun_fraction = not_modelled, incidence = not_modelled;
+  bool is_any_panel_up = false;  // false without panels
 };
 
 // What became of putting panels or antennas up or down.

@@ -62,7 +62,7 @@ void RoverAgent::tell_short() {
                    note_json(std::isfinite(asked_w) ? asked_w : not_modelled), note_json(got_w)));
   const std::string from = is_plugged ? fmt::format("'{}'", claims.plugged_into) : "outside";
   if (!std::isfinite(asked_w)) {
-    warn(fmt::format("{}: at {} s {} has no power to give", rover_.id, seconds(now_), from));
+    warn(fmt::format("{}: at {} s {} has no power left to give", rover_.id, seconds(now_), from));
     return;
   }
   warn(fmt::format("{}: at {} s {:.0f} W come from {}, {:.0f} W are asked for", rover_.id,

@@ -301,11 +301,14 @@ std::vector<RoverResult> Simulation::results() const {
     result.slope_max_rad = agent.slope_max_rad();
     result.slip_greatest = agent.slip().greatest();
     result.slip_p95 = agent.slip().p95();
+    result.slip_rolling = agent.slip().greatest_rolling();
+    result.driven_s = agent.slip().driven_s();
     if (agent.power().has_battery()) {
       result.energy_start_j = agent.power().energy_at_start_j();
       result.energy_end_j = agent.power().account().energy_j;
       result.energy_used_j = agent.energy_used_j();
       result.solar_j = agent.solar_j();
+      result.external_j = agent.power().view().external_j;
     }
     result.resources = agent.power().resources();
     results.push_back(result);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mission/mission_span.h"
 #include "mission/simulation.h"
 
 namespace lsos {
@@ -37,6 +38,9 @@ void Simulation::dispatch(const PlanEvent& event) {
       return std::tie(other.rover_id, other.sequence) > std::tie(event.rover_id, event.sequence);
     });
     events.insert(at, event);
+    // The default counts the events of the plan alone.
+    MissionInfo& mission = setup_.plan.mission;
+    if (!mission.has_max_duration) mission.max_duration = longest_mission;
     return;
   }
   throw InputError(event.place, "there is no rover '" + event.rover_id + "'");

@@ -7,9 +7,6 @@ namespace lsos {
 
 namespace {
 
-// Some 27 years; keeps times far inside what SimTime can hold.
-constexpr double longest_s = 10000 * 86400.0;
-
 FieldDeclaration field(const char* name, const char* key, FieldKind kind, const char* doc) {
   FieldDeclaration declaration;
   declaration.name = name;
@@ -62,7 +59,7 @@ const std::vector<FieldDeclaration>& common_event_fields() {
             "the event fails when this holds while it runs; OnFailure says what follows"),
       in_range(field("Timeout", "timeout_s", FieldKind::duration,
                      "the event fails when it takes longer, from the start of its first phase"),
-               "s", seconds(exchange_period), longest_s),
+               "s", seconds(exchange_period), longest_duration_s),
       with_default(field("OnFailure", "on_failure", FieldKind::text,
                          "what follows a failure: stop, skip, abort, goto LABEL"),
                    std::string("stop")),
@@ -94,15 +91,15 @@ const std::vector<FieldDeclaration>& mission_fields() {
       in_range(with_default(field("LogInterval", "log_interval_s", FieldKind::duration,
                                   "time between log rows of a moving rover, in steps of 0.1 s"),
                             2.0),
-               "s", seconds(exchange_period), longest_s),
+               "s", seconds(exchange_period), longest_duration_s),
       in_range(field("ParkedLogInterval", "parked_log_interval_s", FieldKind::duration,
                      "time between log rows of a parked rover; default 60 s, or LogInterval where "
                      "that is longer"),
-               "s", seconds(exchange_period), longest_s),
+               "s", seconds(exchange_period), longest_duration_s),
       in_range(field("MaxDuration", "max_duration_s", FieldKind::duration,
                      "the run ends there as incomplete; default by what the plan says of times, "
                      "366 d where a condition may keep it waiting"),
-               "s", seconds(exchange_period), longest_s),
+               "s", seconds(exchange_period), longest_duration_s),
   };
   return fields;
 }

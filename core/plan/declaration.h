@@ -15,6 +15,9 @@
 
 namespace lsos {
 
+// No duration may be longer, some 27 years: times stay far inside what SimTime can hold.
+inline constexpr double longest_duration_s = 10000 * 86400.0;
+
 enum class FieldKind { number, integer, boolean, text, choice, duration, utc };
 
 // What a text names: checked before anything runs.

@@ -27,7 +27,7 @@ constexpr std::array magics{
           "7zXZ"sv,
           "packed with xz; unpack it first"},
     Magic{"7z\xbc\xaf"sv, "packed with 7-Zip; unpack it first"},
-    Magic{"SQLite format 3\0"sv, "an SQLite database, such as a GeoPackage; export it as KML"},
+    Magic{"SQLite format 3\0"sv, "an SQLite database, such as a GeoPackage, inside an archive"},
     Magic{"\x89PNG"sv, "a PNG picture"},
     Magic{"\xff\xd8\xff"sv, "a JPEG picture"},
     Magic{"%PDF"sv, "a PDF document"},

@@ -13,6 +13,7 @@
 #include "plan/kml_geometry.h"
 #include "plan/kml_text.h"
 #include "plan/kmz_archive.h"
+#include "plan/layer_reader.h"
 
 namespace lsos {
 
@@ -241,6 +242,10 @@ KmlSource parse_kml(std::string bytes, const std::string& file) {
     source.links.push_back(std::move(each.link));
   }
   return source;
+}
+
+KmlSource parse_plan(std::string bytes, const std::string& file) {
+  return is_geopackage(bytes) ? read_layers(file) : parse_kml(std::move(bytes), file);
 }
 
 KmlSource read_kml(const std::string& file) { return parse_kml(read_bytes(file), file); }

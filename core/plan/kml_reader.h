@@ -70,8 +70,17 @@ struct KmlSource {
     int line = 0;
   };
   std::vector<Link> links = {};
+  // Of a GeoPackage, the layers that have places.
+  struct Layer {
+    std::string file;
+    std::string body;  // of its CRS; "": it has none
+    bool is_geographic = true;
+  };
+  std::vector<Layer> layers = {};
 };
 
+// A plan's source, whatever it is: KML, KMZ, or a GeoPackage, which is read anew from `file`.
+KmlSource parse_plan(std::string bytes, const std::string& file);
 // Reads KML or KMZ. Throws InputError (file, line) when that is not what it is.
 KmlSource read_kml(const std::string& file);
 KmlSource parse_kml(std::string bytes, const std::string& file);

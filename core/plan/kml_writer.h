@@ -89,5 +89,7 @@ std::string write_kml(const KmlDocument& document);
 
 // A KMZ archive that holds the document alone. Throws std::runtime_error when memory runs out.
 std::string pack_kmz(const std::string& kml);
+// An archive of one file; the same bytes each time.
+std::string pack_zip(const std::string& name, const std::string& text);
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// A KML document packed as a KMZ archive.
+// A file packed into an archive, as KMZ and QGZ are.
 #include <stdexcept>
 
 #include "plan/kml_writer.h"
@@ -6,9 +6,11 @@
 
 namespace lsos {
 
-std::string pack_kmz(const std::string& kml) {
+std::string pack_kmz(const std::string& kml) { return pack_zip("doc.kml", kml); }
+
+std::string pack_zip(const std::string& name, const std::string& text) {
   const auto fail = [](zip_error_t* error) {
-    throw std::runtime_error("a KMZ cannot be packed: " + message(error));
+    throw std::runtime_error("an archive cannot be packed: " + message(error));
   };
   zip_error_t error;
   zip_error_init(&error);
@@ -17,9 +19,9 @@ std::string pack_kmz(const std::string& kml) {
   zip_source_keep(packed.get());  // the archive lets go of its own
   ZipHandle archive(zip_open_from_source(packed.get(), ZIP_TRUNCATE, &error));
   if (!archive) fail(&error);
-  zip_source_t* source = zip_source_buffer(archive.get(), kml.data(), kml.size(), 0);
+  zip_source_t* source = zip_source_buffer(archive.get(), text.data(), text.size(), 0);
   const zip_int64_t index =
-      source == nullptr ? -1 : zip_file_add(archive.get(), "doc.kml", source, ZIP_FL_ENC_UTF_8);
+      source == nullptr ? -1 : zip_file_add(archive.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
   if (index < 0 && source != nullptr) zip_source_free(source);
   // The same document gives the same bytes at any time: all are of 1 January 1980.
   constexpr zip_uint16_t first_day = 0x21;

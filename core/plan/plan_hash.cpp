@@ -51,7 +51,8 @@ void add_mission(Digest& digest, const MissionInfo& mission) {
   digest.integer("seed", static_cast<std::int64_t>(mission.seed));
   digest.integer("log_interval", mission.log_interval.count());
   digest.integer("parked_log_interval", mission.parked_log_interval.count());
-  digest.integer("max_duration", mission.max_duration.count());
+  // The default goes by scripts too, which the plan's hash knows nothing of.
+  if (mission.has_max_duration) digest.integer("max_duration", mission.max_duration.count());
 }
 
 void add_rover(Digest& digest, const PlanRover& rover) {

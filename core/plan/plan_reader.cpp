@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "plan/classify.h"
 #include "plan/event_reader.h"
 #include "plan/far_places.h"
 #include "plan/kml_reader.h"
+#include "plan/kml_text.h"
 #include "plan/mission_reader.h"
 #include "plan/plan.h"
 #include "plan/references.h"
@@ -26,10 +28,41 @@ constexpr const char* is_not_read =
     "is not read: a plan is one KML document, or a KMZ archive that holds what its document links "
     "to";
 
+// Base maps and the like are decoration.
+bool may_be_of_the_plan(const std::string& href) {
+  std::string name = href.substr(0, href.find_first_of("#?"));
+  std::ranges::transform(name, name.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return name.ends_with(".kml");
+}
+
 void warn_of_links(const KmlSource& source, Faults& faults) {
   for (const KmlSource::Link& link : source.links) {
+    if (!may_be_of_the_plan(link.href)) continue;
     faults.warning({link.file, link.line}, fmt::format("NetworkLink to {}: what it links to {}",
                                                        quoted(link.href), is_not_read));
+  }
+}
+
+// Layers on another body than the mission's. Degrees are degrees: GIS tools give a layer of a KML,
+// or one that was drawn without a thought, the Earth's.
+void check_layers(const KmlSource& source, const MissionInfo& mission, Faults& faults) {
+  if (mission.planet == nullptr) return;
+  for (const KmlSource::Layer& layer : source.layers) {
+    if (layer.body == mission.planet->name) continue;
+    const Place place{layer.file, 0};
+    if (layer.body.empty()) {
+      faults.warning(place,
+                     fmt::format("has no CRS: its coordinates are taken for degrees of the {}",
+                                 mission.planet->name));
+    } else if (layer.is_geographic) {
+      faults.warning(place, fmt::format("its CRS is of {}, Planet is {}: its degrees are taken for "
+                                        "those of {}",
+                                        layer.body, mission.planet->name, mission.planet->name));
+    } else {
+      faults.error(place,
+                   fmt::format("its CRS is of {}, Planet is {}", layer.body, mission.planet->name));
+    }
   }
 }
 
@@ -76,6 +109,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   } else {
     plan.mission = read_mission(ours.missions, context, plan.gaps, plan.defaults);
   }
+  check_layers(source, plan.mission, faults);
   IdPlaces ids;
   if (!ours.rovers.empty() || !unread.has_rover) {
     plan.rovers = read_rovers(ours.rovers, context, ids, plan.gaps, plan.defaults);
@@ -135,7 +169,7 @@ PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
 
 Plan read_plan(const std::string& file, const Declarations& declarations, Faults& faults) {
   try {
-    return read_plan(file, read_kml(file), declarations, faults);
+    return read_plan(file, parse_plan(read_bytes(file), file), declarations, faults);
   } catch (const InputError& error) {
     faults.add(error.faults());
   }

@@ -176,6 +176,12 @@ class Resolver {
       } else {
         const PlanEvent& event = drafts_[found.front()].event;
         awaited.push_back({event.rover_id, event.sequence});
+        if (!event.is_enabled && draft.event.is_enabled) {
+          faults_.warning({draft.event.place.file, draft.start_after->line},
+                          fmt::format("{}: StartAfter = {}: is disabled, and counts as ended from "
+                                      "the beginning",
+                                      draft.subject, shown(reference)));
+        }
       }
     }
     std::ranges::sort(awaited);

@@ -172,6 +172,14 @@ lsos.scenario('dispatched events are checked as those of a plan', function(t)
   t:equal(#sim.events, 4)
 end)
 
+lsos.scenario('a mission goes on for what is dispatched', function(t)
+  local sim = lsos.sim 'plans/first_drive.kml'
+  sim:run()
+  sim:dispatch('SEV1', 'Pause', { Duration = '3 d' })
+  sim:run()
+  t:equal(sim.events[#sim.events].status, 'completed', 'though its MaxDuration is 25 h by default')
+end)
+
 lsos.scenario('a plan that is wrong says so', function(t)
   local function with(events)
     return function() lsos.sim { rovers = { A = { type = 'SEV', events = events } } } end

@@ -35,6 +35,8 @@ TEST(MaxDuration, follows_from_the_plan_and_is_said_among_the_defaults) {
   EXPECT_EQ(max_duration_of(plan_of(
                 {event("Recharge", "A", 1, {{"UntilCharge", "0.9"}, {"Duration", "1 h"}})})),
             "MissionInfo: MaxDuration = 25 h");
+  EXPECT_EQ(max_duration_of(plan_of({event("SteerSP", "A", 1)})),
+            "MissionInfo: MaxDuration = 24 h");
 }
 
 TEST(WaitsForEver, ends_with_the_condition_and_its_values_and_few_rows) {

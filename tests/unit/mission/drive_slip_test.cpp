@@ -15,6 +15,7 @@ DriveSlip::Motion driving(double slip) {
   DriveSlip::Motion motion;
   motion.is_commanded = true;
   motion.requested_mps = motion.command_mps = motion.speed_mps = 2;
+  motion.cruise_mps = 2;
   motion.slip = slip;
   motion.slip_max = 2 * slip;
   return motion;
@@ -54,7 +55,7 @@ TEST(DriveSlip, is_of_driving_alone) {
   EXPECT_TRUE(std::isnan(slip.p95()));
   EXPECT_TRUE(std::isnan(slip.now()));
   for (int k = 0; k < 9; ++k) slip.add(driving(0.02));
-  EXPECT_TRUE(std::isnan(slip.greatest())) << "not yet a second";
+  EXPECT_EQ(slip.greatest(), 0.02) << "not yet a second: the percentile";
   EXPECT_EQ(slip.p95(), 0.02);
   slip.add(driving(0.02));
   EXPECT_NEAR(slip.greatest(), 0.02, 1e-15);
@@ -99,6 +100,27 @@ TEST(DriveSlip, is_saved_and_read_back) {
   EXPECT_EQ(slip.p95(), same.p95());
   EXPECT_EQ(slip.now(), same.now());
   EXPECT_EQ(slip.p95(), 0.012);
+}
+
+// A rover whose cruise speed is 0.05 m/s never is above that.
+TEST(DriveSlip, of_a_slow_rover_is_counted_from_a_tenth_of_its_cruise_speed) {
+  DriveSlip::Motion slow = driving(0.3);
+  slow.cruise_mps = slow.requested_mps = slow.command_mps = 0.05;
+  slow.speed_mps = 0.035;
+  DriveSlip slip;
+  for (int k = 0; k < 20; ++k) slip.add(slow);
+  EXPECT_NEAR(slip.greatest(), 0.3, 1e-15);
+  EXPECT_NEAR(slip.p95(), 0.3, 1e-15);
+}
+
+TEST(DriveSlip, knows_what_is_left_out) {
+  DriveSlip::Motion spinning = driving(0.6);
+  spinning.speed_mps = 0.4 * spinning.requested_mps;
+  DriveSlip slip;
+  for (int k = 0; k < 700; ++k) slip.add(spinning);
+  EXPECT_TRUE(std::isnan(slip.p95())) << "never above half the requested speed";
+  EXPECT_NEAR(slip.driven_s(), 70, 1e-9);
+  EXPECT_NEAR(slip.greatest_rolling(), 0.6, 1e-12);
 }
 
 }  // namespace

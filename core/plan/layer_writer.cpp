@@ -1,0 +1,196 @@
+#include "plan/layer_writer.h"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "base/error.h"
+#include "terrain/gdal_call.h"
+
+namespace lsos {
+
+namespace {
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+std::string xml_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    escaped += c == '&'   ? "&amp;"
+               : c == '<' ? "&lt;"
+               : c == '>' ? "&gt;"
+               : c == '"' ? "&quot;"
+                          : std::string(1, c);
+  }
+  return escaped;
+}
+
+std::string sql_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+OGRwkbGeometryType geometry_type(GeometryKind kind) {
+  switch (kind) {
+    case GeometryKind::point:
+      return wkbPoint;
+    case GeometryKind::line:
+      return wkbLineString;
+    case GeometryKind::polygon:
+      return wkbPolygon;
+    case GeometryKind::none:
+      break;
+  }
+  return wkbNone;
+}
+
+// Numbers with units stay texts; see the contract of a plan's Schemas.
+bool add_column(OGRLayer& layer, const FieldDeclaration& field) {
+  OGRFieldDefn column(field.name.c_str(), field.kind == FieldKind::integer   ? OFTInteger64
+                                          : field.kind == FieldKind::boolean ? OFTInteger
+                                                                             : OFTString);
+  if (field.kind == FieldKind::boolean) column.SetSubType(OFSTBoolean);
+  return layer.CreateField(&column) == OGRERR_NONE;
+}
+
+std::string widget_xml(const FormField& field) {
+  const auto option = [](const std::string& value) {
+    return fmt::format(
+        R"(<Option type="Map"><Option type="QString" name="{0}" value="{0}"/></Option>)",
+        xml_text(value));
+  };
+  std::string type = "TextEdit", config;
+  if (field.declaration.kind == FieldKind::boolean) type = "CheckBox";
+  if (field.declaration.kind == FieldKind::integer) type = "TextEdit";
+  if (!field.choices.empty()) {
+    type = "ValueMap";
+    std::string options;
+    if (!field.declaration.is_required) {
+      options += R"(<Option type="Map"><Option type="QString" name="" )"
+                 R"(value="{2839923C-8B7D-419E-B84B-CA2FE9B80EC7}"/></Option>)";
+    }
+    for (const std::string& choice : field.choices) options += option(choice);
+    config = fmt::format(R"(<Option type="List" name="map">{}</Option>)", options);
+  }
+  return fmt::format(R"(<field name="{}"><editWidget type="{}"><config><Option type="Map">{})"
+                     R"(</Option></config></editWidget></field>)",
+                     field.declaration.name, type, config);
+}
+
+// The expression of what a new feature has.
+std::string initial_expression(const FormField& field) {
+  if (field.declaration.name == "Sequence") return R"(coalesce(maximum("Sequence"), 0) + 10)";
+  if (field.initial.empty()) return "";
+  const bool is_text =
+      field.declaration.kind != FieldKind::integer && field.declaration.kind != FieldKind::boolean;
+  return is_text ? sql_text(field.initial) : field.initial;
+}
+
+std::string style_of(const FormLayer& layer) {
+  std::string widgets, aliases, initials, constraints;
+  int index = 2;  // after fid and name
+  for (const FormField& field : layer.fields) {
+    const FieldDeclaration& declaration = field.declaration;
+    widgets += widget_xml(field);
+    aliases += fmt::format(R"(<alias index="{}" field="{}" name="{}"/>)", index++, declaration.name,
+                           declaration.name);
+    initials += fmt::format(R"(<default field="{}" expression="{}" applyOnUpdate="0"/>)",
+                            declaration.name, xml_text(initial_expression(field)));
+    constraints += fmt::format(
+        R"(<constraint field="{}" constraints="{}" notnull_strength="{}" exp_strength="0" )"
+        R"(unique_strength="0"/>)",
+        declaration.name, declaration.is_required ? 1 : 0, declaration.is_required ? 2 : 0);
+  }
+  return fmt::format(
+      "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+      R"(<qgis version="3.22" styleCategories="Fields|Forms"><fieldConfiguration>{}</fieldConfiguration>)"
+      "<aliases>{}</aliases><defaults>{}</defaults><constraints>{}</constraints></qgis>\n",
+      widgets, aliases, initials, constraints);
+}
+
+void run_sql(GDALDataset& dataset, const std::string& statement) {
+  OGRLayer* answer = dataset.ExecuteSQL(statement.c_str(), nullptr, nullptr);
+  if (answer != nullptr) dataset.ReleaseResultSet(answer);
+}
+
+void add_style(GDALDataset& dataset, const FormLayer& layer) {
+  run_sql(dataset,
+          "CREATE TABLE IF NOT EXISTS layer_styles (id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, "
+          "f_table_catalog TEXT(256), f_table_schema TEXT(256), f_table_name TEXT(256), "
+          "f_geometry_column TEXT(256), styleName TEXT(30), styleQML TEXT, styleSLD TEXT, "
+          "useAsDefault BOOLEAN, description TEXT(256), owner TEXT(30), ui TEXT(30), "
+          "update_time DATETIME)");
+  run_sql(dataset,
+          "INSERT OR IGNORE INTO gpkg_contents (table_name, data_type, identifier) "
+          "VALUES ('layer_styles', 'attributes', 'layer_styles')");
+  const bool is_spatial = layer.geometry != GeometryKind::none;
+  run_sql(dataset, fmt::format("INSERT INTO layer_styles (f_table_catalog, f_table_schema, "
+                               "f_table_name, f_geometry_column, styleName, styleQML, "
+                               "useAsDefault) VALUES ('', '', {}, {}, {}, {}, 1)",
+                               sql_text(layer.name), is_spatial ? "'geom'" : "''",
+                               sql_text("form of " + layer.name), sql_text(style_of(layer))));
+}
+
+bool add_layer(GDALDataset& dataset, OGRSpatialReference& crs, const FormLayer& form) {
+  CPLStringList options;
+  options.SetNameValue("FID", "fid");
+  options.SetNameValue("GEOMETRY_NAME", "geom");
+  options.SetNameValue("DESCRIPTION", form.doc.c_str());
+  const bool is_spatial = form.geometry != GeometryKind::none;
+  OGRLayer* layer = dataset.CreateLayer(form.name.c_str(), is_spatial ? &crs : nullptr,
+                                        geometry_type(form.geometry), options.List());
+  if (layer == nullptr) return false;
+  OGRFieldDefn name("name", OFTString);
+  if (layer->CreateField(&name) != OGRERR_NONE) return false;
+  for (const FormField& field : form.fields) {
+    if (!add_column(*layer, field.declaration)) return false;
+  }
+  if (form.has_first_row) {
+    const std::unique_ptr<OGRFeature> feature(OGRFeature::CreateFeature(layer->GetLayerDefn()));
+    feature->SetField("name", form.name.c_str());
+    for (const FormField& field : form.fields) {
+      if (!field.initial.empty()) {
+        feature->SetField(field.declaration.name.c_str(), field.initial.c_str());
+      }
+    }
+    if (layer->CreateFeature(feature.get()) != OGRERR_NONE) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void write_form_layers(const std::string& file, const Body& body,
+                       const std::vector<FormLayer>& layers) {
+  const GdalSilence silence;
+  const auto refuse = [&](const std::string& why) { throw InputError({file, 0}, why); };
+  if (std::filesystem::exists(file)) refuse("is there already; it is not replaced");
+  GDALAllRegister();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (driver == nullptr || crs.SetFromUserInput(std::string(body.crs).c_str()) != OGRERR_NONE) {
+    refuse("cannot be made: GDAL has no GeoPackages, or PROJ does not know " +
+           std::string(body.crs));
+  }
+  const Dataset dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+  if (dataset == nullptr) refuse("cannot be made: " + GdalSilence::message());
+  for (const FormLayer& layer : layers) {
+    if (!add_layer(*dataset, crs, layer)) refuse("cannot be written: " + GdalSilence::message());
+  }
+  dataset->FlushCache(false);
+  for (const FormLayer& layer : layers) add_style(*dataset, layer);
+  // The name under which GIS tools look it up: PROJ's, with the year.
+  run_sql(*dataset,
+          "UPDATE gpkg_spatial_ref_sys SET definition = replace(definition, "
+          "'AUTHORITY[\"IAU\"', 'AUTHORITY[\"IAU_2015\"')");
+}
+
+}  // namespace lsos
