@@ -190,11 +190,15 @@ Comparison compare(const ComparedRun& run_a, const ComparedRun& run_b) {
     const Json none = Json::array();
     const Json texts_a = a.value(key, none), texts_b = b.value(key, none);
     if (texts_a == texts_b) continue;
-    const auto lacking = [](const Json& all, const Json& of) {
+    // One that stands there twice is found in the other twice, or it is lacking.
+    const auto lacking = [](const Json& all, Json of) {
       Json rest = Json::array();
       for (const Json& text : all) {
-        if (std::ranges::find(of, without_place(text), without_place) == of.end()) {
+        const auto same = std::ranges::find(of, without_place(text), without_place);
+        if (same == of.end()) {
           rest.push_back(text);
+        } else {
+          of.erase(same);
         }
       }
       return rest;

@@ -52,6 +52,15 @@ struct FigurePen::Sheet {
 FigurePen::FigurePen(double width_mm, double height_mm, int dpi)
     : sheet_(std::make_unique<Sheet>()) {
   const double scale = dpi / mm_an_inch;
+  // Cairo's pictures are no larger, in pixels either way.
+  constexpr double pixels_max = 32767;
+  if (scale * std::max(width_mm, height_mm) > pixels_max) {
+    throw InputError(
+        {}, fmt::format("--dpi {}: the figure is {:.0f} mm by {:.0f} mm; {:.0f} dpi at "
+                        "most make a picture of it",
+                        dpi, width_mm, height_mm,
+                        std::floor(pixels_max * mm_an_inch / std::max(width_mm, height_mm))));
+  }
   sheet_->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                                static_cast<int>(std::lround(width_mm * scale)),
                                                static_cast<int>(std::lround(height_mm * scale)));

@@ -43,6 +43,7 @@ const char* kml_type(ColumnType type) {
       return "int";
     case ColumnType::real:
       return "double";
+    case ColumnType::utc:
     case ColumnType::text:
       break;
   }

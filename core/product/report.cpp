@@ -81,6 +81,7 @@ Json rovers(const ReportData& data) {
                    {"type", rover.type},
                    {"colour", rover.colour},
                    {"samples", rover.samples},
+                   {"shown", rover.position.times_s().size()},
                    {"last_s", rover.last_s},
                    {"distance_m", rover.distance_m},
                    {"drawn", lines(rover.drawn)},

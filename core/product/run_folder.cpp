@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // The summary goes first: without it a run is unfinished, whatever else is still there.
-constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz",
-                               "report.html",  "report.png",   "plan.kml",
+constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz", "report.html",
+                               "report.png",   "plan.kml",     "mission.qgz", "hillshade.tif",
                                "log.gpkg",     "log.gpkg-wal", "log.gpkg-shm"};
 
 // Empty while a folder is looked at; holds `run_mark` from `prepare` on.

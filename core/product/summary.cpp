@@ -22,10 +22,10 @@ Json json_of(const ColumnValue& value) {
   return nullptr;
 }
 
-Json json_of(const EventRow& event) {
+Json json_of(const EventRow& event, Instant start) {
   Json object = Json::object();
   for (const Column<EventRow>& column : columns<EventRow>()) {
-    object[std::string(column.name)] = json_of(column.value(event, {}));
+    object[std::string(column.name)] = json_of(column.value(event, start));
   }
   return object;
 }
@@ -39,6 +39,7 @@ Json json_of(const RoverSummary& rover) {
                  {"energy_end_j", rover.energy_end_j},
                  {"energy_used_j", rover.energy_used_j},
                  {"solar_j", rover.solar_j},
+                 {"external_j", rover.external_j},
                  {"elevation_gain_m", rover.elevation_gain_m},
                  {"max_slope_rad", rover.max_slope_rad},
                  {"max_slip", rover.max_slip},
@@ -82,7 +83,7 @@ std::string to_json(const RunSummary& summary) {
   Json rovers = Json::object();
   for (const auto& [id, rover] : summary.rovers) rovers[id] = json_of(rover);
   Json events = Json::array();
-  for (const EventRow& event : summary.events) events.push_back(json_of(event));
+  for (const EventRow& event : summary.events) events.push_back(json_of(event, summary.start));
   const bool has_wall_time = summary.wall_s > 0;
   const Json document = {
       {"status", to_string(summary.status)},

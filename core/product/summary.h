@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "planet/utc.h"
 #include "record/rows.h"
 
 namespace lsos {
@@ -28,6 +29,7 @@ struct RoverSummary {
   double energy_end_j = not_modelled;
   double energy_used_j = not_modelled;
   double solar_j = not_modelled;
+  double external_j = not_modelled;  // from outside, levels that were set among it
   double elevation_gain_m = not_modelled;  // sum of rises, 0.5 m hysteresis
   double max_slope_rad = not_modelled;     // over all exchanges
   double max_slip = not_modelled;          // of driving: greatest mean over a second
@@ -38,6 +40,7 @@ struct RoverSummary {
 struct RunSummary {
   RunStatus status = RunStatus::completed;
   std::string plan;  // its file, as the user named it
+  Instant start;     // of the mission
   std::string log_sha256;
   double sim_s = 0;
   double wall_s = 0;

@@ -79,12 +79,16 @@ Column<Row> optional_time(std::string_view name) {
           }};
 }
 
-// Columns of `samples` that are part of a member.
-Column<SampleRow> utc() {
-  return {
-      "utc", ColumnType::text,
-      [](const SampleRow& row, Instant start) { return ColumnValue{format_utc(start + row.time)}; },
-      nullptr};
+// Calendar time of a member, or of two, the first that is known.
+template <auto member, auto second = member, class Row = decltype(row_of(member))>
+Column<Row> utc(std::string_view name) {
+  return {name, ColumnType::utc,
+          [](const Row& row, Instant start) {
+            std::optional<SimTime> time = row.*member;
+            if (!time) time = row.*second;
+            return time ? ColumnValue{format_utc(start + *time)} : ColumnValue{};
+          },
+          nullptr};
 }
 
 // Of a member that is a place.
@@ -139,7 +143,7 @@ std::span<const Column<SampleRow>> columns<SampleRow>() {
   using R = SampleRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      utc(),
+      utc<&R::time>("utc"),
       text<&R::rover_id>("rover_id"),
       lon<&R::place>("lon_deg"),
       lat<&R::place>("lat_deg"),
@@ -195,10 +199,15 @@ template <>
 std::span<const Column<PairRow>> columns<PairRow>() {
   using R = PairRow;
   static const Column<R> table[] = {
-      time<&R::time>("time_s"),        text<&R::from_id>("from_id"),
-      text<&R::to_id>("to_id"),        real<&R::distance_m>("distance_m"),
-      integer<&R::visible>("visible"), real<&R::visible_fraction>("visible_fraction"),
-      integer<&R::link>("link"),       text<&R::relay>("relay"),
+      time<&R::time>("time_s"),
+      utc<&R::time>("utc"),
+      text<&R::from_id>("from_id"),
+      text<&R::to_id>("to_id"),
+      real<&R::distance_m>("distance_m"),
+      integer<&R::visible>("visible"),
+      real<&R::visible_fraction>("visible_fraction"),
+      integer<&R::link>("link"),
+      text<&R::relay>("relay"),
   };
   return table;
 }
@@ -209,7 +218,8 @@ std::span<const Column<SightIntervalRow>> columns<SightIntervalRow>() {
   static const Column<R> table[] = {
       text<&R::from_id>("from_id"), text<&R::to_id>("to_id"),
       text<&R::kind>("kind"),       time<&R::start>("start_s"),
-      time<&R::end>("end_s"),       real<&R::light_time_s>("light_time_s"),
+      time<&R::end>("end_s"),       utc<&R::start>("utc"),
+      utc<&R::end>("end_utc"),      real<&R::light_time_s>("light_time_s"),
   };
   return table;
 }
@@ -255,6 +265,8 @@ std::span<const Column<EventRow>> columns<EventRow>() {
       optional_time<&R::ready>("ready_s"),
       optional_time<&R::start>("start_s"),
       optional_time<&R::end>("end_s"),
+      utc<&R::start, &R::ready>("utc"),
+      utc<&R::end>("end_utc"),
       real<&R::distance_m>("distance_m"),
       real<&R::energy_used_j>("energy_used_j"),
       real<&R::solar_j>("solar_j"),

@@ -14,7 +14,8 @@
 
 namespace lsos {
 
-enum class ColumnType { integer, real, text };
+// utc: a text as "2026-07-01T00:00:00.000Z".
+enum class ColumnType { integer, real, text, utc };
 
 // monostate is NULL: a NaN, an absent optional, an empty text.
 using ColumnValue = std::variant<std::monostate, std::int64_t, double, std::string>;

@@ -1,6 +1,12 @@
 #include "record/gpkg.h"
 
 #include <cpl_conv.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "base/error.h"
 
 namespace lsos::gpkg {
 
@@ -32,6 +38,8 @@ OGRFieldType field_type(ColumnType type) {
       return OFTInteger64;
     case ColumnType::real:
       return OFTReal;
+    case ColumnType::utc:
+      return OFTDateTime;
     case ColumnType::text:
       break;
   }
@@ -48,6 +56,26 @@ OGRwkbGeometryType geometry_type(LayerGeometry geometry) {
       break;
   }
   return wkbNone;
+}
+
+constexpr int zone_utc = 100;  // as GDAL counts zones
+
+void set_utc(OGRFeature& feature, int field, const std::string& text) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0;
+  float second = 0;  // GDAL's own; exact to far less than a millisecond
+  const int count =
+      std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%fZ", &year, &month, &day, &hour, &minute, &second);
+  LSOS_ASSERT(count == 6);
+  feature.SetField(field, year, month, day, hour, minute, second, zone_utc);
+}
+
+std::string utc(const OGRFeature& feature, int field) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
+  float second = 0;
+  feature.GetFieldAsDateTime(field, &year, &month, &day, &hour, &minute, &second, &zone);
+  const long milliseconds = std::lround(1000 * second);
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}Z", year, month, day, hour, minute,
+                     milliseconds / 1000, milliseconds % 1000);
 }
 
 }  // namespace
@@ -104,7 +132,11 @@ void set_value(OGRFeature& feature, int field, const ColumnValue& value) {
   } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
     feature.SetField(field, static_cast<GIntBig>(*integer));
   } else if (const auto* text = std::get_if<std::string>(&value)) {
-    feature.SetField(field, text->c_str());
+    if (feature.GetFieldDefnRef(field)->GetType() == OFTDateTime) {
+      set_utc(feature, field, *text);
+    } else {
+      feature.SetField(field, text->c_str());
+    }
   } else {
     feature.SetFieldNull(field);
   }
@@ -117,6 +149,8 @@ ColumnValue value(const OGRFeature& feature, int field, ColumnType type) {
       return std::int64_t{feature.GetFieldAsInteger64(field)};
     case ColumnType::real:
       return feature.GetFieldAsDouble(field);
+    case ColumnType::utc:
+      return utc(feature, field);
     case ColumnType::text:
       break;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct LayerSpec {
 };
 
 const std::vector<LayerSpec>& contract_layers();
+
+// How QGIS draws a layer.
+struct LayerStyle {
+  std::string layer, name;
+  std::string qml;  // as QGIS writes it
+};
 
 // The layer that rows of this type go to.
 template <class Row>

@@ -11,7 +11,7 @@
 
 #include "base/output_error.h"
 #include "planet/utc.h"
-#include "record/columns.h"
+#include "record/layers.h"
 #include "record/rows.h"
 
 namespace lsos {
@@ -52,6 +52,9 @@ class LogWriter {
   // Layer `run`, a row a key, updated when written again; nothing that differs between two equal
   // runs.
   void write_run(const std::map<std::string, std::string>& values);
+
+  // No part of the digest.
+  void write_styles(const std::vector<LayerStyle>& styles);
 
   // Commits when the last commit is a wall second old.
   void commit_if_due();

@@ -141,6 +141,17 @@ struct LogWriter::Impl {
       dataset->FlushCache(false);
       return true;
     });
+    // The name under which GIS tools look it up: PROJ's, with the year.
+    attempt("naming the reference system", [&] {
+      gpkg::run_sql(*dataset,
+                    "UPDATE gpkg_spatial_ref_sys SET definition = replace(definition, "
+                    "'AUTHORITY[\"IAU\"', 'AUTHORITY[\"IAU_2015\"')");
+      return true;
+    });
+    attempt("giving columns titles", [&] {
+      gpkg::add_titles(*dataset);
+      return true;
+    });
   }
 
   template <class Row>
@@ -230,6 +241,15 @@ void LogWriter::write(const EventRow& row) {
 
 void LogWriter::write_run(const std::map<std::string, std::string>& values) {
   for (const auto& [key, value] : values) impl_->put_run({key, value});
+}
+
+void LogWriter::write_styles(const std::vector<LayerStyle>& styles) {
+  impl_->attempt("writing styles", [&] {
+    for (const LayerStyle& style : styles) {
+      gpkg::add_style(*impl_->dataset, style, format_utc(impl_->start));
+    }
+    return true;
+  });
 }
 
 void LogWriter::commit_if_due() {

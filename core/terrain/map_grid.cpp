@@ -130,6 +130,34 @@ MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolut
   return grid;
 }
 
+MapGrid grid_about(const Body& body, const Geodetic& origin, double west_m, double south_m,
+                   double east_m, double north_m, double resolution_m) {
+  const double columns = std::ceil((east_m - west_m) / resolution_m);
+  const double rows = std::ceil((north_m - south_m) / resolution_m);
+  LSOS_ASSERT(columns >= 1 && rows >= 1 && columns * rows <= most_cells);
+  const GdalSilence silence;
+  OGRSpatialReference geographic;
+  LSOS_ASSERT(geographic.SetFromUserInput(std::string(body.crs).c_str()) == OGRERR_NONE);
+  OGRSpatialReference crs;
+  crs.SetProjCS(
+      fmt::format("{} about {:.4f},{:.4f}", body.name, lon_deg(origin), lat_deg(origin)).c_str());
+  crs.CopyGeogCSFrom(&geographic);
+  crs.SetStereographic(lat_deg(origin), lon_deg(origin), 1, 0, 0);
+  MapGrid grid;
+  grid.crs = wkt_of(crs);
+  grid.columns = static_cast<int>(columns);
+  grid.rows = static_cast<int>(rows);
+  grid.geotransform = {west_m, resolution_m, 0, south_m + rows * resolution_m, 0, -resolution_m};
+  return grid;
+}
+
+std::string geographic_wkt(const Body& body) {
+  const GdalSilence silence;
+  OGRSpatialReference geographic;
+  LSOS_ASSERT(geographic.SetFromUserInput(std::string(body.crs).c_str()) == OGRERR_NONE);
+  return wkt_of(geographic);
+}
+
 MapGrid grid_of_raster(const Raster& raster, const std::optional<MapWindow>& window,
                        const RasterName& name) {
   const RasterMap& map = raster.map();

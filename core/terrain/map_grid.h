@@ -39,6 +39,12 @@ struct MapGrid {
 // beyond 60 degrees of latitude polar stereographic, on Earth UTM or transverse Mercator. Throws
 // InputError when there would be too many.
 MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolution_m);
+// Square cells of a stereographic map about a place, which is its origin: metres east and north of
+// it. Throws InputError when there would be too many.
+MapGrid grid_about(const Body& body, const Geodetic& origin, double west_m, double south_m,
+                   double east_m, double north_m, double resolution_m);
+// WKT of the body's geographic CRS.
+std::string geographic_wkt(const Body& body);
 // The raster's own cells; those about the window where there is one. Throws InputError when the
 // window lies elsewhere.
 MapGrid grid_of_raster(const Raster& raster, const std::optional<MapWindow>& window,

@@ -26,7 +26,10 @@ function fillFindings() {
   if (!summary) place.append(box('bad', 'This run has not finished', make('p', {}, 'The page shows what its log held when the page was written.')));
   const bad = page.events.filter(event => event.status === 'failed' || event.status === 'incomplete');
   if (bad.length > 0) {
-    place.append(box('bad', `${bad.length} event${bad.length > 1 ? 's' : ''} not completed`,
+    const counts = ['failed', 'incomplete', 'not_started']
+      .map(status => [page.events.filter(event => event.status === status).length, status])
+      .filter(([count]) => count > 0).map(([count, status]) => `${count} ${statusText(status)}`);
+    place.append(box('bad', `Of ${page.events.length} event${page.events.length > 1 ? 's' : ''} ${counts.join(', ')}`,
       list(bad.map(event => `${event.rover_id}, ${event.label}: ${statusText(event.status)}${event.reason ? ', ' + event.reason : ''}`))));
   }
   const warnings = summary?.warnings || [], assumptions = summary?.assumptions || [];
@@ -156,11 +159,11 @@ function fillPictures() {
 }
 
 function fillOrigins() {
-  const most = Math.max(0, ...rovers.map(rover => rover.samples));
+  const isThinned = rovers.some(rover => rover.shown < rover.samples);
   const samples = rovers.reduce((sum, rover) => sum + rover.samples, 0);
   document.getElementById('thinned').append(
     make('span', {class: 'hint'}, 'Move over a plot for values, drag to zoom, double-click for the whole run, click to hold the cursor (arrow keys move it). '),
-    most >= 4 * page.stretches
+    isThinned
       ? `Of the log’s ${samples.toLocaleString('en')} samples each line shows the first, last, least and greatest of ${page.stretches.toLocaleString('en')} stretches, so no extreme is missing; log.gpkg has all.`
       : `Lines show the log’s samples as they are (${samples.toLocaleString('en')}).`);
   const rows = [['plan', page.plan], ['log_sha256', summary?.log_sha256 || ''], ...Object.entries(page.run)];

@@ -65,6 +65,14 @@ TEST(Compare, takes_warnings_of_other_places_for_the_same) {
   EXPECT_FALSE(comparison(one, other).is_equal());
 }
 
+TEST(Compare, counts_warnings_that_come_more_than_once) {
+  RunSummary one = test_summary(), other = test_summary();
+  one.warnings = {"B is near", "B is near", "B is near"};
+  other.warnings = {"B is near"};
+  EXPECT_EQ(comparison(one, other).differences.size(), 2u);
+  EXPECT_EQ(comparison(other, one).differences.size(), 2u);
+}
+
 TEST(Compare, tells_values_of_both_and_how_much_they_changed) {
   RunSummary other = test_summary();
   other.log_sha256 = "2";

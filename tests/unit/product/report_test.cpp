@@ -185,6 +185,16 @@ TEST_F(ReportTest, has_a_figure_of_its_plots) {
   EXPECT_EQ(byte(18) << 8 | byte(19), 709);
 }
 
+TEST_F(ReportTest, a_figure_too_large_for_a_picture_says_how_large_it_may_be) {
+  try {
+    figure_png(data(), 100'000);
+    FAIL() << "it was drawn";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--dpi 100000: the figure is 180 mm by "));
+    EXPECT_THAT(error.what(), HasSubstr(" dpi at most make a picture of it"));
+  }
+}
+
 // Intervals are logged when they end: of a run that was killed the last ones are not.
 TEST_F(ReportTest, shows_sight_that_was_not_over_when_the_log_ended) {
   LogWriter log(folder / "cut.gpkg", moon_crs, test_start());

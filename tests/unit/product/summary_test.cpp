@@ -112,6 +112,7 @@ TEST(Summary, has_the_keys_of_the_contract_in_its_order) {
       "energy_end_j": null,
       "energy_used_j": null,
       "solar_j": null,
+      "external_j": null,
       "elevation_gain_m": null,
       "max_slope_rad": null,
       "max_slip": 0.25,

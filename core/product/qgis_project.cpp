@@ -1,0 +1,83 @@
+#include "product/qgis_project.h"
+
+#include <fmt/format.h>
+
+#include "plan/kml_writer.h"
+#include "product/qgis_style.h"
+
+namespace lsos {
+
+namespace {
+
+std::string crs_xml(const std::string& wkt, std::string_view authority = "") {
+  return fmt::format("<spatialrefsys><wkt>{}</wkt><authid>{}</authid></spatialrefsys>",
+                     xml_escaped(wkt), authority);
+}
+
+// QGIS gives layers with ids of ten letters or fewer new ones.
+std::string id_of(std::string_view layer) { return fmt::format("lsos_{}_layer", layer); }
+
+std::string source_of(std::string_view layer) {
+  return fmt::format("./log.gpkg|layername={}", layer);
+}
+
+std::string log_layer(const QgisLayer& layer, const QgisMap& map) {
+  return fmt::format(
+      R"(<maplayer type="vector" geometry="{}" labelsEnabled="{}"><id>{}</id><datasource>{}</datasource>)"
+      R"(<layername>{}</layername><provider encoding="UTF-8">ogr</provider><srs>{}</srs>{}{}{})"
+      "</maplayer>",
+      layer.geometry, layer.labeling.empty() ? 0 : 1, id_of(layer.layer), source_of(layer.layer),
+      layer.title, crs_xml(map.log_crs_wkt, map.body->crs), layer.temporal, layer.renderer,
+      layer.labeling);
+}
+
+std::string hillshade(const QgisMap& map) {
+  return fmt::format(
+      R"(<maplayer type="raster"><id>{}</id><datasource>./hillshade.tif</datasource>)"
+      "<layername>Hillshade</layername><provider>gdal</provider><srs>{}</srs><pipe>"
+      R"(<rasterrenderer type="singlebandgray" grayBand="1" opacity="1" alphaBand="-1">)"
+      "<contrastEnhancement><minValue>0</minValue><maxValue>255</maxValue>"
+      "<algorithm>StretchToMinimumMaximum</algorithm></contrastEnhancement></rasterrenderer>"
+      "</pipe></maplayer>",
+      id_of("hillshade"), crs_xml(map.map_crs_wkt));
+}
+
+std::string tree_node(const std::string& id, std::string_view title, const std::string& source,
+                      std::string_view provider, bool is_on) {
+  return fmt::format(
+      R"(<layer-tree-layer id="{}" name="{}" source="{}" providerKey="{}" checked="{}" )"
+      R"(expanded="0"/>)",
+      id, title, source, provider, is_on ? "Qt::Checked" : "Qt::Unchecked");
+}
+
+}  // namespace
+
+std::string qgis_project(const QgisMap& map) {
+  std::string tree, layers;
+  for (const QgisLayer& layer : qgis_layers(map.rovers)) {
+    tree += tree_node(id_of(layer.layer), layer.title, source_of(layer.layer), "ogr", layer.is_on);
+    layers += log_layer(layer, map);
+  }
+  if (map.has_hillshade) {
+    tree += tree_node(id_of("hillshade"), "Hillshade", "./hillshade.tif", "gdal", true);
+    layers += hillshade(map);
+  }
+  const std::string crs = crs_xml(map.map_crs_wkt);
+  const std::string project = fmt::format(
+      "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+      R"(<qgis projectname="{0}" version="3.22.0"><homePath path=""/><title>{0}</title>)"
+      "<projectCrs>{1}</projectCrs><layer-tree-group>{2}</layer-tree-group>"
+      R"(<mapcanvas name="theMapCanvas" annotationsVisible="1"><units>meters</units><extent>)"
+      "<xmin>{4:.1f}</xmin><ymin>{5:.1f}</ymin><xmax>{6:.1f}</xmax><ymax>{7:.1f}</ymax></extent>"
+      "<rotation>0</rotation><destinationsrs>{1}</destinationsrs></mapcanvas>"
+      "<projectlayers>{3}</projectlayers><properties>"
+      R"(<SpatialRefSys><ProjectionsEnabled type="int">1</ProjectionsEnabled></SpatialRefSys>)"
+      R"(<Paths><Absolute type="bool">false</Absolute></Paths></properties>)"
+      R"(<ProjectViewSettings UseProjectScales="0"><Scales/><DefaultViewExtent xmin="{4:.1f}" )"
+      R"(ymin="{5:.1f}" xmax="{6:.1f}" ymax="{7:.1f}">{1}</DefaultViewExtent></ProjectViewSettings>)"
+      "</qgis>\n",
+      xml_escaped(map.title), crs, tree, layers, map.west_m, map.south_m, map.east_m, map.north_m);
+  return pack_zip("mission.qgs", project);
+}
+
+}  // namespace lsos

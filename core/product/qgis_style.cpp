@@ -1,0 +1,191 @@
+#include "product/qgis_style.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "product/rover_colors.h"
+
+namespace lsos {
+
+namespace {
+
+using Options = std::vector<std::pair<std::string, std::string>>;
+
+std::string options_xml(const Options& options) {
+  std::string xml = "<Option type=\"Map\">";
+  for (const auto& [name, value] : options) {
+    xml +=
+        fmt::format(R"(<Option type="QString" name="{}" value="{}"/>)", name, xml_escaped(value));
+  }
+  return xml + "</Option>";
+}
+
+// A property of a symbol that an expression decides.
+std::string property_xml(const std::string& name, const std::string& expression) {
+  constexpr int is_expression = 3;
+  return fmt::format(
+      R"(<data_defined_properties><Option type="Map"><Option type="QString" name="name" value=""/>)"
+      R"(<Option type="Map" name="properties"><Option type="Map" name="{}">)"
+      R"(<Option type="bool" name="active" value="true"/>)"
+      R"(<Option type="QString" name="expression" value="{}"/>)"
+      R"(<Option type="int" name="type" value="{}"/></Option></Option>)"
+      R"(<Option type="QString" name="type" value="collection"/></Option></data_defined_properties>)",
+      name, xml_escaped(expression), is_expression);
+}
+
+struct Symbol {
+  std::string value, label;
+  Options options;
+  std::string property;  // as property_xml
+};
+
+// One symbol for each value of a column.
+std::string categories(std::string_view column, const std::vector<Symbol>& symbols, bool is_line) {
+  std::string values, drawn;
+  for (std::size_t i = 0; i < symbols.size(); ++i) {
+    const Symbol& symbol = symbols[i];
+    values += fmt::format(R"(<category value="{}" symbol="{}" label="{}" render="true"/>)",
+                          xml_escaped(symbol.value), i, xml_escaped(symbol.label));
+    drawn +=
+        fmt::format(R"(<symbol type="{}" name="{}" alpha="1" clip_to_extent="1" force_rhr="0">)"
+                    R"(<layer class="{}" enabled="1" locked="0" pass="0">{}{}</layer></symbol>)",
+                    is_line ? "line" : "marker", i, is_line ? "SimpleLine" : "SimpleMarker",
+                    options_xml(symbol.options), symbol.property);
+  }
+  return fmt::format(
+      R"(<renderer-v2 type="categorizedSymbol" attr="{}" symbollevels="0" enableorderby="0" )"
+      R"(forceraster="0"><categories>{}</categories><symbols>{}</symbols></renderer-v2>)",
+      column, values, drawn);
+}
+
+// "255,0,0,255" of KML's "0000ff".
+std::string color_of(std::size_t rover) {
+  const std::string_view bgr = rover_colors[rover % rover_colors.size()];
+  const auto part = [&](std::size_t at) {
+    return std::stoi(std::string(bgr.substr(at, 2)), nullptr, 16);
+  };
+  return fmt::format("{},{},{},255", part(4), part(2), part(0));
+}
+
+std::vector<Symbol> by_rover(const std::vector<std::string>& rovers, const Options& options,
+                             const std::string& color_option, const std::string& property) {
+  std::vector<Symbol> symbols;
+  for (std::size_t i = 0; i < rovers.size(); ++i) {
+    Symbol symbol{rovers[i], rovers[i], options, property};
+    symbol.options.emplace_back(color_option, color_of(i));
+    symbols.push_back(std::move(symbol));
+  }
+  return symbols;
+}
+
+// Small triangles along the drive that point where the rover heads.
+std::string samples(const std::vector<std::string>& rovers) {
+  const Options options{{"name", "triangle"},    {"size", "1.8"}, {"size_unit", "MM"},
+                        {"outline_style", "no"}, {"angle", "0"},  {"scale_method", "diameter"}};
+  return categories(
+      "rover_id",
+      by_rover(rovers, options, "color", property_xml("angle", "degrees(\"heading_rad\")")), false);
+}
+
+std::string events() {
+  struct Status {
+    const char *name, *shape, *color;
+  };
+  constexpr std::array statuses{Status{"completed", "circle", "0,150,60,255"},
+                                Status{"failed", "cross_fill", "215,25,28,255"},
+                                Status{"incomplete", "half_square", "255,140,0,255"},
+                                Status{"skipped", "diamond", "150,150,150,255"}};
+  std::vector<Symbol> symbols;
+  for (const Status& status : statuses) {
+    symbols.push_back({status.name,
+                       status.name,
+                       {{"name", status.shape},
+                        {"size", "3.4"},
+                        {"size_unit", "MM"},
+                        {"color", status.color},
+                        {"outline_color", "255,255,255,255"},
+                        {"outline_width", "0.3"}},
+                       ""});
+  }
+  return categories("status", symbols, false);
+}
+
+std::string notes() {
+  return fmt::format(
+      R"(<renderer-v2 type="singleSymbol" symbollevels="0" enableorderby="0" forceraster="0">)"
+      R"(<symbols><symbol type="marker" name="0" alpha="1" clip_to_extent="1" force_rhr="0">)"
+      R"(<layer class="SimpleMarker" enabled="1" locked="0" pass="0">{}</layer></symbol></symbols>)"
+      R"(</renderer-v2>)",
+      options_xml({{"name", "square"},
+                   {"size", "1.6"},
+                   {"color", "255,255,255,255"},
+                   {"outline_color", "60,60,60,255"}}));
+}
+
+std::string label(std::string_view column) {
+  return fmt::format(
+      R"(<labeling type="simple"><settings calloutType="simple"><text-style fieldName="{}" )"
+      R"(fontSize="8" fontSizeUnit="Point" textColor="20,20,20,255" isExpression="0">)"
+      R"(<text-buffer bufferDraw="1" bufferSize="0.8" bufferSizeUnits="MM" )"
+      R"(bufferColor="255,255,255,220"/></text-style>)"
+      R"(<placement placement="6" dist="1.2" distUnits="MM"/></settings></labeling>)",
+      column);
+}
+
+// When a feature is shown as the time slider moves: from `start` on, to `end` where there is one.
+std::string temporal(std::string_view start, std::string_view end) {
+  constexpr int from_a_moment = 1, between_moments = 2;
+  return fmt::format(
+      R"(<temporal enabled="1" mode="{}" startField="{}" endField="{}" durationField="" )"
+      R"(durationUnit="min" fixedDuration="0" accumulate="{}" startExpression="" endExpression="" )"
+      R"(limitMode="0"><fixedRange><start/><end/></fixedRange></temporal>)",
+      end.empty() ? from_a_moment : between_moments, start, end, end.empty() ? 1 : 0);
+}
+
+}  // namespace
+
+std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers) {
+  const Options path{{"line_width", "0.5"}, {"line_width_unit", "MM"}, {"line_style", "dash"}};
+  return {
+      {"events", "Events", "Point", events(), label("label"), temporal("utc", "")},
+      {"notes", "Notes", "Point", notes(), label("name"), "", false},
+      {"samples", "Samples", "Point", samples(rovers), "", temporal("utc", "")},
+      {"planned_paths", "Planned paths", "Line",
+       categories("rover_id", by_rover(rovers, path, "line_color", ""), true), "", ""},
+  };
+}
+
+std::string qgis_style(const QgisLayer& layer) {
+  return fmt::format(
+      "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
+      R"(<qgis version="3.22" styleCategories="Symbology|Labeling|Temporal" labelsEnabled="{}">)"
+      "{}{}{}</qgis>\n",
+      layer.labeling.empty() ? 0 : 1, layer.temporal, layer.renderer, layer.labeling);
+}
+
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace lsos

@@ -1,0 +1,31 @@
+// How QGIS draws the layers of a log: XML of its version 3.22, in parts that its project files and
+// its styles share.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lsos {
+
+struct QgisLayer {
+  std::string_view layer;     // of log.gpkg
+  std::string title;          // "Samples"
+  std::string_view geometry;  // Point, Line
+  std::string renderer;       // <renderer-v2>
+  std::string labeling;       // <labeling>; "": none
+  std::string temporal;       // <temporal>; "": always shown
+  bool is_on = true;          // drawn when the project opens
+};
+
+// Those that have places, the topmost first. `rovers`: their ids in byte order, which decides their
+// colours.
+std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers);
+
+// A style as QGIS keeps it in the table layer_styles.
+std::string qgis_style(const QgisLayer& layer);
+
+// Text of an element or attribute.
+std::string xml_escaped(std::string_view text);
+
+}  // namespace lsos

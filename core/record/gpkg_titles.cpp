@@ -1,0 +1,48 @@
+// What GIS tools show people in place of column names.
+#include <fmt/format.h>
+
+#include "record/column_titles.h"
+#include "record/gpkg.h"
+
+namespace lsos::gpkg {
+
+std::string quoted(std::string_view text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+// OGC 12-128r18, annex F.9.
+void add_titles(GDALDataset& dataset) {
+  run_sql(dataset,
+          "CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, "
+          "name TEXT, title TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, "
+          "CONSTRAINT pk_gdc PRIMARY KEY (table_name, column_name), "
+          "CONSTRAINT gdc_tn UNIQUE (table_name, name))");
+  run_sql(dataset,
+          "CREATE TABLE gpkg_data_column_constraints (constraint_name TEXT NOT NULL, "
+          "constraint_type TEXT NOT NULL, value TEXT, min NUMERIC, min_is_inclusive BOOLEAN, "
+          "max NUMERIC, max_is_inclusive BOOLEAN, description TEXT, "
+          "CONSTRAINT gdcc_ntv UNIQUE (constraint_name, constraint_type, value))");
+  run_sql(dataset,
+          "CREATE TABLE IF NOT EXISTS gpkg_extensions (table_name TEXT, column_name TEXT, "
+          "extension_name TEXT NOT NULL, definition TEXT NOT NULL, scope TEXT NOT NULL, "
+          "CONSTRAINT ge_tce UNIQUE (table_name, column_name, extension_name))");
+  for (const char* table : {"gpkg_data_columns", "gpkg_data_column_constraints"}) {
+    run_sql(dataset, fmt::format("INSERT INTO gpkg_extensions VALUES ('{}', NULL, 'gpkg_schema', "
+                                 "'http://www.geopackage.org/spec/#extension_schema', "
+                                 "'read-write')",
+                                 table));
+  }
+  for (const LayerSpec& layer : contract_layers()) {
+    for (const ColumnSpec& column : layer.columns) {
+      const ColumnTitle& title = column_title(column.name);
+      run_sql(dataset, fmt::format("INSERT INTO gpkg_data_columns (table_name, column_name, name, "
+                                   "title, description) VALUES ({}, {}, {}, {}, {})",
+                                   quoted(layer.name), quoted(column.name), quoted(title.title),
+                                   quoted(title.title), quoted(title.meaning)));
+    }
+  }
+}
+
+}  // namespace lsos::gpkg
