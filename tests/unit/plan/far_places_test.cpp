@@ -62,6 +62,10 @@ TEST(FarPlaces, long_legs_are_no_slip_where_all_are_long) {
 
 TEST(FarPlaces, an_altitude_that_is_no_number_is_none) {
   EXPECT_EQ(said_of(drive(1, "31,20,nan 31.001,20,NaN")), "");
+  EXPECT_EQ(said_of(drive(1, "31,20,\n31.001,20,\n31.002,20,")), "");
+  EXPECT_EQ(said_of(drive(1, "31 , 20 , 31.001 , 20 , 31.002 , 20 ,")), "");
+  // An altitude behind a blank is one.
+  EXPECT_EQ(said_of(drive(1, "31, 20, 0\n31.001, 20, 5")), "");
 }
 
 }  // namespace
