@@ -207,6 +207,7 @@ std::vector<std::pair<double, double>> FreeArea::parts(const Vec2& from_m, const
 
 FreeArea::Limits FreeArea::limits(const Vec2& from_m, const Vec2& to_m, double margin_m) const {
   Limits limits;
+  limits.margin_m = margin_m;
   const double out_m = std::max(outside_m(from_m), outside_m(to_m));
   limits.slack_m = out_m + touch_m;
   limits.are_full = out_m <= rounding_m;
@@ -267,8 +268,8 @@ bool FreeArea::is_tangent(const Turn& turn, const Vec2& way_m) {
 }
 
 // Places to turn at: round each corner that sticks out into the free ground, outside a circle of
-// the margin, at most a right angle at each. The outline is gone round as near as can be.
-std::vector<FreeArea::Turn> FreeArea::corners(double margin_m) const {
+// the margin, at most a right angle at each.
+std::vector<FreeArea::Turn> FreeArea::corners(const Limits& limits) const {
   std::vector<Turn> turns;
   const auto add_ring = [&](const Ring& ring, double off_m) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -291,31 +292,31 @@ std::vector<FreeArea::Turn> FreeArea::corners(double margin_m) const {
       }
     }
   };
-  add_ring(outline_, margin_least_m);
-  for (const Ring& hole : holes_) add_ring(hole, margin_m);
+  add_ring(outline_, limits.outline_margin_m);
+  for (const Ring& hole : holes_) add_ring(hole, limits.margin_m);
   return turns;
 }
 
 // A*: the straight distance to the end is a lower bound of the path to it. A line is looked at when
 // it is the next that may belong to the shortest path, which most are never.
 std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& to_m,
-                                               double margin_m, const Limits& limits) const {
-  if (is_free(from_m, to_m, limits)) return Path{{to_m}, margin_m};
+                                               const Limits& limits) const {
+  if (is_free(from_m, to_m, limits)) return Path{{to_m}, limits.margin_m};
   struct Line {
     double total_m;  // of the path by it
     std::uint32_t from, to;
     bool operator>(const Line& other) const { return total_m > other.total_m; }
   };
   std::vector<Turn> places{{from_m, {0, 0}, {0, 0}}, {to_m, {0, 0}, {0, 0}}};
-  for (const Turn& place : corners(margin_m)) places.push_back(place);
+  for (const Turn& place : corners(limits)) places.push_back(place);
   enum class State { unknown, open, done };
   std::vector<State> states(places.size(), State::unknown);
   std::vector<double> cost_m(places.size(), 0);
   std::vector<std::size_t> previous(places.size(), 0);
   std::priority_queue<Line, std::vector<Line>, std::greater<>> lines;
-  // A shortest path touches what it turns at. Round holes it may also cut between a circle and the
-  // places that stand off it, which is worth looking for where the corners are few.
-  const bool tangents_only = limits.are_full && (holes_.empty() || size() > corners_few);
+  // A shortest path touches what it turns at. It may also cut between a circle and the places that
+  // stand off it, which is worth looking for where the corners are few.
+  const bool tangents_only = limits.are_full && size() > corners_few;
   const auto is_worth_a_look = [&](std::size_t from, std::size_t to, const Vec2& way_m) {
     if (!tangents_only || from < 2 || to < 2) return true;
     return is_tangent(places[from], way_m) && is_tangent(places[to], way_m);
@@ -351,7 +352,7 @@ std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& t
     previous[line.to] = line.from;
     reach(line.to);
   }
-  Path path{{}, margin_m};
+  Path path{{}, limits.margin_m};
   for (std::size_t at = 1; at != 0; at = previous[at]) path.points_m.push_back(places[at].at_m);
   std::ranges::reverse(path.points_m);
   return path;
@@ -365,10 +366,16 @@ std::optional<FreeArea::Path> FreeArea::path(const Vec2& from_m, const Vec2& to_
   if (out_m) begin_m = *out_m;
   const int count = holes_.empty() ? 1 : margins_count;
   for (int i = 0; i < count; ++i, margin_m /= 2) {
-    auto found = search(begin_m, to_m, margin_m, limits(begin_m, to_m, margin_m));
-    if (!found) continue;
-    if (out_m && !found->is_given_up) found->points_m.insert(found->points_m.begin(), *out_m);
-    return found;
+    Limits limits = this->limits(begin_m, to_m, margin_m);
+    // Off the outline's corners too where there is room, else as near as can be.
+    for (const double outline_margin_m : {margin_m, margin_least_m}) {
+      limits.outline_margin_m = outline_margin_m;
+      auto found = search(begin_m, to_m, limits);
+      const bool is_last = outline_margin_m == margin_least_m;
+      if (!found || (found->is_given_up && !is_last)) continue;
+      if (out_m && !found->is_given_up) found->points_m.insert(found->points_m.begin(), *out_m);
+      return found;
+    }
   }
   return {};
 }

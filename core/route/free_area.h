@@ -3,8 +3,7 @@
 //
 // The path goes along a visibility graph (Lozano-Perez and Wesley 1979, An algorithm for planning
 // collision-free paths among polyhedral obstacles): straight lines between corners that see each
-// other. A corner stands off what it goes round, two lines tangent to the circle of the margin; off
-// the outline, which has no margin, by a centimetre.
+// other. A corner stands off what it goes round, two lines tangent to the circle of the margin.
 #pragma once
 
 #include <optional>
@@ -30,7 +29,8 @@ class FreeArea {
     bool is_given_up = false;    // too many corners to find one: no points
   };
   // The shortest path that stays inside the outline and keeps `margin_m` from the holes. Where
-  // there is none it keeps half of that, and so on down to a sixteenth. From a hole that an end is
+  // there is none it keeps half of that, and so on down to a sixteenth. It goes round corners of
+  // the outline by as much, or right at them where that leads nowhere. From a hole that an end is
   // nearer to it keeps what that end does. A path that begins outside the outline may stay as far
   // outside; one that begins in a hole leaves it where that is nearest. Absent: there is none.
   std::optional<Path> path(const Vec2& from_m, const Vec2& to_m, double margin_m) const;
@@ -40,6 +40,8 @@ class FreeArea {
 
  private:
   struct Limits {
+    double margin_m = 0;            // that is wanted from holes
+    double outline_margin_m = 0;    // at its corners, not along its sides
     std::vector<double> margins_m;  // from each hole
     double slack_m = 0;             // outside the outline
     bool are_full = true;           // both ends lie inside and keep the margin
@@ -55,9 +57,8 @@ class FreeArea {
     Vec2 in, out;  // directions of the sides that meet there, unit; 0: any
   };
   static bool is_tangent(const Turn& turn, const Vec2& way_m);
-  std::vector<Turn> corners(double margin_m) const;
-  std::optional<Path> search(const Vec2& from_m, const Vec2& to_m, double margin_m,
-                             const Limits& limits) const;
+  std::vector<Turn> corners(const Limits& limits) const;
+  std::optional<Path> search(const Vec2& from_m, const Vec2& to_m, const Limits& limits) const;
 
   Ring outline_;             // counter-clockwise
   std::vector<Ring> holes_;  // clockwise: the free ground lies to the left of every side
