@@ -1,4 +1,4 @@
-// Polygons as outlines and holes.
+// Polygons as outlines and holes, and where a rover is after driving within one.
 #include <gmock/gmock.h>
 
 #include "plan_fixture.h"
@@ -8,14 +8,17 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Those of the fixture, and Survey, which drives within a polygon.
+// Those of the fixture, Survey, which drives within a polygon, and Meet, which drives to who knows
+// where.
 Declarations declarations() {
   Declarations known = test::declarations();
-  EventDeclaration survey;
+  EventDeclaration survey, meet;
   survey.name = "Survey";
   survey.geometries = {GeometryKind::polygon};
-  survey.drives = true;
-  known.events[survey.name] = survey;
+  meet.name = "Meet";
+  meet.geometries = {GeometryKind::none};
+  survey.drives = meet.drives = true;
+  for (const EventDeclaration& each : {survey, meet}) known.events[each.name] = each;
   return known;
 }
 
@@ -35,6 +38,11 @@ std::string survey(int sequence, const std::string& outline, const std::string& 
   std::string polygon = "<Polygon><outerBoundaryIs>" + ring(outline) + "</outerBoundaryIs>";
   if (!hole.empty()) polygon += "<innerBoundaryIs>" + ring(hole) + "</innerBoundaryIs>";
   return test::event("Survey", "area", "A", sequence, {}, polygon + "</Polygon>");
+}
+
+std::string rest_at(int sequence, const std::string& coordinates) {
+  return test::event("Pause", "rest", "A", sequence, {{"Duration", "10"}},
+                     test::point(coordinates));
 }
 
 // 300 m a side.
@@ -57,6 +65,25 @@ TEST(Polygon, may_have_corners_that_are_written_twice) {
       "");
   EXPECT_THAT(said_of(survey(1, "31,20 31,20 31.01,20 31.01,20 31,20")),
               HasSubstr("Polygon has 2 corners; three or more are wanted"));
+}
+
+TEST(Polygon, leaves_a_rover_anywhere_within) {
+  EXPECT_EQ(said_of(survey(1, area) + rest_at(2, "31.0105,20.0")), "");
+  EXPECT_EQ(said_of(survey(1, area) + rest_at(2, "31.005,20.005")), "");
+  EXPECT_THAT(said_of(survey(1, area) + rest_at(2, "31.005,20.02")),
+              HasSubstr("its Point is 303 m from where rover 'A' then is expected"));
+  // The way on is still measured.
+  EXPECT_THAT(
+      said_of(survey(1, area) + test::event("Route", "leg", "A", 2, {}, test::line("0,0 31,20"))),
+      HasSubstr("waypoint 1 (0.000000,0.000000) is"));
+}
+
+TEST(Meeting, leaves_a_rover_at_a_place_that_is_not_known) {
+  const std::string meet = test::event("Meet", "both", "A", 1);
+  EXPECT_EQ(said_of(meet + rest_at(2, "31.1,20")), "");
+  EXPECT_THAT(said_of(meet + test::event("Route", "leg", "A", 2, {}, test::point("31.1,20")) +
+                      rest_at(3, "31,20")),
+              HasSubstr("its Point is 2.8 km from where rover 'A' then is expected"));
 }
 
 }  // namespace
