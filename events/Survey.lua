@@ -109,10 +109,10 @@ local function go_on(ev, rover)
   ev.state.next = ev.state.next + 1
   local stop = ev.state.stops[ev.state.next]
   if not stop then return lsos.done end
+  -- Without a path the second is why.
   local path, kept_m = ev.geometry:path(rover.position, stop, ev.state.margin_m)
   if not path then
-    return lsos.fail('there is no path within the polygon, round its holes, to stop %d of %d',
-      ev.state.next, #ev.state.stops)
+    return lsos.fail('stop %d of %d: %s', ev.state.next, #ev.state.stops, kept_m)
   end
   if kept_m < ev.state.margin_m and not ev.state.is_narrow_told then
     ev.state.is_narrow_told = true

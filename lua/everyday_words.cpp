@@ -161,8 +161,9 @@ std::string everyday_word_hint(const std::string& word) {
     const std::string base = small.substr(0, small.size() - each.suffix.size());
     std::string_view quantity = meaning_of(base + std::string(each.own));
     if (quantity.empty()) quantity = meaning_of(base);
-    if (each.own.empty() && quantity == "energy_j")
-      quantity = "charge";  // that is what has percents
+    // The battery's charge has percents, its energy has kWh, whichever is said.
+    if (each.own.empty() && quantity == "energy_j") quantity = "charge";
+    if (each.own == "_j" && quantity == "charge") quantity = "energy_j";
     const bool is_of_unit = each.own.empty() ? is_share(quantity) : quantity.ends_with(each.own);
     if (!quantity.empty() && is_of_unit) return hint(quantity, each.conversion);
   }

@@ -98,19 +98,25 @@ int parts(lua_State* L) {
 }
 
 int path(lua_State* L) {
-  // A path between few corners costs a fraction of this, one between hundreds some tenths of a
-  // second.
+  // A path between few corners costs a fraction of this, one between thousands up to some seconds.
   constexpr std::int64_t instructions_per_path = 200, instructions_per_side = 200;
   const Request request = check_request(L, "path");
   const FreeArea area = area_of(L, "path");
+  const bool has_holes = !arguments_of(L).holes_S_m.empty();
   charge(L, instructions_per_path + instructions_per_side * static_cast<std::int64_t>(area.size()));
   const auto found = [&] {
     const EngineWork work(L);
     return area.path(request.from_m, request.to_m, request.margin_m);
   }();
-  if (!found) {
+  if (!found || found->is_given_up) {
     lua_pushnil(L);
-    return 1;
+    const std::string why =
+        found ? fmt::format("the polygon has too many corners ({}) to find paths in; simplify it",
+                            area.size())
+              : fmt::format("there is no path within the polygon{}",
+                            has_holes ? ", round its holes" : "");
+    lua_pushlstring(L, why.data(), why.size());
+    return 2;
   }
   Path3 points_S_m;
   for (const Vec2& point_m : found->points_m) {
@@ -201,8 +207,9 @@ const HandleType& geometry_type() {
        {"path", guard<path>, "ev.geometry:path(from, to, margin_m)",
         "The shortest path that stays inside the outline and so far from the holes, as waypoints "
         "after `from`, and the margin that it keeps: half of what was wanted, or less, where there "
-        "is no room for more. nil when there is none.",
-        "fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[]?, number?"}},
+        "is no room for more. nil, and why, when none is found.",
+        "fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[]?, "
+        "number|string"}},
       nullptr,
       "vec3[]"};
   return type;

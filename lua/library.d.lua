@@ -37,7 +37,7 @@
 ---@class lsos.ev.geometry: vec3[]
 ---@field holes vec3[][] Holes of a polygon (innerBoundaryIs), each a list of vec3; empty without.
 ---@field parts fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[][] Where the straight line between two places lies inside the polygon's outline and at least so far (default 0 m) from its holes: a list of { from, to }.
----@field path fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[]?, number? The shortest path that stays inside the outline and so far from the holes, as waypoints after `from`, and the margin that it keeps: half of what was wanted, or less, where there is no room for more. nil when there is none.
+---@field path fun(self: lsos.ev.geometry, from: vec3, to: vec3, margin_m?: number): vec3[]?, number|string The shortest path that stays inside the outline and so far from the holes, as waypoints after `from`, and the margin that it keeps: half of what was wanted, or less, where there is no room for more. nil, and why, when none is found.
 
 ---The rover that the event belongs to, as it was at the last exchange. A quantity that is not modelled is nil.
 ---@class lsos.rover

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace lsos {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-// The end of the side that begins at corner `i`.
-const Vec2& after(const Ring& ring, std::size_t i) { return ring[(i + 1) % ring.size()]; }
 
 bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto sides_differ = [](double first, double second) {
@@ -18,6 +14,35 @@ bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   };
   return sides_differ(cross(b - a, c - a), cross(b - a, d - a)) &&
          sides_differ(cross(d - c, a - c), cross(d - c, b - c));
+}
+
+// Whether two sides share a place; most are told apart by the boxes round them.
+bool do_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const auto are_apart = [&](int axis) {
+    return std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
+           std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]);
+  };
+  return !are_apart(0) && !are_apart(1) && segment_distance_m(a, b, c, d) == 0;
+}
+
+// Whether the test holds for any two sides that are not neighbours. Sides are taken from west to
+// east, each with those only that begin before it ends.
+template <typename Test>
+bool any_sides(const Ring& ring, const Test& test) {
+  const auto west_m = [&](std::size_t i) { return std::min(ring[i].x(), after(ring, i).x()); };
+  const auto east_m = [&](std::size_t i) { return std::max(ring[i].x(), after(ring, i).x()); };
+  std::vector<std::size_t> order(ring.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, west_m);
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const std::size_t i = order[k];
+    for (std::size_t l = k + 1; l < order.size() && west_m(order[l]) <= east_m(i); ++l) {
+      const std::size_t j = order[l], between = i < j ? j - i : i - j;
+      if (between <= 1 || between + 1 == ring.size()) continue;
+      if (test(ring[i], after(ring, i), ring[j], after(ring, j))) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -67,20 +92,16 @@ double ring_distance_m(const Ring& ring, const Vec2& a_m, const Vec2& b_m) {
 
 bool do_touch(const Ring& a, const Ring& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (ring_distance_m(b, a[i], after(a, i)) == 0) return true;
-  }
-  return false;
-}
-
-bool crosses_itself(const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    for (std::size_t k = i + 2; k < ring.size(); ++k) {
-      if (i == 0 && k + 1 == ring.size()) continue;
-      if (segment_distance_m(ring[i], after(ring, i), ring[k], after(ring, k)) == 0) return true;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      if (do_meet(a[i], after(a, i), b[k], after(b, k))) return true;
     }
   }
   return false;
 }
+
+bool crosses_itself(const Ring& ring) { return any_sides(ring, do_cross); }
+
+bool touches_itself(const Ring& ring) { return any_sides(ring, do_meet); }
 
 double doubled_area_m2(const Ring& ring) {
   double sum_m2 = 0;

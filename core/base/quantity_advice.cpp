@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/replaced.h"
 #include "base/unit_spellings.h"
 
 namespace lsos {
@@ -19,14 +20,6 @@ namespace {
 constexpr std::size_t text_bytes_max = 64;  // no quantity is longer
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
 
 std::string trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/replaced.h"
 #include "base/units.h"
 
 namespace lsos {
@@ -216,14 +217,6 @@ constexpr std::array words{
     Spelling{"kelvin", "K"},
     Spelling{"kelvins", "K"},
 };
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
 
 std::string in_small_letters(std::string_view text) {
   std::string small(text);

@@ -17,11 +17,15 @@ namespace lsos {
 namespace {
 
 // A leg is far from this on, and when it is so many times longer than the median of the rover's
-// other legs or leads to one end of a line that turns back there; a place that a slip explains, and
-// 0,0, from less on.
+// other legs, if there are as many, or leads to one end of a line that turns back there. A place
+// that decimal commas explain is far from less on.
 constexpr double far_m = 10e3, median_times = 20, slip_m = 1e3;
+constexpr std::size_t others_least = 2;
 // A slip explains a place that without it would be so much nearer.
 constexpr double nearer_share = 0.1;
+// A place is as likely as the one with longitude and latitude exchanged when the rover's start is
+// not so many times farther from it.
+constexpr double likely_times = 2;
 // Rovers and assets of one mission are no farther from each other.
 constexpr double together_m = 100e3;
 
@@ -40,15 +44,28 @@ std::optional<double> explained_m(const Body& body, const Geodetic& from, double
   return away_m <= nearer_share * distance_m ? std::optional(away_m) : std::nullopt;
 }
 
+// Whether a place with longitude and latitude exchanged, or 0,0, may be meant as it is: where both
+// are near the rover's start, or the way there is short.
+bool may_be_meant(const Body& body, const Geodetic& start, const Geodetic& place,
+                  double distance_m) {
+  const double away_m = surface_distance_m(body, start, place);
+  if (distance_m <= far_m) return true;
+  if (is_origin(place)) return away_m <= far_m;
+  const auto other = exchanged(place);
+  return other && away_m <= likely_times * surface_distance_m(body, start, *other);
+}
+
 // What may have been meant by a place; "" where no slip is known that explains it.
-std::string slip_text(const Body& body, const Geodetic& from, const Geodetic& place,
-                      double distance_m, const std::optional<Geodetic>& with_comma) {
+std::string slip_text(const Body& body, const Geodetic& start, const Geodetic& from,
+                      const Geodetic& place, double distance_m,
+                      const std::optional<Geodetic>& with_comma) {
   if (const auto away_m = explained_m(body, from, distance_m, with_comma)) {
     return fmt::format(
         "; with decimal commas, {:.6g},{:.6g}, it would be {} away: decimals take a "
         "point here",
         lon_deg(*with_comma), lat_deg(*with_comma), distance_text(*away_m));
   }
+  if (may_be_meant(body, start, place, distance_m)) return "";
   const std::string text = exchanged_text(body, from, place);
   if (!text.empty() || !is_origin(place)) return text;
   return "; 0,0 is what tools write for a place that they do not know";
@@ -69,9 +86,10 @@ struct Leg {
   std::optional<Geodetic> next;  // waypoint of the same event
 };
 
-std::vector<Leg> legs_of(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
+std::vector<Leg> legs_of(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
   std::vector<Leg> legs;
-  std::optional<Geodetic> from = expected;
+  std::optional<Geodetic> from;
+  if (expected) from = expected->at;
   for (const Geodetic& point : draft.event.geometry.points) {
     if (!legs.empty()) legs.back().next = point;
     legs.push_back({legs.size() + 1, from, point, {}});
@@ -82,17 +100,26 @@ std::vector<Leg> legs_of(const DraftEvent& draft, const std::optional<Geodetic>&
 
 class FarWaypoints {
  public:
-  FarWaypoints(const Body& body, Faults& faults) : body_(body), faults_(faults) {}
+  FarWaypoints(const Body& body, const std::vector<PlanRover>& rovers, const PlanGaps& gaps,
+               Faults& faults)
+      : body_(body), faults_(faults) {
+    for (const PlanRover& rover : rovers) {
+      if (!gaps.unplaced_rovers.contains(rover.id)) starts_.emplace(rover.id, rover.start);
+    }
+  }
 
-  void measure(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
+  void measure(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
     for (const Leg& leg : legs_of(draft, expected)) {
       if (!leg.from) continue;
-      lengths_m_[draft.event.rover_id].push_back(surface_distance_m(body_, *leg.from, leg.to));
+      const double length_m = surface_distance_m(body_, *leg.from, leg.to);
+      // The short way to where a line begins, and none at all, say nothing of the rover's legs.
+      if (length_m == 0 || (leg.waypoint == 1 && leg.next && length_m <= slip_m)) continue;
+      lengths_m_[draft.event.rover_id].push_back(length_m);
     }
   }
 
   // After measure() of all. One warning an event; none for the way back from a far place.
-  void check(const DraftEvent& draft, const std::optional<Geodetic>& expected) {
+  void check(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
     const std::string& rover = draft.event.rover_id;
     const bool is_back = strayed_.contains(rover);
     strayed_.erase(rover);
@@ -116,14 +143,16 @@ class FarWaypoints {
     const double distance_m = surface_distance_m(body_, *leg.from, leg.to);
     if (distance_m <= slip_m) return false;
     const bool has_comma = leg.waypoint <= draft.comma_places.size();
-    const std::string slip =
-        slip_text(body_, *leg.from, leg.to, distance_m,
-                  has_comma ? std::optional(draft.comma_places[leg.waypoint - 1]) : std::nullopt);
+    const auto start = starts_.find(event.rover_id);
+    const std::string slip = slip_text(
+        body_, start == starts_.end() ? *leg.from : start->second, *leg.from, leg.to, distance_m,
+        has_comma ? std::optional(draft.comma_places[leg.waypoint - 1]) : std::nullopt);
     std::vector<double> others_m = lengths_m_[event.rover_id];
     others_m.erase(std::ranges::find(others_m, distance_m));
-    const double usual_m = median_times * median(std::move(others_m));
-    const bool is_far = distance_m > far_m && (distance_m > usual_m || distance_m > together_m ||
-                                               is_spike(leg, distance_m));
+    const bool is_unusual =
+        others_m.size() >= others_least && distance_m > median_times * median(std::move(others_m));
+    const bool is_far =
+        distance_m > far_m && (is_unusual || distance_m > together_m || is_spike(leg, distance_m));
     if (slip.empty() && !is_far) return false;
     const bool is_corner = event.geometry.kind == GeometryKind::polygon;
     const std::string from =
@@ -139,6 +168,7 @@ class FarWaypoints {
 
   const Body& body_;
   Faults& faults_;
+  std::map<std::string, Geodetic> starts_;                // by rover; of those with one
   std::map<std::string, std::vector<double>> lengths_m_;  // by rover
   std::set<std::string> strayed_;                         // rovers that a far waypoint has led away
 };
@@ -148,7 +178,7 @@ void check_start(const Body& body, const PlanRover& first, const Geodetic& place
                  const Place& where, const std::string& subject, Faults& faults) {
   const double distance_m = surface_distance_m(body, first.start, place);
   if (distance_m <= slip_m) return;
-  const std::string slip = slip_text(body, first.start, place, distance_m, {});
+  const std::string slip = slip_text(body, first.start, first.start, place, distance_m, {});
   if (slip.empty() && distance_m <= together_m) return;
   faults.warning(where, fmt::format("{}: it is {} from rover {}{}", subject,
                                     distance_text(distance_m), quoted(first.id), slip));
@@ -221,7 +251,7 @@ void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<P
                   faults);
     }
   }
-  FarWaypoints far(body, faults);
+  FarWaypoints far(body, rovers, gaps, faults);
   const auto of_drives = [&](auto member) {
     visit_expected_places(drafts, rovers, gaps,
                           [&, member](const DraftEvent& draft, const auto& expected) {

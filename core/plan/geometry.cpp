@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "plan/far_places.h"
 #include "plan/polygon_rings.h"
 #include "plan/suggestions.h"
 
@@ -27,7 +28,7 @@ class Tuples {
  public:
   Tuples(std::string_view text, int line) : rest_(text), line_(line) {}
 
-  // "" at the end.
+  // "" at the end of the text.
   std::string next() {
     skip_blanks();
     first_line_ = line_;
@@ -39,8 +40,7 @@ class Tuples {
         continue;
       }
       skip_blanks();
-      const bool goes_on = !rest_.empty() && (rest_.front() == ',' || tuple.back() == ',');
-      if (!goes_on) break;
+      if (!goes_on(tuple)) break;
     }
     return tuple;
   }
@@ -48,6 +48,19 @@ class Tuples {
   int line() const { return first_line_; }
 
  private:
+  // Whether what follows the blanks after `tuple` is of it. An empty altitude ends a tuple: behind
+  // its second comma a number with a comma of its own is the next longitude.
+  bool goes_on(const std::string& tuple) const {
+    if (rest_.empty()) return false;
+    if (rest_.front() == ',') return true;
+    if (tuple.back() != ',') return false;
+    if (std::ranges::count(tuple, ',') < 2) return true;
+    const std::size_t end = std::ranges::find_if(rest_, is_blank) - rest_.begin();
+    const std::size_t next = rest_.find_first_not_of(" \t\r\n", end);
+    const bool has_comma = rest_.substr(0, end).find(',') != std::string_view::npos;
+    return !has_comma && (next == std::string_view::npos || rest_[next] != ',');
+  }
+
   void skip_blanks() {
     while (!rest_.empty() && is_blank(rest_.front())) {
       line_ += rest_.front() == '\n';
@@ -115,12 +128,16 @@ std::vector<Geodetic> read_tuples(const std::string& coordinates, int line,
   return places;
 }
 
-// A ring ends where it begins, in KML; here each corner stands once.
+bool is_same(const Geodetic& a, const Geodetic& b) {
+  return a.lon_rad == b.lon_rad && a.lat_rad == b.lat_rad;
+}
+
+// A ring ends where it begins, in KML; here each corner stands once, and one that is written twice
+// in a row too.
 void read_corners(std::vector<Geodetic>& places, const std::string& what, int line,
                   std::vector<CoordinateFault>& wrong) {
-  const Geodetic first = places.front(), last = places.back();
-  const bool is_closed = first.lon_rad == last.lon_rad && first.lat_rad == last.lat_rad;
-  if (is_closed) places.pop_back();
+  places.erase(std::ranges::unique(places, is_same).begin(), places.end());
+  if (places.size() > 1 && is_same(places.front(), places.back())) places.pop_back();
   if (places.size() < 3) {
     wrong.push_back({fmt::format("{} has {} corner{}; three or more are wanted", what,
                                  places.size(), places.size() == 1 ? "" : "s"),
@@ -143,6 +160,14 @@ std::vector<Geodetic> read_places(const SourceGeometry& source,
     wrong.push_back({"LineString has one coordinate; two or more are wanted", source.line});
   } else if (source.kind == "Polygon") {
     read_corners(places, "Polygon", source.line, wrong);
+    if (!wrong.empty()) return places;
+    const std::string fault = outline_fault(places);
+    const bool has_commas = !with_decimal_commas(source.coordinates).empty();
+    if (!fault.empty()) {
+      wrong.push_back({fmt::format("the outline of the Polygon {}{}", fault,
+                                   has_commas ? "; decimals take a point here" : ""),
+                       source.line});
+    }
   }
   return places;
 }

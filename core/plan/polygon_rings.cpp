@@ -23,7 +23,22 @@ Ring on_plane(const std::vector<Geodetic>& corners, const Geodetic& about) {
   return ring;
 }
 
+std::string self_fault(const Ring& ring) {
+  if (crosses_itself(ring)) return "crosses itself";
+  return touches_itself(ring) ? "touches itself" : "";
+}
+
 }  // namespace
+
+double outside_m(const Body& body, const std::vector<Geodetic>& outline, const Geodetic& place) {
+  const Ring ring = on_plane(outline, place);
+  const Vec2 here(0, 0);
+  return contains(ring, here) ? 0 : nearest_on_ring(ring, here).norm() * body.equatorial_radius_m;
+}
+
+std::string outline_fault(const std::vector<Geodetic>& outline) {
+  return self_fault(on_plane(outline, outline.front()));
+}
 
 std::string hole_fault(const std::vector<Geodetic>& outline,
                        const std::vector<std::vector<Geodetic>>& holes, std::size_t& hole) {
@@ -37,7 +52,7 @@ std::string hole_fault(const std::vector<Geodetic>& outline,
              "out of the outline";
     }
     if (!contains(outer, ring.front())) return "lies outside its outline";
-    if (crosses_itself(ring)) return "crosses itself";
+    if (const std::string fault = self_fault(ring); !fault.empty()) return fault;
     for (std::size_t other = 0; other < hole; ++other) {
       const std::string name = fmt::format("hole {}", other + 1);
       if (do_touch(ring, inner[other])) {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <queue>
 
 namespace lsos {
 
@@ -13,11 +16,9 @@ constexpr double touch_m = 1e-3;         // what is this near to a side lies on 
 constexpr double rounding_m = 1e-6;      // of a margin that is kept exactly
 constexpr double margin_least_m = 0.01;  // a path along a side itself could not be told from one in
 constexpr int margins_count = 5;         // the margin, a half, ... a sixteenth
-constexpr double tests_max = 5e7;        // of sides against lines; more takes over a second
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-const Vec2& after(const Ring& ring, std::size_t i) { return ring[(i + 1) % ring.size()]; }
+constexpr double tests_max = 1e8;        // of sides against lines; more takes some seconds
+constexpr std::size_t corners_few = 1000;
+constexpr double tests_per_line = 20;  // that keeping a line in mind takes as long as
 
 Ring turned_to(Ring ring, bool is_counter_clockwise) {
   if ((doubled_area_m2(ring) > 0) != is_counter_clockwise) std::ranges::reverse(ring);
@@ -39,8 +40,52 @@ void sort_and_join(Shares& shares) {
   shares = std::move(joined);
 }
 
+// Whether the place is so near to a side.
+bool is_within(const Ring& ring, const Vec2& p_m, double radius_m) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &c = ring[i], &d = after(ring, i);
+    const bool is_far = std::max(c.x(), d.x()) < p_m.x() - radius_m ||
+                        std::min(c.x(), d.x()) > p_m.x() + radius_m ||
+                        std::max(c.y(), d.y()) < p_m.y() - radius_m ||
+                        std::min(c.y(), d.y()) > p_m.y() + radius_m;
+    if (!is_far && (nearest_on_segment(c, d, p_m) - p_m).norm() <= radius_m) return true;
+  }
+  return false;
+}
+
+// Shares of the line from a to b at which it crosses the ring, from 0 to 1 and both among them.
+std::vector<double> crossings(const Ring& ring, const Vec2& a_m, const Vec2& b_m) {
+  std::vector<double> shares{0, 1};
+  const Vec2 along_m = b_m - a_m;
+  double left = cross(along_m, ring.front() - a_m);  // of the line; both ends of most sides are
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 &c = ring[i], &d = after(ring, i);
+    const double left_c = left;
+    left = cross(along_m, d - a_m);
+    if (left_c * left > 0 || left_c == left) continue;
+    const double t = cross(c - a_m, d - c) / (left - left_c);
+    if (t > 0 && t < 1) shares.push_back(t);
+  }
+  std::ranges::sort(shares);
+  return shares;
+}
+
+// Whether the test holds all along the line, of places that are inside the ring or outside: between
+// two crossings it is one of them.
+template <typename Test>
+bool holds_along(const Ring& ring, const Vec2& a_m, const Vec2& b_m, const Test& test) {
+  const std::vector<double> shares = crossings(ring, a_m, b_m);
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const double at = shares[i] + share * (shares[i + 1] - shares[i]);
+      if (!test(a_m + at * (b_m - a_m))) return false;
+    }
+  }
+  return true;
+}
+
 // How far from the hole a place is, m; 0 inside it.
-double apath_m(const Ring& hole, const Vec2& p_m) {
+double away_m(const Ring& hole, const Vec2& p_m) {
   return contains(hole, p_m) ? 0 : (nearest_on_ring(hole, p_m) - p_m).norm();
 }
 
@@ -97,11 +142,37 @@ std::optional<std::pair<double, double>> share_near(const Vec2& a_m, const Vec2&
   return std::pair(least_m / length_m, most_m / length_m);
 }
 
+using Box = Eigen::AlignedBox2d;
+
+Box box_of(const Vec2& a_m, const Vec2& b_m) { return Box(a_m).extend(b_m); }
+
+// Whether the line stays outside the hole and so far from it. One from its very edge may be in it
+// by rounding.
+bool is_off(const Ring& hole, const Vec2& a_m, const Vec2& b_m, double margin_m) {
+  if (margin_m <= rounding_m) {
+    return holds_along(hole, a_m, b_m, [&](const Vec2& p_m) {
+      return !contains(hole, p_m) || is_within(hole, p_m, rounding_m);
+    });
+  }
+  const Vec2 reach_m(margin_m, margin_m);
+  const Box line = box_of(a_m, b_m), near(line.min() - reach_m, line.max() + reach_m);
+  for (std::size_t i = 0; i < hole.size(); ++i) {
+    const Vec2 &c = hole[i], &d = after(hole, i);
+    if (!near.intersects(box_of(c, d))) continue;
+    if (segment_distance_m(c, d, a_m, b_m) < margin_m - rounding_m) return false;
+  }
+  return !contains(hole, (a_m + b_m) / 2);
+}
+
 }  // namespace
 
 FreeArea::FreeArea(Ring outline, std::vector<Ring> holes)
     : outline_(turned_to(std::move(outline), true)), holes_(std::move(holes)) {
-  for (Ring& hole : holes_) hole = turned_to(std::move(hole), false);
+  for (Ring& hole : holes_) {
+    hole = turned_to(std::move(hole), false);
+    Box& box = boxes_.emplace_back();
+    for (const Vec2& corner_m : hole) box.extend(corner_m);
+  }
 }
 
 std::size_t FreeArea::size() const {
@@ -134,19 +205,16 @@ std::vector<std::pair<double, double>> FreeArea::parts(const Vec2& from_m, const
   return free;
 }
 
-// From the holes, m; 0 inside one.
-double FreeArea::clearance_m(const Vec2& p_m) const {
-  double least_m = std::numeric_limits<double>::infinity();
-  for (const Ring& hole : holes_) least_m = std::min(least_m, apath_m(hole, p_m));
-  return least_m;
-}
-
 FreeArea::Limits FreeArea::limits(const Vec2& from_m, const Vec2& to_m, double margin_m) const {
   Limits limits;
-  limits.slack_m = std::max(outside_m(from_m), outside_m(to_m)) + touch_m;
+  limits.margin_m = margin_m;
+  const double out_m = std::max(outside_m(from_m), outside_m(to_m));
+  limits.slack_m = out_m + touch_m;
+  limits.are_full = out_m <= rounding_m;
   for (const Ring& hole : holes_) {
-    const double ends_m = std::min(apath_m(hole, from_m), apath_m(hole, to_m));
-    limits.margins_m.push_back(std::max(2 * rounding_m, std::min(margin_m, ends_m)));
+    const double ends_m = std::min(away_m(hole, from_m), away_m(hole, to_m));
+    limits.margins_m.push_back(std::min(margin_m, ends_m));
+    limits.are_full = limits.are_full && ends_m >= margin_m - rounding_m;
   }
   return limits;
 }
@@ -156,32 +224,28 @@ double FreeArea::outside_m(const Vec2& p_m) const {
 }
 
 bool FreeArea::is_inside(const Vec2& p_m, double slack_m) const {
-  return contains(outline_, p_m) || (nearest_on_ring(outline_, p_m) - p_m).norm() <= slack_m;
+  return contains(outline_, p_m) || is_within(outline_, p_m, slack_m);
 }
 
 bool FreeArea::is_free(const Vec2& a_m, const Vec2& b_m, const Limits& limits) const {
+  const Box line = box_of(a_m, b_m);
   for (std::size_t i = 0; i < holes_.size(); ++i) {
-    if (ring_distance_m(holes_[i], a_m, b_m) < limits.margins_m[i] - rounding_m) return false;
-    if (contains(holes_[i], (a_m + b_m) / 2)) return false;
+    const double margin_m = limits.margins_m[i];
+    if (line.exteriorDistance(boxes_[i]) > margin_m) continue;
+    if (!is_off(holes_[i], a_m, b_m, margin_m)) return false;
   }
-  // Between two crossings of the outline a line is inside it, or outside.
-  std::vector<double> crossings{0, 1};
-  const Vec2 along_m = b_m - a_m;
-  for (std::size_t i = 0; i < outline_.size(); ++i) {
-    const Vec2 &c = outline_[i], side_m = after(outline_, i) - c;
-    const double across = cross(along_m, side_m);
-    if (across == 0) continue;
-    const double t = cross(c - a_m, side_m) / across, u = cross(c - a_m, along_m) / across;
-    if (t > 0 && t < 1 && u >= 0 && u <= 1) crossings.push_back(t);
-  }
-  std::ranges::sort(crossings);
-  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    const double from = crossings[i], step = crossings[i + 1] - from;
-    for (const double share : {0.25, 0.5, 0.75}) {
-      if (!is_inside(a_m + (from + share * step) * along_m, limits.slack_m)) return false;
+  return holds_along(outline_, a_m, b_m,
+                     [&](const Vec2& p_m) { return is_inside(p_m, limits.slack_m); });
+}
+
+bool FreeArea::can_turn_at(const Vec2& p_m, const Limits& limits) const {
+  for (std::size_t i = 0; i < holes_.size(); ++i) {
+    const double wanted_m = limits.margins_m[i] - rounding_m;
+    if (boxes_[i].exteriorDistance(p_m) < wanted_m && away_m(holes_[i], p_m) < wanted_m) {
+      return false;
     }
   }
-  return true;
+  return is_inside(p_m, touch_m);
 }
 
 // The nearest place outside the hole that the point lies in; absent where it lies in none.
@@ -195,11 +259,19 @@ std::optional<Vec2> FreeArea::exit(const Vec2& p_m, double margin_m) const {
   return {};
 }
 
+// Whether a line so directed, or against that, goes past what is gone round at the place and not
+// into it.
+bool FreeArea::is_tangent(const Turn& turn, const Vec2& way_m) {
+  const double slack_m = 1e-9 * way_m.norm();
+  const double in_m = cross(way_m, turn.in), out_m = cross(way_m, turn.out);
+  return (in_m >= -slack_m && out_m <= slack_m) || (in_m <= slack_m && out_m >= -slack_m);
+}
+
 // Places to turn at: round each corner that sticks out into the free ground, outside a circle of
 // the margin, at most a right angle at each.
-std::vector<Vec2> FreeArea::corners(double margin_m) const {
-  std::vector<Vec2> places;
-  const auto add_ring = [&](const Ring& ring) {
+std::vector<FreeArea::Turn> FreeArea::corners(const Limits& limits) const {
+  std::vector<Turn> turns;
+  const auto add_ring = [&](const Ring& ring, double off_m) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2 &corner = ring[i], &before = ring[(i + ring.size() - 1) % ring.size()];
       const Vec2 in = corner - before, out = after(ring, i) - corner;
@@ -214,73 +286,96 @@ std::vector<Vec2> FreeArea::corners(double margin_m) const {
       for (int k = 0; k < count; ++k) {
         const double angle_rad = (k + 0.5) * step_rad;
         const Vec2 direction = Eigen::Rotation2Dd(-angle_rad) * normal;
-        const Vec2 place_m = corner + margin_m / std::cos(step_rad / 2) * direction;
-        if (is_inside(place_m, touch_m) && clearance_m(place_m) >= margin_m - rounding_m) {
-          places.push_back(place_m);
-        }
+        const Vec2 at_m = corner + off_m / std::cos(step_rad / 2) * direction;
+        turns.push_back({at_m, Eigen::Rotation2Dd(-k * step_rad) * in.normalized(),
+                         Eigen::Rotation2Dd(-(k + 1) * step_rad) * in.normalized()});
       }
     }
   };
-  add_ring(outline_);
-  for (const Ring& hole : holes_) add_ring(hole);
-  return places;
+  add_ring(outline_, limits.outline_margin_m);
+  for (const Ring& hole : holes_) add_ring(hole, limits.margin_m);
+  return turns;
 }
 
-std::optional<std::vector<Vec2>> FreeArea::search(const Vec2& from_m, const Vec2& to_m,
-                                                  double margin_m, const Limits& limits) const {
-  std::vector<Vec2> places{from_m, to_m};
-  for (const Vec2& place : corners(margin_m)) places.push_back(place);
-  constexpr double far_m = std::numeric_limits<double>::infinity();
-  std::vector<double> cost_m(places.size(), far_m);
+// A*: the straight distance to the end is a lower bound of the path to it. A line is looked at when
+// it is the next that may belong to the shortest path, which most are never.
+std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& to_m,
+                                               const Limits& limits) const {
+  if (is_free(from_m, to_m, limits)) return Path{{to_m}, limits.margin_m};
+  struct Line {
+    double total_m;  // of the path by it
+    std::uint32_t from, to;
+    bool operator>(const Line& other) const { return total_m > other.total_m; }
+  };
+  std::vector<Turn> places{{from_m, {0, 0}, {0, 0}}, {to_m, {0, 0}, {0, 0}}};
+  for (const Turn& place : corners(limits)) places.push_back(place);
+  enum class State { unknown, open, done };
+  std::vector<State> states(places.size(), State::unknown);
+  std::vector<double> cost_m(places.size(), 0);
   std::vector<std::size_t> previous(places.size(), 0);
-  std::vector<bool> is_done(places.size(), false);
-  cost_m[0] = 0;
+  std::priority_queue<Line, std::vector<Line>, std::greater<>> lines;
+  // A shortest path touches what it turns at. It may also cut between a circle and the places that
+  // stand off it, which is worth looking for where the corners are few.
+  const bool tangents_only = limits.are_full && size() > corners_few;
+  const auto is_worth_a_look = [&](std::size_t from, std::size_t to, const Vec2& way_m) {
+    if (!tangents_only || from < 2 || to < 2) return true;
+    return is_tangent(places[from], way_m) && is_tangent(places[to], way_m);
+  };
   double tests = 0;
-  // A*: the straight distance to the end is a lower bound of the path to it.
-  for (;;) {
-    std::size_t best = places.size();
-    double best_m = far_m;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const double total_m = cost_m[i] + (places[i] - to_m).norm();
-      if (!is_done[i] && total_m < best_m) {
-        best = i;
-        best_m = total_m;
-      }
+  const auto reach = [&](std::uint32_t at) {
+    states[at] = State::done;
+    tests += static_cast<double>(places.size());
+    for (std::uint32_t i = 1; i < places.size(); ++i) {
+      if (states[i] == State::done) continue;
+      const Vec2 way_m = places[i].at_m - places[at].at_m;
+      if (!is_worth_a_look(at, i, way_m)) continue;
+      tests += tests_per_line;
+      lines.push({cost_m[at] + way_m.norm() + (to_m - places[i].at_m).norm(), at, i});
     }
-    if (best == places.size()) return {};
-    if (best == 1) break;
-    is_done[best] = true;
-    for (std::size_t i = 1; i < places.size(); ++i) {
-      const double path_m = cost_m[best] + (places[i] - places[best]).norm();
-      if (is_done[i] || path_m >= cost_m[i]) continue;
-      tests += static_cast<double>(size());
-      if (tests > tests_max) return {};
-      if (!is_free(places[best], places[i], limits)) continue;
-      cost_m[i] = path_m;
-      previous[i] = best;
+  };
+  reach(0);
+  while (states[1] != State::done) {
+    if (lines.empty()) return {};
+    const Line line = lines.top();
+    lines.pop();
+    if (states[line.to] == State::done) continue;
+    tests += static_cast<double>(size());
+    if (tests > tests_max) return Path{{}, 0, true};
+    if (states[line.to] == State::unknown) {
+      const bool is_well = line.to == 1 || can_turn_at(places[line.to].at_m, limits);
+      states[line.to] = is_well ? State::open : State::done;
+      if (!is_well) continue;
     }
+    const Vec2 &begin_m = places[line.from].at_m, &end_m = places[line.to].at_m;
+    if (!is_free(begin_m, end_m, limits)) continue;
+    cost_m[line.to] = cost_m[line.from] + (end_m - begin_m).norm();
+    previous[line.to] = line.from;
+    reach(line.to);
   }
-  std::vector<Vec2> points_m;
-  for (std::size_t at = 1; at != 0; at = previous[at]) points_m.push_back(places[at]);
-  std::ranges::reverse(points_m);
-  return points_m;
+  Path path{{}, limits.margin_m};
+  for (std::size_t at = 1; at != 0; at = previous[at]) path.points_m.push_back(places[at].at_m);
+  std::ranges::reverse(path.points_m);
+  return path;
 }
 
 std::optional<FreeArea::Path> FreeArea::path(const Vec2& from_m, const Vec2& to_m,
                                              double margin_m) const {
   margin_m = std::max(margin_m, margin_least_m);
-  Path path;
   Vec2 begin_m = from_m;
-  if (const auto out_m = exit(from_m, margin_m)) {
-    path.points_m.push_back(*out_m);
-    begin_m = *out_m;
-  }
-  for (int i = 0; i < margins_count; ++i, margin_m /= 2) {
-    const auto found = search(begin_m, to_m, margin_m, limits(begin_m, to_m, margin_m));
-    if (!found) continue;
-    path.points_m.insert(path.points_m.end(), found->begin(), found->end());
-    path.margin_m = margin_m;
-    return path;
+  const auto out_m = exit(from_m, margin_m);
+  if (out_m) begin_m = *out_m;
+  const int count = holes_.empty() ? 1 : margins_count;
+  for (int i = 0; i < count; ++i, margin_m /= 2) {
+    Limits limits = this->limits(begin_m, to_m, margin_m);
+    // Off the outline's corners too where there is room, else as near as can be.
+    for (const double outline_margin_m : {margin_m, margin_least_m}) {
+      limits.outline_margin_m = outline_margin_m;
+      auto found = search(begin_m, to_m, limits);
+      const bool is_last = outline_margin_m == margin_least_m;
+      if (!found || (found->is_given_up && !is_last)) continue;
+      if (out_m && !found->is_given_up) found->points_m.insert(found->points_m.begin(), *out_m);
+      return found;
+    }
   }
   return {};
 }

@@ -26,12 +26,13 @@ class FreeArea {
   struct Path {
     std::vector<Vec2> points_m;  // after `from`, the last is `to`
     double margin_m = 0;         // that it keeps from the holes where neither end is nearer
+    bool is_given_up = false;    // too many corners to find one: no points
   };
   // The shortest path that stays inside the outline and keeps `margin_m` from the holes. Where
-  // there is none it keeps half of that, and so on down to a sixteenth. From a hole that an end is
+  // there is none it keeps half of that, and so on down to a sixteenth. It goes round corners of
+  // the outline by as much, or right at them where that leads nowhere. From a hole that an end is
   // nearer to it keeps what that end does. A path that begins outside the outline may stay as far
-  // outside; one that begins in a hole leaves it where that is nearest. Absent: there is none, or
-  // the polygon has too many corners to find it.
+  // outside; one that begins in a hole leaves it where that is nearest. Absent: there is none.
   std::optional<Path> path(const Vec2& from_m, const Vec2& to_m, double margin_m) const;
 
   // Sides of the outline and the holes.
@@ -39,21 +40,29 @@ class FreeArea {
 
  private:
   struct Limits {
+    double margin_m = 0;            // that is wanted from holes
+    double outline_margin_m = 0;    // at its corners, not along its sides
     std::vector<double> margins_m;  // from each hole
     double slack_m = 0;             // outside the outline
+    bool are_full = true;           // both ends lie inside and keep the margin
   };
-  double clearance_m(const Vec2& p_m) const;
   Limits limits(const Vec2& from_m, const Vec2& to_m, double margin_m) const;
   double outside_m(const Vec2& p_m) const;
   bool is_inside(const Vec2& p_m, double slack_m) const;
+  bool can_turn_at(const Vec2& p_m, const Limits& limits) const;
   bool is_free(const Vec2& a_m, const Vec2& b_m, const Limits& limits) const;
   std::optional<Vec2> exit(const Vec2& p_m, double margin_m) const;
-  std::vector<Vec2> corners(double margin_m) const;
-  std::optional<std::vector<Vec2>> search(const Vec2& from_m, const Vec2& to_m, double margin_m,
-                                          const Limits& limits) const;
+  struct Turn {
+    Vec2 at_m;
+    Vec2 in, out;  // directions of the sides that meet there, unit; 0: any
+  };
+  static bool is_tangent(const Turn& turn, const Vec2& way_m);
+  std::vector<Turn> corners(const Limits& limits) const;
+  std::optional<Path> search(const Vec2& from_m, const Vec2& to_m, const Limits& limits) const;
 
   Ring outline_;             // counter-clockwise
   std::vector<Ring> holes_;  // clockwise: the free ground lies to the left of every side
+  std::vector<Eigen::AlignedBox2d> boxes_;  // round the holes
 };
 
 }  // namespace lsos

@@ -61,3 +61,39 @@ lsos.scenario('a survey of a bay goes round it', function(t)
   t:equal(drive(sim, depth), 1, 'never in the bay')
   t:equal(sim:event('A/10').status, 'completed')
 end)
+
+lsos.scenario('a survey may pass along the very edge of a hole', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = {
+        type = 'SEV', at = { 0, 0 },
+        events = {
+          { 'Survey', polygon = { { 0, 0 }, { 60, 0 }, { 60, 40 }, { 0, 40 } },
+            holes = { { { 20, 10 }, { 40, 10 }, { 40, 30 }, { 20, 30 } } },
+            Margin = 0, SampleDuration = 5, SampleEvery = 50 },
+        },
+      },
+    },
+  }
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed', sim:event('A/10').reason)
+end)
+
+lsos.scenario('a survey without holes keeps no margin in a narrow neck', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = {
+        type = 'SEV', at = { 5, 5 },
+        events = {
+          { 'Survey',
+            polygon = { { 0, 0 }, { 30, 0 }, { 30, 14.5 }, { 40, 14.5 }, { 40, 0 }, { 70, 0 },
+              { 70, 30 }, { 40, 30 }, { 40, 15.5 }, { 30, 15.5 }, { 30, 30 }, { 0, 30 } },
+            SampleDuration = 5, SampleEvery = 40 },
+        },
+      },
+    },
+  }
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed', sim:event('A/10').reason)
+  t:equal(#sim:notes('warning'), 0)
+end)

@@ -48,6 +48,11 @@ TEST(Rings, touch_at_a_corner_and_a_side_alike) {
 TEST(Rings, that_cross_themselves_are_found) {
   EXPECT_TRUE(crosses_itself({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
   EXPECT_FALSE(crosses_itself(l_shape));
+  EXPECT_FALSE(touches_itself(l_shape));
+  // Its last corner lies on its first side.
+  const Ring pinched{{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}};
+  EXPECT_FALSE(crosses_itself(pinched));
+  EXPECT_TRUE(touches_itself(pinched));
 }
 
 }  // namespace

@@ -41,6 +41,27 @@ TEST(Geometry, knows_a_path_round_its_holes) {
             "3: 13,3 27,3 35,9 by 2");
 }
 
+TEST(Geometry, says_why_there_is_no_path) {
+  EXPECT_EQ(said("local way, why = ev.geometry:path(lsos.vec3(5, 9), lsos.vec3(20, 10))\n"
+                 "return lsos.fail('%s: %s', way, why)"),
+            "nil: there is no path within the polygon, round its holes");
+  // A comb of bays 100 m long and 2 m wide.
+  EventArguments comb;
+  for (int tooth = 0; tooth < 2500; ++tooth) {
+    const double x_m = 4.0 * tooth, end_m = tooth % 2 == 0 ? 0 : 2;
+    for (const double y_m : {100.0, end_m}) comb.geometry_S_m.emplace_back(x_m, y_m, 0);
+    for (const double y_m : {end_m, 100.0}) comb.geometry_S_m.emplace_back(x_m + 2, y_m, 0);
+  }
+  comb.geometry_S_m.emplace_back(10000, 100, 0);
+  comb.geometry_S_m.emplace_back(10000, -50, 0);
+  comb.geometry_S_m.emplace_back(-2, -50, 0);
+  comb.geometry_S_m.emplace_back(-2, 100, 0);
+  EXPECT_EQ(said("local way, why = ev.geometry:path(lsos.vec3(3, 90), lsos.vec3(9003, 90))\n"
+                 "return lsos.fail('%s: %s', way, why)",
+                 comb),
+            "nil: the polygon has too many corners (10004) to find paths in; simplify it");
+}
+
 TEST(Geometry, says_what_is_no_polygon) {
   EXPECT_THAT(EventRun::of_phase("ev.geometry:path(lsos.vec3(0, 0), lsos.vec3(1, 0))")->error(),
               HasSubstr("ev.geometry:path is for polygons; this one has 0 waypoints"));

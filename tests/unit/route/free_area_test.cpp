@@ -101,6 +101,97 @@ TEST(FreeArea, keeps_less_where_there_is_no_room_for_more) {
   EXPECT_NEAR(least_clearance_m(hole, from, path->points_m), 1, 1e-6);  // as at both ends
 }
 
+// Stops on a line that is cut at a hole lie on its very edge.
+TEST(FreeArea, leads_from_edge_to_edge_of_a_hole_that_no_margin_is_kept_from) {
+  const Ring hole = square(0.1, 0.3, 3);
+  const FreeArea area(square(0, 0, 20), {hole});
+  const auto parts = area.parts({-20, 1}, {20, 1}, 0);
+  ASSERT_EQ(parts.size(), 2u);
+  const Vec2 from(-20 + 40 * parts[0].second, 1), to(-20 + 40 * parts[1].first, 1);
+  const auto path = area.path(from, to, 0);
+  ASSERT_TRUE(path);
+  EXPECT_NEAR(length_m(from, path->points_m), 6 + 2 * 2.3, 0.1);
+  Vec2 at = from;
+  for (const Vec2& point : path->points_m) {
+    for (int k = 1; k < 100; ++k) {
+      const Vec2 p = at + (point - at) * k / 100.0;
+      EXPECT_TRUE(!contains(hole, p) || (nearest_on_ring(hole, p) - p).norm() < 1e-5);
+    }
+    at = point;
+  }
+  const auto along = area.path({3.1, -2}, {3.1, 3}, 0);
+  ASSERT_TRUE(along);
+  EXPECT_EQ(along->points_m.size(), 1u);
+}
+
+TEST(FreeArea, leads_through_a_neck_narrower_than_the_margin) {
+  const FreeArea area({{0, 0},
+                       {20, 0},
+                       {20, 9.5},
+                       {30, 9.5},
+                       {30, 0},
+                       {50, 0},
+                       {50, 20},
+                       {30, 20},
+                       {30, 10.5},
+                       {20, 10.5},
+                       {20, 20},
+                       {0, 20}},
+                      {});
+  const auto path = area.path({5, 2}, {45, 18}, 5);
+  ASSERT_TRUE(path);
+  EXPECT_EQ(path->margin_m, 5);
+}
+
+// Bays and headlands all round; the paths lead from one bay to others.
+Ring coast(int corners) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i) {
+    const double angle_rad = 2 * std::numbers::pi * i / corners;
+    const double rough_m = i % 2 == 0 ? 0.1 : -0.1;
+    const double radius_m = 500 + 250 * std::sin(5 * angle_rad) + rough_m;
+    ring.emplace_back(radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad));
+  }
+  return ring;
+}
+
+Vec2 in_bay(int bay) {
+  const double angle_rad = 2 * std::numbers::pi * (bay + 0.25) / 5;
+  return 700 * Vec2(std::cos(angle_rad), std::sin(angle_rad));
+}
+
+TEST(FreeArea, has_paths_among_thousands_of_corners) {
+  const Ring outline = coast(4000);
+  const FreeArea area(outline, {});
+  for (int bay = 1; bay < 5; ++bay) {
+    const auto path = area.path(in_bay(0), in_bay(bay), 5);
+    ASSERT_TRUE(path);
+    ASSERT_FALSE(path->is_given_up);
+    EXPECT_EQ(path->points_m.back(), in_bay(bay));
+    EXPECT_GT(path->points_m.size(), 1u);
+  }
+}
+
+TEST(FreeArea, says_when_corners_are_too_many_yet_goes_straight) {
+  // A comb of bays 100 m long and 2 m wide, some of them 2 m shorter.
+  Ring comb;
+  for (int tooth = 0; tooth < 2500; ++tooth) {
+    const double x_m = 4.0 * tooth, end_m = tooth % 2 == 0 ? 0 : 2;
+    for (const Vec2& corner : {Vec2(x_m, 100), Vec2(x_m, end_m)}) comb.push_back(corner);
+    for (const Vec2& corner : {Vec2(x_m + 2, end_m), Vec2(x_m + 2, 100)}) comb.push_back(corner);
+  }
+  for (const Vec2& corner : {Vec2(10000, 100), Vec2(10000, -50)}) comb.push_back(corner);
+  comb.emplace_back(-2, -50);
+  comb.emplace_back(-2, 100);
+  const FreeArea area(comb, {});
+  const auto path = area.path({3, 90}, {9003, 90}, 5);
+  ASSERT_TRUE(path);
+  EXPECT_TRUE(path->is_given_up);
+  const auto straight = area.path({3, 90}, {3, -40}, 5);
+  ASSERT_TRUE(straight);
+  EXPECT_FALSE(straight->is_given_up);
+}
+
 TEST(FreeArea, is_left_where_that_is_nearest_by_what_stands_in_a_hole) {
   const FreeArea area(square(0, 0, 20), {square(0, 0, 5)});
   const auto path = area.path({4, 0}, {10, 0}, 1);
