@@ -30,16 +30,39 @@ std::string polar_crs(const Body& body, bool is_north) {
   return is_north ? "EPSG:3995" : "EPSG:3031";
 }
 
+constexpr std::string_view loose_marks =
+    "-32768 or -32767, which mark missing samples, with heights";
+
+// What makes overviews right that may have averaged marks.
+std::string way_to_overviews(const HeightBand& heights, const std::string& file) {
+  if (!heights.masks().empty() || heights.nodata()) return "";
+  if (const auto declared = heights.declared()) {
+    return fmt::format("; if {0} alone marks missing samples, say nodata = {0} ({1})", *declared,
+                       option_of_raster("nodata"));
+  }
+  return fmt::format("; declare first what marks them: gdal_edit.py -a_nodata -32768 {}", file);
+}
+
 }  // namespace
 
-std::string overview_advice(GDALRasterBand& band, const std::string& file) {
+std::string overview_advice(const HeightBand& heights, const std::string& file) {
   const GdalSilence silence;
+  GDALRasterBand& band = heights.band();
   const double cells = static_cast<double>(band.GetXSize()) * band.GetYSize();
-  if (cells <= most_cells_without_overviews || band.GetOverviewCount() > 0) return {};
+  if (cells <= most_cells_without_overviews) return {};
+  const bool is_right = heights.is_averaged_right();
+  if (band.GetOverviewCount() > 0) {
+    if (is_right) return {};
+    return fmt::format(
+        "raster '{}' has {} x {} cells, and a look from afar reads all of it: its overviews are "
+        "not used, for they may have averaged {}{}",
+        file, band.GetXSize(), band.GetYSize(), loose_marks, way_to_overviews(heights, file));
+  }
   return fmt::format(
       "raster '{}' has {} x {} cells and no overviews, so that a look from afar reads all of it; "
-      "make them once with: gdaladdo -r average {} 2 4 8 16",
-      file, band.GetXSize(), band.GetYSize(), file);
+      "make them once with: gdaladdo -r average {} 2 4 8 16{}",
+      file, band.GetXSize(), band.GetYSize(), file,
+      is_right ? "" : way_to_overviews(heights, file));
 }
 
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,

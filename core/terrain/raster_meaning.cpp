@@ -150,14 +150,14 @@ HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const 
     name.refuse(error.faults().front().what);
   }
   if (range.count == 0 && range.is_whole) name.refuse("holds no heights: all samples are missing");
-  if (range.count == 0) return heights;
+  if (range.count == 0) return {band, scale, surface.nodata, range};
   refuse_marks(heights, range, name);
   refuse_unclear_unit(band, surface, body, {range, scale}, name);
   if (are_radii(surface, body, scale, {range, scale})) {
     scale.offset_m -= body.equatorial_radius_m;
   }
   refuse_impossible(range, {range, scale}, body, name);
-  return {band, scale, surface.nodata};
+  return {band, scale, surface.nodata, range};
 }
 
 }  // namespace lsos

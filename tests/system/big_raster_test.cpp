@@ -24,6 +24,7 @@ struct SparseRaster {
   std::vector<std::pair<int, int>> marked = {};
   float height_m = 1;
   bool has_overview = false;
+  bool has_nodata = false;  // -32768
 
   std::string write(const TempFolder& folder, const std::string& name) const {
     GDALAllRegister();
@@ -37,6 +38,7 @@ struct SparseRaster {
     crs.importFromProj4(polar_crs);
     dataset->SetGeoTransform(transform);
     dataset->SetSpatialRef(&crs);
+    if (has_nodata) dataset->GetRasterBand(1)->SetNoDataValue(-32768);
     std::vector<float> block(256 * 256, height_m);
     for (const auto& [column, row] : marked) {
       EXPECT_EQ(
@@ -76,10 +78,25 @@ TEST(BigRaster, without_overviews_is_advised_to_have_some) {
                                     file)));
 }
 
+// They may have averaged marks of missing samples.
+TEST(BigRaster, with_overviews_that_are_not_used_is_advised_to_declare_its_marks) {
+  const TempFolder folder;
+  const std::string file =
+      SparseRaster{.side = 10'240, .has_overview = true}.write(folder, "undeclared.tif");
+  const Outcome outcome = run({"check", drive_on(file, folder)});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("its overviews are not used, for they may have averaged "
+                                     "-32768 or -32767, which mark missing samples, with heights; "
+                                     "declare first what marks them: gdal_edit.py -a_nodata "
+                                     "-32768 " +
+                                     file));
+}
+
 TEST(BigRaster, with_overviews_or_of_moderate_size_needs_no_advice) {
   const TempFolder folder;
   const std::string with =
-      SparseRaster{.side = 10'240, .has_overview = true}.write(folder, "with.tif");
+      SparseRaster{.side = 10'240, .has_overview = true, .has_nodata = true}.write(folder,
+                                                                                   "with.tif");
   const std::string moderate = SparseRaster{.side = 9'984}.write(folder, "moderate.tif");
   for (const std::string& file : {with, moderate}) {
     const Outcome outcome = run({"check", drive_on(file, folder)});
