@@ -4,9 +4,11 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "terrain/cell_sides.h"
 #include "terrain/gdal_call.h"
+#include "terrain/raster_body.h"
 #include "terrain/raster_name.h"
 #include "terrain/raster_open.h"
 
@@ -41,6 +43,14 @@ std::string way_to_overviews(const HeightBand& heights, const std::string& file)
                        option_of_raster("nodata"));
   }
   return fmt::format("; declare first what marks them: gdal_edit.py -a_nodata -32768 {}", file);
+}
+
+// Ground reaches as far in km, and so little rise would leave whole numbers of them one or two
+// heights.
+bool may_be_km(const HeightBand& heights, double farthest, const Body& body) {
+  constexpr double m_per_km = 1000;
+  if (farthest * m_per_km > ground_limit_m(body)) return false;
+  return heights.is_floating_point() || heights.scale().scale != 1;
 }
 
 }  // namespace
@@ -81,6 +91,7 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   const double rise = high - low;
   if (rise <= 0) return {};
   if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
+  if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
       "raster '{}' holds heights of {:.6g} to {:.6g} over {:.0f} km and names no unit: are they "
       "km? "
