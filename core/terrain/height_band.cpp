@@ -154,20 +154,27 @@ bool HeightBand::is_floating_point() const {
   return GDALDataTypeIsFloating(band_->GetRasterDataType()) != 0;
 }
 
-std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
-  std::pair<GDALRasterBand*, int> found{band_, 0};
+std::vector<std::pair<GDALRasterBand*, int>> HeightBand::overviews(int level) const {
+  std::vector<std::pair<GDALRasterBand*, int>> found;
   if (!is_averaged_right()) return found;
   const auto coarser = [](int size, int by) { return ((size - 1) >> by) + 1; };
   for (int k = 0; k < band_->GetOverviewCount(); ++k) {
     GDALRasterBand* band = band_->GetOverview(k);
     if (band == nullptr) continue;
-    for (int of = found.second + 1; of <= level; ++of) {
+    for (int of = found.empty() ? 1 : found.back().second + 1; of <= level; ++of) {
       const bool is_of_level = band->GetXSize() == coarser(band_->GetXSize(), of) &&
                                band->GetYSize() == coarser(band_->GetYSize(), of);
-      if (is_of_level) found = {band, of};
+      if (!is_of_level) continue;
+      found.emplace_back(band, of);
+      break;
     }
   }
   return found;
+}
+
+std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
+  const auto found = overviews(level);
+  return found.empty() ? std::pair{band_, 0} : found.back();
 }
 
 std::vector<double> HeightBand::samples(const RasterBlock& window, int level) const {

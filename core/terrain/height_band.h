@@ -45,6 +45,8 @@ class HeightBand {
   bool is_floating_point() const;
   // Overviews may be used: none can have averaged what only we know to be missing.
   bool is_averaged_right() const;
+  // Those that may be used, with their levels, up to that level.
+  std::vector<std::pair<GDALRasterBand*, int>> overviews(int level) const;
 
   // Samples as they are written, row by row; NaN where they are missing. On a level above 0 the
   // window counts 2^level columns and rows as one, for which one sample stands: of the overview

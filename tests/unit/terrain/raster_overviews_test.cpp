@@ -21,12 +21,12 @@ struct OverviewRaster {
   int side = large;
 
   // With overviews of another height, so that a look tells whether it was through them.
-  std::string write_aside() const {
+  std::string write_aside(double height_m = overview_m) const {
     const auto [file, dataset] = create("aside");
     build(*dataset, "NONE");
     GDALRasterBand& band = *dataset->GetRasterBand(1);
     for (int k = 0; k < band.GetOverviewCount(); ++k) {
-      EXPECT_EQ(band.GetOverview(k)->Fill(overview_m), CE_None);
+      EXPECT_EQ(band.GetOverview(k)->Fill(height_m), CE_None);
       if (has_mask) {
         EXPECT_EQ(band.GetOverview(k)->GetMaskBand()->Fill(255), CE_None);
       }
@@ -143,6 +143,19 @@ TEST(RasterOverviews, are_used_of_a_raster_that_was_seen_to_hold_no_marks) {
   EXPECT_TRUE(is_used({.type = GDT_Int16, .declared = -9999, .side = small}));
   EXPECT_TRUE(is_used({.has_mask = true, .side = small}));
   EXPECT_FALSE(is_used({.mark = -32768, .side = small}));
+}
+
+TEST(RasterOverviews, are_in_the_hash_where_they_are_used) {
+  const auto hash = [](const OverviewRaster& raster, double height_m) {
+    return Ground(raster_terrain(raster.write_aside(height_m)), site_on("Moon", 0, 0), 0).hash();
+  };
+  for (const bool has_mask : {false, true}) {
+    const OverviewRaster used{.type = GDT_UInt16, .has_mask = has_mask},
+        unused{.has_mask = has_mask};
+    EXPECT_EQ(hash(used, 90), hash(used, 90));
+    EXPECT_NE(hash(used, 90), hash(used, 91));
+    EXPECT_EQ(hash(unused, 90), hash(unused, 91));
+  }
 }
 
 }  // namespace
