@@ -1,6 +1,6 @@
 // The ground as wheels feel it: a smooth height field (C1) over the curved body, asked for at
-// points of the site frame. Equal to the finest raster at its cell centres, but for rocks and where
-// a coarser layer takes over.
+// points of the site frame. Equal to the finest raster at its cell centres, but for detail and
+// where a coarser layer takes over.
 #pragma once
 
 #include <memory>
