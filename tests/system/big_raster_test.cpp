@@ -24,21 +24,20 @@ struct SparseRaster {
   std::vector<std::pair<int, int>> marked = {};
   float height_m = 1;
   bool has_overview = false;
-  bool has_nodata = false;  // -32768
+  GDALDataType type = GDT_Float32;
 
   std::string write(const TempFolder& folder, const std::string& name) const {
     GDALAllRegister();
     const char* const options[] = {"TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=YES", nullptr};
     const std::string file = folder / name;
     GDALDatasetUniquePtr dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-        file.c_str(), side, side, 1, GDT_Float32, const_cast<char**>(options)));
+        file.c_str(), side, side, 1, type, const_cast<char**>(options)));
     if (!dataset) throw std::runtime_error("cannot write " + file);
     double transform[6] = {-side / 2.0, 1, 0, side / 2.0, 0, -1};
     OGRSpatialReference crs;
     crs.importFromProj4(polar_crs);
     dataset->SetGeoTransform(transform);
     dataset->SetSpatialRef(&crs);
-    if (has_nodata) dataset->GetRasterBand(1)->SetNoDataValue(-32768);
     std::vector<float> block(256 * 256, height_m);
     for (const auto& [column, row] : marked) {
       EXPECT_EQ(
@@ -95,7 +94,7 @@ TEST(BigRaster, with_overviews_that_are_not_used_is_advised_to_declare_its_marks
 TEST(BigRaster, with_overviews_or_of_moderate_size_needs_no_advice) {
   const TempFolder folder;
   const std::string with =
-      SparseRaster{.side = 10'240, .has_overview = true, .has_nodata = true}.write(folder,
+      SparseRaster{.side = 10'240, .has_overview = true, .type = GDT_UInt16}.write(folder,
                                                                                    "with.tif");
   const std::string moderate = SparseRaster{.side = 9'984}.write(folder, "moderate.tif");
   for (const std::string& file : {with, moderate}) {
