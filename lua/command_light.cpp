@@ -72,6 +72,28 @@ Question question_of(const LightOptions& options) {
   return question;
 }
 
+// Places farther away would have no light of their own.
+void check_reach(const MapGrid& grid, const Ground& ground) {
+  const SiteFrame& site = ground.site();
+  const RasterMap map = grid.map(site.body());
+  constexpr int parts = 64;
+  double farthest_m = 0;
+  for (int j = 0; j <= parts; ++j) {
+    for (int i = 0; i <= parts; ++i) {
+      const auto place =
+          map.place({(grid.columns - 1.0) * i / parts, (grid.rows - 1.0) * j / parts});
+      if (!place || ground.reaches(site.p_S_m(*place))) continue;
+      farthest_m = std::max(farthest_m, surface_distance_m(site.body(), site.origin(), *place));
+    }
+  }
+  if (farthest_m == 0) return;
+  throw InputError(
+      {}, fmt::format("light: the map reaches {:.0f} degrees from its site {:.4f},{:.4f}; up to 60 "
+                      "are allowed: give a smaller --window, or a --site in its middle",
+                      degrees(farthest_m / site.body().equatorial_radius_m), lon_deg(site.origin()),
+                      lat_deg(site.origin())));
+}
+
 }  // namespace
 
 int light_command(const LightOptions& options) {
@@ -82,13 +104,15 @@ int light_command(const LightOptions& options) {
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.terrain.seed);
   constexpr int bands = 2;
   const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m, bands);
+  check_reach(grid, *ground);
   const double resolution_m = cell_m(grid, *source.body);
 
   WorkerPool pool(options.threads);
   std::vector<GroundLightProbe> probes;  // one a part of a row, so one a thread
   const auto parts = static_cast<std::size_t>(options.threads);
   for (std::size_t k = 0; k < parts; ++k) probes.emplace_back(*ground, resolution_m);
-  double lit = 0, cells = 0;
+  double lit = 0;
+  std::int64_t cells = 0;  // with ground
   LightOverEnd over_end;
   const MapRow row = [&](std::span<const std::optional<Geodetic>> places) {
     std::vector<double> values(2 * places.size(), missing);
@@ -116,12 +140,14 @@ int light_command(const LightOptions& options) {
   };
   write_map(options.file, grid, *source.body,
             {{"share of the Sun's disc seen", ""}, {"cosine of incidence", ""}}, row);
-  AnswerRow answer{{"file", options.file},
-                   {"columns", grid.columns},
-                   {"rows", grid.rows},
-                   {"utc", format_utc(question.at)},
-                   {"body", source.body->name},
-                   {"mean_sun_fraction", computed(cells > 0 ? lit / cells : missing)}};
+  AnswerRow answer{
+      {"file", options.file},
+      {"columns", grid.columns},
+      {"rows", grid.rows},
+      {"utc", format_utc(question.at)},
+      {"body", source.body->name},
+      {"mean_sun_fraction", computed(cells > 0 ? lit / static_cast<double>(cells) : missing)},
+      {"cells_without_value", std::int64_t{grid.columns} * grid.rows - cells}};
   if (over_end.is_any()) {
     const Sunlight sun = sunlight(*source.body, *question.site, question.at, 0);
     const std::string warning = over_end.warning(sun.seen.elevation_rad);

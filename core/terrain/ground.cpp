@@ -227,6 +227,7 @@ Ground::~Ground() = default;
 
 const SiteFrame& Ground::site() const { return impl_->plane.site(); }
 bool Ground::has_end() const { return lsos::has_end(impl_->spec); }
+bool Ground::reaches(const Vec3& p_S_m) const { return impl_->plane.standing(p_S_m).is_near; }
 const std::vector<Soil>& Ground::soils() const { return impl_->soils.soils(); }
 
 std::string Ground::hash() const {
