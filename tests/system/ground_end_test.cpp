@@ -149,6 +149,30 @@ Outcome light_at_new_moon(const TempFolder& folder, const std::string& raster,
               "-o", folder / "light.tif", "--json"});
 }
 
+// The terminator lies at 54 degrees east, the raster's edge at 58.
+TEST(GroundEnd, is_told_with_the_sun_of_a_place_that_is_lit_over_it) {
+  const TempFolder folder;
+  const Outcome outcome = light_at_new_moon(folder, degrees_of_moon(folder, 0, 58), "10,-5,58,5");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out)[0];
+  ASSERT_TRUE(answer.contains("warnings")) << answer;
+  const std::string warning = answer["warnings"][0];
+  const std::size_t sun = warning.find("hide a Sun ");
+  ASSERT_NE(sun, std::string::npos) << warning;
+  EXPECT_NEAR(std::stod(warning.substr(sun + 11)), 0, 4) << warning;
+}
+
+TEST(GroundEnd, is_not_told_of_a_raster_around_the_body) {
+  const TempFolder folder;
+  const Outcome outcome =
+      light_at_new_moon(folder, degrees_of_moon(folder, -180, 360), "-58,-5,58,5");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out)[0];
+  EXPECT_GT(answer["mean_sun_fraction"].get<double>(), 0.01);
+  EXPECT_FALSE(answer.contains("warnings")) << answer;
+  EXPECT_EQ(answer["cells_without_value"], 0);
+}
+
 TEST(GroundEnd, light_is_refused_beyond_the_reach_of_its_site) {
   const TempFolder folder;
   const std::string globe = degrees_of_moon(folder, -180, 360);
