@@ -32,22 +32,24 @@ struct Question {
 // Places that are lit over the end of the ground.
 class LightOverEnd {
  public:
-  // For each place that is lit.
-  void add(const std::optional<GroundEnd>& end) {
+  // For each place that is lit, with the Sun's elevation there.
+  void add(const std::optional<GroundEnd>& end, double sun_rad) {
     ++lit_;
     if (!end) return;
     ++over_;
     reaches_m_ += end->reaches_m;
-    matters_m_ = std::max(matters_m_, end->matters_m);
+    if (end->matters_m <= matters_m_) return;
+    matters_m_ = end->matters_m;
+    sun_rad_ = sun_rad;
   }
   bool is_any() const { return over_ > 0; }
   double mean_m() const { return reaches_m_ / over_; }
-  std::string warning(double sun_rad) const {
+  std::string warning() const {
     return fmt::format(
         "the ground ends before the horizon that counts: {} away on average, while "
         "ground up to {} away may hide a Sun {:.1f} deg high; {:.0f} % of what is "
         "lit is lit over that end; --beyond lays a coarser terrain around it",
-        rounded_distance(mean_m()), rounded_distance(matters_m_), degrees(sun_rad),
+        rounded_distance(mean_m()), rounded_distance(matters_m_), degrees(sun_rad_),
         std::max(1.0, std::floor(100 * over_ / lit_)));
   }
 
@@ -55,6 +57,7 @@ class LightOverEnd {
   double lit_ = 0, over_ = 0;  // places
   double reaches_m_ = 0;       // sum
   double matters_m_ = 0;       // greatest
+  double sun_rad_ = 0;         // where that is
 };
 
 Question question_of(const LightOptions& options) {
@@ -72,6 +75,28 @@ Question question_of(const LightOptions& options) {
   return question;
 }
 
+// Places farther away would have no light of their own.
+void check_reach(const MapGrid& grid, const Ground& ground) {
+  const SiteFrame& site = ground.site();
+  const RasterMap map = grid.map(site.body());
+  constexpr int parts = 64;
+  double farthest_m = 0;
+  for (int j = 0; j <= parts; ++j) {
+    for (int i = 0; i <= parts; ++i) {
+      const auto place =
+          map.place({(grid.columns - 1.0) * i / parts, (grid.rows - 1.0) * j / parts});
+      if (!place || ground.reaches(site.p_S_m(*place))) continue;
+      farthest_m = std::max(farthest_m, surface_distance_m(site.body(), site.origin(), *place));
+    }
+  }
+  if (farthest_m == 0) return;
+  throw InputError(
+      {}, fmt::format("light: the map reaches {:.0f} degrees from its site {:.4f},{:.4f}; up to 60 "
+                      "are allowed: give a smaller --window, or a --site in its middle",
+                      degrees(farthest_m / site.body().equatorial_radius_m), lon_deg(site.origin()),
+                      lat_deg(site.origin())));
+}
+
 }  // namespace
 
 int light_command(const LightOptions& options) {
@@ -80,18 +105,22 @@ int light_command(const LightOptions& options) {
   check_grid(source, question.window, options.terrain.resolution_m);
   if (!question.site) question.site = question.window ? question.window->centre() : middle(source);
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.terrain.seed);
-  const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m);
+  constexpr int bands = 2;
+  const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m, bands);
+  check_reach(grid, *ground);
   const double resolution_m = cell_m(grid, *source.body);
 
   WorkerPool pool(options.threads);
   std::vector<GroundLightProbe> probes;  // one a part of a row, so one a thread
   const auto parts = static_cast<std::size_t>(options.threads);
   for (std::size_t k = 0; k < parts; ++k) probes.emplace_back(*ground, resolution_m);
-  double lit = 0, cells = 0;
+  double lit = 0;
+  std::int64_t cells = 0;  // with ground
   LightOverEnd over_end;
   const MapRow row = [&](std::span<const std::optional<Geodetic>> places) {
     std::vector<double> values(2 * places.size(), missing);
     std::vector<std::optional<GroundEnd>> ends(places.size());
+    std::vector<double> sun_rad(places.size());
     pool.for_each(parts, [&](std::size_t part) {
       for (std::size_t k = part; k < places.size(); k += parts) {
         if (!places[k]) continue;
@@ -103,27 +132,29 @@ int light_command(const LightOptions& options) {
         values[k] = found->sun_fraction * (1 - sun.eclipsed);
         values[places.size() + k] = found->incidence;
         ends[k] = found->end;
+        sun_rad[k] = sun.seen.elevation_rad;
       }
     });
     for (std::size_t k = 0; k < places.size(); ++k) {
       if (std::isnan(values[k])) continue;
       ++cells;
       lit += values[k];
-      if (values[k] > 0) over_end.add(ends[k]);
+      if (values[k] > 0) over_end.add(ends[k], sun_rad[k]);
     }
     return values;
   };
   write_map(options.file, grid, *source.body,
             {{"share of the Sun's disc seen", ""}, {"cosine of incidence", ""}}, row);
-  AnswerRow answer{{"file", options.file},
-                   {"columns", grid.columns},
-                   {"rows", grid.rows},
-                   {"utc", format_utc(question.at)},
-                   {"body", source.body->name},
-                   {"mean_sun_fraction", computed(cells > 0 ? lit / cells : missing)}};
+  AnswerRow answer{
+      {"file", options.file},
+      {"columns", grid.columns},
+      {"rows", grid.rows},
+      {"utc", format_utc(question.at)},
+      {"body", source.body->name},
+      {"mean_sun_fraction", computed(cells > 0 ? lit / static_cast<double>(cells) : missing)},
+      {"cells_without_value", std::int64_t{grid.columns} * grid.rows - cells}};
   if (over_end.is_any()) {
-    const Sunlight sun = sunlight(*source.body, *question.site, question.at, 0);
-    const std::string warning = over_end.warning(sun.seen.elevation_rad);
+    const std::string warning = over_end.warning();
     print_message("warning: {}\n", warning);
     answer["ground_reaches_m"] = std::round(over_end.mean_m());
     answer["warnings"] = {warning};

@@ -289,7 +289,9 @@ class SeenOverEnd {
 AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
                    const SightOptions& options) {
   const SiteFrame& site = ground.site();
-  const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m);
+  constexpr int values_of_cell = 2;  // heights, and what is seen
+  const MapGrid grid =
+      map_grid(source, question.window, options.terrain.resolution_m, values_of_cell);
   const double resolution_m = cell_m(grid, *source.body);
   WorkerPool pool(options.threads);
   MapHeights heights(grid, *source.body);

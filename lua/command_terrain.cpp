@@ -116,6 +116,7 @@ AnswerRow exported(const TerrainSource& source, const Ground& ground, const Ques
                    const TerrainOptions& options) {
   const bool is_own_grid = !options.resolution_m;
   const MapGrid grid = map_grid(source, question.window, options.resolution_m);
+  std::int64_t cells = 0;  // with ground
   // Beside missing samples there is no ground, but the raster's own cells have their samples.
   write_raster({options.export_file, options.is_hillshade}, grid, *source.body,
                [&](const Geodetic& place) {
@@ -124,9 +125,13 @@ AnswerRow exported(const TerrainSource& source, const Ground& ground, const Ques
                  if (!height_m && is_own_grid) {
                    if (const auto point = source.reader()->at(place)) height_m = point->height_m;
                  }
+                 if (height_m) ++cells;
                  return height_m.value_or(std::numeric_limits<double>::quiet_NaN());
                });
-  return {{"file", options.export_file}, {"columns", grid.columns}, {"rows", grid.rows}};
+  return {{"file", options.export_file},
+          {"columns", grid.columns},
+          {"rows", grid.rows},
+          {"cells_without_value", std::int64_t{grid.columns} * grid.rows - cells}};
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ std::string label_of(const std::string& key) {
   return label;
 }
 
-// Places to a tenth of a millimetre, what was computed to six digits.
+// Places to 1e-6 degrees at least, a decimetre, what was computed to six digits.
 std::string number_text(double value, const std::string& key) {
   constexpr double many = 1e6;
   if (key == "lon_deg" || key == "lat_deg") return fmt::format("{:.9g}", value);

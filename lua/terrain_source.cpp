@@ -120,10 +120,10 @@ Geodetic middle(const TerrainSource& source) {
 }
 
 MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
-                 const std::optional<double>& resolution_m) {
-  if (resolution_m) return grid_of_window(*source.body, *window, *resolution_m);
+                 const std::optional<double>& resolution_m, int values) {
+  if (resolution_m) return grid_of_window(*source.body, *window, *resolution_m, values);
   const std::string file = rasters_of(source.spec).front().file;
-  return grid_of_raster(source.reader()->raster(), window, {source.spec.place, file});
+  return grid_of_raster(source.reader()->raster(), window, {source.spec.place, file}, values);
 }
 
 double cell_m(const MapGrid& grid, const Body& body) {

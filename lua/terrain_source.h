@@ -32,9 +32,10 @@ std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& s
 // Of its finest raster.
 Geodetic middle(const TerrainSource& source);
 
-// The grid of a map: of the window at that resolution, or of the finest raster.
+// The grid of a map: of the window at that resolution, or of the finest raster. `values`: that are
+// held of each cell.
 MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
-                 const std::optional<double>& resolution_m);
+                 const std::optional<double>& resolution_m, int values = 1);
 // About as long as a cell's shorter side, in its middle; 1 mm at least, and a hundredth of the
 // longer side.
 double cell_m(const MapGrid& grid, const Body& body);

@@ -15,6 +15,12 @@ inline std::array<double, 4> b_spline(double t) {
   return {s * s * s / 6, (4 - 6 * t2 + 3 * t3) / 6, (1 + 3 * t + 3 * t2 - 3 * t3) / 6, t3 / 6};
 }
 
+// Their derivatives by t.
+inline std::array<double, 4> b_spline_slope(double t) {
+  const double s = 1 - t, t2 = t * t;
+  return {-s * s / 2, (3 * t2 - 4 * t) / 2, (1 + 2 * t - 3 * t2) / 2, t2 / 2};
+}
+
 // Where the nodes of one axis of a tile fall on a lattice: its points in use, and for each node the
 // first of four among them and their weights.
 struct SplineAxis {

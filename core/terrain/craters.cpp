@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
+
 namespace lsos {
 
 namespace {
@@ -34,12 +36,14 @@ double life_max(const CraterPopulation& p, double diameter_m) {
   return p.degradation.value_or(1) * std::min(1.0, filled);
 }
 
+// Those that have craters.
 std::vector<Octave> octaves(const CraterPopulation& p) {
   std::vector<Octave> result;
-  for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2) {
+  int number = 0;
+  for (double low = p.diameter_min_m; low < p.diameter_max_m; low *= 2, ++number) {
     const double high = std::min(2 * low, p.diameter_max_m);
-    Octave octave{static_cast<int>(result.size()), low, high, cumulative_pm2(p, low),
-                  cumulative_pm2(p, high)};
+    Octave octave{number, low, high, cumulative_pm2(p, low), cumulative_pm2(p, high)};
+    if (!(octave.cumulative_high_pm2 < octave.cumulative_low_pm2)) continue;
     const double ratio = octave.cumulative_high_pm2 / octave.cumulative_low_pm2;
     octave.exponent = std::log(high / low) / std::log(ratio);
     // Within an octave the share of equilibrium that is reached rises or falls throughout.
@@ -122,6 +126,7 @@ double crater_volume_pm2(const CraterPopulation& p, double low_m, double high_m)
     sum_pm2 += (octave.cumulative_low_pm2 - octave.cumulative_high_pm2) * (to - from) * sum_m3 /
                (parts * parts);
   }
+  LSOS_ASSERT(std::isfinite(sum_pm2));
   return sum_pm2;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "terrain/b_spline.h"
+
 namespace lsos {
 
 namespace {
@@ -12,18 +14,6 @@ constexpr int cells = HeightTile::cells;
 
 // The spline looks two nodes away, and a node belongs to the cells on both sides.
 constexpr int margin_cells = 3;
-
-struct Spline {
-  double value[4];
-  double slope[4];
-};
-
-Spline b_spline(double t) {
-  const double s = 1 - t, t2 = t * t;
-  return {{s * s * s / 6, (4 - 6 * t2 + 3 * t2 * t) / 6, (1 + 3 * t + 3 * t2 - 3 * t2 * t) / 6,
-           t2 * t / 6},
-          {-s * s / 2, (3 * t2 - 4 * t) / 2, (1 + 2 * t - 3 * t2) / 2, t2 / 2}};
-}
 
 }  // namespace
 
@@ -93,17 +83,17 @@ SurfaceHeight smooth_weight(const WeightTile& weights, const CellPoint& at) {
   if (weights.is_whole) return {1, 0, 0};
   const int i = static_cast<int>(at.column & (cells - 1));
   const int j = static_cast<int>(at.row & (cells - 1));
-  const Spline u = b_spline(at.along_u), v = b_spline(at.along_v);
+  const auto u = b_spline(at.along_u), u_slope = b_spline_slope(at.along_u);
+  const auto v = b_spline(at.along_v), v_slope = b_spline_slope(at.along_v);
   SurfaceHeight sum{0, 0, 0};
   for (int k = 0; k < 4; ++k) {
     const double* row = weights.nodes.row_m(i - 1, j - 1 + k);
-    const double value =
-        u.value[0] * row[0] + u.value[1] * row[1] + (u.value[2] * row[2] + u.value[3] * row[3]);
+    const double value = u[0] * row[0] + u[1] * row[1] + (u[2] * row[2] + u[3] * row[3]);
     const double slope =
-        u.slope[0] * row[0] + u.slope[1] * row[1] + (u.slope[2] * row[2] + u.slope[3] * row[3]);
-    sum.height_m += v.value[k] * value;
-    sum.by_u_m += v.value[k] * slope;
-    sum.by_v_m += v.slope[k] * value;
+        u_slope[0] * row[0] + u_slope[1] * row[1] + (u_slope[2] * row[2] + u_slope[3] * row[3]);
+    sum.height_m += v[k] * value;
+    sum.by_u_m += v[k] * slope;
+    sum.by_v_m += v_slope[k] * value;
   }
   return sum;
 }

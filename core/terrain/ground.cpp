@@ -151,14 +151,17 @@ struct Ground::Impl {
     }
     if (spec.beyond) check_beyond();
     if (!spec.detail) return;
-    const bool is_beyond_only = spec.beyond && spec.beyond->has_detail_alone;
-    const std::size_t first = is_beyond_only ? spec.beyond->first_layer : 0;
+    const std::size_t first = first_with_detail();
     const Stereographic map = detail_map(spec.layers[first], layers[first]->grid(), plane);
     for (std::size_t k = first; k < layers.size(); ++k) {
       if (!(layers[k]->cell_m() <= detail_cell_max_m)) continue;
       const CellSides sides = middle_sides(layers[k]->grid());
       layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
     }
+  }
+
+  std::size_t first_with_detail() const {
+    return spec.beyond && spec.beyond->has_detail_alone ? spec.beyond->first_layer : 0;
   }
 
   // Ground is wanted beyond the terrain somewhere along the edge of its coarsest layer.
@@ -189,10 +192,11 @@ struct Ground::Impl {
     return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
   }
 
-  // Detail that is all larger than what may be added to the finest raster.
+  // Detail that is all larger than what may be added to the finest raster that is to have some.
   std::string detail_advice() const {
-    const auto* raster = std::get_if<RasterSurface>(&spec.layers.front());
-    const double cell_m = layers.front()->cell_m();
+    const std::size_t first = first_with_detail();
+    const auto* raster = std::get_if<RasterSurface>(&spec.layers[first]);
+    const double cell_m = layers[first]->cell_m();
     if (!spec.detail || raster == nullptr || !(cell_m <= detail_cell_max_m)) return "";
     const auto none = [&](const char* what, double least_m) {
       if (least_m < DetailField::largest_over_raster(cell_m)) return std::string();
@@ -223,6 +227,7 @@ Ground::~Ground() = default;
 
 const SiteFrame& Ground::site() const { return impl_->plane.site(); }
 bool Ground::has_end() const { return lsos::has_end(impl_->spec); }
+bool Ground::reaches(const Vec3& p_S_m) const { return impl_->plane.standing(p_S_m).is_near; }
 const std::vector<Soil>& Ground::soils() const { return impl_->soils.soils(); }
 
 std::string Ground::hash() const {

@@ -1,6 +1,6 @@
 // The ground as wheels feel it: a smooth height field (C1) over the curved body, asked for at
-// points of the site frame. Equal to the finest raster at its cell centres, but for rocks and where
-// a coarser layer takes over.
+// points of the site frame. Equal to the finest raster at its cell centres, but for detail and
+// where a coarser layer takes over.
 #pragma once
 
 #include <memory>
@@ -56,6 +56,8 @@ class Ground {
 
   // Whether it ends somewhere; generated ground goes on.
   bool has_end() const;
+  // Probes look ground up within 60 degrees of the site; beyond, there may well be some.
+  bool reaches(const Vec3& p_S_m) const;
   // Of the surface at a place; nullopt where there is no ground. Slow; for set-up and logs.
   // A look with a resolution leaves out what is much smaller: each layer is taken at the coarsest
   // level whose cells are not above that, detail at a sixteenth of it. Maps of large areas would

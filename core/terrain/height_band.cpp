@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 
@@ -20,6 +22,16 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 // ever written as -32767 or -32768 by chance.
 constexpr double lowest_ground_m = -9500;
 
+// Of 16-bit formats (SRTM, DTED, PDS).
+constexpr double marks_of_16_bits[] = {-32768, -32767};
+
+bool is_mark_of_16_bits(double sample) {
+  return std::ranges::find(marks_of_16_bits, sample) != std::end(marks_of_16_bits);
+}
+
+// What is averaged with these lies below any ground, so that a pit of them is a hole.
+constexpr double far_below = -3e38;
+
 void fetch(GDALRasterBand& from, const RasterBlock& at, void* to, GDALDataType type) {
   const GdalSilence silence;
   if (from.RasterIO(GF_Read, at.column, at.row, at.columns, at.rows, to, at.columns, at.rows, type,
@@ -27,6 +39,13 @@ void fetch(GDALRasterBand& from, const RasterBlock& at, void* to, GDALDataType t
     throw InputError({from.GetDataset()->GetDescription(), 0},
                      fmt::format("cannot be read: {}", GdalSilence::message()));
   }
+}
+
+// A mark is written in 64 bits, a sample perhaps in 32.
+bool is_equal(GDALRasterBand& band, double sample, double mark) {
+  const bool is_float = band.GetRasterDataType() == GDT_Float32;
+  if (std::isnan(mark)) return std::isnan(sample);
+  return sample == mark || (is_float && sample == double{static_cast<float>(mark)});
 }
 
 // One of each square of 2^level samples. GDAL's own choice would depend on the window.
@@ -54,24 +73,24 @@ std::vector<Sample> thinned(GDALRasterBand& from, const RasterBlock& window, int
 }  // namespace
 
 // Marks of missing samples that files often do not declare: -3.4e38 (also ISIS's special values,
-// all of them below -3.4e38), and -32768 and -32767 of 16-bit formats (SRTM, DTED, PDS). As
-// 16-bit samples these are always marks; as wider ones only where they would be impossible heights.
+// all of them below -3.4e38), and -32768 and -32767. As 16-bit samples these are always marks; as
+// wider ones only where they would be impossible heights.
 bool HeightBand::is_missing(double sample) const {
-  if (!std::isfinite(sample) || sample <= -3e38) return true;
+  if (!std::isfinite(sample) || sample <= far_below) return true;
   // Of ISIS's five special values in 16 bits GDAL declares one.
   if (is_isis_ && band_->GetRasterDataType() == GDT_Int16 && sample <= -32764) return true;
-  const std::optional<double>& mark = nodata_ ? nodata_ : declared_;
-  const bool is_float = band_->GetRasterDataType() == GDT_Float32;
-  if (mark && (sample == *mark || (is_float && sample == double{static_cast<float>(*mark)}))) {
-    return true;
-  }
-  if (nodata_) return false;
-  if (sample != -32768 && sample != -32767) return false;
+  if (nodata_ ? is_equal(*band_, sample, *nodata_) : is_declared(sample)) return true;
+  if (nodata_ || !is_mark_of_16_bits(sample)) return false;
   return band_->GetRasterDataType() == GDT_Int16 || sample * scale_.scale < lowest_ground_m;
 }
 
-HeightBand::HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata)
-    : band_(&band), scale_(scale), nodata_(nodata) {
+bool HeightBand::is_declared(double sample) const {
+  return declared_ && is_equal(*band_, sample, *declared_);
+}
+
+HeightBand::HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata,
+                       const SampleRange& seen)
+    : band_(&band), scale_(scale), nodata_(nodata), seen_(seen) {
   GDALDataset* dataset = band.GetDataset();
   GDALDriver* driver = dataset != nullptr ? dataset->GetDriver() : nullptr;
   is_isis_ = driver != nullptr && std::string_view(driver->GetDescription()).starts_with("ISIS");
@@ -99,32 +118,63 @@ void HeightBand::find_masks() {
   }
 }
 
-// GDAL averages without the samples that its one mask leaves out.
+// GDAL averages without the samples that its one mask leaves out: the file's, else that of the
+// declared value.
 bool HeightBand::is_averaged_right() const {
-  if (is_first_mask_gdals_) return masks_.size() == 1 && !nodata_ && !declared_;
-  if (!masks_.empty()) return false;
-  if (declared_) return !nodata_ || *nodata_ == *declared_;
-  return band_->GetRasterDataType() != GDT_Int16 && !nodata_;
+  const std::size_t left_out = is_first_mask_gdals_ ? 1 : 0;
+  if (masks_.size() > left_out || seen_.has_loose_marks) return false;
+  if (nodata_ && declared_ && *nodata_ != *declared_) return false;
+  if (seen_.is_whole) return true;
+  if (is_isis_ && band_->GetRasterDataType() == GDT_Int16) return false;
+  if (is_first_mask_gdals_ && (nodata_ || declared_)) return false;
+  if (nodata_) return declared_.has_value();
+  // A file that declares one of the two has marked with that one.
+  if (declared_ && is_mark_of_16_bits(*declared_)) return true;
+  return !may_hold_16_bit_marks();
+}
+
+bool HeightBand::may_hold_16_bit_marks() const {
+  const GDALDataType type = band_->GetRasterDataType();
+  if (GDALDataTypeIsSigned(type) == 0 || GDALGetDataTypeSizeBytes(type) < 2) return false;
+  return std::ranges::any_of(marks_of_16_bits, [this](double mark) { return is_missing(mark); });
+}
+
+bool HeightBand::has_loose_marks(const RasterBlock& block) const {
+  const auto samples = thinned<double>(*band_, block, 0, GDT_Float64);
+  std::vector<double> shown;
+  if (is_first_mask_gdals_) shown = thinned<double>(*masks_.front(), block, 0, GDT_Float64);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if (!is_missing(samples[k])) continue;
+    if (is_first_mask_gdals_ ? shown[k] != 0 : !is_declared(samples[k])) return true;
+  }
+  return false;
 }
 
 bool HeightBand::is_floating_point() const {
   return GDALDataTypeIsFloating(band_->GetRasterDataType()) != 0;
 }
 
-std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
-  std::pair<GDALRasterBand*, int> found{band_, 0};
+std::vector<std::pair<GDALRasterBand*, int>> HeightBand::overviews(int level) const {
+  std::vector<std::pair<GDALRasterBand*, int>> found;
   if (!is_averaged_right()) return found;
   const auto coarser = [](int size, int by) { return ((size - 1) >> by) + 1; };
   for (int k = 0; k < band_->GetOverviewCount(); ++k) {
     GDALRasterBand* band = band_->GetOverview(k);
     if (band == nullptr) continue;
-    for (int of = found.second + 1; of <= level; ++of) {
+    for (int of = found.empty() ? 1 : found.back().second + 1; of <= level; ++of) {
       const bool is_of_level = band->GetXSize() == coarser(band_->GetXSize(), of) &&
                                band->GetYSize() == coarser(band_->GetYSize(), of);
-      if (is_of_level) found = {band, of};
+      if (!is_of_level) continue;
+      found.emplace_back(band, of);
+      break;
     }
   }
   return found;
+}
+
+std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
+  const auto found = overviews(level);
+  return found.empty() ? std::pair{band_, 0} : found.back();
 }
 
 std::vector<double> HeightBand::samples(const RasterBlock& window, int level) const {
@@ -164,6 +214,7 @@ SampleRange HeightBand::range() const {
   std::int64_t seen = 0;
   for (const RasterBlock& block : spread_blocks(*band_, most_cells).blocks) {
     seen += std::int64_t{block.columns} * block.rows;
+    range.has_loose_marks = range.has_loose_marks || has_loose_marks(block);
     for (const double sample : samples(block)) {
       if (std::isnan(sample)) continue;
       ++range.count;

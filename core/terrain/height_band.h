@@ -23,22 +23,30 @@ struct SampleRange {
   std::int64_t count = 0;  // samples that are not missing
   double low = 0;          // of those, as they are written
   double high = 0;
-  double second_low = 0;  // the lowest above `low`
-  bool is_whole = false;  // every sample was looked at
+  double second_low = 0;         // the lowest above `low`
+  bool is_whole = false;         // every sample was looked at
+  bool has_loose_marks = false;  // a missing sample among them that GDAL would average
 };
 
 class HeightBand {
  public:
-  // `nodata`: the sample that stands for none, in place of what the file and custom say.
-  HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata);
+  // `nodata`: the sample that stands for none, in place of what the file and custom say. `seen`:
+  // what range() found in the same band.
+  HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata,
+             const SampleRange& seen = {});
 
   GDALRasterBand& band() const { return *band_; }
   const HeightScale& scale() const { return scale_; }
   std::optional<double> nodata() const { return nodata_; }
+  std::optional<double> declared() const { return declared_; }
   // Bands of which a 0 says that a sample of this one is missing: the file's mask and its alpha
   // band.
   const std::vector<GDALRasterBand*>& masks() const { return masks_; }
   bool is_floating_point() const;
+  // Overviews may be used: none can have averaged what only we know to be missing.
+  bool is_averaged_right() const;
+  // Those that may be used, with their levels, up to that level.
+  std::vector<std::pair<GDALRasterBand*, int>> overviews(int level) const;
 
   // Samples as they are written, row by row; NaN where they are missing. On a level above 0 the
   // window counts 2^level columns and rows as one, for which one sample stands: of the overview
@@ -51,10 +59,11 @@ class HeightBand {
 
  private:
   void find_masks();
-  bool is_averaged_right() const;
   bool is_missing(double sample) const;
-  // The coarsest overview that is not beyond the level, and its own level. They may have averaged
-  // what only we know to be missing; then there is none.
+  bool is_declared(double sample) const;
+  bool may_hold_16_bit_marks() const;
+  bool has_loose_marks(const RasterBlock& block) const;
+  // The coarsest overview that may be used and is not beyond the level, and its own level.
   std::pair<GDALRasterBand*, int> overview(int level) const;
 
   GDALRasterBand* band_;
@@ -65,6 +74,7 @@ class HeightBand {
   std::vector<GDALRasterBand*> masks_;
   bool is_first_mask_gdals_ = false;
   bool is_isis_ = false;  // read by GDAL's driver of that format
+  SampleRange seen_;
 };
 
 }  // namespace lsos

@@ -14,8 +14,8 @@ namespace lsos {
 
 namespace {
 
-// A grid of this size takes a gigabyte while it is made.
-constexpr double most_cells = double{1 << 28};
+// Values of this number take a gigabyte while they are made.
+constexpr double most_values = double{1 << 28};
 
 std::string wkt_of(const OGRSpatialReference& crs) {
   char* wkt = nullptr;
@@ -105,7 +105,8 @@ RasterMap MapGrid::map(const Body& body) const {
   return {crs_of_wkt(crs), geotransform, columns, body, {{}, "the map"}};
 }
 
-MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolution_m) {
+MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolution_m, int values) {
+  const double most_cells = most_values / values;
   MapGrid grid;
   grid.crs = crs_about(body, window);
   // A column and a row a metre: grid coordinates are those of the map, less half a metre.
@@ -159,7 +160,8 @@ std::string geographic_wkt(const Body& body) {
 }
 
 MapGrid grid_of_raster(const Raster& raster, const std::optional<MapWindow>& window,
-                       const RasterName& name) {
+                       const RasterName& name, int values) {
+  const double most_cells = most_values / values;
   const RasterMap& map = raster.map();
   int column_low = 0, row_low = 0;
   int column_high = raster.columns(), row_high = raster.rows();

@@ -37,8 +37,9 @@ struct MapGrid {
 
 // Square cells of that size around the whole window, north up about its centre: equirectangular,
 // beyond 60 degrees of latitude polar stereographic, on Earth UTM or transverse Mercator. Throws
-// InputError when there would be too many.
-MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolution_m);
+// InputError when there would be too many. `values`: that are held of each cell.
+MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolution_m,
+                       int values = 1);
 // Square cells of a stereographic map about a place, which is its origin: metres east and north of
 // it. Throws InputError when there would be too many.
 MapGrid grid_about(const Body& body, const Geodetic& origin, double west_m, double south_m,
@@ -48,6 +49,6 @@ std::string geographic_wkt(const Body& body);
 // The raster's own cells; those about the window where there is one. Throws InputError when the
 // window lies elsewhere.
 MapGrid grid_of_raster(const Raster& raster, const std::optional<MapWindow>& window,
-                       const RasterName& name);
+                       const RasterName& name, int values = 1);
 
 }  // namespace lsos

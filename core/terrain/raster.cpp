@@ -4,6 +4,7 @@
 #include <ogr_spatialref.h>
 
 #include <cmath>
+#include <limits>
 
 #include "terrain/raster_open.h"
 
@@ -25,7 +26,7 @@ Raster::Raster(const RasterSurface& surface, const Place& place, const Body* bod
   if (period > 0 && period < columns_ && period == std::floor(period)) {
     columns_ = static_cast<int>(period);
   }
-  limit_m_ = ground_limit_m(on);
+  limit_m_ = surface.has_classes ? std::numeric_limits<double>::infinity() : ground_limit_m(on);
   band_ = std::make_unique<HeightBand>(understood(band, surface, on, name_));
 }
 

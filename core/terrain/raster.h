@@ -29,8 +29,8 @@ class Raster {
   bool goes_around() const { return map_->period_px() == columns_; }
 
   const HeightBand& band() const { return *band_; }
-  // Row by row; NaN where missing. On a level above 0 the window counts 2^level columns and rows
-  // as one.
+  // Row by row; NaN where missing; classes as they are. On a level above 0 the window counts
+  // 2^level columns and rows as one.
   std::vector<double> heights_m(const RasterBlock& window, int level = 0) const {
     return band_->heights_m(window, limit_m_, level);
   }

@@ -4,9 +4,11 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "terrain/cell_sides.h"
 #include "terrain/gdal_call.h"
+#include "terrain/raster_body.h"
 #include "terrain/raster_name.h"
 #include "terrain/raster_open.h"
 
@@ -30,16 +32,47 @@ std::string polar_crs(const Body& body, bool is_north) {
   return is_north ? "EPSG:3995" : "EPSG:3031";
 }
 
+constexpr std::string_view loose_marks =
+    "-32768 or -32767, which mark missing samples, with heights";
+
+// What makes overviews right that may have averaged marks.
+std::string way_to_overviews(const HeightBand& heights, const std::string& file) {
+  if (!heights.masks().empty() || heights.nodata()) return "";
+  if (const auto declared = heights.declared()) {
+    return fmt::format("; if {0} alone marks missing samples, say nodata = {0} ({1})", *declared,
+                       option_of_raster("nodata"));
+  }
+  return fmt::format("; declare first what marks them: gdal_edit.py -a_nodata -32768 {}", file);
+}
+
+// Ground reaches as far in km, and so little rise would leave whole numbers of them one or two
+// heights.
+bool may_be_km(const HeightBand& heights, double farthest, const Body& body) {
+  constexpr double m_per_km = 1000;
+  if (farthest * m_per_km > ground_limit_m(body)) return false;
+  return heights.is_floating_point() || heights.scale().scale != 1;
+}
+
 }  // namespace
 
-std::string overview_advice(GDALRasterBand& band, const std::string& file) {
+std::string overview_advice(const HeightBand& heights, const std::string& file) {
   const GdalSilence silence;
+  GDALRasterBand& band = heights.band();
   const double cells = static_cast<double>(band.GetXSize()) * band.GetYSize();
-  if (cells <= most_cells_without_overviews || band.GetOverviewCount() > 0) return {};
+  if (cells <= most_cells_without_overviews) return {};
+  const bool is_right = heights.is_averaged_right();
+  if (band.GetOverviewCount() > 0) {
+    if (is_right) return {};
+    return fmt::format(
+        "raster '{}' has {} x {} cells, and a look from afar reads all of it: its overviews are "
+        "not used, for they may have averaged {}{}",
+        file, band.GetXSize(), band.GetYSize(), loose_marks, way_to_overviews(heights, file));
+  }
   return fmt::format(
       "raster '{}' has {} x {} cells and no overviews, so that a look from afar reads all of it; "
-      "make them once with: gdaladdo -r average {} 2 4 8 16",
-      file, band.GetXSize(), band.GetYSize(), file);
+      "make them once with: gdaladdo -r average {} 2 4 8 16{}",
+      file, band.GetXSize(), band.GetYSize(), file,
+      is_right ? "" : way_to_overviews(heights, file));
 }
 
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
@@ -58,6 +91,7 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   const double rise = high - low;
   if (rise <= 0) return {};
   if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
+  if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
       "raster '{}' holds heights of {:.6g} to {:.6g} over {:.0f} km and names no unit: are they "
       "km? "

@@ -8,8 +8,9 @@
 
 namespace lsos {
 
-// Asked to show large areas, a large raster without overviews is read whole. "" for good ones.
-std::string overview_advice(GDALRasterBand& band, const std::string& file);
+// Asked to show large areas, a large raster without overviews that may be used is read whole. ""
+// for good ones.
+std::string overview_advice(const HeightBand& heights, const std::string& file);
 
 // Heights that differ by no more than no ground does over such a distance, of a raster that names
 // no unit: in km, more often than not. "" for good ones.

@@ -72,13 +72,19 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
   return dataset;
 }
 
-// gdaldem's, with metres a unit of the map where that is degrees.
+// Of the map: a degree of a geographic one.
+double unit_m(const OGRSpatialReference& crs, const Body& body) {
+  if (crs.IsGeographic()) return body.equatorial_radius_m * std::numbers::pi / 180;
+  return crs.GetLinearUnits();
+}
+
+// gdaldem's, which takes a unit of the map for a metre unless it is told.
 GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   CPLStringList words;
   for (const char* word : {"-of", "MEM", "-compute_edges"}) words.AddString(word);
-  if (heights.GetSpatialRef()->IsGeographic()) {
+  if (const double to_m = unit_m(*heights.GetSpatialRef(), body); to_m != 1) {
     words.AddString("-s");
-    words.AddString(fmt::format("{}", body.equatorial_radius_m * std::numbers::pi / 180).c_str());
+    words.AddString(fmt::format("{}", to_m).c_str());
   }
   const std::unique_ptr<GDALDEMProcessingOptions, void (*)(GDALDEMProcessingOptions*)> options(
       GDALDEMProcessingOptionsNew(words.List(), nullptr), GDALDEMProcessingOptionsFree);

@@ -1,5 +1,6 @@
 // Ground from a raster that GDAL opens.
 #include <fmt/format.h>
+#include <gdal_priv.h>
 
 #include <algorithm>
 #include <bit>
@@ -57,14 +58,23 @@ class RasterGrid : public HeightGrid {
     if (band.nodata()) hash.add(fmt::format("nodata {}", *band.nodata()));
     add_samples(band.band(), hash);
     for (GDALRasterBand* mask : band.masks()) add_samples(*mask, hash);
+    for (const auto& [overview, level] : band.overviews(coarsest_level())) {
+      hash.add(fmt::format("overview {}", level));
+      add_overview(*overview, hash);
+      if (!band.masks().empty()) add_overview(*overview->GetMaskBand(), hash);
+    }
   }
   void add_change_to(Sha256& hash) const override {
     const std::lock_guard lock(mutex_);
-    add_change(raster_.band().band(), hash);
+    const HeightBand& band = raster_.band();
+    add_change(band.band(), hash);
+    for (const auto& [overview, level] : band.overviews(coarsest_level())) {
+      add_change(*overview, hash);
+    }
   }
   std::vector<std::string> advice() const override {
     const std::lock_guard lock(mutex_);
-    std::vector<std::string> all{overview_advice(raster_.band().band(), surface_.file),
+    std::vector<std::string> all{overview_advice(raster_.band(), surface_.file),
                                  unit_advice(raster_, surface_, *this, plane_.site().body())};
     std::erase(all, "");
     return all;

@@ -12,6 +12,8 @@ namespace lsos {
 // hash that took minutes would be switched off, and a changed raster differs in more than a few
 // blocks.
 void add_samples(GDALRasterBand& band, Sha256& hash);
+// The same of an overview, of which a fourth as many cells are read at most.
+void add_overview(GDALRasterBand& band, Sha256& hash);
 
 // Where add_samples() does not read all: when the file was changed, and how large it is.
 void add_change(GDALRasterBand& band, Sha256& hash);

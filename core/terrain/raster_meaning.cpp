@@ -141,7 +141,7 @@ bool names_unit(GDALRasterBand& band, const RasterSurface& surface) {
 
 HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
                       const RasterName& name) {
-  HeightScale scale = scale_of(band, surface, body, name);
+  HeightScale scale = surface.has_classes ? HeightScale{} : scale_of(band, surface, body, name);
   HeightBand heights(band, scale, surface.nodata);
   SampleRange range;
   try {
@@ -149,15 +149,18 @@ HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const 
   } catch (const InputError& error) {
     name.refuse(error.faults().front().what);
   }
-  if (range.count == 0 && range.is_whole) name.refuse("holds no heights: all samples are missing");
-  if (range.count == 0) return heights;
+  if (range.count == 0 && range.is_whole) {
+    name.refuse(fmt::format("holds no {}: all samples are missing",
+                            surface.has_classes ? "classes" : "heights"));
+  }
+  if (range.count == 0 || surface.has_classes) return {band, scale, surface.nodata, range};
   refuse_marks(heights, range, name);
   refuse_unclear_unit(band, surface, body, {range, scale}, name);
   if (are_radii(surface, body, scale, {range, scale})) {
     scale.offset_m -= body.equatorial_radius_m;
   }
   refuse_impossible(range, {range, scale}, body, name);
-  return {band, scale, surface.nodata};
+  return {band, scale, surface.nodata, range};
 }
 
 }  // namespace lsos

@@ -125,9 +125,9 @@ GDALRasterBand& chosen_band(GDALDataset& dataset, const RasterSurface& surface,
   }
   GDALRasterBand& band = *dataset.GetRasterBand(number);
   if (GDALDataTypeIsComplex(band.GetRasterDataType())) {
-    name.refuse("holds complex numbers; heights are real");
+    name.refuse("holds complex numbers; real ones are wanted");
   }
-  if (is_colour(band.GetColorInterpretation())) {
+  if (!surface.has_classes && is_colour(band.GetColorInterpretation())) {
     name.refuse(fmt::format("is a picture: band {} holds its colours ({}), heights are wanted",
                             number, GDALGetColorInterpretationName(band.GetColorInterpretation())));
   }

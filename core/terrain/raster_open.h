@@ -15,7 +15,7 @@ class OGRSpatialReference;
 
 namespace lsos {
 
-// All of these refuse, by InputError, what cannot serve as heights of a known place.
+// All of these refuse, by InputError, what cannot serve as heights, or classes, of a known place.
 std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const RasterName& name);
 GDALRasterBand& chosen_band(GDALDataset& dataset, const RasterSurface& surface,
                             const RasterName& name);
@@ -25,6 +25,7 @@ OGRSpatialReference crs_of(GDALDataset& dataset, const RasterSurface& surface,
 std::array<double, 6> geotransform_of(GDALDataset& dataset, const RasterName& name);
 // Whether the user, the band or its CRS says what unit the heights have.
 bool names_unit(GDALRasterBand& band, const RasterSurface& surface);
+// Classes are taken as they are written, whatever they are.
 HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
                       const RasterName& name);
 

@@ -77,8 +77,10 @@ SoilMap::SoilMap(const TerrainSpec& spec, const SitePlane& plane) : soils_{spec.
     auto region = std::make_unique<Region>();
     region->values = patch.values;
     if (patch.raster) {
-      region->raster = make_raster_grid(*patch.raster, spec.place, plane);
-      region->samples = std::make_unique<Raster>(*patch.raster, spec.place, &plane.site().body());
+      RasterSurface classes = *patch.raster;
+      classes.has_classes = true;
+      region->raster = make_raster_grid(classes, spec.place, plane);
+      region->samples = std::make_unique<Raster>(classes, spec.place, &plane.site().body());
       const HeightGrid* raster = region->raster.get();
       region->patches =
           std::make_unique<PatchMap>([raster](const PatchKey& key) { return raster->patch(key); });

@@ -42,6 +42,7 @@ std::optional<GroundEnd> GroundEndProbe::towards(const Vec3& eye_S_m, const Vec3
   for (double x_m = step_least_m; x_m < matters_m; x_m += step_m(x_m)) {
     const Vec3 p_S_m = eye_S_m + x_m * along_S;
     const GroundSample found = sample(p_S_m, step_m(x_m));
+    if (!found.is_ground() && !ground_->reaches(p_S_m)) break;
     tracker.add(x_m, found.is_ground());
     if (!found.is_ground()) continue;
     const Vec3 to_m = p_S_m - found.gap_m * found.up_S - eye_S_m;

@@ -1,5 +1,6 @@
 // Where the ground that is known ends before the horizon that counts: beyond it nothing hides the
-// Sun, Earth or another rover, whatever may stand there.
+// Sun, Earth or another rover, whatever may stand there. Where a way leaves the reach of the site,
+// the ground does not end.
 #pragma once
 
 #include <map>

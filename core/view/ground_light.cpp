@@ -58,7 +58,9 @@ double GroundLightProbe::horizon_rad(Eye eye, const Vec3& along_S, double lowest
     const double drop_m = x_m * x_m / (2 * body.equatorial_radius_m);
     if (x_m * std::tan(lowest_rad) + drop_m > highest_ground_m(body) - eye.height_m) break;
     const auto [found, is_known] = elevation(eye, along_S, x_m);
-    if (x_m < matters_m) tracker.add(x_m, is_known);
+    if (x_m < matters_m && (is_known || ground_->reaches(eye.p_S_m + x_m * along_S))) {
+      tracker.add(x_m, is_known);
+    }
     if (found <= highest) continue;
     highest = found;
     at_m = x_m;

@@ -24,13 +24,14 @@ struct SparseRaster {
   std::vector<std::pair<int, int>> marked = {};
   float height_m = 1;
   bool has_overview = false;
+  GDALDataType type = GDT_Float32;
 
   std::string write(const TempFolder& folder, const std::string& name) const {
     GDALAllRegister();
     const char* const options[] = {"TILED=YES", "SPARSE_OK=TRUE", "BIGTIFF=YES", nullptr};
     const std::string file = folder / name;
     GDALDatasetUniquePtr dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-        file.c_str(), side, side, 1, GDT_Float32, const_cast<char**>(options)));
+        file.c_str(), side, side, 1, type, const_cast<char**>(options)));
     if (!dataset) throw std::runtime_error("cannot write " + file);
     double transform[6] = {-side / 2.0, 1, 0, side / 2.0, 0, -1};
     OGRSpatialReference crs;
@@ -76,10 +77,25 @@ TEST(BigRaster, without_overviews_is_advised_to_have_some) {
                                     file)));
 }
 
+// They may have averaged marks of missing samples.
+TEST(BigRaster, with_overviews_that_are_not_used_is_advised_to_declare_its_marks) {
+  const TempFolder folder;
+  const std::string file =
+      SparseRaster{.side = 10'240, .has_overview = true}.write(folder, "undeclared.tif");
+  const Outcome outcome = run({"check", drive_on(file, folder)});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("its overviews are not used, for they may have averaged "
+                                     "-32768 or -32767, which mark missing samples, with heights; "
+                                     "declare first what marks them: gdal_edit.py -a_nodata "
+                                     "-32768 " +
+                                     file));
+}
+
 TEST(BigRaster, with_overviews_or_of_moderate_size_needs_no_advice) {
   const TempFolder folder;
   const std::string with =
-      SparseRaster{.side = 10'240, .has_overview = true}.write(folder, "with.tif");
+      SparseRaster{.side = 10'240, .has_overview = true, .type = GDT_UInt16}.write(folder,
+                                                                                   "with.tif");
   const std::string moderate = SparseRaster{.side = 9'984}.write(folder, "moderate.tif");
   for (const std::string& file : {with, moderate}) {
     const Outcome outcome = run({"check", drive_on(file, folder)});

@@ -129,6 +129,74 @@ TEST(GroundEnd, nothing_is_said_where_no_ground_can_count) {
   EXPECT_FALSE(light_of(folder, {"Craters"}).answer.contains("warnings"));
 }
 
+// Level ground of the Moon in cells of a degree, from -90 to 90 north.
+std::string degrees_of_moon(const TempFolder& folder, double west_deg, int columns) {
+  std::string text = fmt::format("ncols {}\nnrows 180\nxllcorner {}\nyllcorner -90\ncellsize 1\n",
+                                 columns, west_deg);
+  for (int row = 0; row < 180; ++row) {
+    for (int column = 0; column < columns; ++column) text += row == 85 ? "20 " : "0 ";
+    text += '\n';
+  }
+  folder.write("moon.prj", R"(GEOGCS["Moon 2000",DATUM["D_Moon_2000",)"
+                           R"(SPHEROID["Moon_2000_IAU_IAG",1737400,0]],)"
+                           R"(PRIMEM["Reference_Meridian",0],UNIT["degree",0.0174532925199433]])");
+  return folder.write("moon.asc", text);
+}
+
+Outcome light_at_new_moon(const TempFolder& folder, const std::string& raster,
+                          const std::string& window) {
+  return run({"light", raster, "--at", "2026-07-17T12:00:00Z", "--window=" + window, "--unit", "m",
+              "-o", folder / "light.tif", "--json"});
+}
+
+// The terminator lies at 54 degrees east, the raster's edge at 58.
+TEST(GroundEnd, is_told_with_the_sun_of_a_place_that_is_lit_over_it) {
+  const TempFolder folder;
+  const Outcome outcome = light_at_new_moon(folder, degrees_of_moon(folder, 0, 58), "10,-5,58,5");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out)[0];
+  ASSERT_TRUE(answer.contains("warnings")) << answer;
+  const std::string warning = answer["warnings"][0];
+  const std::size_t sun = warning.find("hide a Sun ");
+  ASSERT_NE(sun, std::string::npos) << warning;
+  EXPECT_NEAR(std::stod(warning.substr(sun + 11)), 0, 4) << warning;
+}
+
+TEST(GroundEnd, is_not_told_of_a_raster_around_the_body) {
+  const TempFolder folder;
+  const Outcome outcome =
+      light_at_new_moon(folder, degrees_of_moon(folder, -180, 360), "-58,-5,58,5");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out)[0];
+  EXPECT_GT(answer["mean_sun_fraction"].get<double>(), 0.01);
+  EXPECT_FALSE(answer.contains("warnings")) << answer;
+  EXPECT_EQ(answer["cells_without_value"], 0);
+}
+
+TEST(GroundEnd, light_is_refused_beyond_the_reach_of_its_site) {
+  const TempFolder folder;
+  const std::string globe = degrees_of_moon(folder, -180, 360);
+  const Outcome outcome = light_at_new_moon(folder, globe, "-70,-5,70,5");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("the map reaches 71 degrees from its site 0.0000,0.0000; up "
+                                     "to 60 are allowed: give a smaller --window"));
+  const Outcome whole = run({"light", globe, "--at", "2026-07-17", "-o", folder / "light.tif"});
+  EXPECT_EQ(whole.exit_code, 2);
+  EXPECT_THAT(whole.err, HasSubstr("up to 60 are allowed"));
+}
+
+TEST(GroundEnd, light_tells_how_many_cells_have_no_ground) {
+  const TempFolder folder;
+  const std::string fine = raster(folder, "fine", 200, 5);
+  const Outcome outcome = run({"light", fine, "--at", at, "--window=-0.3,-85.0033,0.0378,-84.9967",
+                               "--resolution", "10", "-o", folder / "light.tif", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json answer = json::parse(outcome.out)[0];
+  const double cells = answer["columns"].get<double>() * answer["rows"].get<double>();
+  // The window begins 793 m west of the site and ends 100 m east of it; the raster begins at 500 m.
+  EXPECT_NEAR(answer["cells_without_value"].get<double>() / cells, 0.33, 0.02) << answer;
+}
+
 TEST(GroundEnd, refuses_what_cannot_lie_beyond) {
   const TempFolder folder;
   const std::string fine = raster(folder, "fine", 200, 5);

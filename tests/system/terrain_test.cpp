@@ -273,6 +273,27 @@ TEST(Terrain, that_cannot_be_written_leaves_nothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator{}), 1);
 }
 
+// Level ground lies within 60 degrees of its site.
+TEST(Terrain, tells_how_many_exported_cells_have_no_ground) {
+  const TempFolder folder;
+  const auto exported = [&](const char* window) {
+    return terrain({"Flat", std::string("--window=") + window, "--resolution", "100000", "--export",
+                    folder / "out.tif"})[0];
+  };
+  EXPECT_EQ(exported("-30,-30,30,30")["cells_without_value"], 0);
+  const json wide = exported("-170,-30,170,30");
+  const int cells = wide["columns"].get<int>() * wide["rows"].get<int>();
+  Map map(folder / "out.tif");
+  int without = 0;
+  for (int row = 0; row < wide["rows"]; ++row) {
+    for (int column = 0; column < wide["columns"]; ++column) {
+      if (std::isnan(map.value(column, row))) ++without;
+    }
+  }
+  EXPECT_GT(without, cells / 2);
+  EXPECT_EQ(wide["cells_without_value"], without);
+}
+
 TEST(Terrain, of_a_script_reads_its_raster_as_the_script_says) {
   LSOS_NEEDS_REFERENCE("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");
   const std::string file = reference_file("dem/moon/aristarchus_IMP_4p76m_height_slope_rock.tif");

@@ -46,6 +46,23 @@ TEST(CraterProfile, has_the_volume_of_its_shape) {
   EXPECT_NEAR(crater_volume_m3(crater), sum_m3, 1e-5);
 }
 
+TEST(CraterField, without_craters_is_level) {
+  CraterPopulation no_density;
+  no_density.density_pm2 = 0;
+  CraterPopulation no_age;
+  no_age.age_gyr = 0;
+  for (const CraterPopulation& p : {no_density, no_age}) {
+    EXPECT_EQ(crater_volume_pm2(p, 0, 1e9), 0);
+    EXPECT_TRUE(craters_touching(p, 5, {{0, 0}, {500, 500}}).empty());
+    const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-500,20,0,500,0,-20", "",
+                            rows_of(50, 50, [](int, int) { return 30; })};
+    TerrainSpec spec = raster_terrain(raster.write("level"));
+    spec.detail.emplace().craters = p;
+    const Ground ground(spec, site_on("Moon", 0, 0), 0);
+    EXPECT_NEAR(Ground::Probe(ground).sample({3, 4, 0}).elevation_m, 30, 1e-9);
+  }
+}
+
 TEST(CraterField, has_the_volume_that_is_expected) {
   CraterPopulation p;
   p.age_gyr = 3.9;

@@ -39,6 +39,7 @@ struct TextRaster {
   std::string geotransform;  // six numbers with commas; "" for none
   std::string band;          // XML inside the band: NoDataValue, Scale, Offset, UnitType
   std::vector<std::vector<double>> rows;
+  std::string type = "Float64";  // of the samples
 
   std::string write(const std::string& name) const {
     const std::string folder = ::testing::TempDir() + "lsos_terrain_" +
@@ -57,7 +58,7 @@ struct TextRaster {
         << "'>";
     if (!crs.empty()) vrt << "<SRS>" << crs << "</SRS>";
     if (!geotransform.empty()) vrt << "<GeoTransform>" << geotransform << "</GeoTransform>";
-    vrt << "<VRTRasterBand dataType='Float64' band='1'>" << band
+    vrt << "<VRTRasterBand dataType='" << type << "' band='1'>" << band
         << "<SimpleSource><OpenOptions><OOI key='DATATYPE'>Float64</OOI></OpenOptions>"
         << "<SourceFilename relativeToVRT='1'>" << name << ".asc</SourceFilename>"
         << "<SourceBand>1</SourceBand></SimpleSource></VRTRasterBand></VRTDataset>";

@@ -74,5 +74,22 @@ TEST(RasterUnit, of_heights_that_may_be_in_km_is_asked_for) {
   EXPECT_EQ(advice_of(0, "").size(), 0u);  // level, made by hand
 }
 
+// 30 km of a salt flat on Earth.
+std::size_t salt_flat_advices(double height, const std::string& type) {
+  TextRaster raster{
+      "EPSG:32719", "600000,1000,0,7800000,0,-1000", "",
+      rows_of(30, 30, [&](int column, int row) { return height + ((column + row) % 2); })};
+  raster.type = type;
+  return Ground(raster_terrain(raster.write("flat")), site_on("Earth", -67.9, -20), 0)
+      .advice()
+      .size();
+}
+
+TEST(RasterUnit, is_not_asked_for_where_km_are_impossible) {
+  EXPECT_EQ(salt_flat_advices(3655.4, "Float32"), 0u);
+  EXPECT_EQ(salt_flat_advices(3.4, "Float32"), 1u);
+  EXPECT_EQ(salt_flat_advices(3, "Int16"), 0u);
+}
+
 }  // namespace
 }  // namespace lsos

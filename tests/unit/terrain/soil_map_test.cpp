@@ -68,5 +68,34 @@ TEST(Soils, are_the_own_one_where_the_class_is_missing) {
   EXPECT_EQ(soil_at(0.0205, 0.015), "own");
 }
 
+// What would be impossible of heights: a palette, numbers of any size, a unit that is no length.
+TEST(Soils, are_read_from_classes_that_could_be_no_heights) {
+  for (const char* band :
+       {"<ColorInterp>Palette</ColorInterp>", "<UnitType>class</UnitType>", "<Scale>0</Scale>"}) {
+    const TextRaster classes{
+        "+proj=longlat +R=1737400",
+        "-0.02,0.01,0,0.02,0,-0.01",
+        band,
+        {{1, 2, 1, 2}, {1, 2, 1, 2}, {-9999, 1, 40000, 1737000}, {1, 1, 1, 1}}};
+    TerrainSpec spec = plane_terrain(0);
+    spec.soil.name = "own";
+    SoilPatch patch;
+    patch.soil.name = "clay";
+    patch.raster = RasterSurface{classes.write("classes")};
+    patch.values = {2, 40000, 1737000};
+    spec.soil_patches = {patch};
+    const Ground ground(spec, site_on("Moon", 0, 0), 0);
+    Ground::Probe probe(ground);
+    const auto soil_at = [&](double lon_deg, double lat_deg) {
+      const Vec3 p = ground.site().p_S_m(geodetic_from_degrees(lon_deg, lat_deg, 1));
+      return ground.soils()[static_cast<std::size_t>(probe.sample(p).soil)].name;
+    };
+    EXPECT_EQ(soil_at(-0.005, 0.005), "clay") << band;
+    EXPECT_EQ(soil_at(0.005, 0.005), "own") << band;
+    EXPECT_EQ(soil_at(0.005, -0.005), "clay") << band;
+    EXPECT_EQ(soil_at(0.015, -0.005), "clay") << band;
+  }
+}
+
 }  // namespace
 }  // namespace lsos

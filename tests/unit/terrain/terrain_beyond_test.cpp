@@ -65,6 +65,19 @@ TEST(TerrainBeyond, keeps_what_a_script_says) {
   EXPECT_FALSE(both.beyond->has_detail_alone);
 }
 
+// The raster was never to get any craters; they are the other terrain's own.
+TEST(TerrainBeyond, is_not_said_to_add_no_craters_to_the_raster) {
+  TerrainSpec cratered = rough("Cratered");
+  cratered.detail->craters.emplace().diameter_min_m = 10;
+  const TerrainSpec raster = raster_terrain(RasterSurface{fine_file()}, {});
+  EXPECT_EQ(Ground(with_beyond(raster, cratered), site_on("Moon", 0, 0), 0).advice().size(), 0u);
+  TerrainSpec script = raster;
+  script.detail = cratered.detail;
+  const auto advice = Ground(script, site_on("Moon", 0, 0), 0).advice();
+  ASSERT_EQ(advice.size(), 1u);
+  EXPECT_THAT(advice[0].what, ::testing::HasSubstr("detail adds no craters"));
+}
+
 TEST(TerrainBeyond, is_refused_where_nothing_of_it_could_lie) {
   const TerrainSpec raster = raster_terrain(RasterSurface{fine_file()}, {});
   EXPECT_THROW(with_beyond(rough("Rough"), raster), InputError);

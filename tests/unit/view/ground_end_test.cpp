@@ -74,6 +74,29 @@ TEST(GroundEnd, is_nowhere_on_generated_ground_or_over_it) {
   EXPECT_FALSE(GroundEndProbe(over).towards({0, 0, 2}, direction(0, 1), disc_rad));
 }
 
+// Level ground of that many degrees east of -180.
+Ground degrees_of_moon(int columns) {
+  const TextRaster raster{"+proj=longlat +R=1737400", "-180,1,0,90,0,-1", "",
+                          rows_of(columns, 180, [](int, int) { return 0; })};
+  return ground_of(raster);
+}
+
+// A raster that covers the body goes on there.
+TEST(GroundEnd, is_not_where_the_reach_of_the_site_ends) {
+  for (const bool has_end : {false, true}) {
+    const Ground ground = degrees_of_moon(has_end ? 238 : 360);
+    const SiteFrame& site = ground.site();
+    const Geodetic place = geodetic_from_degrees(has_end ? 57.5 : 59.5, 0);
+    const Vec3 eye_S_m = site.p_S_m({place.lon_rad, place.lat_rad, 2});
+    const Vec3 sun_S =
+        std::cos(radians(1)) * site.east_S(eye_S_m) + std::sin(radians(1)) * site.up_S(eye_S_m);
+    EXPECT_EQ(GroundEndProbe(ground).towards(eye_S_m, sun_S, disc_rad).has_value(), has_end);
+    const auto light = GroundLightProbe(ground, 1000).at(place, sun_S, disc_rad);
+    EXPECT_GT(light->sun_fraction, 0.99);
+    EXPECT_EQ(light->end.has_value(), has_end);
+  }
+}
+
 // The body goes on beneath the raster's end: a hill does not see the Sun through it.
 TEST(GroundEnd, night_falls_on_a_hill_of_a_small_raster) {
   const Ground ground = ground_of(kilometre([](double east_m, double north_m) {
