@@ -72,6 +72,7 @@ std::string json_text(const MissionFiles& files, const std::vector<PlannedLegLin
                       {"what", fault.what}});
   }
   const nlohmann::ordered_json answer{{"plan", files.plan.file},
+                                      {"plan_sha256", files.plan.hash()},
                                       {"is_valid", !files.faults.has_errors()},
                                       {"rovers", files.plan.rovers.size()},
                                       {"events", files.plan.events.size()},

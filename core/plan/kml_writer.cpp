@@ -53,9 +53,11 @@ class Writer {
     open("kml");
     printer_.PushAttribute("xmlns", "http://www.opengis.net/kml/2.2");
     printer_.PushAttribute("xmlns:gx", "http://www.google.com/kml/ext/2.2");
+    if (!document.target.empty()) attribute("hint", "target=" + document.target);
     open("Document");
     element("name", document.name);
     optional_element("description", document.description);
+    if (document.look_at) look_at(*document.look_at);
     for (const KmlStyle& each : document.styles) style(each);
     for (const KmlSchema& each : document.schemas) schema(each);
     for (const KmlFolder& each : document.folders) folder(each);
@@ -78,6 +80,17 @@ class Writer {
   }
   void optional_element(const char* name, const std::string& text) {
     if (!text.empty()) element(name, text);
+  }
+
+  void look_at(const KmlLookAt& from) {
+    open("LookAt");
+    element("longitude", fmt::format("{:.6f}", lon_deg(from.place)));
+    element("latitude", fmt::format("{:.6f}", lat_deg(from.place)));
+    element("altitude", "0");
+    element("heading", "0");
+    element("tilt", "0");
+    element("range", fmt::format("{:.0f}", from.range_m));
+    close();
   }
 
   void style(const KmlStyle& style) {
@@ -143,6 +156,13 @@ class Writer {
     optional_element("description", placemark.description);
     time(placemark);
     if (!placemark.style_id.empty()) element("styleUrl", "#" + placemark.style_id);
+    if (placemark.icon_heading_deg) {
+      open("Style");
+      open("IconStyle");
+      element("heading", fmt::format("{:.0f}", *placemark.icon_heading_deg));
+      close();
+      close();
+    }
     const bool is_track = !placemark.track.points.empty();
     if (!placemark.schema_id.empty() && !is_track) data(placemark);
     if (is_track) {
@@ -248,7 +268,8 @@ class Writer {
     element("coordinates", text);
   }
 
-  tinyxml2::XMLPrinter printer_;
+  // Without blanks between elements, which were half of an overlay.
+  tinyxml2::XMLPrinter printer_{nullptr, true};
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // (gx:Track), from plain values.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,6 +63,7 @@ struct KmlPlacemark {
   std::string when_utc;     // ISO 8601: a TimeStamp; "": none
   std::string begin_utc;    // with end_utc: a TimeSpan, either end may be ""; not with when_utc
   std::string end_utc;
+  std::optional<double> icon_heading_deg;  // clockwise from north
   KmlGeometry geometry;
   KmlTrack track;         // in place of a geometry, when it has points
   std::string schema_id;  // of a schema of the document; "": no data
@@ -75,9 +77,17 @@ struct KmlFolder {
   std::vector<KmlFolder> folders;
 };
 
+// Where a viewer looks when it opens the document, from above.
+struct KmlLookAt {
+  Geodetic place;
+  double range_m = 1000;
+};
+
 struct KmlDocument {
   std::string name;
   std::string description;  // "": none
+  std::string target;       // body that Google Earth shows it on: "moon", "mars"; "": the Earth
+  std::optional<KmlLookAt> look_at;
   std::vector<KmlSchema> schemas;
   std::vector<KmlStyle> styles;
   std::vector<KmlFolder> folders;

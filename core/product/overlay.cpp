@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 
 #include "base/error.h"
 #include "base/units.h"
 #include "plan/kml_writer.h"
 #include "planet/meridian.h"
+#include "product/balloon.h"
 #include "product/files.h"
-#include "product/rover_colors.h"
+#include "product/overlay_style.h"
 #include "product/rover_track.h"
 #include "product/thinned_notes.h"
 #include "record/columns.h"
@@ -65,38 +69,11 @@ KmlSchema track_schema() {
   return schema;
 }
 
-// What the balloons of a rover's samples say: what a planner asks first, of what all of them have.
-std::string sample_balloon(const std::vector<SampleRow>& samples, Instant start) {
-  constexpr std::pair<const char*, const char*> lines[] = {
-      {"Time", "utc"},
-      {"Event", "event"},
-      {"Phase", "phase"},
-      {"Longitude, degrees", "lon_deg"},
-      {"Latitude, degrees", "lat_deg"},
-      {"Elevation, m", "elevation_m"},
-      {"Driven, m", "distance_m"},
-      {"Speed, m/s", "speed_mps"},
-      {"Slope, radians", "slope_rad"},
-      {"Slip, mean", "slip"},
-      {"Charge, 0 to 1", "charge"},
-      {"Energy rate, W", "energy_rate_w"},
-      {"From panels, W", "solar_w"},
-      {"Loads, W", "load_w"},
-      {"Driving, W", "drive_w"},
-      {"Sun on panels, 0 to 1", "sun_fraction"}};
-  std::string text = "<h3>$[name]</h3><table>";
-  for (const auto& [what, name] : lines) {
-    const auto all = columns<SampleRow>();
-    const auto column = std::ranges::find(all, name, &Column<SampleRow>::name);
-    LSOS_ASSERT(column != all.end());
-    const bool is_known = std::ranges::all_of(samples, [&](const SampleRow& row) {
-      return !std::holds_alternative<std::monostate>(column->value(row, start));
-    });
-    if (!is_known) continue;
-    text += fmt::format("<tr><td>{}</td><td align=\"right\">$[{}/{}]</td></tr>", what,
-                        schema_id<SampleRow>, name);
-  }
-  return text + "</table>";
+// The log has all digits. Places need them: 1e-8 degrees are a millimetre.
+std::string shown_text(std::string_view name, const ColumnValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr || name.ends_with("_deg")) return to_text(value);
+  return fmt::format("{:.7g}", *number);
 }
 
 // A Placemark that carries every column of the row that is not NULL.
@@ -108,7 +85,7 @@ KmlPlacemark placemark(const Row& row, Instant start, std::string name) {
   for (const Column<Row>& column : columns<Row>()) {
     const ColumnValue value = column.value(row, start);
     if (std::holds_alternative<std::monostate>(value)) continue;
-    placemark.data.emplace_back(column.name, to_text(value));
+    placemark.data.emplace_back(column.name, shown_text(column.name, value));
   }
   return placemark;
 }
@@ -126,45 +103,6 @@ std::string xml_time(Instant instant) {
   const std::string utc = format_utc(instant);
   return utc.find(":60.") == std::string::npos ? utc : "";
 }
-
-// The styles of one rover; its colour goes by its place among the rovers.
-struct RoverStyle {
-  std::string plan_id, planned_id, driven_id, event_id, sample_id;
-
-  explicit RoverStyle(std::size_t i)
-      : plan_id(fmt::format("plan-{}", i)),
-        planned_id(fmt::format("planned-{}", i)),
-        driven_id(fmt::format("driven-{}", i)),
-        event_id(fmt::format("event-{}", i)),
-        sample_id(fmt::format("sample-{}", i)),
-        color_(rover_colors[i % rover_colors.size()]) {}
-
-  void add_to(std::vector<KmlStyle>& styles, const std::string& sample_balloon) const {
-    KmlStyle plan;
-    plan.id = plan_id;
-    plan.line_color_abgr = "80" + color_;
-    plan.line_width = 5;
-    KmlStyle planned;
-    planned.id = planned_id;
-    planned.line_color_abgr = "ffffffff";
-    KmlStyle driven;
-    driven.id = driven_id;
-    driven.line_color_abgr = "ff" + color_;
-    KmlStyle event;
-    event.id = event_id;
-    event.icon_color_abgr = "ff" + color_;
-    KmlStyle sample;
-    sample.id = sample_id;
-    sample.icon_color_abgr = "c0" + color_;
-    sample.icon_scale = 0.3;
-    sample.label_scale = 0;  // thousands of labels would hide the ground
-    sample.balloon_text = sample_balloon;
-    styles.insert(styles.end(), {plan, planned, driven, event, sample});
-  }
-
- private:
-  std::string color_;
-};
 
 KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const RoverStyle& style) {
   KmlFolder folder = named_folder(rover_id + " plan");
@@ -197,9 +135,7 @@ KmlFolder planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
         placemark(path, start,
                   fmt::format("{} event {} to waypoint {} (planned{})", rover_id, path.sequence,
                               path.leg, path.attempt > 0 ? " again" : ""));
-    line.description =
-        fmt::format("{:.0f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} degrees", path.length_m,
-                    path.duration_s, path.energy_j / 3600, degrees(path.slope_max_rad));
+    line.description = balloon(path);
     line.style_id = style.planned_id;
     line.geometry = {KmlGeometryKind::line, unrolled(path.line)};
     folder.placemarks.push_back(std::move(line));
@@ -219,14 +155,13 @@ KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
 }
 
 KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
-                       const std::string& rover_id, const RoverStyle& style) {
+                       const std::string& rover_id) {
   KmlFolder folder = named_folder(rover_id + " events");
   for (const EventRow& event : events) {
     if (event.rover_id != rover_id) continue;
     KmlPlacemark mark = placemark(event, start, event.label);
-    mark.description = to_string(event.status);
-    if (!event.reason.empty()) mark.description += ": " + event.reason;
-    mark.style_id = style.event_id;
+    mark.description = balloon(event, start);
+    mark.style_id = std::string("event-") + to_string(event.status);
     if (event.start) mark.begin_utc = xml_time(start + *event.start);
     if (event.end) mark.end_utc = xml_time(start + *event.end);
     if (event.place) mark.geometry = point(*event.place);
@@ -240,7 +175,9 @@ KmlFolder sample_points(const RoverTrack& track, Instant start, const std::strin
   KmlFolder folder = named_folder(rover_id + " samples");
   for (const SampleRow& row : track.samples()) {
     KmlPlacemark mark = placemark(row, start, fmt::format("{} {} s", rover_id, seconds(row.time)));
+    mark.description = balloon(row, start);
     mark.style_id = style.sample_id;
+    if (std::isfinite(row.heading_rad)) mark.icon_heading_deg = degrees(row.heading_rad);
     mark.when_utc = xml_time(start + row.time);
     mark.geometry = point(row.place);
     folder.placemarks.push_back(std::move(mark));
@@ -297,6 +234,36 @@ KmlFolder note_points(const ThinnedNotes& notes, Instant start) {
   return folder;
 }
 
+// As Google Earth calls the bodies that it has; it needs no word for the Earth.
+std::string target_of(const Body& body) {
+  if (body.name == "Earth") return "";
+  std::string name(body.name);
+  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+  return name;
+}
+
+// A look from above at all places, about the first.
+class LookAtBounds {
+ public:
+  void add(const Geodetic& place) {
+    if (!first_) first_ = place;
+    places_.push_back(place);
+  }
+  std::optional<KmlLookAt> look_at(const Body& body) const {
+    constexpr double least_m = 300, ranges = 2.2;  // of the farthest place
+    if (!first_) return {};
+    double farthest_m = 0;
+    for (const Geodetic& place : places_) {
+      farthest_m = std::max(farthest_m, surface_distance_m(body, *first_, place));
+    }
+    return KmlLookAt{*first_, std::max(least_m, ranges * farthest_m)};
+  }
+
+ private:
+  std::optional<Geodetic> first_;
+  std::vector<Geodetic> places_;
+};
+
 std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
                                          const std::vector<EventRow>& events) {
   const MissionInfo& mission = plan.mission;
@@ -331,24 +298,33 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
   const std::vector<EventRow> events = log.events();
 
   KmlDocument document;
-  document.name = "overlay";
+  document.name = fmt::format("{}, simulated", std::filesystem::path(plan.file).stem().string());
   document.description = fmt::format("simulated from {}", format_utc(start));
+  document.target = target_of(*plan.mission.planet);
   const std::vector<PlannedPathRow> paths = log.planned_paths();
   document.schemas = {schema<SampleRow>(), schema<EventRow>(), schema<PlannedPathRow>(),
                       schema<NoteRow>(), track_schema()};
   std::size_t i = 0;
+  for (const EventStatus status :
+       {EventStatus::completed, EventStatus::failed, EventStatus::incomplete, EventStatus::skipped,
+        EventStatus::not_started, EventStatus::disabled}) {
+    document.styles.push_back(status_style(status));
+  }
+  LookAtBounds bounds;
   for (const auto& [rover_id, track] : tracks(log, plan, events)) {
     const RoverStyle style(i++);
-    style.add_to(document.styles, sample_balloon(track.samples(), start));
+    style.add_to(document.styles);
+    for (const SampleRow& row : track.samples()) bounds.add(row.place);
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
     rover.folders = {
         drawn_lines(plan, rover_id, style),          planned_lines(paths, start, rover_id, style),
-        driven_line(track, rover_id, style),         event_points(events, start, rover_id, style),
+        driven_line(track, rover_id, style),         event_points(events, start, rover_id),
         moving_point(track, start, rover_id, style), sample_points(track, start, rover_id, style)};
     document.folders.push_back(std::move(rover));
   }
   document.folders.push_back(note_points(thinned_notes(log), start));
+  document.look_at = bounds.look_at(*plan.mission.planet);
   return write_kml(document);
 }
 

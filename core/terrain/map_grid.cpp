@@ -135,7 +135,7 @@ MapGrid grid_about(const Body& body, const Geodetic& origin, double west_m, doub
                    double east_m, double north_m, double resolution_m) {
   const double columns = std::ceil((east_m - west_m) / resolution_m);
   const double rows = std::ceil((north_m - south_m) / resolution_m);
-  LSOS_ASSERT(columns >= 1 && rows >= 1 && columns * rows <= most_cells);
+  LSOS_ASSERT(columns >= 1 && rows >= 1 && columns * rows <= most_values);
   const GdalSilence silence;
   OGRSpatialReference geographic;
   LSOS_ASSERT(geographic.SetFromUserInput(std::string(body.crs).c_str()) == OGRERR_NONE);

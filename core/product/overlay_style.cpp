@@ -1,0 +1,74 @@
+#include "product/overlay_style.h"
+
+#include <fmt/format.h>
+
+#include "product/rover_colors.h"
+
+namespace lsos {
+
+namespace {
+
+// White shapes of Google's own, which every viewer of KML can reach; styles give them colours.
+const std::string icons = "http://maps.google.com/mapfiles/kml/shapes/";
+const std::string arrow_icon = icons + "triangle.png";  // points north where it is not turned
+
+}  // namespace
+
+KmlStyle status_style(EventStatus status) {
+  KmlStyle style;
+  style.id = std::string("event-") + to_string(status);
+  style.icon_scale = 0.8;
+  style.label_scale = 0.8;
+  switch (status) {
+    case EventStatus::completed:
+      style.icon_color_abgr = "ff3c9600";
+      style.icon_href = icons + "placemark_circle.png";
+      break;
+    case EventStatus::failed:
+      style.icon_color_abgr = "ff1c19d7";
+      style.icon_href = icons + "forbidden.png";
+      break;
+    case EventStatus::incomplete:
+      style.icon_color_abgr = "ff008cff";
+      style.icon_href = icons + "caution.png";
+      break;
+    default:
+      style.icon_color_abgr = "ff969696";
+      style.icon_href = icons + "open-diamond.png";
+  }
+  return style;
+}
+
+RoverStyle::RoverStyle(std::size_t i)
+    : plan_id(fmt::format("plan-{}", i)),
+      planned_id(fmt::format("planned-{}", i)),
+      driven_id(fmt::format("driven-{}", i)),
+      event_id(fmt::format("event-{}", i)),
+      sample_id(fmt::format("sample-{}", i)),
+      color_(rover_colors[i % rover_colors.size()]) {}
+
+void RoverStyle::add_to(std::vector<KmlStyle>& styles) const {
+  KmlStyle plan;
+  plan.id = plan_id;
+  plan.line_color_abgr = "80" + color_;
+  plan.line_width = 5;
+  KmlStyle planned;
+  planned.id = planned_id;
+  planned.line_color_abgr = "ffffffff";
+  KmlStyle driven;
+  driven.id = driven_id;
+  driven.line_color_abgr = "ff" + color_;
+  KmlStyle event;
+  event.id = event_id;
+  event.icon_color_abgr = "ff" + color_;
+  event.icon_href = arrow_icon;
+  KmlStyle sample;
+  sample.id = sample_id;
+  sample.icon_color_abgr = "c0" + color_;
+  sample.icon_href = arrow_icon;
+  sample.icon_scale = 0.35;
+  sample.label_scale = 0;  // thousands of labels would hide the ground
+  styles.insert(styles.end(), {plan, planned, driven, event, sample});
+}
+
+}  // namespace lsos
