@@ -95,6 +95,7 @@
 ---@field energy_rate_w number Into it; negative: out of it.
 ---@field solar_w number From the panels, as far as it is used.
 ---@field external_w number From outside.
+---@field external_j number The same, since the start.
 ---@field load_w number Used by all but the wheel motors.
 ---@field time_to_charge_s fun(self: lsos.rover.battery, charge: number): number? Until it holds that share, with what flows now; nil when it will not.
 ---@field await_charge fun(self: lsos.rover.battery, charge: number) The phase is called when it holds that share, however long it sleeps; until the event ends.
@@ -106,6 +107,7 @@
 ---@class lsos.rover.panels
 ---@field sun_fraction number Share of their area that sees the Sun; nil without panels.
 ---@field incidence number The same times the cosine of incidence.
+---@field is_any_up boolean Whether it has a panel that is not stowed.
 ---@field turn_left_s number Until all have arrived where they turn; 0: none turns.
 ---@field deploy fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Puts up the panel of that name (nil: all). Answers how long that takes, s, and whether any moves: false when all are up.
 ---@field stow fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Folds it away; the same.
@@ -160,7 +162,7 @@
 ---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
 ---@field start? string The first phase; may be left out if there is one.
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
----@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `initial_charge`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
+---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its ways: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).

@@ -37,9 +37,8 @@ const std::string schema_id<NoteRow> = "lsos_notes";
 const std::string track_schema_id = "lsos_track";
 
 // What of a rover's samples the viewer plots along its track.
-constexpr std::array track_columns{"elevation_m", "speed_mps",     "slope_rad", "slip",
-                                   "charge",      "energy_rate_w", "solar_w",   "load_w",
-                                   "drive_w",     "sun_fraction"};
+constexpr std::array track_columns{"elevation_m", "speed_mps",     "slope_rad",
+                                   "charge",      "energy_rate_w", "solar_w"};
 
 const char* kml_type(ColumnType type) {
   switch (type) {
@@ -269,10 +268,8 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
   const MissionInfo& mission = plan.mission;
   LSOS_ASSERT(mission.planet != nullptr);
   const std::map<std::string, SampleTotals> totals = log.sample_totals();
-  const int of_a_rover = std::max(overlay_samples_max,
-                                  overlay_track_max / std::max(1, static_cast<int>(totals.size())));
   // Half of a track's places follow the drive, half the time.
-  const int half = of_a_rover / 2;
+  const int half = overlay_track_max / 2;
   const SimTime interval = sample_interval(log.last_sample_time(), half, mission.log_interval,
                                            mission.parked_log_interval);
   std::map<std::string, RoverTrack> tracks;
@@ -280,7 +277,7 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
     const auto marks = [&, &id = id, &of_rover = of_rover](int most) {
       return DriveMarks(of_rover, events, id, static_cast<std::size_t>(most));
     };
-    const bool is_whole = of_rover.rows <= static_cast<std::size_t>(of_a_rover);
+    const bool is_whole = of_rover.rows <= static_cast<std::size_t>(overlay_track_max);
     tracks.try_emplace(id, *mission.planet, marks(overlay_samples_max), marks(half),
                        is_whole ? SimTime{} : interval);
   }

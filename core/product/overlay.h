@@ -8,9 +8,9 @@
 
 namespace lsos {
 
-// Sample Placemarks of one rover at most, and places of all tracks together (or as many as there
-// are samples, where rovers are many); the log has them all.
-inline constexpr int overlay_samples_max = 2000, overlay_track_max = 50'000;
+// Sample Placemarks of one rover at most, and places of its track; the log has them all. Three
+// rovers over four weeks stay below 20 MB.
+inline constexpr int overlay_samples_max = 2000, overlay_track_max = 1500;
 
 // The document: for each rover its drawn lines, the line that it drove, its events where they
 // happened, a track that a time slider plays, and samples evenly spaced along the drive and at each

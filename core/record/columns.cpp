@@ -200,7 +200,6 @@ std::span<const Column<PairRow>> columns<PairRow>() {
   using R = PairRow;
   static const Column<R> table[] = {
       time<&R::time>("time_s"),
-      utc<&R::time>("utc"),
       text<&R::from_id>("from_id"),
       text<&R::to_id>("to_id"),
       real<&R::distance_m>("distance_m"),
@@ -208,6 +207,7 @@ std::span<const Column<PairRow>> columns<PairRow>() {
       real<&R::visible_fraction>("visible_fraction"),
       integer<&R::link>("link"),
       text<&R::relay>("relay"),
+      utc<&R::time>("utc"),
   };
   return table;
 }
@@ -218,8 +218,8 @@ std::span<const Column<SightIntervalRow>> columns<SightIntervalRow>() {
   static const Column<R> table[] = {
       text<&R::from_id>("from_id"), text<&R::to_id>("to_id"),
       text<&R::kind>("kind"),       time<&R::start>("start_s"),
-      time<&R::end>("end_s"),       utc<&R::start>("utc"),
-      utc<&R::end>("end_utc"),      real<&R::light_time_s>("light_time_s"),
+      time<&R::end>("end_s"),       real<&R::light_time_s>("light_time_s"),
+      utc<&R::start>("utc"),        utc<&R::end>("end_utc"),
   };
   return table;
 }
@@ -265,11 +265,11 @@ std::span<const Column<EventRow>> columns<EventRow>() {
       optional_time<&R::ready>("ready_s"),
       optional_time<&R::start>("start_s"),
       optional_time<&R::end>("end_s"),
-      utc<&R::start, &R::ready>("utc"),
-      utc<&R::end>("end_utc"),
       real<&R::distance_m>("distance_m"),
       real<&R::energy_used_j>("energy_used_j"),
       real<&R::solar_j>("solar_j"),
+      utc<&R::start, &R::ready>("utc"),
+      utc<&R::end>("end_utc"),
   };
   return table;
 }

@@ -28,7 +28,7 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> table = {
       {std::regex("(lua|lauxlib|lualib)\\.h(pp)?"), {"lua"}},
       {std::regex("(Bullet|LinearMath|bt)[^.]*\\.h"), {"vehicle"}},
-      {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"), {"terrain", "record", "import"}},
+      {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"), {"terrain", "record", "plan"}},
       {std::regex("proj\\.h"), {"terrain", "record", "import"}},
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
       {std::regex("tinyxml2\\.h"), {"plan"}},

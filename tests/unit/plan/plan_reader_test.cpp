@@ -224,7 +224,8 @@ TEST(PlanReader, goto_finds_the_later_of_two_events_with_one_label) {
 TEST(PlanReader, a_disabled_event_makes_no_circle) {
   EXPECT_EQ(faults_of(mission() + rover() + pause("a", "A", 1, {{"StartAfter", "b"}}) +
                       pause("b", "A", 2, {{"Enabled", "false"}})),
-            "");
+            "lsos_PlanReader_a_disabled_event_makes_no_circle_plan.kml:14: warning: Pause 'a': "
+            "StartAfter = 'b': is disabled, and counts as ended from the beginning\n");
   EXPECT_THAT(faults_of(mission() + rover() + pause("a", "A", 1, {{"StartAfter", "b"}}) +
                         pause("b", "A", 2)),
               HasSubstr("goes in a circle: Pause 'a' (A/1) waits for Pause 'b' (A/2), which comes "

@@ -102,7 +102,9 @@ TEST(Overlay, shows_events_and_notes_where_they_happened) {
   const TestFolder folder;
   const std::string kml = overlay_of(folder, 5);
 
-  EXPECT_THAT(kml, HasSubstr("<description>failed: stuck &lt;deep&gt; &amp; fast</description>"));
+  EXPECT_THAT(kml, HasSubstr("<description><![CDATA[<table><tr><td>Status<td>failed<tr><td>Why<td>"
+                             "stuck &lt;deep&gt; &amp; fast<tr>"));
+  EXPECT_THAT(kml, HasSubstr("<styleUrl>#event-failed</styleUrl>"));
   EXPECT_THAT(kml, HasSubstr("<begin>2026-07-01T12:00:00.100Z</begin>"));
   EXPECT_THAT(kml, HasSubstr("<end>2026-07-01T12:00:05.000Z</end>"));
   EXPECT_THAT(kml, HasSubstr("<SimpleData name=\"status\">not_started</SimpleData>"));
@@ -140,25 +142,28 @@ TEST(Overlay, has_at_most_2000_samples_a_rover_evenly_along_its_drive) {
   EXPECT_EQ(last_s, 9998);
 }
 
-TEST(Overlay, has_a_track_at_full_rate_that_a_time_slider_plays) {
+TEST(Overlay, has_a_track_that_a_time_slider_plays) {
   const TestFolder folder;
   const std::string kml = overlay_of(folder, 5000);
 
   EXPECT_EQ(count_of(kml, "<gx:Track>"), 2);
-  EXPECT_EQ(count_of(kml, "<gx:coord>"), 2 * 5000);
+  EXPECT_LE(count_of(kml, "<gx:coord>"), 2 * 1500);
+  EXPECT_GT(count_of(kml, "<gx:coord>"), 2 * 1000);
   EXPECT_THAT(kml, HasSubstr("<gx:SimpleArrayField type=\"float\" name=\"speed_mps\"/>"));
   const auto begin = kml.find("<gx:SimpleArrayData name=\"speed_mps\">");
   ASSERT_NE(begin, std::string::npos);
   const std::string array = kml.substr(begin, kml.find("</gx:SimpleArrayData>", begin) - begin);
-  EXPECT_EQ(count_of(array, "<gx:value>"), 5000);
+  EXPECT_NEAR(2 * count_of(array, "<gx:value>"), count_of(kml, "<gx:coord>"), 10);
   EXPECT_THAT(array, HasSubstr("<gx:value>0.3</gx:value>"));
   EXPECT_THAT(kml, Not(HasSubstr("SimpleArrayData name=\"charge\""))) << "not modelled";
 }
 
 TEST(Overlay, says_of_a_sample_in_its_balloon_what_a_planner_asks) {
   const TestFolder folder;
-  EXPECT_THAT(overlay_of(folder, 3), HasSubstr("Speed, m/s&lt;/td&gt;&lt;td align=\"right\"&gt;$["
-                                               "lsos_samples/speed_mps]"));
+  const std::string kml = overlay_of(folder, 3);
+  EXPECT_THAT(kml, HasSubstr("<tr><td>Time<td>2026-07-01 12:00:04 UTC<tr>"));
+  EXPECT_THAT(kml, HasSubstr("<tr><td>Speed<td>0.3 m/s<tr>"));
+  EXPECT_THAT(kml, Not(HasSubstr("<td>Charge"))) << "not modelled";
 }
 
 TEST(Overlay, is_packed_on_request_the_same_each_time) {

@@ -77,6 +77,7 @@ RunSummary test_summary() {
   summary.status = RunStatus::failed;
   summary.plan = "plans/a.kml";
   summary.log_sha256 = "abc";
+  summary.start = *parse_utc("2026-07-01T12:00:00Z").value;
   summary.sim_s = 3600;
   summary.wall_s = 10;
   RoverSummary rover;
@@ -133,7 +134,9 @@ TEST(Summary, has_the_keys_of_the_contract_in_its_order) {
       "end_s": 90.1,
       "distance_m": null,
       "energy_used_j": null,
-      "solar_j": null
+      "solar_j": null,
+      "utc": "2026-07-01T12:00:00.100Z",
+      "end_utc": "2026-07-01T12:01:30.100Z"
     }
   ],
   "warnings": [
