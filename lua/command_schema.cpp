@@ -33,10 +33,8 @@ std::string kml_type(FieldKind kind) {
   switch (kind) {
     case FieldKind::integer:
       return "int";
-    case FieldKind::boolean:
-      return "bool";
     default:
-      return "string";  // numbers may carry units
+      return "string";  // numbers may carry units, and GDAL reads "true" of a bool as 0
   }
 }
 

@@ -39,8 +39,25 @@ SourceField plain_data(const XMLElement& element) {
   return {attribute(element, "name"), std::move(text.text), text.line};
 }
 
+// GDAL's driver LIBKML, and QGIS with it, write a point that has a field Heading as a Camera there.
+void take_camera(const XMLElement& camera, SourcePlacemark& placemark) {
+  const auto text = [&](const char* name) {
+    const XMLElement* part = child(camera, name);
+    return part == nullptr ? LinedText{"", camera.GetLineNum()} : text_of(*part);
+  };
+  const LinedText longitude = text("longitude"), heading = text("heading");
+  const std::string latitude = text("latitude").text;
+  if (longitude.text.empty() || latitude.empty()) return;
+  placemark.geometries.push_back({"Point", longitude.text + "," + latitude, longitude.line});
+  placemark.is_from_camera = true;
+  if (!heading.text.empty()) {
+    placemark.plain_data.push_back({"Heading", heading.text, heading.line});
+  }
+}
+
 SourcePlacemark placemark(const XMLElement& element) {
   SourcePlacemark found;
+  const XMLElement* camera = nullptr;
   found.line = element.GetLineNum();
   for (const auto* each = element.FirstChildElement(); each; each = each->NextSiblingElement()) {
     const std::string_view name = local_name(*each);
@@ -53,8 +70,11 @@ SourcePlacemark placemark(const XMLElement& element) {
       }
     } else if (is_geometry(name)) {
       found.geometries.push_back(read_kml_geometry(*each));
+    } else if (name == "Camera") {
+      camera = each;
     }
   }
+  if (camera != nullptr && found.geometries.empty()) take_camera(*camera, found);
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -84,16 +85,30 @@ std::string widget_xml(const FormField& field) {
                      field.declaration.name, type, config);
 }
 
+// Ten more than the highest of all layers that QGIS has open.
+std::string next_sequence(const std::vector<FormLayer>& layers) {
+  std::string highest = "0";
+  for (const FormLayer& layer : layers) {
+    const auto has_sequence = [](const FormField& field) {
+      return field.declaration.name == "Sequence";
+    };
+    if (std::ranges::none_of(layer.fields, has_sequence)) continue;
+    highest +=
+        fmt::format(R"(, coalesce(try(aggregate('{}', 'max', "Sequence"), 0), 0))", layer.name);
+  }
+  return fmt::format("max({}) + 10", highest);
+}
+
 // The expression of what a new feature has.
-std::string initial_expression(const FormField& field) {
-  if (field.declaration.name == "Sequence") return R"(coalesce(maximum("Sequence"), 0) + 10)";
+std::string initial_expression(const FormField& field, const std::vector<FormLayer>& layers) {
+  if (field.declaration.name == "Sequence") return next_sequence(layers);
   if (field.initial.empty()) return "";
   const bool is_text =
       field.declaration.kind != FieldKind::integer && field.declaration.kind != FieldKind::boolean;
   return is_text ? sql_text(field.initial) : field.initial;
 }
 
-std::string style_of(const FormLayer& layer) {
+std::string style_of(const FormLayer& layer, const std::vector<FormLayer>& layers) {
   std::string widgets, aliases, initials, constraints;
   int index = 2;  // after fid and name
   for (const FormField& field : layer.fields) {
@@ -102,7 +117,7 @@ std::string style_of(const FormLayer& layer) {
     aliases += fmt::format(R"(<alias index="{}" field="{}" name="{}"/>)", index++, declaration.name,
                            declaration.name);
     initials += fmt::format(R"(<default field="{}" expression="{}" applyOnUpdate="0"/>)",
-                            declaration.name, xml_text(initial_expression(field)));
+                            declaration.name, xml_text(initial_expression(field, layers)));
     constraints += fmt::format(
         R"(<constraint field="{}" constraints="{}" notnull_strength="{}" exp_strength="0" )"
         R"(unique_strength="0"/>)",
@@ -120,7 +135,7 @@ void run_sql(GDALDataset& dataset, const std::string& statement) {
   if (answer != nullptr) dataset.ReleaseResultSet(answer);
 }
 
-void add_style(GDALDataset& dataset, const FormLayer& layer) {
+void add_style(GDALDataset& dataset, const FormLayer& layer, const std::vector<FormLayer>& layers) {
   run_sql(dataset,
           "CREATE TABLE IF NOT EXISTS layer_styles (id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, "
           "f_table_catalog TEXT(256), f_table_schema TEXT(256), f_table_name TEXT(256), "
@@ -131,11 +146,12 @@ void add_style(GDALDataset& dataset, const FormLayer& layer) {
           "INSERT OR IGNORE INTO gpkg_contents (table_name, data_type, identifier) "
           "VALUES ('layer_styles', 'attributes', 'layer_styles')");
   const bool is_spatial = layer.geometry != GeometryKind::none;
-  run_sql(dataset, fmt::format("INSERT INTO layer_styles (f_table_catalog, f_table_schema, "
-                               "f_table_name, f_geometry_column, styleName, styleQML, "
-                               "useAsDefault) VALUES ('', '', {}, {}, {}, {}, 1)",
-                               sql_text(layer.name), is_spatial ? "'geom'" : "''",
-                               sql_text("form of " + layer.name), sql_text(style_of(layer))));
+  run_sql(dataset,
+          fmt::format("INSERT INTO layer_styles (f_table_catalog, f_table_schema, "
+                      "f_table_name, f_geometry_column, styleName, styleQML, "
+                      "useAsDefault) VALUES ('', '', {}, {}, {}, {}, 1)",
+                      sql_text(layer.name), is_spatial ? "'geom'" : "''",
+                      sql_text("form of " + layer.name), sql_text(style_of(layer, layers))));
 }
 
 bool add_layer(GDALDataset& dataset, OGRSpatialReference& crs, const FormLayer& form) {
@@ -186,7 +202,7 @@ void write_form_layers(const std::string& file, const Body& body,
     if (!add_layer(*dataset, crs, layer)) refuse("cannot be written: " + GdalSilence::message());
   }
   dataset->FlushCache(false);
-  for (const FormLayer& layer : layers) add_style(*dataset, layer);
+  for (const FormLayer& layer : layers) add_style(*dataset, layer, layers);
   // The name under which GIS tools look it up: PROJ's, with the year.
   run_sql(*dataset,
           "UPDATE gpkg_spatial_ref_sys SET definition = replace(definition, "

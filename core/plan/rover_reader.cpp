@@ -121,6 +121,14 @@ DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdPl
   if (const auto* charge = find_value<double>(values, "initial_charge")) {
     rover.initial_charge = *charge;
   }
+  if (ours.placemark->is_from_camera) {
+    const SourceField* heading = fields.find("Heading");
+    context.faults.warning(
+        fields.subject().place,
+        fmt::format("{}: its place stands in a Camera, as GDAL writes points with a field Heading: "
+                    "Heading = {} is read there, without the unit that it may have had",
+                    fields.subject().name, heading == nullptr ? "none" : heading->text));
+  }
   const std::optional<Geodetic> start = read_position(ours, fields, context.faults);
   rover.start = start.value_or(Geodetic{});
   if (!start) gaps.unplaced_rovers.insert(rover.id);

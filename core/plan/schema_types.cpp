@@ -43,6 +43,19 @@ FieldTypes number_fields(const KmlSource& source, const std::string& file) {
   return found;
 }
 
+std::string warning(const SourceField& field, const SourceSchema::Field& type) {
+  if (field.text.empty()) {
+    return fmt::format(
+        "{} is empty, and the Schema types it as {} (line {}): map tools read that "
+        "as 0; leave it out",
+        field.name, type.type, type.line);
+  }
+  return fmt::format(
+      "{} = {}: the Schema types it as {} (line {}), and map tools then lose what "
+      "is no number; type it as string",
+      field.name, shown(field.text), type.type, type.line);
+}
+
 }  // namespace
 
 void check_schema_types(const KmlSource& source, const Classified& classified, Faults& faults) {
@@ -59,14 +72,9 @@ void check_schema_types(const KmlSource& source, const Classified& classified, F
     if (hash == std::string::npos) return;
     for (const SourceField& field : ours.data.fields) {
       const auto type = types->second.find({ours.data.schema_url.substr(hash + 1), field.name});
-      if (type == types->second.end() || is_number(field.text) || parse_boolean(field.text))
-        continue;
+      if (type == types->second.end() || is_number(field.text)) continue;
       if (!told.insert(type->second).second) continue;
-      faults.warning(
-          {file, field.line},
-          fmt::format("{} = {}: the Schema types it as {} (line {}), and map tools then "
-                      "lose what is no number; type it as string",
-                      field.name, shown(field.text), type->second->type, type->second->line));
+      faults.warning({file, field.line}, warning(field, *type->second));
     }
   };
   for (const auto* list :

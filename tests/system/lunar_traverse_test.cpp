@@ -164,8 +164,9 @@ void expect_overlay(const fs::path& file, const std::vector<SampleRow>& rows) {
   EXPECT_GT(share_of_drive(text, rows), 0.9);
   EXPECT_LE(samples, 2000u);
   EXPECT_EQ(count("<gx:Track>"), 1u);
-  // At full rate.
-  EXPECT_EQ(count("<gx:coord>"), rows.size());
+  EXPECT_LE(count("<gx:coord>"), 1500u);
+  EXPECT_GT(count("<gx:coord>"), 1000u);
+  EXPECT_LT(text.size(), 3'000'000u);
 }
 
 TEST(LunarTraverse, is_what_the_paper_tells) {
