@@ -53,6 +53,12 @@ double si_factor(const FieldDeclaration& field) {
   return bare_unit(field) != nullptr ? bare_unit(field)->si_factor : 1;
 }
 
+// Not the ceiling that all durations have.
+bool has_own_ceiling(const FieldDeclaration& field) {
+  return field.max_si &&
+         !(field.kind == FieldKind::duration && *field.max_si == longest_duration_s);
+}
+
 Json field_json(const FieldDeclaration& field) {
   Json json{{"name", field.name},
             {"key", field.key},
@@ -62,7 +68,7 @@ Json field_json(const FieldDeclaration& field) {
   if (const Unit* unit = bare_unit(field)) json["unit"] = unit->symbol;
   const double factor = si_factor(field);
   if (field.min_si) json["min"] = told(*field.min_si / factor);
-  if (field.max_si) json["max"] = told(*field.max_si / factor);
+  if (has_own_ceiling(field)) json["max"] = told(*field.max_si / factor);
   if (!field.choices.empty()) json["choices"] = field.choices;
   if (field.default_value) json["default"] = default_text(field);
   return json;
@@ -74,7 +80,7 @@ std::string field_text(const FieldDeclaration& field) {
   if (has_unit) text += fmt::format(", {}", bare_unit(field)->symbol);
   const double factor = si_factor(field);
   if (field.min_si) text += fmt::format(", at least {}", told(*field.min_si / factor));
-  if (field.max_si) text += fmt::format(", at most {}", told(*field.max_si / factor));
+  if (has_own_ceiling(field)) text += fmt::format(", at most {}", told(*field.max_si / factor));
   if (!field.choices.empty()) text += fmt::format(": {}", fmt::join(field.choices, ", "));
   if (field.is_required) text += ", required";
   if (field.default_value) text += fmt::format(", default {}", default_text(field));

@@ -39,6 +39,12 @@ std::string out_of_range(const FieldDeclaration& declaration, double value_si,
   if (is_share && max && text.find('%') != std::string::npos && value_si > *max) {
     return fmt::format("is above {}", format_quantity(*max, *find_unit("%")));
   }
+  // The ceiling that all durations have is no range to be told of.
+  if (max == longest_duration_s && declaration.kind == FieldKind::duration) {
+    return min && value_si < *min
+               ? fmt::format("must be at least {}", format_quantity(*min, unit))
+               : fmt::format("must be at most {}", format_quantity(*max, *find_unit("d")));
+  }
   if (min && max) {
     return fmt::format("must be from {} to {}{}", format_quantity(*min, unit),
                        format_quantity(*max, unit), is_share ? share_advice(text, value_si) : "");

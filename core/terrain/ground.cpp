@@ -69,8 +69,8 @@ void check_room_to_fade(const GridExtent& extent, const TerrainSpec& spec) {
                   spec.name, columns, rows, least, least));
 }
 
-// Places just outside of a grid, all along its edge.
-std::vector<Geodetic> places_around(const HeightGrid& grid) {
+// Places all along the edge of a grid, so many cells outside of it; inside where that is negative.
+std::vector<Geodetic> places_along_edge(const HeightGrid& grid, double outside_cells) {
   const GridExtent& extent = grid.extent();
   std::vector<Geodetic> places;
   const auto add = [&](double u, double v) {
@@ -82,11 +82,11 @@ std::vector<Geodetic> places_around(const HeightGrid& grid) {
     const double u = std::lerp(extent.u_low, extent.u_high, share);
     const double v = std::lerp(extent.v_low, extent.v_high, share);
     if (!extent.goes_around()) {
-      add(extent.u_low - 1, v);
-      add(extent.u_high + 1, v);
+      add(extent.u_low - outside_cells, v);
+      add(extent.u_high + outside_cells, v);
     }
-    add(u, extent.v_low - 1);
-    add(u, extent.v_high + 1);
+    add(u, extent.v_low - outside_cells);
+    add(u, extent.v_high + outside_cells);
   }
   return places;
 }
@@ -173,7 +173,7 @@ struct Ground::Impl {
                            return Layer::Probe(*layer, Look{}).sample(place).has_value();
                          });
     };
-    if (std::ranges::any_of(places_around(layers[first - 1]->grid()), is_ground)) return;
+    if (std::ranges::any_of(places_along_edge(layers[first - 1]->grid(), 1), is_ground)) return;
     const bool is_finer = layers[first]->cell_m() < layers[first - 1]->cell_m();
     throw InputError(
         spec.place,
@@ -190,6 +190,36 @@ struct Ground::Impl {
   LayerPlace place_of(std::size_t layer) const {
     if (spec.layers.size() == 1) return LayerPlace::alone;
     return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
+  }
+
+  // A raster that lies above or below the one around it by more than their heights scatter, as
+  // with heights of two datums: the blend between them would be a slope that is not there.
+  std::string step_advice(std::size_t k) const {
+    constexpr double least_m = 5, scatters = 3;
+    constexpr std::size_t least_places = 12;
+    const auto* upper = std::get_if<RasterSurface>(&spec.layers[k]);
+    const auto* lower = std::get_if<RasterSurface>(&spec.layers[k + 1]);
+    if (upper == nullptr || lower == nullptr) return "";
+    std::vector<double> steps_m;
+    for (const Geodetic& place : places_along_edge(layers[k]->grid(), -1)) {
+      const auto above = Layer::Probe(*layers[k], Look{}).sample(place);
+      const auto below = Layer::Probe(*layers[k + 1], Look{}).sample(place);
+      if (above && below) steps_m.push_back(above->height_m - below->height_m);
+    }
+    if (steps_m.size() < least_places) return "";
+    const auto median = [](std::vector<double> values) {
+      std::ranges::nth_element(values, values.begin() + values.size() / 2);
+      return values[values.size() / 2];
+    };
+    const double step_m = median(steps_m);
+    for (double& each_m : steps_m) each_m = std::abs(each_m - step_m);
+    const double scatter_m = median(steps_m);
+    if (std::abs(step_m) < std::max(least_m, scatters * scatter_m)) return "";
+    return fmt::format(
+        "raster '{}' lies {:.3g} m {} '{}' along its edge (the median; they scatter by {:.2g} m): "
+        "are they heights above two references? Where one goes over into the other the ground is "
+        "a slope that is not there; bring both to one reference first",
+        upper->file, std::abs(step_m), step_m < 0 ? "below" : "above", lower->file, scatter_m);
   }
 
   // Detail that is all larger than what may be added to the finest raster that is to have some.
@@ -254,9 +284,11 @@ std::vector<Fault> Ground::advice() const {
       faults.push_back({Severity::warning, impl_->spec.place, advice});
     }
   }
-  if (const std::string advice = impl_->detail_advice(); !advice.empty()) {
-    faults.push_back({Severity::warning, impl_->spec.place, advice});
-  }
+  const auto add = [&](const std::string& advice) {
+    if (!advice.empty()) faults.push_back({Severity::warning, impl_->spec.place, advice});
+  };
+  for (std::size_t k = 0; k + 1 < impl_->layers.size(); ++k) add(impl_->step_advice(k));
+  add(impl_->detail_advice());
   return faults;
 }
 

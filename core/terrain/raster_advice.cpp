@@ -99,6 +99,17 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
       surface.file, low, high, across_m / 1000, option_of_raster("unit"));
 }
 
+std::string picture_advice(const Raster& raster, const RasterSurface& surface) {
+  const HeightBand& heights = raster.band();
+  const bool is_scaled = heights.scale().scale != 1 || heights.scale().offset_m != 0;
+  if (heights.band().GetRasterDataType() != GDT_Byte || is_scaled) return {};
+  if (names_unit(heights.band(), surface)) return {};
+  return fmt::format(
+      "raster '{}' has samples of 8 bits, 0 to 255, and names no unit: is it a hillshade, a map of "
+      "slopes or a picture? They are taken as heights in metres; say the unit if they are ({})",
+      surface.file, option_of_raster("unit"));
+}
+
 std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, const Body& body,
                         const Geodetic& place) {
   const auto at = grid.coordinates(place);

@@ -17,6 +17,9 @@ std::string overview_advice(const HeightBand& heights, const std::string& file);
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
                         const Body& body);
 
+// Samples of 8 bits that name no unit: a picture, more often than not. "" for others.
+std::string picture_advice(const Raster& raster, const RasterSurface& surface);
+
 // Cells more than this many times as long as wide make no ground to drive on: what is told apart
 // along a parallel lies within a wheel's width, and next to the pole every column has a height of
 // its own for the same place. In longitude and latitude cells are so from 87.1 degrees on.

@@ -75,7 +75,8 @@ class RasterGrid : public HeightGrid {
   std::vector<std::string> advice() const override {
     const std::lock_guard lock(mutex_);
     std::vector<std::string> all{overview_advice(raster_.band(), surface_.file),
-                                 unit_advice(raster_, surface_, *this, plane_.site().body())};
+                                 unit_advice(raster_, surface_, *this, plane_.site().body()),
+                                 picture_advice(raster_, surface_)};
     std::erase(all, "");
     return all;
   }

@@ -91,5 +91,40 @@ TEST(RasterUnit, is_not_asked_for_where_km_are_impossible) {
   EXPECT_EQ(salt_flat_advices(3, "Int16"), 0u);
 }
 
+// 8 bits that are no picture name their unit or have a scale.
+TEST(RasterKind, of_8_bits_without_a_unit_is_asked_for) {
+  const auto advice = [](const std::string& band) {
+    TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-200,4,0,200,0,-4", band,
+                      rows_of(100, 100, [](int column, int row) { return (column * row) % 200; })};
+    raster.type = "Byte";
+    return Ground(raster_terrain(raster.write("shade")), site_on("Moon", 0, 0), 0).advice();
+  };
+  ASSERT_EQ(advice("").size(), 1u);
+  EXPECT_THAT(advice("")[0].what, HasSubstr("is it a hillshade, a map of slopes or a picture?"));
+  EXPECT_EQ(advice("<UnitType>m</UnitType>").size(), 0u);
+  EXPECT_EQ(advice("<Scale>0.1</Scale>").size(), 0u);
+}
+
+// A fine raster whose heights are so much above those of a coarse one around it.
+std::vector<Fault> step_advice_of(double step_m) {
+  const auto hills = [](int column, int row) { return 2 * std::sin(column) + std::cos(row); };
+  const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-200,4,0,200,0,-4", "",
+                        rows_of(100, 100, [&](int c, int r) { return step_m + hills(c, r); })};
+  const TextRaster coarse{"+proj=eqc +R=1737400 +units=m", "-2000,40,0,2000,0,-40", "",
+                          rows_of(100, 100, hills)};
+  TerrainSpec spec = raster_terrain(fine.write("fine"));
+  spec.layers.push_back(RasterSurface{coarse.write("coarse")});
+  return Ground(spec, site_on("Moon", 0, 0), 0).advice();
+}
+
+TEST(RasterStep, between_heights_of_two_references_is_told) {
+  EXPECT_EQ(step_advice_of(0).size(), 0u);
+  EXPECT_EQ(step_advice_of(2).size(), 0u);
+  const auto told = step_advice_of(-500);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0].what, HasSubstr("m below '"));
+  EXPECT_THAT(told[0].what, HasSubstr("are they heights above two references?"));
+}
+
 }  // namespace
 }  // namespace lsos
