@@ -8,7 +8,8 @@
 
 namespace lsos {
 
-// Pushes { id, type, battery_capacity_j, charge_power_max_w, initial_charge, length_m, slope_max_rad, panels
+// Pushes { id, type, battery_capacity_j, charge_power_max_w, initial_charge, length_m,
+// slope_max_rad, panels
 // }. What the rover has not, or has no limit of, is nil.
 void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& model);
 

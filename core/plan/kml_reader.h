@@ -44,7 +44,7 @@ struct SourcePlacemark {
   std::vector<std::string> folders;        // that it lies in, Documents too, the innermost last
   std::vector<SourceGeometry> geometries;  // more than one is not KML, but is seen
   int line = 0;
-  std::string file = {};  // that the lines are of, where it is not the document's
+  std::string file = {};        // that the lines are of, where it is not the document's
   bool is_from_camera = false;  // its place, and a field Heading, stood in a Camera
 };
 

@@ -29,7 +29,7 @@ struct RoverSummary {
   double energy_end_j = not_modelled;
   double energy_used_j = not_modelled;
   double solar_j = not_modelled;
-  double external_j = not_modelled;  // from outside, levels that were set among it
+  double external_j = not_modelled;        // from outside, levels that were set among it
   double elevation_gain_m = not_modelled;  // sum of rises, 0.5 m hysteresis
   double max_slope_rad = not_modelled;     // over all exchanges
   double max_slip = not_modelled;          // of driving: greatest mean over a second
