@@ -27,6 +27,18 @@ std::string slip_warning(const RoverResult& result) {
       result.id, result.driven_s / 60, result.slip_rolling);
 }
 
+// A rover that came nowhere near the speed that was asked of it; "" for others.
+std::string slowness_warning(const RoverResult& result) {
+  constexpr double long_s = 60, share = 0.5;
+  if (!(result.driven_s >= long_s && result.mean_mps < share * result.mean_requested_mps))
+    return "";
+  return fmt::format(
+      "{}: in {:.3g} min of driving it was {:.2g} m/s fast in the mean, where {:.2g} m/s were "
+      "asked "
+      "for: its motors or the ground allow no more",
+      result.id, result.driven_s / 60, result.mean_mps, result.mean_requested_mps);
+}
+
 RunSummary summarise(const Simulation& simulation, const MissionFiles& files, double wall_s) {
   RunSummary summary;
   // Whole, so that what lies beside it is found again from any folder.
@@ -114,10 +126,11 @@ RunSummary RunRecord::finish(const MissionFiles& files, const Simulation& simula
   log_.finish();
   RunSummary summary = summarise(simulation, files, wall_s);
   for (const RoverResult& result : simulation.results()) {
-    const std::string warning = slip_warning(result);
-    if (warning.empty()) continue;
-    summary.warnings.push_back(warning);
-    warn(warning);
+    for (const std::string& warning : {slip_warning(result), slowness_warning(result)}) {
+      if (warning.empty()) continue;
+      summary.warnings.push_back(warning);
+      warn(warning);
+    }
   }
   summary.log_sha256 = LogReader(folder_.file("log.gpkg")).sha256();
   write_summary(folder_.path(), summary);

@@ -53,7 +53,11 @@ void DriveSlip::add(const Motion& motion) {
   const bool is_rolling = motion.is_commanded && motion.command_mps >= fast_mps;
   now_.add(is_rolling ? motion.slip : not_modelled);
   now_max_.add(is_rolling ? motion.slip_max : not_modelled);
-  if (is_rolling) ++rolling_exchanges_;
+  if (is_rolling) {
+    ++rolling_exchanges_;
+    rolling_m_ += motion.speed_mps * seconds(exchange_period);
+    requested_m_ += motion.requested_mps * seconds(exchange_period);
+  }
   if (!(greatest_rolling_ >= now()) && !std::isnan(now())) greatest_rolling_ = now();
   const double moving_mps = std::min(creeping_mps, creeping_share * motion.cruise_mps);
   const bool is_driving =

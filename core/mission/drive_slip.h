@@ -76,9 +76,13 @@ class DriveSlip {
   // How long a drive was commanded, s, and the greatest now() of it, whatever the rover's speed.
   double driven_s() const;
   double greatest_rolling() const { return greatest_rolling_; }
+  // In the mean of that time, m/s: how fast it was, and how fast it was to be. NaN without any.
+  double mean_mps() const { return rolling_m_ / driven_s(); }
+  double mean_requested_mps() const { return requested_m_ / driven_s(); }
 
   void archive(Archive& a) {
     a(driving_)(now_)(now_max_)(histogram_)(greatest_)(rolling_exchanges_)(greatest_rolling_);
+    a(rolling_m_)(requested_m_);
   }
 
  private:
@@ -86,6 +90,7 @@ class DriveSlip {
   SlipHistogram histogram_;
   double greatest_ = not_modelled, greatest_rolling_ = not_modelled;
   std::int64_t rolling_exchanges_ = 0;
+  double rolling_m_ = 0, requested_m_ = 0;  // driven in that time, and at the requested speed
 };
 
 }  // namespace lsos

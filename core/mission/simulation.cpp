@@ -303,6 +303,8 @@ std::vector<RoverResult> Simulation::results() const {
     result.slip_p95 = agent.slip().p95();
     result.slip_rolling = agent.slip().greatest_rolling();
     result.driven_s = agent.slip().driven_s();
+    result.mean_mps = agent.slip().mean_mps();
+    result.mean_requested_mps = agent.slip().mean_requested_mps();
     if (agent.power().has_battery()) {
       result.energy_start_j = agent.power().energy_at_start_j();
       result.energy_end_j = agent.power().account().energy_j;

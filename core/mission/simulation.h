@@ -60,6 +60,7 @@ struct RoverResult {
   double slope_max_rad = not_modelled;
   double slip_greatest = not_modelled, slip_p95 = not_modelled;  // of driving, see DriveSlip
   double slip_rolling = not_modelled, driven_s = 0;              // the same
+  double mean_mps = not_modelled, mean_requested_mps = not_modelled;
   double energy_start_j = not_modelled, energy_end_j = not_modelled;
   double energy_used_j = not_modelled, solar_j = not_modelled, external_j = not_modelled;
   std::map<std::string, double> resources = {};

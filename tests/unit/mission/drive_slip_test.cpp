@@ -120,6 +120,8 @@ TEST(DriveSlip, knows_what_is_left_out) {
   for (int k = 0; k < 700; ++k) slip.add(spinning);
   EXPECT_TRUE(std::isnan(slip.p95())) << "never above half the requested speed";
   EXPECT_NEAR(slip.driven_s(), 70, 1e-9);
+  EXPECT_NEAR(slip.mean_mps(), 0.8, 1e-9);
+  EXPECT_NEAR(slip.mean_requested_mps(), 2, 1e-9);
   EXPECT_NEAR(slip.greatest_rolling(), 0.6, 1e-12);
 }
 
