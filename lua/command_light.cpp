@@ -105,6 +105,7 @@ int light_command(const LightOptions& options) {
   check_grid(source, question.window, options.terrain.resolution_m);
   if (!question.site) question.site = question.window ? question.window->centre() : middle(source);
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.terrain.seed);
+  print_advice(*ground);
   constexpr int bands = 2;
   const MapGrid grid = map_grid(source, question.window, options.terrain.resolution_m, bands);
   check_reach(grid, *ground);

@@ -354,6 +354,7 @@ int sight_command(const SightOptions& options) {
   check_near_site(*source.body, site, *question.from);
   const std::unique_ptr<Ground> ground =
       ground_of(source, {site.lon_rad, site.lat_rad, 0}, options.terrain.seed);
+  print_advice(*ground);
   const AnswerRow answer = is_map ? AnswerRow::array({viewshed(source, *ground, question, options)})
                                   : lines(*ground, question);
   print_answer(answer, options.terrain.style);

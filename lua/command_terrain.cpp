@@ -143,6 +143,7 @@ int terrain_command(const TerrainOptions& options) {
   if (is_export) check_grid(source, question.window, options.resolution_m);
   if (!question.site) question.site = middle(source);
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.seed);
+  print_advice(*ground);
   AnswerRow points = AnswerRow::array();
   for (const Geodetic& place : question.places) {
     // Beyond the reach of the site's tangent plane there is a site of its own.

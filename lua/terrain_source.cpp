@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "lua/console.h"
 #include "lua/mission_files.h"
 #include "lua/places.h"
 #include "mission/site.h"
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 RasterSurface surface_of(const TerrainOptions& options) {
   RasterSurface surface;
   surface.file = options.name;
+  surface.is_band_said = !options.band.empty();
   if (const auto number = parse_integer(options.band)) {
     surface.band = static_cast<int>(std::clamp<std::int64_t>(*number.value, 0, 1'000'000));
   } else if (!options.band.empty()) {
@@ -112,6 +114,10 @@ std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& s
   auto ground = std::make_unique<Ground>(source.spec, datum, seed);
   if (!ground->elevation_m(site)) return ground;
   return ground_at(source.spec, *source.body, site, seed);
+}
+
+void print_advice(const Ground& ground) {
+  for (const Fault& advice : ground.advice()) print_message("warning: {}\n", advice.what);
 }
 
 Geodetic middle(const TerrainSource& source) {

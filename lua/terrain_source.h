@@ -29,6 +29,8 @@ TerrainSource terrain_source(const TerrainOptions& options);
 // there is none.
 std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& site,
                                   std::uint64_t seed);
+// Prints what is to be told of its rasters: units that are in doubt, overviews that are missing.
+void print_advice(const Ground& ground);
 // Of its finest raster.
 Geodetic middle(const TerrainSource& source);
 

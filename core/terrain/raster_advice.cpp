@@ -110,6 +110,22 @@ std::string picture_advice(const Raster& raster, const RasterSurface& surface) {
       surface.file, option_of_raster("unit"));
 }
 
+std::string band_advice(const Raster& raster, const RasterSurface& surface) {
+  GDALRasterBand& band = raster.band().band();
+  GDALDataset* dataset = band.GetDataset();
+  if (surface.is_band_said || dataset == nullptr || *band.GetDescription() != '\0') return {};
+  int others = 0;
+  for (int k = 1; k <= dataset->GetRasterCount(); ++k) {
+    const bool is_mask = dataset->GetRasterBand(k)->GetColorInterpretation() == GCI_AlphaBand;
+    others += k != band.GetBand() && !is_mask;
+  }
+  if (others == 0) return {};
+  return fmt::format(
+      "raster '{}' has {} more band{}, and nothing says which are heights: band {} is "
+      "taken; say the band ({})",
+      surface.file, others, others == 1 ? "" : "s", band.GetBand(), option_of_raster("band"));
+}
+
 std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, const Body& body,
                         const Geodetic& place) {
   const auto at = grid.coordinates(place);

@@ -20,6 +20,9 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
 // Samples of 8 bits that name no unit: a picture, more often than not. "" for others.
 std::string picture_advice(const Raster& raster, const RasterSurface& surface);
 
+// Several bands without descriptions, of which the user has named none. "" for others.
+std::string band_advice(const Raster& raster, const RasterSurface& surface);
+
 // Cells more than this many times as long as wide make no ground to drive on: what is told apart
 // along a parallel lies within a wheel's width, and next to the pole every column has a height of
 // its own for the same place. In longitude and latitude cells are so from 87.1 degrees on.

@@ -15,6 +15,7 @@ struct RasterSurface {
   std::string unit = {};                    // of length: "m", "ft", "km", ...
   std::optional<bool> is_radius = {};       // samples are distances from the body's centre
   std::string crs = {};                     // anything that GDAL reads as one
+  bool is_band_said = false;                // by the user: else it is the first
   bool has_classes = false;                 // samples are numbers of classes, not heights
 };
 

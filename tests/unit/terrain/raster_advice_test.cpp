@@ -1,6 +1,8 @@
 // What is told of rasters that can be read and yet are not what they seem.
 #include "terrain/raster_advice.h"
 
+#include <cstdlib>
+
 #include "ground_fixture.h"
 
 namespace lsos {
@@ -103,6 +105,22 @@ TEST(RasterKind, of_8_bits_without_a_unit_is_asked_for) {
   EXPECT_THAT(advice("")[0].what, HasSubstr("is it a hillshade, a map of slopes or a picture?"));
   EXPECT_EQ(advice("<UnitType>m</UnitType>").size(), 0u);
   EXPECT_EQ(advice("<Scale>0.1</Scale>").size(), 0u);
+}
+
+TEST(RasterBand, of_several_that_nobody_has_named_is_asked_for) {
+  const TextRaster one{"+proj=eqc +R=1737400 +units=m", "-200,4,0,200,0,-4", "",
+                       rows_of(100, 100, [](int column, int row) { return 0.1 * column + row; })};
+  const std::string file = one.write("one"), two = file + ".two.vrt";
+  ASSERT_EQ(std::system(
+                ("gdalbuildvrt -q -separate '" + two + "' '" + file + "' '" + file + "'").c_str()),
+            0);
+  TerrainSpec spec = raster_terrain(two);
+  const auto told = Ground(spec, site_on("Moon", 0, 0), 0).advice();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0].what,
+              HasSubstr("has 1 more band, and nothing says which are heights: band 1"));
+  std::get<RasterSurface>(spec.layers[0]).is_band_said = true;
+  EXPECT_EQ(Ground(spec, site_on("Moon", 0, 0), 0).advice().size(), 0u);
 }
 
 // A fine raster whose heights are so much above those of a coarse one around it.
