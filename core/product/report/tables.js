@@ -37,9 +37,15 @@ function fillFindings() {
   if (summary) place.append(warnings.length > 0
     ? box('warn', `${warnings.length} warning${warnings.length > 1 ? 's' : ''}`, list(warnings))
     : box('good', 'No warnings', make('p', {}, 'Neither the plan’s checks nor the run had any.')));
-  if (summary) place.append(assumptions.length > 0
-    ? box('', `${assumptions.length} assumption${assumptions.length > 1 ? 's' : ''}`, list(assumptions))
-    : box('', 'No assumptions listed'));
+  // Folded: they are many, and the same from run to run. Paper has no folds.
+  if (summary && assumptions.length > 0) {
+    const folded = make('details', {class: 'finding'},
+      make('summary', {}, `${assumptions.length} assumption${assumptions.length > 1 ? 's' : ''}`), list(assumptions));
+    addEventListener('beforeprint', () => { folded.open = true; });
+    place.append(folded);
+  } else if (summary) {
+    place.append(box('', 'No assumptions listed'));
+  }
   if (page.left_out.length > 0) place.append(box('warn', 'Not in this page', list(page.left_out)));
 }
 
