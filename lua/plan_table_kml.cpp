@@ -22,7 +22,7 @@ std::vector<Geodetic> places_of(const std::string& text) {
   return places;
 }
 
-// Of a feature of a layer, which has no SchemaData: its Type, or its layer's name, says what it is.
+// A feature of a layer has no SchemaData: its Type, or its layer's name, says what it is.
 SourceData data_of(const SourcePlacemark& placemark) {
   if (!placemark.data.empty()) return placemark.data.front();
   SourceData data{"", placemark.folders.empty() ? "" : placemark.folders.back(), {}, 0};

@@ -21,7 +21,7 @@ void visit_expected_places(
     const PlanGaps& gaps,
     const std::function<void(const DraftEvent& draft,
                              const std::optional<ExpectedPlace>& expected)>& visit) {
-  // By rover; of those that faults leave it open for there is none.
+  // One a rover; where faults leave the place open there is none.
   std::map<std::string, std::optional<ExpectedPlace>> expected;
   for (const PlanRover& rover : rovers) {
     if (!gaps.unplaced_rovers.contains(rover.id))

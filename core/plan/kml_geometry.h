@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-// By its name without a prefix.
+// `name` is that of the element, without its prefix.
 bool is_geometry(std::string_view name);
 
 // A MultiGeometry or MultiTrack of one member is that member; a LinearRing and a Track, which has

@@ -71,7 +71,7 @@ struct KmlSource {
     int line = 0;
   };
   std::vector<Link> links = {};
-  // Of a GeoPackage, the layers that have places.
+  // The layers of a GeoPackage that have places.
   struct Layer {
     std::string file;
     std::string body;  // of its CRS; "": it has none

@@ -182,7 +182,7 @@ KmlSource read_layers(const std::string& file) {
   const GdalSilence silence;
   GDALAllRegister();
   const char* const drivers[] = {"GPKG", nullptr};
-  // By its name, not from its bytes: while QGIS has it open the last edits lie in a file beside it.
+  // GDAL opens the file itself, not its bytes: while QGIS has it open the last edits lie beside it.
   const Dataset dataset(
       GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (dataset == nullptr) {

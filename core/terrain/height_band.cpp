@@ -22,7 +22,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 // ever written as -32767 or -32768 by chance.
 constexpr double lowest_ground_m = -9500;
 
-// Of 16-bit formats (SRTM, DTED, PDS).
+// Marks of missing samples in 16-bit formats (SRTM, DTED, PDS).
 constexpr double marks_of_16_bits[] = {-32768, -32767};
 
 bool is_mark_of_16_bits(double sample) {

@@ -72,7 +72,7 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
   return dataset;
 }
 
-// Of the map: a degree of a geographic one.
+// Unit of the map; a degree where it is geographic.
 double unit_m(const OGRSpatialReference& crs, const Body& body) {
   if (crs.IsGeographic()) return body.equatorial_radius_m * std::numbers::pi / 180;
   return crs.GetLinearUnits();

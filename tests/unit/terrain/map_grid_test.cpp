@@ -50,7 +50,7 @@ TEST(MapGrid, has_fewer_cells_where_more_is_held_of_each) {
   EXPECT_THAT(of_raster(2), HasSubstr("134217728 are allowed at once"));
 }
 
-// Of waves 80 m high, in cells of 30.48 m.
+// The map has waves 80 m high, in cells of 30.48 m.
 std::vector<std::uint8_t> hillshade(const char* unit, double unit_m) {
   OGRSpatialReference crs;
   crs.importFromProj4((std::string("+proj=eqc +R=1737400 +units=") + unit).c_str());

@@ -74,7 +74,7 @@ struct OverviewRaster {
   }
 };
 
-// Of all ground that a look from afar finds.
+// Lowest height that a look from afar finds, m.
 double lowest_m(const Ground& ground, int side) {
   Ground::Probe far(ground, 8);
   double lowest_m = std::numeric_limits<double>::infinity();
