@@ -49,6 +49,45 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
   }
 }
 
+// Of all its fields that are durations.
+double durations_s(const PlanEvent& event, const EventDeclaration& declaration) {
+  double sum_s = 0;
+  for (const FieldDeclaration& field : declaration.fields) {
+    if (field.kind != FieldKind::duration) continue;
+    const double* duration_s = find_value<double>(event.params, field.key);
+    sum_s += duration_s == nullptr ? 0 : *duration_s;
+  }
+  return sum_s;
+}
+
+// What its drawn line takes at the speed asked for; 0 where one of both is missing.
+double drive_s(const PlanEvent& event, const EventDeclaration& declaration, const Body& body) {
+  if (!declaration.drives || event.geometry.kind != GeometryKind::line) return 0;
+  double length_m = 0;
+  const std::vector<Geodetic>& points = event.geometry.points;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    length_m += surface_distance_m(body, points[k - 1], points[k]);
+  }
+  const double* speed_mps = find_value<double>(event.params, "speed_mps");
+  return speed_mps == nullptr || !(*speed_mps > 0) ? 0 : length_m / *speed_mps;
+}
+
+void check_timeouts(const Plan& plan, const Declarations& declarations, Faults& faults) {
+  for (const PlanEvent& event : plan.events) {
+    if (!event.is_enabled || !event.timeout || !event.stop_when.text.empty()) continue;
+    const EventDeclaration& declaration = declarations.events.at(event.type);
+    const auto warn = [&](double needed_s, const char* what) {
+      if (from_seconds(needed_s) <= *event.timeout) return;
+      faults.warning(event.place, fmt::format("{} '{}': Timeout = {}: is less than the {} {}",
+                                              event.type, event.label, span_text(*event.timeout),
+                                              span_text(from_seconds(needed_s)), what));
+    };
+    warn(durations_s(event, declaration), "of its durations");
+    if (plan.mission.planet == nullptr) continue;
+    warn(drive_s(event, declaration, *plan.mission.planet), "that its line takes at its Speed");
+  }
+}
+
 // One rover's events that take longer than the mission may.
 void check_durations(const Plan& plan, const Declarations& declarations, Faults& faults) {
   if (!plan.mission.has_max_duration) return;
@@ -56,11 +95,7 @@ void check_durations(const Plan& plan, const Declarations& declarations, Faults&
     double sum_s = 0;
     for (const PlanEvent& event : plan.events) {
       if (event.rover_id != rover.id || !event.is_enabled) continue;
-      for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
-        if (field.kind != FieldKind::duration) continue;
-        const double* duration_s = find_value<double>(event.params, field.key);
-        sum_s += duration_s == nullptr ? 0 : *duration_s;
-      }
+      sum_s += durations_s(event, declarations.events.at(event.type));
     }
     if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
     faults.warning(
@@ -135,6 +170,7 @@ void check_plan_aims(const Plan& plan, const Declarations& declarations,
                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
   if (!plan.gaps.start_time) check_times(plan, declarations, faults);
   check_durations(plan, declarations, faults);
+  check_timeouts(plan, declarations, faults);
   check_log_interval(plan, declarations, rovers, faults);
   check_charges(plan, rovers, faults);
   check_supplies(plan, declarations, assets, faults);
