@@ -219,6 +219,9 @@ int sim_picture(lua_State* L) {
   }
   const std::string picture =
       file.empty() ? fmt::format("{}/{}_s.png", session.folder(), seconds(session.now())) : file;
+  Faults faults;
+  check_output("sim:picture", picture, {".png"}, {}, faults);
+  faults.throw_if_errors();
   check_replaceable(picture, png_mark);
   write_picture(session, wish, picture);
   lua_pushstring(L, picture.c_str());

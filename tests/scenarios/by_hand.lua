@@ -61,6 +61,7 @@ lsos.scenario('a picture of where it stands, from the sun or the side', function
   t:equal(sim:picture(sim.folder .. '/side.png', { from = 'chase', size_px = 320 }),
     sim.folder .. '/side.png')
   t:fails(function() sim:picture('x.png', { from = 'behind' }) end, 'behind: no such view')
+  t:fails(function() sim:picture('x.jpg') end, 'sim:picture x.jpg: the name must end in .png')
   sim:run()
   t:equal(sim:event('A/10').status, 'completed')
 end)
@@ -134,7 +135,8 @@ lsos.scenario('nothing else is replaced by what is saved or drawn', function(t)
   local sim = sim_of { 'Pause', Duration = 60 }
   sim:save('out/by_hand_kept.state')
   sim:save('out/by_hand_kept.state')
-  t:fails(function() sim:picture('out/by_hand_kept.state') end, 'is there and is something else')
+  sim:save('out/by_hand_kept.png')
+  t:fails(function() sim:picture('out/by_hand_kept.png') end, 'is there and is something else')
   t:fails(function() sim:save(sim.folder .. '/plan.kml') end, 'plan.kml is there and is something')
   sim:load('out/by_hand_kept.state')
 end)
