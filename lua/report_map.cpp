@@ -20,7 +20,9 @@ constexpr double lit_from_rad = radians(315), lit_rad = radians(45);
 constexpr double wanted_slope = 0.35;  // of the steep places, as they are drawn
 constexpr double exaggeration_most = 6;
 constexpr double darkest = 0.62;  // cover of full shadow
-constexpr std::uint8_t no_ground = 236;
+// Stripes where no ground is known: period and width in cells.
+constexpr int stripe_cells = 8, stripe_width_cells = 3;
+constexpr std::uint8_t stripe = 176, between_stripes = 250;
 
 MapCells cells_over(const ReportMap& map, int longer_px) {
   const double width_m = map.right_m - map.left_m, height_m = map.top_m - map.bottom_m;
@@ -114,9 +116,14 @@ EmbeddedPicture relief(const std::vector<double>& heights_m, const MapCells& gri
   }
   const Vec3 light(std::sin(lit_from_rad) * std::cos(lit_rad),
                    std::cos(lit_from_rad) * std::cos(lit_rad), std::sin(lit_rad));
-  std::vector<std::uint8_t> grey(grid.size(), no_ground);
+  std::vector<std::uint8_t> grey(grid.size());
   for (std::size_t k = 0; k < grey.size(); ++k) {
-    if (std::isnan(all[k].steepness())) continue;
+    if (std::isnan(all[k].steepness())) {
+      const int column = static_cast<int>(k) % grid.columns,
+                row = static_cast<int>(k) / grid.columns;
+      grey[k] = (column + row) % stripe_cells < stripe_width_cells ? stripe : between_stripes;
+      continue;
+    }
     const Vec3 normal = Vec3(-factor * all[k].east, -factor * all[k].north, 1).normalized();
     grey[k] = static_cast<std::uint8_t>(std::clamp(64 + 218 * normal.dot(light), 40.0, 252.0));
   }
@@ -168,7 +175,10 @@ std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data
   map.lowest_m = 1e300;
   map.highest_m = -1e300;
   for (const double height_m : heights_m) {
-    if (std::isnan(height_m)) continue;
+    if (std::isnan(height_m)) {
+      map.missing_share += 1.0 / static_cast<double>(heights_m.size());
+      continue;
+    }
     map.lowest_m = std::min(map.lowest_m, height_m);
     map.highest_m = std::max(map.highest_m, height_m);
   }

@@ -44,6 +44,17 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
   return drawn;
 }
 
+std::map<std::string, ReportBattery> batteries(const MissionFiles& files) {
+  std::map<std::string, ReportBattery> found;
+  for (const PlanRover& rover : files.plan.rovers) {
+    const auto model = files.rover_models.find(rover.type);
+    if (model == files.rover_models.end() || !model->second.power.battery) continue;
+    const BatterySpec& battery = *model->second.power.battery;
+    found[rover.id] = {battery.capacity_j, battery.reserve * battery.capacity_j};
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
@@ -51,6 +62,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
   const SiteFrame site = run.ground ? run.ground->site() : site_of(log, run.files.plan);
   const ReportData data = read_report_data(log, run.files.plan, site);
   ReportExtras extras;
+  extras.batteries = batteries(run.files);
   if (run.ground) {
     extras.map = report_map(*run.ground, data, wish.shadow_at, wish.threads);
     // No font, no way to draw: all else is still worth reading.

@@ -74,7 +74,13 @@ Json position(const ThinnedRows& rows) {
           {"heading_rad", numbers(rows, position_heading_rad)}};
 }
 
-Json rovers(const ReportData& data) {
+Json battery(const ReportExtras& extras, const std::string& rover_id) {
+  const auto found = extras.batteries.find(rover_id);
+  if (found == extras.batteries.end()) return nullptr;
+  return {{"capacity_j", found->second.capacity_j}, {"reserve_j", found->second.reserve_j}};
+}
+
+Json rovers(const ReportData& data, const ReportExtras& extras) {
   Json array = Json::array();
   for (const ReportRover& rover : data.rovers) {
     Json object = {{"id", rover.id},
@@ -84,6 +90,7 @@ Json rovers(const ReportData& data) {
                    {"shown", rover.position.times_s().size()},
                    {"last_s", rover.last_s},
                    {"distance_m", rover.distance_m},
+                   {"battery", battery(extras, rover.id)},
                    {"drawn", lines(rover.drawn)},
                    {"planned", lines(rover.planned)},
                    {"position", position(rover.position)}};
@@ -162,10 +169,15 @@ std::string data_uri(const EmbeddedPicture& picture) {
 
 Json map_of(const std::optional<ReportMap>& map) {
   if (!map) return nullptr;
-  Json object = {{"left_m", map->left_m},           {"bottom_m", map->bottom_m},
-                 {"right_m", map->right_m},         {"top_m", map->top_m},
-                 {"lowest_m", map->lowest_m},       {"highest_m", map->highest_m},
-                 {"relief", data_uri(map->relief)}, {"shadow", nullptr}};
+  Json object = {{"left_m", map->left_m},
+                 {"bottom_m", map->bottom_m},
+                 {"right_m", map->right_m},
+                 {"top_m", map->top_m},
+                 {"lowest_m", map->lowest_m},
+                 {"highest_m", map->highest_m},
+                 {"missing_share", map->missing_share},
+                 {"relief", data_uri(map->relief)},
+                 {"shadow", nullptr}};
   if (map->shadow) {
     object["shadow"] = data_uri(*map->shadow);
     object["shadow_s"] = map->shadow_s;
@@ -207,6 +219,15 @@ Json kinds(const ReportData& data) {
     array.push_back({{"name", kind.name}, {"colour", kind.colour}, {"types", kind.types}});
   }
   return array;
+}
+
+// The frame of the map, and the body's reference surface.
+Json site_json(const SiteFrame& site) {
+  return {{"lon_deg", lon_deg(site.origin())},
+          {"lat_deg", lat_deg(site.origin())},
+          {"height_m", site.origin().height_m},
+          {"equatorial_radius_m", site.body().equatorial_radius_m},
+          {"flattening", site.body().flattening}};
 }
 
 // Inside <script> no "<" may stand: "</script>" in a label would end it.
@@ -267,9 +288,10 @@ std::string report_json(const ReportData& data, const Plan& plan, const SiteFram
       {"end_utc", format_utc(data.start + from_seconds(data.end_s))},
       {"end_s", data.end_s},
       {"leap_ends_s", leap_ends_s(data.start, data.end_s)},
-      {"site", {{"lon_deg", lon_deg(site.origin())}, {"lat_deg", lat_deg(site.origin())}}},
+      {"terrain", plan.mission.terrain.name},
+      {"site", site_json(site)},
       {"summary", parsed},
-      {"rovers", rovers(data)},
+      {"rovers", rovers(data, extras)},
       {"assets", assets(data)},
       {"events", placed_rows(data.events, site)},
       {"notes", notes(data, site)},

@@ -2,6 +2,7 @@
 // plots with one cursor of time, pictures.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct ReportMap {
   double left_m = 0, bottom_m = 0, right_m = 0, top_m = 0;
   EmbeddedPicture relief;
   double lowest_m = 0, highest_m = 0;
+  double missing_share = 0;  // of the map, where no ground is known
   // Dark where the ground does not see the Sun, then.
   std::optional<EmbeddedPicture> shadow;
   double shadow_s = 0;
@@ -38,10 +40,15 @@ struct ReportPicture {
   EmbeddedPicture picture;
 };
 
+struct ReportBattery {
+  double capacity_j = 0, reserve_j = 0;
+};
+
 // What needs the ground and the scripts of the plan, which may be gone when a log is read.
 struct ReportExtras {
   std::optional<ReportMap> map;
   std::vector<ReportPicture> pictures;
+  std::map<std::string, ReportBattery> batteries;  // by rover id
   std::vector<std::string> left_out;  // what is missing in the page, and why
 };
 

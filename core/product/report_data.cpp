@@ -27,6 +27,8 @@ constexpr std::array quantities{
     Quantity{"speed_mps", &SampleRow::speed_mps},
     Quantity{"slip", &SampleRow::slip},
     Quantity{"sun_fraction", &SampleRow::sun_fraction},
+    Quantity{"solar_w", &SampleRow::solar_w},
+    Quantity{"solar_available_w", &SampleRow::solar_available_w},
 };
 
 constexpr double line_tolerance_m = 0.2;

@@ -1,6 +1,8 @@
 // report.html as a browser shows it, its figure, and `lsos-host compare`.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <set>
@@ -132,6 +134,58 @@ TEST_F(Report, shows_values_of_the_log_under_the_cursor) {
   EXPECT_NEAR(number(seen["position"][0]), logged("x_m", "A", time_s), 0.06);
   EXPECT_NEAR(number(seen["position"][1]), logged("y_m", "A", time_s), 0.06);
   EXPECT_NE(seen["before"], seen["early"]["arrow"]);
+}
+
+TEST_F(Report, names_the_place_under_the_cursor) {
+  if (browser().empty()) GTEST_SKIP() << "no Chromium is installed";
+  const json seen = in_page(R"js(
+    const svg = document.querySelector('#map svg'), box = svg.getBoundingClientRect();
+    const arrow = document.querySelector('#rover-A').getAttribute('transform').match(/[-0-9.]+/g).map(Number);
+    const k = box.width / svg.viewBox.baseVal.width;
+    svg.dispatchEvent(new PointerEvent('pointermove', {
+      bubbles: true, clientX: box.left + k * arrow[0], clientY: box.top + k * arrow[1],
+    }));
+    return {place: text('#map-place'), lines: document.querySelectorAll('.graticule polyline').length,
+            labels: [...document.querySelectorAll('.graticule text')].map(label => label.textContent)};
+  )js");
+  ASSERT_FALSE(seen.contains("error")) << seen;
+  const auto place = seen["place"].get<std::string>();
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(place, found, std::regex("^([0-9.]+)° N, ([0-9.]+)° W; ")))
+      << place;
+  // An arrow stands to half a pixel of 0.3 m, which is 1e-5 degrees.
+  const double end_s = std::stod(query(log(), "SELECT max(time_s) FROM samples"));
+  EXPECT_NEAR(std::stod(found[1]), logged("lat_deg", "A", end_s), 2e-5);
+  EXPECT_NEAR(-std::stod(found[2]), logged("lon_deg", "A", end_s), 2e-5);
+  EXPECT_GE(seen["lines"], 4);
+  EXPECT_THAT(seen["labels"].dump(), HasSubstr("° W"));
+  EXPECT_THAT(seen["labels"].dump(), HasSubstr("° N"));
+}
+
+TEST_F(Report, shows_batteries_from_empty_to_full_and_pictures_large) {
+  if (browser().empty()) GTEST_SKIP() << "no Chromium is installed";
+  const json seen = in_page(R"js(
+    plot('energy').scrollIntoView();
+    await rest();
+    const ticks = [...document.querySelectorAll('#plot-energy .dygraph-axis-label-y')].map(tick => Number(tick.textContent));
+    await click(document.querySelector('.enlarge'));
+    return {ticks, first: document.querySelector('.plot').id, value: text('#plot-energy output'),
+            hasSolar: document.querySelector('#plot-solar') !== null,
+            large: document.querySelector('dialog[open] img').src.slice(0, 16)};
+  )js");
+  ASSERT_FALSE(seen.contains("error")) << seen;
+  EXPECT_EQ(seen["first"], "plot-energy");
+  const auto ticks = seen["ticks"].get<std::vector<double>>();
+  EXPECT_EQ(*std::ranges::min_element(ticks), 0);
+  EXPECT_GE(*std::ranges::max_element(ticks), 40) << "the battery holds 40 kWh";
+  const double end_s = std::stod(query(log(), "SELECT max(time_s) FROM samples"));
+  EXPECT_THAT(seen["value"].get<std::string>(),
+              HasSubstr(fmt::format(" {:.1f} %", 100 * logged("charge", "A", end_s))));
+  EXPECT_EQ(seen["hasSolar"], true);
+  EXPECT_EQ(seen["large"], "data:image/jpeg;");
+  const json battery = data_of(*page_)["rovers"][0]["battery"];
+  EXPECT_NEAR(battery["capacity_j"].get<double>(), 40 * 3.6e6, 1);
+  EXPECT_NEAR(battery["reserve_j"].get<double>(), 4 * 3.6e6, 1);
 }
 
 TEST_F(Report, zooms_all_plots_by_dragging_and_back_by_a_double_click) {

@@ -11,7 +11,7 @@ const unpackTimes = text => unpack(text, Float64Array);
 const unpackSeries = packed =>
   packed && {t: unpackTimes(packed.t), v: unpack(packed.v, Float32Array)};
 
-const quantities = ['elevation_m', 'energy_j', 'energy_rate_w', 'speed_mps', 'slip', 'sun_fraction'];
+const quantities = ['elevation_m', 'energy_j', 'energy_rate_w', 'speed_mps', 'slip', 'sun_fraction', 'solar_w', 'solar_available_w'];
 const rovers = page.rovers.map(packed => {
   const p = packed.position;
   const rover = {

@@ -7,13 +7,14 @@ class MissionMap {
     this.box = this.bounds();
     this.world = draw('g');
     this.marks = draw('g');
+    this.grid = draw('g', {class: 'graticule'});
     this.readout = draw('text', {x: 10, id: 'map-place'});
     this.scaleBar = draw('g');
     const north = draw('g', {transform: 'translate(22 30)'},
       draw('path', {d: 'M0 -18 L6 2 L0 -3 L-6 2 Z', fill: '#17212b', stroke: '#fff', 'stroke-width': 1.5, 'paint-order': 'stroke'}),
       draw('text', {x: 0, y: 16, 'text-anchor': 'middle'}, 'N'));
     this.svg = draw('svg', {role: 'img', 'aria-label': 'Map of the mission'},
-      this.world, this.marks, this.scaleBar, north, this.readout);
+      this.world, this.grid, this.marks, this.scaleBar, north, this.readout);
     place.append(this.svg, this.buttons(), this.legend());
     this.drawWorld();
     this.drawMarks();
@@ -90,7 +91,7 @@ class MissionMap {
       return {rover, x: note.x_m, y: note.y_m, mark};
     });
     this.events = [];
-    // What failed lies on top.
+    // What failed lies on top; names of stops come before those of drives.
     const started = page.events.filter(event => event.x_m !== undefined && event.start_s !== null);
     started.sort((a, b) => (a.status === 'failed') - (b.status === 'failed'));
     started.forEach(event => {
@@ -102,8 +103,11 @@ class MissionMap {
       const label = draw('text', {y: 4}, event.label.length > 26 ? event.label.slice(0, 25) + '…' : event.label);
       mark.addEventListener('click', () => showEvent(event));
       this.marks.append(mark, label);
-      this.events.push({rover, x: event.x_m, y: event.y_m, mark, label, text: event.label});
+      this.events.push({rover, x: event.x_m, y: event.y_m, mark, label, text: event.label, event});
     });
+    // Of what was done at one place the longest gives it its name.
+    const isDrive = ({event}) => event.distance_m > 1, took = ({event}) => (event.end_s ?? endS) - event.start_s;
+    this.named = this.events.toSorted((a, b) => isDrive(a) - isDrive(b) || took(b) - took(a));
     this.assets = page.assets.map(asset => {
       const mark = draw('g', {}, draw('rect', {x: -5, y: -5, width: 10, height: 10, fill: '#17212b', stroke: '#fff', 'stroke-width': 1.5}),
         draw('title', {}, `${asset.id} (${asset.type})`));
@@ -143,6 +147,7 @@ class MissionMap {
       box.addEventListener('change', () => this.svg.querySelector('#shadow').setAttribute('visibility', box.checked ? 'visible' : 'hidden'));
       legend.append(make('label', {}, box, `shadow at ${utcText(page.map.shadow_s)}: the ground sees ${Math.round(100 * page.map.sunlit_share)} % of the Sun${this.groundEnd()}`));
     }
+    if (page.map?.missing_share > 0) legend.append(make('span', {}, make('i', {class: 'no-ground'}), 'no ground is known'));
     if (page.map) legend.append(make('span', {}, `ground ${placesText(page.map.lowest_m, 0)} to ${placesText(page.map.highest_m, 0)} m`));
     return legend;
   }
@@ -184,7 +189,7 @@ class MissionMap {
       note.mark.setAttribute('visibility', note.rover.isShown ? 'visible' : 'hidden');
     }
     const taken = [];
-    for (const mark of [...this.assets, ...this.events]) {
+    for (const mark of [...this.assets, ...this.named]) {
       const [x, y] = this.screen(mark.x, mark.y), isShown = !mark.rover || mark.rover.isShown;
       mark.mark.setAttribute('transform', `translate(${x} ${y})`);
       mark.mark.setAttribute('visibility', isShown ? 'visible' : 'hidden');
@@ -196,8 +201,25 @@ class MissionMap {
       mark.label.setAttribute('transform', `translate(${x + 9 * turn} ${y})`);
       mark.label.setAttribute('text-anchor', turn > 0 ? 'start' : 'end');
     }
+    this.drawGraticule();
     this.drawScale();
     this.cursorChanged();
+  }
+  // Lines of longitude and latitude over what is shown, with their degrees at the edges.
+  drawGraticule() {
+    const lines = graticule(
+      {left: this.centre.x - this.width / 2 / this.scale, right: this.centre.x + this.width / 2 / this.scale,
+        bottom: this.centre.y - this.height / 2 / this.scale, top: this.centre.y + this.height / 2 / this.scale});
+    this.grid.replaceChildren(...lines.flatMap(({points, text, isMeridian}) => {
+      const places = points.map(([x, y]) => this.screen(x, y));
+      const line = draw('polyline', {points: places.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ')});
+      const at = isMeridian ? crossing(places, 1, 12) : crossing(places, 0, 0);
+      if (at === null) return [line];
+      const [x, y] = isMeridian ? [at, 12] : [4, at - 3];
+      // The corners are taken: north, buttons, what lies under the cursor, scale.
+      if (isMeridian ? x < 60 || x > this.width - 90 : y < 70 || y > this.height - 30) return [line];
+      return [line, draw('text', {x: x.toFixed(1), y: y.toFixed(1), 'text-anchor': isMeridian ? 'middle' : 'start'}, text)];
+    }));
   }
   drawScale() {
     const most = 150 / this.scale, decade = 10 ** Math.floor(Math.log10(most));
@@ -234,8 +256,7 @@ class MissionMap {
         this.update();
         return;
       }
-      const side = (value, plus, minus) => `${distanceText(Math.abs(value))} ${value < 0 ? minus : plus}`;
-      this.readout.textContent = `${side(at.x, 'east', 'west')}, ${side(at.y, 'north', 'south')} of the start`;
+      this.readout.textContent = placeText(at.x, at.y);
       if (!view.isPinned) this.follow(at);
     });
     this.svg.addEventListener('pointerleave', () => { this.readout.textContent = ''; });

@@ -15,11 +15,50 @@ const relative = v => {
 };
 const metres = lines => (greatest(lines) >= 10000 ? {unit: 'km', scale: 1e-3} : {unit: 'm', scale: 1});
 
+// What a battery holds: from empty to full, where all rovers have one, with lines at full and reserve.
+function energyPlot() {
+  const lines = linesOf('energy_j').map(line => ({...line, full: line.rovers[0].battery?.capacity_j}));
+  const most = greatest(lines), fulls = lines.map(line => line.full || 0), fullest = Math.max(...fulls, 0);
+  const unit = Math.max(most, fullest) >= 3.6e6 ? {unit: 'kWh', scale: 1 / 3.6e6} : {unit: 'Wh', scale: 1 / 3600};
+  // One line for rovers whose level is the same.
+  const levels = new Map();
+  for (const {rovers: [rover]} of lines) {
+    const {capacity_j: full, reserve_j: reserve} = rover.battery || {};
+    for (const [value, word] of [[full, 'full'], [reserve, 'reserve']]) {
+      if (!(value > 0)) continue;
+      const level = levels.get(`${word} ${value}`) || {value, word, rovers: []};
+      level.rovers.push(rover);
+      levels.set(`${word} ${value}`, level);
+    }
+  }
+  const isShared = word => [...levels.values()].filter(level => level.word === word).length === 1;
+  return {
+    key: 'energy', title: 'Energy', lines, digits: 5, ...unit,
+    range: fulls.every(full => full > 0) ? [0, 1.12 * fullest * unit.scale] : null,
+    levels: [...levels.values()].map(level => ({
+      ...level, colour: level.word === 'reserve' ? '#b3261e' : '#55626f',
+      text: isShared(level.word) ? level.word : `${level.word} of ${level.rovers.map(rover => rover.id).join(', ')}`,
+    })),
+  };
+}
+
+// What panels gave; and, dashed, what they would have given, where a full battery left much of it.
+function solarPlot() {
+  const given = linesOf('solar_w').filter(({rovers: [rover]}) => rover.sun_fraction);
+  const offered = given.flatMap(line => {
+    const [rover] = line.rovers, series = rover.solar_available_w, much = 0.05 * greatest([line]) + 1;
+    if (!series || !series.v.some((value, k) => value - line.v[nearest(line.t, series.t[k])] > much)) return [];
+    return [{...series, name: `${rover.id} available`, colour: rover.ink, dash: [2, 3], rovers: [rover]}];
+  });
+  const lines = [...given, ...offered];
+  return {key: 'solar', title: 'Solar power', lines, includesZero: true, ...(greatest(lines) >= 2000 ? {unit: 'kW', scale: 1e-3} : {unit: 'W', scale: 1})};
+}
+
 function plotSpecs() {
   const east = rovers.map(r => ({t: r.position.t, v: r.position.x, name: `${r.id} east`, colour: r.ink, rovers: [r]}));
   const north = rovers.map(r => ({t: r.position.t, v: r.position.y, name: `${r.id} north`, colour: r.ink, dash: [5, 3], rovers: [r]}));
   const position = rovers.flatMap((r, k) => [east[k], north[k]]);
-  const elevation = linesOf('elevation_m', relative), energy = linesOf('energy_j');
+  const elevation = linesOf('elevation_m', relative);
   const rate = linesOf('energy_rate_w'), speed = linesOf('speed_mps');
   const inks = ['#35424f', '#8a6d3b', '#5f4b8b', '#1f7a78', '#a04668', '#6b7783'];
   const distance = page.distances.filter(pair => pair.series).map((pair, k) => ({
@@ -28,9 +67,10 @@ function plotSpecs() {
   }));
   const isSlow = greatest(speed) < 0.2;
   return [
-    {key: 'position', title: 'Position', lines: position, ...metres(position)},
+    energyPlot(),
+    solarPlot(),
     {key: 'elevation', title: 'Relative elevation', lines: elevation, unit: 'm', scale: 1},
-    {key: 'energy', title: 'Energy', lines: energy, digits: 5, ...(greatest(energy) >= 3.6e6 ? {unit: 'kWh', scale: 1 / 3.6e6} : {unit: 'Wh', scale: 1 / 3600})},
+    {key: 'position', title: 'Position', lines: position, ...metres(position)},
     {key: 'rate', title: 'Energy rate', lines: rate, includesZero: true, ...(greatest(rate) >= 2000 ? {unit: 'kW', scale: 1e-3} : {unit: 'W', scale: 1})},
     {key: 'speed', title: 'Speed', lines: speed, unit: isSlow ? 'cm/s' : 'm/s', scale: isSlow ? 100 : 1, includesZero: true},
     {key: 'slip', title: 'Slip', lines: linesOf('slip'), unit: '%', scale: 100, includesZero: true},

@@ -1,5 +1,5 @@
 // The plots over time: a quantity of each rover, with the record of events as bars beneath.
-const gutter = 64, rightGap = 10, barHeight = 9, axisHeight = 17;
+const gutter = 64, rightGap = 10, barHeight = 13, axisHeight = 17;
 // Remembered until it is drawn anew: asking for it costs a layout of the page.
 const plotWidths = new WeakMap();
 function measure(surface) {
@@ -55,7 +55,24 @@ function hatch(pen, x, y, w, h) {
   }
   pen.restore();
 }
-// One row a rover: what it did, by kind; red lines across what failed.
+const strip = '9.5px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
+// A label in its bar, where at least its beginning has room.
+function name(pen, label, x, y, w) {
+  const room = w - 6, least = 26;
+  if (room < least) return;
+  pen.font = strip;
+  let text = label;
+  if (pen.measureText(text).width > room) {
+    const perLetter = pen.measureText(text).width / text.length;
+    text = text.slice(0, Math.max(1, Math.floor(room / perLetter) - 1)).trimEnd() + '…';
+    if (text.length < 4 || pen.measureText(text).width > room + 2) return;
+  }
+  pen.fillStyle = '#17212b';
+  pen.textAlign = 'left';
+  pen.textBaseline = 'middle';
+  pen.fillText(text, x + 3, y + barHeight / 2 + 0.5);
+}
+// One row a rover: what it did, by kind, named where there is room; red lines across what failed.
 function drawEvents(pen, top, width) {
   rovers.forEach((rover, row) => {
     const y = top + row * (barHeight + 1);
@@ -72,6 +89,7 @@ function drawEvents(pen, top, width) {
       pen.fillStyle = kindOf(event).colour;
       pen.fillRect(x0, y, Math.max(1, x1 - x0 - (x1 - x0 > 3 ? 1 : 0)), barHeight);
       if (event.status === 'failed' || event.status === 'incomplete') hatch(pen, x0, y, x1 - x0, barHeight);
+      name(pen, event.label, x0, y, x1 - x0);
     }
   });
 }
@@ -105,7 +123,9 @@ function valueTicks(from, to, pixels, options, graph) {
 }
 
 class Plot {
-  // `lines`: {t, v, name, colour, dash, rovers: [...]}.
+  // `lines`: {t, v, name, colour, dash, rovers: [...]}, and `full`, of whose value its own is told in
+  // per cent. `levels`: {value, text, colour, rovers}, lines across; `range` of the axis, none: that
+  // of the values.
   constructor(spec) {
     Object.assign(this, spec);
     this.isDirty = true;
@@ -148,12 +168,33 @@ class Plot {
       dateWindow: [view.from, view.to],
       strokeWidth: 1.5, connectSeparatedPoints: true, legend: 'never', highlightCircleSize: 0,
       interactionModel: {}, rightGap, yRangePad: 5, includeZero: this.includesZero || false,
+      valueRange: this.range || null,
+      underlayCallback: (pen, area, graph) => this.drawLevels(pen, area, graph),
       gridLineColor: '#dfe5ea', axisLineColor: '#b6c0ca', pixelRatio: pixelRatio(),
       axes: {
         x: {drawAxis: false, drawGrid: true, ticker: (a, b, pixels) => timeTicks(a, b, pixels)},
         y: {axisLabelWidth: gutter - 4, pixelsPerLabel: 24, ticker: valueTicks},
       },
     });
+  }
+  drawLevels(pen, area, graph) {
+    for (const level of this.levels || []) {
+      if (!level.rovers.some(rover => rover.isShown)) continue;
+      const y = Math.round(graph.toDomYCoord(level.value * this.scale)) + 0.5;
+      if (!(y > area.y - 1 && y < area.y + area.h + 1)) continue;
+      pen.save();
+      pen.strokeStyle = pen.fillStyle = level.colour;
+      pen.setLineDash([2, 3]);
+      pen.beginPath();
+      pen.moveTo(area.x, y);
+      pen.lineTo(area.x + area.w, y);
+      pen.stroke();
+      pen.font = strip;
+      pen.textAlign = 'right';
+      pen.textBaseline = 'bottom';
+      pen.fillText(level.text, area.x + area.w - 3, y - 1);
+      pen.restore();
+    }
   }
   update() {
     this.isDirty = false;
@@ -178,7 +219,8 @@ class Plot {
       const dot = this.dots[k];
       const isShown = line.rovers.every(rover => rover.isShown);
       const at = nearest(line.t, view.cursor), value = line.v[at] * this.scale;
-      this.outputs[k].textContent = isShown ? placesText(value, this.places) : '';
+      const share = line.full > 0 && !Number.isNaN(value) ? ` · ${placesText((100 * line.v[at]) / line.full, 1)} %` : '';
+      this.outputs[k].textContent = isShown ? placesText(value, this.places) + share : '';
       const isDrawn = isShown && isIn && !Number.isNaN(value) && this.graph && line.t[at] >= view.from && line.t[at] <= view.to;
       dot.style.visibility = isDrawn ? 'visible' : 'hidden';
       if (isDrawn) dot.style.transform = `translate(${timeX(line.t[at], width)}px, ${this.graph.toDomYCoord(value)}px)`;

@@ -19,6 +19,9 @@ function fillHead() {
     make('div', {}, make('dt', {}, term), make('dd', kind ? {class: kind} : {}, text))));
 }
 
+// Of what the whole ground or sky is made, not of one vehicle's part.
+const isBasic = assumption => [page.terrain, page.body].some(name => assumption.startsWith(`${name}:`));
+
 function fillFindings() {
   const list = items => make('ul', items.length > 4 ? {class: 'long'} : {}, ...items.map(item => make('li', {}, item)));
   const box = (kind, title, ...more) => make('div', {class: `finding ${kind}`}, make('h3', {}, title), ...more);
@@ -37,11 +40,21 @@ function fillFindings() {
   if (summary) place.append(warnings.length > 0
     ? box('warn', `${warnings.length} warning${warnings.length > 1 ? 's' : ''}`, list(warnings))
     : box('good', 'No warnings', make('p', {}, 'Neither the plan’s checks nor the run had any.')));
-  // Folded: they are many, and the same from run to run. Paper has no folds.
+  // Folded: they are many, and the same from run to run. Paper has no folds, and has them at its end.
   if (summary && assumptions.length > 0) {
+    const basic = assumptions.filter(isBasic);
     const folded = make('details', {class: 'finding'},
-      make('summary', {}, `${assumptions.length} assumption${assumptions.length > 1 ? 's' : ''}`), list(assumptions));
-    addEventListener('beforeprint', () => { folded.open = true; });
+      make('summary', {}, `${assumptions.length} assumption${assumptions.length > 1 ? 's' : ''}`,
+        ...(basic.length > 0 ? [make('span', {}, `; all results rest on: ${basic.join('; ')}`)] : [])),
+      list(assumptions));
+    addEventListener('beforeprint', () => {
+      folded.open = true;
+      document.getElementById('made').prepend(folded);
+    });
+    addEventListener('afterprint', () => {
+      folded.open = false;
+      place.append(folded);
+    });
     place.append(folded);
   } else if (summary) {
     place.append(box('', 'No assumptions listed'));
@@ -142,6 +155,19 @@ function showEvent(event) {
   document.getElementById('course').scrollIntoView({block: 'start'});
 }
 
+// A picture that fills the window when it is clicked, until the next click or Escape.
+function enlarging(image) {
+  const button = make('button', {type: 'button', class: 'enlarge'}, image);
+  button.addEventListener('click', () => {
+    const large = make('dialog', {class: 'large'}, make('img', {src: image.src, alt: image.alt}), make('p', {}, image.alt));
+    large.addEventListener('click', () => large.close());
+    large.addEventListener('close', () => large.remove());
+    document.body.append(large);
+    large.showModal();
+  });
+  return button;
+}
+
 function fillPictures() {
   const place = document.getElementById('picture-list');
   const moments = new Map();
@@ -159,7 +185,9 @@ function fillPictures() {
       document.getElementById('course').scrollIntoView({block: 'start'});
     });
     place.append(make('figure', {},
-      make('div', {class: 'frames'}, ...group.map(picture => make('img', {src: picture.src, alt: `${rover_id}, ${title}, ${picture.view}`, title: picture.view}))),
+      make('div', {class: 'frames'}, ...group.map(picture => enlarging(make('img', {
+        src: picture.src, alt: `${rover_id}, ${title}, ${picture.view}`, title: `${picture.view}; click to enlarge`,
+      })))),
       make('figcaption', {}, swatch(roverOf(rover_id), ''), make('b', {}, title), make('span', {}, ` ${rover_id}, ${group.map(p => p.view).join('; ')}, `), go)));
   }
 }
