@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lua/answer.h"
+#include "lua/derive.h"
 #include "lua/sandbox.h"
 #include "lua/scenario.h"
 #include "lua/sims.h"
@@ -65,12 +66,18 @@ const std::vector<ApiFunction>& api_functions() {
        "fun(low?: number, high?: number): number"},
       {"is_empty", guard<is_empty>, "lsos.is_empty(table)", "Whether a table has no entry.",
        "fun(table: table): boolean"},
+      {"derive", guard<derive>, "lsos.derive(base, changes)",
+       "In rovers/: the rover or asset of that name with changes: `{ doc = '...', battery = { "
+       "capacity_j = 2e8 }, panels = { Roof = { efficiency = 0.32 } }, loads = { radio = false } "
+       "}`. Its `assumptions` are added to those of the base.",
+       "fun(base: string, changes: table): lsos.made"},
       {"sim", guard<make_sim>, "lsos.sim(plan)",
        "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, "
        "`soil`, `start`, "
        "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
        "Id "
-       "= { type = , at = , heading_deg = , config = , charge = , events = } }` and `assets`. In "
+       "= { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and "
+       "`assets`. In "
        "scenarios and at the prompt only.",
        "fun(plan: string|table): lsos.sim"},
       {"scenario", guard<add_scenario>, "lsos.scenario(name, function(t))",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,12 @@ class Catalog {
   // What a script says. Throws InputError: its faults if it is broken; or, at `asked_at`, that
   // there is no such script, with the nearest name.
   RoverModel load_rover(const std::string& name, const Place& asked_at = {}) const;
+  // The same rover with changes that a plan makes, as Lua writes the table of lsos.derive; their
+  // faults stand at `asked_at`, beginning with `what`.
+  RoverModel load_variant(const std::string& name, const std::string& changes,
+                          const std::string& what, const Place& asked_at) const;
+  // The scripts of rovers/ that a script there is derived from.
+  std::set<std::string> bases_of(const std::string& name) const;
   AssetModel load_asset(const std::string& name, const Place& asked_at = {}) const;
   TerrainSpec load_terrain(const std::string& name, const Place& asked_at = {}) const;
   Soil load_soil(const std::string& name, const Place& asked_at = {}) const;
@@ -58,6 +65,7 @@ class Catalog {
   std::map<Key, std::vector<Fault>> broken_;
   std::map<std::string, RoverModel> rovers_;
   std::map<std::string, AssetModel> assets_;
+  std::map<std::string, std::set<std::string>> bases_;  // by name of the derived
   std::map<std::string, TerrainSpec> terrains_;
   std::map<std::string, Soil> soils_;
 };

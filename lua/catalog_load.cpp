@@ -5,6 +5,7 @@
 
 #include "base/path_beside.h"
 #include "lua/catalog.h"
+#include "lua/constructors.h"
 #include "lua/event_library.h"
 #include "lua/loader.h"
 #include "lua/rover_constructors.h"
@@ -27,6 +28,9 @@ const char* noun(ScriptKind kind) {
   }
   return "";
 }
+
+// What the script of a plan's changes is called where nobody sees it.
+constexpr const char* variant_file = "variant.lua";
 
 template <class T>
 std::vector<std::string> names_of(const std::map<std::string, T>& things) {
@@ -121,8 +125,12 @@ void Catalog::add_broken(const Script& script, const Faults& faults) {
 
 // A script in rovers/ makes a rover or an asset.
 void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& faults) {
+  lua.context().scripts = &scripts_;
+  lua.context().bases.clear();
+  lua.context().deriving.clear();  // of a script that broke
   lua.run([&](lua_State* L) {
     if (!run_script(L, script, faults)) return;
+    if (!lua.context().bases.empty()) bases_[script.name] = lua.context().bases;
     const Made* made = to_made(L, -1);
     if (made != nullptr && made->kind == asset_kind) {
       auto asset = std::any_cast<AssetModel>(made->value);
@@ -202,6 +210,38 @@ const T& Catalog::find(const std::map<std::string, T>& things, ScriptKind kind,
 
 RoverModel Catalog::load_rover(const std::string& name, const Place& asked_at) const {
   return find(rovers_, ScriptKind::rover, name, asked_at);
+}
+
+RoverModel Catalog::load_variant(const std::string& name, const std::string& changes,
+                                 const std::string& what, const Place& asked_at) const {
+  LuaState lua;
+  lua.context().scripts = &scripts_;
+  Script script;
+  script.kind = ScriptKind::rover;
+  script.name = name;
+  script.file = variant_file;
+  script.source = fmt::format("return require('lsos').derive('{}', {})", name, changes);
+  Faults faults;
+  std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, faults);
+  if (model && !faults.has_errors()) check_vehicle(*model, faults);
+  std::vector<Fault> told;
+  for (const Fault& fault : faults.sorted()) {
+    told.push_back({fault.severity, asked_at, fmt::format("{}: {}", what, fault.what)});
+  }
+  if (faults.has_errors()) throw InputError(std::move(told));
+  model->spec.name = model->spec.vehicle.type = name;
+  model->spec.place = asked_at;
+  const std::string as_script = script_name(variant_file) + ": is ";
+  for (std::string& assumption : model->spec.vehicle.assumptions) {
+    if (!assumption.starts_with(as_script)) continue;
+    assumption = fmt::format("{}: {}", what, assumption.substr(as_script.size()));
+  }
+  return *model;
+}
+
+std::set<std::string> Catalog::bases_of(const std::string& name) const {
+  const auto found = bases_.find(name);
+  return found == bases_.end() ? std::set<std::string>{} : found->second;
 }
 
 AssetModel Catalog::load_asset(const std::string& name, const Place& asked_at) const {

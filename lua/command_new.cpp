@@ -1,14 +1,20 @@
-// `lsos-host new event NAME`: a script that works, and a scenario that tests it.
+// `lsos-host new WHAT NAME`: an event, rover, terrain, scenario or plan that works, to begin from.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/error.h"
 #include "lua/commands.h"
 #include "lua/console.h"
 #include "lua/mission_files.h"
+#include "lua/new_text.h"
+#include "lua/places.h"
+#include "lua/script_folders.h"
+#include "plan/kml_writer.h"
 #include "product/files.h"
 
 namespace lsos {
@@ -17,97 +23,131 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* event_text = R"(-- Say here what it does, in a sentence.
+// What is written, by what it is; nothing of it may be there.
+using NewFiles = std::vector<std::pair<std::string, std::pair<std::string, std::string>>>;
 
-local lsos = require 'lsos'
-
--- A phase is called when it is due. What it returns says when it is called next, or that the event
--- has ended. Only ev.state lives between two calls.
-local function stay(ev, rover)
-  rover:brake()
-  local left_s = ev.params.duration_s - ev.phase_elapsed_s
-  if left_s > 0 then return lsos.sleep(left_s) end
-  ev:log('NAME', { charge = rover.battery and rover.battery.charge })
-  return lsos.done
-end
-
-return lsos.event {
-  api    = 1,
-  schema = 'NAME',
-  doc    = 'Say here what it does, in a sentence.',
-
-  params = {
-    duration_s = lsos.duration { kml = 'Duration', default = 60, doc = 'How long it takes.' },
-  },
-
-  start  = 'stay',
-  phases = { stay = stay },
+void check_word(const NewOptions& options) {
+  const std::string& name = options.name;
+  const bool needs_capital = options.what == "event";
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  const bool is_word =
+      !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+      (!needs_capital || std::isupper(static_cast<unsigned char>(name.front())) != 0) &&
+      std::ranges::all_of(
+          name, [&](char c) { return is_letter(c) || (!needs_capital && (c == '_' || c == '-')); });
+  if (is_word) return;
+  throw InputError({}, needs_capital
+                           ? fmt::format("'{}' cannot be an event's name: a capital, then letters "
+                                         "and digits: 'DropBeacon'",
+                                         name)
+                           : fmt::format("'{}' cannot be a name: a letter, then letters, digits, "
+                                         "'_' and '-'",
+                                         name));
 }
-)";
 
-constexpr const char* scenario_text =
-    R"(-- What must come of NAME. Run it by: lsos-host test tests/scenarios/NAME.lua
+void refuse_known(const NewOptions& options, bool is_known) {
+  if (!is_known) return;
+  const char* article = options.what == "event" ? "an" : "a";
+  throw InputError({},
+                   fmt::format("there is {} {} '{}' already", article, options.what, options.name));
+}
 
-local lsos = require 'lsos'
-
-lsos.scenario('NAME takes as long as it says', function(t)
-  local sim = lsos.sim {
-    terrain = 'Flat',
-    rovers  = { A = { type = 'SEV', events = { { 'NAME', Duration = '5 min' } } } },
+NewFiles new_event(const NewOptions& options, const Catalog& catalog) {
+  for (const char* taken : {"MissionInfo", "Rover", "Asset"}) {
+    if (options.name == taken) {
+      throw InputError({}, fmt::format("'{}' is what plans call something else", options.name));
+    }
   }
-  sim:run()
-  local event = sim:event('A/10')
-  t:equal(event.status, 'completed')
-  t:near(event.end_s - event.start_s, '5 min', '1 s', 'duration')
-  t:equal(#sim:notes('NAME'), 1, 'notes')
-end)
-)";
+  refuse_known(options, catalog.declarations().events.contains(options.name));
+  return {{"event", {"events/" + options.name + ".lua", new_event_text(options.name)}},
+          {"scenario",
+           {"tests/scenarios/" + options.name + ".lua", new_event_scenario_text(options.name)}}};
+}
 
-std::string filled_in(std::string text, const std::string& name) {
-  constexpr std::string_view mark = "NAME";
-  for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += name.size()) {
-    text.replace(at, mark.size(), name);
+NewFiles new_rover(const NewOptions& options, const Catalog& catalog) {
+  refuse_known(options, catalog.declarations().rover_types.contains(options.name));
+  const std::string base = options.from.empty() ? "SEV" : options.from;
+  const double mass_kg = catalog.load_rover(base).spec.vehicle.chassis.mass_kg;
+  return {
+      {"rover", {"rovers/" + options.name + ".lua", new_rover_text(options.name, base, mass_kg)}},
+      {"scenario",
+       {"tests/scenarios/" + options.name + ".lua", new_rover_scenario_text(options.name)}}};
+}
+
+NewFiles new_terrain(const NewOptions& options, const Catalog& catalog) {
+  refuse_known(options, std::ranges::count(catalog.declarations().terrains, options.name) > 0);
+  std::string raster;
+  if (!options.from.empty()) {
+    if (!fs::exists(options.from)) throw InputError({options.from, 0}, "there is no such file");
+    raster = fs::path(options.from).is_absolute() ? options.from : "../" + options.from;
   }
-  return text;
+  return {{"terrain", {"terrain/" + options.name + ".lua", new_terrain_text(raster)}}};
+}
+
+NewFiles new_plan_file(const NewOptions& options, const Catalog& catalog) {
+  Faults faults;
+  NewPlan plan;
+  plan.name = options.name;
+  plan.body = option_body("--planet", options.planet, faults);
+  plan.terrain = options.terrain;
+  plan.rover_type = options.from.empty() ? "SEV" : options.from;
+  const std::string site = options.site.empty() ? "0,0" : options.site;
+  const auto start = option_site("--site", site, faults);
+  faults.throw_if_errors();
+  plan.start = *start;
+  catalog.load_rover(plan.rover_type);
+  return {{"plan", {options.name + ".kml", write_kml(new_plan(plan, kinds_of(catalog, {})))}}};
+}
+
+NewFiles new_files(const NewOptions& options, const Catalog& catalog) {
+  if (options.what == "event") return new_event(options, catalog);
+  if (options.what == "rover") return new_rover(options, catalog);
+  if (options.what == "terrain") return new_terrain(options, catalog);
+  if (options.what == "plan") return new_plan_file(options, catalog);
+  return {
+      {"scenario", {"tests/scenarios/" + options.name + ".lua", new_scenario_text(options.name)}}};
+}
+
+// For editors with the Lua language server, beside scripts of one's own.
+void add_editor_settings(NewFiles& files) {
+  constexpr const char* settings = ".luarc.json";
+  const std::string library = library_file();
+  if (library.empty() || fs::exists(settings)) return;
+  const nlohmann::ordered_json json{{"runtime.version", "Lua 5.4"},
+                                    {"workspace.library", {library}}};
+  files.push_back({"editor settings", {settings, json.dump(2) + "\n"}});
 }
 
 }  // namespace
 
-int new_event_command(const std::string& name, bool is_json) {
-  const bool is_word =
-      !name.empty() && std::isupper(static_cast<unsigned char>(name.front())) != 0 &&
-      std::ranges::all_of(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)); });
-  if (!is_word) {
-    throw InputError({}, fmt::format("'{}' cannot be an event's name: a capital, then letters and "
-                                     "digits: 'DropBeacon'",
-                                     name));
+int new_command(const NewOptions& options) {
+  check_word(options);
+  const std::shared_ptr<const Catalog> catalog = read_catalog("");
+  NewFiles files = new_files(options, *catalog);
+  for (const auto& [what, file] : files) {
+    if (fs::exists(file.first)) throw InputError({file.first, 0}, "is there already");
   }
-  for (const char* taken : {"MissionInfo", "Rover", "Asset"}) {
-    if (name == taken) {
-      throw InputError({}, fmt::format("'{}' is what plans call something else", name));
-    }
-  }
-  if (read_catalog("")->declarations().events.contains(name)) {
-    throw InputError({}, fmt::format("there is an event '{}' already", name));
-  }
-  const std::string event = "events/" + name + ".lua";
-  const std::string scenario = "tests/scenarios/" + name + ".lua";
-  for (const std::string& file : {event, scenario}) {
-    if (fs::exists(file)) throw InputError({file, 0}, "is there already");
-  }
-  for (const char* folder : {"events", "tests/scenarios"}) {
+  if (options.what != "plan") add_editor_settings(files);
+  nlohmann::ordered_json wrote;
+  std::vector<std::string> names;
+  for (const auto& [what, file] : files) {
+    const fs::path folder = fs::path(file.first).parent_path();
     std::error_code why;
-    fs::create_directories(folder, why);
-    if (why) throw InputError({}, fmt::format("{}: {}", folder, why.message()));
+    if (!folder.empty()) fs::create_directories(folder, why);
+    if (why) throw InputError({}, fmt::format("{}: {}", folder.string(), why.message()));
+    write_file(file.first, file.second);
+    wrote[what] = file.first;
+    names.push_back(file.first);
   }
-  write_file(event, filled_in(event_text, name));
-  write_file(scenario, filled_in(scenario_text, name));
-  if (is_json) {
-    const nlohmann::ordered_json wrote{{"event", event}, {"scenario", scenario}};
+  if (options.is_json) {
     print_result("{}\n", wrote.dump());
     return 0;
   }
-  print_result("wrote {} and {}\ntry it: lsos-host test {}\n", event, scenario, scenario);
+  const std::string& first = files.front().second.first;
+  std::string next = "test tests/scenarios/" + options.name + ".lua";
+  if (options.what == "plan") next = first;
+  if (options.what == "terrain") next = "list terrains " + options.name;
+  print_result("wrote {}\ntry it: lsos-host {}\n", fmt::join(names, ", "), next);
   return 0;
 }
 

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
 #include "lua/console.h"
 #include "lua/mission_files.h"
 #include "lua/output_file.h"
+#include "lua/schema_kinds.h"
 #include "plan/field_reader.h"
-#include "plan/kml_writer.h"
 #include "plan/layer_writer.h"
 #include "product/files.h"
 
@@ -23,100 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr const char* rover_id = "A";
 // What any plan has, beside its events.
 constexpr std::array<std::string_view, 3> always{"MissionInfo", "Rover", "Asset"};
-constexpr const char* asset_id = "Base";
-
-std::string kml_type(FieldKind kind) {
-  switch (kind) {
-    case FieldKind::integer:
-      return "int";
-    default:
-      return "string";  // numbers may carry units, and GDAL reads "true" of a bool as 0
-  }
-}
-
-// 1 where that is allowed, else the nearest that is.
-std::string allowed_number(const FieldDeclaration& field) {
-  const double least = field.min_si.value_or(-infinite), most = field.max_si.value_or(infinite);
-  if (field.kind == FieldKind::integer) {
-    return fmt::format("{}", static_cast<std::int64_t>(std::clamp(1.0, least, most)));
-  }
-  const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
-  double value = std::clamp(1.0, least / factor, most / factor);
-  // Converted back as a plan's it must not be outside by a rounding.
-  while (value * factor < least) value = std::nextafter(value, infinite);
-  while (value * factor > most) value = std::nextafter(value, -infinite);
-  return fmt::format("{}", value);
-}
-
-// What stands in a form where the user has to fill in something.
-std::string example(const FieldDeclaration& field) {
-  if (!field.example.empty()) return field.example;
-  if (field.default_value) return format_value(field, *field.default_value);
-  if (!field.is_required) return "";
-  if (field.name == "RoverId") return rover_id;
-  if (field.name == "RoverType") return "SEV";
-  if (field.name == "AssetId" || field.names == NameOf::other) return asset_id;
-  if (field.name == "AssetType") return "Habitat";
-  if (field.name == "Terrain") return "Flat";
-  switch (field.kind) {
-    case FieldKind::choice:
-      return field.choices.front();
-    case FieldKind::duration:
-      return "60 s";
-    case FieldKind::utc:
-      return "2026-07-01T00:00:00Z";
-    case FieldKind::number:
-    case FieldKind::integer:
-      return allowed_number(field);
-    case FieldKind::boolean:
-      return "1";
-    case FieldKind::text:
-      return "?";
-  }
-  return "";
-}
-
-struct Kind {
-  std::string name, doc;
-  std::vector<FieldDeclaration> fields;
-  KmlGeometry geometry;  // an example
-  bool is_event = false;
-};
-
-KmlGeometry example_geometry(const EventDeclaration& event) {
-  const auto takes = [&](GeometryKind kind) {
-    return std::ranges::find(event.geometries, kind) != event.geometries.end();
-  };
-  const std::vector<Geodetic> corners{geodetic_from_degrees(0, 0), geodetic_from_degrees(0.001, 0),
-                                      geodetic_from_degrees(0.001, 0.001)};
-  if (takes(GeometryKind::none)) return {};
-  if (takes(GeometryKind::line)) return {KmlGeometryKind::line, {corners[0], corners[1]}};
-  if (takes(GeometryKind::point)) return {KmlGeometryKind::point, {corners[1]}};
-  return {KmlGeometryKind::polygon, corners};
-}
-
-std::vector<Kind> kinds_of(const Catalog& catalog, const std::vector<std::string>& names) {
-  const auto point = [](double lon_deg) {
-    return KmlGeometry{KmlGeometryKind::point, {geodetic_from_degrees(lon_deg, 0)}};
-  };
-  std::vector<Kind> kinds{
-      {"MissionInfo", "The mission as a whole: one of these", mission_fields(), {}},
-      {"Rover", "Rovers, where they start", rover_fields(), point(0)},
-      {"Asset", "Habitats, comm stations and solar arrays", asset_fields(), point(-0.001)}};
-  for (const auto& [name, event] : catalog.declarations().events) {
-    if (!names.empty() && std::ranges::find(names, name) == names.end()) continue;
-    Kind kind{name, event.doc, event_identity_fields(), example_geometry(event), true};
-    kind.fields.insert(kind.fields.end(), event.fields.begin(), event.fields.end());
-    const auto& common = common_event_fields();
-    kind.fields.insert(kind.fields.end(), common.begin(), common.end());
-    kinds.push_back(std::move(kind));
-  }
-  return kinds;
-}
 
 // What forms offer to choose from.
 std::vector<std::string> choices_of(const FieldDeclaration& field, const Catalog& catalog) {
@@ -138,7 +44,7 @@ std::string initial_value(const FieldDeclaration& field, std::string_view planet
   if (field.default_value) return format_value(field, *field.default_value);
   const bool is_an_id =
       field.name == "RoverId" || field.name == "AssetId" || field.name == "Sequence";
-  const std::string shown = is_an_id ? "" : example(field);
+  const std::string shown = is_an_id ? "" : example_value(field);
   return field.is_required && shown != "?" ? shown : "";
 }
 
@@ -165,24 +71,6 @@ std::vector<FormLayer> form_layers(const std::vector<Kind>& kinds, const Catalog
     layers.push_back(std::move(layer));
   }
   return layers;
-}
-
-void add(KmlDocument& document, const Kind& kind, int number) {
-  KmlSchema schema{kind.name, kind.name, {}};
-  KmlPlacemark placemark;
-  placemark.name = kind.name;
-  placemark.schema_id = kind.name;
-  placemark.geometry = kind.geometry;
-  // Map tools rewrite schemaUrl: then this still says what the Placemark is.
-  schema.fields.push_back({"Type", "string", "what the Placemark is"});
-  placemark.data.emplace_back("Type", kind.name);
-  for (const FieldDeclaration& field : kind.fields) {
-    schema.fields.push_back({field.name, kml_type(field.kind), field.doc});
-    placemark.data.emplace_back(field.name,
-                                field.name == "Sequence" ? std::to_string(number) : example(field));
-  }
-  document.schemas.push_back(std::move(schema));
-  document.placemarks.push_back(std::move(placemark));
 }
 
 // The Placemarks have their values in the order of their schema's fields.
@@ -239,7 +127,7 @@ int schema_command(const SchemaOptions& options) {
   document.name = "lsos-host plan";
   document.description = "One Placemark of each kind: copy, move and fill in what you need.";
   int number = 0;
-  for (const Kind& kind : kinds) add(document, kind, kind.is_event ? number += 10 : 0);
+  for (const Kind& kind : kinds) add_example(document, kind, kind.is_event ? number += 10 : 0);
   if (!options.file.empty()) {
     write_file(options.file, write_kml(document));
   } else if (options.is_json) {

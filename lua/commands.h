@@ -61,9 +61,16 @@ struct SchemaOptions {
   std::string planet = "Moon";  // of a GeoPackage
 };
 int schema_command(const SchemaOptions& options);
-// A skeleton in events/, and a scenario in tests/scenarios/.
-// Says in JSON or for people which files it wrote.
-int new_event_command(const std::string& name, bool is_json);
+// A script that works to begin from, and a scenario that tests it; or a plan. Says in JSON or for
+// people which files it wrote.
+struct NewOptions {
+  std::string what;  // event, rover, terrain, scenario, plan
+  std::string name;
+  std::string from;  // a rover type; of a terrain a raster; "": SEV, or synthetic ground
+  std::string planet = "Moon", terrain = "Craters", site;  // of a plan
+  bool is_json = false;
+};
+int new_command(const NewOptions& options);
 
 struct ListOptions {
   std::string what;  // events, rovers, terrains, soils

@@ -18,6 +18,17 @@ TableReader constructor_reader(lua_State* L) {
   return {L, 1, name, caller_place(L), faults};
 }
 
+void keep_keys(lua_State* L, int index) {
+  lua_newtable(L);
+  lua_pushnil(L);
+  while (lua_next(L, index) != 0) {
+    lua_pushvalue(L, -2);
+    lua_insert(L, -2);
+    lua_rawset(L, -4);
+  }
+  lua_setiuservalue(L, -2, 1);
+}
+
 std::string script_name(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }

@@ -33,6 +33,10 @@ std::vector<Constructor> terrain_constructors();
 // The name of the constructor that runs, and a reader of its one argument.
 TableReader constructor_reader(lua_State* L);
 
+// Keeps a copy of the table at `index` as the user value of what was made from it, at the top:
+// lsos.derive makes another from it.
+void keep_keys(lua_State* L, int index);
+
 // "Route" of "events/Route.lua": scripts are named by their files.
 std::string script_name(const std::string& file);
 
@@ -43,6 +47,7 @@ int construct(lua_State* L) {
   read(t, value);
   t.finish();
   push_made(L, {t.what(), t.place(), std::move(value)});
+  keep_keys(L, 1);
   return 1;
 }
 

@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/random.h"
+#include "lua/script.h"
 #include "lua/script_memory.h"
 #include "mission/script_host.h"
 
@@ -78,7 +81,12 @@ struct LuaContext {
   // What the last EquipmentFault of the call said, which travels through Lua as an error.
   std::optional<std::string> equipment_fault;
 
-  Faults* load_faults = nullptr;    // while a script loads
+  Faults* load_faults = nullptr;  // while a script loads
+  // While scripts of rovers/ load: all that there are, the bases whose scripts run now, and those
+  // that have run since this was last empty.
+  const std::vector<Script>* scripts = nullptr;
+  std::vector<std::string> deriving;
+  std::set<std::string> bases;
   const EventCall* call = nullptr;  // while a phase runs
   RoversInHand* in_hand = nullptr;  // of a prompt or a scenario
 };

@@ -548,7 +548,8 @@
 ---@field vec3 fun(x: number, y: number, z?: number): vec3 A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out.
 ---@field random fun(low?: number, high?: number): number A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed.
 ---@field is_empty fun(table: table): boolean Whether a table has no entry.
----@field sim fun(plan: string|table): lsos.sim A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
+---@field derive fun(base: string, changes: table): lsos.made In rovers/: the rover or asset of that name with changes: `{ doc = '...', battery = { capacity_j = 2e8 }, panels = { Roof = { efficiency = 0.32 } }, loads = { radio = false } }`. Its `assumptions` are added to those of the base.
+---@field sim fun(plan: string|table): lsos.sim A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
 ---@field scenario fun(name: string, scenario: fun(t: lsos.t)) One more scenario of this file; `lsos-host test` runs them.
 ---@field done lsos.answer Answer: the event is completed.
 ---@field arrival lsos.answer Answer: call this phase again when rover:follow has ended (rover.drive says how).

@@ -267,12 +267,17 @@ int run_program(std::vector<std::string> arguments) {
                              "Of the layers: Moon, Mars or Earth (Moon)");
   schema_command->add_flag("--json", is_json, "The fields of each as JSON, in place of KML");
 
-  std::string new_what, new_name;
-  CLI::App* new_command =
-      app.add_subcommand("new", "A script that works, to begin from, and a scenario that tests it");
-  new_command->add_option("WHAT", new_what, "event")->required()->check(CLI::IsMember({"event"}));
-  new_command->add_option("NAME", new_name, "What it shall be called: DropBeacon")->required();
-  new_command->add_flag("--json", is_json, "The names of the files as JSON");
+  lsos::NewOptions fresh;
+  CLI::App* new_command = app.add_subcommand("new", "A plan or script that works, to begin from");
+  new_command->add_option("WHAT", fresh.what, "plan, event, rover, terrain or scenario")
+      ->required()
+      ->check(CLI::IsMember({"plan", "event", "rover", "terrain", "scenario"}));
+  new_command->add_option("NAME", fresh.name, "What it shall be called: DropBeacon")->required();
+  new_command->add_option("--from", fresh.from, "A rover type (SEV); of a terrain a raster");
+  new_command->add_option("--planet", fresh.planet, "Of a plan: Moon, Mars or Earth (Moon)");
+  new_command->add_option("--terrain", fresh.terrain, "Of a plan: a script or raster (Craters)");
+  new_command->add_option("--site", fresh.site, "LON,LAT where the rover of a plan starts (0,0)");
+  new_command->add_flag("--json", fresh.is_json, "The names of the files as JSON");
 
   std::string overlay_folder;
   bool overlay_is_packed = false;
@@ -363,7 +368,7 @@ int run_program(std::vector<std::string> arguments) {
     schema.is_json = is_json;
     return lsos::schema_command(schema);
   }
-  if (new_command->parsed()) return lsos::new_event_command(new_name, is_json);
+  if (new_command->parsed()) return lsos::new_command(fresh);
   if (test_command->parsed()) return lsos::test_command(test);
   if (list_command->parsed()) return lsos::list_command(list);
   return lsos::overlay_command(overlay_folder, overlay_is_packed, is_json);

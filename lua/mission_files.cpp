@@ -13,6 +13,7 @@
 #include "lua/plan_table.h"
 #include "lua/script_folders.h"
 #include "lua/script_use.h"
+#include "lua/variant.h"
 #include "lua/version.h"
 #include "mission/mission_span.h"
 #include "mission/plan_aims.h"
@@ -81,7 +82,7 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     ConditionWorld world{event.rover_id, ids, {}, !plan.gaps.has_ids(), false};
     const PlanRover* rover = rover_of(plan, event.rover_id);
     const auto model =
-        rover == nullptr ? files.rover_models.end() : files.rover_models.find(rover->type);
+        rover == nullptr ? files.rover_models.end() : files.rover_models.find(rover->model());
     if (model != files.rover_models.end()) {
       world.are_resources_known = true;
       for (const ResourceSpec& resource : model->second.power.resources) {
@@ -157,6 +158,15 @@ void set_max_duration(MissionFiles& files) {
 }
 
 // Reads what the plan names.
+// What its script says, with the changes of its Variant.
+RoverModel model_of(const PlanRover& rover, const Catalog& catalog) {
+  if (rover.variant.empty()) return catalog.load_rover(rover.type, rover.place);
+  const std::string what = fmt::format("Rover '{}': Variant", rover.id);
+  const Parsed<std::string> changes = variant_table(rover.variant);
+  if (!changes) throw InputError(rover.place, fmt::format("{}: {}", what, changes.why));
+  return catalog.load_variant(rover.type, *changes.value, what, rover.place);
+}
+
 void read_models(MissionFiles& files) {
   const Declarations& declarations = files.catalog->declarations();
   // Of what there is not, the plan's reader has told.
@@ -173,9 +183,7 @@ void read_models(MissionFiles& files) {
   };
   for (const PlanRover& rover : files.plan.rovers) {
     if (!has_type(rover.type, false)) continue;
-    collect([&] {
-      files.rover_models.insert({rover.type, files.catalog->load_rover(rover.type, rover.place)});
-    });
+    collect([&] { files.rover_models.insert({rover.model(), model_of(rover, *files.catalog)}); });
   }
   for (const PlanAsset& asset : files.plan.assets) {
     if (!has_type(asset.type, true)) continue;
@@ -210,6 +218,31 @@ std::string without_full_stop(const std::string& sentence) {
   return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
 }
 
+constexpr const char* depends_on_soil =
+    "slip, sinkage, the energy of driving and planned routes depend on it";
+
+bool drives_elsewhere_than_on_the_moon(const MissionFiles& files) {
+  const Body* planet = files.plan.mission.planet;
+  const auto drives = [&](const PlanEvent& event) {
+    return event.is_enabled && files.catalog->declarations().events.at(event.type).drives;
+  };
+  return planet != nullptr && planet->name != "Moon" &&
+         std::ranges::any_of(files.plan.events, drives);
+}
+
+// The scripts of ground for any planet have the Moon's regolith.
+void say_lunar_soil(MissionFiles& files) {
+  const TerrainSpec& terrain = files.terrain;
+  const bool is_lunar = terrain.soil.name.starts_with("Apollo");
+  if (files.is_soil_assumed || !is_lunar || !drives_elsewhere_than_on_the_moon(files)) return;
+  files.faults.warning(
+      files.plan.mission.place,
+      fmt::format("MissionInfo: {}: its soil is {} ({}), on {}; {}; a terrain script can name "
+                  "another",
+                  terrain.name, terrain.soil.name, without_full_stop(terrain.soil.doc),
+                  files.plan.mission.planet->name, depends_on_soil));
+}
+
 // Regolith is much alike all over the Moon; on Mars and Earth any drive depends on the choice.
 void say_assumed_soil(MissionFiles& files) {
   if (!files.is_soil_assumed) return;
@@ -218,17 +251,12 @@ void say_assumed_soil(MissionFiles& files) {
       fmt::format("{}: nothing says what the ground is made of; {} is assumed", files.terrain.name,
                   files.terrain.soil.name);
   files.assumptions.push_back(assumed + "; a terrain script can name another");
-  const auto drives = [&](const PlanEvent& event) {
-    return event.is_enabled && files.catalog->declarations().events.at(event.type).drives;
-  };
-  const bool is_moon = mission.planet == nullptr || mission.planet->name == "Moon";
-  if (is_moon || std::ranges::none_of(files.plan.events, drives)) return;
+  if (!drives_elsewhere_than_on_the_moon(files)) return;
   files.faults.warning(
       mission.place,
-      fmt::format("MissionInfo: {}, as anywhere on {} ({}); slip, sinkage, the "
-                  "energy of driving and planned routes depend on it; a terrain "
-                  "script can name another",
-                  assumed, mission.planet->name, without_full_stop(files.terrain.soil.doc)));
+      fmt::format("MissionInfo: {}, as anywhere on {} ({}); {}; a terrain script can name another",
+                  assumed, mission.planet->name, without_full_stop(files.terrain.soil.doc),
+                  depends_on_soil));
 }
 
 }  // namespace
@@ -248,6 +276,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
   say_assumed_soil(files);
+  say_lunar_soil(files);
   return files;
 }
 
@@ -269,6 +298,7 @@ MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalo
   read_models(files);
   if (source.soil.empty()) {
     say_assumed_soil(files);
+    say_lunar_soil(files);
   } else if (!files.faults.has_errors()) {
     files.terrain.soil = files.catalog->load_soil(source.soil, files.plan.mission.place);
   }

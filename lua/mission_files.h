@@ -17,7 +17,7 @@ namespace lsos {
 struct MissionFiles {
   std::shared_ptr<const Catalog> catalog;  // shared: each rebuilt script host reads it
   Plan plan;
-  std::map<std::string, RoverModel> rover_models;  // by RoverType
+  std::map<std::string, RoverModel> rover_models;  // by PlanRover::model()
   std::map<std::string, AssetModel> asset_models;  // by AssetType
   TerrainSpec terrain;
   bool is_soil_assumed = false;  // nothing says what the ground is made of

@@ -47,7 +47,7 @@ std::vector<DrawnBody> drawn_bodies(const MissionFiles& files, const Ground& gro
     const SampleRow& sample = rover.sample;
     const auto planned = std::ranges::find(files.plan.rovers, sample.rover_id, &PlanRover::id);
     if (planned == files.plan.rovers.end()) continue;
-    const RoverModel& model = files.rover_models.at(planned->type);
+    const RoverModel& model = files.rover_models.at(planned->model());
     const VehicleConfig vehicle = make_vehicle(model.spec, planned->configuration, g_mps2);
     const BodyShape shape(model.shapes, vehicle);
     DrawnBody body{planned->id, planned->type, sample.p_S_m, {}, {}, shape.reach_m(),

@@ -241,6 +241,9 @@ class PlanTableReader {
     std::optional<std::string> configuration;
     t.text(optional, "config", configuration, "An initial configuration of its script.");
     if (configuration) set(rover, "RoverConfig", *configuration);
+    std::optional<std::string> variant;
+    t.text(optional, "variant", variant, "Changes to the numbers of its script.");
+    if (variant) set(rover, "Variant", *variant);
     std::optional<double> heading_deg, charge;
     t.number(optional, "heading_deg", heading_deg, any_number, "Clockwise from true north.");
     if (heading_deg) set(rover, "Heading", fmt::format("{}", *heading_deg));

@@ -47,7 +47,7 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
 std::map<std::string, ReportBattery> batteries(const MissionFiles& files) {
   std::map<std::string, ReportBattery> found;
   for (const PlanRover& rover : files.plan.rovers) {
-    const auto model = files.rover_models.find(rover.type);
+    const auto model = files.rover_models.find(rover.model());
     if (model == files.rover_models.end() || !model->second.power.battery) continue;
     const BatterySpec& battery = *model->second.power.battery;
     found[rover.id] = {battery.capacity_j, battery.reserve * battery.capacity_j};

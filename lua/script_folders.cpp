@@ -41,4 +41,11 @@ std::string shipped_folder(const std::string& program_file, const std::string& b
   return built_from;
 }
 
+std::string library_file() {
+  std::error_code ignored;
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const std::string file = shipped_folder(program, source_folder) + "/lua/library.d.lua";
+  return std::filesystem::exists(file, ignored) ? file : "";
+}
+
 }  // namespace lsos

@@ -24,8 +24,12 @@ ScriptUse::ScriptUse(const Catalog& catalog, const Plan& plan, const TerrainSpec
   for (const PlanEvent& event : plan.events) {
     add_event(catalog.declarations(), event.type, events_);
   }
-  for (const PlanRover& rover : plan.rovers) rovers_.insert(rover.type);
-  for (const PlanAsset& asset : plan.assets) rovers_.insert(asset.type);
+  const auto add_rover = [&](const std::string& type) {
+    rovers_.insert(type);
+    rovers_.merge(catalog.bases_of(type));
+  };
+  for (const PlanRover& rover : plan.rovers) add_rover(rover.type);
+  for (const PlanAsset& asset : plan.assets) add_rover(asset.type);
   for (const TerrainName& name : {plan.mission.terrain, plan.mission.terrain_beyond}) {
     if (!name.is_raster && !name.name.empty()) terrains_.insert(name.name);
   }

@@ -292,7 +292,11 @@ std::pair<Place, std::string> split_place(const std::string& message, const std:
 
 Place caller_place(lua_State* L) {
   lua_Debug ar;
-  if (lua_getstack(L, 1, &ar) == 0 || lua_getinfo(L, "Sl", &ar) == 0) return {};
+  // lsos.derive calls constructors, which then stand between.
+  for (int level = 1;; ++level) {
+    if (lua_getstack(L, level, &ar) == 0 || lua_getinfo(L, "Sl", &ar) == 0) return {};
+    if (std::string_view(ar.what) != "C") break;
+  }
   const std::string source = ar.source;
   return {source.starts_with('@') ? source.substr(1) : source, std::max(0, ar.currentline)};
 }

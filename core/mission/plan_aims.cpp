@@ -114,7 +114,7 @@ void check_log_interval(const Plan& plan, const Declarations& declarations,
   constexpr double longest_m = 100;
   const double interval_s = seconds(plan.mission.log_interval);
   for (const PlanRover& rover : plan.rovers) {
-    const auto model = rovers.find(rover.type);
+    const auto model = rovers.find(rover.model());
     const bool drives = std::ranges::any_of(plan.events, [&](const PlanEvent& event) {
       return event.rover_id == rover.id && declarations.events.at(event.type).drives;
     });
@@ -132,7 +132,7 @@ void check_log_interval(const Plan& plan, const Declarations& declarations,
 void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& rovers,
                    Faults& faults) {
   for (const PlanRover& rover : plan.rovers) {
-    const auto model = rovers.find(rover.type);
+    const auto model = rovers.find(rover.model());
     if (model == rovers.end() || model->second.power.battery || rover.initial_charge == 1) continue;
     faults.warning(rover.place, fmt::format("Rover '{}': InitialCharge = {}: {} has no battery",
                                             rover.id, rover.initial_charge, rover.type));

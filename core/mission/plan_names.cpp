@@ -207,7 +207,7 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
   std::map<std::string, Stores> stores;  // by RoverId
   for (const PlanEvent& event : plan.events) {
     const PlanRover* rover = rover_of(plan, event.rover_id);
-    const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->type);
+    const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
     const auto known_of = [&](NameOf names) -> Known {
       if (names == NameOf::power_source) return sources;
       if (names == NameOf::other) return others(plan, event.rover_id);

@@ -25,8 +25,8 @@ Simulation::Simulation(SimulationSetup setup)
                                setup_.plan.mission.seed);
   const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
   for (const PlanRover& rover : setup_.plan.rovers) {
-    vehicles_[{rover.type, rover.configuration}] =
-        make_vehicle(setup_.rover_models.at(rover.type).spec, rover.configuration, g_mps2);
+    vehicles_[{rover.model(), rover.configuration}] =
+        make_vehicle(setup_.rover_models.at(rover.model()).spec, rover.configuration, g_mps2);
   }
   check_soil();
   legs_ = std::make_unique<PlannedLegs>(*ground_, setup_.plan.mission.seed);
@@ -43,7 +43,7 @@ void Simulation::check_soil() const {
   Faults faults;
   const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
   for (const PlanRover& rover : setup_.plan.rovers) {
-    const VehicleConfig& vehicle = vehicles_.at({rover.type, rover.configuration});
+    const VehicleConfig& vehicle = vehicles_.at({rover.model(), rover.configuration});
     const auto wheels = std::ranges::count_if(
         vehicle.links, [](const LinkConfig& link) { return link.wheel.has_value(); });
     const double load_n = vehicle.mass_kg() * g_mps2 / static_cast<double>(wheels);
@@ -69,8 +69,8 @@ void Simulation::build() {
   machine_ = synthesise(setup_.plan, host_->declarations());
   for (const RoverMachine& rover : machine_.rovers) {
     rovers_.push_back({std::make_unique<RoverAgent>(
-                           rover.rover, setup_.rover_models.at(rover.rover.type),
-                           vehicles_.at({rover.rover.type, rover.rover.configuration}), *ground_,
+                           rover.rover, setup_.rover_models.at(rover.rover.model()),
+                           vehicles_.at({rover.rover.model(), rover.rover.configuration}), *ground_,
                            sources_, *legs_, static_cast<const Surroundings&>(*this)),
                        EventSequence(rover, machine_.mission, *ground_),
                        SimTime{},

@@ -31,7 +31,7 @@ namespace lsos {
 
 struct SimulationSetup {
   Plan plan;
-  std::map<std::string, RoverModel> rover_models;  // by RoverType
+  std::map<std::string, RoverModel> rover_models;  // by PlanRover::model()
   std::map<std::string, AssetModel> asset_models;  // by AssetType
   TerrainSpec terrain;
   std::function<std::unique_ptr<ScriptHost>()> make_host;

@@ -110,6 +110,9 @@ const std::vector<FieldDeclaration>& rover_fields() {
       required("RoverType", "rover_type", FieldKind::text, "its script in rovers/"),
       field("RoverConfig", "rover_config", FieldKind::text,
             "initial configuration that the script defines"),
+      field("Variant", "variant", FieldKind::text,
+            "changes to the numbers of its script: battery.capacity_j = 60 kWh; cruise_speed_mps = "
+            "1.5"),
       in_range(field("Heading", "heading_rad", FieldKind::number,
                      "at the start, clockwise from true north; default toward its first waypoint"),
                "deg", {}, {}),

@@ -44,9 +44,13 @@ struct PlanRover {
   std::string id;
   std::string type;                   // script in rovers/
   std::string configuration;          // "" = the type's own
+  std::string variant;                // changes to the type's numbers, as written; "" = none
   Geodetic start;                     // height 0: rovers stand on the ground
   std::optional<double> heading_rad;  // clockwise from true north
   double initial_charge = 1;
+
+  // What its numbers are known by: its type, with its changes to them.
+  std::string model() const { return variant.empty() ? type : type + " with " + variant; }
 };
 
 // A thing that stands on the ground and is no rover: a habitat, a comm station.

@@ -59,6 +59,7 @@ void add_rover(Digest& digest, const PlanRover& rover) {
   digest.text("rover", rover.id);
   digest.text("type", rover.type);
   digest.text("configuration", rover.configuration);
+  if (!rover.variant.empty()) digest.text("variant", rover.variant);
   digest.place("start", rover.start);
   if (rover.heading_rad) digest.number("heading", *rover.heading_rad);
   digest.number("initial_charge", rover.initial_charge);

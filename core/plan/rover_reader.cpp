@@ -101,6 +101,7 @@ DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdPl
   rover.id = text_or_empty(values, "rover_id");
   rover.type = text_or_empty(values, "rover_type");
   rover.configuration = text_or_empty(values, "rover_config");
+  rover.variant = text_or_empty(values, "variant");
   if (rover.id.empty()) {
     gaps.rover_ids = true;
   } else {

@@ -260,24 +260,6 @@ end)
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
-TEST(NewEvent, is_a_script_and_a_scenario_that_passes) {
-  const TempFolder folder;
-  const Surroundings there{folder.path()};
-  EXPECT_EQ(run({"new", "event", "DropBeacon"}, there).exit_code, 0);
-  const Outcome outcome = run({"test"}, there);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("ok 1 - tests/scenarios/DropBeacon.lua"));
-  const Outcome other = run({"new", "event", "Fetch", "--json"}, there);
-  EXPECT_EQ(other.out,
-            "{\"event\":\"events/Fetch.lua\",\"scenario\":\"tests/scenarios/Fetch.lua\"}\n");
-  const Outcome again = run({"new", "event", "DropBeacon"}, there);
-  EXPECT_EQ(again.exit_code, 2);
-  EXPECT_THAT(again.err, HasSubstr("there is an event 'DropBeacon' already"));
-  const Outcome wrong = run({"new", "event", "drop-beacon"}, there);
-  EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("'drop-beacon' cannot be an event's name"));
-}
-
 TEST(Scenarios, reload_scripts_from_where_they_found_them) {
   const TempFolder folder;
   folder.write("events/Nap.lua",

@@ -1,4 +1,4 @@
-// The tutorial of events/README.md, done as it says, in an empty folder.
+// The tutorials of events/README.md and rovers/README.md, done as they say, in an empty folder.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class Reader {
   // Writes each Lua block to the file that was named last before it, runs each command.
   void follow(const std::string& text) const {
     static const std::regex block("```(lua|console)\n([^`]*(?:`[^`]+)*?)```");
-    static const std::regex named("`((?:events|tests/scenarios)/[A-Za-z]+\\.lua)`");
+    static const std::regex named("`((?:events|rovers|tests/scenarios)/[A-Za-z0-9]+\\.lua)`");
     std::string file;
     std::size_t done = 0;
     for (auto at = std::sregex_iterator(text.begin(), text.end(), block);
@@ -98,6 +98,15 @@ TEST(Tutorial, leads_to_an_event_a_scenario_a_plan_and_five_answers) {
     ++ways;
   }
   EXPECT_EQ(ways, 5);
+}
+
+TEST(Tutorial, leads_to_a_rover_that_differs_in_some_numbers) {
+  const Reader reader;
+  const std::string text = read_text(fs::path(LSOS_SOURCE_DIR) / "rovers/README.md");
+  reader.follow(text.substr(text.find("## One of your own")));
+  EXPECT_THAT(reader.read("rovers/SEV60.lua"), HasSubstr("efficiency = 0.32"));
+  const Outcome outcome = reader.run_line("lsos-host test");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
 }  // namespace
