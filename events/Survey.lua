@@ -99,6 +99,11 @@ local function begin(ev, rover)
     return lsos.fail(#ev.geometry.holes == 0 and 'the polygon has no area'
       or 'no line fits between the outline and %.1f m from the holes', ev.state.margin_m)
   end
+  local low, high = extent_of(ev)
+  if ev.params.spacing_m > high.y - low.y then
+    ev:warn('Spacing = %g m, and the area is %.4g m across its lines: it has one line',
+      ev.params.spacing_m, high.y - low.y)
+  end
   ev.state.next = 0
   ev:log('survey', { stops = #ev.state.stops })
   return 'go_on'

@@ -1,6 +1,7 @@
 // What the questions of a condition can be asked about.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 
@@ -12,6 +13,8 @@ struct ConditionWorld {
   std::set<std::string> resources;  // that the event's rover carries
   // False: there may be others, as faults of the plan keep them from being read.
   bool are_ids_known = true, are_resources_known = true;
+  // Of the event's rover, where it is known.
+  std::optional<double> battery_capacity_j = {}, speed_max_mps = {};
 };
 
 }  // namespace lsos

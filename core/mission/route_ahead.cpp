@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/polygon.h"
 #include "mission/drawn_route.h"
 #include "mission/event_sequence.h"
 #include "mission/foreseen.h"
@@ -23,6 +24,41 @@ double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Ve
   return std::atan2(way_S_m.dot(site.east_S(to_S_m)), way_S_m.dot(site.north_S(to_S_m)));
 }
 
+// "" for an area that has ground throughout, as far as a grid of places shows.
+std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
+                         const Ground& ground) {
+  constexpr int places_a_side = 40;
+  Ring outline;
+  Vec2 low_m = outline_S_m.front().head<2>(), high_m = low_m;
+  for (const Vec3& corner_S_m : outline_S_m) {
+    outline.emplace_back(corner_S_m.head<2>());
+    low_m = low_m.cwiseMin(outline.back());
+    high_m = high_m.cwiseMax(outline.back());
+  }
+  std::vector<Ring> holes;
+  for (const std::vector<Geodetic>& hole : geometry.holes) {
+    Ring& ring = holes.emplace_back();
+    for (const Geodetic& corner : hole) ring.emplace_back(ground.site().p_S_m(corner).head<2>());
+  }
+  int places = 0, missing = 0;
+  Geodetic first;
+  for (int row = 0; row < places_a_side; ++row) {
+    for (int column = 0; column < places_a_side; ++column) {
+      const Vec2 share((column + 0.5) / places_a_side, (row + 0.5) / places_a_side);
+      const Vec2 at_m = low_m + share.cwiseProduct(high_m - low_m);
+      const auto is_in = [&](const Ring& ring) { return contains(ring, at_m); };
+      if (!is_in(outline) || std::ranges::any_of(holes, is_in)) continue;
+      ++places;
+      const Geodetic place = ground.site().geodetic({at_m.x(), at_m.y(), 0});
+      if (ground.elevation_m(place)) continue;
+      if (missing++ == 0) first = place;
+    }
+  }
+  if (missing == 0) return "";
+  return fmt::format("{:.2g} % of its area has no ground, as at {:.6f},{:.6f}",
+                     100.0 * missing / places, lon_deg(first), lat_deg(first));
+}
+
 // Goes through a rover's events and knows where it is, as far as the plan says that.
 class Ahead {
  public:
@@ -38,6 +74,14 @@ class Ahead {
   void pass(const PlanEvent& event) {
     const Path3 waypoints_S_m = geometry_S_m(event.geometry, ground_);
     const bool is_anywhere = waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon;
+    if (event.geometry.kind == GeometryKind::polygon) {
+      if (const std::string text = area_warning(event.geometry, waypoints_S_m, ground_);
+          !text.empty()) {
+        add_fault({Severity::warning,
+                   {event.place.file, event.geometry.line},
+                   fmt::format("{} '{}': {}", event.type, event.label, text)});
+      }
+    }
     if (is_anywhere) {
       place_S_m_.reset();
       heading_rad_.reset();

@@ -10,8 +10,10 @@ namespace lsos {
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
                                   const Geodetic& start, std::uint64_t seed) {
   if (!terrain.planet.empty() && terrain.planet != body.name) {
+    const bool is_of_beyond = terrain.beyond && terrain.beyond->names_planet;
     throw InputError(terrain.place, fmt::format("terrain {} lies on {}, the plan's Planet is {}",
-                                                terrain.name, terrain.planet, body.name));
+                                                is_of_beyond ? terrain.beyond->name : terrain.name,
+                                                terrain.planet, body.name));
   }
   const SiteFrame datum(body, {start.lon_rad, start.lat_rad, 0});
   const std::optional<double> elevation_m = Ground(terrain, datum, seed).elevation_m(start);

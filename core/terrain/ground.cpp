@@ -10,6 +10,7 @@
 #include "planet/vertical_cells.h"
 #include "terrain/blend.h"
 #include "terrain/cell_sides.h"
+#include "terrain/grid_edge.h"
 #include "terrain/layer.h"
 #include "terrain/raster_advice.h"
 #include "terrain/soil_map.h"
@@ -67,28 +68,6 @@ void check_room_to_fade(const GridExtent& extent, const TerrainSpec& spec) {
       fmt::format("terrain {}: a raster of {} x {} cells is too small to lie on coarser "
                   "layers; it fades at its edge: at least {} x {} are wanted",
                   spec.name, columns, rows, least, least));
-}
-
-// Places all along the edge of a grid, so many cells outside of it; inside where that is negative.
-std::vector<Geodetic> places_along_edge(const HeightGrid& grid, double outside_cells) {
-  const GridExtent& extent = grid.extent();
-  std::vector<Geodetic> places;
-  const auto add = [&](double u, double v) {
-    if (const auto place = grid.place({u, v})) places.push_back(*place);
-  };
-  constexpr int sides = 16;
-  for (int k = 0; k <= sides; ++k) {
-    const double share = static_cast<double>(k) / sides;
-    const double u = std::lerp(extent.u_low, extent.u_high, share);
-    const double v = std::lerp(extent.v_low, extent.v_high, share);
-    if (!extent.goes_around()) {
-      add(extent.u_low - outside_cells, v);
-      add(extent.u_high + outside_cells, v);
-    }
-    add(u, extent.v_low - outside_cells);
-    add(u, extent.v_high + outside_cells);
-  }
-  return places;
 }
 
 Stereographic detail_map(const Surface& finest, const HeightGrid& grid, const SitePlane& plane) {
@@ -192,6 +171,23 @@ struct Ground::Impl {
     return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
   }
 
+  // From a place towards the middle of a layer, whose corners may be empty; the place where none
+  // is.
+  Geodetic first_with_ground(std::size_t k, const Geodetic& edge) const {
+    constexpr int steps = 16;
+    const HeightGrid& grid = layers[k]->grid();
+    const auto from = grid.coordinates(edge);
+    if (!from) return edge;
+    const auto middle = centre(grid.extent());
+    for (int step = 0; step < steps; ++step) {
+      const double share = static_cast<double>(step) / steps;
+      const auto place =
+          grid.place({std::lerp(from->u, middle.u, share), std::lerp(from->v, middle.v, share)});
+      if (place && Layer::Probe(*layers[k], Look{}).sample(*place)) return *place;
+    }
+    return edge;
+  }
+
   // A raster that lies above or below the one around it by more than their heights scatter, as
   // with heights of two datums: the blend between them would be a slope that is not there.
   std::string step_advice(std::size_t k) const {
@@ -199,9 +195,12 @@ struct Ground::Impl {
     constexpr std::size_t least_places = 12;
     const auto* upper = std::get_if<RasterSurface>(&spec.layers[k]);
     const auto* lower = std::get_if<RasterSurface>(&spec.layers[k + 1]);
-    if (upper == nullptr || lower == nullptr) return "";
+    // A script's own ground below its rasters is its author's; what a plan lays around them is not.
+    const bool is_beyond = spec.beyond && k + 1 == spec.beyond->first_layer;
+    if (upper == nullptr || (lower == nullptr && !is_beyond)) return "";
     std::vector<double> steps_m;
-    for (const Geodetic& place : places_along_edge(layers[k]->grid(), -1)) {
+    for (const Geodetic& edge : places_along_edge(layers[k]->grid(), -1)) {
+      const auto place = first_with_ground(k, edge);
       const auto above = Layer::Probe(*layers[k], Look{}).sample(place);
       const auto below = Layer::Probe(*layers[k + 1], Look{}).sample(place);
       if (above && below) steps_m.push_back(above->height_m - below->height_m);
@@ -217,9 +216,14 @@ struct Ground::Impl {
     if (std::abs(step_m) < std::max(least_m, scatters * scatter_m)) return "";
     return fmt::format(
         "raster '{}' lies {:.3g} m {} '{}' along its edge (the median; they scatter by {:.2g} m): "
-        "are they heights above two references? Where one goes over into the other the ground is "
-        "a slope that is not there; bring both to one reference first",
-        upper->file, std::abs(step_m), step_m < 0 ? "below" : "above", lower->file, scatter_m);
+        "{}? Where one goes over into the other the ground is "
+        "a slope that is not there; {}",
+        upper->file, std::abs(step_m), step_m < 0 ? "below" : "above",
+        lower == nullptr ? spec.beyond->name : lower->file, scatter_m,
+        lower == nullptr ? "is it ground of another place"
+                         : "are they heights above two references",
+        lower == nullptr ? "light and sight beyond the raster are those of that slope"
+                         : "bring both to one reference first");
   }
 
   // Detail that is all larger than what may be added to the finest raster that is to have some.

@@ -211,6 +211,7 @@ SampleRange HeightBand::range() const {
   SampleRange range;
   range.low = range.second_low = std::numeric_limits<double>::infinity();
   range.high = -range.low;
+  range.nearest_to_zero = range.low;
   std::int64_t seen = 0;
   for (const RasterBlock& block : spread_blocks(*band_, most_cells).blocks) {
     seen += std::int64_t{block.columns} * block.rows;
@@ -219,6 +220,8 @@ SampleRange HeightBand::range() const {
       if (std::isnan(sample)) continue;
       ++range.count;
       range.high = std::max(range.high, sample);
+      range.zeros += sample == 0;
+      if (sample != 0) range.nearest_to_zero = std::min(range.nearest_to_zero, std::abs(sample));
       if (sample < range.low) {
         range.second_low = range.low;
         range.low = sample;

@@ -24,6 +24,8 @@ struct SampleRange {
   double low = 0;          // of those, as they are written
   double high = 0;
   double second_low = 0;         // the lowest above `low`
+  std::int64_t zeros = 0;        // samples that are exactly 0
+  double nearest_to_zero = 0;    // least size of the others
   bool is_whole = false;         // every sample was looked at
   bool has_loose_marks = false;  // a missing sample among them that GDAL would average
 };

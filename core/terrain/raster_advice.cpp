@@ -4,7 +4,9 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 #include "terrain/cell_sides.h"
 #include "terrain/gdal_call.h"
@@ -23,7 +25,7 @@ constexpr double most_cells_without_overviews = 1e8;
 // none of 150 km and more by less than 30 m.
 constexpr double smoothest_share = 2e-4, smoothest_m = 30;
 // On less, a raster made by hand may well be as level.
-constexpr double narrowest_m = 20e3;
+constexpr double narrowest_m = 1e3;
 
 // A polar map of the body, as GDAL knows it.
 std::string polar_crs(const Body& body, bool is_north) {
@@ -108,6 +110,45 @@ std::string picture_advice(const Raster& raster, const RasterSurface& surface) {
       "raster '{}' has samples of 8 bits, 0 to 255, and names no unit: is it a hillshade, a map of "
       "slopes or a picture? They are taken as heights in metres; say the unit if they are ({})",
       surface.file, option_of_raster("unit"));
+}
+
+std::string zero_advice(const Raster& raster, const RasterSurface& surface) {
+  // Ground does not leap so far from one sample to the next.
+  constexpr double leap_m = 50;
+  const HeightBand& heights = raster.band();
+  const SampleRange range = heights.range();
+  if (range.zeros == 0 || range.zeros == range.count || heights.nodata() == 0) return {};
+  if (heights.scale().offset_m != 0) return {};
+  if (!(range.nearest_to_zero * heights.scale().scale > leap_m)) return {};
+  const double share = static_cast<double>(range.zeros) / static_cast<double>(range.count);
+  return fmt::format(
+      "raster '{}': {:.2g} % of its samples are exactly 0, and all others at least {:.0f} from it: "
+      "does 0 mark missing samples? They are taken as heights; say the mark ({})",
+      surface.file, 100 * share, range.nearest_to_zero, option_of_raster("nodata"));
+}
+
+std::string word_advice(const Raster& raster, const RasterSurface& surface) {
+  static constexpr const char* words[] = {"slope",     "aspect",  "hillshade",    "albedo",
+                                          "abundance", "rough",   "temperature",  "error",
+                                          "quality",   "azimuth", "illumination", "count"};
+  const auto lower = [](std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+  };
+  const std::string band = lower(raster.band().band().GetDescription());
+  const std::string file = lower(std::filesystem::path(surface.file).stem().string());
+  for (const std::string& name : {band, file}) {
+    const bool is_band = name == band;
+    for (const char* word : words) {
+      if (name.find(word) == std::string::npos) continue;
+      return fmt::format(
+          "raster '{}': {} is called '{}', and its samples are taken as heights in metres: is it "
+          "a map of something else?",
+          surface.file, is_band ? fmt::format("band {}", raster.band().band().GetBand()) : "it",
+          name);
+    }
+  }
+  return {};
 }
 
 std::string band_advice(const Raster& raster, const RasterSurface& surface) {

@@ -23,6 +23,12 @@ std::string picture_advice(const Raster& raster, const RasterSurface& surface);
 // Several bands without descriptions, of which the user has named none. "" for others.
 std::string band_advice(const Raster& raster, const RasterSurface& surface);
 
+// Samples of exactly 0 far from all others: warping fills so what it does not know. "" for others.
+std::string zero_advice(const Raster& raster, const RasterSurface& surface);
+
+// A band or file whose name says that it holds something else than heights. "" for others.
+std::string word_advice(const Raster& raster, const RasterSurface& surface);
+
 // Cells more than this many times as long as wide make no ground to drive on: what is told apart
 // along a parallel lies within a wheel's width, and next to the pole every column has a height of
 // its own for the same place. In longitude and latitude cells are so from 87.1 degrees on.

@@ -34,7 +34,10 @@ TerrainSpec with_beyond(TerrainSpec terrain, const TerrainSpec& beyond) {
   terrain.beyond =
       TerrainBeyond{beyond.name, terrain.layers.size(), !terrain.detail && beyond.detail};
   terrain.layers.insert(terrain.layers.end(), beyond.layers.begin(), beyond.layers.end());
-  if (terrain.planet.empty()) terrain.planet = beyond.planet;
+  if (terrain.planet.empty()) {
+    terrain.planet = beyond.planet;
+    terrain.beyond->names_planet = true;
+  }
   if (!terrain.detail) terrain.detail = beyond.detail;
   if (!terrain.soil.name.empty()) return terrain;
   terrain.soil = beyond.soil;

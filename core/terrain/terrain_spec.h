@@ -93,6 +93,7 @@ struct TerrainBeyond {
   std::string name;
   std::size_t first_layer = 0;    // of the spec's layers
   bool has_detail_alone = false;  // the spec's detail belongs to these layers only
+  bool names_planet = false;      // the terrain itself lies on any
 };
 
 struct TerrainSpec {
