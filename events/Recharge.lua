@@ -110,6 +110,7 @@ local function start(ev, rover)
     return lsos.fail('no panel is up, and UntilCharge without EnergyRate or From waits for the Sun')
   end
   ev.state.external_j = battery.external_j
+  ev.state.energy_j = battery.energy_j
   if p.from then
     local is_plugged, why = battery:plug_into(p.from, p.energy_rate_w)
     if not is_plugged then return lsos.fail('%s', why) end
@@ -132,6 +133,10 @@ local function charge(ev, rover)
     if wants_power and battery.charge < full and battery.external_j <= ev.state.external_j then
       return lsos.fail('Duration is over and no power came from %s',
         p.from and ("'%s'"):format(p.from) or 'outside')
+    end
+    if battery.energy_j < ev.state.energy_j - 1 then
+      ev:warn('the battery held %.4g kWh before and %.4g kWh after: more was used than came in',
+        ev.state.energy_j / joules.kWh, battery.energy_j / joules.kWh)
     end
     return lsos.done
   end

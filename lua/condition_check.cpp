@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 #include "base/error.h"
 #include "lua/condition.h"
+#include "lua/condition_sizes.h"
 #include "lua/condition_words.h"
 #include "lua/everyday_words.h"
 #include "lua/sandbox.h"
@@ -74,14 +73,6 @@ std::size_t operand_begin(const std::vector<ConditionWord>& words, std::size_t i
 std::size_t operand_end(const std::vector<ConditionWord>& words, std::size_t i) {
   if (!is_question(words[i].text)) return i + 1;
   return i + 1 < words.size() && words[i + 1].text == "(" ? i + 4 : i + 2;
-}
-
-// What binds an operand of == to nothing else before it, or after it.
-bool begins_operand(const ConditionWord& before) {
-  return before.text == "(" || before.text == "and" || before.text == "or";
-}
-bool ends_operand(const ConditionWord& after) {
-  return after.text == ")" || after.text == "and" || after.text == "or";
 }
 
 // Lua compares a number with a truth or a text without complaint: they never are the same.
@@ -160,46 +151,6 @@ std::string names_fault(lua_State* L, const std::vector<ConditionWord>& words,
   return fmt::format("{}", fmt::join(faults, "; "));
 }
 
-// A number that stands alone from `at` on, with its sign; `after` is behind it.
-std::optional<double> literal_at(const std::vector<ConditionWord>& words, std::size_t at,
-                                 std::size_t& after) {
-  const bool is_negative = at < words.size() && words[at].text == "-";
-  const std::size_t digits = at + (is_negative ? 1 : 0);
-  if (digits >= words.size() || words[digits].kind != ConditionWord::Kind::number) return {};
-  after = digits + 1;
-  const double size = std::strtod(words[digits].text.c_str(), nullptr);
-  return is_negative ? -size : size;
-}
-
-// A percentage or an angle in degrees beside a quantity that is neither.
-std::string sizes_fault(const std::vector<ConditionWord>& words) {
-  const auto is_comparison = [&](std::size_t at) {
-    return at < words.size() && words[at].kind == ConditionWord::Kind::symbol &&
-           std::string_view("<>=~").find(words[at].text) != std::string_view::npos;
-  };
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    // What is part of a sum or a product has another size.
-    if (i > 0 && !begins_operand(words[i - 1])) continue;
-    std::size_t middle = i + 1, end = 0;
-    const bool is_name_first = words[i].kind == ConditionWord::Kind::name;
-    std::optional<double> number;
-    if (!is_name_first) number = literal_at(words, i, middle);
-    if (!is_comparison(middle)) continue;
-    const std::size_t right = middle + (is_comparison(middle + 1) ? 2 : 1);  // "<=" is two symbols
-    if (is_name_first) {
-      number = literal_at(words, right, end);
-    } else {
-      end = right + 1;
-    }
-    const std::size_t name = is_name_first ? i : right;
-    const bool is_alone = end >= words.size() || ends_operand(words[end]);
-    if (!number || name >= words.size() || !is_alone) continue;
-    std::string fault = size_fault(words[name].text, *number);
-    if (!fault.empty()) return fault;
-  }
-  return "";
-}
-
 // What stands there, alone or in brackets, where that is a number; else "".
 std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
   std::size_t brackets = 0;
@@ -250,7 +201,7 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
   if (!names.empty()) return names;
   std::string equality = equality_fault(words);
   if (!equality.empty()) return equality;
-  std::string size = sizes_fault(words);
+  std::string size = sizes_fault(words, world);
   if (!size.empty()) return size;
   std::string negation = negation_fault(words);
   if (!negation.empty()) return negation;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "lua/condition.h"
@@ -166,17 +164,6 @@ std::string everyday_word_hint(const std::string& word) {
     if (each.own == "_j" && quantity == "charge") quantity = "energy_j";
     const bool is_of_unit = each.own.empty() ? is_share(quantity) : quantity.ends_with(each.own);
     if (!quantity.empty() && is_of_unit) return hint(quantity, each.conversion);
-  }
-  return "";
-}
-
-std::string size_fault(const std::string& quantity, double number) {
-  if (is_share(quantity) && number >= 2) {
-    return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", quantity, number);
-  }
-  if (quantity.ends_with("_rad") && std::abs(number) > 2 * std::numbers::pi) {
-    return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})",
-                       quantity, number, number, number);
   }
   return "";
 }

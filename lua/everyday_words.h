@@ -9,8 +9,4 @@ namespace lsos {
 // anything. A unit that is not the quantity's own, as in slope_deg, is told with its conversion.
 std::string everyday_word_hint(const std::string& word);
 
-// Why `quantity` is never near that number: 80 for a share, 20 for an angle in radians; "" where it
-// can be.
-std::string size_fault(const std::string& quantity, double number);
-
 }  // namespace lsos

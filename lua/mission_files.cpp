@@ -85,6 +85,9 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
         rover == nullptr ? files.rover_models.end() : files.rover_models.find(rover->model());
     if (model != files.rover_models.end()) {
       world.are_resources_known = true;
+      world.speed_max_mps = model->second.spec.vehicle.speed_max_mps;
+      const auto& battery = model->second.power.battery;
+      if (battery) world.battery_capacity_j = battery->capacity_j;
       for (const ResourceSpec& resource : model->second.power.resources) {
         world.resources.insert(resource.name);
       }
@@ -195,6 +198,7 @@ void read_models(MissionFiles& files) {
   check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
   check_plan_aims(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
   set_max_duration(files);
+  check_plan_spans(files.plan, declarations, files.faults);
   const MissionInfo& mission = files.plan.mission;
   const auto is_known = [&](const TerrainName& terrain) {
     return terrain.is_raster || std::ranges::count(declarations.terrains, terrain.name) > 0;
@@ -275,6 +279,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   }
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
+  check_for_events(files.plan, files.faults);
   say_assumed_soil(files);
   say_lunar_soil(files);
   return files;

@@ -118,7 +118,7 @@ lsos.scenario('what a mission that ends too early waited for', function(t)
   local sim = lsos.sim {
     start = noon, max_duration_s = 600,
     rovers = {
-      A = { type = 'SEV', events = { { 'Pause', Duration = 10, StartWhen = 'charge > 1.5' },
+      A = { type = 'SEV', events = { { 'Pause', Duration = 10, StartWhen = 'distance_m > 9' },
         { 'Pause', Duration = 10 } } },
       B = { type = 'SEV', at = { 40, 0 },
         events = { { 'Pause', Duration = 10, StartAfter = 'A/10' } } },
@@ -136,7 +136,7 @@ lsos.scenario('what a mission that ends too early waited for', function(t)
     local reason = sim:event(event).reason
     t:check(reason:find(text, 1, true), event .. ': ' .. reason)
   end
-  says('A/10', 'it waited for StartWhen: charge > 1.5, which did not hold; charge was 1')
+  says('A/10', 'it waited for StartWhen: distance_m > 9, which did not hold; distance_m was 0')
   says('A/20', "its turn did not come, 'Pause 10' waited to start")
   says('B/10', 'it waited for StartAfter: A/10 waits itself')
   says('C/10', "in phase 'charge' since 0 s; charge was 0.")
@@ -146,4 +146,18 @@ lsos.scenario('what a mission that ends too early waited for', function(t)
   says('E/10', 'it waited for StartTime: 2026-07-29T18:00:00.000Z')
   t:equal(sim:event('A/10').status, 'not_started')
   t:equal(sim:event('C/10').status, 'incomplete')
+end)
+
+lsos.scenario('a battery that is emptier after a Recharge is said', function(t)
+  local sim = lsos.sim {
+    start = noon,
+    rovers = { A = { type = 'SEV', charge = 0.5,
+      events = { { 'StowSP' }, { 'Recharge', Duration = '1 h' },
+        { 'Recharge', Duration = '1 h', EnergyRate = '2 kW' } } } },
+  }
+  sim:run()
+  t:equal(#sim:notes('warning'), 1)
+  local text = sim:notes('warning')[1].fields.text
+  t:check(text:find('more was used than came in', 1, true), text)
+  t:check(text:find('the battery held', 1, true), text)
 end)

@@ -42,16 +42,17 @@ TEST(MaxDuration, follows_from_the_plan_and_is_said_among_the_defaults) {
 TEST(WaitsForEver, ends_with_the_condition_and_its_values_and_few_rows) {
   const TempFolder folder;
   const std::string plan = folder.write(
-      "plan.kml",
-      kml(plan_of({event("Pause", "A", 1, {{"Duration", "10"}, {"StartWhen", "charge &gt; 1.5"}})},
-                  // An empty field is none: the default.
-                  {{"MaxDuration", "1 h"}, {"ParkedLogInterval", ""}})));
+      "plan.kml", kml(plan_of({event("Pause", "A", 1,
+                                     {{"Duration", "10"}, {"StartWhen", "distance_m &gt; 9"}})},
+                              // An empty field is none: the default.
+                              {{"MaxDuration", "1 h"}, {"ParkedLogInterval", ""}})));
   const Outcome outcome = run({"run", plan, "-o", folder / "run", "--quiet", "--no-report"});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   const json event = summary(folder / "run")["events"][0];
   EXPECT_EQ(event["status"], "not_started");
-  EXPECT_THAT(event["reason"].get<std::string>(),
-              HasSubstr("it waited for StartWhen: charge > 1.5, which did not hold; charge was "));
+  EXPECT_THAT(
+      event["reason"].get<std::string>(),
+      HasSubstr("it waited for StartWhen: distance_m > 9, which did not hold; distance_m was 0"));
   EXPECT_EQ(query(folder / "run" / "log.gpkg", "select count(*) from samples"), "61");
 }
 

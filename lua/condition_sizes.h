@@ -1,0 +1,19 @@
+// Comparisons of a condition whose number shows that another unit was meant, or that never hold.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lua/condition_words.h"
+#include "lua/condition_world.h"
+
+namespace lsos {
+
+// What binds an operand of a comparison to nothing else before it, or after it.
+bool begins_operand(const ConditionWord& before);
+bool ends_operand(const ConditionWord& after);
+
+// "" when well. A quantity alone, its negative or its math.abs beside a number alone is looked at.
+std::string sizes_fault(const std::vector<ConditionWord>& words, const ConditionWorld& world);
+
+}  // namespace lsos
