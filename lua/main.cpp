@@ -265,7 +265,7 @@ int run_program(std::vector<std::string> arguments) {
                              "X.kml, or X.gpkg: empty layers with forms, to draw a plan in QGIS");
   schema_command->add_option("--planet", schema.planet,
                              "Of the layers: Moon, Mars or Earth (Moon)");
-  schema_command->add_flag("--json", is_json, "The fields of each as JSON, in place of KML");
+  schema_command->add_flag("--json", schema.is_json, "The fields of each as JSON, in place of KML");
 
   lsos::NewOptions fresh;
   CLI::App* new_command = app.add_subcommand("new", "A plan or script that works, to begin from");
@@ -364,10 +364,7 @@ int run_program(std::vector<std::string> arguments) {
   if (sight_command->parsed()) return lsos::sight_command(sight);
   if (sun_command->parsed()) return lsos::sun_command(sun);
   if (repl_command->parsed()) return lsos::repl_command(repl_plan);
-  if (schema_command->parsed()) {
-    schema.is_json = is_json;
-    return lsos::schema_command(schema);
-  }
+  if (schema_command->parsed()) return lsos::schema_command(schema);
   if (new_command->parsed()) return lsos::new_command(fresh);
   if (test_command->parsed()) return lsos::test_command(test);
   if (list_command->parsed()) return lsos::list_command(list);

@@ -22,6 +22,14 @@ std::vector<Geodetic> places_of(const std::string& text) {
   return places;
 }
 
+// What has too few places, or several parts, is told when the plan is read, and is no KML.
+bool is_whole(const SourceGeometry& geometry) {
+  const std::size_t places = places_of(geometry.coordinates).size();
+  if (geometry.kind == "Point") return places == 1;
+  if (geometry.kind == "LineString") return places >= 2;
+  return geometry.kind == "Polygon" && places >= 3;
+}
+
 // A feature of a layer has no SchemaData: its Type, or its layer's name, says what it is.
 SourceData data_of(const SourcePlacemark& placemark) {
   if (!placemark.data.empty()) return placemark.data.front();
@@ -55,6 +63,7 @@ std::string kml_of(const KmlSource& source) {
       }
     }
     for (const SourceGeometry& geometry : from.geometries) {
+      if (!is_whole(geometry)) continue;
       placemark.geometry.kind = geometry.kind == "Point"     ? KmlGeometryKind::point
                                 : geometry.kind == "Polygon" ? KmlGeometryKind::polygon
                                                              : KmlGeometryKind::line;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "lua/handle.h"
@@ -95,10 +96,13 @@ int steer(lua_State* L) {
   Steering steering;
   constexpr std::pair<const char*, SteerMode> modes[] = {
       {"fixed", SteerMode::fixed}, {"point", SteerMode::point}, {"track", SteerMode::track}};
+  // Larger ones are degrees.
+  constexpr Range turn{-2 * std::numbers::pi, 2 * std::numbers::pi};
+  constexpr Range upright{-std::numbers::pi / 2, std::numbers::pi / 2};
   t.word(required, "mode", modes, steering.mode, "'track', 'point' or 'fixed'.");
-  t.number(optional, "azimuth_rad", steering.angles.azimuth_rad, any_number,
+  t.number(optional, "azimuth_rad", steering.angles.azimuth_rad, turn,
            "Clockwise from true north (point) or from the nose (fixed).");
-  t.number(optional, "elevation_rad", steering.angles.elevation_rad, any_number,
+  t.number(optional, "elevation_rad", steering.angles.elevation_rad, upright,
            "Above the horizon (point) or the deck (fixed).");
   t.finish();
   faults.throw_if_errors();

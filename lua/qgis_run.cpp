@@ -66,6 +66,11 @@ void write_qgis_project(const std::string& run_dir, const MissionFiles& files,
   map.east_m = extent.east_m;
   map.north_m = extent.north_m;
   map.has_hillshade = true;
+  for (const ReportRover& rover : data.rovers) {
+    if (!rover.drawn.empty()) map.has_drawn.insert(rover.id);
+  }
+  map.start = log.start();
+  map.end = log.start() + log.last_sample_time();
   write_file(run_dir + "/mission.qgz", qgis_project(map));
 }
 

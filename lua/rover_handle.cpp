@@ -89,7 +89,12 @@ int use(lua_State* L) {
     throw std::runtime_error(
         fmt::format("rover:use: {}; an amount of 0 or more is wanted", amount));
   }
-  lua_pushboolean(L, rover_of(L).power().use(luaL_checkstring(L, 2), amount));
+  const std::string name = luaL_checkstring(L, 2);
+  PowerPort& power = rover_of(L).power();
+  if (!power.resource(name)) {
+    throw std::runtime_error(fmt::format("rover:use: the rover carries no '{}'", name));
+  }
+  lua_pushboolean(L, power.use(name, amount));
   return 1;
 }
 
@@ -207,7 +212,12 @@ int place_of(lua_State* L) {
 
 template <auto member>
 int sight_of(lua_State* L) {
-  const std::optional<PairSight> sight = rover_of(L).sight_of(luaL_checkstring(L, 2));
+  const RoverPort& rover = rover_of(L);
+  const std::string id = luaL_checkstring(L, 2);
+  const std::optional<PairSight> sight = rover.sight_of(id);
+  if (!sight && id != "Earth" && !rover.place_of_S_m(id)) {
+    throw std::runtime_error(fmt::format("there is no rover or asset '{}'", id));
+  }
   if (!sight) return 0;
   lua_pushboolean(L, (*sight).*member);
   return 1;

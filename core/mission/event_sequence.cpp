@@ -119,6 +119,7 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       case RunningEvent::Progress::goes_on:
         break;
       case RunningEvent::Progress::completed:
+        warn_of_unfinished_drive(agent);
         end(EventStatus::completed, "", now, agent);
         break;
       case RunningEvent::Progress::failed:
@@ -252,6 +253,7 @@ void EventSequence::start(SimTime now, const RoverAgent& agent, ScriptHost& host
   current().solar_start_j = agent.solar_j();
   current().place = agent.place_now();
   changed(index_);
+  warn_of_late_start(now);
   const EventMachine& machine = machine_.events[index_];
   EventArguments arguments{event().params, geometry_S_m(event().geometry, *ground_)};
   for (const std::vector<Geodetic>& hole : event().geometry.holes) {

@@ -91,6 +91,8 @@ class EventSequence {
   void start(SimTime now, const RoverAgent& agent, ScriptHost& host);
   // Why the running event cannot go on, whatever its script wants; "" when it can.
   std::string hindrance(const RoverAgent& agent) const;
+  void warn_of_unfinished_drive(const RoverAgent& agent);
+  void warn_of_late_start(SimTime now);
   bool is_powerless(const RoverAgent& agent) const;
   bool is_timed_out(SimTime now) const;
   // Answers how far it had come, as far as it says so.

@@ -89,22 +89,41 @@ void check_timeouts(const Plan& plan, const Declarations& declarations, Faults& 
 }
 
 // One rover's events that take longer than the mission may.
-void check_durations(const Plan& plan, const Declarations& declarations, Faults& faults) {
-  if (!plan.mission.has_max_duration) return;
+void check_spans(const Plan& plan, const Declarations& declarations, Faults& faults) {
+  if (plan.mission.planet == nullptr) return;
   for (const PlanRover& rover : plan.rovers) {
     double sum_s = 0;
     for (const PlanEvent& event : plan.events) {
       if (event.rover_id != rover.id || !event.is_enabled) continue;
-      sum_s += durations_s(event, declarations.events.at(event.type));
+      const EventDeclaration& declaration = declarations.events.at(event.type);
+      sum_s += durations_s(event, declaration) + drive_s(event, declaration, *plan.mission.planet);
     }
     if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
-    faults.warning(
-        plan.mission.place,
-        fmt::format("MissionInfo: MaxDuration = {}: the durations of the events of rover "
-                    "{} alone come to {}; those that the time does not suffice for end "
-                    "as incomplete",
-                    span_text(plan.mission.max_duration), quoted(rover.id),
-                    span_text(from_seconds(sum_s))));
+    faults.warning(plan.mission.place,
+                   fmt::format("MissionInfo: MaxDuration = {}{}: the durations and drives of the "
+                               "events of rover {} alone come to {}; those that the time does not "
+                               "suffice for end as incomplete",
+                               span_text(plan.mission.max_duration),
+                               plan.mission.has_max_duration ? "" : " (the default)",
+                               quoted(rover.id), span_text(from_seconds(sum_s))));
+  }
+}
+
+// Times of a rover's events that come earlier than those of what is before it.
+void check_order_of_times(const Plan& plan, Faults& faults) {
+  const PlanEvent* latest = nullptr;
+  for (const PlanEvent& event : plan.events) {
+    if (!event.is_enabled || !event.start_time) continue;
+    if (latest != nullptr && latest->rover_id == event.rover_id &&
+        *event.start_time < *latest->start_time) {
+      faults.warning(event.place,
+                     fmt::format("{} '{}': StartTime = {}: '{}' comes first by its Sequence, and "
+                                 "starts at {}",
+                                 event.type, event.label, format_utc(*event.start_time),
+                                 latest->label, format_utc(*latest->start_time)));
+      continue;
+    }
+    latest = &event;
   }
 }
 
@@ -165,11 +184,24 @@ void check_supplies(const Plan& plan, const Declarations& declarations,
 
 }  // namespace
 
+void check_plan_spans(const Plan& plan, const Declarations& declarations, Faults& faults) {
+  check_spans(plan, declarations, faults);
+}
+
+void check_for_events(const Plan& plan, Faults& faults) {
+  if (faults.has_errors()) return;
+  if (std::ranges::any_of(plan.events, &PlanEvent::is_enabled)) return;
+  faults.warning(plan.mission.place,
+                 fmt::format("MissionInfo: {}: the rovers only stand where they start",
+                             plan.events.empty() ? "the plan has no event"
+                                                 : "all events of the plan are disabled"));
+}
+
 void check_plan_aims(const Plan& plan, const Declarations& declarations,
                      const std::map<std::string, RoverModel>& rovers,
                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
   if (!plan.gaps.start_time) check_times(plan, declarations, faults);
-  check_durations(plan, declarations, faults);
+  check_order_of_times(plan, faults);
   check_timeouts(plan, declarations, faults);
   check_log_interval(plan, declarations, rovers, faults);
   check_charges(plan, rovers, faults);

@@ -55,6 +55,10 @@ RunningEvent::Progress RunningEvent::call(SimTime now, const MissionInfo& missio
     return fail(fmt::format("events within events more than {} deep", frames_max), now, mission,
                 agent, host);
   }
+  if (std::holds_alternative<Arrival>(answer) && agent.drive().status == DriveState::Status::none) {
+    return fail("it answers lsos.arrival, and nothing drives: rover:follow was not called", now,
+                mission, agent, host);
+  }
   const bool waits = std::holds_alternative<Stay>(answer) ||
                      std::holds_alternative<SleepUntil>(answer) ||
                      std::holds_alternative<Arrival>(answer);

@@ -47,6 +47,11 @@ bool is_stamped(std::string field) {
   return std::ranges::find(stamped, field) != stamped.end();
 }
 
+// Columns that GDAL's LIBKML gives to what it reads, spelt so.
+bool is_of_libkml(std::string_view field) {
+  return field == "heading" || field == "tilt" || field == "roll" || field == "altitudeMode";
+}
+
 class Classifier {
  public:
   Classifier(const KmlSource& source, const Declarations& declarations, Faults& faults)
@@ -226,9 +231,14 @@ class Classifier {
     for (const auto& list : fields_of(name, declarations_)) {
       for (const FieldDeclaration& each : list) names.push_back(each.name);
     }
-    if (field.name.size() <= 100 && !did_you_mean(field.name, names).empty()) return true;
-    count_unused(placemark, fmt::format("the Data {} is no field of a {}; it is not used",
-                                        quoted(field.name), name));
+    const std::string hint = field.name.size() > 100 ? "" : did_you_mean(field.name, names);
+    const bool is_table = !source_.layers.empty();
+    if (is_table && is_of_libkml(field.name)) return false;
+    if (!is_table && !hint.empty()) return true;
+    // Joins and notes leave columns in tables that only sound like ours.
+    count_unused(placemark,
+                 fmt::format("the {} {} is no field of a {}; it is not used{}",
+                             is_table ? "column" : "Data", quoted(field.name), name, hint));
     return false;
   }
 

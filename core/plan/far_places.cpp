@@ -26,6 +26,8 @@ constexpr double nearer_share = 0.1;
 // A place is as likely as the one with longitude and latitude exchanged when the rover's start is
 // not so many times farther from it.
 constexpr double likely_times = 2;
+// A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
+constexpr double apart_m = 200;
 // Rovers and assets of one mission are no farther from each other.
 constexpr double together_m = 100e3;
 
@@ -125,7 +127,10 @@ class FarWaypoints {
     strayed_.erase(rover);
     for (const Leg& leg : legs_of(draft, expected)) {
       if (!leg.from || (is_back && leg.waypoint == 1)) continue;
-      if (!warn_if_far(draft, leg)) continue;
+      if (!warn_if_far(draft, leg)) {
+        warn_if_apart(draft, leg);
+        continue;
+      }
       const Geodetic& last = draft.event.geometry.points.back();
       if (surface_distance_m(body_, *leg.from, last) > slip_m) strayed_.insert(rover);
       return;
@@ -136,6 +141,25 @@ class FarWaypoints {
   // The waypoint after it lies near the one before it again.
   bool is_spike(const Leg& leg, double distance_m) const {
     return leg.next && surface_distance_m(body_, *leg.from, *leg.next) < nearer_share * distance_m;
+  }
+
+  // A line that begins farther from the rover than it is long: the way there is driven first, and
+  // drawn nowhere.
+  void warn_if_apart(const DraftEvent& draft, const Leg& leg) {
+    const PlanEvent& event = draft.event;
+    if (leg.waypoint != 1 || !leg.next || event.geometry.kind != GeometryKind::line) return;
+    double line_m = 0;
+    for (std::size_t k = 1; k < event.geometry.points.size(); ++k) {
+      line_m += surface_distance_m(body_, event.geometry.points[k - 1], event.geometry.points[k]);
+    }
+    const double distance_m = surface_distance_m(body_, *leg.from, leg.to);
+    if (distance_m <= std::max(apart_m, line_m)) return;
+    faults_.warning(
+        {event.place.file, event.geometry.line},
+        fmt::format("{}: its line begins {} from where rover {} then is expected, which "
+                    "it drives first; the line is {} long",
+                    draft.subject, distance_text(distance_m), quoted(event.rover_id),
+                    distance_text(line_m)));
   }
 
   bool warn_if_far(const DraftEvent& draft, const Leg& leg) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "base/sim_time.h"
 #include "plan/suggestions.h"
@@ -62,6 +64,36 @@ std::string range_fault(const FieldDeclaration& declaration, const FieldValue& v
     return out_of_range(declaration, static_cast<double>(*integer), text);
   }
   return {};
+}
+
+// "2", "1.5e3": without a unit.
+bool is_bare_number(std::string_view text) {
+  return !text.empty() &&
+         text.find_first_not_of("0123456789.+-eE \t\n\r") == std::string_view::npos;
+}
+
+// A number without a unit that is likely to be in another one than is taken: a duration of seconds
+// where the field is shown in hours, an angle of degrees that is a part of pi. "" for others.
+std::string bare_number_advice(const FieldDeclaration& declaration, const FieldValue& value,
+                               const std::string& text) {
+  const auto* number = std::get_if<double>(&value);
+  if (number == nullptr || declaration.unit == nullptr || !is_bare_number(text)) return "";
+  const Unit& unit = *declaration.unit;
+  constexpr double much_shorter = 20, nearly = 0.006;
+  if (declaration.kind == FieldKind::duration && declaration.default_value) {
+    const auto* usual_s = std::get_if<double>(&*declaration.default_value);
+    const bool is_short = usual_s != nullptr && *number > 0 && *number * much_shorter < *usual_s;
+    if (unit.si_factor == 1 || !is_short) return "";
+    return fmt::format("is {:g} s, as without a unit; did you mean '{:g} {}'?", *number, *number,
+                       unit.symbol);
+  }
+  if (unit.kind != "angle" || unit.symbol != "deg") return "";
+  const double written = degrees(*number), eighths = written / (std::numbers::pi / 4);
+  const bool is_part = std::round(eighths) != 0 && std::abs(eighths) < 9 &&
+                       std::abs(written - std::round(eighths) * std::numbers::pi / 4) < nearly;
+  if (!is_part || written == std::round(written)) return "";
+  return fmt::format("is {:g} deg, as without a unit; did you mean '{:g} deg'?", written,
+                     std::round(eighths) * 45);
 }
 
 }  // namespace
@@ -154,7 +186,15 @@ std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration
                                              const SourceField& field) {
   Parsed<FieldValue> result = parsed(declaration, field.text);
   if (result) result.why = range_fault(declaration, *result.value, field.text);
-  if (result.why.empty()) return std::move(result.value);
+  if (result.why.empty()) {
+    if (const std::string advice = bare_number_advice(declaration, *result.value, field.text);
+        !advice.empty()) {
+      faults_.warning({subject_.place.file, field.line},
+                      fmt::format("{}: {} = {}: {}", subject_.name, declaration.name,
+                                  shown(field.text), advice));
+    }
+    return std::move(result.value);
+  }
   error(declaration.name, result.why);
   return {};
 }
@@ -168,6 +208,9 @@ Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
       return as_field_value(duration);
     }
     case FieldKind::number:
+      if (!declaration.amount_of.empty() && !is_bare_number(text)) {
+        return {{}, "a plain number is allowed, in the resource's own unit, such as '2'"};
+      }
       return as_field_value(parse_quantity(text, unit_of(declaration)));
     case FieldKind::integer:
       return as_field_value(parse_integer(text));

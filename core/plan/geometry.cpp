@@ -232,6 +232,12 @@ std::optional<PlanGeometry> read_geometry(const SourcePlacemark& placemark,
                   fmt::format("has no geometry; {} is wanted", geometries_text(wanted)));
   }
   const SourceGeometry& source = placemark.geometries.front();
+  // QGIS writes a feature without a place so.
+  const bool is_empty = source.holes.empty() && !source.kind.starts_with("Multi") &&
+                        source.coordinates.find_first_not_of(" \t\r\n") == std::string::npos;
+  if (is_empty && placemark.geometries.size() == 1 && is_wanted(GeometryKind::none)) {
+    return PlanGeometry{};
+  }
   if (placemark.geometries.size() > 1) {
     return refuse(
         placemark.geometries[1].line,

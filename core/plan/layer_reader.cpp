@@ -138,10 +138,16 @@ SourceGeometry geometry_of(const OGRGeometry& geometry, const LayerPlaces& place
     case wkbMultiLineString:
     case wkbMultiPolygon:
     case wkbGeometryCollection: {
+      // Empty parts are none.
       const OGRGeometryCollection& several = *geometry.toGeometryCollection();
-      if (several.getNumGeometries() == 1) {
-        return geometry_of(*several.getGeometryRef(0), places, line);
+      const OGRGeometry* only = nullptr;
+      int parts = 0;
+      for (const OGRGeometry* part : several) {
+        if (part->IsEmpty()) continue;
+        only = part;
+        ++parts;
       }
+      if (parts == 1) return geometry_of(*only, places, line);
       found.kind = "MultiGeometry";
       break;
     }

@@ -85,39 +85,79 @@ std::string widget_xml(const FormField& field) {
                      field.declaration.name, type, config);
 }
 
-// Ten more than the highest of all layers that QGIS has open.
-std::string next_sequence(const std::vector<FormLayer>& layers) {
+// Ten more than the highest of all layers that QGIS has open. It calls them "mission - Route" or
+// "Route", by how the file was opened: so each is looked up by the name of the one that asks.
+std::string next_sequence(const FormLayer& own, const std::vector<FormLayer>& layers) {
   std::string highest = "0";
   for (const FormLayer& layer : layers) {
     const auto has_sequence = [](const FormField& field) {
       return field.declaration.name == "Sequence";
     };
     if (std::ranges::none_of(layer.fields, has_sequence)) continue;
-    highest +=
-        fmt::format(R"(, coalesce(try(aggregate('{}', 'max', "Sequence"), 0), 0))", layer.name);
+    highest += fmt::format(R"(, coalesce(try(aggregate(replace(@layer_name, '{}', '{}'), 'max', )"
+                           R"("Sequence"), 0), 0))",
+                           own.name, layer.name);
   }
   return fmt::format("max({}) + 10", highest);
 }
 
 // The expression of what a new feature has.
-std::string initial_expression(const FormField& field, const std::vector<FormLayer>& layers) {
-  if (field.declaration.name == "Sequence") return next_sequence(layers);
+std::string initial_expression(const FormField& field, const FormLayer& own,
+                               const std::vector<FormLayer>& layers) {
+  if (field.declaration.name == "Sequence") return next_sequence(own, layers);
   if (field.initial.empty()) return "";
   const bool is_text =
       field.declaration.kind != FieldKind::integer && field.declaration.kind != FieldKind::boolean;
   return is_text ? sql_text(field.initial) : field.initial;
 }
 
+// "Speed (m/s): Driving speed": what a form calls a field.
+std::string alias_of(const FieldDeclaration& field) {
+  constexpr std::size_t longest = 64;
+  const std::string doc = field.doc.substr(0, field.doc.find_first_of(".;("));
+  std::string alias = field.name;
+  if (field.unit != nullptr && field.unit->kind != "fraction") {
+    alias += fmt::format(" ({})", field.unit->symbol);
+  }
+  alias += ": " + doc;
+  if (alias.size() <= longest) return alias;
+  return alias.substr(0, alias.rfind(' ', longest)) + " ...";
+}
+
+// What is asked of every event stands on a second page, and fid on none.
+std::string tabs_of(const FormLayer& layer) {
+  std::string what = R"(<attributeEditorField name="name" index="1" showLabel="1"/>)", when;
+  int index = 2;
+  for (const FormField& field : layer.fields) {
+    const auto& common = common_event_fields();
+    const bool is_common =
+        std::ranges::find(common, field.declaration.name, &FieldDeclaration::name) != common.end();
+    (is_common ? when : what) +=
+        fmt::format(R"(<attributeEditorField name="{}" index="{}" showLabel="1"/>)",
+                    field.declaration.name, index++);
+  }
+  const auto page = [](const char* title, const std::string& fields) {
+    if (fields.empty()) return std::string();
+    return fmt::format(R"(<attributeEditorContainer name="{}" columnCount="1" groupBox="0" )"
+                       R"(showLabel="1" visibilityExpressionEnabled="0" )"
+                       R"(visibilityExpression="">{}</attributeEditorContainer>)",
+                       title, fields);
+  };
+  return fmt::format("<attributeEditorForm>{}{}</attributeEditorForm>", page("What", what),
+                     page("When, and if it fails", when));
+}
+
 std::string style_of(const FormLayer& layer, const std::vector<FormLayer>& layers) {
-  std::string widgets, aliases, initials, constraints;
+  std::string widgets, initials, constraints;
+  std::string aliases = R"(<alias index="1" field="name" name="Name: its label in the plan"/>)";
   int index = 2;  // after fid and name
   for (const FormField& field : layer.fields) {
     const FieldDeclaration& declaration = field.declaration;
     widgets += widget_xml(field);
     aliases += fmt::format(R"(<alias index="{}" field="{}" name="{}"/>)", index++, declaration.name,
-                           declaration.name);
+                           xml_text(alias_of(declaration)));
     initials += fmt::format(R"(<default field="{}" expression="{}" applyOnUpdate="0"/>)",
-                            declaration.name, xml_text(initial_expression(field, layers)));
+                            declaration.name, xml_text(initial_expression(field, layer, layers)));
     constraints += fmt::format(
         R"(<constraint field="{}" constraints="{}" notnull_strength="{}" exp_strength="0" )"
         R"(unique_strength="0"/>)",
@@ -126,8 +166,9 @@ std::string style_of(const FormLayer& layer, const std::vector<FormLayer>& layer
   return fmt::format(
       "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n"
       R"(<qgis version="3.22" styleCategories="Fields|Forms"><fieldConfiguration>{}</fieldConfiguration>)"
-      "<aliases>{}</aliases><defaults>{}</defaults><constraints>{}</constraints></qgis>\n",
-      widgets, aliases, initials, constraints);
+      "<aliases>{}</aliases><defaults>{}</defaults><constraints>{}</constraints>"
+      "<editorlayout>tablayout</editorlayout>{}</qgis>\n",
+      widgets, aliases, initials, constraints, tabs_of(layer));
 }
 
 void run_sql(GDALDataset& dataset, const std::string& statement) {

@@ -21,6 +21,12 @@ std::string source_of(std::string_view layer) {
   return fmt::format("./log.gpkg|layername={}", layer);
 }
 
+std::string drawn_id(std::size_t rover) { return fmt::format("lsos_drawn_{}_layer", rover); }
+std::string drawn_title(const std::string& rover) { return rover + " drawn"; }
+std::string drawn_source(const std::string& rover) {
+  return fmt::format("./overlay.kml|layername={} plan", rover);
+}
+
 std::string log_layer(const QgisLayer& layer, const QgisMap& map) {
   return fmt::format(
       R"(<maplayer type="vector" geometry="{}" labelsEnabled="{}"><id>{}</id><datasource>{}</datasource>)"
@@ -42,6 +48,41 @@ std::string hillshade(const QgisMap& map) {
       id_of("hillshade"), crs_xml(map.map_crs_wkt));
 }
 
+// As drawn in the plan: a layer of the overlay for each rover.
+std::string drawn_layer(std::size_t rover, const QgisMap& map) {
+  const std::string color = rover_qgis_color(rover, 110);
+  return fmt::format(
+      R"(<maplayer type="vector" geometry="Line"><id>{}</id><datasource>{}</datasource>)"
+      R"(<layername>{}</layername><provider encoding="UTF-8">ogr</provider><srs>{}</srs>)"
+      R"(<renderer-v2 type="singleSymbol" symbollevels="0" enableorderby="0" forceraster="0">)"
+      R"(<symbols><symbol type="line" name="0" alpha="1" clip_to_extent="1" force_rhr="0">)"
+      R"(<layer class="SimpleLine" enabled="1" locked="0" pass="0"><Option type="Map">)"
+      R"(<Option type="QString" name="line_color" value="{}"/>)"
+      R"(<Option type="QString" name="line_width" value="1.6"/>)"
+      R"(<Option type="QString" name="line_width_unit" value="MM"/></Option></layer></symbol>)"
+      R"(</symbols></renderer-v2></maplayer>)",
+      drawn_id(rover), xml_escaped(drawn_source(map.rovers[rover])),
+      xml_escaped(drawn_title(map.rovers[rover])), crs_xml(map.log_crs_wkt, map.body->crs), color);
+}
+
+// A step of which a run has some 300, as a clock has them.
+double time_step_s(double span_s) {
+  constexpr double steps_s[] = {1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200, 21600};
+  constexpr double frames = 300;
+  for (const double step_s : steps_s) {
+    if (span_s <= frames * step_s) return step_s;
+  }
+  return 86400;
+}
+
+std::string time_settings(const QgisMap& map) {
+  return fmt::format(
+      R"(<ProjectTimeSettings timeStep="{:g}" cumulativeTemporalRange="0" frameRate="10" )"
+      R"(timeStepUnit="s"><TemporalRange><start>{}</start><end>{}</end></TemporalRange>)"
+      "</ProjectTimeSettings>",
+      time_step_s(seconds(map.end - map.start)), format_utc(map.start), format_utc(map.end));
+}
+
 std::string tree_node(const std::string& id, std::string_view title, const std::string& source,
                       std::string_view provider, bool is_on) {
   return fmt::format(
@@ -57,6 +98,12 @@ std::string qgis_project(const QgisMap& map) {
   for (const QgisLayer& layer : qgis_layers(map.rovers)) {
     tree += tree_node(id_of(layer.layer), layer.title, source_of(layer.layer), "ogr", layer.is_on);
     layers += log_layer(layer, map);
+  }
+  for (std::size_t k = 0; k < map.rovers.size(); ++k) {
+    if (!map.has_drawn.contains(map.rovers[k])) continue;
+    tree += tree_node(drawn_id(k), xml_escaped(drawn_title(map.rovers[k])),
+                      xml_escaped(drawn_source(map.rovers[k])), "ogr", true);
+    layers += drawn_layer(k, map);
   }
   if (map.has_hillshade) {
     tree += tree_node(id_of("hillshade"), "Hillshade", "./hillshade.tif", "gdal", true);
@@ -75,8 +122,9 @@ std::string qgis_project(const QgisMap& map) {
       R"(<Paths><Absolute type="bool">false</Absolute></Paths></properties>)"
       R"(<ProjectViewSettings UseProjectScales="0"><Scales/><DefaultViewExtent xmin="{4:.1f}" )"
       R"(ymin="{5:.1f}" xmax="{6:.1f}" ymax="{7:.1f}">{1}</DefaultViewExtent></ProjectViewSettings>)"
-      "</qgis>\n",
-      xml_escaped(map.title), crs, tree, layers, map.west_m, map.south_m, map.east_m, map.north_m);
+      "{8}</qgis>\n",
+      xml_escaped(map.title), crs, tree, layers, map.west_m, map.south_m, map.east_m, map.north_m,
+      time_settings(map));
   return pack_zip("mission.qgs", project);
 }
 

@@ -1,10 +1,12 @@
 // mission.qgz: a project that opens a run in QGIS, over a hillshade of its ground.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
 #include "planet/body.h"
+#include "planet/utc.h"
 
 namespace lsos {
 
@@ -16,7 +18,10 @@ struct QgisMap {
   std::string map_crs_wkt;  // of the hillshade, in m; the project's own
   // What it shows first, in the map's CRS, m.
   double west_m = 0, south_m = 0, east_m = 0, north_m = 0;
-  bool has_hillshade = false;  // as hillshade.tif beside it
+  std::set<std::string> has_drawn;  // rovers whose plan draws something, in overlay.kml beside it
+  bool has_hillshade = false;       // as hillshade.tif beside it
+  // For the time slider.
+  Instant start, end;
 };
 
 // The bytes of a .qgz file; the same each time.

@@ -96,7 +96,8 @@ std::string events() {
   constexpr std::array statuses{Status{"completed", "circle", "0,150,60,255"},
                                 Status{"failed", "cross_fill", "215,25,28,255"},
                                 Status{"incomplete", "half_square", "255,140,0,255"},
-                                Status{"skipped", "diamond", "150,150,150,255"}};
+                                Status{"skipped", "diamond", "150,150,150,255"},
+                                Status{"not_started", "circle", "255,255,255,255"}};
   std::vector<Symbol> symbols;
   for (const Status& status : statuses) {
     symbols.push_back({status.name,
@@ -149,7 +150,8 @@ std::string temporal(std::string_view start, std::string_view end) {
 std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers) {
   const Options path{{"line_width", "0.5"}, {"line_width_unit", "MM"}, {"line_style", "dash"}};
   return {
-      {"events", "Events", "Point", events(), label("label"), temporal("utc", "")},
+      // How an event ended is known from its end on.
+      {"events", "Events", "Point", events(), label("label"), temporal("end_utc", "")},
       {"notes", "Notes", "Point", notes(), label("name"), "", false},
       {"samples", "Samples", "Point", samples(rovers), "", temporal("utc", "")},
       {"planned_paths", "Planned paths", "Line",
@@ -163,6 +165,11 @@ std::string qgis_style(const QgisLayer& layer) {
       R"(<qgis version="3.22" styleCategories="Symbology|Labeling|Temporal" labelsEnabled="{}">)"
       "{}{}{}</qgis>\n",
       layer.labeling.empty() ? 0 : 1, layer.temporal, layer.renderer, layer.labeling);
+}
+
+std::string rover_qgis_color(std::size_t rover, int opacity) {
+  const std::string opaque = color_of(rover);
+  return fmt::format("{}{}", opaque.substr(0, opaque.rfind(',') + 1), opacity);
 }
 
 std::string xml_escaped(std::string_view text) {

@@ -49,7 +49,7 @@ struct ReportExtras {
   std::optional<ReportMap> map;
   std::vector<ReportPicture> pictures;
   std::map<std::string, ReportBattery> batteries;  // by rover id
-  std::vector<std::string> left_out;  // what is missing in the page, and why
+  std::vector<std::string> left_out;               // what is missing in the page, and why
 };
 
 // `summary`: the text of summary.json; "" when there is none: the run has not finished.
