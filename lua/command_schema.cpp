@@ -125,6 +125,7 @@ int schema_command(const SchemaOptions& options) {
   }
   KmlDocument document;
   document.name = "lsos-host plan";
+  document.target = target_of(*planet);
   document.description = "One Placemark of each kind: copy, move and fill in what you need.";
   int number = 0;
   for (const Kind& kind : kinds) add_example(document, kind, kind.is_event ? number += 10 : 0);

@@ -184,6 +184,7 @@ KmlDocument new_plan(const NewPlan& plan, const std::vector<Kind>& kinds) {
   constexpr double out_m = 100, aside_m = 60;
   KmlDocument document;
   document.name = plan.name;
+  document.target = target_of(*plan.body);
   document.description = "A rover drives out, looks around and comes back.";
   for (const Kind& kind : kinds) document.schemas.push_back(schema_of(kind));
   const auto away = [&](double east_m, double north_m) {

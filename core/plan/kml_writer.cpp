@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -289,6 +290,13 @@ class Writer {
 };
 
 }  // namespace
+
+std::string target_of(const Body& body) {
+  if (body.name == "Earth") return "";
+  std::string name(body.name);
+  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+  return name;
+}
 
 std::string write_kml(const KmlDocument& document) { return Writer().document(document); }
 

@@ -95,6 +95,9 @@ struct KmlDocument {
 };
 
 // The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
+// As Google Earth calls the bodies that it has; it needs no word for the Earth.
+std::string target_of(const Body& body);
+
 std::string write_kml(const KmlDocument& document);
 
 // A KMZ archive that holds the document alone. Throws std::runtime_error when memory runs out.

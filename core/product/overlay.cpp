@@ -189,7 +189,7 @@ KmlFolder moving_point(const RoverTrack& track, Instant start, const std::string
   KmlFolder folder = named_folder(rover_id + " track");
   KmlPlacemark mark;
   mark.name = rover_id;
-  mark.style_id = style.event_id;
+  mark.style_id = style.track_id;
   mark.schema_id = track_schema_id;
   const std::vector<SampleRow> samples = track.track();
   std::vector<const SampleRow*> rows;
@@ -231,14 +231,6 @@ KmlFolder note_points(const ThinnedNotes& notes, Instant start) {
     folder.placemarks.push_back(std::move(mark));
   }
   return folder;
-}
-
-// As Google Earth calls the bodies that it has; it needs no word for the Earth.
-std::string target_of(const Body& body) {
-  if (body.name == "Earth") return "";
-  std::string name(body.name);
-  name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
-  return name;
 }
 
 // A look from above at all places, about the first.

@@ -45,6 +45,7 @@ RoverStyle::RoverStyle(std::size_t i)
       driven_id(fmt::format("driven-{}", i)),
       event_id(fmt::format("event-{}", i)),
       sample_id(fmt::format("sample-{}", i)),
+      track_id(fmt::format("track-{}", i)),
       color_(rover_colors[i % rover_colors.size()]) {}
 
 void RoverStyle::add_to(std::vector<KmlStyle>& styles) const {
@@ -68,7 +69,11 @@ void RoverStyle::add_to(std::vector<KmlStyle>& styles) const {
   sample.icon_href = arrow_icon;
   sample.icon_scale = 0.35;
   sample.label_scale = 0;  // thousands of labels would hide the ground
-  styles.insert(styles.end(), {plan, planned, driven, event, sample});
+  // The line behind the moving icon is in its colour too.
+  KmlStyle track = event;
+  track.id = track_id;
+  track.line_color_abgr = "ff" + color_;
+  styles.insert(styles.end(), {plan, planned, driven, event, sample, track});
 }
 
 }  // namespace lsos

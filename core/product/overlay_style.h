@@ -15,7 +15,7 @@ KmlStyle status_style(EventStatus status);
 
 // The styles of one rover; its colour goes by its place among the rovers.
 struct RoverStyle {
-  std::string plan_id, planned_id, driven_id, event_id, sample_id;
+  std::string plan_id, planned_id, driven_id, event_id, sample_id, track_id;
 
   explicit RoverStyle(std::size_t i);
   void add_to(std::vector<KmlStyle>& styles) const;

@@ -125,14 +125,21 @@ std::string notes() {
                    {"outline_color", "60,60,60,255"}}));
 }
 
+// One label a place, with the texts of all that happened there.
 std::string label(std::string_view column) {
+  const std::string together = fmt::format(
+      R"(concatenate("{}", group_by:=round($x, 5) || ',' || round($y, 5), concatenator:=' / '))",
+      column);
   return fmt::format(
       R"(<labeling type="simple"><settings calloutType="simple"><text-style fieldName="{}" )"
-      R"(fontSize="8" fontSizeUnit="Point" textColor="20,20,20,255" isExpression="0">)"
-      R"(<text-buffer bufferDraw="1" bufferSize="0.8" bufferSizeUnits="MM" )"
-      R"(bufferColor="255,255,255,220"/></text-style>)"
-      R"(<placement placement="6" dist="1.2" distUnits="MM"/></settings></labeling>)",
-      column);
+      R"(fontSize="9" fontSizeUnit="Point" textColor="20,20,20,255" isExpression="1">)"
+      R"(<text-buffer bufferDraw="1" bufferSize="1.2" bufferSizeUnits="MM" bufferOpacity="1" )"
+      R"(bufferColor="255,255,255,255"/></text-style>)"
+      R"(<placement placement="6" dist="1.2" distUnits="MM" maxCharAngleIn="25" )"
+      R"(predefinedPositionOrder="TR,TL,BR,BL,R,L,TSR,BSR"/>)"
+      R"(<rendering obstacle="0" displayAll="0" scaleVisibility="0" mergeLines="0"/></settings>)"
+      "</labeling>",
+      xml_escaped(together));
 }
 
 // When a feature is shown as the time slider moves: from `start` on, to `end` where there is one.

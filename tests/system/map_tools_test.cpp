@@ -242,6 +242,71 @@ TEST(GeoPackagePlan, on_a_map_of_another_body_is_refused) {
   EXPECT_THAT(outcome.out, HasSubstr("plan.gpkg/drawn: its CRS is of Earth"));
 }
 
+// One feature of a layer Route beside a form's MissionInfo and a rover; what check says of it.
+std::string faults_of_route(const std::string& wkt, const std::string& columns = "",
+                            const std::string& values = "") {
+  const TempFolder folder;
+  const std::string layers = folder / "plan.gpkg";
+  const std::string rovers =
+      folder.write("Rover.csv", "RoverId;RoverType;WKT\nA;SEV;POINT (0 0)\n");
+  const std::string routes = folder.write(
+      "Route.csv", "RoverId;Sequence;" + columns + "WKT\nA;10;" + values + "\"" + wkt + "\"\n");
+  for (const std::string& file : {rovers, routes}) {
+    const Outcome made =
+        run_command({"ogr2ogr", "-f", "GPKG", "-update", "-append", layers, file, "-oo",
+                     "GEOM_POSSIBLE_NAMES=WKT", "-oo", "SEPARATOR=SEMICOLON", "-nlt", "GEOMETRY",
+                     "-a_srs", "+proj=longlat +R=1737400 +no_defs"},
+                    {.environment = {"GDAL_PAM_ENABLED=NO"}});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+  }
+  run({"schema", "Pause", "-o", folder / "form.gpkg"});
+  run_command({"ogr2ogr", "-append", layers, folder / "form.gpkg", "MissionInfo"});
+  const Outcome outcome = run({"check", layers});
+  EXPECT_NE(outcome.exit_code, 3) << outcome.err;
+  return outcome.out;
+}
+
+// As merging and dissolving make them.
+TEST(GeoPackagePlan, of_several_parts_is_told_by_its_layer_and_feature) {
+  EXPECT_THAT(faults_of_route("MULTILINESTRING ((0 0, 0.001 0), (0.001 0, 0.001 0.001))"),
+              HasSubstr("plan.gpkg/Route:1: Route 10: has a MultiGeometry"));
+  EXPECT_THAT(faults_of_route("LINESTRING (0 0)"),
+              HasSubstr("plan.gpkg/Route:1: Route 10: LineString has one coordinate"));
+  EXPECT_THAT(faults_of_route("GEOMETRYCOLLECTION (POINT (0 0), LINESTRING (0 0, 0.001 0))"),
+              HasSubstr("has a MultiGeometry"));
+  EXPECT_THAT(faults_of_route("MULTILINESTRING ((0 0, 0.001 0), EMPTY)"), HasSubstr("can be run"));
+}
+
+TEST(GeoPackagePlan, has_columns_of_its_own) {
+  const std::string told =
+      faults_of_route("LINESTRING (0 0, 0.001 0)", "speed_kmh;heading;", "5;90;");
+  EXPECT_THAT(told, HasSubstr("can be run"));
+  EXPECT_THAT(told, HasSubstr("the column 'speed_kmh' is no field of a Route; it is not used; did "
+                              "you mean 'Speed'?"));
+  EXPECT_THAT(told, ::testing::Not(HasSubstr("heading'")));
+}
+
+// A feature without a place as QGIS saves it in a layer of lines.
+TEST(MapTools, an_empty_geometry_is_none) {
+  const TempFolder folder;
+  std::vector<Mark> marks = short_drive();
+  for (Mark& mark : marks) {
+    if (mark.type == "Pause") mark.geometry = line("");
+  }
+  const Outcome outcome = run({"check", folder.write("plan.kml", kml(marks))});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+}
+
+TEST(SchemaForm, counts_sequences_over_layers_of_any_prefix) {
+  const TempFolder folder;
+  run({"schema", "Route", "Pause", "-o", folder / "form.gpkg"});
+  const std::string style = query(
+      folder / "form.gpkg",
+      "select replace(styleQML, char(10), ' ') from layer_styles where f_table_name = 'Pause'");
+  EXPECT_THAT(style, HasSubstr("aggregate(replace(@layer_name, 'Pause', 'Route'), 'max'"));
+  EXPECT_THAT(style, HasSubstr("<attributeEditorContainer name=\"When, and if it fails\""));
+}
+
 TEST(GeoPackagePlan, that_is_no_geopackage_says_so) {
   const TempFolder folder;
   const std::string file = folder.write("plan.gpkg", std::string("SQLite format 3\0 more", 21));
