@@ -113,7 +113,7 @@ std::string initial_expression(const FormField& field, const FormLayer& own,
 
 // "Speed (m/s): Driving speed": what a form calls a field.
 std::string alias_of(const FieldDeclaration& field) {
-  constexpr std::size_t longest = 64;
+  constexpr std::size_t longest = 46;  // letters beside which a box has room
   const std::string doc = field.doc.substr(0, field.doc.find_first_of(".;("));
   std::string alias = field.name;
   if (field.unit != nullptr && field.unit->kind != "fraction") {
