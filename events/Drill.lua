@@ -4,6 +4,10 @@ local lsos = require 'lsos'
 
 local function check(p, rover)
   if p.depth_m == 0 then return nil, 'Depth = 0: there is no hole' end
+  if p.depth_m > 10 then
+    return nil, ("Depth = %g m: no drill that a rover carries goes as deep; did you mean '%g cm'?")
+      :format(p.depth_m, p.depth_m)
+  end
   if p.power_w > 0 and rover and not rover.battery_capacity_j then
     return nil, ('Power = %g W: %s has no battery, the energy is not counted'):format(p.power_w,
       rover.type)

@@ -5,6 +5,7 @@ local lsos = require 'lsos'
 -- A phase that lasts as long as the parameter says.
 local function stay(duration, next)
   return function(ev, rover)
+    ev.state.phase = duration:match('^%a+')
     rover:brake()
     if rover.battery then rover:work(ev.params.power_w) end
     local left_s = ev.params[duration] - ev.phase_elapsed_s
@@ -16,6 +17,10 @@ end
 local function check(p, rover)
   if p.exit_duration_s + p.activity_duration_s + p.entry_duration_s == 0 then
     return nil, 'ExitDuration, ActivityDuration and EntryDuration are 0: it does nothing'
+  end
+  if rover and rover.crew and p.crew > rover.crew then
+    return nil, ('Crew = %d: %s carries %s'):format(p.crew, rover.type,
+      rover.crew == 0 and 'nobody' or ('a crew of %d'):format(rover.crew))
   end
   if p.power_w > 0 and rover and not rover.battery_capacity_j then
     return nil, ('Power = %g W: %s has no battery, the energy is not counted'):format(p.power_w,
@@ -58,6 +63,13 @@ return lsos.event {
 
   check  = check,
   start  = 'start',
+  -- What follows would leave them behind.
+  on_abort = function(ev, _)
+    if not ev.state.phase then return nil end
+    return ("cut off in phase '%s': a crew of %d has not come back in"):format(ev.state.phase,
+      ev.params.crew)
+  end,
+
   phases = {
     start    = start,
     exit     = stay('exit_duration_s', 'activity'),

@@ -48,6 +48,11 @@ end
 local function vain(p, rover)
   local most_w = rover.charge_power_max_w
   if p.duration_s == 0 and not p.until_charge then return 'Duration = 0: nothing flows' end
+  local hours = p.energy_rate_w and rover.battery_capacity_j / p.energy_rate_w / 3600
+  if hours and hours > 1000 and p.energy_rate_w > 0 then
+    return ("EnergyRate = %g W: fills the battery of %s in %.0f d; did you mean '%g kW'?")
+      :format(p.energy_rate_w, rover.type, hours / 24, p.energy_rate_w)
+  end
   if p.energy_rate_w == 0 then return 'EnergyRate = 0 W: nothing comes from outside' end
   if most_w and p.energy_rate_w and p.energy_rate_w > most_w then
     return ('EnergyRate = %g W: the battery of %s takes %g W at most, what is used at once besides')

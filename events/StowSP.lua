@@ -39,4 +39,10 @@ return lsos.event {
 
   start  = 'start',
   phases = { start = start, stow = stow },
+
+  -- What moves is not stopped.
+  on_abort = function(ev, _)
+    local left_s = (ev.state.takes_s or 0) - ev.elapsed_s
+    if left_s > 0 then return ('it goes on moving for %.4g s'):format(left_s) end
+  end,
 }

@@ -36,10 +36,11 @@ class Catalog {
   // What a script says. Throws InputError: its faults if it is broken; or, at `asked_at`, that
   // there is no such script, with the nearest name.
   RoverModel load_rover(const std::string& name, const Place& asked_at = {}) const;
-  // The same rover with changes that a plan makes, as Lua writes the table of lsos.derive; their
-  // faults stand at `asked_at`, beginning with `what`.
+  // The same rover with changes that a plan makes, as Lua writes the table of lsos.derive. What is
+  // wrong with them stands at `asked_at`, beginning with `what`; numbers of another order of
+  // magnitude than the rover's own are warnings.
   RoverModel load_variant(const std::string& name, const std::string& changes,
-                          const std::string& what, const Place& asked_at) const;
+                          const std::string& what, const Place& asked_at, Faults& faults) const;
   // The scripts of rovers/ that a script there is derived from.
   std::set<std::string> bases_of(const std::string& name) const;
   AssetModel load_asset(const std::string& name, const Place& asked_at = {}) const;

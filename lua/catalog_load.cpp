@@ -10,6 +10,7 @@
 #include "lua/loader.h"
 #include "lua/rover_constructors.h"
 #include "lua/terrain_constructors.h"
+#include "lua/text_literal.h"
 
 namespace lsos {
 
@@ -29,8 +30,8 @@ const char* noun(ScriptKind kind) {
   return "";
 }
 
-// What the script of a plan's changes is called where nobody sees it.
-constexpr const char* variant_file = "variant.lua";
+// What the script of a plan's changes is called where nobody sees it; no file has such a name.
+constexpr const char* variant_file = "=Variant";
 
 template <class T>
 std::vector<std::string> names_of(const std::map<std::string, T>& things) {
@@ -213,22 +214,25 @@ RoverModel Catalog::load_rover(const std::string& name, const Place& asked_at) c
 }
 
 RoverModel Catalog::load_variant(const std::string& name, const std::string& changes,
-                                 const std::string& what, const Place& asked_at) const {
+                                 const std::string& what, const Place& asked_at,
+                                 Faults& faults) const {
   LuaState lua;
   lua.context().scripts = &scripts_;
   Script script;
   script.kind = ScriptKind::rover;
   script.name = name;
   script.file = variant_file;
-  script.source = fmt::format("return require('lsos').derive('{}', {})", name, changes);
-  Faults faults;
-  std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, faults);
-  if (model && !faults.has_errors()) check_vehicle(*model, faults);
+  script.source = fmt::format("return require('lsos').derive({}, {})", lua_text(name), changes);
+  Faults found;
+  std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, found);
+  if (model && !found.has_errors()) check_vehicle(*model, found);
+  for (const std::string& doubt : lua.context().doubts) found.warning({}, doubt);
   std::vector<Fault> told;
-  for (const Fault& fault : faults.sorted()) {
+  for (const Fault& fault : found.sorted()) {
     told.push_back({fault.severity, asked_at, fmt::format("{}: {}", what, fault.what)});
   }
-  if (faults.has_errors()) throw InputError(std::move(told));
+  if (found.has_errors()) throw InputError(std::move(told));
+  faults.add(told);
   model->spec.name = model->spec.vehicle.type = name;
   model->spec.place = asked_at;
   const std::string as_script = script_name(variant_file) + ": is ";

@@ -208,7 +208,7 @@ int list_command(const ListOptions& options) {
     }
   }
   if (options.is_json) print_result("{}\n", json.dump(2));
-  if (!options.is_json && options.what == "events" && options.name.empty()) {
+  if (!options.is_json && options.what == "events") {
     print_result("Every event also has:\n");
     for (const FieldDeclaration& field : common_event_fields())
       print_result("{}", field_text(field));

@@ -84,12 +84,31 @@ NewFiles new_terrain(const NewOptions& options, const Catalog& catalog) {
   return {{"terrain", {"terrain/" + options.name + ".lua", new_terrain_text(raster)}}};
 }
 
+// Options that what is made does not have.
+void refuse_stray_options(const NewOptions& options) {
+  const bool is_plan = options.what == "plan";
+  const auto refuse = [&](bool is_given, const char* option) {
+    if (!is_given) return;
+    throw InputError({}, fmt::format("{} says nothing of a new {}", option, options.what));
+  };
+  refuse(!options.from.empty() && (options.what == "event" || options.what == "scenario"),
+         "--from");
+  refuse(!is_plan && !options.planet.empty(), "--planet");
+  refuse(!is_plan && !options.terrain.empty(), "--terrain");
+  refuse(!is_plan && !options.site.empty(), "--site");
+}
+
 NewFiles new_plan_file(const NewOptions& options, const Catalog& catalog) {
   Faults faults;
   NewPlan plan;
   plan.name = options.name;
-  plan.body = option_body("--planet", options.planet, faults);
-  plan.terrain = options.terrain;
+  plan.body = option_body("--planet", options.planet.empty() ? "Moon" : options.planet, faults);
+  plan.terrain = options.terrain.empty() ? "Craters" : options.terrain;
+  const auto& terrains = catalog.declarations().terrains;
+  if (std::ranges::count(terrains, plan.terrain) == 0 && !fs::exists(plan.terrain)) {
+    faults.error({}, fmt::format("--terrain {}: there is no such terrain and no such file{}",
+                                 plan.terrain, did_you_mean(plan.terrain, terrains)));
+  }
   plan.rover_type = options.from.empty() ? "SEV" : options.from;
   const std::string site = options.site.empty() ? "0,0" : options.site;
   const auto start = option_site("--site", site, faults);
@@ -122,6 +141,7 @@ void add_editor_settings(NewFiles& files) {
 
 int new_command(const NewOptions& options) {
   check_word(options);
+  refuse_stray_options(options);
   const std::shared_ptr<const Catalog> catalog = read_catalog("");
   NewFiles files = new_files(options, *catalog);
   for (const auto& [what, file] : files) {

@@ -67,7 +67,7 @@ struct NewOptions {
   std::string what;  // event, rover, terrain, scenario, plan
   std::string name;
   std::string from;  // a rover type; of a terrain a raster; "": SEV, or synthetic ground
-  std::string planet = "Moon", terrain = "Craters", site;  // of a plan
+  std::string planet, terrain, site;  // of a plan; "": Moon, Craters, 0,0
   bool is_json = false;
 };
 int new_command(const NewOptions& options);

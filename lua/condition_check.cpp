@@ -106,6 +106,18 @@ std::string equality_fault(const std::vector<ConditionWord>& words) {
   return "";
 }
 
+// A quantity of panels or a battery that the rover does not have: no comparison with it holds.
+std::string missing_part_fault(const std::string& word, const ConditionWorld& world) {
+  static const std::set<std::string> of_panels{"sun_fraction", "incidence", "solar_w",
+                                               "solar_available_w", "solar_j"};
+  static const std::set<std::string> of_battery{"charge", "energy_j", "energy_rate_w"};
+  const bool has_no_panels = world.is_without_panels && of_panels.contains(word);
+  const bool has_no_battery = world.is_without_battery && of_battery.contains(word);
+  if (!has_no_panels && !has_no_battery) return "";
+  return fmt::format("the rover has no {}: '{}' is not known, and no comparison with it holds",
+                     has_no_panels ? "panels" : "battery", word);
+}
+
 // What is wrong with the word at `i`, where it names something.
 std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, std::size_t i,
                        const ConditionWorld& world) {
@@ -132,6 +144,7 @@ std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, st
     if (hint.empty()) hint = "; see lua/README.md, Conditions";
     return fmt::format("a condition has no '{}'{}", word, hint);
   }
+  if (std::string missing = missing_part_fault(word, world); !missing.empty()) return missing;
   if (!is_question(word)) return "";
   const std::string* argument = question_argument(words, i);
   if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);

@@ -134,18 +134,20 @@ std::string bounds_text(const Comparison& c) {
   return fmt::format("{} is from {:.4g} to {:.4g}", c.shown, c.bounds.low, c.bounds.high);
 }
 
-// Of an energy in kWh and a speed in km/h, which only the rover's own tell from one in SI.
+// An energy in kWh or a speed in km/h, which only the rover's own tell from one in SI.
 std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
-  constexpr double least_share = 1e-3, overspeed = 1.5;
-  if (c.quantity == "energy_j" && world.battery_capacity_j && c.number > 0 &&
-      c.number < least_share * *world.battery_capacity_j) {
+  constexpr double overspeed = 1.5, j_per_kwh = 3.6e6, kmh_per_mps = 3.6;
+  // An empty battery is asked for by 0 or by 1 J.
+  if (c.quantity == "energy_j" && world.battery_capacity_j && c.number > 1 &&
+      c.number * j_per_kwh <= 1.1 * *world.battery_capacity_j) {
     return fmt::format(
         "energy_j is in J, and is compared with {0:g}, where the battery holds "
         "{1:.3g}: {0:g} kWh is {0:g} * 3.6e6",
         c.number, *world.battery_capacity_j);
   }
   if (c.quantity == "speed_mps" && world.speed_max_mps &&
-      c.number > overspeed * *world.speed_max_mps) {
+      c.number > overspeed * *world.speed_max_mps &&
+      c.number <= kmh_per_mps * overspeed * *world.speed_max_mps) {
     return fmt::format(
         "speed_mps is in m/s, and is compared with {0:g}, where the rover does "
         "{1:.3g} at most: {0:g} km/h is {0:g} / 3.6",
@@ -154,16 +156,25 @@ std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
   return "";
 }
 
+// A number so far outside that another unit was meant, whichever way it is compared.
+bool is_far_outside(const Comparison& c, double share) {
+  const double span = c.bounds.high - c.bounds.low;
+  return c.number > c.bounds.high + share * span || c.number < c.bounds.low - share * span;
+}
+
 std::string fault_of(const Comparison& c, const ConditionWorld& world) {
+  constexpr double angle_share = 0.3, longitude_share = 0.02;
   const bool is_share = c.bounds.high == 1;
   if (is_share && c.number >= 2) {
     return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", c.shown, c.number);
   }
-  if (c.quantity.ends_with("_rad") && is_outside(c)) {
+  if (c.quantity.ends_with("_rad") && is_outside(c) &&
+      (never_holds(c) || is_far_outside(c, angle_share))) {
     return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})", c.shown,
                        c.number, c.number, c.number);
   }
-  if (c.quantity == "lon_deg" && is_outside(c)) {
+  if (c.quantity == "lon_deg" && is_outside(c) &&
+      (never_holds(c) || is_far_outside(c, longitude_share))) {
     const double turned = c.number - 360 * std::round(c.number / 360);
     return fmt::format("{} is from -180 to 180, and is compared with {:g}: that is {:g}", c.shown,
                        c.number, turned);

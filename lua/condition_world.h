@@ -13,8 +13,9 @@ struct ConditionWorld {
   std::set<std::string> resources;  // that the event's rover carries
   // False: there may be others, as faults of the plan keep them from being read.
   bool are_ids_known = true, are_resources_known = true;
-  // Of the event's rover, where it is known.
+  // What the event's rover can do, where it is known.
   std::optional<double> battery_capacity_j = {}, speed_max_mps = {};
+  bool is_without_panels = false, is_without_battery = false;
 };
 
 }  // namespace lsos

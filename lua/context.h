@@ -87,6 +87,7 @@ struct LuaContext {
   const std::vector<Script>* scripts = nullptr;
   std::vector<std::string> deriving;
   std::set<std::string> bases;
+  std::vector<std::string> doubts;  // changes that are likely to be slips
   const EventCall* call = nullptr;  // while a phase runs
   RoversInHand* in_hand = nullptr;  // of a prompt or a scenario
 };

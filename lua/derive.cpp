@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "lua/arguments.h"
 #include "lua/loader.h"
 #include "lua/made.h"
+#include "lua/reader.h"
 #include "lua/rover_constructors.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
@@ -145,6 +147,18 @@ bool has_names(lua_State* L, int index) {
   return is_name;
 }
 
+// A number in place of one of another order of magnitude, as in kWh in place of J.
+void doubt_size(lua_State* L, const std::string& path) {
+  constexpr double most_times = 1e3;
+  if (lua_type(L, -1) != LUA_TNUMBER || lua_type(L, -2) != LUA_TNUMBER) return;
+  const double now = std::abs(lua_tonumber(L, -1)), was = std::abs(lua_tonumber(L, -2));
+  if (now == 0 || was == 0 || (now <= most_times * was && was <= most_times * now)) return;
+  const std::string unit = si_unit_of(path);
+  context(L).doubts.push_back(
+      fmt::format("{} = {:g}{}{}: the rover has {:g}; is it in another unit?", path,
+                  lua_tonumber(L, -1), unit.empty() ? "" : " ", unit, lua_tonumber(L, -2)));
+}
+
 // Replaces the value at the top, which is new, by what becomes of the old one below it.
 void change(lua_State* L, const std::string& path, Changes& told) {
   const bool is_part = to_made(L, -2) != nullptr, is_list = lua_istable(L, -2);
@@ -159,6 +173,7 @@ void change(lua_State* L, const std::string& path, Changes& told) {
     lua_pushnil(L);
     lua_replace(L, -2);
   } else {
+    doubt_size(L, path);
     told.push_back(fmt::format("{} = {}", path, value_text(L)));
   }
 }
@@ -205,7 +220,7 @@ void push_changed(lua_State* L, int made, int changes, const std::string& path, 
 }
 
 // Appends the texts of the list at the top to that of the table below it.
-void add_assumptions(lua_State* L, int keys, const std::vector<std::string>& more) {
+void add_assumptions(lua_State* L, int keys, int changes, const std::vector<std::string>& more) {
   lua_newtable(L);
   lua_Integer count = 0;
   const auto add_all = [&](int from) {
@@ -223,7 +238,7 @@ void add_assumptions(lua_State* L, int keys, const std::vector<std::string>& mor
     lua_pop(L, 1);
   };
   add_all(keys);
-  add_all(2);
+  add_all(changes);
   for (const std::string& text : more) {
     lua_pushlstring(L, text.data(), text.size());
     lua_rawseti(L, -2, ++count);
@@ -276,13 +291,14 @@ int derive(lua_State* L) {
   const std::string base = luaL_checkstring(L, 1);
   luaL_checktype(L, 2, LUA_TTABLE);
   lua_settop(L, 2);
+  constexpr int changes = 2;
   const std::string kind = push_base(L, base).kind;
   push_copied_keys(L, -1, "");
   const int keys = lua_gettop(L);
   lua_pushnil(L);
   lua_setfield(L, keys, "name");  // the base's own, which its file has
   for (const char* own : {"doc", "api"}) {
-    lua_getfield(L, 2, own);
+    lua_getfield(L, changes, own);
     if (lua_isnil(L, -1)) {
       lua_pop(L, 1);
     } else {
@@ -290,13 +306,13 @@ int derive(lua_State* L) {
     }
   }
   Changes told;
-  merge(L, 2, "", told);
+  merge(L, changes, "", told);
   std::vector<std::string> sentence;
   if (!told.empty()) {
     sentence.push_back(fmt::format("{}: is {} with {}", script_name(caller_place(L).file), base,
                                    fmt::join(told, ", ")));
   }
-  add_assumptions(L, keys, sentence);
+  add_assumptions(L, keys, changes, sentence);
   construct_again(L, kind);
   return 1;
 }

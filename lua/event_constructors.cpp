@@ -229,7 +229,8 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
       "Called for each event of a plan before anything runs: what is wrong with its "
       "parameters together, as a text, or nil; and what to warn of, as a second text. "
       "rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, "
-      "`battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, "
+      "`crew`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with "
+      "`name`, "
       "`turns`, "
       "`is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan "
       "leave it open.",

@@ -162,7 +162,7 @@
 ---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
 ---@field start? string The first phase; may be left out if there is one.
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
----@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
+---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its ways: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
@@ -246,6 +246,7 @@
 ---@field can_turn_on_spot? boolean Default false.
 ---@field can_crab? boolean Drives in any direction without turning (default false).
 ---@field turning_radius_min_m? number While driving (default 5).
+---@field crew? integer How many it carries, whom EVA sends out.
 ---@field limits? any Ground that planned ways keep off.
 ---@field drive_calibration? number Electrical drive power is multiplied by this to match measurements (default 1).
 ---@field drive_calibration_source? string The measurements; required unless drive_calibration is 1.

@@ -88,6 +88,8 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
       world.speed_max_mps = model->second.spec.vehicle.speed_max_mps;
       const auto& battery = model->second.power.battery;
       if (battery) world.battery_capacity_j = battery->capacity_j;
+      world.is_without_battery = !battery;
+      world.is_without_panels = model->second.power.panels.empty();
       for (const ResourceSpec& resource : model->second.power.resources) {
         world.resources.insert(resource.name);
       }
@@ -126,10 +128,7 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
 
 std::vector<ScriptFolder> script_folders(const std::string& plan_file) {
   const char* path = std::getenv("LSOS_PATH");
-  std::error_code ignored;
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  return script_folders(plan_file, path == nullptr ? "" : path,
-                        shipped_folder(program, source_folder));
+  return script_folders(plan_file, path == nullptr ? "" : path, shipped_scripts());
 }
 
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
@@ -160,16 +159,16 @@ void set_max_duration(MissionFiles& files) {
                   hours > 999 ? fmt::format("{:g} d", hours / 24) : fmt::format("{:g} h", hours)));
 }
 
-// Reads what the plan names.
 // What its script says, with the changes of its Variant.
-RoverModel model_of(const PlanRover& rover, const Catalog& catalog) {
+RoverModel model_of(const PlanRover& rover, const Catalog& catalog, Faults& faults) {
   if (rover.variant.empty()) return catalog.load_rover(rover.type, rover.place);
   const std::string what = fmt::format("Rover '{}': Variant", rover.id);
   const Parsed<std::string> changes = variant_table(rover.variant);
   if (!changes) throw InputError(rover.place, fmt::format("{}: {}", what, changes.why));
-  return catalog.load_variant(rover.type, *changes.value, what, rover.place);
+  return catalog.load_variant(rover.type, *changes.value, what, rover.place, faults);
 }
 
+// Reads what the plan names.
 void read_models(MissionFiles& files) {
   const Declarations& declarations = files.catalog->declarations();
   // Of what there is not, the plan's reader has told.
@@ -186,7 +185,9 @@ void read_models(MissionFiles& files) {
   };
   for (const PlanRover& rover : files.plan.rovers) {
     if (!has_type(rover.type, false)) continue;
-    collect([&] { files.rover_models.insert({rover.model(), model_of(rover, *files.catalog)}); });
+    collect([&] {
+      files.rover_models.insert({rover.model(), model_of(rover, *files.catalog, files.faults)});
+    });
   }
   for (const PlanAsset& asset : files.plan.assets) {
     if (!has_type(asset.type, true)) continue;
@@ -238,6 +239,12 @@ bool drives_elsewhere_than_on_the_moon(const MissionFiles& files) {
 void say_lunar_soil(MissionFiles& files) {
   const TerrainSpec& terrain = files.terrain;
   const bool is_lunar = terrain.soil.name.starts_with("Apollo");
+  // Who writes a script chooses its soil.
+  const auto is_shipped = [&](const Script& script) {
+    return script.kind == ScriptKind::terrain && script.name == terrain.name &&
+           script.folder.starts_with(shipped_scripts());
+  };
+  if (std::ranges::none_of(files.catalog->scripts(), is_shipped)) return;
   if (files.is_soil_assumed || !is_lunar || !drives_elsewhere_than_on_the_moon(files)) return;
   files.faults.warning(
       files.plan.mission.place,

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <vector>
 
-#include "base/units.h"
+#include "lua/text_literal.h"
+#include "planet/site_frame.h"
 
 namespace lsos {
 
@@ -143,41 +145,49 @@ lsos.scenario('a drive of 30 m arrives', function(t)
 end)
 )";
 
-std::string replaced(std::string text, std::string_view mark, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += by.size()) {
-    text.replace(at, mark.size(), by);
+// A text with its marks filled in, each once: what is filled in is not looked through.
+std::string filled_in(std::string_view text,
+                      const std::vector<std::pair<std::string_view, std::string>>& marks) {
+  std::string filled;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto mark = std::ranges::find_if(
+        marks, [&](const auto& each) { return text.substr(at).starts_with(each.first); });
+    if (mark == marks.end()) {
+      filled += text[at++];
+    } else {
+      filled += mark->second;
+      at += mark->first.size();
+    }
   }
-  return text;
-}
-
-// The arc of the equator that is as long.
-double degrees_of(double length_m, const Body& body) {
-  return degrees(length_m / body.equatorial_radius_m);
+  return filled;
 }
 
 }  // namespace
 
-std::string new_event_text(const std::string& name) { return replaced(event_text, "NAME", name); }
+std::string new_event_text(const std::string& name) {
+  return filled_in(event_text, {{"NAME", name}});
+}
 
 std::string new_event_scenario_text(const std::string& name) {
-  return replaced(scenario_text, "NAME", name);
+  return filled_in(scenario_text, {{"NAME", name}});
 }
 
 std::string new_rover_text(const std::string& name, const std::string& base, double mass_kg) {
-  return replaced(replaced(replaced(rover_text, "NAME", name), "BASE", base), "MASS",
-                  fmt::format("{:g}", mass_kg));
+  return filled_in(rover_text,
+                   {{"NAME", name}, {"BASE", base}, {"MASS", fmt::format("{:g}", mass_kg)}});
 }
 
 std::string new_rover_scenario_text(const std::string& name) {
-  return replaced(rover_scenario_text, "NAME", name);
+  return filled_in(rover_scenario_text, {{"NAME", name}});
 }
 
 std::string new_terrain_text(const std::string& raster) {
-  return raster.empty() ? synthetic_terrain_text : replaced(raster_terrain_text, "RASTER", raster);
+  return raster.empty() ? synthetic_terrain_text
+                        : filled_in(raster_terrain_text, {{"'RASTER'", lua_text(raster)}});
 }
 
 std::string new_scenario_text(const std::string& name) {
-  return replaced(drive_scenario_text, "NAME", name);
+  return filled_in(drive_scenario_text, {{"NAME", name}});
 }
 
 KmlDocument new_plan(const NewPlan& plan, const std::vector<Kind>& kinds) {
@@ -187,14 +197,10 @@ KmlDocument new_plan(const NewPlan& plan, const std::vector<Kind>& kinds) {
   document.target = target_of(*plan.body);
   document.description = "A rover drives out, looks around and comes back.";
   for (const Kind& kind : kinds) document.schemas.push_back(schema_of(kind));
-  const auto away = [&](double east_m, double north_m) {
-    return geodetic_from_degrees(
-        lon_deg(plan.start) + degrees_of(east_m, *plan.body) / std::cos(plan.start.lat_rad),
-        lat_deg(plan.start) + degrees_of(north_m, *plan.body));
-  };
   // Towards the equator, where the ground goes on.
-  const double side_m = plan.start.lat_rad > 0 ? -aside_m : aside_m;
-  const Geodetic goal = away(out_m, side_m);
+  const SiteFrame site(*plan.body, plan.start);
+  Geodetic goal = site.geodetic({out_m, plan.start.lat_rad > 0 ? -aside_m : aside_m, 0});
+  goal.height_m = 0;
   const auto add = [&](const std::string& kind, const std::string& label, KmlGeometry geometry,
                        std::vector<std::pair<std::string, std::string>> data) {
     KmlPlacemark placemark;

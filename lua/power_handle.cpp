@@ -96,9 +96,9 @@ int steer(lua_State* L) {
   Steering steering;
   constexpr std::pair<const char*, SteerMode> modes[] = {
       {"fixed", SteerMode::fixed}, {"point", SteerMode::point}, {"track", SteerMode::track}};
-  // Larger ones are degrees.
-  constexpr Range turn{-2 * std::numbers::pi, 2 * std::numbers::pi};
-  constexpr Range upright{-std::numbers::pi / 2, std::numbers::pi / 2};
+  // Sums of headings and angles are smaller, and so many degrees larger.
+  constexpr Range turn{-4 * std::numbers::pi, 4 * std::numbers::pi};
+  constexpr Range upright{-std::numbers::pi, std::numbers::pi};
   t.word(required, "mode", modes, steering.mode, "'track', 'point' or 'fixed'.");
   t.number(optional, "azimuth_rad", steering.angles.azimuth_rad, turn,
            "Clockwise from true north (point) or from the nose (fixed).");

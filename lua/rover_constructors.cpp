@@ -161,6 +161,7 @@ void read_rover(TableReader& t, RoverModel& model) {
             "Drives in any direction without turning (default false).");
   t.number(optional, "turning_radius_min_m", vehicle.turning_radius_min_m, not_negative,
            "While driving (default 5).");
+  t.integer(optional, "crew", model.crew, {0, 100}, "How many it carries, whom EVA sends out.");
   t.made(optional, "limits", "limits", model.limits, "Ground that planned ways keep off.");
   t.number(optional, "drive_calibration", vehicle.drive_calibration, positive,
            "Electrical drive power is multiplied by this to match measurements (default 1).");

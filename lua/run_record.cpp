@@ -21,6 +21,14 @@ std::string slip_warning(const RoverResult& result) {
   constexpr double long_s = 60;
   const bool is_missing = std::isnan(result.slip_p95) && !std::isnan(result.slip_rolling);
   if (!is_missing || result.driven_s < long_s) return "";
+  if (result.mean_mps > 0.5 * result.mean_requested_mps) {
+    return fmt::format(
+        "{}: its slip is not in the summary: it drove {:.2g} m/s, and slip is counted from 0.05 "
+        "m/s "
+        "or a tenth of the cruise speed on; its wheels slipped by {:.2f} at most, in the mean over "
+        "a second",
+        result.id, result.mean_mps, result.slip_rolling);
+  }
   return fmt::format(
       "{}: its slip is not in the summary: in {:.3g} min of driving it was never faster than half "
       "the speed asked for; its wheels slipped by {:.2f} at most, in the mean over a second",

@@ -41,10 +41,15 @@ std::string shipped_folder(const std::string& program_file, const std::string& b
   return built_from;
 }
 
-std::string library_file() {
+std::string shipped_scripts() {
   std::error_code ignored;
   const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::string file = shipped_folder(program, source_folder) + "/lua/library.d.lua";
+  return shipped_folder(program, source_folder);
+}
+
+std::string library_file() {
+  std::error_code ignored;
+  const std::string file = shipped_scripts() + "/lua/library.d.lua";
   return std::filesystem::exists(file, ignored) ? file : "";
 }
 

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
-#include <memory>
 #include <vector>
 
-#include "base/quantity_advice.h"
 #include "lua/reader.h"
+#include "lua/text_literal.h"
 
 namespace lsos {
 
@@ -46,30 +46,20 @@ bool is_name(const std::string& text) {
   });
 }
 
-// A number in the unit that the key's name ends in. Of a key without one it is a share, or in the
-// unit that it has: where the key is another's name without its unit, the rover's script says so.
-Parsed<double> number_of(const std::string& key, const std::string& text) {
-  if (const Unit* unit = find_unit(si_unit_of(key))) {
-    Parsed<double> number = parse_quantity(text, *unit);
-    if (!number) number.why += quantity_advice(text, *unit);
-    return number;
-  }
-  Parsed<double> number = parse_quantity(text, *find_unit("1"));
-  for (const Unit& unit : all_units()) {
-    if (number) break;
-    if (Parsed<double> found = parse_quantity(text, unit)) number = found;
-  }
-  return number;
-}
-
 Parsed<std::string> value_of(const std::string& key, const std::string& text) {
   if (text == "true" || text == "false") return {text, ""};
   if (text.size() >= 2 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"') &&
       is_name(text.substr(1, text.size() - 2))) {
     return {fmt::format("'{}'", text.substr(1, text.size() - 2)), ""};
   }
-  const Parsed<double> number = number_of(key, text);
+  const Unit* own = find_unit(si_unit_of(key));
+  const Parsed<double> number = parse_quantity(text, own == nullptr ? *find_unit("1") : *own);
   if (number) return {fmt::format("{}", *number.value), ""};
+  if (own != nullptr) return {{}, number.why};
+  // A key without its unit, as in capacity = 60 kWh: the rover's script says what it is called.
+  const bool has_unit = std::ranges::any_of(
+      all_units(), [&](const Unit& unit) { return parse_quantity(text, unit).value.has_value(); });
+  if (has_unit) return {lua_text(text), ""};
   return {{}, number.why};
 }
 
@@ -85,6 +75,10 @@ std::string add(const std::string& change, Node& root) {
   }
   const Parsed<std::string> value =
       value_of(path.back(), trimmed(std::string_view(change).substr(equals + 1)));
+  static constexpr const char* fixed[] = {"name", "doc", "api", "assumptions"};
+  if (std::ranges::find(fixed, path.front()) != std::end(fixed)) {
+    return fmt::format("'{}' is the script's own and cannot be changed", path.front());
+  }
   if (!value) return fmt::format("{}: {}", trimmed(change.substr(0, equals)), value.why);
   Node* node = &root;
   for (const std::string& part : path) {

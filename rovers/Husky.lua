@@ -58,6 +58,7 @@ return lsos.rover {
   api  = 1,
   name = 'Husky',
   doc  = 'Skid-steer field rover of 50 kg in the class of a Husky A200: four rubber tyres.',
+  crew = 0,
 
   chassis = lsos.chassis {
     mass_kg          = body_kg,

@@ -97,6 +97,7 @@ return lsos.rover {
   api  = 1,
   name = 'LRV',
   doc  = 'Lunar Roving Vehicle of Apollo 15: four wheels, front and rear steering, two crew.',
+  crew = 2,  -- R: as Apollo 15 to 17 drove it
 
   chassis    = chassis,
   suspension = suspension,

@@ -124,6 +124,7 @@ return lsos.rover {
   api  = 1,
   name = 'MER',
   doc  = 'Mars Exploration Rover: six wheels on rockers and bogies, four steered.',
+  crew = 0,
 
   chassis    = chassis,
   suspension = suspension,

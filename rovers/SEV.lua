@@ -130,6 +130,7 @@ return lsos.rover {
   api  = 1,
   name = 'SEV',
   doc  = 'Pressurised rover for two, twelve wheels in six steerable modules.',
+  crew = 2,  -- R: NASA SEV fact sheet
 
   chassis    = chassis,
   suspension = suspension,

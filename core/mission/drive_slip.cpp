@@ -10,8 +10,8 @@ namespace lsos {
 
 namespace {
 
-// As a rover that stands is told from one that drives.
-constexpr double standing_mps = 1e-3;
+// Slower than this, or than so much of the cruise speed, slip is not told from creeping.
+constexpr double creeping_mps = 0.05, creeping_share = 0.1;
 constexpr double requested_share = 0.5;  // of the requested speed; below, it sets off or stops
 
 }  // namespace
@@ -59,8 +59,9 @@ void DriveSlip::add(const Motion& motion) {
     requested_m_ += motion.requested_mps * seconds(exchange_period);
   }
   if (!(greatest_rolling_ >= now()) && !std::isnan(now())) greatest_rolling_ = now();
+  const double moving_mps = std::min(creeping_mps, creeping_share * motion.cruise_mps);
   const bool is_driving =
-      motion.is_commanded && motion.speed_mps > std::max(standing_mps, fast_mps);
+      motion.is_commanded && motion.speed_mps > moving_mps && motion.speed_mps > fast_mps;
   const double slip = is_driving ? motion.slip : not_modelled;
   driving_.add(slip);
   if (!std::isnan(slip)) histogram_.add(slip);

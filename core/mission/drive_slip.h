@@ -55,6 +55,7 @@ class DriveSlip {
     double speed_mps = 0;        // of the rover along the ground
     double command_mps = 0;      // that its wheels are told to roll at
     double requested_mps = 0;    // of the drive
+    double cruise_mps = 0;       // of the rover's type
     double slip = not_modelled;  // of the wheels
     double slip_max = not_modelled;
   };

@@ -100,9 +100,8 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       hindered = fmt::format("timed out after {} s", seconds(*event().timeout));
     }
     if (!hindered.empty()) {
-      const bool is_late = is_timed_out(now);
       const std::string state = abort(now, agent, host);
-      if (is_late && !state.empty()) hindered += "; " + state;
+      if (!state.empty()) hindered += "; " + state;
       end(EventStatus::failed, hindered, now, agent);
       if (agent.is_broken()) finish(now, hindered, true);
       continue;

@@ -21,10 +21,11 @@ void EventSequence::warn_of_late_start(SimTime now) {
     return;
   }
   const SimTime wanted = *event().start_time - mission_.start_time;
-  if (wanted < SimTime{} || seconds(now - wanted) <= late_s) return;
-  warnings_.push_back(
-      fmt::format("{} of {}: started {:.4g} s after its StartTime, when its turn came",
-                  event().label, event().rover_id, seconds(now - wanted)));
+  if (wanted <= SimTime{} || seconds(now - wanted) <= late_s) return;
+  const bool had_no_turn = current().ready && *current().ready > wanted;
+  warnings_.push_back(fmt::format("{} of {}: started {:.4g} s after its StartTime{}", event().label,
+                                  event().rover_id, seconds(now - wanted),
+                                  had_no_turn ? ", when its turn came" : ""));
 }
 
 }  // namespace lsos

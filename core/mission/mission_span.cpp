@@ -52,9 +52,9 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
       if (field.kind == FieldKind::duration) sum_s += std::get<double>(value->second);
     }
     const PlanRover* rover = rover_of(plan, event.rover_id);
-    if (!declaration.drives || rover == nullptr || !rovers.contains(rover->type)) continue;
+    if (!declaration.drives || rover == nullptr || !rovers.contains(rover->model())) continue;
     const double length_m = drawn_m(*plan.mission.planet, event.geometry, at[event.rover_id]);
-    sum_s += detour * length_m / speed_mps(event, rovers.at(rover->type).spec.vehicle);
+    sum_s += detour * length_m / speed_mps(event, rovers.at(rover->model()).spec.vehicle);
   }
   const double hours = std::ceil((latest_s + sum_s + day_s) / hour_s - 1e-9);
   return std::min(from_seconds(hours * hour_s), longest_mission);

@@ -49,7 +49,7 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
   }
 }
 
-// Of all its fields that are durations.
+// Sum over its fields that are durations.
 double durations_s(const PlanEvent& event, const EventDeclaration& declaration) {
   double sum_s = 0;
   for (const FieldDeclaration& field : declaration.fields) {
@@ -60,8 +60,10 @@ double durations_s(const PlanEvent& event, const EventDeclaration& declaration) 
   return sum_s;
 }
 
-// What its drawn line takes at the speed asked for; 0 where one of both is missing.
-double drive_s(const PlanEvent& event, const EventDeclaration& declaration, const Body& body) {
+// What its drawn line takes at the speed asked for, or the rover's cruise speed; 0 where neither is
+// known.
+double drive_s(const PlanEvent& event, const EventDeclaration& declaration, const Body& body,
+               std::optional<double> cruise_speed_mps = {}) {
   if (!declaration.drives || event.geometry.kind != GeometryKind::line) return 0;
   double length_m = 0;
   const std::vector<Geodetic>& points = event.geometry.points;
@@ -69,10 +71,12 @@ double drive_s(const PlanEvent& event, const EventDeclaration& declaration, cons
     length_m += surface_distance_m(body, points[k - 1], points[k]);
   }
   const double* speed_mps = find_value<double>(event.params, "speed_mps");
-  return speed_mps == nullptr || !(*speed_mps > 0) ? 0 : length_m / *speed_mps;
+  if (speed_mps != nullptr && *speed_mps > 0) return length_m / *speed_mps;
+  return cruise_speed_mps ? length_m / *cruise_speed_mps : 0;
 }
 
-void check_timeouts(const Plan& plan, const Declarations& declarations, Faults& faults) {
+void check_timeouts(const Plan& plan, const Declarations& declarations,
+                    const std::map<std::string, RoverModel>& rovers, Faults& faults) {
   for (const PlanEvent& event : plan.events) {
     if (!event.is_enabled || !event.timeout || !event.stop_when.text.empty()) continue;
     const EventDeclaration& declaration = declarations.events.at(event.type);
@@ -84,28 +88,14 @@ void check_timeouts(const Plan& plan, const Declarations& declarations, Faults& 
     };
     warn(durations_s(event, declaration), "of its durations");
     if (plan.mission.planet == nullptr) continue;
-    warn(drive_s(event, declaration, *plan.mission.planet), "that its line takes at its Speed");
-  }
-}
-
-// One rover's events that take longer than the mission may.
-void check_spans(const Plan& plan, const Declarations& declarations, Faults& faults) {
-  if (plan.mission.planet == nullptr) return;
-  for (const PlanRover& rover : plan.rovers) {
-    double sum_s = 0;
-    for (const PlanEvent& event : plan.events) {
-      if (event.rover_id != rover.id || !event.is_enabled) continue;
-      const EventDeclaration& declaration = declarations.events.at(event.type);
-      sum_s += durations_s(event, declaration) + drive_s(event, declaration, *plan.mission.planet);
-    }
-    if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
-    faults.warning(plan.mission.place,
-                   fmt::format("MissionInfo: MaxDuration = {}{}: the durations and drives of the "
-                               "events of rover {} alone come to {}; those that the time does not "
-                               "suffice for end as incomplete",
-                               span_text(plan.mission.max_duration),
-                               plan.mission.has_max_duration ? "" : " (the default)",
-                               quoted(rover.id), span_text(from_seconds(sum_s))));
+    const PlanRover* rover = rover_of(plan, event.rover_id);
+    const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
+    std::optional<double> cruise_speed_mps;
+    if (model != rovers.end()) cruise_speed_mps = model->second.spec.vehicle.cruise_speed_mps;
+    const bool has_speed = find_value<double>(event.params, "speed_mps") != nullptr;
+    warn(drive_s(event, declaration, *plan.mission.planet, cruise_speed_mps),
+         has_speed ? "that its line takes at its Speed"
+                   : "that its line takes at the rover's cruise speed");
   }
 }
 
@@ -152,7 +142,16 @@ void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& ro
                    Faults& faults) {
   for (const PlanRover& rover : plan.rovers) {
     const auto model = rovers.find(rover.model());
-    if (model == rovers.end() || model->second.power.battery || rover.initial_charge == 1) continue;
+    if (model == rovers.end() || rover.initial_charge == 1) continue;
+    if (const auto& battery = model->second.power.battery) {
+      if (rover.initial_charge >= battery->reserve) continue;
+      faults.warning(
+          rover.place,
+          fmt::format("Rover '{}': InitialCharge = {:g} %: is below the reserve of {}, "
+                      "{:g} %",
+                      rover.id, 100 * rover.initial_charge, rover.type, 100 * battery->reserve));
+      continue;
+    }
     faults.warning(rover.place, fmt::format("Rover '{}': InitialCharge = {}: {} has no battery",
                                             rover.id, rover.initial_charge, rover.type));
   }
@@ -185,7 +184,24 @@ void check_supplies(const Plan& plan, const Declarations& declarations,
 }  // namespace
 
 void check_plan_spans(const Plan& plan, const Declarations& declarations, Faults& faults) {
-  check_spans(plan, declarations, faults);
+  if (plan.mission.planet == nullptr) return;
+  for (const PlanRover& rover : plan.rovers) {
+    double sum_s = 0;
+    for (const PlanEvent& event : plan.events) {
+      if (event.rover_id != rover.id || !event.is_enabled) continue;
+      if (!event.stop_when.text.empty() || !event.skip_when.text.empty()) continue;
+      const EventDeclaration& declaration = declarations.events.at(event.type);
+      sum_s += durations_s(event, declaration) + drive_s(event, declaration, *plan.mission.planet);
+    }
+    if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
+    faults.warning(plan.mission.place,
+                   fmt::format("MissionInfo: MaxDuration = {}{}: the durations and drives of the "
+                               "events of rover {} alone come to {}; those that the time does not "
+                               "suffice for end as incomplete",
+                               span_text(plan.mission.max_duration),
+                               plan.mission.has_max_duration ? "" : " (the default)",
+                               quoted(rover.id), span_text(from_seconds(sum_s))));
+  }
 }
 
 void check_for_events(const Plan& plan, Faults& faults) {
@@ -202,7 +218,7 @@ void check_plan_aims(const Plan& plan, const Declarations& declarations,
                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
   if (!plan.gaps.start_time) check_times(plan, declarations, faults);
   check_order_of_times(plan, faults);
-  check_timeouts(plan, declarations, faults);
+  check_timeouts(plan, declarations, rovers, faults);
   check_log_interval(plan, declarations, rovers, faults);
   check_charges(plan, rovers, faults);
   check_supplies(plan, declarations, assets, faults);

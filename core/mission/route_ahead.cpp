@@ -55,8 +55,8 @@ std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
     }
   }
   if (missing == 0) return "";
-  return fmt::format("{:.2g} % of its area has no ground, as at {:.6f},{:.6f}",
-                     100.0 * missing / places, lon_deg(first), lat_deg(first));
+  return fmt::format("{:.0f} % of its area has no ground, as at {:.6f},{:.6f}",
+                     std::ceil(100.0 * missing / places), lon_deg(first), lat_deg(first));
 }
 
 // Goes through a rover's events and knows where it is, as far as the plan says that.

@@ -269,7 +269,7 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(power_)(antennas_)(routes_)(now_);
-  a(has_motion_ended_)(is_shedding_)(has_told_empty_)(has_told_shed_);
+  a(has_motion_ended_)(is_shedding_)(has_told_empty_)(has_told_shed_)(has_told_low_);
   a(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_);
   a(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_);
   a(view_.distance_m)(view_.drive_w)(view_.drive_j);

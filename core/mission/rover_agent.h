@@ -75,6 +75,7 @@ class RoverAgent : public RoverPort {
   // At an exchange, after scripts ran: of what the asset that it is plugged into offers, W.
   double taken_w(double offered_w);
   // What flows as long as scripts ask for nothing else; conditions look at it.
+  void tell_low(SimTime now);
   void find_flows();
   // What flows from now on.
   void settle_energy();
@@ -166,6 +167,7 @@ class RoverAgent : public RoverPort {
   bool has_motion_ended_ = false;  // since the last look at the Sun
   bool is_shedding_ = false;
   bool has_told_empty_ = false;  // that its battery was
+  bool has_told_low_ = false;    // that its charge was below the reserve
   bool has_told_shed_ = false;   // that its battery, though not empty, gives less than is asked
   RoverView view_;
   VehicleReport report_;

@@ -71,6 +71,7 @@ void RoverAgent::count_slip() {
   motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
   motion.is_commanded = is_driving() && !command_.is_braking && motion.command_mps > 0;
   if (motion.is_commanded) motion.requested_mps = follower_->requested_mps();
+  motion.cruise_mps = vehicle_.config().cruise_speed_mps;
   motion.speed_mps = report_.speed_mps;
   motion.slip = report_.slip;
   motion.slip_max = report_.slip_max;

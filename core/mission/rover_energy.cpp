@@ -15,6 +15,7 @@ namespace lsos {
 void RoverAgent::count_energy(SimTime now) {
   now_ = now;
   power_.begin(now, view_.p_S_m, view_.drive_w, is_parked_);
+  tell_low(now);
   if (!power_.has_reserve_changed() || !power_.waits_for_reserve()) return;
   noting_sequence_ = 0;
   note("battery_empty", fmt::format(R"({{"shed_w":{}}})", note_json(power_.shed_w())));
@@ -29,6 +30,17 @@ void RoverAgent::count_energy(SimTime now) {
     command_ = {};
     has_new_command_ = true;
   }
+}
+
+// The reserve is what a planner counts on, long before the battery is empty.
+void RoverAgent::tell_low(SimTime now) {
+  if (has_told_low_ || !power_.has_battery()) return;
+  const double charge = power_.account().energy_j / power_.capacity_j();
+  if (!(charge < power_.reserve())) return;
+  has_told_low_ = true;
+  warnings_.push_back(
+      fmt::format("{}: at {} s its charge is {:.1f} %, below the reserve of {:.0f} %", rover_.id,
+                  seconds(now), 100 * charge, 100 * power_.reserve()));
 }
 
 void RoverAgent::find_flows() {

@@ -1,6 +1,8 @@
 // All that a script in rovers/ says: of a rover, or of a thing that stands on the ground.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct RoverModel {
   std::vector<Shape> shapes;          // wheels and struts are drawn besides; none: the chassis' box
   std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
   GroundLimits limits;
+  std::optional<std::int64_t> crew = {};  // that it carries; absent: nobody said
 };
 
 // A habitat, a comm station.

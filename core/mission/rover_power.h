@@ -57,6 +57,9 @@ class RoverPower : public PowerPort {
   RoverPower(const PowerSpec& spec, double initial_charge, std::span<const PowerSource> sources);
 
   bool has_battery() const { return spec_.battery.has_value(); }
+  // Where there is a battery.
+  double capacity_j() const { return spec_.battery->capacity_j; }
+  double reserve() const { return spec_.battery->reserve; }  // charge, 0..1
   // Something of it depends on the Sun.
   bool needs_sun() const;
   PanelArray& panels() { return panels_; }

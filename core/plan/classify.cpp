@@ -233,8 +233,14 @@ class Classifier {
     }
     const std::string hint = field.name.size() > 100 ? "" : did_you_mean(field.name, names);
     const bool is_table = !source_.layers.empty();
-    if (is_table && is_of_libkml(field.name)) return false;
-    if (!is_table && !hint.empty()) return true;
+    const auto is_slip = [&](const std::string& known) {
+      return edit_distance(known, field.name) <= 1;
+    };
+    if (is_table && is_of_libkml(field.name)) {
+      if (hint.empty()) return false;
+    } else if (!hint.empty() && (!is_table || std::ranges::any_of(names, is_slip))) {
+      return true;
+    }
     // Joins and notes leave columns in tables that only sound like ours.
     count_unused(placemark,
                  fmt::format("the {} {} is no field of a {}; it is not used{}",

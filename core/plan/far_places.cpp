@@ -27,7 +27,7 @@ constexpr double nearer_share = 0.1;
 // not so many times farther from it.
 constexpr double likely_times = 2;
 // A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
-constexpr double apart_m = 200;
+constexpr double apart_m = 200, turned_m = 100;
 // Rovers and assets of one mission are no farther from each other.
 constexpr double together_m = 100e3;
 
@@ -120,7 +120,8 @@ class FarWaypoints {
     }
   }
 
-  // After measure() of all. One warning an event; none for the way back from a far place.
+  // After measure() of all. One warning of a far waypoint an event; none for the way back from a
+  // far place.
   void check(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
     const std::string& rover = draft.event.rover_id;
     const bool is_back = strayed_.contains(rover);
@@ -153,6 +154,17 @@ class FarWaypoints {
       line_m += surface_distance_m(body_, event.geometry.points[k - 1], event.geometry.points[k]);
     }
     const double distance_m = surface_distance_m(body_, *leg.from, leg.to);
+    const Geodetic& last = event.geometry.points.back();
+    const double from_end_m = surface_distance_m(body_, *leg.from, last);
+    if (distance_m > turned_m && from_end_m < nearer_share * distance_m) {
+      faults_.warning(
+          {event.place.file, event.geometry.line},
+          fmt::format("{}: its line ends where rover {} then is expected, and begins {} "
+                      "away, where it drives first: is it drawn the wrong way round, "
+                      "or out of its turn?",
+                      draft.subject, quoted(event.rover_id), distance_text(distance_m)));
+      return;
+    }
     if (distance_m <= std::max(apart_m, line_m)) return;
     faults_.warning(
         {event.place.file, event.geometry.line},

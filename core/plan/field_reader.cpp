@@ -79,21 +79,30 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr || declaration.unit == nullptr || !is_bare_number(text)) return "";
   const Unit& unit = *declaration.unit;
-  constexpr double much_shorter = 20, nearly = 0.006;
   if (declaration.kind == FieldKind::duration && declaration.default_value) {
+    constexpr double much_shorter = 20, least_share = 0.1, most_share = 2;
     const auto* usual_s = std::get_if<double>(&*declaration.default_value);
-    const bool is_short = usual_s != nullptr && *number > 0 && *number * much_shorter < *usual_s;
-    if (unit.si_factor == 1 || !is_short) return "";
+    if (usual_s == nullptr || unit.si_factor == 1 || *number * much_shorter >= *usual_s) return "";
+    // In the unit of the default it would be of its size.
+    const double meant_s = *number * unit.si_factor;
+    if (meant_s < least_share * *usual_s || meant_s > most_share * *usual_s) return "";
     return fmt::format("is {:g} s, as without a unit; did you mean '{:g} {}'?", *number, *number,
                        unit.symbol);
   }
-  if (unit.kind != "angle" || unit.symbol != "deg") return "";
-  const double written = degrees(*number), eighths = written / (std::numbers::pi / 4);
-  const bool is_part = std::round(eighths) != 0 && std::abs(eighths) < 9 &&
-                       std::abs(written - std::round(eighths) * std::numbers::pi / 4) < nearly;
-  if (!is_part || written == std::round(written)) return "";
+  if (unit.symbol != "deg") return "";
+  // Written with two decimals or more, to their last digit.
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos || text.size() - point < 3) return "";
+  constexpr double half_turn_rad = std::numbers::pi, last_digit = 0.002;
+  const double written = degrees(*number), eighths = std::round(written / (half_turn_rad / 4));
+  const bool is_part = eighths != 0 && std::abs(eighths) < 9 &&
+                       std::abs(written - eighths * half_turn_rad / 4) < last_digit;
+  const double meant_rad = eighths * half_turn_rad / 4;
+  const bool is_allowed = (!declaration.min_si || meant_rad >= *declaration.min_si) &&
+                          (!declaration.max_si || meant_rad <= *declaration.max_si);
+  if (!is_part || !is_allowed) return "";
   return fmt::format("is {:g} deg, as without a unit; did you mean '{:g} deg'?", written,
-                     std::round(eighths) * 45);
+                     45 * eighths);
 }
 
 }  // namespace

@@ -61,6 +61,14 @@ bool is_geometry(std::string_view name) {
   return std::ranges::find(names, name) != names.end();
 }
 
+bool is_empty_multi(const XMLElement& element) {
+  if (local_name(element) != "MultiGeometry") return false;
+  for (const auto* each = element.FirstChildElement(); each; each = each->NextSiblingElement()) {
+    if (is_geometry(local_name(*each))) return false;
+  }
+  return true;
+}
+
 // Depth is bounded by tinyxml2's limit on nested elements.
 SourceGeometry read_kml_geometry(const XMLElement& element) {
   const std::string_view name = local_name(element);

@@ -68,7 +68,7 @@ SourcePlacemark placemark(const XMLElement& element) {
         if (local_name(*data) == "SchemaData") found.data.push_back(schema_data(*data));
         if (local_name(*data) == "Data") found.plain_data.push_back(plain_data(*data));
       }
-    } else if (is_geometry(name)) {
+    } else if (is_geometry(name) && !is_empty_multi(*each)) {
       found.geometries.push_back(read_kml_geometry(*each));
     } else if (name == "Camera") {
       camera = each;

@@ -94,10 +94,10 @@ struct KmlDocument {
   std::vector<KmlPlacemark> placemarks;
 };
 
-// The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
 // As Google Earth calls the bodies that it has; it needs no word for the Earth.
 std::string target_of(const Body& body);
 
+// The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
 std::string write_kml(const KmlDocument& document);
 
 // A KMZ archive that holds the document alone. Throws std::runtime_error when memory runs out.

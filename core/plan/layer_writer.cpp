@@ -94,9 +94,10 @@ std::string next_sequence(const FormLayer& own, const std::vector<FormLayer>& la
       return field.declaration.name == "Sequence";
     };
     if (std::ranges::none_of(layer.fields, has_sequence)) continue;
-    highest += fmt::format(R"(, coalesce(try(aggregate(replace(@layer_name, '{}', '{}'), 'max', )"
-                           R"("Sequence"), 0), 0))",
-                           own.name, layer.name);
+    highest +=
+        fmt::format(R"(, coalesce(try(aggregate(regexp_replace(@layer_name, '{}$', '{}'), 'max', )"
+                    R"("Sequence"), 0), 0))",
+                    own.name, layer.name);
   }
   return fmt::format("max({}) + 10", highest);
 }
@@ -111,15 +112,15 @@ std::string initial_expression(const FormField& field, const FormLayer& own,
   return is_text ? sql_text(field.initial) : field.initial;
 }
 
-// "Speed (m/s): Driving speed": what a form calls a field.
+// "Speed (m/s): Driving speed": what a form calls a field, and what its numbers are in.
 std::string alias_of(const FieldDeclaration& field) {
   constexpr std::size_t longest = 46;  // letters beside which a box has room
-  const std::string doc = field.doc.substr(0, field.doc.find_first_of(".;("));
+  const bool is_duration = field.kind == FieldKind::duration;
   std::string alias = field.name;
-  if (field.unit != nullptr && field.unit->kind != "fraction") {
-    alias += fmt::format(" ({})", field.unit->symbol);
+  if (is_duration || (field.unit != nullptr && field.unit->kind != "fraction")) {
+    alias += fmt::format(" ({})", is_duration ? "s" : field.unit->symbol);
   }
-  alias += ": " + doc;
+  alias += ": " + field.doc.substr(0, field.doc.find_first_of(".;"));
   if (alias.size() <= longest) return alias;
   return alias.substr(0, alias.rfind(' ', longest)) + " ...";
 }

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "terrain/cell_sides.h"
 #include "terrain/gdal_call.h"
@@ -24,8 +26,9 @@ constexpr double most_cells_without_overviews = 1e8;
 // The smoothest plains of Moon and Mars rise and fall by more than this share of their width, and
 // none of 150 km and more by less than 30 m.
 constexpr double smoothest_share = 2e-4, smoothest_m = 30;
-// On less, a raster made by hand may well be as level.
-constexpr double narrowest_m = 1e3;
+// On less, a raster made by hand may well be as level: there heights in km are told by how much
+// farther they are from 0 than from each other.
+constexpr double wide_m = 20e3, narrowest_m = 1e3, far_times = 3;
 
 // A polar map of the body, as GDAL knows it.
 std::string polar_crs(const Body& body, bool is_north) {
@@ -45,6 +48,20 @@ std::string way_to_overviews(const HeightBand& heights, const std::string& file)
                        option_of_raster("nodata"));
   }
   return fmt::format("; declare first what marks them: gdal_edit.py -a_nodata -32768 {}", file);
+}
+
+// The words of a name, in small letters: "height", "slope" of "Height_Slope-2".
+std::set<std::string> words_of(const std::string& name) {
+  std::set<std::string> words;
+  std::string word;
+  for (const char c : name + "_") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!word.empty()) {
+      words.insert(std::exchange(word, ""));
+    }
+  }
+  return words;
 }
 
 // Ground reaches as far in km, and so little rise would leave whole numbers of them one or two
@@ -93,6 +110,8 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   const double rise = high - low;
   if (rise <= 0) return {};
   if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
+  const bool is_far = std::min(std::abs(low), std::abs(high)) > far_times * rise && low * high > 0;
+  if (across_m < wide_m && !is_far) return {};
   if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
       "raster '{}' holds heights of {:.6g} to {:.6g} over {:.0f} km and names no unit: are they "
@@ -119,34 +138,37 @@ std::string zero_advice(const Raster& raster, const RasterSurface& surface) {
   const SampleRange range = heights.range();
   if (range.zeros == 0 || range.zeros == range.count || heights.nodata() == 0) return {};
   if (heights.scale().offset_m != 0) return {};
+  if (range.low == 0 && range.second_low == range.high) return {};  // made by hand: two heights
   if (!(range.nearest_to_zero * heights.scale().scale > leap_m)) return {};
-  const double share = static_cast<double>(range.zeros) / static_cast<double>(range.count);
+  const double percent = 100 * static_cast<double>(range.zeros) / static_cast<double>(range.count);
   return fmt::format(
-      "raster '{}': {:.2g} % of its samples are exactly 0, and all others at least {:.0f} from it: "
+      "raster '{}': {} % of its samples are exactly 0, and all others at least {:.0f} from it: "
       "does 0 mark missing samples? They are taken as heights; say the mark ({})",
-      surface.file, 100 * share, range.nearest_to_zero, option_of_raster("nodata"));
+      surface.file, percent < 1 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent),
+      range.nearest_to_zero, option_of_raster("nodata"));
 }
 
 std::string word_advice(const Raster& raster, const RasterSurface& surface) {
-  static constexpr const char* words[] = {"slope",     "aspect",  "hillshade",    "albedo",
-                                          "abundance", "rough",   "temperature",  "error",
-                                          "quality",   "azimuth", "illumination", "count"};
-  const auto lower = [](std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-  };
-  const std::string band = lower(raster.band().band().GetDescription());
-  const std::string file = lower(std::filesystem::path(surface.file).stem().string());
+  static const std::set<std::string> others{
+      "slope",       "slopes", "aspect", "hillshade", "albedo",  "abundance",    "roughness",
+      "temperature", "error",  "errors", "quality",   "azimuth", "illumination", "count"};
+  static const std::set<std::string> heights{"height", "heights", "elevation", "dem",
+                                             "dtm",    "dsm",     "topo",      "topography"};
+  if (surface.is_band_said || names_unit(raster.band().band(), surface)) return {};
+  const std::string band = raster.band().band().GetDescription();
+  const std::string file = std::filesystem::path(surface.file).stem().string();
   for (const std::string& name : {band, file}) {
-    const bool is_band = name == band;
-    for (const char* word : words) {
-      if (name.find(word) == std::string::npos) continue;
-      return fmt::format(
-          "raster '{}': {} is called '{}', and its samples are taken as heights in metres: is it "
-          "a map of something else?",
-          surface.file, is_band ? fmt::format("band {}", raster.band().band().GetBand()) : "it",
-          name);
-    }
+    const std::set<std::string> words = words_of(name);
+    const auto is_one_of = [&](const std::set<std::string>& known) {
+      return std::ranges::any_of(words, [&](const auto& word) { return known.contains(word); });
+    };
+    if (is_one_of(heights)) return {};
+    if (!is_one_of(others)) continue;
+    return fmt::format(
+        "raster '{}': {} is called '{}', and its samples are taken as heights in metres: is it a "
+        "map of something else? Say the band or the unit if it is not ({}, {})",
+        surface.file, name == band ? fmt::format("band {}", raster.band().band().GetBand()) : "it",
+        name, option_of_raster("band"), option_of_raster("unit"));
   }
   return {};
 }

@@ -289,6 +289,22 @@ TEST(GeoPackagePlan, has_columns_of_its_own) {
   EXPECT_THAT(told, HasSubstr("the column 'speed_kmh' is no field of a Route; it is not used; did "
                               "you mean 'Speed'?"));
   EXPECT_THAT(told, ::testing::Not(HasSubstr("heading'")));
+  // A slip of the pen is one.
+  EXPECT_THAT(faults_of_route("LINESTRING (0 0, 0.001 0)", "Speeed;", "5;"),
+              HasSubstr("there is no field 'Speeed'; did you mean 'Speed'?"));
+}
+
+TEST(SchemaForm, names_the_unit_of_bare_numbers) {
+  const TempFolder folder;
+  run({"schema", "EVA", "Route", "-o", folder / "form.gpkg"});
+  const auto style = [&](const char* layer) {
+    return query(folder / "form.gpkg",
+                 std::string("select replace(replace(styleQML, char(10), ' '), '|', '!') from "
+                             "layer_styles where f_table_name = '") +
+                     layer + "'");
+  };
+  EXPECT_THAT(style("EVA"), HasSubstr("name=\"ActivityDuration (s): "));
+  EXPECT_THAT(style("Route"), HasSubstr("name=\"Speed (m/s): Driving speed\""));
 }
 
 // A feature without a place as QGIS saves it in a layer of lines.
@@ -305,10 +321,10 @@ TEST(MapTools, an_empty_geometry_is_none) {
 TEST(SchemaForm, counts_sequences_over_layers_of_any_prefix) {
   const TempFolder folder;
   run({"schema", "Route", "Pause", "-o", folder / "form.gpkg"});
-  const std::string style = query(
-      folder / "form.gpkg",
-      "select replace(replace(styleQML, char(10), ' '), '|', '!') from layer_styles where f_table_name = 'Pause'");
-  EXPECT_THAT(style, HasSubstr("aggregate(replace(@layer_name, 'Pause', 'Route'), 'max'"));
+  const std::string style = query(folder / "form.gpkg",
+                                  "select replace(replace(styleQML, char(10), ' '), '|', '!') from "
+                                  "layer_styles where f_table_name = 'Pause'");
+  EXPECT_THAT(style, HasSubstr("aggregate(regexp_replace(@layer_name, 'Pause$', 'Route'), 'max'"));
   EXPECT_THAT(style, HasSubstr("<attributeEditorContainer name=\"When, and if it fails\""));
 }
 

@@ -59,6 +59,7 @@ TEST(New, plan_can_be_run_on_each_planet) {
   const Asked all[] = {
       {"first", {}},
       {"pole", {"--terrain", "LunarSouthPole", "--site", "80,-84.7", "--from", "LRV"}},
+      {"at_the_pole", {"--terrain", "Flat", "--site", "0,-89.9999"}},
       {"mars", {"--planet", "Mars", "--terrain", "Flat", "--site", "137.4,-4.6"}},
       {"earth", {"--planet", "Earth", "--terrain", "BlackPoint", "--site=-111.48,35.68"}}};
   for (const Asked& asked : all) {
@@ -85,6 +86,30 @@ TEST(New, terrain_is_ground_that_a_plan_can_name) {
   EXPECT_THAT(read_text(folder / "terrain/Dem.lua"), HasSubstr("file = '../dem.asc'"));
   EXPECT_THAT(run({"new", "terrain", "T", "--from", "no.tif"}, there).err,
               HasSubstr("no.tif: there is no such file"));
+}
+
+TEST(New, names_and_paths_may_hold_anything) {
+  const TempFolder folder;
+  const Surroundings there{folder.path()};
+  EXPECT_EQ(run({"new", "rover", "BASECAMP"}, there).exit_code, 0);
+  EXPECT_THAT(read_text(folder / "rovers/BASECAMP.lua"), HasSubstr("'BASECAMP: its mass"));
+  EXPECT_EQ(run({"new", "rover", "MASSIVE"}, there).exit_code, 0);
+  EXPECT_EQ(run({"new", "rover", "Three", "--from", "MASSIVE"}, there).exit_code, 0);
+  EXPECT_EQ(run({"list", "rovers", "Three"}, there).exit_code, 0);
+  std::filesystem::copy(repository() / "tests/messages/mission/shown.asc", folder / "it's.asc");
+  EXPECT_EQ(run({"new", "terrain", "Quoted", "--from", "it's.asc"}, there).exit_code, 0);
+  EXPECT_EQ(run({"list", "terrains", "Quoted"}, there).exit_code, 0);
+}
+
+TEST(New, options_that_say_nothing_are_refused) {
+  const TempFolder folder;
+  const Surroundings there{folder.path()};
+  EXPECT_THAT(run({"new", "event", "Zed", "--from", "x"}, there).err,
+              HasSubstr("--from says nothing of a new event"));
+  EXPECT_THAT(run({"new", "rover", "Zed", "--site", "1,2"}, there).err,
+              HasSubstr("--site says nothing of a new rover"));
+  EXPECT_THAT(run({"new", "plan", "z", "--terrain", "Crater"}, there).err,
+              HasSubstr("there is no such terrain and no such file; did you mean 'Craters'?"));
 }
 
 TEST(New, scenario_passes) {

@@ -105,9 +105,9 @@ class MissionMap {
       this.marks.append(mark, label);
       this.events.push({rover, x: event.x_m, y: event.y_m, mark, label, text: event.label, event});
     });
-    // Of what was done at one place the longest gives it its name.
+    // The longest of what was done at one place gives it its name.
     const isDrive = ({event}) => event.distance_m > 1, took = ({event}) => (event.end_s ?? endS) - event.start_s;
-    this.named = this.events.toSorted((a, b) => isDrive(a) - isDrive(b) || took(b) - took(a));
+    this.named = [...this.events].sort((a, b) => isDrive(a) - isDrive(b) || took(b) - took(a));
     this.assets = page.assets.map(asset => {
       const mark = draw('g', {}, draw('rect', {x: -5, y: -5, width: 10, height: 10, fill: '#17212b', stroke: '#fff', 'stroke-width': 1.5}),
         draw('title', {}, `${asset.id} (${asset.type})`));

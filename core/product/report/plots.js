@@ -57,7 +57,7 @@ function hatch(pen, x, y, w, h) {
 }
 const strip = '9.5px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
 // A label in its bar, where at least its beginning has room.
-function name(pen, label, x, y, w) {
+function drawName(pen, label, x, y, w) {
   const room = w - 6, least = 26;
   if (room < least) return;
   pen.font = strip;
@@ -89,7 +89,7 @@ function drawEvents(pen, top, width) {
       pen.fillStyle = kindOf(event).colour;
       pen.fillRect(x0, y, Math.max(1, x1 - x0 - (x1 - x0 > 3 ? 1 : 0)), barHeight);
       if (event.status === 'failed' || event.status === 'incomplete') hatch(pen, x0, y, x1 - x0, barHeight);
-      name(pen, event.label, x0, y, x1 - x0);
+      drawName(pen, event.label, x0, y, x1 - x0);
     }
   });
 }

@@ -19,7 +19,7 @@ function fillHead() {
     make('div', {}, make('dt', {}, term), make('dd', kind ? {class: kind} : {}, text))));
 }
 
-// Of what the whole ground or sky is made, not of one vehicle's part.
+// What the whole ground or sky is made of, not one vehicle's part.
 const isBasic = assumption => [page.terrain, page.body].some(name => assumption.startsWith(`${name}:`));
 
 function fillFindings() {

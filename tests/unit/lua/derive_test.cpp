@@ -117,13 +117,21 @@ TEST_F(Derive, says_what_cannot_be_changed) {
 TEST_F(Derive, a_plan_may_change_numbers_alone) {
   const Catalog catalog = this->catalog();
   const RoverModel base = catalog.load_rover("SEV");
-  const RoverModel model =
-      catalog.load_variant("SEV", "{ battery = { capacity_j = 5e8 } }", "Rover 'A': Variant", {});
+  Faults faults;
+  const RoverModel model = catalog.load_variant("SEV", "{ battery = { capacity_j = 5e8 } }",
+                                                "Rover 'A': Variant", {}, faults);
+  EXPECT_TRUE(faults.sorted().empty());
   EXPECT_EQ(model.power.battery->capacity_j, 5e8);
   EXPECT_EQ(model.spec.vehicle.type, "SEV");
   EXPECT_THAT(model.spec.vehicle.assumptions,
               Contains("Rover 'A': Variant: SEV with battery.capacity_j = 5e+08"));
   EXPECT_EQ(catalog.load_rover("SEV").power.battery->capacity_j, base.power.battery->capacity_j);
+  catalog.load_variant("SEV", "{ battery = { capacity_j = 60 } }", "Rover 'A': Variant", {},
+                       faults);
+  ASSERT_EQ(faults.sorted().size(), 1u);
+  EXPECT_THAT(
+      faults.sorted()[0].what,
+      HasSubstr("battery.capacity_j = 60 J: the rover has 1.44e+08; is it in another unit?"));
 }
 
 }  // namespace

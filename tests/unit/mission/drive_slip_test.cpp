@@ -15,6 +15,7 @@ DriveSlip::Motion driving(double slip) {
   DriveSlip::Motion motion;
   motion.is_commanded = true;
   motion.requested_mps = motion.command_mps = motion.speed_mps = 2;
+  motion.cruise_mps = 2;
   motion.slip = slip;
   motion.slip_max = 2 * slip;
   return motion;
@@ -63,21 +64,14 @@ TEST(DriveSlip, is_of_driving_alone) {
   EXPECT_NEAR(slip.greatest(), 0.02, 1e-15) << "a second has no gap";
 }
 
-TEST(DriveSlip, knows_nothing_of_a_rover_that_creeps_unless_it_is_to_be_slow) {
-  DriveSlip::Motion creeping = driving(0.3);
-  creeping.speed_mps = 0.04;
+TEST(DriveSlip, knows_nothing_of_a_rover_that_creeps) {
   DriveSlip slip;
-  for (int k = 0; k < 20; ++k) slip.add(creeping);
-  EXPECT_TRUE(std::isnan(slip.greatest())) << "below half the speed asked for";
-  EXPECT_NEAR(slip.now(), 0.3, 1e-15) << "what conditions look at";
-  DriveSlip slow;
+  DriveSlip::Motion creeping = driving(0.3);
   creeping.requested_mps = creeping.command_mps = 0.04;
-  for (int k = 0; k < 20; ++k) slow.add(creeping);
-  EXPECT_NEAR(slow.greatest(), 0.3, 1e-15);
-  DriveSlip standing;
-  creeping.speed_mps = creeping.requested_mps = creeping.command_mps = 0.0009;
-  for (int k = 0; k < 20; ++k) standing.add(creeping);
-  EXPECT_TRUE(std::isnan(standing.greatest())) << "a rover that stands";
+  creeping.speed_mps = 0.04;
+  for (int k = 0; k < 20; ++k) slip.add(creeping);
+  EXPECT_TRUE(std::isnan(slip.greatest())) << "below 0.05 m/s";
+  EXPECT_NEAR(slip.now(), 0.3, 1e-15) << "what conditions look at";
 }
 
 // Its wheels turn as they are told; the rover loses its speed.
@@ -106,6 +100,17 @@ TEST(DriveSlip, is_saved_and_read_back) {
   EXPECT_EQ(slip.p95(), same.p95());
   EXPECT_EQ(slip.now(), same.now());
   EXPECT_EQ(slip.p95(), 0.012);
+}
+
+// A rover whose cruise speed is 0.05 m/s never is above that.
+TEST(DriveSlip, of_a_slow_rover_is_counted_from_a_tenth_of_its_cruise_speed) {
+  DriveSlip::Motion slow = driving(0.3);
+  slow.cruise_mps = slow.requested_mps = slow.command_mps = 0.05;
+  slow.speed_mps = 0.035;
+  DriveSlip slip;
+  for (int k = 0; k < 20; ++k) slip.add(slow);
+  EXPECT_NEAR(slip.greatest(), 0.3, 1e-15);
+  EXPECT_NEAR(slip.p95(), 0.3, 1e-15);
 }
 
 TEST(DriveSlip, knows_what_is_left_out) {
