@@ -129,10 +129,12 @@ std::string alias_of(const FieldDeclaration& field) {
 std::string tabs_of(const FormLayer& layer) {
   std::string what = R"(<attributeEditorField name="name" index="1" showLabel="1"/>)", when;
   int index = 2;
+  const bool is_event = std::ranges::any_of(
+      layer.fields, [](const FormField& field) { return field.declaration.name == "Sequence"; });
   for (const FormField& field : layer.fields) {
     const auto& common = common_event_fields();
-    const bool is_common =
-        std::ranges::find(common, field.declaration.name, &FieldDeclaration::name) != common.end();
+    const bool is_common = is_event && std::ranges::find(common, field.declaration.name,
+                                                         &FieldDeclaration::name) != common.end();
     (is_common ? when : what) +=
         fmt::format(R"(<attributeEditorField name="{}" index="{}" showLabel="1"/>)",
                     field.declaration.name, index++);

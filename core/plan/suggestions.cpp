@@ -28,6 +28,10 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::string line_text(const Place& place, const std::string& file) {
+  // A feature of a layer has a number, no line.
+  if (place.file.find(".gpkg/") != std::string::npos) {
+    return fmt::format("{}:{}", place.file, place.line);
+  }
   if (place.file == file) return fmt::format("line {}", place.line);
   return fmt::format("line {} of {}", place.line, place.file);
 }

@@ -42,7 +42,9 @@ struct Symbol {
 };
 
 // One symbol for each value of a column.
-std::string categories(std::string_view column, const std::vector<Symbol>& symbols, bool is_line) {
+// `last`: an expression; features of which it is 1 are drawn over all others, "" for none.
+std::string categories(std::string_view column, const std::vector<Symbol>& symbols, bool is_line,
+                       const std::string& last = "") {
   std::string values, drawn;
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const Symbol& symbol = symbols[i];
@@ -54,10 +56,16 @@ std::string categories(std::string_view column, const std::vector<Symbol>& symbo
                     is_line ? "line" : "marker", i, is_line ? "SimpleLine" : "SimpleMarker",
                     options_xml(symbol.options), symbol.property);
   }
+  const std::string order =
+      last.empty()
+          ? ""
+          : fmt::format(R"(<orderby><orderByClause asc="1" nullsFirst="1">{}</orderByClause>)"
+                        "</orderby>",
+                        xml_escaped(last));
   return fmt::format(
-      R"(<renderer-v2 type="categorizedSymbol" attr="{}" symbollevels="0" enableorderby="0" )"
-      R"(forceraster="0"><categories>{}</categories><symbols>{}</symbols></renderer-v2>)",
-      column, values, drawn);
+      R"(<renderer-v2 type="categorizedSymbol" attr="{}" symbollevels="0" enableorderby="{}" )"
+      R"(forceraster="0"><categories>{}</categories><symbols>{}</symbols>{}</renderer-v2>)",
+      column, last.empty() ? 0 : 1, values, drawn, order);
 }
 
 // "255,0,0,255" of KML's "0000ff".
@@ -92,9 +100,10 @@ std::string samples(const std::vector<std::string>& rovers) {
 std::string events() {
   struct Status {
     const char *name, *shape, *color;
+    const char* size_mm = "3.4";
   };
   constexpr std::array statuses{Status{"completed", "circle", "0,150,60,255"},
-                                Status{"failed", "cross_fill", "215,25,28,255"},
+                                Status{"failed", "cross_fill", "170,0,60,255", "5.4"},
                                 Status{"incomplete", "half_square", "255,140,0,255"},
                                 Status{"skipped", "diamond", "150,150,150,255"},
                                 Status{"not_started", "circle", "255,255,255,255"}};
@@ -103,14 +112,14 @@ std::string events() {
     symbols.push_back({status.name,
                        status.name,
                        {{"name", status.shape},
-                        {"size", "3.4"},
+                        {"size", status.size_mm},
                         {"size_unit", "MM"},
                         {"color", status.color},
                         {"outline_color", "255,255,255,255"},
                         {"outline_width", "0.3"}},
                        ""});
   }
-  return categories("status", symbols, false);
+  return categories("status", symbols, false, "if(\"status\" = 'completed', 0, 1)");
 }
 
 std::string notes() {
@@ -127,9 +136,10 @@ std::string notes() {
 
 // One label a place, with the texts of all that happened there.
 std::string label(std::string_view column) {
+  const std::string place = "round($x, 4) || ',' || round($y, 4)";
   const std::string together = fmt::format(
-      R"(concatenate("{}", group_by:=round($x, 5) || ',' || round($y, 5), concatenator:=' / '))",
-      column);
+      R"(if($id = minimum($id, group_by:={1}), concatenate("{0}", group_by:={1}, concatenator:=' / '), NULL))",
+      column, place);
   return fmt::format(
       R"(<labeling type="simple"><settings calloutType="simple"><text-style fieldName="{}" )"
       R"(fontSize="9" fontSizeUnit="Point" textColor="20,20,20,255" isExpression="1">)"
