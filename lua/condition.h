@@ -16,6 +16,10 @@ namespace lsos {
 // What is wrong with it before anything runs; "" when it is well (condition_check.cpp).
 std::string condition_fault(lua_State* L, const std::string& text, const ConditionWorld& world);
 
+// What is likely to be a slip in one without faults: comparisons that never hold, numbers in
+// another unit; "" for nothing.
+std::string condition_doubt(const std::string& text, const ConditionWorld& world);
+
 // Whether it holds. Quantities that are not modelled are not-a-number: no comparison with them
 // holds. Throws std::runtime_error.
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,

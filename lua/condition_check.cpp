@@ -107,7 +107,7 @@ std::string equality_fault(const std::vector<ConditionWord>& words) {
 }
 
 // A quantity of panels or a battery that the rover does not have: no comparison with it holds.
-std::string missing_part_fault(const std::string& word, const ConditionWorld& world) {
+std::string missing_part_doubt(const std::string& word, const ConditionWorld& world) {
   static const std::set<std::string> of_panels{"sun_fraction", "incidence", "solar_w",
                                                "solar_available_w", "solar_j"};
   static const std::set<std::string> of_battery{"charge", "energy_j", "energy_rate_w"};
@@ -144,7 +144,6 @@ std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, st
     if (hint.empty()) hint = "; see lua/README.md, Conditions";
     return fmt::format("a condition has no '{}'{}", word, hint);
   }
-  if (std::string missing = missing_part_fault(word, world); !missing.empty()) return missing;
   if (!is_question(word)) return "";
   const std::string* argument = question_argument(words, i);
   if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
@@ -214,7 +213,7 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
   if (!names.empty()) return names;
   std::string equality = equality_fault(words);
   if (!equality.empty()) return equality;
-  std::string size = sizes_fault(words, world);
+  std::string size = sizes_fault(words);
   if (!size.empty()) return size;
   std::string negation = negation_fault(words);
   if (!negation.empty()) return negation;
@@ -226,6 +225,15 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
     }
   }
   return "";
+}
+
+std::string condition_doubt(const std::string& text, const ConditionWorld& world) {
+  const std::vector<ConditionWord> words = condition_words(text);
+  for (const ConditionWord& word : words) {
+    if (word.kind != ConditionWord::Kind::name) continue;
+    if (std::string doubt = missing_part_doubt(word.text, world); !doubt.empty()) return doubt;
+  }
+  return sizes_doubt(words, world);
 }
 
 }  // namespace lsos

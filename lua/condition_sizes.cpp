@@ -162,16 +162,26 @@ bool is_far_outside(const Comparison& c, double share) {
   return c.number > c.bounds.high + share * span || c.number < c.bounds.low - share * span;
 }
 
-std::string fault_of(const Comparison& c, const ConditionWorld& world) {
-  constexpr double angle_share = 0.3, longitude_share = 0.02;
-  const bool is_share = c.bounds.high == 1;
-  if (is_share && c.number >= 2) {
+std::string in_radians(const Comparison& c) {
+  return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})", c.shown,
+                     c.number, c.number, c.number);
+}
+
+// A percentage or an angle in degrees, which can be nothing else.
+std::string fault_of(const Comparison& c) {
+  if (c.bounds.high == 1 && c.number >= 2) {
     return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", c.shown, c.number);
   }
+  const bool is_angle = c.quantity.ends_with("_rad");
+  return is_angle && std::abs(c.number) > 2 * std::numbers::pi ? in_radians(c) : "";
+}
+
+// What is likely to be a slip, or never holds.
+std::string doubt_of(const Comparison& c, const ConditionWorld& world) {
+  constexpr double angle_share = 0.3, longitude_share = 0.02;
   if (c.quantity.ends_with("_rad") && is_outside(c) &&
       (never_holds(c) || is_far_outside(c, angle_share))) {
-    return fmt::format("{} is in radians, and is compared with {}: {} deg is math.rad({})", c.shown,
-                       c.number, c.number, c.number);
+    return in_radians(c);
   }
   if (c.quantity == "lon_deg" && is_outside(c) &&
       (never_holds(c) || is_far_outside(c, longitude_share))) {
@@ -186,16 +196,9 @@ std::string fault_of(const Comparison& c, const ConditionWorld& world) {
   return scale_fault(c, world);
 }
 
-}  // namespace
-
-bool begins_operand(const ConditionWord& before) {
-  return before.text == "(" || before.text == "and" || before.text == "or";
-}
-bool ends_operand(const ConditionWord& after) {
-  return after.text == ")" || after.text == "and" || after.text == "or";
-}
-
-std::string sizes_fault(const std::vector<ConditionWord>& words, const ConditionWorld& world) {
+// Comparisons of a quantity alone with a number alone.
+std::vector<Comparison> comparisons_of(const std::vector<ConditionWord>& words) {
+  std::vector<Comparison> all;
   for (std::size_t i = 0; i < words.size(); ++i) {
     // What is part of a sum or a product has another size.
     if (i > 0 && !begins_operand(words[i - 1])) continue;
@@ -219,7 +222,30 @@ std::string sizes_fault(const std::vector<ConditionWord>& words, const Condition
       c.number = -c.number;
       c.how = turned_round(c.how);
     }
-    if (std::string fault = fault_of(c, world); !fault.empty()) return fault;
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+}  // namespace
+
+bool begins_operand(const ConditionWord& before) {
+  return before.text == "(" || before.text == "and" || before.text == "or";
+}
+bool ends_operand(const ConditionWord& after) {
+  return after.text == ")" || after.text == "and" || after.text == "or";
+}
+
+std::string sizes_fault(const std::vector<ConditionWord>& words) {
+  for (const Comparison& comparison : comparisons_of(words)) {
+    if (std::string fault = fault_of(comparison); !fault.empty()) return fault;
+  }
+  return "";
+}
+
+std::string sizes_doubt(const std::vector<ConditionWord>& words, const ConditionWorld& world) {
+  for (const Comparison& comparison : comparisons_of(words)) {
+    if (std::string doubt = doubt_of(comparison, world); !doubt.empty()) return doubt;
   }
   return "";
 }

@@ -13,7 +13,10 @@ namespace lsos {
 bool begins_operand(const ConditionWord& before);
 bool ends_operand(const ConditionWord& after);
 
-// "" when well. A quantity alone, its negative or its math.abs beside a number alone is looked at.
-std::string sizes_fault(const std::vector<ConditionWord>& words, const ConditionWorld& world);
+// A number that can only be in another unit, beside a quantity alone, its negative or its math.abs;
+// "" when well.
+std::string sizes_fault(const std::vector<ConditionWord>& words);
+// The same of numbers that are likely to be slips, and of comparisons that never hold.
+std::string sizes_doubt(const std::vector<ConditionWord>& words, const ConditionWorld& world);
 
 }  // namespace lsos

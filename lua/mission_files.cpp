@@ -96,11 +96,16 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     }
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
-      const std::string fault = host.condition_fault(condition.text, world);
-      if (fault.empty()) return;
-      faults.error({event.place.file, condition.line},
-                   fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name,
-                               condition.text, fault));
+      const auto told = [&](const std::string& what) {
+        return fmt::format("{} '{}': {} = {}: {}", event.type, event.label, name, condition.text,
+                           what);
+      };
+      const Place place{event.place.file, condition.line};
+      if (const std::string fault = host.condition_fault(condition.text, world); !fault.empty()) {
+        return faults.error(place, told(fault));
+      }
+      const std::string doubt = condition_doubt(condition.text, world);
+      if (!doubt.empty()) faults.warning(place, told(doubt));
     };
     check("StartWhen", event.start_when);
     check("SkipWhen", event.skip_when);
