@@ -95,7 +95,7 @@ return lsos.event {
     },
     arrival_radius_m = lsos.number {
       kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
-      doc = 'The rover stops at the last waypoint, within this of it.',
+      doc = 'Near enough to the last waypoint, which it drives up to all the same.',
     },
     slope_max_rad = lsos.number {
       kml = 'MaxSlope', unit = 'deg', min = 1, max = 60,

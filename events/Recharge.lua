@@ -44,6 +44,14 @@ local function as_share(p)
   end
 end
 
+-- A level that was meant as what is to be reached.
+local function twice(p)
+  if p.energy_level and (p.until_charge or p.from or p.energy_rate_w) then
+    return ("EnergyLevel = '%s': sets the battery at once, out of nothing, before anything flows; "
+      .. 'UntilCharge says how full it is to get'):format(p.energy_level)
+  end
+end
+
 -- What is asked in vain, of a rover with a battery.
 local function vain(p, rover)
   local most_w = rover.charge_power_max_w
@@ -85,7 +93,7 @@ local function check(p, rover)
   if not rover.battery_capacity_j then return rover.type .. ' has no battery' end
   local fault = p.energy_level and level_fault(p, rover)
   if fault then return fault end
-  return nil, as_share(p) or vain(p, rover)
+  return nil, as_share(p) or twice(p) or vain(p, rover)
 end
 
 local function start(ev, rover)
@@ -106,8 +114,9 @@ local function start(ev, rover)
   end
   if not (p.duration_s or p.until_charge) then return lsos.done end
   if p.until_charge and battery.charge >= p.until_charge then
-    ev:warn('charge is %.4g already, UntilCharge is %.4g: nothing was done', battery.charge,
-      p.until_charge)
+    ev:warn(p.energy_level and 'EnergyLevel set the charge to %.4g at once, UntilCharge is %.4g: '
+      .. 'nothing flowed' or 'charge is %.4g already, UntilCharge is %.4g: nothing was done',
+      battery.charge, p.until_charge)
     return lsos.done
   end
   local waits_for_sun = p.until_charge and not (p.energy_rate_w or p.from or p.duration_s)

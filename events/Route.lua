@@ -49,7 +49,7 @@ return lsos.event {
     },
     arrival_radius_m = lsos.number {
       kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
-      doc = 'The rover stops at the last waypoint, within this of it.',
+      doc = 'Near enough to the last waypoint, which it drives up to all the same.',
     },
   },
 

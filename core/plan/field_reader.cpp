@@ -83,11 +83,14 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
     constexpr double much_shorter = 20, least_share = 0.1, most_share = 2;
     const auto* usual_s = std::get_if<double>(&*declaration.default_value);
     if (usual_s == nullptr || unit.si_factor == 1 || *number * much_shorter >= *usual_s) return "";
-    // In the unit of the default it would be of its size.
-    const double meant_s = *number * unit.si_factor;
-    if (meant_s < least_share * *usual_s || meant_s > most_share * *usual_s) return "";
-    return fmt::format("is {:g} s, as without a unit; did you mean '{:g} {}'?", *number, *number,
-                       unit.symbol);
+    // In the unit of the default, or in minutes, it would be of its size.
+    for (const Unit* meant : {&unit, find_unit("min")}) {
+      const double meant_s = *number * meant->si_factor;
+      if (meant_s < least_share * *usual_s || meant_s > most_share * *usual_s) continue;
+      return fmt::format("is {:g} s, as without a unit; did you mean '{:g} {}'?", *number, *number,
+                         meant->symbol);
+    }
+    return "";
   }
   if (unit.symbol != "deg") return "";
   // Written with two decimals or more, to their last digit.
