@@ -100,7 +100,7 @@ lsos.scenario('a recharge that can come to nothing fails, and what it lowers is 
   local texts = {}
   for _, note in ipairs(sim:notes('warning')) do texts[#texts + 1] = note.fields.text end
   t:check(texts[1]:find("EnergyLevel = '5' lowers what the battery holds from", 1, true), texts[1])
-  t:equal(texts[2], 'charge is 0.8 already, UntilCharge is 0.5: nothing was done')
+  t:equal(texts[2], 'EnergyLevel set the charge to 0.8 at once, UntilCharge is 0.5: nothing flowed')
 end)
 
 lsos.scenario('a drive that is stopped within its arrival radius has arrived', function(t)
