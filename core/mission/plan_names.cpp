@@ -209,7 +209,7 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
     const PlanRover* rover = rover_of(plan, event.rover_id);
     const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
     const auto known_of = [&](NameOf names) -> Known {
-      if (names == NameOf::power_source) return sources;
+      if (names == NameOf::power_source) return Known(sources);
       if (names == NameOf::other) return others(plan, event.rover_id);
       return model == rovers.end() ? Known{} : equipment(model->second, rover->type, names);
     };

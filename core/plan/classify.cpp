@@ -251,11 +251,9 @@ class Classifier {
   // The same text twice is no contradiction.
   static void add_once(const SourceField& field, std::vector<SourceField>& fields) {
     const auto same = std::ranges::find(fields, field.name, &SourceField::name);
-    if (same == fields.end()) {
-      fields.push_back(field);
-    } else if (same->text.empty()) {
+    if (same != fields.end() && same->text.empty()) {
       *same = field;
-    } else if (same->text != field.text) {
+    } else if (same == fields.end() || same->text != field.text) {
       fields.push_back(field);
     }
   }

@@ -68,7 +68,7 @@ std::string slip_text(const Body& body, const Geodetic& start, const Geodetic& f
         lon_deg(*with_comma), lat_deg(*with_comma), distance_text(*away_m));
   }
   if (may_be_meant(body, start, place, distance_m)) return "";
-  const std::string text = exchanged_text(body, from, place);
+  std::string text = exchanged_text(body, from, place);
   if (!text.empty() || !is_origin(place)) return text;
   return "; 0,0 is what tools write for a place that they do not know";
 }

@@ -41,7 +41,7 @@ std::string date_text(const OGRFeature& feature, int field, bool has_time) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
   float second = 0;
   feature.GetFieldAsDateTime(field, &year, &month, &day, &hour, &minute, &second, &zone);
-  const std::string date = fmt::format("{:04}-{:02}-{:02}", year, month, day);
+  std::string date = fmt::format("{:04}-{:02}-{:02}", year, month, day);
   if (!has_time) return date;
   constexpr int utc = 100;  // zones are counted in quarters of an hour from it, 0 and 1: unknown
   const int offset_min = zone > 1 ? (zone - utc) * 15 : 0;
@@ -201,7 +201,7 @@ KmlSource read_layers(const std::string& file) {
     OGRLayer& layer = *dataset->GetLayer(i);
     const std::string name = layer.GetName();
     if (is_of_qgis(name)) continue;
-    const std::string layer_file = file + "/" + name;
+    const std::string layer_file = fmt::format("{}/{}", file, name);
     const LayerPlaces places(layer.GetSpatialRef(), layer_file);
     if (layer.GetGeomType() != wkbNone) {
       source.layers.push_back({layer_file, places.body(), places.is_geographic()});
