@@ -21,8 +21,9 @@ extern const char* const source_folder;
 // that has share/lsos-host/events or events/Route.lua; otherwise `built_from`.
 std::string shipped_folder(const std::string& program_file, const std::string& built_from);
 
-// That folder, seen from this program.
+// The folder of the shipped scripts, as the running program finds it.
 std::string shipped_scripts();
+
 // The file that tells editors what the lsos module has; "" where it is not installed.
 std::string library_file();
 
