@@ -9,6 +9,8 @@
 
 #include "base/error.h"
 #include "lua/condition.h"
+#include "lua/condition_comparisons.h"
+#include "lua/condition_sets.h"
 #include "lua/condition_sizes.h"
 #include "lua/condition_words.h"
 #include "lua/everyday_words.h"
@@ -233,7 +235,8 @@ std::string condition_doubt(const std::string& text, const ConditionWorld& world
     if (word.kind != ConditionWord::Kind::name) continue;
     if (std::string doubt = missing_part_doubt(word.text, world); !doubt.empty()) return doubt;
   }
-  return sizes_doubt(words, world);
+  std::string size = sizes_doubt(words, world);
+  return size.empty() ? sets_doubt(words) : size;
 }
 
 }  // namespace lsos

@@ -2,117 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <numbers>
-#include <optional>
-#include <string_view>
+
+#include "lua/condition_comparisons.h"
 
 namespace lsos {
 
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-struct Bounds {
-  double low = -infinite, high = infinite;
-};
-
-// What a quantity can be.
-Bounds bounds_of(std::string_view quantity) {
-  constexpr double half_turn_rad = std::numbers::pi, quarter_rad = half_turn_rad / 2;
-  struct Known {
-    std::string_view quantity;
-    Bounds bounds;
-  };
-  static constexpr std::array known{
-      Known{"charge", {0, 1}},
-      Known{"sun_fraction", {0, 1}},
-      Known{"incidence", {0, 1}},
-      Known{"slip", {-infinite, 1}},
-      Known{"slip_max", {-infinite, 1}},
-      Known{"slope_rad", {0, quarter_rad}},
-      Known{"pitch_rad", {-quarter_rad, quarter_rad}},
-      // A rover that has rolled farther lies on its roof.
-      Known{"roll_rad", {-quarter_rad, quarter_rad}},
-      Known{"heading_rad", {0, 2 * half_turn_rad}},
-      Known{"lon_deg", {-180, 180}},
-      Known{"lat_deg", {-90, 90}},
-      Known{"time_s", {0, infinite}},
-      Known{"speed_mps", {0, infinite}},
-      Known{"distance_m", {0, infinite}},
-      Known{"energy_j", {0, infinite}},
-  };
-  const auto found = std::ranges::find(known, quantity, &Known::quantity);
-  return found == known.end() ? Bounds{} : found->bounds;
-}
-
-bool is_symbol(const std::vector<ConditionWord>& words, std::size_t at, std::string_view text) {
-  return at < words.size() && words[at].kind == ConditionWord::Kind::symbol &&
-         words[at].text == text;
-}
-
-// One side of a comparison: a quantity or a number.
-struct Side {
-  std::string quantity;  // "" for a number
-  bool is_size = false;  // math.abs of it
-  double sign = 1;
-  double number = 0;
-  std::size_t end = 0;  // behind it
-};
-
-std::optional<Side> side_at(const std::vector<ConditionWord>& words, std::size_t at) {
-  Side side;
-  if (is_symbol(words, at, "-")) {
-    side.sign = -1;
-    ++at;
-  }
-  if (at >= words.size()) return {};
-  if (words[at].kind == ConditionWord::Kind::number) {
-    side.number = side.sign * std::strtod(words[at].text.c_str(), nullptr);
-    side.end = at + 1;
-    return side;
-  }
-  if (words[at].kind != ConditionWord::Kind::name) return {};
-  const bool is_abs = words[at].text == "math" && at + 5 < words.size() &&
-                      words[at + 2].text == "abs" && is_symbol(words, at + 3, "(") &&
-                      words[at + 4].kind == ConditionWord::Kind::name &&
-                      is_symbol(words, at + 5, ")");
-  side.is_size = is_abs;
-  side.quantity = words[is_abs ? at + 4 : at].text;
-  side.end = at + (is_abs ? 6 : 1);
-  return side;
-}
-
-// "<", "<=", ">", ">=", "==" or "~="; "" for none. It may be two words.
-std::string comparison_at(const std::vector<ConditionWord>& words, std::size_t at,
-                          std::size_t& end) {
-  std::string text;
-  for (end = at; end < words.size() && text.size() < 2; ++end) {
-    const bool is_part =
-        words[end].kind == ConditionWord::Kind::symbol &&
-        std::string_view("<>=~").find(words[end].text[0]) != std::string_view::npos;
-    if (!is_part) break;
-    text += words[end].text;
-  }
-  return text;
-}
-
-std::string turned_round(const std::string& comparison) {
-  if (comparison.starts_with('<')) return ">" + comparison.substr(1);
-  if (comparison.starts_with('>')) return "<" + comparison.substr(1);
-  return comparison;
-}
-
-// A quantity on the left of a number.
-struct Comparison {
-  std::string quantity, shown, how;
-  double number = 0;
-  Bounds bounds;
-};
 
 bool is_outside(const Comparison& c) { return c.number < c.bounds.low || c.number > c.bounds.high; }
 
@@ -196,45 +93,7 @@ std::string doubt_of(const Comparison& c, const ConditionWorld& world) {
   return scale_fault(c, world);
 }
 
-// Comparisons of a quantity alone with a number alone.
-std::vector<Comparison> comparisons_of(const std::vector<ConditionWord>& words) {
-  std::vector<Comparison> all;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    // What is part of a sum or a product has another size.
-    if (i > 0 && !begins_operand(words[i - 1])) continue;
-    std::optional<Side> left = side_at(words, i);
-    if (!left) continue;
-    std::size_t middle_end = 0;
-    std::string how = comparison_at(words, left->end, middle_end);
-    std::optional<Side> right = how.empty() ? std::nullopt : side_at(words, middle_end);
-    if (!right || left->quantity.empty() == right->quantity.empty()) continue;
-    if (right->end < words.size() && !ends_operand(words[right->end])) continue;
-    if (left->quantity.empty()) {
-      std::swap(left, right);
-      how = turned_round(how);
-    }
-    Comparison c{left->quantity, left->quantity, how, right->number, bounds_of(left->quantity)};
-    if (left->is_size) {
-      c.shown = fmt::format("math.abs({})", c.quantity);
-      c.bounds = {0, std::max(std::abs(c.bounds.low), std::abs(c.bounds.high))};
-    }
-    if (left->sign < 0) {
-      c.number = -c.number;
-      c.how = turned_round(c.how);
-    }
-    all.push_back(std::move(c));
-  }
-  return all;
-}
-
 }  // namespace
-
-bool begins_operand(const ConditionWord& before) {
-  return before.text == "(" || before.text == "and" || before.text == "or";
-}
-bool ends_operand(const ConditionWord& after) {
-  return after.text == ")" || after.text == "and" || after.text == "or";
-}
 
 std::string sizes_fault(const std::vector<ConditionWord>& words) {
   for (const Comparison& comparison : comparisons_of(words)) {

@@ -9,10 +9,6 @@
 
 namespace lsos {
 
-// What binds an operand of a comparison to nothing else before it, or after it.
-bool begins_operand(const ConditionWord& before);
-bool ends_operand(const ConditionWord& after);
-
 // A number that can only be in another unit, beside a quantity alone, its negative or its math.abs;
 // "" when well.
 std::string sizes_fault(const std::vector<ConditionWord>& words);
