@@ -92,6 +92,11 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
     }
     return "";
   }
+  // Rovers are fed by kilowatts; what takes less than a radio is written with its unit.
+  constexpr double least_w = 10;
+  if (unit.symbol == "W" && *number > 0 && *number < least_w) {
+    return fmt::format("is {0:g} W, as without a unit; did you mean '{0:g} kW'?", *number);
+  }
   if (unit.symbol != "deg") return "";
   // Written with two decimals or more, to their last digit.
   const std::size_t point = text.find('.');
