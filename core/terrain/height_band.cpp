@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <string_view>
+#include <unordered_set>
 
 #include "base/error.h"
 #include "terrain/gdal_call.h"
@@ -212,6 +213,8 @@ SampleRange HeightBand::range() const {
   range.low = range.second_low = std::numeric_limits<double>::infinity();
   range.high = -range.low;
   range.nearest_to_zero = range.low;
+  constexpr std::int64_t told_apart = 10'000;
+  std::unordered_set<double> different;
   std::int64_t seen = 0;
   for (const RasterBlock& block : spread_blocks(*band_, most_cells).blocks) {
     seen += std::int64_t{block.columns} * block.rows;
@@ -219,6 +222,7 @@ SampleRange HeightBand::range() const {
     for (const double sample : samples(block)) {
       if (std::isnan(sample)) continue;
       ++range.count;
+      if (range.count <= told_apart) different.insert(sample);
       range.high = std::max(range.high, sample);
       range.zeros += sample == 0;
       if (sample != 0) range.nearest_to_zero = std::min(range.nearest_to_zero, std::abs(sample));
@@ -230,6 +234,7 @@ SampleRange HeightBand::range() const {
       }
     }
   }
+  range.different = static_cast<std::int64_t>(different.size());
   range.is_whole = seen == std::int64_t{band_->GetXSize()} * band_->GetYSize();
   return range;
 }

@@ -26,6 +26,7 @@ struct SampleRange {
   double second_low = 0;         // the lowest above `low`
   std::int64_t zeros = 0;        // samples that are exactly 0
   double nearest_to_zero = 0;    // least size of the others
+  std::int64_t different = 0;    // heights, of the first 10,000 samples
   bool is_whole = false;         // every sample was looked at
   bool has_loose_marks = false;  // a missing sample among them that GDAL would average
 };

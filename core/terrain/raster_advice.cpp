@@ -27,8 +27,10 @@ constexpr double most_cells_without_overviews = 1e8;
 // none of 150 km and more by less than 30 m.
 constexpr double smoothest_share = 2e-4, smoothest_m = 30;
 // On less, a raster made by hand may well be as level: there heights in km are told by how much
-// farther they are from 0 than from each other.
+// farther they are from 0 than from each other, or by how many of them are different, as measured
+// ones are.
 constexpr double wide_m = 20e3, narrowest_m = 1e3, far_times = 3;
+constexpr std::int64_t many_different = 200;
 
 // A polar map of the body, as GDAL knows it.
 std::string polar_crs(const Body& body, bool is_north) {
@@ -111,7 +113,8 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   if (rise <= 0) return {};
   if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
   const bool is_far = std::min(std::abs(low), std::abs(high)) > far_times * rise && low * high > 0;
-  if (across_m < wide_m && !is_far) return {};
+  const bool is_measured = range.different >= many_different;
+  if (across_m < wide_m && !is_far && !is_measured) return {};
   if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
       "raster '{}' holds heights of {:.6g} to {:.6g} over {:.0f} km and names no unit: are they "

@@ -10,6 +10,7 @@
 #include "terrain/raster.h"
 #include "terrain/raster_advice.h"
 #include "terrain/raster_hash.h"
+#include "terrain/raster_spikes.h"
 #include "terrain/raw_window.h"
 
 namespace lsos {
@@ -79,7 +80,8 @@ class RasterGrid : public HeightGrid {
                                  picture_advice(raster_, surface_),
                                  band_advice(raster_, surface_),
                                  zero_advice(raster_, surface_),
-                                 word_advice(raster_, surface_)};
+                                 word_advice(raster_, surface_),
+                                 spike_advice(raster_, surface_, *this, plane_.site().body())};
     std::erase(all, "");
     return all;
   }

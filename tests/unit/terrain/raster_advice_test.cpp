@@ -93,6 +93,55 @@ TEST(RasterUnit, is_not_asked_for_where_km_are_impossible) {
   EXPECT_EQ(salt_flat_advices(3, "Int16"), 0u);
 }
 
+// 2 km of low hills about the datum.
+std::size_t low_hills_advices(double rise, double step) {
+  const auto height = [&](int column, int row) {
+    const double exact = rise / 4 * (std::sin(0.2 * column) + std::cos(0.3 * row));
+    return std::round(exact / step) * step;
+  };
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-1000,20,0,1000,0,-20", "",
+                          rows_of(100, 100, height)};
+  return Ground(raster_terrain(raster.write("low")), site_on("Moon", 0, 0), 0).advice().size();
+}
+
+TEST(RasterUnit, is_asked_for_of_measured_ground_that_is_too_level) {
+  EXPECT_EQ(low_hills_advices(0.1, 1e-5), 1u) << "100 m of relief in km";
+  EXPECT_EQ(low_hills_advices(100, 1e-2), 0u);
+  EXPECT_EQ(low_hills_advices(0.1, 1e-2), 0u) << "made by hand";
+}
+
+// 2 km of hills with one height of another size, or a rock of so many cells.
+std::vector<Fault> spiked_advice(double spike_m, int cells, double cell_m = 10) {
+  const auto height = [&](int column, int row) {
+    const bool is_in = column >= 50 && column < 50 + cells && row >= 70 && row < 70 + cells;
+    return std::round(20 * std::sin(0.2 * column) + 5 * std::cos(0.3 * row)) +
+           (is_in ? spike_m : 0);
+  };
+  const std::string cell = std::to_string(cell_m);
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-1000," + cell + ",0,1000,0,-" + cell,
+                          "", rows_of(200, 200, height)};
+  return Ground(raster_terrain(raster.write("spiked")), site_on("Moon", 0, 0), 0).advice();
+}
+
+TEST(RasterSpike, is_told_with_its_place) {
+  for (const double spike_m : {3000.0, -3000.0}) {
+    const auto told = spiked_advice(spike_m, 1);
+    ASSERT_EQ(told.size(), 1u);
+    // 495 m west of the datum and 295 m north of it: pixels' centres.
+    EXPECT_THAT(told[0].what, HasSubstr("from one cell to the next and back at longitude -0.0163241"
+                                        ", latitude 0.00972848: a fault of the map?"));
+  }
+  const auto of_three_cells = spiked_advice(900, 3);
+  ASSERT_EQ(of_three_cells.size(), 1u);
+}
+
+TEST(RasterSpike, is_neither_a_rock_nor_a_cliff) {
+  EXPECT_EQ(spiked_advice(0, 1).size(), 0u);
+  EXPECT_EQ(spiked_advice(30, 1).size(), 0u) << "a slope of 72 degrees";
+  EXPECT_EQ(spiked_advice(8, 2, 0.5).size(), 0u) << "a boulder of 8 m in cells of 0.5 m";
+  EXPECT_EQ(spiked_advice(900, 20).size(), 0u) << "a mesa";
+}
+
 // 8 bits that are no picture name their unit or have a scale.
 TEST(RasterKind, of_8_bits_without_a_unit_is_asked_for) {
   const auto advice = [](const std::string& band) {
