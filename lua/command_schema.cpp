@@ -14,6 +14,7 @@
 #include "plan/field_reader.h"
 #include "plan/layer_writer.h"
 #include "product/files.h"
+#include "product/qgis_form.h"
 
 namespace lsos {
 
@@ -118,7 +119,9 @@ int schema_command(const SchemaOptions& options) {
 
   const std::vector<Kind> kinds = kinds_of(*catalog, names);
   if (options.file.ends_with(".gpkg")) {
-    write_form_layers(options.file, *planet, form_layers(kinds, *catalog, planet->name));
+    std::vector<FormLayer> layers = form_layers(kinds, *catalog, planet->name);
+    add_qgis_forms(layers);
+    write_form_layers(options.file, *planet, layers);
     print_result("{}: {} layers; open it in QGIS, draw, fill in the forms, and run it as a plan\n",
                  options.file, kinds.size());
     return 0;

@@ -286,7 +286,7 @@ int run_program(std::vector<std::string> arguments) {
   overlay_command->add_option("DIR", overlay_folder, "Folder of a run")->required();
 
   overlay_command->add_flag("--kmz", overlay_is_packed,
-                            "Write overlay.kmz instead, about a tenth of the size");
+                            "Write overlay.kmz instead, a tenth of the size and with its icons");
   overlay_command->add_flag("--json", is_json, "The name of the file as JSON");
 
   lsos::RigOptions rig;

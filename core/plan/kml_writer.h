@@ -100,9 +100,14 @@ std::string target_of(const Body& body);
 // The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
 std::string write_kml(const KmlDocument& document);
 
-// A KMZ archive that holds the document alone. Throws std::runtime_error when memory runs out.
-std::string pack_kmz(const std::string& kml);
-// An archive of one file; the same bytes each time.
-std::string pack_zip(const std::string& name, const std::string& text);
+struct PackedFile {
+  std::string name;  // in the archive, with its folders: "icons/arrow.png"
+  std::string bytes;
+};
+// A KMZ archive of the document and what it refers to. Throws std::runtime_error when memory runs
+// out.
+std::string pack_kmz(const std::string& kml, const std::vector<PackedFile>& others = {});
+// An archive; the same bytes each time.
+std::string pack_zip(const std::vector<PackedFile>& files);
 
 }  // namespace lsos

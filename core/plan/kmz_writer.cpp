@@ -1,4 +1,4 @@
-// A file packed into an archive, as KMZ and QGZ are.
+// Files packed into an archive, as KMZ and QGZ are.
 #include <stdexcept>
 
 #include "plan/kml_writer.h"
@@ -6,9 +6,13 @@
 
 namespace lsos {
 
-std::string pack_kmz(const std::string& kml) { return pack_zip("doc.kml", kml); }
+std::string pack_kmz(const std::string& kml, const std::vector<PackedFile>& others) {
+  std::vector<PackedFile> files{{"doc.kml", kml}};
+  files.insert(files.end(), others.begin(), others.end());
+  return pack_zip(files);
+}
 
-std::string pack_zip(const std::string& name, const std::string& text) {
+std::string pack_zip(const std::vector<PackedFile>& files) {
   const auto fail = [](zip_error_t* error) {
     throw std::runtime_error("an archive cannot be packed: " + message(error));
   };
@@ -19,15 +23,18 @@ std::string pack_zip(const std::string& name, const std::string& text) {
   zip_source_keep(packed.get());  // the archive lets go of its own
   ZipHandle archive(zip_open_from_source(packed.get(), ZIP_TRUNCATE, &error));
   if (!archive) fail(&error);
-  zip_source_t* source = zip_source_buffer(archive.get(), text.data(), text.size(), 0);
-  const zip_int64_t index =
-      source == nullptr ? -1 : zip_file_add(archive.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
-  if (index < 0 && source != nullptr) zip_source_free(source);
-  // The same document gives the same bytes at any time: all are of 1 January 1980.
-  constexpr zip_uint16_t first_day = 0x21;
-  if (index < 0 ||
-      zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, first_day, 0) != 0) {
-    fail(zip_get_error(archive.get()));
+  for (const auto& [name, bytes] : files) {
+    zip_source_t* source = zip_source_buffer(archive.get(), bytes.data(), bytes.size(), 0);
+    const zip_int64_t index =
+        source == nullptr ? -1
+                          : zip_file_add(archive.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
+    if (index < 0 && source != nullptr) zip_source_free(source);
+    // The same document gives the same bytes at any time: all are of 1 January 1980.
+    constexpr zip_uint16_t first_day = 0x21;
+    if (index < 0 || zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0,
+                                          first_day, 0) != 0) {
+      fail(zip_get_error(archive.get()));
+    }
   }
   if (zip_close(archive.get()) != 0) fail(zip_get_error(archive.get()));
   static_cast<void>(archive.release());  // closed

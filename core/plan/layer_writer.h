@@ -1,4 +1,4 @@
-// An empty plan as a GeoPackage: a layer for each kind of thing, with forms for QGIS.
+// An empty plan as a GeoPackage: a layer for each kind of thing, with styles for QGIS.
 #pragma once
 
 #include <string>
@@ -21,6 +21,7 @@ struct FormLayer {
   GeometryKind geometry = GeometryKind::none;
   std::vector<FormField> fields;
   bool has_first_row = false;  // with the initial values
+  std::string style = {};      // under which QGIS opens it
 };
 
 // Throws InputError when it cannot be written, or is there.

@@ -282,7 +282,7 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
 
 }  // namespace
 
-std::string overlay_kml(const LogReader& log, const Plan& plan) {
+std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_href) {
   const Instant start = log.start();
   const std::vector<EventRow> events = log.events();
 
@@ -297,12 +297,12 @@ std::string overlay_kml(const LogReader& log, const Plan& plan) {
   for (const EventStatus status :
        {EventStatus::completed, EventStatus::failed, EventStatus::incomplete, EventStatus::skipped,
         EventStatus::not_started, EventStatus::disabled}) {
-    document.styles.push_back(status_style(status));
+    document.styles.push_back(status_style(status, icon_href));
   }
   LookAtBounds bounds;
   for (const auto& [rover_id, track] : tracks(log, plan, events)) {
     const RoverStyle style(i++);
-    style.add_to(document.styles);
+    style.add_to(document.styles, icon_href);
     for (const SampleRow& row : track.samples()) bounds.add(row.place);
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
@@ -322,8 +322,9 @@ void write_overlay(const std::string& run_dir, const Plan& plan) {
 }
 
 void write_packed_overlay(const std::string& run_dir, const Plan& plan) {
-  write_file(run_dir + "/overlay.kmz",
-             pack_kmz(overlay_kml(LogReader(run_dir + "/log.gpkg"), plan)));
+  write_file(
+      run_dir + "/overlay.kmz",
+      pack_kmz(overlay_kml(LogReader(run_dir + "/log.gpkg"), plan, packed_icon), packed_icons()));
 }
 
 }  // namespace lsos

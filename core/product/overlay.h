@@ -4,6 +4,7 @@
 #include <string>
 
 #include "plan/plan.h"
+#include "product/overlay_icons.h"
 #include "record/log.h"
 
 namespace lsos {
@@ -15,11 +16,11 @@ inline constexpr int overlay_samples_max = 2000, overlay_track_max = 1500;
 // The document: for each rover its drawn lines, the line that it drove, its events where they
 // happened, a track that a time slider plays, and samples evenly spaced along the drive and at each
 // event (see DriveMarks) with every column of the log; then the notes, thinned.
-std::string overlay_kml(const LogReader& log, const Plan& plan);
+std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_href = server_icon);
 
 // Reads DIR/log.gpkg and writes DIR/overlay.kml. Throws InputError when there is no log.
 void write_overlay(const std::string& run_dir, const Plan& plan);
-// The same as DIR/overlay.kmz, some ten times smaller.
+// The same as DIR/overlay.kmz, some ten times smaller, with the icons in it.
 void write_packed_overlay(const std::string& run_dir, const Plan& plan);
 
 }  // namespace lsos

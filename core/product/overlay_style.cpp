@@ -6,15 +6,7 @@
 
 namespace lsos {
 
-namespace {
-
-// White shapes of Google's own, which every viewer of KML can reach; styles give them colours.
-const std::string icons = "http://maps.google.com/mapfiles/kml/shapes/";
-const std::string arrow_icon = icons + "triangle.png";  // points north where it is not turned
-
-}  // namespace
-
-KmlStyle status_style(EventStatus status) {
+KmlStyle status_style(EventStatus status, IconPlace icon_href) {
   KmlStyle style;
   style.id = std::string("event-") + to_string(status);
   style.icon_scale = 0.8;
@@ -22,19 +14,19 @@ KmlStyle status_style(EventStatus status) {
   switch (status) {
     case EventStatus::completed:
       style.icon_color_abgr = "ff3c9600";
-      style.icon_href = icons + "placemark_circle.png";
+      style.icon_href = icon_href(OverlayIcon::disc);
       break;
     case EventStatus::failed:
       style.icon_color_abgr = "ff1c19d7";
-      style.icon_href = icons + "forbidden.png";
+      style.icon_href = icon_href(OverlayIcon::cross);
       break;
     case EventStatus::incomplete:
       style.icon_color_abgr = "ff008cff";
-      style.icon_href = icons + "caution.png";
+      style.icon_href = icon_href(OverlayIcon::square);
       break;
     default:
       style.icon_color_abgr = "ff969696";
-      style.icon_href = icons + "open-diamond.png";
+      style.icon_href = icon_href(OverlayIcon::diamond);
   }
   return style;
 }
@@ -48,7 +40,7 @@ RoverStyle::RoverStyle(std::size_t i)
       track_id(fmt::format("track-{}", i)),
       color_(rover_colors[i % rover_colors.size()]) {}
 
-void RoverStyle::add_to(std::vector<KmlStyle>& styles) const {
+void RoverStyle::add_to(std::vector<KmlStyle>& styles, IconPlace icon_href) const {
   KmlStyle plan;
   plan.id = plan_id;
   plan.line_color_abgr = "80" + color_;
@@ -62,11 +54,11 @@ void RoverStyle::add_to(std::vector<KmlStyle>& styles) const {
   KmlStyle event;
   event.id = event_id;
   event.icon_color_abgr = "ff" + color_;
-  event.icon_href = arrow_icon;
+  event.icon_href = icon_href(OverlayIcon::arrow);
   KmlStyle sample;
   sample.id = sample_id;
   sample.icon_color_abgr = "c0" + color_;
-  sample.icon_href = arrow_icon;
+  sample.icon_href = icon_href(OverlayIcon::arrow);
   sample.icon_scale = 0.35;
   sample.label_scale = 0;  // thousands of labels would hide the ground
   // The line behind the moving icon is in its colour too.

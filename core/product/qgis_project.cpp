@@ -4,6 +4,7 @@
 
 #include "plan/kml_writer.h"
 #include "product/qgis_style.h"
+#include "product/qgis_symbol.h"
 
 namespace lsos {
 
@@ -50,19 +51,17 @@ std::string hillshade(const QgisMap& map) {
 
 // As drawn in the plan: a layer of the overlay for each rover.
 std::string drawn_layer(std::size_t rover, const QgisMap& map) {
-  const std::string color = rover_qgis_color(rover, 110);
+  const QgisSymbolLayer line{"SimpleLine",
+                             {{"line_color", rover_qgis_color(rover, 110)},
+                              {"line_width", "1.6"},
+                              {"line_width_unit", "MM"}}};
   return fmt::format(
       R"(<maplayer type="vector" geometry="Line"><id>{}</id><datasource>{}</datasource>)"
       R"(<layername>{}</layername><provider encoding="UTF-8">ogr</provider><srs>{}</srs>)"
-      R"(<renderer-v2 type="singleSymbol" symbollevels="0" enableorderby="0" forceraster="0">)"
-      R"(<symbols><symbol type="line" name="0" alpha="1" clip_to_extent="1" force_rhr="0">)"
-      R"(<layer class="SimpleLine" enabled="1" locked="0" pass="0"><Option type="Map">)"
-      R"(<Option type="QString" name="line_color" value="{}"/>)"
-      R"(<Option type="QString" name="line_width" value="1.6"/>)"
-      R"(<Option type="QString" name="line_width_unit" value="MM"/></Option></layer></symbol>)"
-      R"(</symbols></renderer-v2></maplayer>)",
+      "{}</maplayer>",
       drawn_id(rover), xml_escaped(drawn_source(map.rovers[rover])),
-      xml_escaped(drawn_title(map.rovers[rover])), crs_xml(map.log_crs_wkt, map.body->crs), color);
+      xml_escaped(drawn_title(map.rovers[rover])), crs_xml(map.log_crs_wkt, map.body->crs),
+      qgis_single_symbol(qgis_symbol("line", "0", {line})));
 }
 
 // A step of which a run has some 300, as a clock has them.
@@ -125,7 +124,7 @@ std::string qgis_project(const QgisMap& map) {
       "{8}</qgis>\n",
       xml_escaped(map.title), crs, tree, layers, map.west_m, map.south_m, map.east_m, map.north_m,
       time_settings(map));
-  return pack_zip("mission.qgs", project);
+  return pack_zip({{"mission.qgs", project}});
 }
 
 }  // namespace lsos

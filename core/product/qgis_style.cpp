@@ -5,40 +5,16 @@
 #include <array>
 #include <utility>
 
+#include "product/qgis_symbol.h"
 #include "product/rover_colors.h"
 
 namespace lsos {
 
 namespace {
 
-using Options = std::vector<std::pair<std::string, std::string>>;
-
-std::string options_xml(const Options& options) {
-  std::string xml = "<Option type=\"Map\">";
-  for (const auto& [name, value] : options) {
-    xml +=
-        fmt::format(R"(<Option type="QString" name="{}" value="{}"/>)", name, xml_escaped(value));
-  }
-  return xml + "</Option>";
-}
-
-// A property of a symbol that an expression decides.
-std::string property_xml(const std::string& name, const std::string& expression) {
-  constexpr int is_expression = 3;
-  return fmt::format(
-      R"(<data_defined_properties><Option type="Map"><Option type="QString" name="name" value=""/>)"
-      R"(<Option type="Map" name="properties"><Option type="Map" name="{}">)"
-      R"(<Option type="bool" name="active" value="true"/>)"
-      R"(<Option type="QString" name="expression" value="{}"/>)"
-      R"(<Option type="int" name="type" value="{}"/></Option></Option>)"
-      R"(<Option type="QString" name="type" value="collection"/></Option></data_defined_properties>)",
-      name, xml_escaped(expression), is_expression);
-}
-
 struct Symbol {
   std::string value, label;
-  Options options;
-  std::string property;  // as property_xml
+  QgisOptions options, properties;
 };
 
 // One symbol for each value of a column.
@@ -51,10 +27,8 @@ std::string categories(std::string_view column, const std::vector<Symbol>& symbo
     values += fmt::format(R"(<category value="{}" symbol="{}" label="{}" render="true"/>)",
                           xml_escaped(symbol.value), i, xml_escaped(symbol.label));
     drawn +=
-        fmt::format(R"(<symbol type="{}" name="{}" alpha="1" clip_to_extent="1" force_rhr="0">)"
-                    R"(<layer class="{}" enabled="1" locked="0" pass="0">{}{}</layer></symbol>)",
-                    is_line ? "line" : "marker", i, is_line ? "SimpleLine" : "SimpleMarker",
-                    options_xml(symbol.options), symbol.property);
+        qgis_symbol(is_line ? "line" : "marker", std::to_string(i),
+                    {{is_line ? "SimpleLine" : "SimpleMarker", symbol.options, symbol.properties}});
   }
   const std::string order =
       last.empty()
@@ -77,11 +51,11 @@ std::string color_of(std::size_t rover) {
   return fmt::format("{},{},{},255", part(4), part(2), part(0));
 }
 
-std::vector<Symbol> by_rover(const std::vector<std::string>& rovers, const Options& options,
-                             const std::string& color_option, const std::string& property) {
+std::vector<Symbol> by_rover(const std::vector<std::string>& rovers, const QgisOptions& options,
+                             const std::string& color_option, const QgisOptions& properties = {}) {
   std::vector<Symbol> symbols;
   for (std::size_t i = 0; i < rovers.size(); ++i) {
-    Symbol symbol{rovers[i], rovers[i], options, property};
+    Symbol symbol{rovers[i], rovers[i], options, properties};
     symbol.options.emplace_back(color_option, color_of(i));
     symbols.push_back(std::move(symbol));
   }
@@ -90,11 +64,11 @@ std::vector<Symbol> by_rover(const std::vector<std::string>& rovers, const Optio
 
 // Small triangles along the drive that point where the rover heads.
 std::string samples(const std::vector<std::string>& rovers) {
-  const Options options{{"name", "triangle"},    {"size", "1.8"}, {"size_unit", "MM"},
-                        {"outline_style", "no"}, {"angle", "0"},  {"scale_method", "diameter"}};
-  return categories(
-      "rover_id",
-      by_rover(rovers, options, "color", property_xml("angle", "degrees(\"heading_rad\")")), false);
+  const QgisOptions options{{"name", "arrow"},       {"size", "2.6"}, {"size_unit", "MM"},
+                            {"outline_style", "no"}, {"angle", "0"},  {"scale_method", "diameter"}};
+  return categories("rover_id",
+                    by_rover(rovers, options, "color", {{"angle", "degrees(\"heading_rad\")"}}),
+                    false);
 }
 
 std::string events() {
@@ -117,21 +91,18 @@ std::string events() {
                         {"color", status.color},
                         {"outline_color", "255,255,255,255"},
                         {"outline_width", "0.3"}},
-                       ""});
+                       {}});
   }
   return categories("status", symbols, false, "if(\"status\" = 'completed', 0, 1)");
 }
 
 std::string notes() {
-  return fmt::format(
-      R"(<renderer-v2 type="singleSymbol" symbollevels="0" enableorderby="0" forceraster="0">)"
-      R"(<symbols><symbol type="marker" name="0" alpha="1" clip_to_extent="1" force_rhr="0">)"
-      R"(<layer class="SimpleMarker" enabled="1" locked="0" pass="0">{}</layer></symbol></symbols>)"
-      R"(</renderer-v2>)",
-      options_xml({{"name", "square"},
-                   {"size", "1.6"},
-                   {"color", "255,255,255,255"},
-                   {"outline_color", "60,60,60,255"}}));
+  return qgis_single_symbol(qgis_symbol("marker", "0",
+                                        {{"SimpleMarker",
+                                          {{"name", "square"},
+                                           {"size", "1.6"},
+                                           {"color", "255,255,255,255"},
+                                           {"outline_color", "60,60,60,255"}}}}));
 }
 
 // One label a place, with the texts of all that happened there.
@@ -140,16 +111,7 @@ std::string label(std::string_view column) {
   const std::string together = fmt::format(
       R"(if($id = minimum($id, group_by:={1}), concatenate("{0}", group_by:={1}, concatenator:=' / '), NULL))",
       column, place);
-  return fmt::format(
-      R"(<labeling type="simple"><settings calloutType="simple"><text-style fieldName="{}" )"
-      R"(fontSize="9" fontSizeUnit="Point" textColor="20,20,20,255" isExpression="1">)"
-      R"(<text-buffer bufferDraw="1" bufferSize="1.2" bufferSizeUnits="MM" bufferOpacity="1" )"
-      R"(bufferColor="255,255,255,255"/></text-style>)"
-      R"(<placement placement="6" dist="1.2" distUnits="MM" maxCharAngleIn="25" )"
-      R"(predefinedPositionOrder="TR,TL,BR,BL,R,L,TSR,BSR"/>)"
-      R"(<rendering obstacle="0" displayAll="0" scaleVisibility="0" mergeLines="0"/></settings>)"
-      "</labeling>",
-      xml_escaped(together));
+  return qgis_labeling(together, QgisPlacement::about_points);
 }
 
 // When a feature is shown as the time slider moves: from `start` on, to `end` where there is one.
@@ -165,14 +127,14 @@ std::string temporal(std::string_view start, std::string_view end) {
 }  // namespace
 
 std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers) {
-  const Options path{{"line_width", "0.5"}, {"line_width_unit", "MM"}, {"line_style", "dash"}};
+  const QgisOptions path{{"line_width", "0.5"}, {"line_width_unit", "MM"}, {"line_style", "dash"}};
   return {
       // How an event ended is known from its end on.
       {"events", "Events", "Point", events(), label("label"), temporal("end_utc", "")},
       {"notes", "Notes", "Point", notes(), label("name"), "", false},
       {"samples", "Samples", "Point", samples(rovers), "", temporal("utc", "")},
       {"planned_paths", "Planned paths", "Line",
-       categories("rover_id", by_rover(rovers, path, "line_color", ""), true), "", ""},
+       categories("rover_id", by_rover(rovers, path, "line_color"), true), "", ""},
   };
 }
 
@@ -187,29 +149,6 @@ std::string qgis_style(const QgisLayer& layer) {
 std::string rover_qgis_color(std::size_t rover, int opacity) {
   const std::string opaque = color_of(rover);
   return fmt::format("{}{}", opaque.substr(0, opaque.rfind(',') + 1), opacity);
-}
-
-std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
 }
 
 }  // namespace lsos

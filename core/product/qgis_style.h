@@ -28,7 +28,4 @@ std::string qgis_style(const QgisLayer& layer);
 // "255,0,0,110": of the rover at that place in the order of ids; opacity of 255.
 std::string rover_qgis_color(std::size_t rover, int opacity);
 
-// Text of an element or attribute.
-std::string xml_escaped(std::string_view text);
-
 }  // namespace lsos

@@ -50,10 +50,6 @@ OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialRe
 void run_sql(GDALDataset& dataset, const std::string& statement,
              const std::function<void(const OGRFeature&)>& visit = {});
 
-// A text as SQL has it.
-std::string quoted(std::string_view text);
-// `utc`: when it is said to have been made.
-void add_style(GDALDataset& dataset, const LayerStyle& style, const std::string& utc);
 // Titles and meanings of the columns of all layers, as the GeoPackage's schema extension has them.
 void add_titles(GDALDataset& dataset);
 

@@ -1,16 +1,11 @@
 // What GIS tools show people in place of column names.
 #include <fmt/format.h>
 
+#include "base/qgis_style_table.h"
 #include "record/column_titles.h"
 #include "record/gpkg.h"
 
 namespace lsos::gpkg {
-
-std::string quoted(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
 
 // OGC 12-128r18, annex F.9.
 void add_titles(GDALDataset& dataset) {
@@ -37,10 +32,11 @@ void add_titles(GDALDataset& dataset) {
   for (const LayerSpec& layer : contract_layers()) {
     for (const ColumnSpec& column : layer.columns) {
       const ColumnTitle& title = column_title(column.name);
-      run_sql(dataset, fmt::format("INSERT INTO gpkg_data_columns (table_name, column_name, name, "
-                                   "title, description) VALUES ({}, {}, {}, {}, {})",
-                                   quoted(layer.name), quoted(column.name), quoted(title.title),
-                                   quoted(title.title), quoted(title.meaning)));
+      run_sql(dataset,
+              fmt::format("INSERT INTO gpkg_data_columns (table_name, column_name, name, "
+                          "title, description) VALUES ({}, {}, {}, {}, {})",
+                          sql_text(layer.name), sql_text(column.name), sql_text(title.title),
+                          sql_text(title.title), sql_text(title.meaning)));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/qgis_style_table.h"
 #include "record/gpkg.h"
 #include "record/log.h"
 
@@ -246,7 +247,10 @@ void LogWriter::write_run(const std::map<std::string, std::string>& values) {
 void LogWriter::write_styles(const std::vector<LayerStyle>& styles) {
   impl_->attempt("writing styles", [&] {
     for (const LayerStyle& style : styles) {
-      gpkg::add_style(*impl_->dataset, style, format_utc(impl_->start));
+      for (const std::string& statement :
+           qgis_style_sql({style.layer, "geom", style.name, style.qml, format_utc(impl_->start)})) {
+        gpkg::run_sql(*impl_->dataset, statement);
+      }
     }
     return true;
   });
