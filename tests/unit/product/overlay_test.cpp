@@ -11,6 +11,8 @@
 
 #include "plan/kmz_archive.h"
 #include "product/files.h"
+#include "product/overlay_icons.h"
+#include "product/png.h"
 #include "product/rover_track.h"
 #include "support/reference_data.h"
 #include "unit/record/log_fixture.h"
@@ -172,8 +174,16 @@ TEST(Overlay, is_packed_on_request_the_same_each_time) {
   write_packed_overlay(folder.path(), test_plan());
   const std::string packed = read_file(folder / "overlay.kmz").value_or("");
   EXPECT_LT(packed.size(), read_file(folder / "overlay.kml").value_or("").size() / 5);
-  EXPECT_EQ(KmzArchive(packed, "overlay.kmz").unpacked("doc.kml"),
-            read_file(folder / "overlay.kml"));
+  KmzArchive archive(packed, "overlay.kmz");
+  std::string kml = archive.unpacked("doc.kml");
+  // Its icons are in it.
+  for (const OverlayIcon icon : {OverlayIcon::arrow, OverlayIcon::disc, OverlayIcon::cross,
+                                 OverlayIcon::square, OverlayIcon::diamond}) {
+    EXPECT_TRUE(archive.unpacked(packed_icon(icon)).starts_with(png_mark)) << packed_icon(icon);
+    EXPECT_THAT(kml, HasSubstr("<href>" + packed_icon(icon)));
+    kml = std::regex_replace(kml, std::regex(packed_icon(icon)), server_icon(icon));
+  }
+  EXPECT_EQ(kml, read_file(folder / "overlay.kml"));
   EXPECT_EQ(packed.substr(10, 4), std::string("\0\0!\0", 4)) << "of 1980-01-01, 00:00:00";
   write_packed_overlay(folder.path(), test_plan());
   EXPECT_EQ(packed, read_file(folder / "overlay.kmz"));
