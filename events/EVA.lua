@@ -19,7 +19,8 @@ local function check(p, rover)
     return nil, 'ExitDuration, ActivityDuration and EntryDuration are 0: it does nothing'
   end
   if rover and rover.crew and p.crew > rover.crew then
-    return nil, ('Crew = %d: %s carries %s'):format(p.crew, rover.type,
+    local as = rover.configuration and (' (%s)'):format(rover.configuration) or ''
+    return nil, ('Crew = %d: %s%s carries %s'):format(p.crew, rover.type, as,
       rover.crew == 0 and 'nobody' or ('a crew of %d'):format(rover.crew))
   end
   if p.power_w > 0 and rover and not rover.battery_capacity_j then

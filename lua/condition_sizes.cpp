@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "base/units.h"
 #include "lua/condition_comparisons.h"
 
 namespace lsos {
@@ -53,6 +55,41 @@ std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
   return "";
 }
 
+// A time in hours, which only its size tells from one in seconds.
+std::string hours_doubt(const Comparison& c) {
+  constexpr double hours_max = 25;
+  if (c.quantity != "time_s" || c.how == "==" || c.number <= 0 || c.number >= hours_max) return "";
+  return fmt::format(
+      "time_s is in s since the mission's start, and is compared with {0:g}: {0:g} h "
+      "is {0:g} * 3600",
+      c.number);
+}
+
+// A place so far from all of the plan's that its rovers do not get there.
+std::string place_doubt(const Comparison& c, const ConditionWorld& world) {
+  constexpr double room_deg = 0.5;
+  const bool is_lat = c.quantity == "lat_deg";
+  if (c.is_size || (!is_lat && c.quantity != "lon_deg")) return "";
+  const auto& span = is_lat ? world.lat_deg : world.lon_deg;
+  const bool is_known = span && (is_lat || world.lat_deg);
+  if (!is_known) return "";
+  const double farthest_rad =
+      radians(std::max(std::abs(world.lat_deg->low), std::abs(world.lat_deg->high)));
+  const double more_deg = is_lat ? room_deg : room_deg / std::max(0.01, std::cos(farthest_rad));
+  const auto is_near = [&](double number) {
+    return number >= span->low - more_deg && number <= span->high + more_deg;
+  };
+  if (is_near(c.number)) return "";
+  Comparison there = c;
+  there.bounds = {span->low, span->high};
+  // A bound that all places keep to is no slip.
+  if (!never_holds(there) && !is_near(-c.number)) return "";
+  return fmt::format("'{} {} {:g}' {} holds where this plan is, at {} of {:.4g} to {:.4g}{}",
+                     c.shown, c.how, c.number, never_holds(there) ? "never" : "always", c.quantity,
+                     span->low, span->high,
+                     is_near(-c.number) ? fmt::format("; did you mean {:g}?", -c.number) : "");
+}
+
 // A number so far outside that another unit was meant, whichever way it is compared.
 bool is_far_outside(const Comparison& c, double share) {
   const double span = c.bounds.high - c.bounds.low;
@@ -90,6 +127,8 @@ std::string doubt_of(const Comparison& c, const ConditionWorld& world) {
   if (c.quantity == "time_s" && c.how == "==" && c.number != std::floor(c.number)) {
     return never_text(c, "conditions are asked at whole seconds");
   }
+  if (std::string hours = hours_doubt(c); !hours.empty()) return hours;
+  if (std::string place = place_doubt(c, world); !place.empty()) return place;
   return scale_fault(c, world);
 }
 

@@ -16,6 +16,11 @@ struct ConditionWorld {
   // What the event's rover can do, where it is known.
   std::optional<double> battery_capacity_j = {}, speed_max_mps = {};
   bool is_without_panels = false, is_without_battery = false;
+  // Where the plan's things are, as far as they are known; lon_deg is absent around 180 degrees.
+  struct Span {
+    double low, high;
+  };
+  std::optional<Span> lon_deg = {}, lat_deg = {};
 };
 
 }  // namespace lsos

@@ -10,6 +10,7 @@
 
 #include "lua/condition.h"
 #include "lua/host.h"
+#include "lua/model_advice.h"
 #include "lua/plan_table.h"
 #include "lua/script_folders.h"
 #include "lua/script_use.h"
@@ -69,6 +70,43 @@ TerrainSpec terrain_of(const MissionInfo& mission, const Catalog& catalog, Missi
   return terrain;
 }
 
+// Where all that is drawn lies.
+void add_spans(const Plan& plan, ConditionWorld& world) {
+  std::vector<Geodetic> places;
+  for (const PlanRover& rover : plan.rovers) {
+    if (!plan.gaps.unplaced_rovers.contains(rover.id)) places.push_back(rover.start);
+  }
+  for (const PlanAsset& asset : plan.assets) places.push_back(asset.position);
+  for (const PlanEvent& event : plan.events) {
+    places.insert(places.end(), event.geometry.points.begin(), event.geometry.points.end());
+  }
+  if (places.empty()) return;
+  const auto [south, north] = std::ranges::minmax(places, {}, &Geodetic::lat_rad);
+  const auto [west, east] = std::ranges::minmax(places, {}, &Geodetic::lon_rad);
+  constexpr double half_turn_deg = 180;
+  world.lat_deg = {degrees(south.lat_rad), degrees(north.lat_rad)};
+  const ConditionWorld::Span lon_deg{degrees(west.lon_rad), degrees(east.lon_rad)};
+  if (lon_deg.high - lon_deg.low < half_turn_deg) world.lon_deg = lon_deg;
+}
+
+// `model`: of the event's rover; nullptr: not known.
+ConditionWorld condition_world(const Plan& plan, const std::string& rover_id,
+                               const std::set<std::string>& ids, const RoverModel* model) {
+  ConditionWorld world{rover_id, ids, {}, !plan.gaps.has_ids(), false};
+  add_spans(plan, world);
+  if (model == nullptr) return world;
+  world.are_resources_known = true;
+  world.speed_max_mps = model->spec.vehicle.speed_max_mps;
+  const auto& battery = model->power.battery;
+  if (battery) world.battery_capacity_j = battery->capacity_j;
+  world.is_without_battery = !battery;
+  world.is_without_panels = model->power.panels.empty();
+  for (const ResourceSpec& resource : model->power.resources) {
+    world.resources.insert(resource.name);
+  }
+  return world;
+}
+
 }  // namespace
 
 void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
@@ -79,21 +117,11 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
   ids.insert(plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
   ids.erase("");
   for (const PlanEvent& event : plan.events) {
-    ConditionWorld world{event.rover_id, ids, {}, !plan.gaps.has_ids(), false};
     const PlanRover* rover = rover_of(plan, event.rover_id);
     const auto model =
         rover == nullptr ? files.rover_models.end() : files.rover_models.find(rover->model());
-    if (model != files.rover_models.end()) {
-      world.are_resources_known = true;
-      world.speed_max_mps = model->second.spec.vehicle.speed_max_mps;
-      const auto& battery = model->second.power.battery;
-      if (battery) world.battery_capacity_j = battery->capacity_j;
-      world.is_without_battery = !battery;
-      world.is_without_panels = model->second.power.panels.empty();
-      for (const ResourceSpec& resource : model->second.power.resources) {
-        world.resources.insert(resource.name);
-      }
-    }
+    const ConditionWorld world = condition_world(
+        plan, event.rover_id, ids, model == files.rover_models.end() ? nullptr : &model->second);
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
       const auto told = [&](const std::string& what) {
@@ -224,57 +252,6 @@ void read_models(MissionFiles& files) {
                       files.faults);
 }
 
-std::string without_full_stop(const std::string& sentence) {
-  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
-}
-
-constexpr const char* depends_on_soil =
-    "slip, sinkage, the energy of driving and planned routes depend on it";
-
-bool drives_elsewhere_than_on_the_moon(const MissionFiles& files) {
-  const Body* planet = files.plan.mission.planet;
-  const auto drives = [&](const PlanEvent& event) {
-    return event.is_enabled && files.catalog->declarations().events.at(event.type).drives;
-  };
-  return planet != nullptr && planet->name != "Moon" &&
-         std::ranges::any_of(files.plan.events, drives);
-}
-
-// The scripts of ground for any planet have the Moon's regolith.
-void say_lunar_soil(MissionFiles& files) {
-  const TerrainSpec& terrain = files.terrain;
-  const bool is_lunar = terrain.soil.name.starts_with("Apollo");
-  // Who writes a script chooses its soil.
-  const auto is_shipped = [&](const Script& script) {
-    return script.kind == ScriptKind::terrain && script.name == terrain.name &&
-           script.folder.starts_with(shipped_scripts());
-  };
-  if (std::ranges::none_of(files.catalog->scripts(), is_shipped)) return;
-  if (files.is_soil_assumed || !is_lunar || !drives_elsewhere_than_on_the_moon(files)) return;
-  files.faults.warning(
-      files.plan.mission.place,
-      fmt::format("MissionInfo: {}: its soil is {} ({}), on {}; {}; a terrain script can name "
-                  "another",
-                  terrain.name, terrain.soil.name, without_full_stop(terrain.soil.doc),
-                  files.plan.mission.planet->name, depends_on_soil));
-}
-
-// Regolith is much alike all over the Moon; on Mars and Earth any drive depends on the choice.
-void say_assumed_soil(MissionFiles& files) {
-  if (!files.is_soil_assumed) return;
-  const MissionInfo& mission = files.plan.mission;
-  const std::string assumed =
-      fmt::format("{}: nothing says what the ground is made of; {} is assumed", files.terrain.name,
-                  files.terrain.soil.name);
-  files.assumptions.push_back(assumed + "; a terrain script can name another");
-  if (!drives_elsewhere_than_on_the_moon(files)) return;
-  files.faults.warning(
-      mission.place,
-      fmt::format("MissionInfo: {}, as anywhere on {} ({}); {}; a terrain script can name another",
-                  assumed, mission.planet->name, without_full_stop(files.terrain.soil.doc),
-                  depends_on_soil));
-}
-
 }  // namespace
 
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
@@ -292,8 +269,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
   check_for_events(files.plan, files.faults);
-  say_assumed_soil(files);
-  say_lunar_soil(files);
+  add_model_advice(files, false);
   return files;
 }
 
@@ -313,12 +289,11 @@ MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalo
   files.plan = read_plan(source.file, source.kml, files.catalog->declarations(), files.faults);
   if (seed) files.plan.mission.seed = *seed;
   read_models(files);
-  if (source.soil.empty()) {
-    say_assumed_soil(files);
-    say_lunar_soil(files);
-  } else if (!files.faults.has_errors()) {
+  const bool is_soil_given = !source.soil.empty();
+  if (is_soil_given && !files.faults.has_errors()) {
     files.terrain.soil = files.catalog->load_soil(source.soil, files.plan.mission.place);
   }
+  add_model_advice(files, is_soil_given);
   return files;
 }
 

@@ -93,6 +93,8 @@ void read_configuration(TableReader& t, RoverConfiguration& configuration) {
            "On the chassis besides its own mass, as a point; negative takes load off (default 0).");
   t.vec3(optional, "payload_position_m", configuration.p_BP_m,
          "Of its centre of mass: forward, left, up as for the chassis (default 0, 0, 0).");
+  t.integer(optional, "crew", configuration.crew, {0, 100},
+            "Aboard in this configuration (default: as many as the rover carries).");
 }
 
 // One of three kinds of suspension.

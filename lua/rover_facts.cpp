@@ -47,7 +47,10 @@ void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& mo
     set(L, "battery_capacity_j", model.power.battery->capacity_j);
     set(L, "charge_power_max_w", model.power.battery->charge_power_max_w);
   }
-  if (model.crew) set(L, "crew", static_cast<double>(*model.crew));
+  if (const auto crew = model.crew_of(rover.configuration)) {
+    set(L, "crew", static_cast<double>(*crew));
+  }
+  if (!rover.configuration.empty()) set(L, "configuration", rover.configuration);
   if (model.limits.slope_max_rad) set(L, "slope_max_rad", *model.limits.slope_max_rad);
   lua_newtable(L);
   lua_Integer count = 0;

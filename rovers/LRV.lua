@@ -106,12 +106,14 @@ return lsos.rover {
     lsos.configuration {
       name               = 'OneCrew',
       doc                = 'Without the right-hand astronaut.',
+      crew               = 1,
       payload_mass_kg    = -astronaut_kg,
       payload_position_m = vec(0, -0.35, 0.85),  -- A: of the right seat
     },
     lsos.configuration {
       name               = 'Empty',
       doc                = 'Without crew and load.',
+      crew               = 0,
       payload_mass_kg    = empty_kg - gross_kg,
       payload_position_m = load_m,
     },

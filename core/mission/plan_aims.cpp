@@ -157,6 +157,18 @@ void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& ro
   }
 }
 
+void check_masts(const Plan& plan, Faults& faults) {
+  constexpr double highest_m = 100;
+  for (const PlanAsset& asset : plan.assets) {
+    if (!asset.antenna_height_m || *asset.antenna_height_m <= highest_m) continue;
+    faults.warning(
+        asset.place,
+        fmt::format("Asset '{}': Height = {:g} m: its antenna would stand on a mast that "
+                    "high; is it in cm?",
+                    asset.id, *asset.antenna_height_m));
+  }
+}
+
 // What is asked of an asset whose power is known: one without panels.
 void check_supplies(const Plan& plan, const Declarations& declarations,
                     const std::map<std::string, AssetModel>& assets, Faults& faults) {
@@ -221,6 +233,7 @@ void check_plan_aims(const Plan& plan, const Declarations& declarations,
   check_timeouts(plan, declarations, rovers, faults);
   check_log_interval(plan, declarations, rovers, faults);
   check_charges(plan, rovers, faults);
+  check_masts(plan, faults);
   check_supplies(plan, declarations, assets, faults);
 }
 

@@ -22,6 +22,14 @@ struct RoverModel {
   std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
   GroundLimits limits;
   std::optional<std::int64_t> crew = {};  // that it carries; absent: nobody said
+
+  // Aboard in one of its configurations; absent: nobody said.
+  std::optional<std::int64_t> crew_of(const std::string& configuration) const {
+    for (const RoverConfiguration& each : spec.configurations) {
+      if (each.name == configuration && each.crew) return each.crew;
+    }
+    return crew;
+  }
 };
 
 // A habitat, a comm station.

@@ -1,7 +1,9 @@
 // What a rover script says.
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +26,7 @@ struct RoverConfiguration {
   std::vector<std::string> locked_wheels = {};
   double payload_mass_kg = 0;  // on the chassis, besides its own; negative takes load off
   Vec3 p_BP_m = Vec3::Zero();  // of the payload's centre of mass
+  std::optional<std::int64_t> crew = {};  // aboard; absent: as many as the rover carries
 };
 
 struct RoverSpec {

@@ -1,0 +1,124 @@
+#include "mission/model_doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/units.h"
+
+namespace lsos {
+
+namespace {
+
+// Nothing that a rover carries is so many times as long as its body.
+constexpr double longest_share = 10;
+// An antenna's mast that one can bring along.
+constexpr double highest_mast_m = 100;
+
+void doubt_panel(const PanelSpec& panel, double size_m, std::vector<std::string>& doubts) {
+  constexpr double fastest_radps = 0.5;
+  if (std::max(panel.length_m, panel.width_m) > longest_share * size_m) {
+    doubts.push_back(fmt::format(
+        "panels: '{}' is {:g} m x {:g} m, where the chassis is {:g} m long: is it in cm or mm?",
+        panel.name, panel.length_m, panel.width_m, size_m));
+  }
+  if (panel.can_turn() && panel.rate_radps > fastest_radps) {
+    doubts.push_back(
+        fmt::format("panels: '{}' turns by {:g} rad/s, {:.0f} deg a second: is it in "
+                    "deg/s?",
+                    panel.name, panel.rate_radps, degrees(panel.rate_radps)));
+  }
+}
+
+void doubt_battery(const BatterySpec& battery, double mass_kg, double always_w,
+                   std::vector<std::string>& doubts) {
+  // Ten times what the best cells hold for their own mass is beyond any, even were the rover one.
+  constexpr double densest_jpkg = 1e6, shortest_s = 600;
+  const double kwh = battery.capacity_j / 3.6e6;
+  if (battery.capacity_j > densest_jpkg * mass_kg) {
+    doubts.push_back(
+        fmt::format("battery: capacity_j = {:g}: {:.3g} kWh in a rover of {:.0f} kg is more than "
+                    "any battery of its mass holds",
+                    battery.capacity_j, kwh, mass_kg));
+  }
+  const double lasts_s = battery.capacity_j / always_w;
+  if (always_w > 0 && lasts_s < shortest_s) {
+    doubts.push_back(fmt::format(
+        "battery: capacity_j = {:g}: {:.3g} Wh last {:.3g} s for what is always on, {:g} W: is it "
+        "in Wh?",
+        battery.capacity_j, battery.capacity_j / 3600, lasts_s, always_w));
+  }
+}
+
+void doubt_loads(const std::vector<LoadSpec>& loads, double mass_kg,
+                 std::vector<std::string>& doubts) {
+  constexpr double least_w = 1, small_rover_kg = 50;
+  if (mass_kg < small_rover_kg) return;
+  for (const LoadSpec& load : loads) {
+    if (load.power_w <= 0 || load.power_w >= least_w) continue;
+    doubts.push_back(
+        fmt::format("loads: '{0}' takes {1:g} W, in a rover of {2:.0f} kg: is it "
+                    "{1:g} kW?",
+                    load.name, load.power_w, mass_kg));
+  }
+}
+
+// What its motors must give on level ground, whatever the body it is on: the resistance of a
+// thirtieth of its weight on the Moon, which wheels on regolith have at least.
+void doubt_motors(const VehicleConfig& vehicle, double mass_kg, std::vector<std::string>& doubts) {
+  constexpr double lunar_gravity_mps2 = 1.62, least_resistance = 1.0 / 30;
+  double power_w = 0;
+  for (const LinkConfig& link : vehicle.links) {
+    if (link.drive) power_w += link.drive->power_max_w;
+  }
+  const double needed_w =
+      least_resistance * mass_kg * lunar_gravity_mps2 * vehicle.cruise_speed_mps;
+  if (power_w >= needed_w) return;
+  doubts.push_back(fmt::format(
+      "drive: power_max_w: its motors give {:g} W together, where cruise_speed_mps = {:g} takes "
+      "some {:.0f} W for {:.0f} kg on the level: is it in kW?",
+      power_w, vehicle.cruise_speed_mps, needed_w, mass_kg));
+}
+
+}  // namespace
+
+std::vector<std::string> rover_doubts(const RoverModel& rover) {
+  std::vector<std::string> doubts;
+  const VehicleConfig vehicle = make_vehicle(rover.spec, "", 1);
+  const double mass_kg = vehicle.mass_kg(), size_m = vehicle.chassis_size_m.maxCoeff();
+  for (const PanelSpec& panel : rover.power.panels) doubt_panel(panel, size_m, doubts);
+  const double always_w = load_w(rover.power.loads, {false, true});
+  if (rover.power.battery) doubt_battery(*rover.power.battery, mass_kg, always_w, doubts);
+  doubt_loads(rover.power.loads, mass_kg, doubts);
+  doubt_motors(vehicle, mass_kg, doubts);
+  return doubts;
+}
+
+std::vector<std::string> asset_doubts(const AssetModel& asset) {
+  std::vector<std::string> doubts;
+  if (asset.antenna_height_m > highest_mast_m) {
+    doubts.push_back(fmt::format("antenna_height_m = {:g}: is it in cm?", asset.antenna_height_m));
+  }
+  constexpr double largest_panel_m = 100;
+  for (const PanelSpec& panel : asset.panels)
+    doubt_panel(panel, largest_panel_m / longest_share, doubts);
+  return doubts;
+}
+
+std::vector<std::string> soil_doubts(const Soil& soil) {
+  std::vector<std::string> doubts;
+  const auto doubt = [&](const char* key, double value, double low, double high,
+                         const char* question) {
+    if (value >= low && value <= high) return;
+    doubts.push_back(fmt::format("soil {}: {} = {:g}: soils have {:g} to {:g}; {}", soil.name, key,
+                                 value, low, high, question));
+  };
+  doubt("density_kgpm3", soil.density_kgpm3, 100, 6000, "is it in g/cm3?");
+  if (soil.is_rigid) return doubts;
+  doubt("shear_modulus_x_m", soil.shear_modulus_x_m, 1e-4, 0.3, "is it in cm?");
+  doubt("shear_modulus_y_m", soil.shear_modulus_y_m, 1e-4, 0.3, "is it in cm?");
+  doubt("cohesion_pa", soil.cohesion_pa, 0, 3e5, "is it in Pa?");
+  return doubts;
+}
+
+}  // namespace lsos
