@@ -100,7 +100,14 @@ void Simulation::place_rovers() {
     faults.add(site_faults(machine_.rovers[i], *ground_, plans_its_way));
   }
   if (!faults.has_errors()) find_things_in_each_other(faults);
-  faults.throw_if_errors();
+  throw_with_advice(faults);
+}
+
+// What the ground is warned of explains what cannot be done on it.
+void Simulation::throw_with_advice(Faults& faults) const {
+  if (!faults.has_errors()) return;
+  faults.add(ground_->advice());
+  throw InputError(faults.sorted());
 }
 
 void Simulation::plan_ways() {
@@ -117,13 +124,23 @@ void Simulation::plan_ways() {
   }
   // Where a way is missing too: to find that takes longest.
   if (setup_.keep_legs) setup_.keep_legs(legs_->kept());
-  faults.throw_if_errors();
+  throw_with_advice(faults);
   way_faults_ = faults.sorted();
 }
 
 std::vector<Fault> Simulation::advice() const {
   std::vector<Fault> advice = ground_->advice();
   advice.insert(advice.end(), way_faults_.begin(), way_faults_.end());
+  for (const RoverMachine& rover : machine_.rovers) {
+    const bool drives = std::ranges::any_of(rover.events, [](const EventMachine& event) {
+      return event.event.is_enabled && event.declaration.drives;
+    });
+    const std::string coarse = drives ? ground_->coarseness(rover.rover.start) : "";
+    if (coarse.empty()) continue;
+    advice.push_back({Severity::warning, rover.rover.place,
+                      fmt::format("Rover '{}': {}", rover.rover.id, coarse)});
+    break;
+  }
   return advice;
 }
 

@@ -147,6 +147,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   void stand_assets();
   void build();
   void place_rovers();
+  void throw_with_advice(Faults& faults) const;
   void plan_ways();
   void find_things_in_each_other(Faults& faults) const;
   void exchange();

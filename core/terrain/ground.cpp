@@ -248,6 +248,23 @@ struct Ground::Impl {
     return text;
   }
 
+  // The one that most of the ground is made of there.
+  std::optional<std::size_t> main_layer(const Geodetic& place) const {
+    std::optional<std::size_t> most;
+    double left = 1, largest_share = 0;
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      Layer& layer = *layers[k];
+      const auto sample = Layer::Probe(layer, layer.look(0)).sample(place);
+      if (!sample) continue;
+      const double share = left * sample->weight;
+      left -= share;
+      if (share <= largest_share) continue;
+      largest_share = share;
+      most = k;
+    }
+    return most;
+  }
+
   TerrainSpec spec;
   std::uint64_t seed;
   SitePlane plane;
@@ -297,23 +314,18 @@ std::vector<Fault> Ground::advice() const {
 }
 
 std::string Ground::slivers(const Geodetic& place) const {
-  // The layer that most of the ground is made of there.
-  std::optional<std::size_t> most;
-  double left = 1, largest_share = 0;
-  for (std::size_t k = 0; k < impl_->layers.size(); ++k) {
-    Layer& layer = *impl_->layers[k];
-    const auto sample = Layer::Probe(layer, layer.look(0)).sample(place);
-    if (!sample) continue;
-    const double share = left * sample->weight;
-    left -= share;
-    if (share <= largest_share) continue;
-    largest_share = share;
-    most = k;
-  }
+  const std::optional<std::size_t> most = impl_->main_layer(place);
   if (!most) return "";
   const auto* raster = std::get_if<RasterSurface>(&impl_->spec.layers[*most]);
   if (raster == nullptr) return "";
   return sliver_text(*raster, impl_->layers[*most]->grid(), site().body(), place);
+}
+
+std::string Ground::coarseness(const Geodetic& place) const {
+  const std::optional<std::size_t> most = impl_->main_layer(place);
+  if (!most || impl_->layers[*most]->has_detail()) return "";
+  const auto* raster = std::get_if<RasterSurface>(&impl_->spec.layers[*most]);
+  return raster == nullptr ? "" : coarse_text(*raster, impl_->layers[*most]->cell_m());
 }
 
 std::optional<double> Ground::elevation_m(const Geodetic& place, double resolution_m) const {

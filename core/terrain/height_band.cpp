@@ -215,7 +215,9 @@ SampleRange HeightBand::range() const {
   range.nearest_to_zero = range.low;
   constexpr std::int64_t told_apart = 10'000;
   std::unordered_set<double> different;
-  std::int64_t seen = 0;
+  std::int64_t seen = 0, repeated = 0;
+  bool has_fractions = false;
+  double before = std::numeric_limits<double>::quiet_NaN();
   for (const RasterBlock& block : spread_blocks(*band_, most_cells).blocks) {
     seen += std::int64_t{block.columns} * block.rows;
     range.has_loose_marks = range.has_loose_marks || has_loose_marks(block);
@@ -223,6 +225,9 @@ SampleRange HeightBand::range() const {
       if (std::isnan(sample)) continue;
       ++range.count;
       if (range.count <= told_apart) different.insert(sample);
+      has_fractions = has_fractions || sample != std::floor(sample);
+      repeated += sample == before;
+      before = sample;
       range.high = std::max(range.high, sample);
       range.zeros += sample == 0;
       if (sample != 0) range.nearest_to_zero = std::min(range.nearest_to_zero, std::abs(sample));
@@ -234,6 +239,8 @@ SampleRange HeightBand::range() const {
       }
     }
   }
+  range.is_in_whole_numbers = range.count > 0 && !has_fractions;
+  range.is_flat_in_steps = 2 * repeated > range.count;
   range.different = static_cast<std::int64_t>(different.size());
   range.is_whole = seen == std::int64_t{band_->GetXSize()} * band_->GetYSize();
   return range;

@@ -23,10 +23,13 @@ struct SampleRange {
   std::int64_t count = 0;  // samples that are not missing
   double low = 0;          // of those, as they are written
   double high = 0;
-  double second_low = 0;         // the lowest above `low`
-  std::int64_t zeros = 0;        // samples that are exactly 0
-  double nearest_to_zero = 0;    // least size of the others
-  std::int64_t different = 0;    // heights, of the first 10,000 samples
+  double second_low = 0;       // the lowest above `low`
+  std::int64_t zeros = 0;      // samples that are exactly 0
+  double nearest_to_zero = 0;  // least size of the others
+  std::int64_t different = 0;  // heights, of the first 10,000 samples
+  bool is_in_whole_numbers = false;
+  // Most samples are the same as the one before them in their row.
+  bool is_flat_in_steps = false;
   bool is_whole = false;         // every sample was looked at
   bool has_loose_marks = false;  // a missing sample among them that GDAL would average
 };

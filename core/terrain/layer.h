@@ -60,6 +60,7 @@ class Layer {
 
   const HeightGrid& grid() const { return *grid_; }
   double cell_m() const { return cell_m_; }
+  bool has_detail() const { return detail_ != nullptr; }
   void add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
                   std::uint64_t seed);
   // The coarsest look that still shows what is as large as the resolution; 0: all there is. Detail

@@ -4,6 +4,7 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -29,7 +30,7 @@ constexpr double smoothest_share = 2e-4, smoothest_m = 30;
 // On less, a raster made by hand may well be as level: there heights in km are told by how much
 // farther they are from 0 than from each other, or by how many of them are different, as measured
 // ones are.
-constexpr double wide_m = 20e3, narrowest_m = 1e3, far_times = 3;
+constexpr double wide_m = 20e3, small_m = 1e3, narrowest_m = 100, far_times = 3;
 constexpr std::int64_t many_different = 200;
 
 // A polar map of the body, as GDAL knows it.
@@ -115,12 +116,62 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   const bool is_far = std::min(std::abs(low), std::abs(high)) > far_times * rise && low * high > 0;
   const bool is_measured = range.different >= many_different;
   if (across_m < wide_m && !is_far && !is_measured) return {};
+  if (across_m < small_m && !is_measured) return {};
   if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
-      "raster '{}' holds heights of {:.6g} to {:.6g} over {:.0f} km and names no unit: are they "
+      "raster '{}' holds heights of {:.6g} to {:.6g} over {:.3g} km and names no unit: are they "
       "km? "
       "They are taken as metres; say the unit ({})",
       surface.file, low, high, across_m / 1000, option_of_raster("unit"));
+}
+
+std::string extreme_advice(const Raster& raster, const RasterSurface& surface, const Body& body) {
+  struct Extremes {
+    std::string_view body;
+    double lowest_m, highest_m;
+  };
+  static constexpr std::array known{Extremes{"Moon", -9.2e3, 10.8e3},
+                                    Extremes{"Mars", -8.6e3, 21.4e3},
+                                    Extremes{"Earth", -11.1e3, 8.9e3}};
+  const auto extremes = std::ranges::find(known, body.name, &Extremes::body);
+  if (extremes == known.end()) return {};
+  const HeightBand& heights = raster.band();
+  const SampleRange range = heights.range();
+  if (range.count == 0) return {};
+  const auto height_m = [&](double sample) {
+    return sample * heights.scale().scale + heights.scale().offset_m;
+  };
+  const auto [low_m, high_m] = std::minmax({height_m(range.low), height_m(range.high)});
+  // Rims and spheres of reference differ a little from map to map.
+  constexpr double room_m = 1000;
+  if (low_m >= extremes->lowest_m - room_m && high_m <= extremes->highest_m + room_m) return {};
+  return fmt::format(
+      "raster '{}' holds heights of {:.0f} to {:.0f} m, where {} has {:.0f} to {:.0f} m: has its "
+      "scale been lost, or are they above another reference? Say the unit ({}), or set the scale "
+      "with "
+      "gdal_edit.py -scale",
+      surface.file, low_m, high_m, body.name, extremes->lowest_m, extremes->highest_m,
+      option_of_raster("unit"));
+}
+
+std::string step_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
+                        const Body& body) {
+  // A step of that share of a cell is a slope of 6 degrees, which is not there.
+  constexpr double steepest_step = 0.1;
+  constexpr std::int64_t made_by_hand = 12;  // heights at most
+  const HeightBand& heights = raster.band();
+  const SampleRange range = heights.range();
+  if (range.different <= made_by_hand || !range.is_in_whole_numbers) return {};
+  if (!picture_advice(raster, surface).empty()) return {};
+  const CellSides sides = cell_sides(grid, body, centre(grid.extent()));
+  const double cell_m = std::min(sides.along_row_m, sides.along_column_m);
+  const double step_m = std::abs(heights.scale().scale);
+  if (!(step_m > steepest_step * cell_m)) return {};
+  if (!range.is_flat_in_steps) return {};
+  return fmt::format(
+      "raster '{}' holds heights in steps of {:.3g} m on cells of {:.3g} m: ground between two "
+      "steps is level, and each step a wall of {:.3g} m; was it saved as whole numbers?",
+      surface.file, step_m, cell_m, step_m);
 }
 
 std::string picture_advice(const Raster& raster, const RasterSurface& surface) {
@@ -157,9 +208,11 @@ std::string word_advice(const Raster& raster, const RasterSurface& surface) {
       "temperature", "error",  "errors", "quality",   "azimuth", "illumination", "count"};
   static const std::set<std::string> heights{"height", "heights", "elevation", "dem",
                                              "dtm",    "dsm",     "topo",      "topography"};
-  if (surface.is_band_said || names_unit(raster.band().band(), surface)) return {};
+  if (names_unit(raster.band().band(), surface)) return {};
   const std::string band = raster.band().band().GetDescription();
-  const std::string file = std::filesystem::path(surface.file).stem().string();
+  // Who has chosen a band knows the file, not always what the band is.
+  const std::string file =
+      surface.is_band_said ? "" : std::filesystem::path(surface.file).stem().string();
   for (const std::string& name : {band, file}) {
     const std::set<std::string> words = words_of(name);
     const auto is_one_of = [&](const std::set<std::string>& known) {
@@ -205,6 +258,16 @@ std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, co
       "most {} times their width make ground to drive on, as in longitude and latitude up to 87 "
       "degrees: a polar map is wanted, as gdalwarp -t_srs {} makes",
       surface.file, width_m, length_m, sliver_aspect, polar_crs(body, place.lat_rad > 0));
+}
+
+std::string coarse_text(const RasterSurface& surface, double cell_m) {
+  if (!(cell_m > drivable_cell_max_m)) return {};
+  return fmt::format(
+      "the ground is known there by cells of {} alone (raster '{}'): slopes, craters and rocks "
+      "smaller than that are not in it, and drives seem easier than they are; a finer raster, or "
+      "lsos.detail in a terrain script, has them",
+      cell_m < 1000 ? fmt::format("{:.0f} m", cell_m) : fmt::format("{:.1f} km", cell_m / 1000),
+      surface.file);
 }
 
 }  // namespace lsos

@@ -17,6 +17,15 @@ std::string overview_advice(const HeightBand& heights, const std::string& file);
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
                         const Body& body);
 
+// Heights that the body has nowhere (Moon: Smith et al. 2010, LOLA; Mars: Smith et al. 2001, MOLA;
+// Earth: Challenger Deep and Everest). "" for good ones.
+std::string extreme_advice(const Raster& raster, const RasterSurface& surface, const Body& body);
+
+// Heights in whole numbers on cells so small that the steps between them are slopes. "" for good
+// ones.
+std::string step_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
+                        const Body& body);
+
 // Samples of 8 bits that name no unit: a picture, more often than not. "" for others.
 std::string picture_advice(const Raster& raster, const RasterSurface& surface);
 
@@ -36,5 +45,10 @@ inline constexpr double sliver_aspect = 20;
 // "" where the raster's cells at the place are not slivers.
 std::string sliver_text(const RasterSurface& surface, const HeightGrid& grid, const Body& body,
                         const Geodetic& place);
+
+// On larger cells a rover drives over ground of which nothing is known.
+inline constexpr double drivable_cell_max_m = 50;
+// "" for cells that show what a rover drives over.
+std::string coarse_text(const RasterSurface& surface, double cell_m);
 
 }  // namespace lsos

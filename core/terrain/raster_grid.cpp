@@ -77,6 +77,8 @@ class RasterGrid : public HeightGrid {
     const std::lock_guard lock(mutex_);
     std::vector<std::string> all{overview_advice(raster_.band(), surface_.file),
                                  unit_advice(raster_, surface_, *this, plane_.site().body()),
+                                 extreme_advice(raster_, surface_, plane_.site().body()),
+                                 step_advice(raster_, surface_, *this, plane_.site().body()),
                                  picture_advice(raster_, surface_),
                                  band_advice(raster_, surface_),
                                  zero_advice(raster_, surface_),

@@ -142,6 +142,63 @@ TEST(RasterSpike, is_neither_a_rock_nor_a_cliff) {
   EXPECT_EQ(spiked_advice(900, 20).size(), 0u) << "a mesa";
 }
 
+std::vector<Fault> advice_of_heights(const std::string& band, double cell_m,
+                                     const std::function<double(int, int)>& height) {
+  const std::string cell = std::to_string(cell_m), half = std::to_string(cell_m * 50);
+  const TextRaster raster{"+proj=eqc +R=1737400 +units=m",
+                          "-" + half + "," + cell + ",0," + half + ",0,-" + cell, band,
+                          rows_of(100, 100, height)};
+  TerrainSpec spec = raster_terrain(raster.write("heights"));
+  std::get<RasterSurface>(spec.layers[0]).is_band_said = true;
+  return Ground(spec, site_on("Moon", 0, 0), 0).advice();
+}
+
+TEST(RasterExtremes, are_told_where_the_body_has_no_such_heights) {
+  const auto relief = [](double size) {
+    return [size](int column, int row) { return size * std::sin(1 + 0.1 * column + 0.05 * row); };
+  };
+  const auto told = advice_of_heights("", 5000, relief(18000));
+  ASSERT_EQ(told.size(), 1u) << told[1].what;
+  EXPECT_THAT(told[0].what,
+              HasSubstr("heights of -18000 to 18000 m, where Moon has -9200 to 10800"));
+  EXPECT_EQ(advice_of_heights("", 5000, relief(9500)).size(), 0u);
+}
+
+TEST(RasterSteps, of_whole_numbers_on_small_cells_are_told) {
+  const auto hills = [](int column, int row) {
+    return std::round(12 * std::sin(0.05 * column) + 8 * std::cos(0.03 * row));
+  };
+  const auto told = advice_of_heights("", 1, hills);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0].what, HasSubstr("in steps of 1 m on cells of 1 m"));
+  EXPECT_EQ(advice_of_heights("", 30, hills).size(), 0u) << "a step of 2 degrees";
+  EXPECT_EQ(advice_of_heights("<Scale>0.01</Scale>", 1, hills).size(), 0u);
+  EXPECT_EQ(advice_of_heights("", 1, [](int column, int) { return column; }).size(), 0u)
+      << "a ramp made by hand";
+}
+
+TEST(RasterWord, of_a_band_that_was_chosen_counts) {
+  const auto slopes = [](int column, int row) { return 10 + 0.1 * column + 0.03 * row; };
+  const auto told = advice_of_heights("<Description>map_slope</Description>", 10, slopes);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_THAT(told[0].what, HasSubstr("band 1 is called 'map_slope'"));
+  EXPECT_EQ(advice_of_heights("<Description>map_height</Description>", 10, slopes).size(), 0u);
+}
+
+TEST(CoarseGround, is_what_no_rover_can_be_said_to_drive_on) {
+  const auto coarseness = [](double cell_m) {
+    const std::string cell = std::to_string(cell_m), half = std::to_string(cell_m * 50);
+    const TextRaster raster{"+proj=eqc +R=1737400 +units=m",
+                            "-" + half + "," + cell + ",0," + half + ",0,-" + cell, "",
+                            rows_of(100, 100, [](int column, int row) { return column * row; })};
+    const TerrainSpec spec = raster_terrain(raster.write("coarse"));
+    return Ground(spec, site_on("Moon", 0, 0), 0).coarseness(geodetic_from_degrees(0, 0));
+  };
+  EXPECT_EQ(coarseness(20), "");
+  EXPECT_THAT(coarseness(118), HasSubstr("by cells of 118 m alone (raster '"));
+  EXPECT_THAT(coarseness(7600), HasSubstr("by cells of 7.6 km alone"));
+}
+
 // 8 bits that are no picture name their unit or have a scale.
 TEST(RasterKind, of_8_bits_without_a_unit_is_asked_for) {
   const auto advice = [](const std::string& band) {
