@@ -123,6 +123,11 @@ local function start(ev, rover)
   if waits_for_sun and not rover.panels.is_any_up then
     return lsos.fail('no panel is up, and UntilCharge without EnergyRate or From waits for the Sun')
   end
+  local sun_rad = rover:sky().sun_elevation_rad
+  if not (p.energy_rate_w or p.from) and sun_rad < 0 then
+    ev:warn('the Sun is %.3g deg below the horizon: nothing comes in until it rises',
+      -math.deg(sun_rad))
+  end
   ev.state.external_j = battery.external_j
   ev.state.energy_j = battery.energy_j
   if p.from then

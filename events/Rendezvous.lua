@@ -47,6 +47,10 @@ local function chase(ev, rover)
   local left_m = rover:distance_to_m(target)
   if left_m <= ev.params.distance_m then
     rover:brake()
+    if not ev.state.target then
+      ev:warn("it does nothing: '%s' is %.0f m away, and Distance is %g m", ev.params.with, left_m,
+        ev.params.distance_m)
+    end
     ev:log('met', { with = ev.params.with, distance_m = left_m })
     return lsos.done
   end

@@ -68,6 +68,19 @@ local function start(ev, rover)
   return 'turn'
 end
 
+-- Away from a Sun that is up, no light falls on a panel.
+local function warn_of_the_sun(ev, rover)
+  local p, sky = ev.params, rover:sky()
+  if p.mode == 'track' or sky.sun_elevation_rad <= 0 then return end
+  local azimuth_rad = p.azimuth_rad + (p.mode == 'fixed' and rover.heading_rad or 0)
+  local cosine = math.sin(p.elevation_rad) * math.sin(sky.sun_elevation_rad)
+    + math.cos(p.elevation_rad) * math.cos(sky.sun_elevation_rad)
+    * math.cos(azimuth_rad - sky.sun_azimuth_rad)
+  if cosine > 0 then return end
+  ev:warn('it faces away from the Sun, which stands at azimuth %s, elevation %s',
+    degrees(sky.sun_azimuth_rad % (2 * math.pi)), degrees(sky.sun_elevation_rad))
+end
+
 -- A panel that stopped at a limit, or got stuck, faces another way than was asked.
 local function turn(ev, rover)
   local left_s = rover.panels.turn_left_s
@@ -81,6 +94,7 @@ local function turn(ev, rover)
         degrees(miss.elevation_rad))
     end
   end
+  warn_of_the_sun(ev, rover)
   return lsos.done
 end
 

@@ -43,6 +43,43 @@ lsos.scenario('a panel that stops at its limit fails, with the angles', function
   t:equal(sim:event('A/30').status, 'completed')
 end)
 
+lsos.scenario('a panel that is turned away from the Sun says so', function(t)
+  local sim = lsos.sim {
+    start = '2026-07-25T00:00:00Z',  -- the Sun in the east
+    rovers = { A = { type = 'SEV', heading_deg = 0, events = {
+      { 'SteerSP', Mode = 'point', Azimuth = 270, Elevation = 10 },
+      { 'SteerSP', Mode = 'point', Azimuth = 90, Elevation = 10 },
+      { 'SteerSP', Mode = 'fixed', Azimuth = -90, Elevation = 10 },
+    } } },
+  }
+  sim:run()
+  t:equal(#sim:notes('warning'), 2)
+  local text = sim:notes('warning')[1].fields.text
+  t:check(text:find('it faces away from the Sun, which stands at azimuth ', 1, true), text)
+end)
+
+lsos.scenario('a recharge by a Sun that is down says so', function(t)
+  local sim = sim_of({
+    { 'Recharge', UntilCharge = 0.9, Timeout = 600 },
+  }, { start = '2026-07-15T00:00:00Z' })
+  sim:run()
+  local text = sim:notes('warning')[1].fields.text
+  t:check(text:find('deg below the horizon: nothing comes in until it rises', 1, true), text)
+end)
+
+lsos.scenario('a rendezvous with what is near already says that it does nothing', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = { type = 'SEV', events = { { 'Rendezvous', With = 'B', Distance = 2000 } } },
+      B = { type = 'SEV', at = { 200, 0 }, events = { { 'Pause', Duration = 10 } } },
+    },
+  }
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed')
+  local text = sim:notes('warning')[1].fields.text
+  t:check(text:find("it does nothing: 'B' is 200 m away, and Distance is 2000 m", 1, true), text)
+end)
+
 lsos.scenario('what is up already is not raised, and that is said', function(t)
   local sim = sim_of {
     { 'DeploySP' }, { 'StowSP' }, { 'StowSP', Panel = 'Roof' }, { 'StowCA' }, { 'DeployCA' },
