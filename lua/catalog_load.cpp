@@ -222,7 +222,8 @@ RoverModel Catalog::load_variant(const std::string& name, const std::string& cha
   script.kind = ScriptKind::rover;
   script.name = name;
   script.file = variant_file;
-  script.source = fmt::format("return require('lsos').derive({}, {})", lua_text(name), changes);
+  script.source = fmt::format("local lsos = require 'lsos'; return lsos.derive({}, {})",
+                              lua_text(name), changes);
   Faults found;
   std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, found);
   if (model && !found.has_errors()) check_vehicle(*model, found);

@@ -15,6 +15,7 @@
 #include "lua/rover_constructors.h"
 #include "lua/sandbox.h"
 #include "lua/state.h"
+#include "lua/vec3.h"
 
 namespace lsos {
 
@@ -29,6 +30,8 @@ std::string joined(const std::string& path, const std::string& key) {
 
 // The value at the top as the sentence shows it.
 std::string value_text(lua_State* L) {
+  if (const auto v = to_vec3(L, -1))
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v->x(), v->y(), v->z());
   switch (lua_type(L, -1)) {
     case LUA_TNUMBER:
       return fmt::format("{:.6g}", lua_tonumber(L, -1));
@@ -161,7 +164,9 @@ void doubt_size(lua_State* L, const std::string& path) {
 
 // Replaces the value at the top, which is new, by what becomes of the old one below it.
 void change(lua_State* L, const std::string& path, Changes& told) {
-  const bool is_part = to_made(L, -2) != nullptr, is_list = lua_istable(L, -2);
+  // A vec3 is a value, though Lua keeps it as a table.
+  const bool is_part = to_made(L, -2) != nullptr;
+  const bool is_list = lua_istable(L, -2) && !is_vec3(L, -2);
   if (lua_istable(L, -1) && is_part) {
     push_changed(L, -2, -1, path, told);
     lua_replace(L, -2);

@@ -46,7 +46,21 @@ bool is_name(const std::string& text) {
   });
 }
 
+Parsed<std::string> value_of(const std::string& key, const std::string& text);
+
+// "0, 0, 1.2", each in the unit of the key.
+Parsed<std::string> vector_of(const std::string& key, const std::string& text) {
+  std::vector<std::string> values;
+  for (const std::string& part : split(text, ',')) {
+    Parsed<std::string> value = value_of(key, part);
+    if (!value) return value;
+    values.push_back(*value.value);
+  }
+  return {fmt::format("lsos.vec3({})", fmt::join(values, ", ")), ""};
+}
+
 Parsed<std::string> value_of(const std::string& key, const std::string& text) {
+  if (std::ranges::count(text, ',') == 2) return vector_of(key, text);
   if (text == "true" || text == "false") return {text, ""};
   if (text.size() >= 2 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"') &&
       is_name(text.substr(1, text.size() - 2))) {

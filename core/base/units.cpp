@@ -274,21 +274,31 @@ Parsed<double> parse_quantity(std::string_view text, const Unit& unit) {
 
 namespace {
 
-std::string boolean_advice(std::string_view text) {
+std::string lower_case(std::string_view text) {
   std::string word(text);
   for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (word == "true" || word == "yes" || word == "y" || word == "on")
-    return "; did you mean 'true'?";
-  if (word == "false" || word == "no" || word == "n" || word == "off")
-    return "; did you mean 'false'?";
+  return word;
+}
+
+std::string boolean_advice(const std::string& word) {
+  if (word == "yes" || word == "y" || word == "on") return "; did you mean 'true'?";
+  if (word == "no" || word == "n" || word == "off") return "; did you mean 'false'?";
   return "";
+}
+
+// "10" of "10.0", as spreadsheets and tables of a GIS write it.
+std::string_view without_zero_decimals(std::string_view text) {
+  const std::size_t point = text.find('.');
+  if (point == 0 || point == std::string_view::npos || point + 1 == text.size()) return text;
+  return text.find_first_not_of('0', point + 1) == std::string_view::npos ? text.substr(0, point)
+                                                                          : text;
 }
 
 }  // namespace
 
 Parsed<std::int64_t> parse_integer(std::string_view text) {
   text = trimmed(text);
-  std::string_view digits = text;
+  std::string_view digits = without_zero_decimals(text);
   if (digits.size() > 1 && digits[0] == '+' && is_digit(digits[1])) digits.remove_prefix(1);
   std::int64_t value = 0;
   const char* const text_end = digits.data() + digits.size();
@@ -304,11 +314,12 @@ Parsed<std::int64_t> parse_integer(std::string_view text) {
 
 Parsed<bool> parse_boolean(std::string_view text) {
   text = trimmed(text);
-  if (text == "true" || text == "1") return {true, {}};
-  if (text == "false" || text == "0") return {false, {}};
+  const std::string word = lower_case(text);  // spreadsheets write TRUE
+  if (word == "true" || word == "1") return {true, {}};
+  if (word == "false" || word == "0") return {false, {}};
   return {{},
           fmt::format("'{}' is neither true nor false; true, false, 1, 0 are allowed{}", text,
-                      boolean_advice(text))};
+                      boolean_advice(word))};
 }
 
 std::string format_quantity(double value_si, const Unit& unit) {

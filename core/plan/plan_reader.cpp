@@ -67,7 +67,14 @@ void check_layers(const KmlSource& source, const MissionInfo& mission, Faults& f
 }
 
 // Any map that is no plan: one answer instead of a list of all that it lacks.
-std::string no_plan(int count, const std::vector<KmlSource::Link>& links) {
+std::string no_plan(int count, const KmlSource& source) {
+  if (!source.layers.empty()) {
+    return fmt::format(
+        "is a GeoPackage but no plan: it has {} features, none of them of a layer MissionInfo, "
+        "Rover, Asset or event; lsos-host schema -o plan.gpkg makes one to draw in",
+        count);
+  }
+  const std::vector<KmlSource::Link>& links = source.links;
   const std::string seen =
       count == 0 ? "no Placemark"
                  : fmt::format("{} Placemark{}, none of them a MissionInfo, Rover, Asset or event",
@@ -95,7 +102,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   const Classified ours = classify(source, declarations, faults);
   plan.decoration_count = ours.decoration_count;
   if (has_nothing_of_ours(ours) && !faults.has_errors()) {
-    faults.error({source.file, 0}, no_plan(ours.decoration_count, source.links));
+    faults.error({source.file, 0}, no_plan(ours.decoration_count, source));
     return plan;
   }
   warn_of_links(source, faults);

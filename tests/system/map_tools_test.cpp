@@ -303,8 +303,8 @@ TEST(SchemaForm, names_the_unit_of_bare_numbers) {
                              "layer_styles where f_table_name = '") +
                      layer + "'");
   };
-  EXPECT_THAT(style("EVA"), HasSubstr("name=\"ActivityDuration (s): "));
-  EXPECT_THAT(style("Route"), HasSubstr("name=\"Speed (m/s): Driving speed\""));
+  EXPECT_THAT(style("EVA"), HasSubstr("name=\"ActivityDuration (s)&#10;"));
+  EXPECT_THAT(style("Route"), HasSubstr("name=\"Speed (m/s)&#10;Driving speed"));
 }
 
 // A feature without a place as QGIS saves it in a layer of lines.

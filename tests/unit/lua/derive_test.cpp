@@ -1,6 +1,7 @@
 // lsos.derive: a rover of another one's numbers with some changed.
 #include <algorithm>
 
+#include "lua/variant.h"
 #include "script_fixture.h"
 
 namespace lsos {
@@ -112,6 +113,24 @@ TEST_F(Derive, says_what_cannot_be_changed) {
   write("B", "A", "{}");
   EXPECT_THAT(fault("A"), HasSubstr("is derived from itself"));
   EXPECT_THAT(fault("B"), HasSubstr("is derived from itself"));
+}
+
+TEST_F(Derive, replaces_vectors_whole) {
+  write("Low", "SEV",
+        "{ chassis = { center_of_mass_m = lsos.vec3(0, 0, 0.9) }, "
+        "panels = { Roof = { position_m = lsos.vec3(0, 0, 3) } } }");
+  const RoverModel low = catalog().load_rover("Low");
+  EXPECT_EQ(low.spec.vehicle.p_BC_m, Vec3(0, 0, 0.9));
+  EXPECT_EQ(low.power.panels[0].p_B_m, Vec3(0, 0, 3));
+  EXPECT_THAT(low.spec.vehicle.assumptions,
+              Contains("Low: is SEV with chassis.center_of_mass_m = (0, 0, 0.9), "
+                       "panels.Roof.position_m = (0, 0, 3)"));
+  EXPECT_EQ(variant_table("chassis.center_of_mass_m = 0, 0, 90 cm").value,
+            "{ ['chassis'] = { ['center_of_mass_m'] = lsos.vec3(0, 0, 0.9), }, }");
+  Faults faults;
+  const RoverModel model = catalog().load_variant(
+      "SEV", "{ chassis = { center_of_mass_m = lsos.vec3(0, 0, 0.9) } }", "Variant", {}, faults);
+  EXPECT_EQ(model.spec.vehicle.p_BC_m, Vec3(0, 0, 0.9));
 }
 
 TEST_F(Derive, a_plan_may_change_numbers_alone) {
