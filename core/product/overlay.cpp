@@ -7,6 +7,8 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/units.h"
@@ -156,13 +158,22 @@ KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
 KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
                        const std::string& rover_id) {
   KmlFolder folder = named_folder(rover_id + " events");
+  // The first at a place has its label beside it: labels of several would lie on each other.
+  std::set<std::pair<long, long>> labelled;
+  const auto is_first_at = [&](const Geodetic& place) {
+    constexpr double parts = 1e6;  // of a radian: 2 m on the Moon
+    return labelled.insert({std::lround(parts * place.lon_rad), std::lround(parts * place.lat_rad)})
+        .second;
+  };
   for (const EventRow& event : events) {
     if (event.rover_id != rover_id) continue;
     KmlPlacemark mark = placemark(event, start, event.label);
     mark.description = balloon(event, start);
-    mark.style_id = std::string("event-") + to_string(event.status);
-    if (event.start) mark.begin_utc = xml_time(start + *event.start);
-    if (event.end) mark.end_utc = xml_time(start + *event.end);
+    const bool has_label = !event.place || is_first_at(*event.place);
+    mark.style_id = status_style_id(event.status, has_label);
+    // How it ended is known from its end on, and stays on the map.
+    const auto& known_from = event.end ? event.end : event.start;
+    if (known_from) mark.begin_utc = xml_time(start + *known_from);
     if (event.place) mark.geometry = point(*event.place);
     folder.placemarks.push_back(std::move(mark));
   }
@@ -297,7 +308,9 @@ std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_h
   for (const EventStatus status :
        {EventStatus::completed, EventStatus::failed, EventStatus::incomplete, EventStatus::skipped,
         EventStatus::not_started, EventStatus::disabled}) {
-    document.styles.push_back(status_style(status, icon_href));
+    for (const bool has_label : {true, false}) {
+      document.styles.push_back(status_style(status, has_label, icon_href));
+    }
   }
   LookAtBounds bounds;
   for (const auto& [rover_id, track] : tracks(log, plan, events)) {

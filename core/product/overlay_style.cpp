@@ -6,11 +6,15 @@
 
 namespace lsos {
 
-KmlStyle status_style(EventStatus status, IconPlace icon_href) {
+std::string status_style_id(EventStatus status, bool has_label) {
+  return fmt::format("event-{}{}", to_string(status), has_label ? "" : "-unlabelled");
+}
+
+KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href) {
   KmlStyle style;
-  style.id = std::string("event-") + to_string(status);
+  style.id = status_style_id(status, has_label);
   style.icon_scale = 0.8;
-  style.label_scale = 0.8;
+  style.label_scale = has_label ? 0.8 : 0;
   switch (status) {
     case EventStatus::completed:
       style.icon_color_abgr = "ff3c9600";

@@ -11,8 +11,9 @@
 
 namespace lsos {
 
-// How events that ended so look, whatever the rover: "event-failed".
-KmlStyle status_style(EventStatus status, IconPlace icon_href);
+// How events that ended so look, whatever the rover: "event-failed", "event-failed-unlabelled".
+std::string status_style_id(EventStatus status, bool has_label);
+KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href);
 
 // The styles of one rover; its colour goes by its place among the rovers.
 struct RoverStyle {
