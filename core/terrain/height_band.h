@@ -40,6 +40,7 @@ class HeightBand {
   // what range() found in the same band.
   HeightBand(GDALRasterBand& band, const HeightScale& scale, std::optional<double> nodata,
              const SampleRange& seen = {});
+  const SampleRange& seen() const { return seen_; }
 
   GDALRasterBand& band() const { return *band_; }
   const HeightScale& scale() const { return scale_; }

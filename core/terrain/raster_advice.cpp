@@ -30,7 +30,7 @@ constexpr double smoothest_share = 2e-4, smoothest_m = 30;
 // On less, a raster made by hand may well be as level: there heights in km are told by how much
 // farther they are from 0 than from each other, or by how many of them are different, as measured
 // ones are.
-constexpr double wide_m = 20e3, small_m = 1e3, narrowest_m = 100, far_times = 3;
+constexpr double wide_m = 20e3, narrowest_m = 500, far_times = 3;
 constexpr std::int64_t many_different = 200;
 
 // A polar map of the body, as GDAL knows it.
@@ -104,7 +104,7 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   const CellSides sides = cell_sides(grid, body, centre(grid.extent()));
   const double across_m =
       std::max(raster.columns() * sides.along_row_m, raster.rows() * sides.along_column_m);
-  const SampleRange range = heights.range();
+  const SampleRange& range = heights.seen();
   if (!(across_m >= narrowest_m) || range.count == 0) return {};
   const auto height = [&](double sample) {
     return sample * heights.scale().scale + heights.scale().offset_m;
@@ -116,7 +116,6 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   const bool is_far = std::min(std::abs(low), std::abs(high)) > far_times * rise && low * high > 0;
   const bool is_measured = range.different >= many_different;
   if (across_m < wide_m && !is_far && !is_measured) return {};
-  if (across_m < small_m && !is_measured) return {};
   if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
       "raster '{}' holds heights of {:.6g} to {:.6g} over {:.3g} km and names no unit: are they "
@@ -131,12 +130,12 @@ std::string extreme_advice(const Raster& raster, const RasterSurface& surface, c
     double lowest_m, highest_m;
   };
   static constexpr std::array known{Extremes{"Moon", -9.2e3, 10.8e3},
-                                    Extremes{"Mars", -8.6e3, 21.4e3},
+                                    Extremes{"Mars", -20e3, 21.4e3},
                                     Extremes{"Earth", -11.1e3, 8.9e3}};
   const auto extremes = std::ranges::find(known, body.name, &Extremes::body);
-  if (extremes == known.end()) return {};
+  if (extremes == known.end() || !surface.unit.empty()) return {};
   const HeightBand& heights = raster.band();
-  const SampleRange range = heights.range();
+  const SampleRange& range = heights.seen();
   if (range.count == 0) return {};
   const auto height_m = [&](double sample) {
     return sample * heights.scale().scale + heights.scale().offset_m;
@@ -160,7 +159,7 @@ std::string step_advice(const Raster& raster, const RasterSurface& surface, cons
   constexpr double steepest_step = 0.1;
   constexpr std::int64_t made_by_hand = 12;  // heights at most
   const HeightBand& heights = raster.band();
-  const SampleRange range = heights.range();
+  const SampleRange& range = heights.seen();
   if (range.different <= made_by_hand || !range.is_in_whole_numbers) return {};
   if (!picture_advice(raster, surface).empty()) return {};
   const CellSides sides = cell_sides(grid, body, centre(grid.extent()));
@@ -189,7 +188,7 @@ std::string zero_advice(const Raster& raster, const RasterSurface& surface) {
   // Ground does not leap so far from one sample to the next.
   constexpr double leap_m = 50;
   const HeightBand& heights = raster.band();
-  const SampleRange range = heights.range();
+  const SampleRange& range = heights.seen();
   if (range.zeros == 0 || range.zeros == range.count || heights.nodata() == 0) return {};
   if (heights.scale().offset_m != 0) return {};
   if (range.low == 0 && range.second_low == range.high) return {};  // made by hand: two heights

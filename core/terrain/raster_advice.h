@@ -17,8 +17,9 @@ std::string overview_advice(const HeightBand& heights, const std::string& file);
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
                         const Body& body);
 
-// Heights that the body has nowhere (Moon: Smith et al. 2010, LOLA; Mars: Smith et al. 2001, MOLA;
-// Earth: Challenger Deep and Everest). "" for good ones.
+// Heights that the body has nowhere (Moon: Smith et al. 2010, LOLA; Mars: Smith et al. 2001, MOLA,
+// its poles above a sphere; Earth: Challenger Deep and Everest), of which the user has not said the
+// unit. "" for good ones.
 std::string extreme_advice(const Raster& raster, const RasterSurface& surface, const Body& body);
 
 // Heights in whole numbers on cells so small that the steps between them are slopes. "" for good

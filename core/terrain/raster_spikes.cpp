@@ -1,9 +1,11 @@
 #include "terrain/raster_spikes.h"
 
 #include <fmt/format.h>
+#include <gdal_priv.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -16,21 +18,37 @@ namespace lsos {
 
 namespace {
 
-// A spike is at most so many cells wide each way from its middle.
+// A spike reaches at most so many cells each way from its middle.
 constexpr int widest = 2;
 // It differs from every cell of a ring about it by more than so much, and by more than a slope of
-// 76 degrees does over the ring's distance. Needles of rock on the Moon and Mars do not.
-constexpr double least_m = 20, steepest = 4;
-// A cell in so many, and the ground is made so: by hand, or of buildings.
+// 76 degrees does over the ring's distance. Needles of rock on the Moon and Mars do not; on Earth
+// masts, towers and trees do.
+constexpr double least_m = 20, least_on_earth_m = 150, steepest = 4;
+// With more, the ground is made so: by hand, or of buildings.
 constexpr double most_share = 0.01;
 
-struct Window {
+class Window {
+ public:
+  Window(const RasterBlock& block, std::vector<double> heights)
+      : at(block), heights_m(std::move(heights)) {}
+
   RasterBlock at;
   std::vector<double> heights_m;
 
-  double operator()(int column, int row) const {
-    return heights_m[static_cast<std::size_t>(row) * static_cast<std::size_t>(at.columns) +
-                     static_cast<std::size_t>(column)];
+  double operator()(int column, int row) const { return heights_m[index(column, row)]; }
+  // What is counted once is missing from then on.
+  void leave_out(int column, int row, int around) {
+    for (int i = -around; i <= around; ++i) {
+      for (int k = -around; k <= around; ++k) {
+        heights_m[index(column + k, row + i)] = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+  }
+
+ private:
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(at.columns) +
+           static_cast<std::size_t>(column);
   }
 };
 
@@ -52,50 +70,57 @@ double above_ring_m(const Window& window, int column, int row, int ring) {
   return below_m > 0 ? -below_m : 0;
 }
 
-// All of a small raster, and squares spread over a large one.
+// All of a small raster; of a large one four windows of as many cells, counted in whole blocks, for
+// one cell of a block costs as much as all of it.
 std::vector<RasterBlock> spread_windows(const Raster& raster) {
-  constexpr int side = 1024, across = 2;
+  constexpr std::int64_t most_cells = std::int64_t{1} << 20;  // of a window
+  constexpr int least_rows = 16;
+  const std::int64_t all = std::int64_t{raster.columns()} * raster.rows();
+  if (all <= 4 * most_cells) return {{0, 0, raster.columns(), raster.rows()}};
+  int block_width = 0, block_height = 0;
+  raster.band().band().GetBlockSize(&block_width, &block_height);
+  const int width = std::min(raster.columns(), std::max(1024, block_width));
+  const int height =
+      std::min(raster.rows(), std::max(least_rows, static_cast<int>(most_cells / width)));
   std::vector<RasterBlock> windows;
-  const auto parts = [](int cells) { return cells <= across * side ? 1 : across; };
-  const int columns = parts(raster.columns()), rows = parts(raster.rows());
-  for (int i = 0; i < rows; ++i) {
-    for (int k = 0; k < columns; ++k) {
-      const auto part = [](int cells, int count, int at) {
-        const int size = count == 1 ? cells : side;
-        const int middle = cells * (2 * at + 1) / (2 * count);
-        return std::pair{middle - size / 2, size};
+  for (const double row_share : {0.25, 0.75}) {
+    for (const double column_share : {0.25, 0.75}) {
+      const auto first = [](int cells, int size, double share) {
+        return std::clamp(static_cast<int>(share * cells) - size / 2, 0, cells - size);
       };
-      const auto [column, width] = part(raster.columns(), columns, k);
-      const auto [row, height] = part(raster.rows(), rows, i);
-      windows.push_back({column, row, width, height});
+      windows.push_back({first(raster.columns(), width, column_share),
+                         first(raster.rows(), height, row_share), width, height});
+      if (width == raster.columns()) break;
     }
   }
   return windows;
 }
 
 struct Spikes {
-  int count = 0;
+  int count = 0;         // places
   double cells = 0;      // looked at
   double highest_m = 0;  // of the largest, negative: a pit
   GridCoordinates at{};  // of that one
 };
 
-void add_spikes(const Window& window, double cell_m, Spikes& spikes) {
+void add_spikes(Window& window, double cell_m, double threshold_m, Spikes& spikes) {
   const int edge = widest + 1;
   for (int row = edge; row < window.at.rows - edge; ++row) {
     for (int column = edge; column < window.at.columns - edge; ++column) {
-      const double here = window(column, row);
-      // Every spike has a cell that differs so from the one on its left.
-      if (!(std::abs(here - window(column - 1, row)) > least_m + steepest * cell_m)) continue;
       for (int ring = 1; ring <= edge; ++ring) {
+        const double least = threshold_m + steepest * ring * cell_m;
+        // Seldom more than this first look.
+        const double beside_m = window(column, row) - window(column - ring, row);
+        if (!(std::abs(beside_m) > least)) continue;
         const double above_m = above_ring_m(window, column, row, ring);
-        if (!(std::abs(above_m) > least_m + steepest * ring * cell_m)) continue;
+        if (!(std::abs(above_m) > least)) continue;
         ++spikes.count;
         if (std::abs(above_m) > std::abs(spikes.highest_m)) {
           spikes.highest_m = above_m;
           spikes.at = {static_cast<double>(window.at.column + column),
                        static_cast<double>(window.at.row + row)};
         }
+        window.leave_out(column, row, ring - 1);
         break;
       }
     }
@@ -113,7 +138,9 @@ std::string spike_advice(const Raster& raster, const RasterSurface& surface, con
     const CellSides sides =
         cell_sides(grid, body, {at.column + at.columns / 2.0, at.row + at.rows / 2.0});
     const double cell_m = std::max(sides.along_row_m, sides.along_column_m);
-    if (std::isfinite(cell_m)) add_spikes({at, raster.heights_m(at)}, cell_m, spikes);
+    if (!std::isfinite(cell_m)) continue;
+    Window window(at, raster.heights_m(at));
+    add_spikes(window, cell_m, body.name == "Earth" ? least_on_earth_m : least_m, spikes);
   }
   if (spikes.count == 0 || spikes.count > most_share * spikes.cells) return {};
   const auto place = grid.place(spikes.at);
@@ -123,7 +150,7 @@ std::string spike_advice(const Raster& raster, const RasterSurface& surface, con
       "latitude {:.6g}{}: a fault of the map? It is taken as ground; mark such cells as missing "
       "({}), or mend them",
       surface.file, std::abs(spikes.highest_m), degrees(place->lon_rad), degrees(place->lat_rad),
-      spikes.count == 1 ? "" : fmt::format(", and at {} more cells", spikes.count - 1),
+      spikes.count == 1 ? "" : fmt::format(", and at {} more places", spikes.count - 1),
       option_of_raster("nodata"));
 }
 
