@@ -33,9 +33,21 @@ Set intersection(const Set& a, const Set& b) {
   return both;
 }
 
+// Intervals that touch or overlap become one, so that sets stay as small as what made them.
 Set joined(Set a, const Set& b) {
   a.insert(a.end(), b.begin(), b.end());
-  return a;
+  std::ranges::sort(a, {}, &Interval::low);
+  Set merged;
+  for (const Interval& part : a) {
+    const bool touches =
+        !merged.empty() && part.low <= std::nextafter(merged.back().high, infinite);
+    if (touches) {
+      merged.back().high = std::max(merged.back().high, part.high);
+    } else {
+      merged.push_back(part);
+    }
+  }
+  return merged;
 }
 
 // Values outside which something cannot hold, for each quantity that it depends on by itself.
@@ -94,6 +106,11 @@ Sets sets_of(const Comparison& c, const std::string& how) {
   return {{c.quantity, std::move(set)}};
 }
 
+// Quantities of driving have no value while a rover stands.
+bool may_have_no_value(const std::string& quantity) {
+  return quantity == "slip" || quantity == "slip_max";
+}
+
 // A part of a condition: where it may hold, and where it may not.
 struct Part {
   Sets yes, no;
@@ -106,9 +123,10 @@ class Reader {
   std::string doubt() {
     const Part whole = any_of();
     if (!never_.empty()) {
-      const bool is_whole = quantity_without_values(whole.yes) != nullptr;
-      return fmt::format("{} never holds: no one value of {} is all that is asked of it there",
-                         is_whole ? "it" : "a part of it", never_);
+      return fmt::format(
+          "its comparisons of {} exclude each other, so that they never all hold; "
+          "did you mean 'or'?",
+          never_);
     }
     if (const std::string* quantity = quantity_without_values(whole.no)) {
       return fmt::format("it always holds, whatever {} is", *quantity);
@@ -164,6 +182,8 @@ class Reader {
     }
     if (auto c = comparison_at(words_, at_)) {
       at_ = c->end;
+      // Without a value neither the comparison nor its opposite holds.
+      if (may_have_no_value(c->quantity)) return {sets_of(*c, c->how), {}};
       return {sets_of(*c, c->how), sets_of(*c, opposite(c->how))};
     }
     return skipped();

@@ -55,39 +55,49 @@ std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
   return "";
 }
 
-// A time in hours, which only its size tells from one in seconds.
-std::string hours_doubt(const Comparison& c) {
+// A time in hours, which only its size tells from one in seconds. `is_alone`: beside another
+// comparison it may well be the first seconds that are meant.
+std::string hours_doubt(const Comparison& c, bool is_alone) {
   constexpr double hours_max = 25;
   if (c.quantity != "time_s" || c.how == "==" || c.number <= 0 || c.number >= hours_max) return "";
+  if (!is_alone) return "";
   return fmt::format(
       "time_s is in s since the mission's start, and is compared with {0:g}: {0:g} h "
       "is {0:g} * 3600",
       c.number);
 }
 
-// A place so far from all of the plan's that its rovers do not get there.
-std::string place_doubt(const Comparison& c, const ConditionWorld& world) {
+// What is waited for until after the mission.
+std::string late_doubt(const Comparison& c, const ConditionWorld& world, bool is_alone) {
+  if (c.quantity != "time_s" || !is_alone || !world.max_duration_s) return "";
+  Comparison within = c;
+  within.bounds = {0, *world.max_duration_s};
+  if (!never_holds(within)) return "";
+  return never_text(c, fmt::format("MaxDuration is {:g} s", *world.max_duration_s));
+}
+
+// A latitude or longitude without its sign: all of the plan lies about its negative.
+std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
   constexpr double room_deg = 0.5;
+  if (c.is_size || !world.lat_deg) return "";
   const bool is_lat = c.quantity == "lat_deg";
-  if (c.is_size || (!is_lat && c.quantity != "lon_deg")) return "";
-  const auto& span = is_lat ? world.lat_deg : world.lon_deg;
-  const bool is_known = span && (is_lat || world.lat_deg);
-  if (!is_known) return "";
-  const double farthest_rad =
-      radians(std::max(std::abs(world.lat_deg->low), std::abs(world.lat_deg->high)));
-  const double more_deg = is_lat ? room_deg : room_deg / std::max(0.01, std::cos(farthest_rad));
-  const auto is_near = [&](double number) {
-    return number >= span->low - more_deg && number <= span->high + more_deg;
-  };
-  if (is_near(c.number)) return "";
+  if (!is_lat && (c.quantity != "lon_deg" || !world.lon_deg)) return "";
+  const ConditionWorld::Span span = is_lat ? *world.lat_deg : *world.lon_deg;
+  const double farthest_deg = std::max(std::abs(world.lat_deg->low), std::abs(world.lat_deg->high));
+  // At the pole all longitudes are near.
+  if (!is_lat && farthest_deg + room_deg >= 90) return "";
+  const double more_deg = is_lat ? room_deg : room_deg / std::cos(radians(farthest_deg + room_deg));
+  const double low = span.low - more_deg, high = span.high + more_deg;
+  // About the equator, the prime meridian and the date line both signs are near.
+  if (low * high <= 0 || high > 180 || low < -180) return "";
+  if (-c.number < low || -c.number > high) return "";
   Comparison there = c;
-  there.bounds = {span->low, span->high};
-  // A bound that all places keep to is no slip.
-  if (!never_holds(there) && !is_near(-c.number)) return "";
-  return fmt::format("'{} {} {:g}' {} holds where this plan is, at {} of {:.4g} to {:.4g}{}",
+  there.bounds = {low, high};
+  return fmt::format("'{} {} {:g}' {} holds where this plan is, at {} of {}; did you mean {:g}?",
                      c.shown, c.how, c.number, never_holds(there) ? "never" : "always", c.quantity,
-                     span->low, span->high,
-                     is_near(-c.number) ? fmt::format("; did you mean {:g}?", -c.number) : "");
+                     span.low == span.high ? fmt::format("{:.7g}", span.low)
+                                           : fmt::format("{:.7g} to {:.7g}", span.low, span.high),
+                     -c.number);
 }
 
 // A number so far outside that another unit was meant, whichever way it is compared.
@@ -111,7 +121,7 @@ std::string fault_of(const Comparison& c) {
 }
 
 // What is likely to be a slip, or never holds.
-std::string doubt_of(const Comparison& c, const ConditionWorld& world) {
+std::string doubt_of(const Comparison& c, const ConditionWorld& world, bool is_alone) {
   constexpr double angle_share = 0.3, longitude_share = 0.02;
   if (c.quantity.ends_with("_rad") && is_outside(c) &&
       (never_holds(c) || is_far_outside(c, angle_share))) {
@@ -127,8 +137,9 @@ std::string doubt_of(const Comparison& c, const ConditionWorld& world) {
   if (c.quantity == "time_s" && c.how == "==" && c.number != std::floor(c.number)) {
     return never_text(c, "conditions are asked at whole seconds");
   }
-  if (std::string hours = hours_doubt(c); !hours.empty()) return hours;
-  if (std::string place = place_doubt(c, world); !place.empty()) return place;
+  if (std::string hours = hours_doubt(c, is_alone); !hours.empty()) return hours;
+  if (std::string late = late_doubt(c, world, is_alone); !late.empty()) return late;
+  if (std::string sign = sign_doubt(c, world); !sign.empty()) return sign;
   return scale_fault(c, world);
 }
 
@@ -142,8 +153,10 @@ std::string sizes_fault(const std::vector<ConditionWord>& words) {
 }
 
 std::string sizes_doubt(const std::vector<ConditionWord>& words, const ConditionWorld& world) {
+  const bool is_alone = std::ranges::none_of(
+      words, [](const ConditionWord& word) { return word.text == "and" || word.text == "or"; });
   for (const Comparison& comparison : comparisons_of(words)) {
-    if (std::string doubt = doubt_of(comparison, world); !doubt.empty()) return doubt;
+    if (std::string doubt = doubt_of(comparison, world, is_alone); !doubt.empty()) return doubt;
   }
   return "";
 }

@@ -21,6 +21,7 @@ struct ConditionWorld {
     double low, high;
   };
   std::optional<Span> lon_deg = {}, lat_deg = {};
+  std::optional<double> max_duration_s = {};  // that the plan says
 };
 
 }  // namespace lsos

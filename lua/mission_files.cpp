@@ -89,11 +89,10 @@ void add_spans(const Plan& plan, ConditionWorld& world) {
   if (lon_deg.high - lon_deg.low < half_turn_deg) world.lon_deg = lon_deg;
 }
 
-// `model`: of the event's rover; nullptr: not known.
-ConditionWorld condition_world(const Plan& plan, const std::string& rover_id,
-                               const std::set<std::string>& ids, const RoverModel* model) {
-  ConditionWorld world{rover_id, ids, {}, !plan.gaps.has_ids(), false};
-  add_spans(plan, world);
+// What is the same for all events, and what of the event's rover is. `model`: nullptr: not known.
+ConditionWorld condition_world(ConditionWorld world, const std::string& rover_id,
+                               const RoverModel* model) {
+  world.own_id = rover_id;
   if (model == nullptr) return world;
   world.are_resources_known = true;
   world.speed_max_mps = model->spec.vehicle.speed_max_mps;
@@ -116,12 +115,15 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
   for (const PlanAsset& asset : plan.assets) ids.insert(asset.id);
   ids.insert(plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
   ids.erase("");
+  ConditionWorld of_plan{"", ids, {}, !plan.gaps.has_ids(), false};
+  add_spans(plan, of_plan);
+  if (plan.mission.has_max_duration) of_plan.max_duration_s = seconds(plan.mission.max_duration);
   for (const PlanEvent& event : plan.events) {
     const PlanRover* rover = rover_of(plan, event.rover_id);
     const auto model =
         rover == nullptr ? files.rover_models.end() : files.rover_models.find(rover->model());
     const ConditionWorld world = condition_world(
-        plan, event.rover_id, ids, model == files.rover_models.end() ? nullptr : &model->second);
+        of_plan, event.rover_id, model == files.rover_models.end() ? nullptr : &model->second);
     const auto check = [&](const char* name, const PlanEvent::Condition& condition) {
       if (condition.text.empty()) return;
       const auto told = [&](const std::string& what) {
