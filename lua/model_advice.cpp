@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "lua/script_folders.h"
 #include "mission/model_doubts.h"
+#include "planet/body.h"
 
 namespace lsos {
 
@@ -88,6 +90,40 @@ void say_doubts(MissionFiles& files) {
   for (const SoilPatch& patch : terrain.soil_patches) say_soil(patch.soil);
 }
 
+bool is_near(const SoilPatch& patch, const Body& body, const Geodetic& place) {
+  constexpr double near_m = 100e3;
+  const auto corner_m = [&](const std::pair<double, double>& corner) {
+    return surface_distance_m(body, geodetic_from_degrees(corner.first, corner.second), place);
+  };
+  if (std::ranges::any_of(patch.lon_lat_deg, [&](const auto& c) { return corner_m(c) < near_m; })) {
+    return true;
+  }
+  // A patch may be larger than that.
+  const auto [west, east] = std::ranges::minmax(patch.lon_lat_deg | std::views::keys);
+  const auto [south, north] = std::ranges::minmax(patch.lon_lat_deg | std::views::values);
+  const double lon = lon_deg(place), lat = lat_deg(place);
+  return lon >= west && lon <= east && lat >= south && lat <= north;
+}
+
+// Patches of soil that are all elsewhere, as with longitude and latitude exchanged.
+void say_far_patches(MissionFiles& files) {
+  const TerrainSpec& terrain = files.terrain;
+  const Body* body = files.plan.mission.planet;
+  if (body == nullptr || terrain.soil_patches.empty()) return;
+  for (const SoilPatch& patch : terrain.soil_patches) {
+    if (patch.raster || patch.lon_lat_deg.empty()) return;
+    for (const PlanRover& rover : files.plan.rovers) {
+      if (is_near(patch, *body, rover.start)) return;
+    }
+  }
+  const auto& [lon, lat] = terrain.soil_patches.front().lon_lat_deg.front();
+  files.faults.warning(
+      terrain.place,
+      fmt::format("soil_patches: none is within 100 km of a rover; the first begins at longitude "
+                  "{:g}, latitude {:g}: are they exchanged?",
+                  lon, lat));
+}
+
 }  // namespace
 
 void add_model_advice(MissionFiles& files, bool is_soil_given) {
@@ -96,6 +132,7 @@ void add_model_advice(MissionFiles& files, bool is_soil_given) {
     say_lunar_soil(files);
   }
   say_doubts(files);
+  if (!files.faults.has_errors()) say_far_patches(files);
 }
 
 }  // namespace lsos

@@ -48,6 +48,20 @@ bool is_name(const std::string& text) {
 
 Parsed<std::string> value_of(const std::string& key, const std::string& text);
 
+// "0, 0, 1.2", but neither "144,000,000" nor "true, 0, 1".
+bool is_vector(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  const auto is_group = [](const std::string& part) {
+    return part.size() == 3 &&
+           std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+  };
+  const auto is_number = [](const std::string& part) {
+    return !part.empty() && std::string_view("0123456789.+-").find(part[0]) != std::string::npos;
+  };
+  return parts.size() == 3 && std::ranges::all_of(parts, is_number) &&
+         !(is_group(parts[1]) && is_group(parts[2]));
+}
+
 // "0, 0, 1.2", each in the unit of the key.
 Parsed<std::string> vector_of(const std::string& key, const std::string& text) {
   std::vector<std::string> values;
@@ -60,7 +74,7 @@ Parsed<std::string> vector_of(const std::string& key, const std::string& text) {
 }
 
 Parsed<std::string> value_of(const std::string& key, const std::string& text) {
-  if (std::ranges::count(text, ',') == 2) return vector_of(key, text);
+  if (is_vector(text)) return vector_of(key, text);
   if (text == "true" || text == "false") return {text, ""};
   if (text.size() >= 2 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"') &&
       is_name(text.substr(1, text.size() - 2))) {

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
 
 #include "base/units.h"
 
@@ -32,7 +35,7 @@ void doubt_panel(const PanelSpec& panel, double size_m, std::vector<std::string>
 
 void doubt_battery(const BatterySpec& battery, double mass_kg, double always_w,
                    std::vector<std::string>& doubts) {
-  // Ten times what the best cells hold for their own mass is beyond any, even were the rover one.
+  // What good cells hold for their own mass, 278 Wh/kg: more even were the whole rover a battery.
   constexpr double densest_jpkg = 1e6, shortest_s = 600;
   const double kwh = battery.capacity_j / 3.6e6;
   if (battery.capacity_j > densest_jpkg * mass_kg) {
@@ -48,6 +51,48 @@ void doubt_battery(const BatterySpec& battery, double mass_kg, double always_w,
         "in Wh?",
         battery.capacity_j, battery.capacity_j / 3600, lasts_s, always_w));
   }
+  constexpr double slowest_s = 30 * 86400.0;
+  if (battery.capacity_j > slowest_s * battery.charge_power_max_w) {
+    doubts.push_back(fmt::format(
+        "battery: charge_power_max_w = {:g}: would fill it in {:.0f} d; is it in kW?",
+        battery.charge_power_max_w, battery.capacity_j / battery.charge_power_max_w / 86400));
+  }
+  if (battery.discharge_power_max_w < always_w) {
+    doubts.push_back(fmt::format(
+        "battery: discharge_power_max_w = {:g}: does not feed what is always on, {:g} W; is it in "
+        "kW?",
+        battery.discharge_power_max_w, always_w));
+  }
+}
+
+void doubt_antenna(const AntennaSpec& antenna, std::vector<std::string>& doubts) {
+  constexpr double shortest_m = 100;
+  if (antenna.range_max_m < shortest_m) {
+    doubts.push_back(fmt::format("antennas: '{}' reaches {:g} m: is it in km?", antenna.name,
+                                 antenna.range_max_m));
+  }
+  if (antenna.stowed_p_B_m && antenna.p_B_m.z() < antenna.stowed_p_B_m->z()) {
+    doubts.push_back(
+        fmt::format("antennas: '{}' is lower when it is up ({:g} m) than stowed "
+                    "({:g} m)",
+                    antenna.name, antenna.p_B_m.z(), antenna.stowed_p_B_m->z()));
+  }
+}
+
+// A vehicle that sways so slowly rests on its stops.
+void doubt_springs(const Suspension& suspension, double mass_kg, std::vector<std::string>& doubts) {
+  constexpr double longest_period_s = 6;
+  const auto* wishbone = std::get_if<Wishbone>(&suspension);
+  if (wishbone == nullptr || wishbone->modules.empty()) return;
+  const double stiffness_npm =
+      wishbone->stiffness_npm * static_cast<double>(wishbone->modules.size());
+  const double period_s = 2 * std::numbers::pi * std::sqrt(mass_kg / stiffness_npm);
+  if (period_s <= longest_period_s) return;
+  doubts.push_back(
+      fmt::format("spring: stiffness_npm = {:g}: {:.0f} kg on it would sway with a period of "
+                  "{:.0f} s; is it in "
+                  "N/mm or kN/m?",
+                  wishbone->stiffness_npm, mass_kg, period_s));
 }
 
 void doubt_loads(const std::vector<LoadSpec>& loads, double mass_kg,
@@ -91,6 +136,8 @@ std::vector<std::string> rover_doubts(const RoverModel& rover) {
   if (rover.power.battery) doubt_battery(*rover.power.battery, mass_kg, always_w, doubts);
   doubt_loads(rover.power.loads, mass_kg, doubts);
   doubt_motors(vehicle, mass_kg, doubts);
+  for (const AntennaSpec& antenna : rover.antennas) doubt_antenna(antenna, doubts);
+  doubt_springs(rover.spec.suspension, mass_kg, doubts);
   return doubts;
 }
 
@@ -99,9 +146,12 @@ std::vector<std::string> asset_doubts(const AssetModel& asset) {
   if (asset.antenna_height_m > highest_mast_m) {
     doubts.push_back(fmt::format("antenna_height_m = {:g}: is it in cm?", asset.antenna_height_m));
   }
-  constexpr double largest_panel_m = 100;
-  for (const PanelSpec& panel : asset.panels)
-    doubt_panel(panel, largest_panel_m / longest_share, doubts);
+  constexpr double longest_panel_m = 200;
+  for (const PanelSpec& panel : asset.panels) {
+    if (std::max(panel.length_m, panel.width_m) <= longest_panel_m) continue;
+    doubts.push_back(fmt::format("panels: '{}' is {:g} m x {:g} m: is it in cm or mm?", panel.name,
+                                 panel.length_m, panel.width_m));
+  }
   return doubts;
 }
 
@@ -117,7 +167,10 @@ std::vector<std::string> soil_doubts(const Soil& soil) {
   if (soil.is_rigid) return doubts;
   doubt("shear_modulus_x_m", soil.shear_modulus_x_m, 1e-4, 0.3, "is it in cm?");
   doubt("shear_modulus_y_m", soil.shear_modulus_y_m, 1e-4, 0.3, "is it in cm?");
-  doubt("cohesion_pa", soil.cohesion_pa, 0, 3e5, "is it in Pa?");
+  if (soil.cohesion_pa > 0) doubt("cohesion_pa", soil.cohesion_pa, 1, 3e5, "is it in kPa?");
+  if (soil.friction_rad > 0) {
+    doubt("friction_rad", soil.friction_rad, 0.1, 1.2, "are degrees taken for radians?");
+  }
   return doubts;
 }
 

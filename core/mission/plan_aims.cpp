@@ -130,10 +130,12 @@ void check_log_interval(const Plan& plan, const Declarations& declarations,
     if (model == rovers.end() || !drives) continue;
     const double between_m = interval_s * model->second.spec.vehicle.cruise_speed_mps;
     if (between_m <= longest_m) continue;
-    faults.warning(plan.mission.place,
-                   fmt::format("MissionInfo: LogInterval = {}: {} drives {:.0f} m from row to row; "
-                               "its track on maps and in pictures is straight between them",
-                               span_text(plan.mission.log_interval), quoted(rover.id), between_m));
+    faults.warning(
+        plan.mission.place,
+        fmt::format(
+            "MissionInfo: LogInterval = {}: at its usual speed {} drives {:.0f} m from row to row; "
+            "its track on maps and in pictures is straight between them",
+            span_text(plan.mission.log_interval), quoted(rover.id), between_m));
     return;
   }
 }

@@ -93,8 +93,9 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
     return "";
   }
   // Rovers are fed by kilowatts; what takes less than a radio is written with its unit.
-  constexpr double least_w = 10;
-  if (unit.symbol == "W" && *number > 0 && *number < least_w) {
+  constexpr double least_w = 5;
+  const bool may_be_kw = !declaration.max_si || *number * 1000 <= *declaration.max_si;
+  if (unit.symbol == "W" && *number > 0 && *number < least_w && may_be_kw) {
     return fmt::format("is {0:g} W, as without a unit; did you mean '{0:g} kW'?", *number);
   }
   if (unit.symbol != "deg") return "";

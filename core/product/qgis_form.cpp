@@ -129,7 +129,8 @@ std::string table_of(const FormLayer& layer) {
   return fmt::format("<attributetableconfig><columns>{}</columns></attributetableconfig>", columns);
 }
 
-// The colour that the feature's rover has on all our maps: by the order of the ids drawn so far.
+// The colour that the feature's rover has on all our maps: by the order of the ids drawn so far,
+// which QGIS sorts as words (ids in capitals and small letters may change places).
 std::string rover_color(const FormLayer& layer) {
   std::string colors;
   for (std::size_t k = 0; k < rover_colors.size(); ++k) {
@@ -144,16 +145,17 @@ std::string rover_color(const FormLayer& layer) {
 }
 
 std::string point_symbol(const FormLayer& layer) {
+  // An arrow where the plan says the heading, by its number and unit.
   if (layer.name == "Rover") {
+    const std::string number = R"(to_real(regexp_substr("Heading", '(-?[0-9.]+)')))";
     return qgis_symbol(
         "marker", "0",
         {{"SimpleMarker",
-          {{"name", "arrow"},
-           {"size", "6"},
-           {"outline_color", "255,255,255,255"},
-           {"outline_width", "0.4"}},
+          {{"size", "6"}, {"outline_color", "255,255,255,255"}, {"outline_width", "0.4"}},
           {{"fillColor", rover_color(layer)},
-           {"angle", R"(coalesce(to_real(regexp_substr("Heading", '(-?[0-9.]+)')), 0))"}}}});
+           {"name", R"(if(coalesce("Heading", '') = '', 'circle', 'arrow'))"},
+           {"angle", fmt::format(R"(coalesce(if("Heading" like '%rad', degrees({0}), {0}), 0))",
+                                 number)}}}});
   }
   QgisSymbolLayer marker{"SimpleMarker",
                          {{"name", "circle"},
@@ -192,7 +194,7 @@ std::string area_symbol(const FormLayer& layer) {
 std::string label_of(const FormLayer& layer) {
   if (layer.name == "Asset") return R"("AssetId")";
   if (!has_field(layer, "Sequence")) return R"("RoverId")";
-  return fmt::format(R"(concat("Sequence", ' ', coalesce("name", '{}')))", layer.name);
+  return fmt::format(R"(concat("Sequence", ' ', coalesce(nullif("name", ''), '{}')))", layer.name);
 }
 
 // <renderer-v2> and <labeling>; "" where there is nothing to draw.

@@ -127,6 +127,9 @@ TEST_F(Derive, replaces_vectors_whole) {
                        "panels.Roof.position_m = (0, 0, 3)"));
   EXPECT_EQ(variant_table("chassis.center_of_mass_m = 0, 0, 90 cm").value,
             "{ ['chassis'] = { ['center_of_mass_m'] = lsos.vec3(0, 0, 0.9), }, }");
+  EXPECT_THAT(variant_table("battery.capacity_j = 144,000,000").why, HasSubstr("has a comma"));
+  EXPECT_THAT(variant_table("chassis.center_of_mass_m = true, 0, 1").why,
+              HasSubstr("is no number"));
   Faults faults;
   const RoverModel model = catalog().load_variant(
       "SEV", "{ chassis = { center_of_mass_m = lsos.vec3(0, 0, 0.9) } }", "Variant", {}, faults);
