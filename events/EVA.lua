@@ -14,6 +14,9 @@ local function stay(duration, next)
   end
 end
 
+-- Suits keep a crew for eight hours, with what is in reserve some more.
+local longest_s = 24 * 3600
+
 local function check(p, rover)
   if p.exit_duration_s + p.activity_duration_s + p.entry_duration_s == 0 then
     return nil, 'ExitDuration, ActivityDuration and EntryDuration are 0: it does nothing'
@@ -22,6 +25,10 @@ local function check(p, rover)
     local as = rover.configuration and (' (%s)'):format(rover.configuration) or ''
     return nil, ('Crew = %d: %s%s carries %s'):format(p.crew, rover.type, as,
       rover.crew == 0 and 'nobody' or ('a crew of %d'):format(rover.crew))
+  end
+  if p.activity_duration_s > longest_s then
+    return nil, ('ActivityDuration is %.3g h: no suit lasts so long'):format(
+      p.activity_duration_s / 3600)
   end
   if p.power_w > 0 and rover and not rover.battery_capacity_j then
     return nil, ('Power = %g W: %s has no battery, the energy is not counted'):format(p.power_w,

@@ -123,9 +123,13 @@ local function start(ev, rover)
   if waits_for_sun and not rover.panels.is_any_up then
     return lsos.fail('no panel is up, and UntilCharge without EnergyRate or From waits for the Sun')
   end
+  if not (p.energy_rate_w or p.from) and not rover.panels.is_any_up then
+    ev:warn('no panel is up: nothing comes in')
+  end
+  -- Its upper limb may be up, and the horizon of a rim lies low: what is seen of it counts.
   local sun_rad = rover:sky().sun_elevation_rad
-  if not (p.energy_rate_w or p.from) and sun_rad < 0 then
-    ev:warn('the Sun is %.3g deg below the horizon: nothing comes in until it rises',
+  if not (p.energy_rate_w or p.from) and sun_rad < 0 and rover.panels.sun_fraction == 0 then
+    ev:warn('no sunlight reaches it now: the Sun is %.3g deg below the horizon',
       -math.deg(sun_rad))
   end
   ev.state.external_j = battery.external_j

@@ -68,7 +68,9 @@ local function start(ev, rover)
   return 'turn'
 end
 
--- Away from a Sun that is up, no light falls on a panel.
+-- Away from a Sun that is up, no light falls on a panel, however the deck may tilt.
+local deck_tilt_max_rad = math.rad(25)
+
 local function warn_of_the_sun(ev, rover)
   local p, sky = ev.params, rover:sky()
   if p.mode == 'track' or sky.sun_elevation_rad <= 0 then return end
@@ -76,7 +78,7 @@ local function warn_of_the_sun(ev, rover)
   local cosine = math.sin(p.elevation_rad) * math.sin(sky.sun_elevation_rad)
     + math.cos(p.elevation_rad) * math.cos(sky.sun_elevation_rad)
     * math.cos(azimuth_rad - sky.sun_azimuth_rad)
-  if cosine > 0 then return end
+  if cosine > -math.sin(deck_tilt_max_rad) then return end
   ev:warn('it faces away from the Sun, which stands at azimuth %s, elevation %s',
     degrees(sky.sun_azimuth_rad % (2 * math.pi)), degrees(sky.sun_elevation_rad))
 end

@@ -14,8 +14,10 @@
 #include "lua/new_text.h"
 #include "lua/places.h"
 #include "lua/script_folders.h"
+#include "mission/site.h"
 #include "plan/kml_writer.h"
 #include "product/files.h"
+#include "terrain/terrain_beyond.h"
 
 namespace lsos {
 
@@ -115,6 +117,17 @@ NewFiles new_plan_file(const NewOptions& options, const Catalog& catalog) {
   faults.throw_if_errors();
   plan.start = *start;
   catalog.load_rover(plan.rover_type);
+  try {
+    const bool is_script = std::ranges::count(terrains, plan.terrain) > 0;
+    drivable_ground_at(
+        is_script ? catalog.load_terrain(plan.terrain) : raster_terrain({plan.terrain}, {}),
+        *plan.body, plan.start, 0);
+  } catch (const InputError& error) {
+    throw InputError({}, fmt::format("--site {}{}: {} has no ground there: {}; --site LON,LAT says "
+                                     "where the rover starts",
+                                     site, options.site.empty() ? " (the default)" : "",
+                                     plan.terrain, error.faults().front().what));
+  }
   return {{"plan", {options.name + ".kml", write_kml(new_plan(plan, kinds_of(catalog, {})))}}};
 }
 

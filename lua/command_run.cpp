@@ -6,6 +6,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
 #include "lua/console.h"
@@ -16,6 +18,7 @@
 #include "lua/report_run.h"
 #include "lua/run_record.h"
 #include "plan/kml_text.h"
+#include "product/files.h"
 
 namespace lsos {
 
@@ -47,6 +50,22 @@ void ask_to_stop(int signal) {
   std::signal(signal, SIG_DFL);  // who asks again does not want to wait
 }
 
+// Plans of one name in two folders would replace each other's results.
+void refuse_other_plan(const std::string& folder, const std::string& plan) {
+  const std::string bytes = read_file(folder + "/summary.json").value_or("");
+  const auto summary = nlohmann::json::parse(bytes, nullptr, false);
+  if (!summary.is_object() || !summary.contains("plan") || !summary["plan"].is_string()) return;
+  const std::string other = summary["plan"].get<std::string>();
+  std::error_code ignored;
+  const bool is_other =
+      std::filesystem::exists(other, ignored) && !std::filesystem::equivalent(other, plan, ignored);
+  if (!is_other) return;
+  throw InputError({folder, 0},
+                   fmt::format("holds the run of {}, another plan of that name: -o names another "
+                               "folder, --force replaces it",
+                               other));
+}
+
 void warn(const std::string& what) { print_message("warning: {}\n", what); }
 
 }  // namespace
@@ -58,6 +77,9 @@ int run_command(const RunOptions& options) {
   files.faults.add(kept_legs_advice(options.plan));
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
+  }
+  if (options.folder.empty() && !options.is_forced) {
+    refuse_other_plan(default_run_folder(options.plan), options.plan);
   }
   RunFolder folder(options.folder.empty() ? default_run_folder(options.plan) : options.folder,
                    options.is_forced);

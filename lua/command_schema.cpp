@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "lua/commands.h"
@@ -111,6 +112,9 @@ int schema_command(const SchemaOptions& options) {
     faults.error({}, fmt::format("there is no event '{}'{}", name, did_you_mean(name, known)));
   }
   if (!options.file.empty()) check_output("-o", options.file, {".kml", ".gpkg"}, {}, faults);
+  if (std::error_code absent; std::filesystem::exists(options.file, absent)) {
+    faults.error({}, fmt::format("-o {}: is there already; it is not replaced", options.file));
+  }
   const Body* planet = find_body(options.planet);
   if (planet == nullptr) {
     faults.error({}, fmt::format("--planet {}: there are Moon, Mars, Earth", options.planet));

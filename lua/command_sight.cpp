@@ -122,6 +122,14 @@ std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
                                   double resolution_m, Faults& faults) {
   Geodetic place = asked.place;
   if (const auto height_m = ground.elevation_m(place, resolution_m)) {
+    // No mast is as high by chance.
+    constexpr double least_m = 50, near_m = 5;
+    if (place.height_m > least_m && std::abs(place.height_m - *height_m) < near_m) {
+      print_message(
+          "warning: {}: H = {:g} m is above the ground, which lies at {:.0f} m there: is "
+          "it the ground's own elevation?\n",
+          asked.option, place.height_m, *height_m);
+    }
     place.height_m += *height_m;
     return place;
   }

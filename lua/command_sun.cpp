@@ -56,6 +56,13 @@ int sun_command(const SunOptions& options) {
   Faults faults;
   const Body* body = option_body("--planet", options.planet, faults);
   const auto site = option_site("--site", options.site, faults);
+  // Nothing stands so high; more often than not the radius of the body was meant.
+  constexpr double highest_m = 100e3;
+  if (site && std::abs(site->height_m) > highest_m) {
+    faults.error({}, fmt::format("--site {}: the height after LON,LAT is above the reference "
+                                 "surface, and {:g} m at most",
+                                 options.site, highest_m));
+  }
   std::vector<Instant> moments;
   for (const std::string& text : options.at) moments.push_back(moment(text, faults));
   faults.throw_if_errors();

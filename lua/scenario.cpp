@@ -77,6 +77,12 @@ int expect_true(lua_State* L) {
   handle_id(L, scenario_handle_type());
   luaL_checkany(L, 2);
   lua_settop(L, 3);
+  if (lua_type(L, 2) == LUA_TSTRING) {
+    throw std::runtime_error(fmt::format(
+        "t:check: true or false is wanted, found the text '{}', which is always true; a comparison "
+        "is written without quotes",
+        lua_tostring(L, 2)));
+  }
   if (lua_toboolean(L, 2) != 0) return 0;
   fail(L, 3, fmt::format("expected true, found {}", written_value(L, 2)));
 }

@@ -31,6 +31,17 @@ void set_time(lua_State* L, const char* key, std::optional<SimTime> time) {
   set_quantity(L, key, time ? seconds(*time) : not_modelled);
 }
 
+// event.X where an event has no X.
+int refuse_event_key(lua_State* L) {
+  static const std::vector<std::string> known{"rover",  "sequence",   "type",          "label",
+                                              "status", "reason",     "ready_s",       "start_s",
+                                              "end_s",  "distance_m", "energy_used_j", "solar_j"};
+  const std::string wanted = key_text(L, 2);
+  if (std::ranges::find(known, wanted) != known.end()) return 0;  // without a value
+  throw std::runtime_error(fmt::format("an event has no '{}'{}; it has {}", wanted,
+                                       did_you_mean(wanted, known), fmt::join(known, ", ")));
+}
+
 void push_event(lua_State* L, const EventRow& row, const EventRecord& record) {
   lua_newtable(L);
   set_text(L, "rover", row.rover_id);
@@ -46,6 +57,10 @@ void push_event(lua_State* L, const EventRow& row, const EventRecord& record) {
   set_quantity(L, "distance_m", row.distance_m);
   set_quantity(L, "energy_used_j", row.energy_used_j);
   set_quantity(L, "solar_j", row.solar_j);
+  lua_newtable(L);
+  lua_pushcfunction(L, guard<refuse_event_key>);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
 }
 
 template <class Visit>

@@ -64,7 +64,7 @@ lsos.scenario('a recharge by a Sun that is down says so', function(t)
   }, { start = '2026-07-15T00:00:00Z' })
   sim:run()
   local text = sim:notes('warning')[1].fields.text
-  t:check(text:find('deg below the horizon: nothing comes in until it rises', 1, true), text)
+  t:check(text:find('no sunlight reaches it now: the Sun is ', 1, true), text)
 end)
 
 lsos.scenario('a rendezvous with what is near already says that it does nothing', function(t)
@@ -193,8 +193,9 @@ lsos.scenario('a battery that is emptier after a Recharge is said', function(t)
         { 'Recharge', Duration = '1 h', EnergyRate = '2 kW' } } } },
   }
   sim:run()
-  t:equal(#sim:notes('warning'), 1)
-  local text = sim:notes('warning')[1].fields.text
+  t:equal(#sim:notes('warning'), 2)
+  t:equal(sim:notes('warning')[1].fields.text, 'no panel is up: nothing comes in')
+  local text = sim:notes('warning')[2].fields.text
   t:check(text:find('more was used than came in', 1, true), text)
   t:check(text:find('the battery held', 1, true), text)
 end)

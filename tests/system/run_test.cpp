@@ -201,6 +201,25 @@ return lsos.event {
 }
 
 // What the contract lets any command be given.
+TEST(RunFolder, of_two_plans_of_one_name_is_not_shared_unasked) {
+  const TempFolder folder;
+  const Surroundings there{folder.path()};
+  const std::string plan =
+      kml({mission(), sev("A", "31,12"), event("Pause", "A", 1, {{"Duration", "10"}})});
+  for (const char* name : {"moon", "mars"}) {
+    std::filesystem::create_directory(folder / name);
+    folder.write(std::string(name) + "/plan.kml", plan);
+  }
+  EXPECT_EQ(run({"moon/plan.kml", "--quiet"}, there).exit_code, 0);
+  EXPECT_EQ(run({"moon/plan.kml", "--quiet"}, there).exit_code, 0) << "the same again";
+  const Outcome other = run({"mars/plan.kml", "--quiet"}, there);
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, ::testing::HasSubstr("moon/plan.kml, another plan of that name: "
+                                              "-o names another folder, --force replaces it"));
+  EXPECT_EQ(run({"mars/plan.kml", "--quiet", "--force"}, there).exit_code, 0);
+  EXPECT_EQ(run({"moon/plan.kml", "--quiet", "-o", folder / "out/plan"}, there).exit_code, 0);
+}
+
 TEST(CommonOptions, are_taken_where_there_is_no_use_for_them) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(two_rovers()));

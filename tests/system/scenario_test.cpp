@@ -137,6 +137,9 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
   };
   const std::string sim = "local sim = " + plan("{ { 'Pause', Duration = 60 } }") + " ";
   const std::vector<std::pair<std::string, std::string>> cases = {
+      {"t:check('charge > 1000')", "found the text 'charge > 1000', which is always true"},
+      {sim + "local a = sim:event('A/10').state",
+       "an event has no 'state'; did you mean 'status'?"},
       {"lsos.sim {}", "lsos.sim: 'rovers' is missing: Id = { type = 'SEV', "},
       {"lsos.sim { rovers = {} }",
        "rovers is empty; at least one is wanted: Id = { type = 'SEV', "},

@@ -12,6 +12,7 @@
 
 #include "support/reference_data.h"
 #include "system/sight_map.h"
+#include "system/source_files.h"
 
 namespace lsos::test {
 namespace {
@@ -26,6 +27,19 @@ struct Cut {
   int column, row, columns, rows;  // of its window; 0 columns: all
   unsigned observers = 4;
 };
+
+// Some who give a place with its height have the map's own in mind.
+TEST(SightHeight, that_is_the_ground_s_own_elevation_is_asked_about) {
+  const auto asked = [](const std::string& height) {
+    const std::filesystem::path raster = repository() / "tests/messages/mission/high.asc";
+    return run({"sight", raster, "--from", "0,0," + height, "--to", "0.001,0.001,2"},
+               {.environment = {"GDAL_PAM_ENABLED=NO"}})
+        .err;
+  };
+  EXPECT_THAT(asked("502"),
+              HasSubstr("--from 0,0,502: H = 502 m is above the ground, which lies at "));
+  EXPECT_EQ(asked("2"), "");
+}
 
 // A part of a raster as a file of its own.
 std::string cut(const Cut& from, const TempFolder& folder) {
