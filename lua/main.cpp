@@ -203,7 +203,7 @@ int run_program(std::vector<std::string> arguments) {
 
   lsos::RunOptions run;
   CLI::App* run_command = app.add_subcommand("run", "Simulate a plan");
-  run_command->add_option("PLAN", run.plan, "A KML or KMZ plan")->required();
+  run_command->add_option("PLAN", run.plan, "A plan: KML, KMZ or GeoPackage")->required();
   run_command->add_option("-o,--output", run.folder, "Folder of the results (out/PLAN-NAME)");
   run_command->add_flag("--force", run.is_forced,
                         "Replace an unfinished run, or that of another plan of the name");
@@ -220,7 +220,7 @@ int run_program(std::vector<std::string> arguments) {
 
   lsos::CheckOptions check;
   CLI::App* check_command = app.add_subcommand("check", "Read and check a plan");
-  check_command->add_option("PLAN", check.plan, "A KML or KMZ plan")->required();
+  check_command->add_option("PLAN", check.plan, "A plan: KML, KMZ or GeoPackage")->required();
   check_command->add_option("--seed", check.seed, "Instead of the plan's Seed")->check(is_seed);
   check_command->add_flag("--json", check.is_json, "The answer as JSON");
   check_command->add_flag("--verbose", check.is_verbose, "Each default and assumption");
@@ -230,7 +230,7 @@ int run_program(std::vector<std::string> arguments) {
   std::string fsm_plan;
   CLI::App* fsm_command =
       app.add_subcommand("fsm", "The machine synthesised from a plan, as Graphviz DOT");
-  fsm_command->add_option("PLAN", fsm_plan, "A KML or KMZ plan")->required();
+  fsm_command->add_option("PLAN", fsm_plan, "A plan: KML, KMZ or GeoPackage")->required();
 
   fsm_command->add_flag("--json", is_json, "As JSON");
 
@@ -256,7 +256,7 @@ int run_program(std::vector<std::string> arguments) {
   std::string repl_plan;
   CLI::App* repl_command =
       app.add_subcommand("repl", "A prompt with a simulation in hand; piped input is a script");
-  repl_command->add_option("PLAN", repl_plan, "A KML or KMZ plan");
+  repl_command->add_option("PLAN", repl_plan, "A plan: KML, KMZ or GeoPackage");
 
   lsos::SchemaOptions schema;
   CLI::App* schema_command = app.add_subcommand(

@@ -132,13 +132,9 @@ std::vector<Fault> Simulation::advice() const {
   std::vector<Fault> advice = ground_->advice();
   advice.insert(advice.end(), way_faults_.begin(), way_faults_.end());
   for (const RoverMachine& rover : machine_.rovers) {
-    const bool drives = std::ranges::any_of(rover.events, [](const EventMachine& event) {
-      return event.event.is_enabled && event.declaration.drives;
-    });
-    const std::string coarse = drives ? ground_->coarseness(rover.rover.start) : "";
+    const std::vector<Fault> coarse = coarse_ground(rover, *ground_);
     if (coarse.empty()) continue;
-    advice.push_back({Severity::warning, rover.rover.place,
-                      fmt::format("Rover '{}': {}", rover.rover.id, coarse)});
+    advice.insert(advice.end(), coarse.begin(), coarse.end());
     break;
   }
   return advice;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -95,6 +96,31 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
     }
   }
   return faults;
+}
+
+std::vector<Fault> coarse_ground(const RoverMachine& machine, const Ground& ground) {
+  const auto drives = [](const EventMachine& event) {
+    return event.event.is_enabled && event.declaration.drives;
+  };
+  if (std::ranges::none_of(machine.events, drives)) return {};
+  const auto warning = [](const Place& place, const std::string& subject, const std::string& what) {
+    return std::vector<Fault>{{Severity::warning, place, fmt::format("{}: {}", subject, what)}};
+  };
+  if (const std::string coarse = ground.coarseness(machine.rover.start); !coarse.empty()) {
+    return warning(machine.rover.place, fmt::format("Rover '{}'", machine.rover.id), coarse);
+  }
+  for (const EventMachine& event : machine.events) {
+    if (!drives(event)) continue;
+    for (const Geodetic& point : event.event.geometry.points) {
+      const std::string coarse = ground.coarseness(point);
+      if (coarse.empty()) continue;
+      return warning(event.event.place,
+                     fmt::format("{} '{}': at {:.6f},{:.6f}", event.event.type, event.event.label,
+                                 lon_deg(point), lat_deg(point)),
+                     coarse);
+    }
+  }
+  return {};
 }
 
 }  // namespace lsos

@@ -28,6 +28,8 @@ constexpr double nearer_share = 0.1;
 constexpr double likely_times = 2;
 // A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
 constexpr double apart_m = 200, turned_m = 100;
+// A line of another rover begins where that one comes to stand, so exactly.
+constexpr double same_place_m = 5, elsewhere_m = 30;
 // Rovers and assets of one mission are no farther from each other.
 constexpr double together_m = 100e3;
 
@@ -111,6 +113,9 @@ class FarWaypoints {
   }
 
   void measure(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
+    if (!draft.event.geometry.points.empty()) {
+      ends_[draft.event.rover_id].push_back(draft.event.geometry.points.back());
+    }
     for (const Leg& leg : legs_of(draft, expected)) {
       if (!leg.from) continue;
       const double length_m = surface_distance_m(body_, *leg.from, leg.to);
@@ -165,6 +170,7 @@ class FarWaypoints {
                       draft.subject, quoted(event.rover_id), distance_text(distance_m)));
       return;
     }
+    if (warn_if_of_another(draft, leg, distance_m)) return;
     if (distance_m <= std::max(apart_m, line_m)) return;
     faults_.warning(
         {event.place.file, event.geometry.line},
@@ -172,6 +178,32 @@ class FarWaypoints {
                     "it drives first; the line is {} long",
                     draft.subject, distance_text(distance_m), quoted(event.rover_id),
                     distance_text(line_m)));
+  }
+
+  // A drive that was copied, or drawn, for another rover.
+  bool warn_if_of_another(const DraftEvent& draft, const Leg& leg, double distance_m) {
+    const PlanEvent& event = draft.event;
+    const auto stands_there = [&](const std::string& rover) {
+      const auto is_there = [&](const Geodetic& place) {
+        return surface_distance_m(body_, place, leg.to) <= same_place_m;
+      };
+      const auto start = starts_.find(rover);
+      const auto ends = ends_.find(rover);
+      return (start != starts_.end() && is_there(start->second)) ||
+             (ends != ends_.end() && std::ranges::any_of(ends->second, is_there));
+    };
+    if (distance_m <= elsewhere_m || stands_there(event.rover_id)) return false;
+    const auto other =
+        std::ranges::find_if(starts_, [&](const auto& each) { return stands_there(each.first); });
+    if (other == starts_.end()) return false;
+    faults_.warning(
+        {event.place.file, event.geometry.line},
+        fmt::format(
+            "{}: its line begins where rover {} stands before or after a drive, and {} from "
+            "where rover {} then is expected: is its RoverId right?",
+            draft.subject, quoted(other->first), distance_text(distance_m),
+            quoted(event.rover_id)));
+    return true;
   }
 
   bool warn_if_far(const DraftEvent& draft, const Leg& leg) {
@@ -206,6 +238,7 @@ class FarWaypoints {
   Faults& faults_;
   std::map<std::string, Geodetic> starts_;                // by rover; of those with one
   std::map<std::string, std::vector<double>> lengths_m_;  // by rover
+  std::map<std::string, std::vector<Geodetic>> ends_;     // of events, by rover
   std::set<std::string> strayed_;                         // rovers that a far waypoint has led away
 };
 
