@@ -50,20 +50,17 @@ void ask_to_stop(int signal) {
   std::signal(signal, SIG_DFL);  // who asks again does not want to wait
 }
 
-// Plans of one name in two folders would replace each other's results.
-void refuse_other_plan(const std::string& folder, const std::string& plan) {
+// The plan whose run the folder holds; "" where it holds none, that of this plan, or of one that is
+// no longer there.
+std::string other_plan_in(const std::string& folder, const std::string& plan) {
   const std::string bytes = read_file(folder + "/summary.json").value_or("");
   const auto summary = nlohmann::json::parse(bytes, nullptr, false);
-  if (!summary.is_object() || !summary.contains("plan") || !summary["plan"].is_string()) return;
+  if (!summary.is_object() || !summary.contains("plan") || !summary["plan"].is_string()) return "";
   const std::string other = summary["plan"].get<std::string>();
   std::error_code ignored;
   const bool is_other =
       std::filesystem::exists(other, ignored) && !std::filesystem::equivalent(other, plan, ignored);
-  if (!is_other) return;
-  throw InputError({folder, 0},
-                   fmt::format("holds the run of {}, another plan of that name: -o names another "
-                               "folder, --force replaces it",
-                               other));
+  return is_other ? other : "";
 }
 
 void warn(const std::string& what) { print_message("warning: {}\n", what); }
@@ -78,11 +75,17 @@ int run_command(const RunOptions& options) {
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
-  if (options.folder.empty() && !options.is_forced) {
-    refuse_other_plan(default_run_folder(options.plan), options.plan);
+  const std::string path =
+      options.folder.empty() ? default_run_folder(options.plan) : options.folder;
+  const std::string other = other_plan_in(path, options.plan);
+  // Plans of one name in two folders would replace each other's results unasked.
+  if (!other.empty() && options.folder.empty() && !options.is_forced) {
+    throw InputError({path, 0},
+                     fmt::format("holds the run of {}, another plan of that name: -o names another "
+                                 "folder, --force replaces it",
+                                 other));
   }
-  RunFolder folder(options.folder.empty() ? default_run_folder(options.plan) : options.folder,
-                   options.is_forced);
+  RunFolder folder(path, options.is_forced);
   SimulationSetup setup = simulation_setup(files);
   setup.threads = options.threads;
   setup.keeps_sight = true;
@@ -102,6 +105,8 @@ int run_command(const RunOptions& options) {
   if (!options.is_quiet && !simulation.renderer().empty()) {
     print_message("light is drawn by {}\n", simulation.renderer());
   }
+  // What is lost is said to everybody.
+  if (!other.empty()) print_message("{}: the run of {} that it held is replaced\n", path, other);
   // Until here a signal may end it at once: there is nothing to write out.
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);

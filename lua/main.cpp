@@ -206,7 +206,7 @@ int run_program(std::vector<std::string> arguments) {
   run_command->add_option("PLAN", run.plan, "A plan: KML, KMZ or GeoPackage")->required();
   run_command->add_option("-o,--output", run.folder, "Folder of the results (out/PLAN-NAME)");
   run_command->add_flag("--force", run.is_forced,
-                        "Replace an unfinished run, or that of another plan of the name");
+                        "Replace an unfinished run, or without -o that of another plan");
   run_command->add_flag("!--no-report", run.has_report, "No report.html, which takes some seconds");
   run_command->add_flag("--quiet", run.is_quiet, "No progress");
   run_command->add_flag("--json", run.is_json, "The summary as JSON");

@@ -210,8 +210,8 @@ void check_plan_spans(const Plan& plan, const Declarations& declarations, Faults
     if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
     faults.warning(plan.mission.place,
                    fmt::format("MissionInfo: MaxDuration = {}{}: the durations and drives of the "
-                               "events of rover {} alone come to {}; those that the time does not "
-                               "suffice for end as incomplete",
+                               "events of rover {} alone come to {} if none ends early; those that "
+                               "the time does not suffice for end as incomplete",
                                span_text(plan.mission.max_duration),
                                plan.mission.has_max_duration ? "" : " (the default)",
                                quoted(rover.id), span_text(from_seconds(sum_s))));

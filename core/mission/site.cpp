@@ -106,7 +106,15 @@ std::vector<Fault> coarse_ground(const RoverMachine& machine, const Ground& grou
   const auto warning = [](const Place& place, const std::string& subject, const std::string& what) {
     return std::vector<Fault>{{Severity::warning, place, fmt::format("{}: {}", subject, what)}};
   };
-  if (const std::string coarse = ground.coarseness(machine.rover.start); !coarse.empty()) {
+  const Geodetic& start = machine.rover.start;
+  if (ground.is_beyond(start)) {
+    const bool is_mirrored = !ground.is_beyond({start.lon_rad, -start.lat_rad, 0});
+    return warning(
+        machine.rover.place, fmt::format("Rover '{}'", machine.rover.id),
+        fmt::format("starts outside Terrain, on the ground of TerrainBeyond{}",
+                    is_mirrored ? "; with the other sign its latitude would lie inside" : ""));
+  }
+  if (const std::string coarse = ground.coarseness(start); !coarse.empty()) {
     return warning(machine.rover.place, fmt::format("Rover '{}'", machine.rover.id), coarse);
   }
   for (const EventMachine& event : machine.events) {

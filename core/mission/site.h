@@ -31,8 +31,9 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
 // "waypoint 2 (10.000000,20.000000) is where the terrain is not known"
 std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point);
 
-// A warning where a rover starts or drives to ground that is known by large cells alone (see
-// Ground::coarseness): the first such place; empty for one that does not drive.
+// A warning where a rover starts outside its terrain, on the one beyond, or starts or drives to
+// ground that is known by large cells alone (see Ground::coarseness): the first such place; empty
+// for one that does not drive.
 std::vector<Fault> coarse_ground(const RoverMachine& machine, const Ground& ground);
 
 }  // namespace lsos

@@ -321,6 +321,11 @@ std::string Ground::slivers(const Geodetic& place) const {
   return sliver_text(*raster, impl_->layers[*most]->grid(), site().body(), place);
 }
 
+bool Ground::is_beyond(const Geodetic& place) const {
+  const std::optional<std::size_t> most = impl_->main_layer(place);
+  return !most || (impl_->spec.beyond && *most >= impl_->spec.beyond->first_layer);
+}
+
 std::string Ground::coarseness(const Geodetic& place) const {
   const std::optional<std::size_t> most = impl_->main_layer(place);
   if (!most || impl_->layers[*most]->has_detail()) return "";

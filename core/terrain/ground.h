@@ -72,6 +72,8 @@ class Ground {
   // Why no rover can drive at a place though its heights are known: next to a pole, cells of a
   // raster in longitude and latitude are slivers; "" where they are not.
   std::string slivers(const Geodetic& place) const;
+  // The ground there is that of the terrain beyond, or there is none.
+  bool is_beyond(const Geodetic& place) const;
   // "" where the ground is known closely enough to drive on: see coarse_text, or with
   // detail upon it.
   std::string coarseness(const Geodetic& place) const;
