@@ -27,7 +27,7 @@ constexpr double nearer_share = 0.1;
 // not so many times farther from it.
 constexpr double likely_times = 2;
 // A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
-constexpr double apart_m = 200, turned_m = 25;
+constexpr double apart_m = 200, turned_m = 40;
 // A line of another rover begins where that one comes to stand, so exactly.
 constexpr double same_place_m = 5, elsewhere_m = 30;
 // Rovers and assets of one mission are no farther from each other.
