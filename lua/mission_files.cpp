@@ -234,7 +234,7 @@ void read_models(MissionFiles& files) {
   check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
   check_plan_aims(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
   set_max_duration(files);
-  check_plan_spans(files.plan, declarations, files.faults);
+  check_plan_spans(files.plan, declarations, files.rover_models, files.faults);
   const MissionInfo& mission = files.plan.mission;
   const auto is_known = [&](const TerrainName& terrain) {
     return terrain.is_raster || std::ranges::count(declarations.terrains, terrain.name) > 0;

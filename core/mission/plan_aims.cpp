@@ -195,17 +195,43 @@ void check_supplies(const Plan& plan, const Declarations& declarations,
   }
 }
 
+// Straight from place to place, from where the rover comes from, at the event's Speed or the
+// rover's cruise speed. `at`: where it then is; absent: not known.
+double least_drive_s(const PlanEvent& event, const Body& body, double cruise_speed_mps,
+                     std::optional<Geodetic>& at) {
+  double length_m = 0;
+  for (const Geodetic& point : event.geometry.points) {
+    if (at) length_m += surface_distance_m(body, *at, point);
+    at = point;
+  }
+  // Within a polygon it may come to stand anywhere; without a place it follows what moves.
+  const bool is_known =
+      event.geometry.kind == GeometryKind::point || event.geometry.kind == GeometryKind::line;
+  if (!is_known) at.reset();
+  const double* speed_mps = find_value<double>(event.params, "speed_mps");
+  return is_known
+             ? length_m / (speed_mps != nullptr && *speed_mps > 0 ? *speed_mps : cruise_speed_mps)
+             : 0;
+}
+
 }  // namespace
 
-void check_plan_spans(const Plan& plan, const Declarations& declarations, Faults& faults) {
+void check_plan_spans(const Plan& plan, const Declarations& declarations,
+                      const std::map<std::string, RoverModel>& rovers, Faults& faults) {
   if (plan.mission.planet == nullptr) return;
   for (const PlanRover& rover : plan.rovers) {
+    const auto model = rovers.find(rover.model());
+    std::optional<Geodetic> at;
+    if (!plan.gaps.unplaced_rovers.contains(rover.id)) at = rover.start;
     double sum_s = 0;
     for (const PlanEvent& event : plan.events) {
       if (event.rover_id != rover.id || !event.is_enabled) continue;
       if (!event.stop_when.text.empty() || !event.skip_when.text.empty()) continue;
       const EventDeclaration& declaration = declarations.events.at(event.type);
-      sum_s += durations_s(event, declaration) + drive_s(event, declaration, *plan.mission.planet);
+      sum_s += durations_s(event, declaration);
+      if (!declaration.drives || model == rovers.end()) continue;
+      sum_s += least_drive_s(event, *plan.mission.planet,
+                             model->second.spec.vehicle.cruise_speed_mps, at);
     }
     if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
     faults.warning(plan.mission.place,

@@ -16,7 +16,8 @@ void check_plan_aims(const Plan& plan, const Declarations& declarations,
                      const std::map<std::string, AssetModel>& assets, Faults& faults);
 
 // The same of what takes longer than the mission may, once its MaxDuration is known.
-void check_plan_spans(const Plan& plan, const Declarations& declarations, Faults& faults);
+void check_plan_spans(const Plan& plan, const Declarations& declarations,
+                      const std::map<std::string, RoverModel>& rovers, Faults& faults);
 
 // A warning where nothing is to happen, of a plan without errors.
 void check_for_events(const Plan& plan, Faults& faults);

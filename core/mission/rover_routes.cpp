@@ -79,10 +79,10 @@ bool RoverRoutes::is_passed(const RouteSettings& settings, const Vec3& p_S_m,
 std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint,
                                      const Vec3& start_S_m, const Vec3& goal_S_m,
                                      const PlannedLeg& leg) {
-  // On the map.
+  // Along the body's surface, as maps have it.
   const auto off_m = [&](const Vec3& p_S_m) {
-    const Vec3 way_S_m = p_S_m - goal_S_m, up_S = ground.site().up_S(goal_S_m);
-    return (way_S_m - way_S_m.dot(up_S) * up_S).norm();
+    return surface_distance_m(ground.site().body(), ground.site().geodetic(p_S_m),
+                              ground.site().geodetic(goal_S_m));
   };
   if ((leg.nearest_S_m - start_S_m).norm() < on_start_m) {
     return fmt::format(

@@ -27,7 +27,7 @@ constexpr double nearer_share = 0.1;
 // not so many times farther from it.
 constexpr double likely_times = 2;
 // A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
-constexpr double apart_m = 200, turned_m = 40;
+constexpr double apart_m = 200, turned_m = 70;
 // A line of another rover begins where that one comes to stand, so exactly.
 constexpr double same_place_m = 5, elsewhere_m = 30;
 // Rovers and assets of one mission are no farther from each other.
@@ -171,6 +171,16 @@ class FarWaypoints {
       return;
     }
     if (warn_if_of_another(draft, leg, distance_m)) return;
+    // There and at once back again, as where a digit of the first waypoint is wrong.
+    const double next_m = surface_distance_m(body_, *leg.from, *leg.next);
+    if (distance_m > apart_m && next_m < distance_m / 4) {
+      faults_.warning({event.place.file, event.geometry.line},
+                      fmt::format("{}: waypoint 1 is {} from where rover {} then is expected, and "
+                                  "waypoint 2 only {}",
+                                  draft.subject, distance_text(distance_m), quoted(event.rover_id),
+                                  distance_text(next_m)));
+      return;
+    }
     if (distance_m <= std::max(apart_m, line_m)) return;
     faults_.warning(
         {event.place.file, event.geometry.line},

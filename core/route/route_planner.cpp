@@ -327,10 +327,13 @@ class LegPlanner {
   }
 
   void refuse_length() {
+    const SiteFrame& site = ground_.site();
+    const double length_m = surface_distance_m(site.body(), site.geodetic(request_.start_S_m),
+                                               site.geodetic(request_.goal_S_m));
     leg_.reason = fmt::format(
         "it is {:.1f} km long; {:.1f} km at most can be planned at once in this direction, at "
         "{:.2f} m: waypoints between make shorter legs",
-        goal_m_.norm() / 1000, std::floor(longest_m() / 100) / 10, spacing_m_);
+        length_m / 1000, std::floor(longest_m() / 100) / 10, spacing_m_);
     leg_.nearest_S_m = request_.start_S_m;
   }
 
