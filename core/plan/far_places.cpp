@@ -27,7 +27,7 @@ constexpr double nearer_share = 0.1;
 // not so many times farther from it.
 constexpr double likely_times = 2;
 // A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
-constexpr double apart_m = 200, turned_m = 70;
+constexpr double apart_m = 200, apart_share = 0.25, turned_m = 70;
 // A line of another rover begins where that one comes to stand, so exactly.
 constexpr double same_place_m = 5, elsewhere_m = 30;
 // Rovers and assets of one mission are no farther from each other.
@@ -149,7 +149,7 @@ class FarWaypoints {
     return leg.next && surface_distance_m(body_, *leg.from, *leg.next) < nearer_share * distance_m;
   }
 
-  // A line that begins farther from the rover than it is long: the way there is driven first, and
+  // A line that begins far from the rover beside its own length: the way there is driven first, and
   // drawn nowhere.
   void warn_if_apart(const DraftEvent& draft, const Leg& leg) {
     const PlanEvent& event = draft.event;
@@ -181,7 +181,7 @@ class FarWaypoints {
                                   distance_text(next_m)));
       return;
     }
-    if (distance_m <= std::max(apart_m, line_m)) return;
+    if (distance_m <= std::max(apart_m, apart_share * line_m)) return;
     faults_.warning(
         {event.place.file, event.geometry.line},
         fmt::format("{}: its line begins {} from where rover {} then is expected, which "
