@@ -15,8 +15,6 @@ namespace {
 
 // Nothing that a rover carries is so many times as long as its body.
 constexpr double longest_share = 10;
-// An antenna's mast that one can bring along.
-constexpr double highest_mast_m = 100;
 
 void doubt_panel(const PanelSpec& panel, double size_m, std::vector<std::string>& doubts) {
   constexpr double fastest_radps = 0.5;

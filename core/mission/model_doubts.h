@@ -13,8 +13,10 @@ namespace lsos {
 // Each is judged by the rover's own size, mass, speed and loads.
 std::vector<std::string> rover_doubts(const RoverModel& rover);
 std::vector<std::string> asset_doubts(const AssetModel& asset);
-// By what has been measured of soils on Earth, of lunar soil and of simulants (Carrier et al. 1991,
-// Lunar Sourcebook ch. 9; Wong 2008, table 2.3), with room on both sides.
+// The bounds hold all soils of the literature in terrain/soils, with room on both sides.
 std::vector<std::string> soil_doubts(const Soil& soil);
+
+// No mast that can be brought along holds an antenna higher above the ground.
+inline constexpr double highest_mast_m = 100;
 
 }  // namespace lsos

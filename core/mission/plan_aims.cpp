@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/model_doubts.h"
 #include "plan/field_reader.h"
 #include "plan/suggestions.h"
 
@@ -60,15 +61,21 @@ double durations_s(const PlanEvent& event, const EventDeclaration& declaration) 
   return sum_s;
 }
 
-// What its drawn line takes at the speed asked for, or the rover's cruise speed; 0 where neither is
-// known.
-double drive_s(const PlanEvent& event, const EventDeclaration& declaration, const Body& body,
-               std::optional<double> cruise_speed_mps = {}) {
-  if (!declaration.drives || event.geometry.kind != GeometryKind::line) return 0;
+// Straight from place to place, from where the rover comes from, at the event's Speed or the
+// rover's cruise speed; 0 where neither is known. `at`: where it then is; absent: not known.
+double least_drive_s(const PlanEvent& event, const Body& body,
+                     std::optional<double> cruise_speed_mps, std::optional<Geodetic>& at) {
   double length_m = 0;
-  const std::vector<Geodetic>& points = event.geometry.points;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    length_m += surface_distance_m(body, points[k - 1], points[k]);
+  for (const Geodetic& point : event.geometry.points) {
+    if (at) length_m += surface_distance_m(body, *at, point);
+    at = point;
+  }
+  // Within a polygon it may come to stand anywhere; without a place it follows what moves.
+  const bool is_known =
+      event.geometry.kind == GeometryKind::point || event.geometry.kind == GeometryKind::line;
+  if (!is_known) {
+    at.reset();
+    return 0;
   }
   const double* speed_mps = find_value<double>(event.params, "speed_mps");
   if (speed_mps != nullptr && *speed_mps > 0) return length_m / *speed_mps;
@@ -93,9 +100,11 @@ void check_timeouts(const Plan& plan, const Declarations& declarations,
     std::optional<double> cruise_speed_mps;
     if (model != rovers.end()) cruise_speed_mps = model->second.spec.vehicle.cruise_speed_mps;
     const bool has_speed = find_value<double>(event.params, "speed_mps") != nullptr;
-    warn(drive_s(event, declaration, *plan.mission.planet, cruise_speed_mps),
-         has_speed ? "that its line takes at its Speed"
-                   : "that its line takes at the rover's cruise speed");
+    std::optional<Geodetic> at;  // the line alone
+    const double line_s =
+        declaration.drives ? least_drive_s(event, *plan.mission.planet, cruise_speed_mps, at) : 0;
+    warn(line_s, has_speed ? "that its line takes at its Speed"
+                           : "that its line takes at the rover's cruise speed");
   }
 }
 
@@ -160,9 +169,8 @@ void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& ro
 }
 
 void check_masts(const Plan& plan, Faults& faults) {
-  constexpr double highest_m = 100;
   for (const PlanAsset& asset : plan.assets) {
-    if (!asset.antenna_height_m || *asset.antenna_height_m <= highest_m) continue;
+    if (!asset.antenna_height_m || *asset.antenna_height_m <= highest_mast_m) continue;
     faults.warning(
         asset.place,
         fmt::format("Asset '{}': Height = {:g} m: its antenna would stand on a mast that "
@@ -195,25 +203,6 @@ void check_supplies(const Plan& plan, const Declarations& declarations,
   }
 }
 
-// Straight from place to place, from where the rover comes from, at the event's Speed or the
-// rover's cruise speed. `at`: where it then is; absent: not known.
-double least_drive_s(const PlanEvent& event, const Body& body, double cruise_speed_mps,
-                     std::optional<Geodetic>& at) {
-  double length_m = 0;
-  for (const Geodetic& point : event.geometry.points) {
-    if (at) length_m += surface_distance_m(body, *at, point);
-    at = point;
-  }
-  // Within a polygon it may come to stand anywhere; without a place it follows what moves.
-  const bool is_known =
-      event.geometry.kind == GeometryKind::point || event.geometry.kind == GeometryKind::line;
-  if (!is_known) at.reset();
-  const double* speed_mps = find_value<double>(event.params, "speed_mps");
-  return is_known
-             ? length_m / (speed_mps != nullptr && *speed_mps > 0 ? *speed_mps : cruise_speed_mps)
-             : 0;
-}
-
 }  // namespace
 
 void check_plan_spans(const Plan& plan, const Declarations& declarations,
@@ -226,8 +215,11 @@ void check_plan_spans(const Plan& plan, const Declarations& declarations,
     double sum_s = 0;
     for (const PlanEvent& event : plan.events) {
       if (event.rover_id != rover.id || !event.is_enabled) continue;
-      if (!event.stop_when.text.empty() || !event.skip_when.text.empty()) continue;
       const EventDeclaration& declaration = declarations.events.at(event.type);
+      if (!event.stop_when.text.empty() || !event.skip_when.text.empty()) {
+        if (declaration.drives) at.reset();  // it may have come there, or not
+        continue;
+      }
       sum_s += durations_s(event, declaration);
       if (!declaration.drives || model == rovers.end()) continue;
       sum_s += least_drive_s(event, *plan.mission.planet,

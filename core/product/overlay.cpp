@@ -158,7 +158,8 @@ KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
 KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
                        const std::string& rover_id) {
   KmlFolder folder = named_folder(rover_id + " events");
-  // The first at a place has its label beside it: labels of several would lie on each other.
+  // The first at a place has its label beside it, and what failed: labels of all would lie on each
+  // other.
   std::set<std::pair<long, long>> labelled;
   const auto is_first_at = [&](const Geodetic& place) {
     constexpr double parts = 1e6;  // of a radian: 2 m on the Moon
@@ -169,7 +170,8 @@ KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
     if (event.rover_id != rover_id) continue;
     KmlPlacemark mark = placemark(event, start, event.label);
     mark.description = balloon(event, start);
-    const bool has_label = !event.place || is_first_at(*event.place);
+    const bool is_first = !event.place || is_first_at(*event.place);
+    const bool has_label = is_first || event.status == EventStatus::failed;
     mark.style_id = status_style_id(event.status, has_label);
     // How it ended is known from its end on, and stays on the map.
     const auto& known_from = event.end ? event.end : event.start;

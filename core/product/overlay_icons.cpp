@@ -12,11 +12,21 @@ namespace lsos {
 
 namespace {
 
-constexpr std::array all{OverlayIcon::arrow, OverlayIcon::disc, OverlayIcon::cross,
-                         OverlayIcon::square, OverlayIcon::diamond};
+struct Icon {
+  OverlayIcon icon;
+  const char *name, *on_server;
+};
+// In the order of the enumeration.
+constexpr std::array icons{Icon{OverlayIcon::arrow, "arrow", "triangle"},
+                           Icon{OverlayIcon::disc, "disc", "placemark_circle"},
+                           Icon{OverlayIcon::cross, "cross", "forbidden"},
+                           Icon{OverlayIcon::square, "square", "caution"},
+                           Icon{OverlayIcon::diamond, "diamond", "open-diamond"}};
 
-// Of a point (x east, y south, from the middle of an icon of half a width of 1), negative inside:
-// the distance from the shape's edge, or a bound of it.
+const Icon& known(OverlayIcon icon) { return icons.at(static_cast<std::size_t>(icon)); }
+
+// Distance of a point from the shape's edge, or a bound of it, negative inside. x is east and y
+// south of the icon's middle; half its width is 1.
 double distance(OverlayIcon icon, double x, double y) {
   const double across = std::abs(x), size = 0.72;
   const double diagonal = (std::abs(x) + std::abs(y)) * std::numbers::sqrt2 / 2;
@@ -61,46 +71,20 @@ std::string picture(OverlayIcon icon) {
   return png_bytes(side, side, pixels, true);
 }
 
-std::string name_of(OverlayIcon icon) {
-  switch (icon) {
-    case OverlayIcon::arrow:
-      return "arrow";
-    case OverlayIcon::disc:
-      return "disc";
-    case OverlayIcon::cross:
-      return "cross";
-    case OverlayIcon::square:
-      return "square";
-    case OverlayIcon::diamond:
-      break;
-  }
-  return "diamond";
-}
-
 }  // namespace
 
 std::string server_icon(OverlayIcon icon) {
-  const std::string shapes = "https://maps.google.com/mapfiles/kml/shapes/";
-  switch (icon) {
-    case OverlayIcon::arrow:
-      return shapes + "triangle.png";
-    case OverlayIcon::disc:
-      return shapes + "placemark_circle.png";
-    case OverlayIcon::cross:
-      return shapes + "forbidden.png";
-    case OverlayIcon::square:
-      return shapes + "caution.png";
-    case OverlayIcon::diamond:
-      break;
-  }
-  return shapes + "open-diamond.png";
+  return std::string("https://maps.google.com/mapfiles/kml/shapes/") + known(icon).on_server +
+         ".png";
 }
 
-std::string packed_icon(OverlayIcon icon) { return "icons/" + name_of(icon) + ".png"; }
+std::string packed_icon(OverlayIcon icon) {
+  return std::string("icons/") + known(icon).name + ".png";
+}
 
 std::vector<PackedFile> packed_icons() {
   std::vector<PackedFile> files;
-  for (const OverlayIcon icon : all) files.push_back({packed_icon(icon), picture(icon)});
+  for (const Icon& each : icons) files.push_back({packed_icon(each.icon), picture(each.icon)});
   return files;
 }
 

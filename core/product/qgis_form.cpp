@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/qgis_style_table.h"
 #include "product/qgis_style.h"
 #include "product/qgis_symbol.h"
 #include "product/rover_colors.h"
@@ -13,13 +14,6 @@
 namespace lsos {
 
 namespace {
-
-// A text as QGIS's expressions have it.
-std::string expression_text(std::string_view text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
 
 // The layer of that name. QGIS calls them "mission - Route" or "Route", by how the file was opened:
 // so each is looked up by the name of the one that asks.
@@ -40,7 +34,6 @@ std::string widget_xml(const FormField& field) {
   };
   std::string type = "TextEdit", config;
   if (field.declaration.kind == FieldKind::boolean) type = "CheckBox";
-  if (field.declaration.kind == FieldKind::integer) type = "TextEdit";
   if (!field.choices.empty()) {
     type = "ValueMap";
     std::string options;
@@ -74,7 +67,7 @@ std::string initial_expression(const FormField& field, const FormLayer& own,
   if (field.initial.empty()) return "";
   const bool is_text =
       field.declaration.kind != FieldKind::integer && field.declaration.kind != FieldKind::boolean;
-  return is_text ? expression_text(field.initial) : field.initial;
+  return is_text ? sql_text(field.initial) : field.initial;  // QGIS quotes as SQL does
 }
 
 // What a form calls a field and what its numbers are in; below it what that means, in lines of a

@@ -213,7 +213,7 @@ SampleRange HeightBand::range() const {
   range.low = range.second_low = std::numeric_limits<double>::infinity();
   range.high = -range.low;
   range.nearest_to_zero = range.low;
-  constexpr std::int64_t told_apart = 10'000;
+  constexpr std::int64_t compared = 10'000;
   std::unordered_set<double> different;
   std::int64_t seen = 0, repeated = 0;
   bool has_fractions = false;
@@ -224,7 +224,7 @@ SampleRange HeightBand::range() const {
     for (const double sample : samples(block)) {
       if (std::isnan(sample)) continue;
       ++range.count;
-      if (range.count <= told_apart) different.insert(sample);
+      if (range.count <= compared) different.insert(sample);
       has_fractions = has_fractions || sample != std::floor(sample);
       repeated += sample == before;
       before = sample;

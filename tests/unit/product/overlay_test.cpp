@@ -111,6 +111,7 @@ TEST(Overlay, shows_events_and_notes_where_they_happened) {
   EXPECT_THAT(kml, HasSubstr("<description><![CDATA[<table><tr><td>Status<td>failed<tr><td>Why<td>"
                              "stuck &lt;deep&gt; &amp; fast<tr>"));
   EXPECT_THAT(kml, HasSubstr("<styleUrl>#event-failed</styleUrl>"));
+  EXPECT_THAT(kml, Not(HasSubstr("<styleUrl>#event-failed-unlabelled</styleUrl>")));
   EXPECT_THAT(kml, HasSubstr("<styleUrl>#event-completed-unlabelled</styleUrl>"))
       << "at the same place";
   EXPECT_THAT(kml, HasSubstr("<begin>2026-07-01T12:00:05.000Z</begin>")) << "its end";
