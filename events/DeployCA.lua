@@ -35,6 +35,8 @@ return lsos.event {
     },
   },
 
+  deploys = 'asset',
+
   start  = 'start',
   phases = { start = start, deploy = deploy },
 

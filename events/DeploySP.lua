@@ -37,6 +37,8 @@ return lsos.event {
     },
   },
 
+  deploys = 'panel',
+
   start  = 'start',
   phases = { start = start, deploy = deploy },
 

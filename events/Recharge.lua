@@ -199,6 +199,11 @@ return lsos.event {
   -- Waiting for a charge has no end of its own.
   open_ended = function(p) return p.until_charge ~= nil and not p.duration_s end,
 
+  -- With EnergyLevel alone nothing flows.
+  awaits_sunlight = function(p)
+    return not (p.energy_rate_w or p.from) and (p.until_charge or p.duration_s) ~= nil
+  end,
+
   check  = check,
   start  = 'start',
   phases = { start = start, charge = charge },

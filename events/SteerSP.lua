@@ -124,7 +124,8 @@ return lsos.event {
     },
   },
 
-  open_ended = false,
+  open_ended     = false,
+  needs_deployed = 'panel',
 
   check  = check,
   start  = 'start',

@@ -35,6 +35,8 @@ return lsos.event {
     },
   },
 
+  stows = 'asset',
+
   start  = 'start',
   phases = { start = start, stow = stow },
 

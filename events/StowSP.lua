@@ -37,6 +37,8 @@ return lsos.event {
     },
   },
 
+  stows = 'panel',
+
   start  = 'start',
   phases = { start = start, stow = stow },
 

@@ -37,6 +37,17 @@ std::string leg_text(const PlannedLegLine& leg) {
                      leg.steepest_lon_deg, leg.steepest_lat_deg);
 }
 
+std::string line_text(const DrawnEventLine& line) {
+  std::vector<std::string> parts;
+  if (line.drawn.to_first_m) {
+    parts.push_back(fmt::format("{:.1f} m to its first waypoint", *line.drawn.to_first_m));
+  }
+  if (line.drawn.along_m > 0) parts.push_back(fmt::format("{:.1f} m along it", line.drawn.along_m));
+  if (parts.empty()) return "";
+  return fmt::format("  drawn: {} '{}': {}\n", line.rover_id, line.label,
+                     fmt::join(parts, ", then "));
+}
+
 // "Route 'leg 2': Speed = 1 m/s" as "Route", "Speed = 1 m/s"; what all events have is of "events".
 std::pair<std::string, std::string> kind_and_default(const std::string& line) {
   const std::size_t value = line.rfind(": ", line.find(" = "));
@@ -82,13 +93,13 @@ std::string assumptions_text(const std::vector<std::string>& assumptions) {
 
 }  // namespace
 
-std::string check_text(const MissionFiles& files, const std::vector<PlannedLegLine>& legs,
-                       bool is_verbose) {
+std::string check_text(const MissionFiles& files, const WaysAhead& ways, bool is_verbose) {
   const std::vector<Fault> faults = files.faults.sorted();
   std::string text = files.faults.has_errors() ? "" : verdict(files, faults.size());
   for (const Fault& fault : faults) text += to_string(fault) + "\n";
   if (files.faults.has_errors()) return text;
-  for (const PlannedLegLine& leg : legs) text += leg_text(leg);
+  for (const PlannedLegLine& leg : ways.planned) text += leg_text(leg);
+  for (const DrawnEventLine& line : ways.drawn) text += line_text(line);
   if (!is_verbose) {
     return text + defaults_text(files.plan.defaults) + assumptions_text(files.assumptions);
   }

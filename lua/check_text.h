@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lua/mission_files.h"
+#include "mission/route_ahead.h"
 
 namespace lsos {
 
@@ -18,10 +19,20 @@ struct PlannedLegLine {
   bool is_passed = false;  // the rover stands there already: nothing is planned
 };
 
-// First whether the plan can be run, then warnings, planned legs, defaults by what they are of, and
+// What an event drives as drawn.
+struct DrawnEventLine {
+  std::string rover_id, label;
+  DrawnLine drawn;
+};
+
+struct WaysAhead {
+  std::vector<PlannedLegLine> planned;
+  std::vector<DrawnEventLine> drawn;
+};
+
+// First whether the plan can be run, then warnings, ways, defaults by what they are of, and
 // how many assumptions there are; `is_verbose`: each default and assumption on a line of its own.
 // Of a plan with errors its faults alone.
-std::string check_text(const MissionFiles& files, const std::vector<PlannedLegLine>& legs,
-                       bool is_verbose);
+std::string check_text(const MissionFiles& files, const WaysAhead& ways, bool is_verbose);
 
 }  // namespace lsos

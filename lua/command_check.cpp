@@ -20,15 +20,19 @@ namespace {
 // Without the -0 that rounding makes.
 double told_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
 
+std::string label_of(const Simulation& simulation, const std::string& rover_id,
+                     std::int64_t sequence) {
+  return std::ranges::find_if(
+             simulation.plan().events,
+             [&](const PlanEvent& e) { return e.rover_id == rover_id && e.sequence == sequence; })
+      ->label;
+}
+
 std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
   std::vector<PlannedLegLine> lines;
   for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
     const auto label = [&](std::int64_t sequence) {
-      return std::ranges::find_if(simulation.plan().events,
-                                  [&](const PlanEvent& e) {
-                                    return e.rover_id == way.rover_id && e.sequence == sequence;
-                                  })
-          ->label;
+      return label_of(simulation, way.rover_id, sequence);
     };
     for (const PassedWaypoint& passed : way.passed) {
       PlannedLegLine line{way.rover_id, label(passed.sequence), passed.sequence, passed.waypoint};
@@ -50,9 +54,19 @@ std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
   return lines;
 }
 
-std::string json_text(const MissionFiles& files, const std::vector<PlannedLegLine>& ways) {
+std::vector<DrawnEventLine> drawn_lines(const Simulation& simulation) {
+  std::vector<DrawnEventLine> lines;
+  for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
+    for (const DrawnLine& drawn : way.drawn) {
+      lines.push_back({way.rover_id, label_of(simulation, way.rover_id, drawn.sequence), drawn});
+    }
+  }
+  return lines;
+}
+
+std::string json_text(const MissionFiles& files, const WaysAhead& ways) {
   nlohmann::ordered_json paths = nlohmann::ordered_json::array();
-  for (const PlannedLegLine& leg : ways) {
+  for (const PlannedLegLine& leg : ways.planned) {
     if (leg.is_passed) continue;
     paths.push_back({{"rover_id", leg.rover_id},
                      {"sequence", leg.sequence},
@@ -63,6 +77,13 @@ std::string json_text(const MissionFiles& files, const std::vector<PlannedLegLin
                      {"slope_max_deg", leg.slope_max_deg},
                      {"steepest_lon_deg", leg.steepest_lon_deg},
                      {"steepest_lat_deg", leg.steepest_lat_deg}});
+  }
+  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  for (const DrawnEventLine& line : ways.drawn) {
+    nlohmann::ordered_json& entry = lines.emplace_back(
+        nlohmann::ordered_json{{"rover_id", line.rover_id}, {"sequence", line.drawn.sequence}});
+    if (line.drawn.to_first_m) entry["to_first_m"] = *line.drawn.to_first_m;
+    entry["along_m"] = line.drawn.along_m;
   }
   nlohmann::ordered_json faults = nlohmann::ordered_json::array();
   for (const Fault& fault : files.faults.sorted()) {
@@ -79,6 +100,7 @@ std::string json_text(const MissionFiles& files, const std::vector<PlannedLegLin
                                       {"decoration", files.plan.decoration_count},
                                       {"faults", faults},
                                       {"planned_paths", paths},
+                                      {"drawn_lines", lines},
                                       {"defaults", files.plan.defaults},
                                       {"assumptions", files.assumptions}};
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -111,7 +133,7 @@ std::string json_text(const MissionMachine& machine) {
 
 int check_command(const CheckOptions& options) {
   MissionFiles files = read_mission(options.plan, options.seed);
-  std::vector<PlannedLegLine> ways;
+  WaysAhead ways;
   if (!files.faults.has_errors()) {
     try {
       // The machine's `initialise`: rovers are put on the ground, ways are planned, nothing moves.
@@ -126,7 +148,7 @@ int check_command(const CheckOptions& options) {
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
       files.faults.add(simulation.end_ahead());
-      ways = planned_legs(simulation);
+      ways = {planned_legs(simulation), drawn_lines(simulation)};
     } catch (const InputError& error) {
       files.faults.add(error.faults());
     }

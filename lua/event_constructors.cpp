@@ -211,6 +211,27 @@ void read_open_ended(TableReader& t, EventDeclaration& event, int functions) {
   }
 }
 
+// Keys of the params that name what the event deploys, stows or needs deployed.
+void read_equipment(TableReader& t, EventDeclaration& event) {
+  const auto read = [&](const char* name, std::string& key, const char* doc) {
+    t.text(optional, name, key, doc);
+    const auto is_equipment = [&](const FieldDeclaration& field) {
+      return field.key == key &&
+             (field.names == NameOf::panel || field.names == NameOf::stowable_panel ||
+              field.names == NameOf::turning_panel || field.names == NameOf::antenna);
+    };
+    if (key.empty() || std::ranges::any_of(event.fields, is_equipment)) return;
+    t.fault(fmt::format("{} = '{}': no text of params has that key and names a panel or an antenna",
+                        name, key));
+  };
+  read("deploys", event.deploys,
+       "Key of the text that names the panel or antenna that it deploys, so that a plan is checked "
+       "for what is up already.");
+  read("stows", event.stows, "The same of what it stows.");
+  read("needs_deployed", event.needs_deployed,
+       "The same of a panel that must be deployed when it starts.");
+}
+
 void read_event(TableReader& t, EventDeclaration& event, int functions) {
   std::string schema;
   t.api_version();
@@ -245,6 +266,11 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
                 "far the event had come, and stands in its reason.",
                 functions);
   read_open_ended(t, event, functions);
+  read_equipment(t, event);
+  read_function(t, "awaits_sunlight", "function(params)",
+                "Whether it waits for sunlight on the rover's panels: a plan is then checked for "
+                "panels that are stowed and for a Sun that is below the horizon.",
+                functions);
   t.finish();
   if (!schema.empty() && schema != event.name) {
     t.fault(fmt::format("schema = '{}': must be '{}', the name of the file", schema, event.name));

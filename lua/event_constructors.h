@@ -1,6 +1,6 @@
 // What lsos.event makes: the declaration, and beside it (user value 1) a Lua table with the
 // functions: { phases = { NAME = function or { params = f, geometry = f } }, check = f, route = f,
-// on_abort = f }.
+// on_abort = f, open_ended = f, awaits_sunlight = f }.
 #pragma once
 
 #include <string>

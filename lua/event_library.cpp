@@ -24,6 +24,11 @@ void add_parts(const Events& events, const std::string& name, std::set<std::stri
   }
 }
 
+// Commands to panels and antennas need one of these words.
+bool may_deploy(const std::string& source) {
+  return source.find("deploy") != std::string::npos || source.find("stow") != std::string::npos;
+}
+
 void check_event(const Events& events, const EventDeclaration& event, Faults& faults) {
   std::vector<std::string> names;
   for (const auto& [name, script] : events) names.push_back(name);
@@ -48,6 +53,7 @@ void EventLibrary::load(const Script& script, Faults& faults) {
     if (made == nullptr) return;
     EventScript event;
     event.declaration = std::any_cast<const EventDeclaration&>(made->value);
+    event.declaration.may_deploy_unsaid = may_deploy(script.source);
     event.file = script.file;
     lua_getiuservalue(L, -1, 1);
     event.locals = FileLocals(L, -1);

@@ -227,6 +227,14 @@ bool LuaHost::is_open_ended(const std::string& type, const EventArguments& argum
   return is_open;
 }
 
+bool LuaHost::awaits_sunlight(const std::string& type, const EventArguments& arguments,
+                              Instant mission_start) {
+  bool awaits = false;
+  impl_->ask(type, "awaits_sunlight", arguments, mission_start,
+             [&](lua_State* L) { awaits = lua_toboolean(L, -1) != 0; });
+  return awaits;
+}
+
 std::string LuaHost::condition_fault(const std::string& text, const ConditionWorld& world) {
   std::string fault;
   impl_->library.lua().run([&](lua_State* L) { fault = lsos::condition_fault(L, text, world); });

@@ -29,9 +29,10 @@ class LuaHost : public ScriptHost {
   CheckAnswer check(const std::string& type, const EventArguments& arguments, Instant mission_start,
                     const PlanRover* rover, const RoverModel* model);
 
-  // Whether the event ends only by something that none of its fields says. Throws ScriptError.
   bool is_open_ended(const std::string& type, const EventArguments& arguments,
-                     Instant mission_start);
+                     Instant mission_start) override;
+  bool awaits_sunlight(const std::string& type, const EventArguments& arguments,
+                       Instant mission_start) override;
 
   // What is wrong with a condition of a plan, "" when it is well.
   std::string condition_fault(const std::string& text, const ConditionWorld& world);

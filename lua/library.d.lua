@@ -166,6 +166,10 @@
 ---@field route? any For an event that plans its ways: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
+---@field deploys? string Key of the text that names the panel or antenna that it deploys, so that a plan is checked for what is up already.
+---@field stows? string The same of what it stows.
+---@field needs_deployed? string The same of a panel that must be deployed when it starts.
+---@field awaits_sunlight? any Whether it waits for sunlight on the rover's panels: a plan is then checked for panels that are stowed and for a Sun that is below the horizon.
 
 ---@class lsos.sub_event.keys
 ---@field event string Name of the event that this phase is.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/expected_time.h"
 #include "mission/looks_over_end.h"
 #include "planet/sky.h"
 #include "planet/sunlight.h"
@@ -14,7 +15,6 @@ namespace lsos {
 namespace {
 
 constexpr double eye_height_m = 2;
-constexpr double usual_speed_mps = 1;
 constexpr int times = 24;
 constexpr std::size_t stops_max = 32;
 
@@ -22,37 +22,6 @@ struct Stop {
   std::string rover_id, name;
   Vec3 eye_S_m;
 };
-
-// From where the rover is expected through all points; at the last it is then expected.
-double length_m(const std::vector<Geodetic>& points, const SiteFrame& site, Geodetic& at) {
-  double length = 0;
-  for (const Geodetic& point : points) {
-    length += surface_distance_m(site.body(), at, point);
-    at = point;
-  }
-  return length;
-}
-
-// Counted from the mission's start; `begins`: when its turn comes; `at`: where the rover then is.
-SimTime end_of(const EventMachine& machine, SimTime begins, Instant start, const SiteFrame& site,
-               Geodetic& at) {
-  const PlanEvent& event = machine.event;
-  SimTime end = begins;
-  if (event.start_time) end = std::max(end, *event.start_time - start);
-  double speed_mps = usual_speed_mps;
-  for (const FieldDeclaration& field : machine.declaration.fields) {
-    const auto found = event.params.find(field.key);
-    if (found == event.params.end()) continue;
-    const auto* number = std::get_if<double>(&found->second);
-    const auto* until = std::get_if<Instant>(&found->second);
-    if (field.kind == FieldKind::duration && number != nullptr) end += from_seconds(*number);
-    if (until != nullptr) end = std::max(end, *until - start);
-    const bool is_speed = field.unit != nullptr && field.unit->kind == "speed";
-    if (is_speed && number != nullptr && *number > 0) speed_mps = *number;
-  }
-  if (!machine.declaration.drives) return end;
-  return end + from_seconds(length_m(event.geometry.points, site, at) / speed_mps);
-}
 
 std::vector<Stop> stops_of(const MissionMachine& machine, const Ground& ground) {
   std::vector<Stop> all;
@@ -102,7 +71,9 @@ SimTime rough_duration(const MissionMachine& machine, const SiteFrame& site) {
     SimTime now{};
     Geodetic at = rover.rover.start;
     for (const EventMachine& event : rover.events) {
-      if (event.event.is_enabled) now = end_of(event, now, machine.mission.start_time, site, at);
+      if (event.event.is_enabled) {
+        now = expected_end(event, now, machine.mission.start_time, site, at);
+      }
     }
     longest = std::max(longest, now);
   }

@@ -85,23 +85,33 @@ class Ahead {
     if (is_anywhere) {
       place_S_m_.reset();
       heading_rad_.reset();
+      return;
     }
-    if (is_anywhere) return;
     for (Fault& warning :
          drawn_route_warnings(event, waypoints_S_m, {place_S_m_, heading_rad_}, routes_, ground_)) {
       add_fault(std::move(warning));
     }
+    add_line(event, waypoints_S_m);
     for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
   }
 
   // An event that takes power from an asset.
   void find_cable(const PlanEvent& event, const EventDeclaration& declaration,
                   std::span<const PowerSource> sources) {
+    if (declaration.drives) near_.reset();
     for (const FieldDeclaration& field : declaration.fields) {
       const auto* id = field.names == NameOf::power_source
                            ? find_value<std::string>(event.params, field.key)
                            : nullptr;
-      if (id == nullptr || !place_S_m_) continue;
+      if (id == nullptr) continue;
+      if (near_ && near_->id == *id && near_->distance_m > plug_reach_m) {
+        add_fault({Severity::warning, event.place,
+                   fmt::format("{} '{}': {} = {}: '{}' drives to within {:.0f} m of it only; a "
+                               "cable reaches {:.0f} m",
+                               event.type, event.label, field.name, quoted(*id), near_->label,
+                               near_->distance_m, plug_reach_m)});
+      }
+      if (!place_S_m_) continue;
       const auto source = std::ranges::find(sources, *id, &PowerSource::asset_id);
       if (source == sources.end()) continue;
       const double away_m = (source->p_S_m - *place_S_m_).norm();
@@ -112,6 +122,19 @@ class Ahead {
                              event.type, event.label, field.name, quoted(*id), away_m,
                              quoted(event.rover_id), plug_reach_m)});
     }
+  }
+
+  // An event that drives until it is near something that it names.
+  void find_near(const PlanEvent& event, const EventDeclaration& declaration) {
+    if (!declaration.drives || !event.geometry.points.empty()) return;
+    const std::string* id = nullptr;
+    const double* distance_m = nullptr;
+    for (const FieldDeclaration& field : declaration.fields) {
+      if (field.names == NameOf::other) id = find_value<std::string>(event.params, field.key);
+      const bool is_length = field.unit != nullptr && field.unit->kind == "length";
+      if (is_length) distance_m = find_value<double>(event.params, field.key);
+    }
+    if (id != nullptr && distance_m != nullptr) near_ = {*id, event.label, *distance_m};
   }
 
   // One that plans its way; false where there is none: it fails before it drives.
@@ -168,6 +191,15 @@ class Ahead {
   RouteAhead take() { return std::move(result_); }
 
  private:
+  void add_line(const PlanEvent& event, const Path3& waypoints_S_m) {
+    DrawnLine line{event.sequence, {}, 0};
+    if (place_S_m_) line.to_first_m = (waypoints_S_m.front() - *place_S_m_).norm();
+    for (std::size_t k = 1; k < waypoints_S_m.size(); ++k) {
+      line.along_m += (waypoints_S_m[k] - waypoints_S_m[k - 1]).norm();
+    }
+    result_.drawn.push_back(line);
+  }
+
   // Straight.
   void go_to(const Vec3& to_S_m) {
     if (!place_S_m_) {
@@ -191,6 +223,12 @@ class Ahead {
   const std::function<void(const std::string&)>& on_planning_;
   std::optional<Vec3> place_S_m_;
   std::optional<double> heading_rad_;
+  // What the last drive ended near to, where it named that.
+  struct Near {
+    std::string id, label;
+    double distance_m = 0;
+  };
+  std::optional<Near> near_;
   RouteAhead result_;
 };
 
@@ -226,6 +264,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
       if (next == OnFailure::go_to) gone_to = event.event.go_to_sequence;
     } else if (event.declaration.drives) {
       ahead.pass(event.event);
+      ahead.find_near(event.event, event.declaration);
     }
   }
   return ahead.take();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,9 +21,18 @@ struct PassedWaypoint {
   std::int64_t sequence = 0, waypoint = 0;
 };
 
+// What an event drives as it is drawn: from where the rover is expected to its first waypoint, and
+// through the others; straight lines.
+struct DrawnLine {
+  std::int64_t sequence = 0;
+  std::optional<double> to_first_m;  // absent: nobody knows where the rover then is
+  double along_m = 0;
+};
+
 struct RouteAhead {
   std::vector<LegAhead> legs;
   std::vector<PassedWaypoint> passed;
+  std::vector<DrawnLine> drawn;
   // A leg without a way, as foreseen_failure(). Warnings of what lies on legs that are driven as
   // drawn, of waypoints inside the turning circle, of speeds that the rover does not reach, and of
   // assets beyond the cable.

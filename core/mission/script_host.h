@@ -85,6 +85,18 @@ class ScriptHost {
     (void)type, (void)arguments, (void)mission_start;
     return std::nullopt;
   }
+  // Whether an event with these arguments ends only by something that none of its fields says, and
+  // whether it waits for sunlight on its rover's panels. Throws ScriptError.
+  virtual bool is_open_ended(const std::string& type, const EventArguments& arguments,
+                             Instant mission_start) {
+    (void)type, (void)arguments, (void)mission_start;
+    return false;
+  }
+  virtual bool awaits_sunlight(const std::string& type, const EventArguments& arguments,
+                               Instant mission_start) {
+    (void)type, (void)arguments, (void)mission_start;
+    return false;
+  }
   // Whether a condition of the plan holds for a rover. Quantities are those of its row, NaN where
   // one is not modelled. Throws ScriptError.
   virtual bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/equipment_ahead.h"
 #include "mission/site.h"
 
 namespace lsos {
@@ -119,7 +120,11 @@ void Simulation::plan_ways() {
     RouteAhead ahead = plan_ahead(machine_.rovers[i], machine_.mission, agent.view().heading_rad,
                                   *host_, *ground_, agent.routes(), sources_, setup_.on_planning);
     faults.add(ahead.faults);
-    ways_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed)};
+    const PlanRover& rover = machine_.rovers[i].rover;
+    faults.add(equipment_ahead(machine_.rovers[i], machine_.mission,
+                               setup_.rover_models.at(rover.model()), *host_, ground_->site()));
+    ways_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed),
+                      std::move(ahead.drawn)};
     agent.routes().set_ahead(ways_ahead_[i].legs);
   }
   // Where a way is missing too: to find that takes longest.

@@ -107,6 +107,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
     std::string rover_id;
     std::vector<LegAhead> legs;
     std::vector<PassedWaypoint> passed;
+    std::vector<DrawnLine> drawn;
   };
   const std::vector<WayAhead>& ways_ahead() const { return ways_ahead_; }
   // Legs for the next run to take up; "" when it would learn nothing new.

@@ -64,6 +64,11 @@ struct EventDeclaration {
   bool drives = false;                   // a Point means: drive there from where the rover is
   bool goes_on_without_power = false;    // also when the rover's battery is empty
   std::optional<bool> is_open_ended;     // no field says when it ends; absent: by its fields
+  // Keys of texts that name a panel or an antenna, "" for none: which it deploys, which it stows,
+  // and which must be deployed for it. A text that the plan leaves out names all that can be
+  // stowed.
+  std::string deploys, stows, needs_deployed;
+  bool may_deploy_unsaid = false;  // its script commands panels or antennas in its phases
   std::string start_phase;
   struct Phase {
     std::string name;

@@ -1,4 +1,4 @@
--- expect: event: unknown key 'something_else'; known are api, check, doc, drives,
+-- expect: event: unknown key 'something_else'; known are api,
 -- as: events
 local lsos = require 'lsos'
 return lsos.event {
