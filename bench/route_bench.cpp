@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "physics/legs.h"
+#include "route/cost/stance.h"
 #include "route/route_planner.h"
-#include "route/stance.h"
 
 namespace {
 

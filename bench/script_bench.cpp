@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lua/host.h"
-#include "lua/mission_files.h"
-#include "mission/machine.h"
-#include "mission/rover_power.h"
+#include "lua/host/host.h"
+#include "lua/host/mission_reader.h"
+#include "mission/model/machine.h"
+#include "mission/rover/rover_power.h"
 
 namespace {
 

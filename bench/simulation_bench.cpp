@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lua/mission_files.h"
+#include "lua/host/mission_reader.h"
 #include "record/log.h"
 
 namespace {

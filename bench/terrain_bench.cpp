@@ -9,9 +9,9 @@
 #include <fstream>
 #include <random>
 
-#include "terrain/detail.h"
+#include "terrain/detail/detail.h"
+#include "terrain/grid/height_grid.h"
 #include "terrain/ground.h"
-#include "terrain/height_grid.h"
 
 namespace {
 

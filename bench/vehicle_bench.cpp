@@ -10,8 +10,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lua/mission_files.h"
-#include "mission/site.h"
+#include "lua/host/mission_reader.h"
+#include "mission/model/site.h"
+#include "planet/ellipsoid.h"
 #include "vehicle/path_follower.h"
 #include "vehicle/vehicle.h"
 

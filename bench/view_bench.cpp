@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "mission/sight.h"
-#include "view/ground_view.h"
-#include "view/panel_view.h"
-#include "view/scene_picture.h"
-#include "view/sun_column.h"
-#include "view/sun_disc.h"
+#include "mission/light/sight.h"
+#include "view/exposure/panel_view.h"
+#include "view/exposure/sun_column.h"
+#include "view/exposure/sun_disc.h"
+#include "view/picture/ground_view.h"
+#include "view/picture/scene_picture.h"
 
 namespace {
 

@@ -10,7 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "base/iso_duration.h"
 #include "base/replaced.h"
+#include "base/text.h"
 #include "base/unit_spellings.h"
 
 namespace lsos {
@@ -20,12 +22,6 @@ namespace {
 constexpr std::size_t text_bytes_max = 64;  // no quantity is longer
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1));
-}
 
 // With the minus sign, dashes and apostrophes of word processors as plain ones.
 std::string in_ascii(std::string text) {
@@ -185,7 +181,7 @@ std::string several_parts(std::string_view text, const Unit& wanted) {
     const std::string_view number = text.substr(0, end);
     std::size_t next = end;
     while (next < text.size() && !is_digit(text[next])) ++next;
-    std::string word = trimmed(text.substr(end, next - end));
+    std::string word(trimmed(text.substr(end, next - end)));
     if (word.ends_with(',')) word.pop_back();
     if (word.ends_with(" and")) word.resize(word.size() - 4);
     if (word.empty())
@@ -215,16 +211,16 @@ std::string gradient_advice(std::string_view number) {
 
 std::string quantity_advice(std::string_view text, const Unit& wanted) {
   if (text.size() > text_bytes_max) return "";
-  const std::string plain = trimmed(in_ascii(std::string(text)));
+  const std::string plain(trimmed(in_ascii(std::string(text))));
   const bool is_duration = wanted.kind == "duration";
   if (is_duration) {
     std::string iso = plain;
     std::ranges::transform(iso, iso.begin(), [](unsigned char c) { return std::toupper(c); });
-    if (iso != plain && iso.starts_with('P') && parse_quantity(iso, wanted)) return asked({iso});
+    if (iso != plain && iso.starts_with('P') && parse_iso_duration(iso)) return asked({iso});
     if (std::string clock = clock_advice(plain); !clock.empty()) return clock;
   }
   const std::size_t end = number_end(plain);
-  const std::string number = plain.substr(0, end), word = trimmed(plain.substr(end));
+  const std::string number = plain.substr(0, end), word(trimmed(plain.substr(end)));
   if (number.empty()) return "";
   if (is_duration && std::ranges::any_of(word, is_digit)) return several_parts(plain, wanted);
   if (wanted.kind == "angle" && word == "%") return gradient_advice(number);
@@ -252,7 +248,7 @@ std::string unit_advice(std::string_view symbol, std::string_view kind) {
 
 std::string whole_number_advice(std::string_view text) {
   if (text.size() > text_bytes_max) return "";
-  const std::string plain = trimmed(in_ascii(std::string(text)));
+  const std::string plain(trimmed(in_ascii(std::string(text))));
   if (plain.empty() || number_end(plain) != plain.size()) return "";
   std::vector<std::string> whole;
   for (const std::string& each : meanings(plain)) {

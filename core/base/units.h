@@ -29,25 +29,8 @@ struct Unit {
 const Unit* find_unit(std::string_view symbol);
 std::span<const Unit> all_units();
 
-// A value, or why there is none ("'fast' is no number; a speed is allowed, such as '2 m/s'").
-template <class T>
-struct Parsed {
-  std::optional<T> value;
-  std::string why;
-
-  explicit operator bool() const { return value.has_value(); }
-};
-
-// Reads "10", "10 km/h", "1.5h", "-3e2 m" in the C locale; a bare number is in `unit`. The answer
-// is SI. Infinite and not-a-number values are refused. Durations also as ISO 8601 (PT1H30M, P2D).
-Parsed<double> parse_quantity(std::string_view text, const Unit& unit);
-
-// Reads a whole number.
-Parsed<std::int64_t> parse_integer(std::string_view text);
-// Reads true, false, 1, 0.
-Parsed<bool> parse_boolean(std::string_view text);
-
-// For people: value_si in `unit` with its symbol, shortest form that reads back equal: "2.5 km/h".
-std::string format_quantity(double value_si, const Unit& unit);
+// Exact where the factor is the reciprocal of a short decimal number: 35 cm is 0.35 m.
+double to_si(double value, const Unit& unit);
+double from_si(double value_si, const Unit& unit);
 
 }  // namespace lsos

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mission/equipment_ahead.h"
-#include "mission/site.h"
+#include "mission/ahead/equipment_ahead.h"
+#include "mission/model/site.h"
+#include "planet/ellipsoid.h"
 
 namespace lsos {
 

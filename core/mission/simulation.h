@@ -14,17 +14,17 @@
 #include <string>
 #include <vector>
 
-#include "mission/event_sequence.h"
-#include "mission/light.h"
-#include "mission/looks_over_end.h"
-#include "mission/machine.h"
-#include "mission/route_ahead.h"
-#include "mission/rover_agent.h"
-#include "mission/rover_model.h"
-#include "mission/script_host.h"
-#include "mission/sight_watch.h"
-#include "mission/standing_asset.h"
-#include "mission/worker_pool.h"
+#include "base/worker_pool.h"
+#include "mission/ahead/route_ahead.h"
+#include "mission/events/event_sequence.h"
+#include "mission/light/light.h"
+#include "mission/light/looks_over_end.h"
+#include "mission/light/sight_watch.h"
+#include "mission/model/machine.h"
+#include "mission/model/rover_model.h"
+#include "mission/port/script_host.h"
+#include "mission/rover/rover_agent.h"
+#include "mission/rover/standing_asset.h"
 #include "record/log.h"
 
 namespace lsos {

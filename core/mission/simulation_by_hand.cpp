@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mission/mission_span.h"
+#include "mission/model/mission_span.h"
 #include "mission/simulation.h"
 
 namespace lsos {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mission/end_ahead.h"
+#include "mission/ahead/end_ahead.h"
+#include "mission/light/sun_watch.h"
 #include "mission/simulation.h"
-#include "mission/sun_watch.h"
 
 namespace lsos {
 
@@ -43,8 +43,8 @@ void Simulation::make_light() {
   renderer_ = std::make_unique<Renderer>();
   light_ = std::make_unique<Light>(*ground_, *renderer_);
   sun_over_end_ = std::make_unique<LooksOverEnd>(*ground_, "the Sun");
-  const bool is_mars = ground_->site().body().name == "Mars";
-  optical_depth_ = setup_.terrain.optical_depth.value_or(is_mars ? mars_optical_depth : 0);
+  const bool is_dusty = ground_->site().body().air == Air::dusty;
+  optical_depth_ = setup_.terrain.optical_depth.value_or(is_dusty ? mars_optical_depth : 0);
 }
 
 void Simulation::add_light_assumptions(std::vector<std::string>& assumptions) const {
@@ -53,13 +53,13 @@ void Simulation::add_light_assumptions(std::vector<std::string>& assumptions) co
   }
   if (!light_) return;
   const Body& body = ground_->site().body();
-  if (body.name == "Mars" && !setup_.terrain.optical_depth) {
+  if (body.air == Air::dusty && !setup_.terrain.optical_depth) {
     assumptions.push_back(
         fmt::format("Mars: dust with an optical depth of {} is assumed; a terrain script's "
                     "optical_depth says another",
                     mars_optical_depth));
   }
-  if (body.name == "Earth") {
+  if (body.air == Air::clear) {
     assumptions.push_back("Earth: a clear sky is assumed, 0.7^(air mass^0.678) of direct light");
   }
   assumptions.push_back(

@@ -1,8 +1,8 @@
 // The part of a mission that has to do with who sees whom.
 #include <algorithm>
 
+#include "mission/light/sun_watch.h"
 #include "mission/simulation.h"
-#include "mission/sun_watch.h"
 
 namespace lsos {
 

@@ -161,8 +161,4 @@ std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events
   return defaults;
 }
 
-std::string named(const DraftEvent& draft) {
-  return fmt::format("{} ({}/{})", draft.subject, draft.event.rover_id, draft.event.sequence);
-}
-
 }  // namespace lsos

@@ -5,29 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "plan/draft_event.h"
 #include "plan/mission_reader.h"
 
 namespace lsos {
-
-struct DraftEvent {
-  PlanEvent event;
-  std::string subject;  // "Route 'leg 2'"
-  bool drives = false;
-  bool is_read = true;  // false: what it is cannot be read, only its name, rover and sequence
-  // Rover and sequence are known, and no other event has them.
-  bool is_placed = false;
-  bool is_rover_known = false, is_sequence_known = false;
-  bool has_default_label = false;  // "TYPE SEQUENCE"
-  bool is_drive_known = true;      // false: faults leave open where to it drives, and whether
-  // Fields that name other events; nullptr when absent. They live in the
-  // OurPlacemark.
-  const SourceField* start_after = nullptr;
-  const SourceField* on_failure = nullptr;
-  std::vector<std::string> defaults;
-  // Its geometry's places where its coordinates may be meant with decimal commas, see
-  // with_decimal_commas(); else empty.
-  std::vector<Geodetic> comma_places;
-};
 
 // By rover id, then sequence, then line. `rover_ids`: what RoverId may name, besides those that
 // `gaps` leave open.
@@ -38,8 +19,5 @@ std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
 
 // "Enabled = true (12 of 14 events)": of the fields that all events have, which were filled in.
 std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events);
-
-// "Route 'leg 2' (SEV/3)"
-std::string named(const DraftEvent& draft);
 
 }  // namespace lsos

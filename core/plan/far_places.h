@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plan/event_reader.h"
+#include "plan/draft_event.h"
 
 namespace lsos {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/quantity.h"
 #include "base/sim_time.h"
 #include "plan/suggestions.h"
 

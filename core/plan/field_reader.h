@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/parsed.h"
 #include "plan/declaration.h"
 #include "plan/kml_reader.h"
 

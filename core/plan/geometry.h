@@ -6,7 +6,7 @@
 #include <string>
 
 #include "plan/field_reader.h"
-#include "plan/kml_reader.h"
+#include "plan/kml_source.h"
 #include "plan/plan.h"
 
 namespace lsos {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "plan/kml_reader.h"
+#include "plan/kml_source.h"
 #include "plan/xml_element.h"
 
 namespace lsos {

@@ -292,7 +292,7 @@ class Writer {
 }  // namespace
 
 std::string target_of(const Body& body) {
-  if (body.name == "Earth") return "";
+  if (body.id == BodyId::earth) return "";
   std::string name(body.name);
   name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
   return name;

@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "base/error.h"
-#include "terrain/gdal_call.h"
-#include "terrain/raster_body.h"
-#include "terrain/raster_map.h"
+#include "terrain/raster/gdal_call.h"
+#include "terrain/raster/raster_body.h"
+#include "terrain/raster/raster_map.h"
 
 namespace lsos {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "plan/kml_reader.h"
+#include "plan/kml_source.h"
 
 namespace lsos {
 

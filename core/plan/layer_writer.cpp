@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/qgis_style_table.h"
-#include "terrain/gdal_call.h"
+#include "terrain/raster/gdal_call.h"
 
 namespace lsos {
 

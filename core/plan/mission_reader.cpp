@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "base/path_beside.h"
+#include "base/quantity.h"
 #include "plan/suggestions.h"
 
 namespace lsos {

@@ -8,6 +8,8 @@
 #include <set>
 #include <string_view>
 
+#include "base/quantity.h"
+#include "base/text.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -18,13 +20,6 @@ using Indices = std::vector<std::size_t>;
 using Parts =
     std::pair<std::string, std::string>;  // of a reference; `anything` for what is unknown
 constexpr const char* anything = "*";
-
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 // goto names one event, so a comma needs no escape there; one that has it is understood.
 std::string unescaped(std::string text) {
@@ -84,7 +79,7 @@ class Resolver {
       const Parsed<std::int64_t> sequence = parse_integer(reference.substr(slash + 1));
       if (sequence) {
         const auto identified =
-            by_identity_.find({trimmed(reference.substr(0, slash)), *sequence.value});
+            by_identity_.find({std::string(trimmed(reference.substr(0, slash))), *sequence.value});
         if (identified != by_identity_.end()) {
           found.insert(found.end(), identified->second.begin(), identified->second.end());
         }
@@ -104,8 +99,8 @@ class Resolver {
     const auto is_in = [&](const std::set<Parts>& known, char between) {
       const std::size_t at = reference.rfind(between);
       if (at == std::string::npos) return false;
-      const std::string first = trimmed(reference.substr(0, at));
-      const std::string second = trimmed(reference.substr(at + 1));
+      const std::string first(trimmed(reference.substr(0, at)));
+      const std::string second(trimmed(reference.substr(at + 1)));
       return known.contains({first, second}) || known.contains({anything, second}) ||
              known.contains({first, anything}) || known.contains({anything, anything});
     };
@@ -201,7 +196,7 @@ class Resolver {
     if (text == "goto") {
       error(draft, *draft.on_failure, "goto wants the label of a later event of the rover");
     } else if (text.starts_with("goto ") || text.starts_with("goto\t")) {
-      read_go_to(draft, unescaped(trimmed(text.substr(5))));
+      read_go_to(draft, unescaped(std::string(trimmed(text.substr(5)))));
     } else {
       const std::vector<std::string> known{"stop", "skip", "abort", "goto LABEL"};
       error(draft, *draft.on_failure,

@@ -1,4 +1,5 @@
 #include "plan/unread.h"
+#include "base/quantity.h"
 
 #include <fmt/format.h>
 

@@ -1,19 +1,10 @@
 #include "plan/xml_element.h"
 
+#include "base/text.h"
+
 namespace lsos {
 
 using tinyxml2::XMLElement;
-
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-}  // namespace
 
 std::string_view local_name(const XMLElement& element) {
   const std::string_view name = element.Name();

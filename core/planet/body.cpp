@@ -7,21 +7,69 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "planet/ellipsoid.h"
+#include "base/units.h"
 
 namespace lsos {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double day_s = 86400;
 
 // Radii: IAU 2015 (Archinal et al. 2018) for the Moon and for the sphere that Mars maps in
 // IAU_2015:49900 use; WGS84 for Earth. GM: DE440 (Park et al. 2021) for the Moon, Konopliv et al.
 // 2016 for Mars without its moons, WGS84 for Earth.
+// Rotation: Archinal et al. 2018, WGS84 for Earth. Ground: LOLA, MOLA (above the sphere, which lies
+// 20 km over the poles), Challenger Deep and Mount Everest.
 constexpr std::array<Body, 3> bodies{{
-    {"Moon", 1'737'400.0, 0.0, 4.902800118e12, "IAU_2015:30100"},
-    {"Mars", 3'396'190.0, 0.0, 4.282837362e13, "IAU_2015:49900"},
-    {"Earth", 6'378'137.0, 1.0 / 298.257223563, 3.986004418e14, "EPSG:4326"},
+    {.id = BodyId::moon,
+     .name = "Moon",
+     .equatorial_radius_m = 1'737'400.0,
+     .flattening = 0.0,
+     .gm_m3ps2 = 4.902800118e12,
+     .crs = "IAU_2015:30100",
+     .north_polar_crs = "IAU_2015:30130",
+     .south_polar_crs = "IAU_2015:30135",
+     .rotation_radps = radians(13.17635815) / day_s,
+     .solar_day_s = 29.530589 * day_s,
+     .sun_step_deg = 0.05,
+     .earth_interval_s = 2400,
+     .lowest_ground_m = -9.2e3,
+     .highest_ground_m = 10.8e3,
+     .air = Air::none,
+     .assumed_soil = "ApolloNominal"},
+    {.id = BodyId::mars,
+     .name = "Mars",
+     .equatorial_radius_m = 3'396'190.0,
+     .flattening = 0.0,
+     .gm_m3ps2 = 4.282837362e13,
+     .crs = "IAU_2015:49900",
+     .north_polar_crs = "IAU_2015:49930",
+     .south_polar_crs = "IAU_2015:49935",
+     .rotation_radps = radians(350.891982443297) / day_s,
+     .solar_day_s = 88775.244,
+     .sun_step_deg = 0.25,
+     .earth_interval_s = 123.3,
+     .lowest_ground_m = -20e3,
+     .highest_ground_m = 21.3e3,
+     .air = Air::dusty,
+     .assumed_soil = "Ding2011_planetary_simulant"},
+    {.id = BodyId::earth,
+     .name = "Earth",
+     .equatorial_radius_m = 6'378'137.0,
+     .flattening = 1.0 / 298.257223563,
+     .gm_m3ps2 = 3.986004418e14,
+     .crs = "EPSG:4326",
+     .north_polar_crs = "EPSG:3995",
+     .south_polar_crs = "EPSG:3031",
+     .rotation_radps = 7.2921150e-5,
+     .solar_day_s = day_s,
+     .sun_step_deg = 0.25,
+     .earth_interval_s = 123.3,
+     .lowest_ground_m = -11.1e3,
+     .highest_ground_m = 8.9e3,
+     .air = Air::clear,
+     .assumed_soil = "DrySand"},
 }};
 
 Vec3 direction(double lon_rad, double lat_rad) {
@@ -105,10 +153,6 @@ double surface_distance_m(const Body& body, const Geodetic& a, const Geodetic& b
   const Vec3 to_b = direction(b.lon_rad, b.lat_rad);
   // The tangent form keeps centimetres at small and at antipodal angles.
   return body.equatorial_radius_m * std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
-}
-
-double gravity_mps2(const Body& body, const Geodetic& place) {
-  return gravity_mps2(body, std::sin(place.lat_rad), place.height_m);
 }
 
 }  // namespace lsos

@@ -9,13 +9,25 @@
 
 namespace lsos {
 
+enum class BodyId { moon, mars, earth, other };
+enum class Air { none, dusty, clear };
+
 // Frame F is fixed to the body: origin at its centre, z to the north pole, x to longitude 0.
 struct Body {
-  std::string_view name;       // as MissionInfo's Planet has it: "Moon", "Mars", "Earth"
-  double equatorial_radius_m;  // of the reference surface of heights
-  double flattening;           // 0: a sphere
-  double gm_m3ps2;             // gravitational parameter
-  std::string_view crs;        // geographic CRS of plans and logs: "IAU_2015:30100", ...
+  BodyId id = BodyId::other;
+  std::string_view name;           // as MissionInfo's Planet has it: "Moon", "Mars", "Earth"
+  double equatorial_radius_m = 0;  // of the reference surface of heights
+  double flattening = 0;           // 0: a sphere
+  double gm_m3ps2 = 0;             // gravitational parameter
+  std::string_view crs;            // geographic CRS of plans and logs: "IAU_2015:30100", ...
+  std::string_view north_polar_crs, south_polar_crs;  // of maps about its poles
+  double rotation_radps = 0;                          // sidereal
+  double solar_day_s = 0;                             // mean
+  // Between two looks at the Sun it moves by this, and between two at Earth that long passes.
+  double sun_step_deg = 0, earth_interval_s = 0;
+  double lowest_ground_m = 0, highest_ground_m = 0;  // above the reference surface
+  Air air = Air::none;
+  std::string_view assumed_soil;  // of ground of which nothing says what it is made of
 };
 
 std::span<const Body> all_bodies();
@@ -40,9 +52,5 @@ Geodetic geodetic(const Body& body, const Vec3& p_F_m);
 // Shortest distance along the reference surface (sphere: great circle; Earth: geodesic
 // approximated to 0.5 %), m.
 double surface_distance_m(const Body& body, const Geodetic& a, const Geodetic& b);
-
-// Magnitude of gravity at that place, m/s2: GM/r^2 on Moon and Mars; WGS84 normal gravity with
-// the free-air correction on Earth (Moritz 1980, Geodetic Reference System).
-double gravity_mps2(const Body& body, const Geodetic& place);
 
 }  // namespace lsos

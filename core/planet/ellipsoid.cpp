@@ -25,4 +25,8 @@ double curvature_radius_m(const Body& body, double sin_lat) {
   return body.equatorial_radius_m * (1 - body.flattening) / (1 - e2 * sin_lat * sin_lat);
 }
 
+double gravity_mps2(const Body& body, const Geodetic& place) {
+  return gravity_mps2(body, std::sin(place.lat_rad), place.height_m);
+}
+
 }  // namespace lsos

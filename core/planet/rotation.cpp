@@ -108,16 +108,16 @@ Mat3 earth_rotation(Instant at) {
 }  // namespace
 
 Mat3 R_FI(const Body& body, Instant at) {
-  if (body.name == "Moon") return turned(moon_orientation(tt_days(at)));
-  if (body.name == "Mars") return turned(mars_orientation(tt_days(at)));
+  switch (body.id) {
+    case BodyId::moon:
+      return turned(moon_orientation(tt_days(at)));
+    case BodyId::mars:
+      return turned(mars_orientation(tt_days(at)));
+    case BodyId::earth:
+    case BodyId::other:
+      break;
+  }
   return earth_rotation(at);
-}
-
-double rotation_rate_radps(const Body& body) {
-  constexpr double day_s = 86400;
-  if (body.name == "Moon") return radians(13.17635815) / day_s;
-  if (body.name == "Mars") return radians(350.891982443297) / day_s;
-  return 7.2921150e-5;  // WGS84
 }
 
 }  // namespace lsos

@@ -11,7 +11,4 @@ namespace lsos {
 // and nutation and the Earth rotation angle with UT1 = UTC, which is 0.9 s or 0.004 deg at most.
 Mat3 R_FI(const Body& body, Instant at);
 
-// About the body's axis, rad/s.
-double rotation_rate_radps(const Body& body);
-
 }  // namespace lsos

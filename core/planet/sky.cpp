@@ -14,8 +14,15 @@ namespace lsos {
 namespace {
 
 CelestialBody celestial(const Body& body) {
-  if (body.name == "Moon") return CelestialBody::moon;
-  if (body.name == "Mars") return CelestialBody::mars;
+  switch (body.id) {
+    case BodyId::moon:
+      return CelestialBody::moon;
+    case BodyId::mars:
+      return CelestialBody::mars;
+    case BodyId::earth:
+    case BodyId::other:
+      break;
+  }
   return CelestialBody::earth;
 }
 
@@ -27,7 +34,7 @@ Sighting sighting(const Body& on, const Vec3& p_F_m, CelestialBody target, Insta
   const BarycentricState centre = barycentric_state(celestial(on), at);
   const Mat3 R = R_FI(on, at);
   const Vec3 p_I_m = centre.p_I_m + R.transpose() * p_F_m;
-  const Vec3 spin_F_mps = rotation_rate_radps(on) * Vec3::UnitZ().cross(p_F_m);
+  const Vec3 spin_F_mps = on.rotation_radps * Vec3::UnitZ().cross(p_F_m);
   const Vec3 v_I_mps = centre.v_I_mps + R.transpose() * spin_F_mps;
 
   // Where the target was when its light left: two rounds leave less than a metre.
@@ -38,7 +45,7 @@ Sighting sighting(const Body& on, const Vec3& p_F_m, CelestialBody target, Insta
   const double sun_m = (barycentric_state(CelestialBody::sun, at).p_I_m - p_I_m).norm();
 
   Sighting seen;
-  const bool is_about_earth = on.name == "Moon" && target == CelestialBody::earth;
+  const bool is_about_earth = on.id == BodyId::moon && target == CelestialBody::earth;
   const Vec3 frame_I_mps = is_about_earth ? barycentric_state(target, at).v_I_mps : Vec3::Zero();
   seen.distance_m = (to_I_m + to_I_m.norm() / ERFA_CMPS * frame_I_mps).norm();
   seen.disc_rad = std::asin(std::min(1.0, disc_radius_m(target) / seen.distance_m));

@@ -46,14 +46,19 @@ Sunlight sunlight(const Body& on, const Geodetic& place, Instant at, double opti
   Sunlight light{sky_position(on, place, sun.direction_F), sun.disc_rad,
                  irradiance_wpm2(sun.distance_m), 0};
   const bool is_up = light.seen.elevation_rad > -night_rad;
-  if (on.name == "Moon" && is_up) light.eclipsed = eclipsed_share(on, point_F_m, sun, at);
-  if (on.name == "Earth") {
+  if (on.id == BodyId::moon && is_up) light.eclipsed = eclipsed_share(on, point_F_m, sun, at);
+  if (on.air == Air::clear) {
     light.seen.elevation_rad += refraction_rad(light.seen.elevation_rad, place.height_m);
     light.irradiance_wpm2 *= clear_sky_share(light.seen.elevation_rad, place.height_m);
   } else {
     light.irradiance_wpm2 *= dusty_sky_share(light.seen.elevation_rad, optical_depth);
   }
   return light;
+}
+
+SimTime sun_interval(const Body& body) {
+  const SimTime exact = from_seconds(body.solar_day_s * body.sun_step_deg / 360);
+  return exact - exact % exchange_period;
 }
 
 Vec3 direction_S(const SiteFrame& site, const Vec3& p_S_m, const SkyPosition& seen) {

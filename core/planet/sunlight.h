@@ -1,6 +1,7 @@
 // The Sun as what it shines on meets it: where it is seen through the air, and how strong it is.
 #pragma once
 
+#include "base/sim_time.h"
 #include "planet/sky.h"
 
 namespace lsos {
@@ -26,6 +27,10 @@ struct Sunlight {
 };
 // `optical_depth`: of dust, on bodies other than Earth.
 Sunlight sunlight(const Body& on, const Geodetic& place, Instant at, double optical_depth);
+
+// Time that the Sun takes for Body::sun_step_deg of its way, in whole exchanges: how often it is
+// looked at.
+SimTime sun_interval(const Body& body);
 
 // Unit, towards the middle of the disc, at a place of the site.
 Vec3 direction_S(const SiteFrame& site, const Vec3& p_S_m, const SkyPosition& seen);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/parsed.h"
 
 namespace lsos {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/parsed.h"
 #include "base/sim_time.h"
-#include "base/units.h"
 
 namespace lsos {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "product/png.h"
+#include "picture/png.h"
 
 namespace lsos {
 

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/units.h"
 #include "plan/kml_writer.h"
 #include "planet/meridian.h"
 #include "product/balloon.h"
-#include "product/files.h"
 #include "product/overlay_style.h"
 #include "product/rover_track.h"
 #include "product/thinned_notes.h"

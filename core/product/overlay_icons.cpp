@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "product/png.h"
+#include "picture/png.h"
 
 namespace lsos {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "product/rover_colors.h"
+#include "picture/rover_colors.h"
 
 namespace lsos {
 

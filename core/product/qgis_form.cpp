@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/qgis_style_table.h"
+#include "picture/rover_colors.h"
 #include "product/qgis_style.h"
 #include "product/qgis_symbol.h"
-#include "product/rover_colors.h"
 
 namespace lsos {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "picture/rover_colors.h"
 #include "product/qgis_symbol.h"
-#include "product/rover_colors.h"
 
 namespace lsos {
 

@@ -7,9 +7,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "base/base64.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "product/base64.h"
 #include "product/event_kinds.h"
 #include "record/columns.h"
 
@@ -48,18 +48,18 @@ Json series(const ThinnedRows& rows) {
   return {{"t", times(rows)}, {"v", numbers(rows, 0)}};
 }
 
-Json line(const MapLine& points) {
+Json line(const ReportLine& points) {
   Json flat = Json::array();
-  for (const MapPoint& point : points) {
+  for (const ReportPoint& point : points) {
     flat.push_back(std::round(point.x_m * 100) / 100);
     flat.push_back(std::round(point.y_m * 100) / 100);
   }
   return flat;
 }
 
-Json lines(const std::vector<MapLine>& all) {
+Json lines(const std::vector<ReportLine>& all) {
   Json array = Json::array();
-  for (const MapLine& points : all) array.push_back(line(points));
+  for (const ReportLine& points : all) array.push_back(line(points));
   return array;
 }
 

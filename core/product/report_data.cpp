@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "picture/rover_colors.h"
 #include "product/drive_marks.h"
-#include "product/rover_colors.h"
 
 namespace lsos {
 
@@ -33,7 +33,7 @@ constexpr std::array quantities{
 
 constexpr double line_tolerance_m = 0.2;
 
-double distance_to_m(const MapPoint& p, const MapPoint& a, const MapPoint& b) {
+double distance_to_m(const ReportPoint& p, const ReportPoint& a, const ReportPoint& b) {
   const double x = b.x_m - a.x_m, y = b.y_m - a.y_m, square = x * x + y * y;
   const double share =
       square > 0 ? std::clamp(((p.x_m - a.x_m) * x + (p.y_m - a.y_m) * y) / square, 0.0, 1.0) : 0;
@@ -41,7 +41,7 @@ double distance_to_m(const MapPoint& p, const MapPoint& a, const MapPoint& b) {
 }
 
 // Douglas and Peucker: without the points that nobody would miss.
-MapLine simplified(const MapLine& line) {
+ReportLine simplified(const ReportLine& line) {
   if (line.size() < 3) return line;
   std::vector<bool> kept(line.size(), false);
   kept.front() = kept.back() = true;
@@ -63,20 +63,20 @@ MapLine simplified(const MapLine& line) {
     open.push_back({from, farthest});
     open.push_back({farthest, to});
   }
-  MapLine simple;
+  ReportLine simple;
   for (std::size_t k = 0; k < line.size(); ++k) {
     if (kept[k]) simple.push_back(line[k]);
   }
   return simple;
 }
 
-MapPoint map_point(const SiteFrame& site, const Geodetic& place) {
+ReportPoint map_point(const SiteFrame& site, const Geodetic& place) {
   const Vec3 p_S_m = site.p_S_m({place.lon_rad, place.lat_rad, site.origin().height_m});
   return {p_S_m.x(), p_S_m.y()};
 }
 
-MapLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) {
-  MapLine line;
+ReportLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) {
+  ReportLine line;
   for (const Geodetic& place : places) line.push_back(map_point(site, place));
   return simplified(line);
 }
@@ -147,7 +147,7 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
   for (const PlanEvent& event : plan.events) {
     ReportRover* rover = find_rover(data, event.rover_id);
     if (rover == nullptr || event.geometry.points.size() < 2) continue;
-    MapLine line = map_line(site, event.geometry.points);
+    ReportLine line = map_line(site, event.geometry.points);
     if (event.geometry.kind == GeometryKind::polygon) line.push_back(line.front());
     rover->drawn.push_back(std::move(line));
     for (const std::vector<Geodetic>& hole : event.geometry.holes) {

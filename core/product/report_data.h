@@ -20,10 +20,10 @@ inline constexpr int report_stretches = 1000;
 inline constexpr std::size_t report_event_points_max = 1000, report_places_max = 5000;
 
 // On the map: metres east and north in the site's frame.
-struct MapPoint {
+struct ReportPoint {
   double x_m = 0, y_m = 0;
 };
-using MapLine = std::vector<MapPoint>;
+using ReportLine = std::vector<ReportPoint>;
 
 // Columns of ReportRover::position.
 enum PositionColumn : std::size_t {
@@ -43,7 +43,7 @@ struct ReportRover {
   std::size_t samples;  // in the log
   ThinnedRows position;
   std::vector<std::pair<std::string, ThinnedRows>> series;  // by column of the log
-  std::vector<MapLine> drawn, planned;
+  std::vector<ReportLine> drawn, planned;
   // Of the last sample, for a run without a summary.
   double distance_m = 0, last_s = 0;
 };
@@ -60,7 +60,7 @@ struct ReportDistance {
 
 struct ReportAsset {
   std::string id, type;
-  MapPoint place;
+  ReportPoint place;
 };
 
 struct ReportData {

@@ -13,8 +13,8 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/files.h"
 #include "base/output_error.h"
-#include "product/files.h"
 #include "product/summary.h"
 #include "record/log.h"
 

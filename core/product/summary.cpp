@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "product/files.h"
+#include "base/files.h"
 #include "record/columns.h"
 
 namespace lsos {

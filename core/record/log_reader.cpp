@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/quantity.h"
 #include "base/sha256.h"
-#include "base/units.h"
 #include "record/gpkg.h"
 #include "record/log.h"
 

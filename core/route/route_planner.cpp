@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "route/explain.h"
-#include "route/fewer_points.h"
-#include "route/grid_search.h"
-#include "route/reach.h"
-#include "route/refine.h"
-#include "route/standing_things.h"
+#include "route/cost/explain.h"
+#include "route/cost/standing_things.h"
+#include "route/refine/fewer_points.h"
+#include "route/refine/refine.h"
+#include "route/search/grid_search.h"
+#include "route/search/reach.h"
 #include "route/way_in_turns.h"
 
 namespace lsos {

@@ -1,8 +1,8 @@
 // One leg of a route, planned on the ground that the rover will meet.
 #pragma once
 
-#include "route/drive_cost.h"
-#include "route/leg_request.h"
+#include "route/cost/drive_cost.h"
+#include "route/cost/leg_request.h"
 #include "terrain/ground.h"
 
 namespace lsos {

@@ -3,10 +3,11 @@
 #include <limits>
 #include <utility>
 
-#include "route/fewer_points.h"
-#include "route/fewer_poses.h"
-#include "route/grid_search.h"
-#include "route/turning_search.h"
+#include "base/polyline.h"
+#include "route/refine/fewer_points.h"
+#include "route/refine/fewer_poses.h"
+#include "route/search/grid_search.h"
+#include "route/search/turning_search.h"
 
 namespace lsos {
 
@@ -50,7 +51,7 @@ class Planner {
     if (!best_) look(answer);
     if (!best_) return answer;
     // Points so near to each other that the rover slows down for corners that are none.
-    Line2 thin = with_fewer_points(best_->line, thinned_m);
+    Line2 thin = simplified(best_->line, thinned_m);
     if (costs_.driven(thin) <= thinned_worth * least_) best_->line = std::move(thin);
     answer.way = std::move(best_);
     answer.unrefined = std::move(unrefined_);

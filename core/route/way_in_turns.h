@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "route/refine.h"
-#include "route/turning.h"
+#include "route/refine/refine.h"
+#include "route/search/turning.h"
 
 namespace lsos {
 

@@ -9,12 +9,12 @@
 
 #include "planet/vertical_cells.h"
 #include "terrain/blend.h"
-#include "terrain/cell_sides.h"
-#include "terrain/grid_edge.h"
+#include "terrain/grid/cell_sides.h"
+#include "terrain/grid/grid_edge.h"
 #include "terrain/layer.h"
-#include "terrain/raster_advice.h"
+#include "terrain/raster/raster_advice.h"
 #include "terrain/soil_map.h"
-#include "terrain/terrain_beyond.h"
+#include "terrain/spec/terrain_beyond.h"
 
 namespace lsos {
 

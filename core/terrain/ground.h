@@ -10,7 +10,7 @@
 
 #include "base/vector.h"
 #include "planet/site_frame.h"
-#include "terrain/terrain_spec.h"
+#include "terrain/spec/terrain_spec.h"
 
 namespace lsos {
 

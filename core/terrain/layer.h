@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "terrain/detail.h"
-#include "terrain/edge_weight.h"
-#include "terrain/height_grid.h"
-#include "terrain/key_cache.h"
-#include "terrain/patch_map.h"
+#include "terrain/detail/detail.h"
+#include "terrain/grid/edge_weight.h"
+#include "terrain/grid/height_grid.h"
+#include "terrain/grid/key_cache.h"
+#include "terrain/grid/patch_map.h"
 
 namespace lsos {
 

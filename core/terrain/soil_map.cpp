@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "terrain/raster.h"
-#include "terrain/raw_window.h"
+#include "terrain/raster/raster.h"
+#include "terrain/raster/raw_window.h"
 
 namespace lsos {
 

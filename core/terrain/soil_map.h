@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "terrain/height_grid.h"
-#include "terrain/key_cache.h"
-#include "terrain/patch_map.h"
-#include "terrain/poisson_field.h"
-#include "terrain/site_plane.h"
+#include "terrain/detail/poisson_field.h"
+#include "terrain/grid/height_grid.h"
+#include "terrain/grid/key_cache.h"
+#include "terrain/grid/patch_map.h"
+#include "terrain/grid/site_plane.h"
 
 namespace lsos {
 

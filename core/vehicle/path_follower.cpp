@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "base/corner.h"
-#include "base/downhill.h"
-#include "base/drift.h"
+#include "driving/corner.h"
+#include "driving/downhill.h"
+#include "driving/drift.h"
 
 namespace lsos {
 

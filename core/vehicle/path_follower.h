@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/archive.h"
-#include "base/downhill.h"
+#include "driving/downhill.h"
+#include "driving/driving_line.h"
 #include "vehicle/drive_control.h"
-#include "vehicle/driving_line.h"
 
 namespace lsos {
 

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "terrain/soil.h"
+#include "terrain/spec/soil.h"
 
 namespace lsos {
 

@@ -85,8 +85,6 @@ class WheelSoil {
   double traction_limit_n(double load_n, double contact_length_m) const;
   // Passive earth pressure on a face of this width and depth, N.
   double ploughing_n(double width_m, double depth_m) const;
-  // How much of the rim the grousers' wedges fill, 0..1.
-  double grouser_cover() const { return cover_; }
   const PressureSinkage& pressure() const { return pressure_; }
 
  private:

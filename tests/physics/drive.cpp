@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lua/mission_files.h"
-#include "mission/site.h"
+#include "lua/host/mission_reader.h"
+#include "mission/model/site.h"
+#include "planet/ellipsoid.h"
 
 namespace lsos::test {
 

@@ -8,7 +8,7 @@
 
 #include "terrain/ground.h"
 #include "vehicle/path_follower.h"
-#include "vehicle/rover_spec.h"
+#include "vehicle/suspension/rover_spec.h"
 #include "vehicle/vehicle.h"
 
 namespace lsos::test {

@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "mission/drive_table.h"
+#include "mission/routes/drive_table.h"
 #include "physics/drive.h"
+#include "planet/ellipsoid.h"
 
 namespace lsos::test {
 namespace {

@@ -1,16 +1,17 @@
 // How much of the lattice a search looks at on level and on rough ground, of a shipped rover.
-#include "route/grid_search.h"
+#include "route/search/grid_search.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/units.h"
-#include "mission/drive_table.h"
+#include "mission/routes/drive_table.h"
 #include "physics/drive.h"
 #include "physics/legs.h"
-#include "route/cost_to_go.h"
-#include "route/leg_cost.h"
+#include "planet/ellipsoid.h"
+#include "route/cost/leg_cost.h"
+#include "route/search/cost_to_go.h"
 
 namespace lsos::test {
 namespace {

@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "lua/mission_files.h"
-#include "mission/drive_table.h"
-#include "mission/site.h"
+#include "lua/host/mission_reader.h"
+#include "mission/model/site.h"
+#include "mission/routes/drive_table.h"
 #include "physics/drive.h"
 #include "physics/legs.h"
-#include "route/leg_cost.h"
+#include "planet/ellipsoid.h"
+#include "route/cost/leg_cost.h"
 
 namespace lsos::test {
 namespace {

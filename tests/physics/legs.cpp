@@ -5,12 +5,13 @@
 #include <map>
 #include <queue>
 
-#include "base/corner.h"
 #include "base/random.h"
-#include "lua/mission_files.h"
-#include "mission/drive_table.h"
-#include "mission/site.h"
-#include "route/leg_cost.h"
+#include "driving/corner.h"
+#include "lua/host/mission_reader.h"
+#include "mission/model/site.h"
+#include "mission/routes/drive_table.h"
+#include "planet/ellipsoid.h"
+#include "route/cost/leg_cost.h"
 #include "route/route_planner.h"
 
 namespace lsos::test {

@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "base/random.h"
-#include "mission/light.h"
-#include "mission/site.h"
+#include "mission/light/light.h"
+#include "mission/model/site.h"
 #include "physics/drive.h"
-#include "view/ground_light.h"
+#include "view/exposure/ground_light.h"
 
 namespace lsos::test {
 namespace {

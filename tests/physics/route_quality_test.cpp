@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "physics/legs.h"
-#include "route/leg_cost.h"
+#include "route/cost/leg_cost.h"
 #include "route/route_planner.h"
 
 namespace lsos::test {

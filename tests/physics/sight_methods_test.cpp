@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "base/random.h"
-#include "mission/sight.h"
-#include "mission/site.h"
+#include "mission/light/sight.h"
+#include "mission/model/site.h"
 #include "physics/drive.h"
 #include "unit/terrain/ground_fixture.h"
-#include "view/sight_march.h"
+#include "view/ground/sight_march.h"
 
 namespace lsos::test {
 namespace {

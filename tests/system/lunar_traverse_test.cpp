@@ -14,8 +14,8 @@
 #include "record/log.h"
 #include "system/run_folder.h"
 #include "system/source_files.h"
-#include "terrain/craters.h"
-#include "terrain/stereographic.h"
+#include "terrain/detail/craters.h"
+#include "terrain/grid/stereographic.h"
 
 namespace lsos::test {
 namespace {

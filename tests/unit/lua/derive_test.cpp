@@ -1,7 +1,7 @@
 // lsos.derive: a rover of another one's numbers with some changed.
 #include <algorithm>
 
-#include "lua/variant.h"
+#include "lua/host/variant.h"
 #include "script_fixture.h"
 
 namespace lsos {

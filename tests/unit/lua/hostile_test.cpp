@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hostile_scripts.h"
-#include "lua/context.h"
+#include "lua/runtime/context.h"
 #include "script_fixture.h"
 #include "support/sanitizer.h"
 

@@ -1,5 +1,5 @@
 // Numbers of rovers, assets and soils that are likely to be slips; those that are shipped are none.
-#include "mission/model_doubts.h"
+#include "mission/model/model_doubts.h"
 
 #include "script_fixture.h"
 

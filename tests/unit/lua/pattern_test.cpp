@@ -1,5 +1,5 @@
 // Text patterns against Lua's own: the same results, the same errors.
-#include "lua/pattern.h"
+#include "lua/runtime/pattern.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -9,8 +9,9 @@
 #include <random>
 #include <string>
 
-#include "lua/sandbox.h"
-#include "lua/state.h"
+#include "lua/api/api.h"
+#include "lua/runtime/sandbox.h"
+#include "lua/runtime/state.h"
 
 namespace lsos {
 namespace {
@@ -90,7 +91,7 @@ class Pattern : public ::testing::Test {
   }
 
   std::unique_ptr<lua_State, void (*)(lua_State*)> stock_;
-  LuaState ours_;
+  LuaState ours_{make_api};
 };
 
 TEST_F(Pattern, tricky_cases_are_as_in_lua) {

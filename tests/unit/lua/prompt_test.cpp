@@ -8,9 +8,9 @@
 #include <set>
 #include <thread>
 
-#include "lua/handle.h"
-#include "lua/reference.h"
-#include "lua/repl.h"
+#include "lua/runtime/handle.h"
+#include "lua/session/reference.h"
+#include "lua/session/repl.h"
 
 namespace lsos {
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <sstream>
 
-#include "lua/reference.h"
+#include "lua/session/reference.h"
 #include "script_fixture.h"
 
 namespace lsos {

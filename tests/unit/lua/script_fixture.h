@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "lua/catalog.h"
-#include "lua/host.h"
-#include "lua/script_folders.h"
-#include "mission/rover_power.h"
+#include "lua/host/catalog.h"
+#include "lua/host/host.h"
+#include "lua/host/script_folders.h"
+#include "mission/rover/rover_power.h"
 
 namespace lsos {
 

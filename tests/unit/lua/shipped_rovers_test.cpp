@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "planet/ellipsoid.h"
 #include "script_fixture.h"
 #include "unit/vehicle/wheel_loads.h"
 #include "vehicle/vehicle.h"

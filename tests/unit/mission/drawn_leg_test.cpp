@@ -1,4 +1,4 @@
-#include "mission/drawn_leg.h"
+#include "mission/routes/drawn_leg.h"
 
 #include <gtest/gtest.h>
 

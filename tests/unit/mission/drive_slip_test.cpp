@@ -1,5 +1,5 @@
 // Slip of driving, against sums over the whole series.
-#include "mission/drive_slip.h"
+#include "mission/rover/drive_slip.h"
 
 #include <gtest/gtest.h>
 

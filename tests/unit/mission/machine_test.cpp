@@ -1,4 +1,4 @@
-#include "mission/machine.h"
+#include "mission/model/machine.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "mission/mission_span.h"
+#include "mission/model/mission_span.h"
 
 #include <gtest/gtest.h>
 

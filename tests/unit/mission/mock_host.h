@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "mission/script_host.h"
+#include "mission/port/script_host.h"
 
 namespace lsos::test {
 

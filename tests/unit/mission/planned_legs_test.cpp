@@ -1,5 +1,5 @@
 // Legs are planned once, kept for the next run, and never taken for another.
-#include "mission/planned_legs.h"
+#include "mission/routes/planned_legs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Ways that are planned before the mission starts, and what becomes of them when it runs.
 #include <gmock/gmock.h>
 
-#include "mission/site.h"
+#include "mission/model/site.h"
 #include "test_mission.h"
 
 namespace lsos::test {

@@ -1,4 +1,5 @@
 #include "planet/body.h"
+#include "planet/ellipsoid.h"
 
 #include <gmock/gmock.h>
 

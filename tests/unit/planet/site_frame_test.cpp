@@ -1,4 +1,5 @@
 #include "planet/site_frame.h"
+#include "planet/ellipsoid.h"
 #include "planet/vertical_cells.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
 #include "planet/utc.h"
+#include "base/parsed.h"
 
 #include <gmock/gmock.h>
 

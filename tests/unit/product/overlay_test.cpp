@@ -9,10 +9,10 @@
 #include <regex>
 #include <string>
 
+#include "base/files.h"
+#include "picture/png.h"
 #include "plan/kmz_archive.h"
-#include "product/files.h"
 #include "product/overlay_icons.h"
-#include "product/png.h"
 #include "product/rover_track.h"
 #include "support/reference_data.h"
 #include "unit/record/log_fixture.h"

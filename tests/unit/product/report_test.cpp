@@ -8,7 +8,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "product/base64.h"
+#include "base/base64.h"
 #include "product/event_kinds.h"
 #include "product/figure.h"
 #include "unit/record/log_fixture.h"

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.h"
-#include "product/files.h"
+#include "base/files.h"
 #include "product/summary.h"
 #include "unit/record/log_fixture.h"
 

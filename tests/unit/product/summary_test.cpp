@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "product/files.h"
+#include "base/files.h"
 #include "unit/record/log_fixture.h"
 
 namespace lsos {

@@ -1,9 +1,9 @@
 // What is left to the goal, against the search that goes the other way.
-#include "route/cost_to_go.h"
+#include "route/search/cost_to_go.h"
 
 #include <gtest/gtest.h>
 
-#include "route/grid_search.h"
+#include "route/search/grid_search.h"
 #include "test_rover.h"
 
 namespace lsos::test {

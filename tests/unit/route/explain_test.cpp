@@ -1,5 +1,5 @@
 // What is said of places where a rover cannot stand or drive.
-#include "route/explain.h"
+#include "route/cost/explain.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Ways in turns made cheaper by leaving out poses, on level ground.
-#include "route/fewer_poses.h"
+#include "route/refine/fewer_poses.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "route/free_area.h"
+#include "route/map/free_area.h"
 
 #include <gtest/gtest.h>
 

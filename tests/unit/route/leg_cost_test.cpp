@@ -1,9 +1,9 @@
 // What slowing down for arcs costs, against the motion itself.
-#include "route/leg_cost.h"
+#include "route/cost/leg_cost.h"
 
 #include <gtest/gtest.h>
 
-#include "route/turning.h"
+#include "route/search/turning.h"
 #include "unit/route/test_rover.h"
 
 namespace lsos::test {

@@ -1,9 +1,9 @@
 // Whether a way exists, told before it is looked for.
-#include "route/reach.h"
+#include "route/search/reach.h"
 
 #include <gtest/gtest.h>
 
-#include "route/grid_search.h"
+#include "route/search/grid_search.h"
 #include "test_rover.h"
 
 namespace lsos::test {

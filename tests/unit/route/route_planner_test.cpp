@@ -8,7 +8,7 @@
 #include <limits>
 #include <queue>
 
-#include "route/grid_search.h"
+#include "route/search/grid_search.h"
 #include "test_rover.h"
 
 namespace lsos::test {

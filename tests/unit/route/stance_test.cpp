@@ -1,5 +1,5 @@
 // How a rover stands on ground of a known slope.
-#include "route/stance.h"
+#include "route/cost/stance.h"
 
 #include <gtest/gtest.h>
 

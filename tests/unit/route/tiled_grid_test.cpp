@@ -1,5 +1,5 @@
 // What is set of a node is its own, and of no other.
-#include "route/tiled_grid.h"
+#include "route/map/tiled_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "route/tube.h"
+#include "route/search/tube.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "route/turn_room.h"
+#include "route/cost/turn_room.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Arcs against geometry, and ways of a rover that cannot turn on the spot.
-#include "route/turning_search.h"
+#include "route/search/turning_search.h"
 
 #include <gmock/gmock.h>
 
 #include "base/random.h"
-#include "route/grid_search.h"
+#include "route/search/grid_search.h"
 #include "test_rover.h"
 
 namespace lsos::test {

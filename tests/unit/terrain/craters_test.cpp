@@ -1,11 +1,11 @@
-#include "terrain/craters.h"
+#include "terrain/detail/craters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <thread>
 
 #include "ground_fixture.h"
-#include "terrain/crater_rows.h"
+#include "terrain/detail/crater_rows.h"
 
 namespace lsos {
 namespace {

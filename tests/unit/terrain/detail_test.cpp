@@ -1,13 +1,13 @@
 // Roughness, rocks and craters below a raster's resolution.
-#include "terrain/rocks.h"
-#include "terrain/roughness.h"
+#include "terrain/detail/rocks.h"
+#include "terrain/detail/roughness.h"
 
 #include <cmath>
 #include <numbers>
 #include <thread>
 
 #include "ground_fixture.h"
-#include "terrain/detail.h"
+#include "terrain/detail/detail.h"
 
 namespace lsos {
 namespace {

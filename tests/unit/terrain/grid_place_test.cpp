@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "ground_fixture.h"
-#include "terrain/height_grid.h"
+#include "terrain/grid/height_grid.h"
 
 namespace lsos {
 namespace {

@@ -1,4 +1,4 @@
-#include "terrain/height_tile.h"
+#include "terrain/grid/height_tile.h"
 
 #include <gmock/gmock.h>
 

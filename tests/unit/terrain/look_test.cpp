@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ground_fixture.h"
-#include "terrain/key_cache.h"
+#include "terrain/grid/key_cache.h"
 
 namespace lsos {
 namespace {

@@ -1,11 +1,11 @@
 // Grids of maps, and the maps that are written on them.
-#include "terrain/map_grid.h"
+#include "terrain/raster/map_grid.h"
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include "ground_fixture.h"
-#include "terrain/raster_export.h"
+#include "terrain/raster/raster_export.h"
 
 namespace lsos {
 namespace {

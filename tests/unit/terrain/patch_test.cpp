@@ -1,9 +1,9 @@
-#include "terrain/patch.h"
+#include "terrain/grid/patch.h"
 
 #include <cmath>
 
 #include "ground_fixture.h"
-#include "terrain/height_grid.h"
+#include "terrain/grid/height_grid.h"
 
 namespace lsos {
 namespace {

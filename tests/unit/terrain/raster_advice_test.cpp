@@ -1,5 +1,5 @@
 // What is told of rasters that can be read and yet are not what they seem.
-#include "terrain/raster_advice.h"
+#include "terrain/raster/raster_advice.h"
 
 #include <cstdlib>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "ground_fixture.h"
-#include "terrain/raster_reader.h"
+#include "terrain/raster/raster_reader.h"
 
 namespace lsos {
 namespace {

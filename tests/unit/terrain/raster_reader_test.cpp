@@ -1,5 +1,5 @@
 // Heights, slopes and aspects as GDAL's own tools find them.
-#include "terrain/raster_reader.h"
+#include "terrain/raster/raster_reader.h"
 
 #include <cmath>
 #include <map>

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "ground_fixture.h"
-#include "terrain/raster_reader.h"
+#include "terrain/raster/raster_reader.h"
 
 namespace lsos {
 namespace {

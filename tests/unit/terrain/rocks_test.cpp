@@ -1,4 +1,4 @@
-#include "terrain/rocks.h"
+#include "terrain/detail/rocks.h"
 
 #include <gtest/gtest.h>
 

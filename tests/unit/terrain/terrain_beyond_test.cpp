@@ -1,5 +1,5 @@
 // Terrains that end, with others laid around them.
-#include "terrain/terrain_beyond.h"
+#include "terrain/spec/terrain_beyond.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "vehicle/rest_inertia.h"
+#include "vehicle/suspension/rest_inertia.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "vehicle/rocker_bogie.h"
+#include "vehicle/suspension/rocker_bogie.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/units.h"
 #include "test_rovers.h"
-#include "vehicle/link_parts.h"
+#include "vehicle/suspension/link_parts.h"
 #include "vehicle/vehicle.h"
 #include "wheel_loads.h"
 

@@ -1,4 +1,4 @@
-#include "vehicle/rover_spec.h"
+#include "vehicle/suspension/rover_spec.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "vehicle/skid_steer.h"
+#include "vehicle/suspension/skid_steer.h"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "terrain/ground.h"
-#include "vehicle/wishbone.h"
+#include "vehicle/suspension/wishbone.h"
 
 namespace lsos::test {
 

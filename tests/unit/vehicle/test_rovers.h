@@ -2,7 +2,7 @@
 #pragma once
 
 #include "test_rover.h"
-#include "vehicle/rover_spec.h"
+#include "vehicle/suspension/rover_spec.h"
 
 namespace lsos::test {
 

@@ -1,5 +1,5 @@
 // Checks that templates cannot fail: vehicles made by hand.
-#include "vehicle/vehicle_checks.h"
+#include "vehicle/suspension/vehicle_checks.h"
 
 #include <gmock/gmock.h>
 

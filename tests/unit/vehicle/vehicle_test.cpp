@@ -6,7 +6,7 @@
 
 #include "base/units.h"
 #include "test_rover.h"
-#include "vehicle/vehicle_checks.h"
+#include "vehicle/suspension/vehicle_checks.h"
 
 namespace lsos {
 namespace {

@@ -1,4 +1,4 @@
-#include "vehicle/wishbone.h"
+#include "vehicle/suspension/wishbone.h"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // Where rasters end before the horizon that counts.
-#include "view/ground_end.h"
+#include "view/ground/ground_end.h"
 
 #include "base/units.h"
 #include "unit/terrain/ground_fixture.h"
-#include "view/ground_light.h"
-#include "view/horizon_reach.h"
+#include "view/exposure/ground_light.h"
+#include "view/ground/horizon_reach.h"
 
 namespace lsos {
 namespace {

@@ -1,5 +1,5 @@
 // Looks at the ground for pictures: coarser with distance, without an edge.
-#include "view/ground_ladder.h"
+#include "view/ground/ground_ladder.h"
 
 #include "unit/terrain/ground_fixture.h"
 

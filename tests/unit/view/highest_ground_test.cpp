@@ -1,4 +1,4 @@
-#include "view/highest_ground.h"
+#include "view/ground/highest_ground.h"
 
 #include <gtest/gtest.h>
 

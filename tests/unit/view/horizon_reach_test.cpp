@@ -1,12 +1,12 @@
 // How far away ground counts, against known relief and against a search.
-#include "view/horizon_reach.h"
+#include "view/ground/horizon_reach.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/units.h"
-#include "view/highest_ground.h"
+#include "view/ground/highest_ground.h"
 
 namespace lsos {
 namespace {
@@ -32,7 +32,7 @@ double searched_m(const Body& body, double eye_m, double elevation_rad) {
   double farthest_m = 0;
   for (double d_m = 1; d_m < 700e3; d_m *= 1.0005) {
     const double ray_m = d_m * std::tan(elevation_rad) + d_m * d_m / (2 * body.equatorial_radius_m);
-    if (std::min(greatest_rise_m(d_m), highest_ground_m(body) - eye_m) > ray_m) farthest_m = d_m;
+    if (std::min(greatest_rise_m(d_m), body.highest_ground_m - eye_m) > ray_m) farthest_m = d_m;
   }
   return farthest_m;
 }

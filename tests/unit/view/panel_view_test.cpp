@@ -1,5 +1,5 @@
 // Panels in shadow, against closed cases and rays through boxes.
-#include "view/panel_view.h"
+#include "view/exposure/panel_view.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "view/sun_disc.h"
+#include "view/exposure/sun_disc.h"
 
 namespace lsos {
 namespace {

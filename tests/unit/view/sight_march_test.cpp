@@ -1,5 +1,5 @@
 // Lines of sight over ground of closed form: the horizon of a sphere, a wall.
-#include "view/sight_march.h"
+#include "view/ground/sight_march.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Ground in front of the Sun, against rays marched over the ground.
-#include "view/sun_column.h"
+#include "view/exposure/sun_column.h"
 
 #include <gmock/gmock.h>
 
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "view/panel_view.h"
-#include "view/sun_disc.h"
+#include "view/exposure/panel_view.h"
+#include "view/exposure/sun_disc.h"
 
 namespace lsos {
 namespace {

@@ -1,5 +1,5 @@
 // Terrain's shadow in pictures, against the Sun's disc marched over the same ground.
-#include "view/terrain_shadow.h"
+#include "view/ground/terrain_shadow.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "view/ground_light.h"
+#include "view/exposure/ground_light.h"
 
 namespace lsos {
 namespace {

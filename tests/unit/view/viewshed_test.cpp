@@ -1,5 +1,5 @@
 // Viewsheds against the horizon of a sphere, and against lines marched one by one.
-#include "view/viewshed.h"
+#include "view/ground/viewshed.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "support/reference_data.h"
-#include "terrain/raster.h"
-#include "view/sight_march.h"
+#include "terrain/raster/raster.h"
+#include "view/ground/sight_march.h"
 
 namespace lsos {
 namespace {

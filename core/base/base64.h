@@ -1,0 +1,12 @@
+// Bytes as text, for what is written into a page.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace lsos {
+
+// `bytes`: less than 1.5 GB.
+std::string base64(std::string_view bytes);
+
+}  // namespace lsos

@@ -1,0 +1,47 @@
+#include "base/console.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/output_error.h"
+
+namespace lsos {
+
+namespace {
+
+[[noreturn]] void lose_results() {
+  const char* why = errno == 0 ? "a write failed" : std::strerror(errno);
+  throw OutputError(fmt::format("standard output: the result is not whole: {}", why));
+}
+
+}  // namespace
+
+void open_missing_streams() {
+  // Each takes the lowest number that is free. Opened for reading: what is printed there fails.
+  for (int file = 0; file <= STDERR_FILENO;) {
+    file = ::open("/dev/null", O_RDONLY);
+    if (file < 0) return;
+    if (file > STDERR_FILENO) ::close(file);
+  }
+}
+
+void write_result(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) lose_results();
+}
+
+void flush_results() {
+  errno = 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) lose_results();
+}
+
+void write_message(std::string_view text) noexcept {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace lsos

@@ -1,0 +1,53 @@
+#include "base/output_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace lsos {
+
+namespace fs = std::filesystem;
+
+void check_output(const std::string& option, const std::string& file,
+                  const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
+                  Faults& faults) {
+  if (file.empty()) return;
+  const std::string asked = fmt::format("{} {}", option, file);
+  if (std::ranges::none_of(endings, [&](const auto& end) { return file.ends_with(end); })) {
+    faults.error({}, fmt::format("{}: the name must end in {}", asked, fmt::join(endings, " or ")));
+  }
+  const fs::path folder = fs::path(file).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder)) {
+    faults.error({}, fmt::format("{}: there is no folder {}", asked, folder.string()));
+  } else if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) {
+    faults.error({},
+                 fmt::format("{}: the folder cannot be written: {}", asked, std::strerror(errno)));
+  }
+  for (const std::string& input : inputs) {
+    std::error_code is_absent;
+    if (!fs::equivalent(file, input, is_absent)) continue;
+    faults.error({}, fmt::format("{}: the command reads this file; another name is wanted", asked));
+  }
+}
+
+void check_replaceable(const std::string& file, std::string_view mark) {
+  std::error_code absent;
+  if (!fs::exists(file, absent)) return;
+  if (fs::is_regular_file(file)) {
+    std::string begin(mark.size(), '\0');
+    std::ifstream(file, std::ios::binary)
+        .read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    if (fs::file_size(file) == 0 || begin == mark) return;
+  }
+  throw std::runtime_error(
+      fmt::format("{} is there and is something else; another name is wanted", file));
+}
+
+}  // namespace lsos

@@ -1,0 +1,49 @@
+#include "base/polyline.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace lsos {
+
+namespace {
+
+double segment_distance_m(const Vec2& at_m, const Vec2& from_m, const Vec2& to_m) {
+  const Vec2 segment_m = to_m - from_m;
+  const double squared = segment_m.squaredNorm();
+  const double share =
+      squared > 0 ? std::clamp((at_m - from_m).dot(segment_m) / squared, 0.0, 1.0) : 0;
+  return (at_m - from_m - share * segment_m).norm();
+}
+
+}  // namespace
+
+std::vector<Vec2> simplified(const std::vector<Vec2>& line_m, double tolerance_m) {
+  if (line_m.size() < 3) return line_m;
+  std::vector<bool> is_kept(line_m.size(), false);
+  is_kept.front() = is_kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> pieces{{0, line_m.size() - 1}};
+  while (!pieces.empty()) {
+    const auto [first, last] = pieces.back();
+    pieces.pop_back();
+    std::size_t farthest = first;
+    double greatest_m = tolerance_m;
+    for (std::size_t k = first + 1; k < last; ++k) {
+      const double distance_m = segment_distance_m(line_m[k], line_m[first], line_m[last]);
+      if (distance_m <= greatest_m) continue;
+      greatest_m = distance_m;
+      farthest = k;
+    }
+    if (farthest == first) continue;
+    is_kept[farthest] = true;
+    pieces.push_back({first, farthest});
+    pieces.push_back({farthest, last});
+  }
+  std::vector<Vec2> simple_m;
+  for (std::size_t k = 0; k < line_m.size(); ++k) {
+    if (is_kept[k]) simple_m.push_back(line_m[k]);
+  }
+  return simple_m;
+}
+
+}  // namespace lsos

@@ -1,0 +1,14 @@
+// Lines of straight pieces in the plane.
+#pragma once
+
+#include <vector>
+
+#include "base/vector.h"
+
+namespace lsos {
+
+// The line without points that it hardly bends at (Douglas and Peucker 1973): none of its points is
+// farther than `tolerance_m` from the simplified line, which keeps both ends.
+std::vector<Vec2> simplified(const std::vector<Vec2>& line_m, double tolerance_m);
+
+}  // namespace lsos

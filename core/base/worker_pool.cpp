@@ -1,0 +1,51 @@
+#include "base/worker_pool.h"
+
+namespace lsos {
+
+WorkerPool::WorkerPool(int threads) : begin_(threads), end_(threads) {
+  for (int i = 1; i < threads; ++i) threads_.emplace_back([this] { serve(); });
+}
+
+WorkerPool::~WorkerPool() {
+  is_ending_ = true;
+  begin_.arrive_and_wait();
+}
+
+void WorkerPool::serve() {
+  while (true) {
+    begin_.arrive_and_wait();
+    if (is_ending_) return;
+    take_all();
+    end_.arrive_and_wait();
+  }
+}
+
+void WorkerPool::take_all() {
+  for (std::size_t i = next_++; i < count_; i = next_++) {
+    try {
+      (*work_)(i);
+    } catch (const std::exception&) {
+      errors_[i] = std::current_exception();
+    }
+  }
+}
+
+void WorkerPool::for_each(std::size_t count, const std::function<void(std::size_t)>& work) {
+  // One piece of work is not worth waking anybody for.
+  if (threads_.empty() || count < 2) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+    return;
+  }
+  count_ = count;
+  work_ = &work;
+  next_ = 0;
+  errors_.assign(count, nullptr);
+  begin_.arrive_and_wait();
+  take_all();
+  end_.arrive_and_wait();
+  for (const std::exception_ptr& error : errors_) {
+    if (error) std::rethrow_exception(error);
+  }
+}
+
+}  // namespace lsos

@@ -1,0 +1,111 @@
+#include "driving/driving_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "driving/corner.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double same_point_m = 0.01;
+constexpr double straight_rad = 0.01;  // a bend that needs no arc
+constexpr double arc_step_rad = 0.1;
+
+double bend_rad(const Vec2& in, const Vec2& out) {
+  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
+}
+
+class LineBuilder {
+ public:
+  LineBuilder(const DrivingLimits& limits, const Vec2& start) : limits_(limits), at_(start) {}
+
+  void go_to(const Vec2& point, double curvature_1pm) {
+    const Vec2 way = point - at_;
+    const double length_m = way.norm();
+    if (length_m < 1e-9) return;
+    const double speed_mps =
+        curvature_1pm == 0 ? limits_.speed_mps : arc_speed_mps(1 / std::abs(curvature_1pm));
+    legs_.push_back({at_, way / length_m, length_m, along_m_, curvature_1pm, speed_mps,
+                     limits_.speed_mps, false});
+    along_m_ += length_m;
+    at_ = point;
+  }
+
+  // Goes on to the corner by an arc that touches both its sides, or to its very point: there a
+  // rover that can turn on the spot stops; another slows down and swings round as tightly as it
+  // can.
+  void round_corner(const Vec2& corner, const Vec2& next) {
+    const Vec2 in = (corner - at_).normalized(), out = (next - corner).normalized();
+    const double bend = bend_rad(in, out), half = std::abs(bend) / 2;
+    if (2 * half < straight_rad) return go_to(corner, 0);
+    // Half of the next side is its, the rest belongs to the next corner.
+    const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
+    double radius_m =
+        corner_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.corner_offset_m);
+    if (radius_m < limits_.radius_min_m) {
+      const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
+      if (limits_.can_turn_on_spot || !has_room) {
+        go_to(corner, 0);
+        if (legs_.empty()) return;
+        legs_.back().ends_in_stop = limits_.can_turn_on_spot;
+        legs_.back().end_speed_mps = arc_speed_mps(limits_.radius_min_m);
+        return;
+      }
+      radius_m = limits_.radius_min_m;
+    }
+    const double tangent_m = radius_m * std::tan(half);
+    go_to(corner - in * tangent_m, 0);
+    const double curvature_1pm = (bend > 0 ? 1 : -1) / radius_m;
+    const Vec2 left(-in.y(), in.x());
+    const Vec2 begin = corner - in * tangent_m, centre = begin + left / curvature_1pm;
+    const int steps = static_cast<int>(std::ceil(std::abs(bend) / arc_step_rad));
+    for (int i = 1; i <= steps; ++i) {
+      const Eigen::Rotation2Dd turn(bend * i / steps);
+      go_to(centre + turn * (begin - centre), curvature_1pm);
+    }
+  }
+
+  std::vector<DrivingLeg> finished() {
+    // Backwards: each point so slow that the next can be reached at its own speed.
+    double end_mps = 0;
+    for (auto leg = legs_.rbegin(); leg != legs_.rend(); ++leg) {
+      if (leg->ends_in_stop) end_mps = 0;
+      leg->end_speed_mps = std::min({end_mps, leg->speed_max_mps, leg->end_speed_mps});
+      end_mps =
+          std::min(leg->speed_max_mps, std::sqrt(leg->end_speed_mps * leg->end_speed_mps +
+                                                 2 * limits_.acceleration_mps2 * leg->length_m));
+    }
+    if (!legs_.empty()) legs_.back().ends_in_stop = true;
+    return std::move(legs_);
+  }
+
+ private:
+  double arc_speed_mps(double radius_m) const {
+    return lsos::arc_speed_mps(radius_m, limits_.speed_mps, limits_.lateral_mps2);
+  }
+
+  DrivingLimits limits_;
+  Vec2 at_;
+  double along_m_ = 0;
+  std::vector<DrivingLeg> legs_;
+};
+
+}  // namespace
+
+std::vector<DrivingLeg> driving_line(const std::vector<Vec2>& waypoints_S_m,
+                                     const DrivingLimits& limits) {
+  std::vector<Vec2> points;
+  for (const Vec2& p : waypoints_S_m) {
+    if (points.empty() || (p - points.back()).norm() > same_point_m) points.push_back(p);
+  }
+  if (points.size() < 2) return {};
+  LineBuilder builder(limits, points.front());
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    builder.round_corner(points[i], points[i + 1]);
+  builder.go_to(points.back(), 0);
+  return builder.finished();
+}
+
+}  // namespace lsos

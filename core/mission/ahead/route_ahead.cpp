@@ -1,0 +1,272 @@
+#include "mission/ahead/route_ahead.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/polygon.h"
+#include "mission/model/foreseen.h"
+#include "mission/model/site.h"
+#include "mission/routes/drawn_route.h"
+#include "plan/field_reader.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+// At the end: near a pole north turns on the way.
+double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
+  const Vec3 way_S_m = to_S_m - from_S_m;
+  return std::atan2(way_S_m.dot(site.east_S(to_S_m)), way_S_m.dot(site.north_S(to_S_m)));
+}
+
+// "" for an area that has ground throughout, as far as a grid of places shows.
+std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
+                         const Ground& ground) {
+  constexpr int places_a_side = 40;
+  Ring outline;
+  Vec2 low_m = outline_S_m.front().head<2>(), high_m = low_m;
+  for (const Vec3& corner_S_m : outline_S_m) {
+    outline.emplace_back(corner_S_m.head<2>());
+    low_m = low_m.cwiseMin(outline.back());
+    high_m = high_m.cwiseMax(outline.back());
+  }
+  std::vector<Ring> holes;
+  for (const std::vector<Geodetic>& hole : geometry.holes) {
+    Ring& ring = holes.emplace_back();
+    for (const Geodetic& corner : hole) ring.emplace_back(ground.site().p_S_m(corner).head<2>());
+  }
+  int places = 0, missing = 0;
+  Geodetic first;
+  for (int row = 0; row < places_a_side; ++row) {
+    for (int column = 0; column < places_a_side; ++column) {
+      const Vec2 share((column + 0.5) / places_a_side, (row + 0.5) / places_a_side);
+      const Vec2 at_m = low_m + share.cwiseProduct(high_m - low_m);
+      const auto is_in = [&](const Ring& ring) { return contains(ring, at_m); };
+      if (!is_in(outline) || std::ranges::any_of(holes, is_in)) continue;
+      ++places;
+      const Geodetic place = ground.site().geodetic({at_m.x(), at_m.y(), 0});
+      if (ground.elevation_m(place)) continue;
+      if (missing++ == 0) first = place;
+    }
+  }
+  if (missing == 0) return "";
+  return fmt::format("{:.0f} % of its area has no ground, as at {:.6f},{:.6f}",
+                     std::ceil(100.0 * missing / places), lon_deg(first), lat_deg(first));
+}
+
+// Goes through a rover's events and knows where it is, as far as the plan says that.
+class Ahead {
+ public:
+  Ahead(const Ground& ground, RoverRoutes& routes, const LegStart& start,
+        const std::function<void(const std::string&)>& on_planning)
+      : ground_(ground),
+        routes_(routes),
+        on_planning_(on_planning),
+        place_S_m_(start.p_S_m),
+        heading_rad_(start.heading_rad) {}
+
+  // An event that drives as drawn, or nobody knows where to.
+  void pass(const PlanEvent& event) {
+    const Path3 waypoints_S_m = on_ground_S_m(event.geometry.points, ground_);
+    const bool is_anywhere = waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon;
+    if (event.geometry.kind == GeometryKind::polygon) {
+      if (const std::string text = area_warning(event.geometry, waypoints_S_m, ground_);
+          !text.empty()) {
+        add_fault({Severity::warning,
+                   {event.place.file, event.geometry.line},
+                   fmt::format("{} '{}': {}", event.type, event.label, text)});
+      }
+    }
+    if (is_anywhere) {
+      place_S_m_.reset();
+      heading_rad_.reset();
+      return;
+    }
+    for (Fault& warning :
+         drawn_route_warnings(event, waypoints_S_m, {place_S_m_, heading_rad_}, routes_, ground_)) {
+      add_fault(std::move(warning));
+    }
+    add_line(event, waypoints_S_m);
+    for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
+  }
+
+  // An event that takes power from an asset.
+  void find_cable(const PlanEvent& event, const EventDeclaration& declaration,
+                  std::span<const PowerSource> sources) {
+    if (declaration.drives) near_.reset();
+    for (const FieldDeclaration& field : declaration.fields) {
+      const auto* id = field.names == NameOf::power_source
+                           ? find_value<std::string>(event.params, field.key)
+                           : nullptr;
+      if (id == nullptr) continue;
+      if (near_ && near_->id == *id && near_->distance_m > plug_reach_m) {
+        add_fault({Severity::warning, event.place,
+                   fmt::format("{} '{}': {} = {}: '{}' drives to within {:.0f} m of it only; a "
+                               "cable reaches {:.0f} m",
+                               event.type, event.label, field.name, quoted(*id), near_->label,
+                               near_->distance_m, plug_reach_m)});
+      }
+      if (!place_S_m_) continue;
+      const auto source = std::ranges::find(sources, *id, &PowerSource::asset_id);
+      if (source == sources.end()) continue;
+      const double away_m = (source->p_S_m - *place_S_m_).norm();
+      if (away_m <= plug_reach_m) continue;
+      add_fault({Severity::warning, event.place,
+                 fmt::format("{} '{}': {} = {}: it is {:.0f} m from where rover {} then is "
+                             "expected; a cable reaches {:.0f} m",
+                             event.type, event.label, field.name, quoted(*id), away_m,
+                             quoted(event.rover_id), plug_reach_m)});
+    }
+  }
+
+  // An event that drives until it is near something that it names.
+  void find_near(const PlanEvent& event, const EventDeclaration& declaration) {
+    if (!declaration.drives || !event.geometry.points.empty()) return;
+    const std::string* id = nullptr;
+    const double* distance_m = nullptr;
+    for (const FieldDeclaration& field : declaration.fields) {
+      if (field.names == NameOf::other) id = find_value<std::string>(event.params, field.key);
+      const bool is_length = field.unit != nullptr && field.unit->kind == "length";
+      if (is_length) distance_m = find_value<double>(event.params, field.key);
+    }
+    if (id != nullptr && distance_m != nullptr) near_ = {*id, event.label, *distance_m};
+  }
+
+  // One that plans its way; false where there is none: it fails before it drives.
+  bool plan(const PlanEvent& event, const RouteSettings& settings) {
+    const std::optional<Vec3> start_S_m = place_S_m_;
+    const std::optional<double> start_heading_rad = heading_rad_;
+    bool is_first = true;
+    std::int64_t waypoint = 0;
+    for (const Vec3& goal_S_m : on_ground_S_m(event.geometry.points, ground_)) {
+      const Geodetic& point = event.geometry.points[static_cast<std::size_t>(waypoint++)];
+      if (is_first && place_S_m_ && RoverRoutes::is_passed(settings, *place_S_m_, goal_S_m)) {
+        result_.passed.push_back({event.sequence, waypoint});
+        continue;
+      }
+      const bool is_at_rest = std::exchange(is_first, false);
+      if (!place_S_m_ || (!heading_rad_ && !routes_.can_turn_on_spot())) {
+        if (!ground_.elevation_m(point)) add_fault(event, unknown_ground_text(waypoint, point));
+        go_to(goal_S_m);
+        continue;
+      }
+      const double heading_rad =
+          heading_rad_.value_or(heading_from_to_rad(ground_.site(), *place_S_m_, goal_S_m));
+      const LegStart start{*place_S_m_, heading_rad, is_at_rest};
+      tell(fmt::format("{} '{}' to waypoint {}", event.rover_id, event.label, waypoint));
+      PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
+      tell("");
+      const bool is_found = leg.is_found();
+      if (!is_found) {
+        add_fault(event, RoverRoutes::no_way_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
+      }
+      result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg)});
+      if (!is_found) {
+        place_S_m_ = start_S_m;
+        heading_rad_ = start_heading_rad;
+        return false;
+      }
+      go_to(goal_S_m);
+      heading_rad_ = result_.legs.back().leg.end_heading_rad;
+    }
+    return true;
+  }
+
+  // The script's key for KML's Speed.
+  void warn_of_speed(const PlanEvent& event) {
+    const double* speed_mps = find_value<double>(event.params, "speed_mps");
+    if (speed_mps == nullptr || *speed_mps <= routes_.speed_max_mps()) return;
+    add_fault(
+        {Severity::warning, event.place,
+         fmt::format("{} '{}': Speed is {:.3g} m/s, a {} does {:.3g} m/s at most", event.type,
+                     event.label, *speed_mps, routes_.rover_type(), routes_.speed_max_mps())});
+  }
+
+  void add_fault(Fault fault) { result_.faults.push_back(std::move(fault)); }
+  RouteAhead take() { return std::move(result_); }
+
+ private:
+  void add_line(const PlanEvent& event, const Path3& waypoints_S_m) {
+    DrawnLine line{event.sequence, {}, 0};
+    if (place_S_m_) line.to_first_m = (waypoints_S_m.front() - *place_S_m_).norm();
+    for (std::size_t k = 1; k < waypoints_S_m.size(); ++k) {
+      line.along_m += (waypoints_S_m[k] - waypoints_S_m[k - 1]).norm();
+    }
+    result_.drawn.push_back(line);
+  }
+
+  // Straight.
+  void go_to(const Vec3& to_S_m) {
+    if (!place_S_m_) {
+      heading_rad_.reset();
+    } else if ((to_S_m - *place_S_m_).norm() > 0) {
+      heading_rad_ = heading_from_to_rad(ground_.site(), *place_S_m_, to_S_m);
+    }
+    place_S_m_ = to_S_m;
+  }
+
+  void tell(const std::string& what) const {
+    if (on_planning_) on_planning_(what);
+  }
+
+  void add_fault(const PlanEvent& event, const std::string& what) {
+    add_fault(foreseen_failure(event, what, event.geometry.line));
+  }
+
+  const Ground& ground_;
+  RoverRoutes& routes_;
+  const std::function<void(const std::string&)>& on_planning_;
+  std::optional<Vec3> place_S_m_;
+  std::optional<double> heading_rad_;
+  // What the last drive ended near to, where it named that.
+  struct Near {
+    std::string id, label;
+    double distance_m = 0;
+  };
+  std::optional<Near> near_;
+  RouteAhead result_;
+};
+
+}  // namespace
+
+RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
+                      double start_heading_rad, ScriptHost& host, const Ground& ground,
+                      RoverRoutes& routes, std::span<const PowerSource> sources,
+                      const std::function<void(const std::string& what)>& on_planning) {
+  const Geodetic& start = machine.rover.start;
+  const Vec3 start_S_m =
+      ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
+  Ahead ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
+  std::optional<std::int64_t> gone_to;  // a failure leads there
+  for (const EventMachine& event : machine.events) {
+    if (!event.event.is_enabled) continue;
+    if (gone_to && event.event.sequence < *gone_to) continue;
+    ahead.warn_of_speed(event.event);
+    ahead.find_cable(event.event, event.declaration, sources);
+    std::optional<RouteSettings> settings;
+    try {
+      settings =
+          host.route_settings(event.event.type, {event.event.params, {}}, mission.start_time);
+    } catch (const ScriptError& error) {
+      ahead.add_fault(
+          {Severity::error, event.event.place,
+           fmt::format("{} '{}': {}", event.event.type, event.event.label, error.what())});
+    }
+    if (settings) {
+      if (ahead.plan(event.event, *settings)) continue;
+      const OnFailure next = event.event.on_failure;
+      if (next == OnFailure::stop || next == OnFailure::abort) break;
+      if (next == OnFailure::go_to) gone_to = event.event.go_to_sequence;
+    } else if (event.declaration.drives) {
+      ahead.pass(event.event);
+      ahead.find_near(event.event, event.declaration);
+    }
+  }
+  return ahead.take();
+}
+
+}  // namespace lsos

@@ -1,0 +1,226 @@
+#include "mission/events/running_event.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lsos {
+
+namespace {
+
+constexpr SimTime long_stay{3'600'000'000};
+constexpr std::size_t frames_max = 8;  // events within events
+
+}  // namespace
+
+RunningEvent::RunningEvent(const PlanEvent& event)
+    : rover_id_(event.rover_id),
+      label_(event.label),
+      sequence_(event.sequence),
+      place_(event.place) {}
+
+RunningEvent::RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
+                           ScriptHost& host)
+    : RunningEvent(event) {
+  push(event.type, arguments, "", now, host);
+}
+
+bool RunningEvent::is_due(SimTime now, const RoverAgent& agent) const {
+  switch (wake_) {
+    case Wake::next_exchange:
+      return true;
+    case Wake::at_time:
+      return now >= wake_at_ || agent.power().has_reached_charge();
+    case Wake::arrival:
+      return agent.drive().status != DriveState::Status::driving;
+  }
+  return true;
+}
+
+RunningEvent::Progress RunningEvent::call(SimTime now, const MissionInfo& mission,
+                                          RoverAgent& agent, ScriptHost& host) {
+  PhaseContext called = context(now, mission, agent);
+  agent.set_noting_sequence(sequence_);
+  PhaseAnswer answer;
+  try {
+    answer = host.run_phase(frames_.back().instance, frames_.back().phase, called);
+  } catch (const ScriptError& error) {
+    return fail(error.what(), now, mission, agent, host);
+  }
+  if (const auto* failure = std::get_if<Fail>(&answer)) {
+    return fail(failure->reason, now, mission, agent, host);
+  }
+  if (std::holds_alternative<RunEvent>(answer) && frames_.size() >= frames_max) {
+    return fail(fmt::format("events within events more than {} deep", frames_max), now, mission,
+                agent, host);
+  }
+  if (std::holds_alternative<Arrival>(answer) && agent.drive().status == DriveState::Status::none) {
+    return fail("it answers lsos.arrival, and nothing drives: rover:follow was not called", now,
+                mission, agent, host);
+  }
+  const bool waits = std::holds_alternative<Stay>(answer) ||
+                     std::holds_alternative<SleepUntil>(answer) ||
+                     std::holds_alternative<Arrival>(answer);
+  return waits ? wait(answer, now, agent) : go_on(answer, now, agent, host);
+}
+
+RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now,
+                                          const RoverAgent& agent) {
+  wake_ = Wake::at_time;
+  wake_at_ = now + exchange_period;
+  // Once, at the exchange at which it is over.
+  const SimTime stayed = now - frames_.back().phase_start;
+  if (std::holds_alternative<Stay>(answer) && stayed >= long_stay &&
+      stayed - exchange_period < long_stay && agent.drive().status != DriveState::Status::driving) {
+    advice_ = fmt::format(
+        "{}:{}: {} '{}': phase '{}' of {} has answered nothing for an hour and is called every "
+        "0.1 s, while nothing drives; does a 'return lsos.done' lack, or an lsos.sleep?",
+        place_.file, place_.line, rover_id_, label_, frames_.back().phase, frames_.back().type);
+  }
+  if (const auto* sleep = std::get_if<SleepUntil>(&answer)) {
+    wake_at_ = std::max(wake_at_, round_up_to_exchange(sleep->time));
+  }
+  // With nothing under way it is asked again at the next exchange rather than never.
+  if (std::holds_alternative<Arrival>(answer) &&
+      agent.drive().status == DriveState::Status::driving) {
+    wake_ = Wake::arrival;
+  }
+  return Progress::waits;
+}
+
+RunningEvent::Progress RunningEvent::go_on(const PhaseAnswer& answer, SimTime now,
+                                           RoverAgent& agent, ScriptHost& host) {
+  wake_ = Wake::next_exchange;
+  if (const auto* go = std::get_if<GoTo>(&answer)) {
+    enter_phase(go->phase, now);
+    return Progress::goes_on;
+  }
+  if (const auto* inner = std::get_if<RunEvent>(&answer)) {
+    push(inner->type, inner->arguments, inner->next, now, host);
+    frames_.back().outer = agent.power().claims();
+    return Progress::goes_on;
+  }
+  // Done: and with it every event whose last phase this was.
+  std::string next;
+  while (!frames_.empty() && next.empty()) {
+    next = frames_.back().next;
+    pop(now, agent, host);
+  }
+  if (frames_.empty()) return Progress::completed;
+  enter_phase(next, now);
+  return Progress::goes_on;
+}
+
+RunningEvent::Progress RunningEvent::fail(const std::string& reason, SimTime now,
+                                          const MissionInfo& mission, RoverAgent& agent,
+                                          ScriptHost& host) {
+  reason_ = reason;
+  for (const std::string& fault : abort(now, mission, agent, host).faults) reason_ += "; " + fault;
+  return Progress::failed;
+}
+
+RunningEvent::Ending RunningEvent::abort(SimTime now, const MissionInfo& mission, RoverAgent& agent,
+                                         ScriptHost& host) {
+  Ending ending;
+  agent.set_noting_sequence(sequence_);
+  while (!frames_.empty()) {
+    PhaseContext called = context(now, mission, agent);
+    try {
+      const std::string state = host.run_abort(frames_.back().instance, called);
+      if (!state.empty()) ending.state += (ending.state.empty() ? "" : "; ") + state;
+    } catch (const ScriptError& error) {
+      ending.faults.push_back(error.what());
+    }
+    pop(now, agent, host);
+  }
+  agent.brake();
+  return ending;
+}
+
+std::optional<SimTime> RunningEvent::wake(SimTime now) const {
+  switch (wake_) {
+    case Wake::next_exchange:
+      return now + exchange_period;
+    case Wake::at_time:
+      return wake_at_;
+    case Wake::arrival:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+PhaseContext RunningEvent::context(SimTime now, const MissionInfo& mission,
+                                   RoverAgent& agent) const {
+  return {.rover = agent,
+          .now = now,
+          .phase_start = frames_.back().phase_start,
+          .event_start = frames_.back().start,
+          .mission_start = mission.start_time,
+          .seed = mission.seed,
+          .rover_id = rover_id_,
+          .sequence = sequence_,
+          .label = label_,
+          .script_number = frames_.back().number,
+          .place = place_};
+}
+
+Place RunningEvent::phase_place(const ScriptHost& host) const {
+  const EventDeclaration& event = host.declarations().events.at(frames_.back().type);
+  const auto phase =
+      std::ranges::find(event.phases, frames_.back().phase, &EventDeclaration::Phase::name);
+  return {event.place.file, phase == event.phases.end() ? 0 : phase->line};
+}
+
+void RunningEvent::push(const std::string& type, const EventArguments& arguments,
+                        const std::string& next, SimTime now, ScriptHost& host) {
+  Frame frame;
+  frame.type = type;
+  frame.arguments = arguments;
+  frame.phase = host.declarations().events.at(type).start_phase;
+  frame.next = next;
+  frame.start = frame.phase_start = now;
+  frame.number = begun_++;
+  frame.instance = host.begin(type, arguments);
+  frames_.push_back(std::move(frame));
+}
+
+void RunningEvent::pop(SimTime now, RoverAgent& agent, ScriptHost& host) {
+  end_phase(now);
+  host.end(frames_.back().instance);
+  agent.power().set_claims(frames_.back().outer);
+  frames_.pop_back();
+}
+
+void RunningEvent::enter_phase(const std::string& phase, SimTime now) {
+  end_phase(now);
+  frames_.back().phase = phase;
+  frames_.back().phase_start = now;
+}
+
+void RunningEvent::end_phase(SimTime now) {
+  if (frames_.size() > 1) return;
+  phases_.push_back(
+      {rover_id_, sequence_, frames_.front().phase, frames_.front().phase_start, now});
+}
+
+std::vector<PhaseRow> RunningEvent::take_phases() { return std::exchange(phases_, {}); }
+
+void RunningEvent::archive(Archive& a, ScriptHost& host) {
+  a.tag("running")(begun_)(wake_)(wake_at_);
+  std::uint64_t depth = frames_.size();
+  a(depth);
+  if (a.is_reading()) frames_.resize(depth);
+  for (Frame& frame : frames_) {
+    a(frame.type)(frame.phase)(frame.next)(frame.start)(frame.phase_start)(frame.number)(
+        frame.outer)(frame.arguments);
+    std::string state = a.is_reading() ? "" : host.save(frame.instance);
+    a(state);
+    if (a.is_reading()) {
+      frame.instance = host.begin(frame.type, frame.arguments);
+      host.restore(frame.instance, state);
+    }
+  }
+}
+
+}  // namespace lsos

@@ -1,0 +1,88 @@
+// One event of the plan while its scripts run: the phases it goes through, the events that its
+// phases are, and when it must be called again.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mission/port/script_host.h"
+#include "mission/rover/rover_agent.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+class RunningEvent {
+ public:
+  enum class Progress { waits, goes_on, completed, failed };
+
+  explicit RunningEvent(const PlanEvent& event);  // to be read from an archive
+  RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
+               ScriptHost& host);
+
+  // Whether the script asked to be called by now.
+  bool is_due(SimTime now, const RoverAgent& agent) const;
+  // Calls the present phase once. `goes_on`: another call is due at this exchange. After
+  // `completed` and `failed` (with the reason) no script runs any more.
+  Progress call(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
+  // Ends it from outside: innermost first, each script may clean up and say how far it had come.
+  struct Ending {
+    std::vector<std::string> faults;  // what went wrong there
+    std::string state;                // "charge was 0.42, UntilCharge is 0.8"; "": nothing is said
+  };
+  Ending abort(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
+
+  // When it is due though nothing else happens; nullopt: at an arrival.
+  std::optional<SimTime> wake(SimTime now) const;
+  const std::string& reason() const { return reason_; }
+  // Of the plan's event, not of those within it.
+  const std::string& phase() const { return frames_.front().phase; }
+  SimTime phase_start() const { return frames_.front().phase_start; }
+  // Of the phase that is called next, of the innermost event: where its script has it.
+  Place phase_place(const ScriptHost& host) const;
+  // A warning since the last call: what is most likely forgotten in its script; else "".
+  std::string take_advice() { return std::exchange(advice_, ""); }
+  // The phases that have ended since the last call.
+  std::vector<PhaseRow> take_phases();
+
+  // Scripts are saved through `host`, and begun again in it when reading.
+  void archive(Archive& a, ScriptHost& host);
+
+ private:
+  struct Frame {
+    std::string type;
+    EventArguments arguments;
+    std::string phase;
+    std::string next;  // the phase of the frame below when this one is done
+    SimTime start{}, phase_start{};
+    std::int64_t number = 0;  // which of the plan event's scripts, in order of beginning
+    PowerClaims outer;        // of the frame below, while this one runs
+
+    ScriptInstance instance = 0;  // not saved: begun again
+  };
+  enum class Wake { next_exchange, at_time, arrival };
+
+  PhaseContext context(SimTime now, const MissionInfo& mission, RoverAgent& agent) const;
+  Progress fail(const std::string& reason, SimTime now, const MissionInfo& mission,
+                RoverAgent& agent, ScriptHost& host);
+  Progress wait(const PhaseAnswer& answer, SimTime now, const RoverAgent& agent);
+  Progress go_on(const PhaseAnswer& answer, SimTime now, RoverAgent& agent, ScriptHost& host);
+  void enter_phase(const std::string& phase, SimTime now);
+  void push(const std::string& type, const EventArguments& arguments, const std::string& next,
+            SimTime now, ScriptHost& host);
+  void pop(SimTime now, RoverAgent& agent, ScriptHost& host);
+  void end_phase(SimTime now);
+
+  std::string rover_id_, label_;
+  std::int64_t sequence_ = 0;
+  Place place_;                // in the plan
+  std::int64_t begun_ = 0;     // scripts so far
+  std::vector<Frame> frames_;  // the plan's event first
+  Wake wake_ = Wake::next_exchange;
+  SimTime wake_at_{};
+  std::string reason_, advice_;
+  std::vector<PhaseRow> phases_;
+};
+
+}  // namespace lsos

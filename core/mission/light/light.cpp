@@ -1,0 +1,61 @@
+#include "mission/light/light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/exposure/sun_column.h"
+#include "view/exposure/sun_disc.h"
+#include "view/ground/highest_ground.h"
+
+namespace lsos {
+
+namespace {
+
+// The Sun is so low that even from a mountain over the deepest ground none of it is seen.
+bool is_deep_night(const SiteFrame& site, const Vec3& eye_S_m, const Sunlight& light) {
+  return light.seen.elevation_rad + light.disc_rad <
+         -horizon_dip_rad(site.body(), site.height_m(eye_S_m));
+}
+
+double reach_m(const std::vector<PanelFace>& faces) {
+  double reach_m = 0;
+  for (const PanelFace& face : faces) {
+    reach_m = std::max(reach_m, face.centre_m.norm() + face.half_u_m.norm() + face.half_v_m.norm());
+  }
+  return reach_m;
+}
+
+}  // namespace
+
+std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& light) {
+  std::vector<double> fractions(scene.faces.size(), 0.0);
+  if (light.irradiance_wpm2 <= 0 || light.eclipsed >= 1) return fractions;
+  if (is_deep_night(ground_->site(), scene.eye_S_m, light)) return fractions;
+  const Vec3 sun_S = direction_S(ground_->site(), scene.eye_S_m, light.seen);
+  const double sine = std::sin(light.disc_rad);
+  const auto is_facing = [&](const PanelFace& face) { return face.normal().dot(sun_S) > -sine; };
+  if (std::ranges::none_of(scene.faces, is_facing)) return fractions;
+
+  const std::vector<DiscSample> disc = disc_samples(sun_S, light.disc_rad, disc_samples_count);
+  std::vector<Vec3> directions;
+  for (const DiscSample& sample : disc) directions.push_back(sample.direction);
+  Mesh all = scene.near;
+  append(all, ground_mesh(*ground_, {scene.eye_S_m, reach_m(scene.faces), sun_S, light.disc_rad}),
+         Mat3::Identity(), Vec3::Zero());
+  const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
+  for (std::size_t i = 0; i < scene.faces.size(); ++i) {
+    if (!is_facing(scene.faces[i])) continue;
+    all.vertices.resize(vertices);
+    all.triangles.resize(triangles);
+    for (std::size_t k = 0; k < scene.faces.size(); ++k) {
+      if (k != i) append(all, face_mesh(scene.faces[k]), Mat3::Identity(), Vec3::Zero());
+    }
+    const std::vector<double> shares =
+        renderer_->panels.visible_shares(scene.faces[i], all, directions);
+    for (std::size_t k = 0; k < disc.size(); ++k) fractions[i] += disc[k].weight * shares[k];
+    fractions[i] *= 1 - light.eclipsed;
+  }
+  return fractions;
+}
+
+}  // namespace lsos

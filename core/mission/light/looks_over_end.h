@@ -1,0 +1,47 @@
+// Looks at the Sun, at Earth or at other antennas that pass over the end of the ground: what was
+// seen may in truth be hidden by ground that is not known.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/archive.h"
+#include "planet/utc.h"
+#include "view/ground/ground_end.h"
+
+namespace lsos {
+
+class LooksOverEnd {
+ public:
+  // `ground` must outlive it. `seen`: "the Sun", as messages name it.
+  LooksOverEnd(const Ground& ground, std::string seen) : probe_(ground), seen_(std::move(seen)) {}
+
+  // A disc about a direction (unit, site axes) was seen from there, by the one with that id.
+  void add_towards(const Vec3& eye_S_m, const Vec3& direction_S, double disc_rad,
+                   const std::string& id, SimTime now);
+  // One antenna saw another.
+  void add_between(const Vec3& from_S_m, const Vec3& to_S_m, const std::string& id, SimTime now);
+  // Names the look at which the farthest ground counts; absent: none passed over the end.
+  std::optional<std::string> warning(Instant start) const;
+
+  void archive(Archive& a) {
+    a.tag("over_end")(looks_)(over_)(id_)(time_)(reaches_m_)(matters_m_)(elevation_rad_);
+  }
+
+ private:
+  void add(const std::optional<GroundEnd>& end, double elevation_rad, const std::string& id,
+           SimTime now);
+
+  GroundEndProbe probe_;
+  std::string seen_;
+  std::int64_t looks_ = 0, over_ = 0;
+  std::string id_;
+  SimTime time_{};
+  double reaches_m_ = 0, matters_m_ = 0;
+  std::optional<double> elevation_rad_;  // of a disc
+};
+
+// "the ground ends 480 m towards the Sun, 5.2 deg high, which ground up to 94 km away may hide"
+std::string end_text(const GroundEnd& end, const std::string& seen, double elevation_rad);
+
+}  // namespace lsos

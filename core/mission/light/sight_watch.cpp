@@ -1,0 +1,219 @@
+#include "mission/light/sight_watch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mission/light/sun_watch.h"
+#include "planet/sky.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double light_mps = 299792458;
+
+// A body that moves so near to a line, beside its own reach, may come between.
+constexpr double near_line_m = 10;
+
+double distance_to_line_m(const Vec3& p, const Vec3& from, const Vec3& to) {
+  const Vec3 way = to - from;
+  const double length2 = way.squaredNorm();
+  const double share = length2 > 0 ? std::clamp((p - from).dot(way) / length2, 0.0, 1.0) : 0;
+  return (p - from - share * way).norm();
+}
+
+}  // namespace
+
+SimTime earth_interval(const Body& body) { return from_seconds(body.earth_interval_s); }
+
+SightWatch::SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends)
+    : ground_(&ground),
+      sight_(ground, renderer),
+      earth_over_end_(ground, "Earth"),
+      pairs_over_end_(ground, "another antenna"),
+      earth_(ends) {
+  const bool has_earth = ground.site().body().name != earth_id;
+  for (std::size_t from = 0; from < ends; ++from) {
+    for (std::size_t to = from + 1; to < ends + (has_earth ? 1 : 0); ++to) {
+      Pair& pair = pairs_.emplace_back();
+      pair.from = from;
+      pair.to = to;
+    }
+  }
+}
+
+bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
+                         const std::vector<SightEnd>& ends) const {
+  const Vec3& from_S_m = ends[pair.from].antenna_S_m;
+  if (pair.to == earth_) return (other.p_S_m - from_S_m).norm() < shading_reach_m + other.reach_m;
+  return distance_to_line_m(other.p_S_m, from_S_m, ends[pair.to].antenna_S_m) <
+         near_line_m + other.reach_m;
+}
+
+// How long a look at parked ends holds.
+SimTime SightWatch::interval(const Pair& pair) const {
+  const Body& body = ground_->site().body();
+  if (pair.to == earth_) return earth_interval(body);
+  return pair.is_near_turning ? sun_interval(body) : SimTime::max() / 2;
+}
+
+bool SightWatch::is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const {
+  if (!pair.time) return true;
+  const bool is_to_earth = pair.to == earth_;
+  if (now >= *pair.time + interval(pair)) return true;
+  Motion motion = ends[pair.from].motion;
+  if (!is_to_earth) motion = std::max(motion, ends[pair.to].motion);
+  for (const SightEnd& other : ends) {
+    if (other.motion == Motion::none) continue;
+    if (is_near(pair, other, ends)) motion = std::max(motion, other.motion);
+  }
+  if (motion == Motion::has_ended) return true;
+  return motion == Motion::goes_on && now > *pair.time && now % moving_look_period == SimTime{};
+}
+
+void SightWatch::look_at(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
+                         const SolidsBetween& solids) {
+  const SightEnd& from = ends[pair.from];
+  if (pair.to == earth_) {
+    const SiteFrame& site = ground_->site();
+    const Sighting earth =
+        sighting(site.body(), site.p_F_m(from.antenna_S_m), CelestialBody::earth, utc);
+    const Vec3 direction_S = site.R_FS().transpose() * earth.direction_F;
+    const Sight::Disc seen = sight_.disc(from.antenna_S_m, direction_S, earth.disc_rad,
+                                         solids(from.antenna_S_m, from.antenna_S_m));
+    pair.is_visible = seen.is_centre_seen;
+    pair.fraction = seen.fraction;
+    pair.is_linked = pair.is_visible && from.has_link && from.reaches_earth;
+    if (!pair.is_visible) return;
+    earth_over_end_.add_towards(from.antenna_S_m, direction_S, earth.disc_rad, from.id, now);
+    return;
+  }
+  const SightEnd& to = ends[pair.to];
+  pair.is_visible =
+      sight_.sees(from.antenna_S_m, to.antenna_S_m, solids(from.antenna_S_m, to.antenna_S_m));
+  if (pair.is_visible) {
+    pairs_over_end_.add_between(from.antenna_S_m, to.antenna_S_m,
+                                fmt::format("{} to {}", from.id, to.id), now);
+  }
+  const double away_m = (to.antenna_S_m - from.antenna_S_m).norm();
+  pair.is_linked = pair.is_visible && from.has_link && to.has_link &&
+                   away_m <= std::min(from.range_max_m, to.range_max_m);
+}
+
+double SightWatch::distance_m(const Pair& pair, Instant utc,
+                              const std::vector<SightEnd>& ends) const {
+  const SightEnd& from = ends[pair.from];
+  if (pair.to != earth_) return (ends[pair.to].p_S_m - from.p_S_m).norm();
+  const SiteFrame& site = ground_->site();
+  return sighting(site.body(), site.p_F_m(from.p_S_m), CelestialBody::earth, utc).distance_m;
+}
+
+std::string SightWatch::id(std::size_t end, const std::vector<SightEnd>& ends) const {
+  return end == earth_ ? earth_id : ends[end].id;
+}
+
+std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
+                                               const std::vector<SightEnd>& ends,
+                                               const SolidsBetween& solids) {
+  std::vector<SightIntervalRow> ended;
+  for (Pair& pair : pairs_) {
+    if (!is_due(pair, now, ends)) continue;
+    look_at(pair, now, utc, ends, solids);
+    pair.time = now;
+    pair.is_near_turning = std::ranges::any_of(ends, [&](const SightEnd& other) {
+      return other.turns_with_sun && is_near(pair, other, ends);
+    });
+    const auto follow = [&](const char* kind, bool is_so, std::optional<OpenInterval>& interval) {
+      if (is_so && !interval) interval = OpenInterval{now, distance_m(pair, utc, ends) / light_mps};
+      if (is_so || !interval) return;
+      ended.push_back({id(pair.from, ends), id(pair.to, ends), kind, interval->start, now,
+                       interval->light_time_s});
+      interval.reset();
+    };
+    follow("visible", pair.is_visible, pair.visible);
+    follow("link", pair.is_linked, pair.linked);
+  }
+  return ended;
+}
+
+std::vector<SightIntervalRow> SightWatch::finish(SimTime now, const std::vector<SightEnd>& ends) {
+  std::vector<SightIntervalRow> ended;
+  for (Pair& pair : pairs_) {
+    for (const auto& [kind, interval] :
+         {std::pair{"visible", &pair.visible}, std::pair{"link", &pair.linked}}) {
+      if (!*interval) continue;
+      ended.push_back({id(pair.from, ends), id(pair.to, ends), kind, (*interval)->start, now,
+                       (*interval)->light_time_s});
+      interval->reset();
+    }
+  }
+  return ended;
+}
+
+std::optional<PairSight> SightWatch::last(std::size_t one, std::size_t other) const {
+  for (const Pair& pair : pairs_) {
+    const bool is_it = std::minmax(pair.from, pair.to) == std::minmax(one, other);
+    if (is_it && pair.time) return PairSight{pair.is_visible, pair.is_linked};
+  }
+  return {};
+}
+
+std::vector<PairRow> SightWatch::rows(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
+                                      std::size_t from) const {
+  std::vector<PairRow> rows;
+  for (const Pair& pair : pairs_) {
+    if (pair.from != from || !pair.time) continue;
+    PairRow row;
+    row.time = now;
+    row.from_id = id(pair.from, ends);
+    row.to_id = id(pair.to, ends);
+    row.distance_m = distance_m(pair, utc, ends);
+    row.visible = pair.is_visible ? 1 : 0;
+    row.visible_fraction = pair.fraction;
+    row.link = pair.is_linked ? 1 : 0;
+    if (!pair.is_linked) row.relay = relay(pair, ends);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// The way over the fewest links, of those the first in the order of ends: breadth first from the
+// end that is sought, so that each end knows its next.
+std::string SightWatch::relay(const Pair& pair, const std::vector<SightEnd>& ends) const {
+  std::vector<std::optional<std::size_t>> next(earth_ + 1);
+  next[pair.to] = pair.to;
+  std::vector<std::size_t> reached{pair.to};
+  for (std::size_t i = 0; i < reached.size() && !next[pair.from]; ++i) {
+    std::vector<std::size_t> found;
+    for (const Pair& link : pairs_) {
+      if (!link.is_linked || (link.from != reached[i] && link.to != reached[i])) continue;
+      const std::size_t other = link.from == reached[i] ? link.to : link.from;
+      // Earth is an end, no station between others.
+      if (next[other] || other == earth_) continue;
+      next[other] = reached[i];
+      found.push_back(other);
+    }
+    std::ranges::sort(found);
+    reached.insert(reached.end(), found.begin(), found.end());
+  }
+  if (!next[pair.from]) return "";
+  std::string ids;
+  for (std::size_t at = *next[pair.from]; at != pair.to; at = *next[at]) {
+    ids += (ids.empty() ? "" : ",") + id(at, ends);
+  }
+  return ids;
+}
+
+std::optional<SimTime> SightWatch::wake() const {
+  std::optional<SimTime> wake;
+  for (const Pair& pair : pairs_) {
+    if ((pair.to != earth_ && !pair.is_near_turning) || !pair.time) continue;
+    const SimTime due = round_up_to_exchange(*pair.time + interval(pair));
+    wake = std::min(wake.value_or(due), due);
+  }
+  return wake;
+}
+
+}  // namespace lsos

@@ -1,0 +1,137 @@
+// The machine of a mission as a figure, for Graphviz.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mission/model/machine.h"
+
+namespace lsos {
+
+namespace {
+
+// A rover with more events has them in several rows, one below the other.
+constexpr std::size_t columns = 6;
+
+// Inside a quoted DOT string; record labels also give meaning to braces, bars and angles.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("\"\\{}|<>").find(c) != std::string_view::npos) result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+std::string node(const std::string& rover_id, std::int64_t sequence) {
+  return fmt::format("\"{}/{}\"", escaped(rover_id), sequence);
+}
+
+std::string phases_text(const EventDeclaration& declaration) {
+  std::string text;
+  for (const EventDeclaration::Phase& phase : declaration.phases) {
+    if (!text.empty()) text += " | ";
+    text += escaped(phase.name);
+    if (!phase.sub_event.empty()) text += " = " + escaped(phase.sub_event);
+  }
+  return text;
+}
+
+std::string event_node(const EventMachine& machine) {
+  const PlanEvent& event = machine.event;
+  const std::string title = event.label == fmt::format("{} {}", event.type, event.sequence)
+                                ? event.label
+                                : fmt::format("{}: {}", event.type, event.label);
+  return fmt::format("    {} [label=\"{{{} | {{{}}}}}\"{}];\n",
+                     node(event.rover_id, event.sequence), escaped(title),
+                     phases_text(machine.declaration),
+                     event.is_enabled ? "" : ", style=dashed, fontcolor=gray");
+}
+
+// Puts events that stand below each other into one rank; a later row leads back to the first
+// column.
+std::string ranks(const RoverMachine& rover) {
+  std::string dot;
+  for (std::size_t column = 0; column < columns; ++column) {
+    dot += "    { rank=same;";
+    for (std::size_t i = column; i < rover.events.size(); i += columns) {
+      dot += " " + node(rover.rover.id, rover.events[i].event.sequence) + ";";
+    }
+    dot += " }\n";
+  }
+  return dot;
+}
+
+// What leads from `initialise` over the events that are enabled to `terminate`.
+std::string chain(const RoverMachine& rover) {
+  const bool is_wrapped = rover.events.size() > columns;
+  const auto node_of = [&](std::size_t i) {
+    return node(rover.rover.id, rover.events[i].event.sequence);
+  };
+  std::string dot, row = "initialise", last = row;
+  std::size_t next_column = 0;  // that lies farther along the row
+  for (std::size_t i = 0; i < rover.events.size(); ++i) {
+    if (!rover.events[i].event.is_enabled) continue;
+    const bool goes_back = is_wrapped && i % columns < next_column;
+    if (goes_back) {
+      dot += fmt::format("  {};\n  {} -> {} [constraint=false];\n", row, last, node_of(i));
+      row = node_of(i);
+    } else {
+      row += " -> " + node_of(i);
+    }
+    last = node_of(i);
+    next_column = i % columns + 1;
+  }
+  if (!is_wrapped) return dot + fmt::format("  {} -> terminate;\n", row);
+  // To the right of all rows, at half their height.
+  const std::size_t middle = rover.events.size() / columns / 2 * columns + columns - 1;
+  return dot + fmt::format(
+                   "  {};\n  {} -> terminate [constraint=false];\n"
+                   "  {} -> terminate [style=invis];\n",
+                   row, last, node_of(std::min(middle, rover.events.size() - 1)));
+}
+
+// What leads across: dashed to the events that wait, dotted to those gone to.
+std::string references(const RoverMachine& rover) {
+  const std::string free = rover.events.size() > columns ? ", constraint=false" : "";
+  std::string dot;
+  for (const EventMachine& machine : rover.events) {
+    const PlanEvent& event = machine.event;
+    const std::string self = node(rover.rover.id, event.sequence);
+    for (const PlanEvent::Reference& awaited : event.start_after) {
+      dot += fmt::format("  {} -> {} [style=dashed, label=\"StartAfter\"{}];\n",
+                         node(awaited.rover_id, awaited.sequence), self, free);
+    }
+    if (event.on_failure == OnFailure::go_to) {
+      dot += fmt::format("  {} -> {} [style=dotted, label=\"on failure\"{}];\n", self,
+                         node(rover.rover.id, event.go_to_sequence), free);
+    }
+  }
+  return dot;
+}
+
+}  // namespace
+
+std::string to_dot(const MissionMachine& machine) {
+  std::string dot =
+      "digraph mission {\n"
+      "  rankdir=LR;\n"
+      "  node [shape=record, style=rounded, fontname=\"Helvetica\"];\n"
+      "  edge [fontname=\"Helvetica\"];\n"
+      "  fontname=\"Helvetica\";\n"
+      "  initialise [shape=oval];\n"
+      "  terminate [shape=oval];\n";
+  std::string edges;
+  for (const RoverMachine& rover : machine.rovers) {
+    const std::string id = escaped(rover.rover.id);
+    dot += fmt::format("  subgraph \"cluster_{}\" {{\n    label=\"{} ({})\";\n", id, id,
+                       escaped(rover.rover.type));
+    for (const EventMachine& event : rover.events) dot += event_node(event);
+    if (rover.events.size() > columns) dot += ranks(rover);
+    dot += "  }\n";
+    edges += references(rover) + chain(rover);
+  }
+  if (machine.rovers.empty()) edges += "  initialise -> terminate;\n";
+  return dot + edges + "}\n";
+}
+
+}  // namespace lsos

@@ -1,0 +1,26 @@
+// A plan together with the rovers, assets and terrain that it names, read and checked.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "mission/model/rover_model.h"
+#include "plan/plan.h"
+#include "terrain/spec/terrain_spec.h"
+
+namespace lsos {
+
+struct MissionModel {
+  Plan plan;
+  std::map<std::string, RoverModel> rover_models;  // by PlanRover::model()
+  std::map<std::string, AssetModel> asset_models;  // by AssetType
+  TerrainSpec terrain;
+  bool is_soil_assumed = false;  // nothing says what the ground is made of
+  std::vector<std::string> assumptions;
+  Faults faults;           // warnings too
+  std::string plan_bytes;  // content of the plan's file when it was read; it may change meanwhile
+};
+
+}  // namespace lsos

@@ -1,0 +1,224 @@
+#include "mission/model/plan_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "mission/model/foreseen.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+template <class Things>
+std::vector<std::string> names_of(const Things& things) {
+  std::vector<std::string> names;
+  for (const auto& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+template <class Things, class Is>
+std::vector<std::string> names_if(const Things& things, Is is) {
+  Things chosen;
+  std::ranges::copy_if(things, std::back_inserter(chosen), is);
+  return names_of(chosen);
+}
+
+// What a field may name, and whose that is, as messages say it.
+struct Known {
+  std::string owner = {}, what = {};
+  std::vector<std::string> names = {};
+  bool are_all = false;                 // false: faults of the plan keep others from being read
+  bool means_all = false;               // without the field: all of them
+  std::vector<std::string> unfit = {};  // there, but not fit for what the field is for
+  std::string fitness = {};             // " that can be stowed"
+};
+
+std::string no_text(const Known& known) {
+  return fmt::format("{} has no {}{}", known.owner, known.what,
+                     known.unfit.empty() ? "" : known.fitness);
+}
+
+// "" too when it may be there without being known.
+std::string fault_of(const Known& known, const std::string& name) {
+  if (std::ranges::find(known.names, name) != known.names.end()) return "";
+  if (!known.are_all) return "";
+  if (known.names.empty()) return no_text(known);
+  const bool is_unfit = std::ranges::find(known.unfit, name) != known.unfit.end();
+  std::string hint = name.size() > 100 || is_unfit ? "" : did_you_mean(name, known.names);
+  if (hint.empty()) hint = fmt::format("; it has {}", listed(known.names));
+  return fmt::format("{} has no {} of that name{}{}", known.owner, known.what,
+                     is_unfit ? known.fitness : "", hint);
+}
+
+// Which of the plan's assets have power to give; all of them are known but for those that the
+// plan's faults keep from being read.
+Known power_sources(const Plan& plan, const std::map<std::string, AssetModel>& assets) {
+  Known known{"the plan", "asset with power to give"};
+  known.are_all = plan.gaps.unread_ids.empty() && !plan.gaps.asset_ids;
+  for (const PlanAsset& asset : plan.assets) {
+    const auto model = assets.find(asset.type);
+    // One whose type or script has a fault may have power to give.
+    if (model == assets.end()) {
+      known.are_all = false;
+      continue;
+    }
+    if (model->second.supply_w > 0 || !model->second.panels.empty()) {
+      known.names.push_back(asset.id);
+    }
+  }
+  return known;
+}
+
+Known others(const Plan& plan, const std::string& rover_id) {
+  Known known{"the plan", "other rover or asset"};
+  known.are_all = !plan.gaps.has_ids();
+  for (const PlanRover& other : plan.rovers) {
+    if (other.id != rover_id && !other.id.empty()) known.names.push_back(other.id);
+  }
+  for (const PlanAsset& asset : plan.assets) known.names.push_back(asset.id);
+  known.names.insert(known.names.end(), plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
+  return known;
+}
+
+// Of what a rover of that type has.
+Known equipment(const RoverModel& model, const std::string& type, NameOf names) {
+  const std::vector<PanelSpec>& panels = model.power.panels;
+  Known known{type, "", {}, true};
+  switch (names) {
+    case NameOf::panel:
+      known.what = "panel";
+      known.names = names_of(panels);
+      break;
+    case NameOf::stowable_panel:
+      known.what = "panel";
+      known.fitness = " that can be stowed";
+      known.names = names_if(panels, &PanelSpec::is_stowable);
+      known.means_all = true;
+      known.unfit = names_of(panels);
+      break;
+    case NameOf::turning_panel:
+      known.what = "panel";
+      known.fitness = " that turns";
+      known.names = names_if(panels, &PanelSpec::can_turn);
+      known.means_all = true;
+      known.unfit = names_of(panels);
+      break;
+    case NameOf::resource:
+      known.what = "resource";
+      known.names = names_of(model.power.resources);
+      break;
+    case NameOf::antenna:
+      known.what = "stowable antenna";
+      known.names = names_if(model.antennas, &AntennaSpec::is_stowable);
+      known.means_all = true;
+      known.unfit = names_of(model.antennas);
+      break;
+    default:
+      break;
+  }
+  return known;
+}
+
+void check_names(const PlanEvent& event, const EventDeclaration& declaration,
+                 const std::function<Known(NameOf)>& known_of, Faults& faults) {
+  for (const FieldDeclaration& field : declaration.fields) {
+    if (field.names == NameOf::anything) continue;
+    const Known known = known_of(field.names);
+    const auto value = event.params.find(field.key);
+    if (value == event.params.end()) {
+      const bool is_none = known.means_all && known.are_all && known.names.empty();
+      if (is_none && event.has_all_params && event.is_enabled) {
+        faults.add({foreseen_failure(event, no_text(known))});
+      }
+      continue;
+    }
+    const auto& name = std::get<std::string>(value->second);
+    const std::string fault = fault_of(known, name);
+    if (fault.empty()) continue;
+    faults.error(event.place, fmt::format("{} '{}': {} = {}: {}", event.type, event.label,
+                                          field.name, quoted(name), fault));
+  }
+}
+
+// What is left of a rover's resources when the events so far have been carried out.
+class Stores {
+ public:
+  explicit Stores(const std::vector<ResourceSpec>& resources) {
+    for (const ResourceSpec& resource : resources) {
+      stores_[resource.name] = {resource.amount, resource.amount, resource.unit};
+    }
+  }
+
+  void use(const PlanEvent& event, const EventDeclaration& declaration, Faults& faults) {
+    for (const FieldDeclaration& field : declaration.fields) {
+      const auto amount = event.params.find(field.key);
+      const auto name = event.params.find(field.amount_of);
+      if (field.amount_of.empty() || amount == event.params.end() || name == event.params.end()) {
+        continue;
+      }
+      const auto store = stores_.find(std::get<std::string>(name->second));
+      if (store == stores_.end()) continue;
+      use(event, field, std::get<double>(amount->second), store->first, store->second, faults);
+    }
+  }
+
+ private:
+  struct Store {
+    double at_start = 0, left = 0;
+    std::string unit;
+  };
+
+  static void use(const PlanEvent& event, const FieldDeclaration& field, double amount,
+                  const std::string& name, Store& store, Faults& faults) {
+    const double rounding = 1e-9 * store.at_start;
+    const auto told = [&](double value) {
+      return fmt::format("{:.6g}{}{}", value, store.unit.empty() ? "" : " ", store.unit);
+    };
+    if (amount > store.at_start + rounding) {
+      faults.add({foreseen_failure(
+          event, fmt::format("{} = {:.6g}: more {} than is aboard at the start, {}", field.name,
+                             amount, name, told(store.at_start)))});
+      return;
+    }
+    if (amount > store.left + rounding) {
+      faults.warning(event.place,
+                     fmt::format("{} '{}': {} = {:.6g}: more {} than is left, {} of {}, when the "
+                                 "events before it have taken theirs",
+                                 event.type, event.label, field.name, amount, name,
+                                 told(store.left), told(store.at_start)));
+      return;
+    }
+    store.left -= amount;
+  }
+
+  std::map<std::string, Store> stores_;
+};
+
+}  // namespace
+
+void check_plan_names(const Plan& plan, const Declarations& declarations,
+                      const std::map<std::string, RoverModel>& rovers,
+                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
+  const Known sources = power_sources(plan, assets);
+  std::map<std::string, Stores> stores;  // by RoverId
+  for (const PlanEvent& event : plan.events) {
+    const PlanRover* rover = rover_of(plan, event.rover_id);
+    const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
+    const auto known_of = [&](NameOf names) -> Known {
+      if (names == NameOf::power_source) return Known(sources);
+      if (names == NameOf::other) return others(plan, event.rover_id);
+      return model == rovers.end() ? Known{} : equipment(model->second, rover->type, names);
+    };
+    const EventDeclaration& declaration = declarations.events.at(event.type);
+    check_names(event, declaration, known_of, faults);
+    if (model == rovers.end() || !event.is_enabled) continue;
+    stores.try_emplace(event.rover_id, model->second.power.resources)
+        .first->second.use(event, declaration, faults);
+  }
+}
+
+}  // namespace lsos

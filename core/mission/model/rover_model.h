@@ -1,0 +1,49 @@
+// All that a script in rovers/ says: of a rover, or of a thing that stands on the ground.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/shape.h"
+#include "mission/model/antenna.h"
+#include "power/power_spec.h"
+#include "route/map/ground_limits.h"
+#include "vehicle/suspension/rover_spec.h"
+
+namespace lsos {
+
+struct RoverModel {
+  RoverSpec spec;
+  PowerSpec power;
+  std::vector<Shape> shapes;          // wheels and struts are drawn besides; none: the chassis' box
+  std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
+  GroundLimits limits;
+  std::optional<std::int64_t> crew = {};  // that it carries; absent: nobody said
+
+  // Aboard in one of its configurations; absent: nobody said.
+  std::optional<std::int64_t> crew_of(const std::string& configuration) const {
+    for (const RoverConfiguration& each : spec.configurations) {
+      if (each.name == configuration && each.crew) return each.crew;
+    }
+    return crew;
+  }
+};
+
+// A habitat, a comm station.
+struct AssetModel {
+  std::string name = {};
+  std::string doc = {};
+  Place place = {};
+  std::vector<Shape> shapes = {};
+  double antenna_height_m = 0;  // above the ground
+  double antenna_range_max_m = std::numeric_limits<double>::infinity();
+  bool reaches_earth = true;
+  double supply_w = 0;  // power to give, besides that of its panels
+  std::vector<PanelSpec> panels = {};
+  std::vector<std::string> assumptions = {};
+};
+
+}  // namespace lsos

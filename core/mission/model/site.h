@@ -1,0 +1,42 @@
+// Where a plan's things stand on the ground: the site frame, default headings, and waypoints that
+// lie where there is no terrain.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mission/model/machine.h"
+#include "terrain/ground.h"
+
+namespace lsos {
+
+// The ground in the east-north-up frame on its surface at `start`. Throws InputError, also when
+// the terrain lies on another body or has no ground at `start`.
+std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
+                                  const Geodetic& start, std::uint64_t seed);
+
+// The same; throws InputError too where the raster's cells are slivers that no rover drives on.
+std::unique_ptr<Ground> drivable_ground_at(const TerrainSpec& terrain, const Body& body,
+                                           const Geodetic& start, std::uint64_t seed);
+
+// Waypoints on the ground, in the site frame. One off the terrain lies on the reference surface.
+Path3 on_ground_S_m(const std::vector<Geodetic>& points, const Ground& ground);
+
+// Clockwise from true north: from the rover's start to its first waypoint elsewhere, else 0.
+double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
+
+// An error for a start, and for each event that would drive to a place, without ground; but for
+// events that plan their ways, whose plans say so.
+std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground,
+                               const std::function<bool(const PlanEvent&)>& plans_its_way);
+// "waypoint 2 (10.000000,20.000000) is where the terrain is not known"
+std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point);
+
+// A warning where a rover starts outside its terrain, on the one beyond, or starts or drives to
+// ground that is known by large cells alone (see Ground::coarseness): the first such place; empty
+// for one that does not drive.
+std::vector<Fault> coarse_ground(const RoverMachine& machine, const Ground& ground);
+
+}  // namespace lsos

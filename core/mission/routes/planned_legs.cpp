@@ -1,0 +1,70 @@
+#include "mission/routes/planned_legs.h"
+
+#include "base/random.h"
+#include "base/sha256.h"
+#include "route/route_planner.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr std::size_t kept_max = 2000;
+constexpr std::string_view tag = "lsos-host planned legs";
+
+std::string bytes_of(auto value) {
+  Archive a = Archive::writer();
+  a(value);
+  return a.bytes();
+}
+
+}  // namespace
+
+PlannedLegs::PlannedLegs(const Ground& ground, std::uint64_t seed) : ground_(&ground), seed_(seed) {
+  Archive a = Archive::writer();
+  std::string terrain = ground.stamp();
+  Geodetic origin = ground.site().origin();
+  a.tag(tag)(terrain)(seed_)(origin.lon_rad)(origin.lat_rad)(origin.height_m);
+  ground_key_ = a.bytes();
+}
+
+const PlannedLeg& PlannedLegs::leg(const DriveCost& cost, LegRequest request) {
+  request.seed = 0;
+  const std::string key = sha256_hex(ground_key_ + bytes_of(cost) + bytes_of(request));
+  asked_.insert(key);
+  const auto known = legs_.find(key);
+  if (known != legs_.end()) return known->second;
+  has_planned_ = true;
+  request.seed = mix_key(seed_, key);
+  return legs_.emplace(key, plan_leg(*ground_, cost, request)).first->second;
+}
+
+void PlannedLegs::recall(const std::string& bytes) {
+  constexpr std::size_t hash_size = 64;
+  if (bytes.size() < hash_size) return;
+  const std::string body = bytes.substr(hash_size);
+  if (sha256_hex(body) != bytes.substr(0, hash_size)) return;
+  try {
+    Archive a = Archive::reader(body);
+    std::map<std::string, PlannedLeg> legs;
+    a.tag(tag)(legs);
+    legs_.merge(legs);
+  } catch (const Archive::Mismatch&) {
+    // Planned again.
+  }
+}
+
+std::string PlannedLegs::kept() const {
+  if (!has_planned_) return "";
+  std::map<std::string, PlannedLeg> legs;
+  for (const auto& [key, leg] : legs_) {
+    if (asked_.contains(key)) legs.insert({key, leg});
+  }
+  for (auto other = legs_.begin(); other != legs_.end() && legs.size() < kept_max; ++other) {
+    legs.insert(*other);
+  }
+  Archive a = Archive::writer();
+  a.tag(tag)(legs);
+  return sha256_hex(a.bytes()) + a.bytes();
+}
+
+}  // namespace lsos

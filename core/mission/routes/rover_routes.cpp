@@ -1,0 +1,190 @@
+#include "mission/routes/rover_routes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "mission/routes/drive_table.h"
+#include "planet/ellipsoid.h"
+#include "route/route_planner.h"
+#include "vehicle/footprint.h"
+
+namespace lsos {
+
+namespace {
+
+// A leg planned ahead is for a rover that is this near to where it was expected, and heads that
+// much otherwise at most where it cannot turn on the spot.
+constexpr double expected_within_m = 5, expected_heading_rad = 0.35;
+// Nearer to a leg's start than this the rover is on it.
+constexpr double on_start_m = 0.5;
+constexpr double passed_max_m = 1;  // as for following, see PathFollower
+// Among the attempts at an event's waypoints: how often a way through them was asked for.
+constexpr std::int64_t whole_way = 0;
+
+}  // namespace
+
+RoverRoutes::RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, double load_w,
+                         const Ground& ground, PlannedLegs& legs)
+    : vehicle_(&vehicle), limits_(limits), load_w_(load_w), ground_(&ground), legs_(&legs) {}
+
+const DriveCost& RoverRoutes::cost(const RouteSettings& settings) {
+  const double speed_mps =
+      std::min(settings.speed_mps.value_or(vehicle_->cruise_speed_mps), vehicle_->speed_max_mps);
+  const double slope_max_rad =
+      settings.slope_max_rad.value_or(std::numeric_limits<double>::infinity());
+  const auto known = costs_.find({speed_mps, slope_max_rad});
+  if (known != costs_.end()) return known->second;
+  const SiteFrame& site = ground_->site();
+  DriveCost cost = drive_cost(*vehicle_, ground_->soils(), gravity_mps2(site.body(), site.origin()),
+                              speed_mps, limits_);
+  cost.load_w = load_w_;
+  cost.limits.slope_max_rad = std::min(cost.limits.slope_max_rad, slope_max_rad);
+  return costs_.emplace(std::pair(speed_mps, slope_max_rad), std::move(cost)).first->second;
+}
+
+PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start,
+                            const Vec3& goal_S_m) {
+  LegRequest request;
+  request.start_S_m = start.p_S_m;
+  request.goal_S_m = goal_S_m;
+  request.aim = settings.aim;
+  request.avoided = settings.avoided;
+  request.starts_at_rest = start.is_at_rest;
+  request.start_heading_rad = start.heading_rad;
+  request.obstacles = obstacles_about(start.p_S_m, goal_S_m);
+  return legs_->leg(cost(settings), request);
+}
+
+Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const {
+  // Beyond the widest map that a leg is planned on.
+  constexpr double lengths = 4, least_m = 200;
+  const double reach_m = least_m + lengths * (goal_S_m - start_S_m).norm();
+  Obstacles obstacles;
+  obstacles.rover_at_rest = footprint_at_rest(*vehicle_);
+  for (const Obstacle& thing : legs_->standing()) {
+    if ((thing.center_S_m - start_S_m).norm() < reach_m) obstacles.standing.push_back(thing);
+  }
+  return obstacles;
+}
+
+bool RoverRoutes::is_passed(const RouteSettings& settings, const Vec3& p_S_m,
+                            const Vec3& waypoint_S_m) {
+  return (waypoint_S_m - p_S_m).norm() <= std::min(settings.arrival_radius_m, passed_max_m);
+}
+
+std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint,
+                                     const Vec3& start_S_m, const Vec3& goal_S_m,
+                                     const PlannedLeg& leg) {
+  // Along the body's surface, as maps have it.
+  const auto off_m = [&](const Vec3& p_S_m) {
+    return surface_distance_m(ground.site().body(), ground.site().geodetic(p_S_m),
+                              ground.site().geodetic(goal_S_m));
+  };
+  if ((leg.nearest_S_m - start_S_m).norm() < on_start_m) {
+    return fmt::format(
+        "the leg to waypoint {}: {}; no place nearer to it than the start can be reached, {:.0f} m "
+        "from it",
+        waypoint, leg.reason, off_m(start_S_m));
+  }
+  const Geodetic nearest = ground.site().geodetic(leg.nearest_S_m);
+  // Adding 0 makes -0 a 0; so does rounding first.
+  const auto told_deg = [](double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; };
+  return fmt::format(
+      "the leg to waypoint {}: {}; the nearest place that can be reached is {:.6f},{:.6f}, "
+      "{:.0f} m from it",
+      waypoint, leg.reason, told_deg(lon_deg(nearest)), told_deg(lat_deg(nearest)),
+      off_m(leg.nearest_S_m));
+}
+
+void RoverRoutes::log_ahead(const std::string& rover_id) {
+  if (ahead_ == nullptr) return;
+  for (const LegAhead& ahead : *ahead_) {
+    if (ahead.leg.is_found()) log(rover_id, SimTime{}, ahead.sequence, ahead.waypoint, ahead.leg);
+  }
+}
+
+const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
+                                   const LegStart& start, const Vec3& goal_S_m,
+                                   const RouteSettings& settings) {
+  if (ahead_ == nullptr) return nullptr;
+  const auto found = std::ranges::find_if(*ahead_, [&](const LegAhead& a) {
+    return a.sequence == sequence && a.waypoint == waypoint && a.goal_S_m == goal_S_m &&
+           a.settings == settings;
+  });
+  if (found == ahead_->end()) return nullptr;
+  const double off_m = (start.p_S_m - found->start.p_S_m).norm();
+  const double off_rad =
+      std::remainder(start.heading_rad - found->start.heading_rad, 2 * std::numbers::pi);
+  const bool fits =
+      off_m <= expected_within_m &&
+      (vehicle_->can_turn_on_spot || std::abs(off_rad) <= expected_heading_rad) &&
+      (off_m <= on_start_m || !found->leg.is_found() ||
+       is_free(*ground_, cost(settings), obstacles_about(start.p_S_m, found->start.p_S_m),
+               start.p_S_m, found->start.p_S_m));
+  return fits ? &*found : nullptr;
+}
+
+PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int64_t sequence,
+                             const LegStart& start, const Path3& waypoints_S_m, std::int64_t first,
+                             const RouteSettings& settings) {
+  PlannedWay way;
+  LegStart at = start;
+  const auto count = static_cast<std::int64_t>(waypoints_S_m.size());
+  // One that is stuck or has strayed wants a way from where it is.
+  const bool is_replanning = attempts_[sequence][whole_way]++ > 0;
+  for (std::int64_t waypoint = first; waypoint <= count; ++waypoint) {
+    const Vec3& goal_S_m = waypoints_S_m[static_cast<std::size_t>(waypoint - 1)];
+    if (way.legs.empty() && is_passed(settings, at.p_S_m, goal_S_m)) continue;
+    const bool is_from_here = is_replanning && way.legs.empty();
+    const LegAhead* known =
+        is_from_here ? nullptr : ahead(sequence, waypoint, at, goal_S_m, settings);
+    const PlannedLeg planned = known != nullptr ? known->leg : leg(settings, at, goal_S_m);
+    if (known == nullptr && planned.is_found()) log(rover_id, now, sequence, waypoint, planned);
+    for (const std::string& message : planned.messages) {
+      warnings_.push_back(
+          fmt::format("{}: planning the leg to waypoint {}: {}", rover_id, waypoint, message));
+    }
+    if (!planned.is_found()) {
+      return {{},
+              {},
+              no_way_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
+              planned.nearest_S_m};
+    }
+    // The next begins where the last ends.
+    way.path_S_m.insert(way.path_S_m.end(), planned.path_S_m.begin() + (way.legs.empty() ? 0 : 1),
+                        planned.path_S_m.end());
+    way.legs.push_back({waypoint, way.path_S_m.size() - 1, planned.length_m, planned.duration_s,
+                        planned.energy_j, planned.slope_max_rad});
+    at = {goal_S_m, planned.end_heading_rad, false};
+  }
+  // It stands where it is to go.
+  if (way.legs.empty()) way.path_S_m = {waypoints_S_m.back()};
+  return way;
+}
+
+void RoverRoutes::log(const std::string& rover_id, SimTime now, std::int64_t sequence,
+                      std::int64_t waypoint, const PlannedLeg& leg) {
+  PlannedPathRow row;
+  row.time = now;
+  row.rover_id = rover_id;
+  row.sequence = sequence;
+  row.leg = waypoint;
+  row.attempt = attempts_[sequence][waypoint]++;
+  row.length_m = leg.length_m;
+  row.duration_s = leg.duration_s;
+  row.energy_j = leg.energy_j;
+  row.slope_max_rad = leg.slope_max_rad;
+  row.steepest = ground_->site().geodetic(leg.steepest_S_m);
+  for (const Vec3& p_S_m : leg.path_S_m) row.line.push_back(ground_->site().geodetic(p_S_m));
+  rows_.push_back(std::move(row));
+}
+
+std::vector<PlannedPathRow> RoverRoutes::take_rows() { return std::exchange(rows_, {}); }
+std::vector<std::string> RoverRoutes::take_warnings() { return std::exchange(warnings_, {}); }
+
+}  // namespace lsos

@@ -1,0 +1,143 @@
+#include "picture/logged_run.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lsos {
+
+namespace {
+
+constexpr double apart_m = 0.05, still_mps = 1e-3;
+
+// Two samples of a rover with a time that was asked for between.
+struct Stretch {
+  LoggedRover from;
+  std::optional<LoggedRover> to;
+};
+using Stretches = std::vector<Stretch>;  // of one time, a rover each
+
+// One rover's samples in order of time, as they come.
+struct Follower {
+  std::optional<SampleRow> last;
+  std::size_t next = 0;  // of the times, that has no sample yet
+
+  // `coming`: the sample after the last, if there is one.
+  void fill(std::vector<Stretches>& moments, std::span<const SimTime> times,
+            const SampleRow* coming) {
+    for (; next < times.size() && (coming == nullptr || times[next] < coming->time); ++next) {
+      if (!last) continue;
+      moments[next].push_back({{*last, {}, {}}, {}});
+      if (coming != nullptr && times[next] > last->time) {
+        moments[next].back().to = LoggedRover{*coming, {}, {}};
+      }
+    }
+  }
+};
+
+// Rows of joints or panels to the samples of their time.
+class Joiner {
+ public:
+  explicit Joiner(std::vector<Stretches>& moments) {
+    for (Stretches& moment : moments) {
+      for (Stretch& stretch : moment) {
+        want(stretch.from);
+        if (stretch.to) want(*stretch.to);
+      }
+    }
+  }
+  template <class Row>
+  void add(const Row& row, std::vector<Row> LoggedRover::*to) const {
+    const auto found = wanted_.find({row.rover_id, row.time});
+    if (found == wanted_.end()) return;
+    for (LoggedRover* rover : found->second) (rover->*to).push_back(row);
+  }
+  // Of all samples; empty when there are none.
+  const TimeSpan& span() const { return span_; }
+
+ private:
+  void want(LoggedRover& rover) {
+    const SimTime time = rover.sample.time;
+    wanted_[{rover.sample.rover_id, time}].push_back(&rover);
+    span_ = {std::min(span_.from, time), std::max(span_.to, time)};
+  }
+  TimeSpan span_{SimTime::max(), SimTime::min()};
+  std::map<std::pair<std::string, SimTime>, std::vector<LoggedRover*>> wanted_;
+};
+
+// How much of its motion from one sample to the next lies behind. A parked rover has few samples;
+// it moved up to `interval` after the first of them, or before the second.
+double share_at(const Stretch& stretch, SimTime time, SimTime interval) {
+  SimTime start = stretch.from.sample.time, end = stretch.to->sample.time;
+  if (end - start > interval) {
+    const bool goes_on = stretch.from.sample.speed_mps > still_mps;
+    (goes_on ? end : start) = goes_on ? start + interval : end - interval;
+  }
+  return std::clamp(seconds(time - start) / seconds(end - start), 0.0, 1.0);
+}
+
+// Over the ground about a rover, on the mean of a few places: rocks pass between its wheels.
+double gap_m(Ground::Probe& probe, const Vec3& p_S_m) {
+  double sum_m = 0;
+  int count = 0;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      const GroundSample sample = probe.sample(p_S_m + Vec3(x, y, 0));
+      if (!sample.is_ground()) continue;
+      sum_m += sample.gap_m;
+      ++count;
+    }
+  }
+  return count > 0 ? sum_m / count : 0;
+}
+
+// Between two samples the ground rises and falls: the rover stays as far over it as on a straight
+// line.
+LoggedRover at(const Stretch& stretch, SimTime time, const Ground& ground, SimTime interval) {
+  if (!stretch.to) return stretch.from;
+  const double share = share_at(stretch, time, interval);
+  LoggedRover rover = between(ground.site(), stretch.from, *stretch.to, share);
+  const Vec3 &from_S_m = stretch.from.sample.p_S_m, &to_S_m = stretch.to->sample.p_S_m;
+  if ((to_S_m - from_S_m).norm() < apart_m) return rover;
+  Ground::Probe probe(ground);
+  const double wanted_m = (1 - share) * gap_m(probe, from_S_m) + share * gap_m(probe, to_S_m);
+  Vec3& p_S_m = rover.sample.p_S_m;
+  p_S_m += (wanted_m - gap_m(probe, p_S_m)) * ground.site().up_S(p_S_m);
+  return rover;
+}
+
+}  // namespace
+
+LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, const Ground& ground,
+                      SimTime interval) {
+  LoggedRun run;
+  std::vector<Stretches> moments(times.size());
+  std::map<std::string, Follower> followers;
+  log.for_each_sample([&](const SampleRow& row) {
+    if (times.empty()) return;
+    Follower& follower = followers[row.rover_id];
+    if (follower.next == times.size()) return;
+    follower.fill(moments, times, &row);
+    if (row.time > times.back()) return;
+    follower.last = row;
+    std::vector<TrackPoint>& track = run.tracks[row.rover_id];
+    if (track.empty() || (row.p_S_m - track.back().p_S_m).norm() > apart_m) {
+      track.push_back({row.time, row.p_S_m});
+    }
+  });
+  for (auto& [id, follower] : followers) follower.fill(moments, times, nullptr);
+  const Joiner joiner(moments);
+  log.for_each_joint([&](const JointRow& row) { joiner.add(row, &LoggedRover::joints); },
+                     joiner.span());
+  log.for_each_panel([&](const PanelRow& row) { joiner.add(row, &LoggedRover::panels); },
+                     joiner.span());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    LoggedMoment& moment = run.moments.emplace_back();
+    for (const Stretch& stretch : moments[k]) {
+      moment.push_back(at(stretch, times[k], ground, interval));
+    }
+    std::ranges::sort(moment, {}, [](const LoggedRover& rover) { return rover.sample.rover_id; });
+  }
+  return run;
+}
+
+}  // namespace lsos

@@ -1,0 +1,34 @@
+// One picture of a run, as it is written to a file.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "picture/lettering.h"
+#include "picture/picture_run.h"
+#include "view/picture/scene_picture.h"
+
+namespace lsos {
+
+struct PictureWish {
+  std::string from = "sun";  // sun, chase, east, above, or a rover
+  std::string rover;         // "": the first
+  int size_px = 0;           // the width, of what the Sun sees each side; 0: 1280, or 800
+};
+
+struct PictureSize {
+  int width_px = 0, height_px = 0;
+};
+// Throws InputError: no such view.
+PictureSize picture_size(const PictureRun& run, const PictureWish& wish);
+
+struct PictureFrameOut {
+  RgbPicture picture;
+  nlohmann::ordered_json about;  // what is told of it
+};
+
+// `k`: of the run's times.
+PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureWish& wish,
+                           const Gpu& gpu, Lettering& letters);
+
+}  // namespace lsos

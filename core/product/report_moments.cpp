@@ -1,0 +1,115 @@
+#include "product/report_moments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace lsos {
+
+namespace {
+
+constexpr double still_m = 2;        // an event that moves less is a stop
+constexpr SimTime stop{60'000'000};  // and lasts so long
+constexpr SimTime picture_apart{30'000'000};
+constexpr std::size_t stops_most = 8;
+constexpr std::size_t rovers_most = 3;  // whose start and end are shown
+
+// By rover, when its panels went up or down.
+class PanelTimes {
+ public:
+  explicit PanelTimes(const LogReader& log) {
+    log.for_each_panel([&](const PanelRow& row) {
+      auto& changes = by_rover_[row.rover_id];
+      const bool is_up = !std::isnan(row.azimuth_rad);
+      // Of several panels one is enough.
+      if (!changes.empty() && changes.back().first == row.time) {
+        changes.back().second |= is_up;
+      } else if (changes.size() < 2 || changes.back().second != is_up ||
+                 changes[changes.size() - 2].second != is_up) {
+        changes.emplace_back(row.time, is_up);
+      } else {
+        changes.back().first = row.time;
+      }
+    });
+  }
+  bool is_up(const std::string& rover_id, SimTime time) const {
+    const auto found = by_rover_.find(rover_id);
+    if (found == by_rover_.end()) return false;
+    bool is_up = false;
+    for (const auto& [at, then] : found->second) {
+      if (at > time) break;
+      is_up = then;
+    }
+    return is_up;
+  }
+
+ private:
+  std::map<std::string, std::vector<std::pair<SimTime, bool>>> by_rover_;
+};
+
+SimTime middle(const EventRow& event) {
+  return round_up_to_exchange((*event.start + *event.end) / 2);
+}
+
+// Of events without a drive between them the longest stands for the stop.
+std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& panels) {
+  std::vector<ReportMoment> stops;
+  const EventRow* longest = nullptr;
+  const auto end_stop = [&] {
+    if (longest != nullptr) {
+      stops.push_back({middle(*longest), longest->rover_id, longest->label, true});
+    }
+    longest = nullptr;
+  };
+  std::string rover_id;
+  for (const EventRow& event : data.events) {
+    if (event.rover_id != rover_id) end_stop();
+    rover_id = event.rover_id;
+    if (!event.start || !event.end) continue;
+    if (event.distance_m > still_m) {
+      end_stop();
+      continue;
+    }
+    const SimTime took = *event.end - *event.start;
+    if (took < stop || !panels.is_up(rover_id, middle(event))) continue;
+    if (longest == nullptr || took > *longest->end - *longest->start) longest = &event;
+  }
+  end_stop();
+  return stops;
+}
+
+}  // namespace
+
+std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data,
+                                         std::vector<std::string>& left_out) {
+  const PanelTimes panels(log);
+  std::vector<ReportMoment> moments;
+  for (std::size_t k = 0; k < std::min(rovers_most, data.rovers.size()); ++k) {
+    const ReportRover& rover = data.rovers[k];
+    const SimTime end = from_seconds(rover.last_s);
+    moments.push_back({{}, rover.id, "Start", false});
+    if (end > picture_apart) moments.push_back({end, rover.id, "End", false});
+  }
+  const std::vector<ReportMoment> stops = solar_stops(data, panels);
+  // Of too many some of all parts of the mission.
+  const std::size_t count = std::min(stops_most, stops.size());
+  if (count < stops.size()) {
+    left_out.push_back(fmt::format("pictures of {} of the {} stops with panels up",
+                                   stops.size() - count, stops.size()));
+  }
+  if (data.rovers.size() > rovers_most) {
+    left_out.push_back(fmt::format("pictures of start and end of {} of the {} rovers",
+                                   data.rovers.size() - rovers_most, data.rovers.size()));
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    moments.push_back(stops[k * stops.size() / count]);
+  }
+  std::ranges::stable_sort(moments, {}, [](const ReportMoment& moment) {
+    return std::pair(moment.time, moment.rover_id);
+  });
+  return moments;
+}
+
+}  // namespace lsos

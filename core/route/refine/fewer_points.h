@@ -1,0 +1,11 @@
+// A line with the points left out that it does not bend at.
+#pragma once
+
+#include "route/cost/leg_cost.h"
+
+namespace lsos {
+
+// Without the points that lie on the straight between their neighbours.
+Line2 corners(const Line2& line);
+
+}  // namespace lsos

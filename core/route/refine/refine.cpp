@@ -1,0 +1,188 @@
+#include "route/refine/refine.h"
+
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
+#include <ompl/base/OptimizationObjective.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/config.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/PathSimplifier.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <numbers>
+#include <utility>
+
+#include "route/refine/fewer_poses.h"
+
+namespace lsos {
+
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+// So many cuts from anywhere to anywhere are tried first.
+constexpr unsigned int shortcuts = 32;
+// Poses are moved by up to so many spacings, coarse first. Not in turns: pose by pose there is
+// hardly a move that turns allow, and 18 ways of a kilometre cost no less for them.
+constexpr double moves_spacings[] = {8, 4, 2, 1};
+// So often for each length of a move along the route; twice as often gains nothing.
+constexpr double tries_a_move = 0.5;
+
+// Poses joined as the rover steers. OMPL's own space of arcs and straight pieces stops the program
+// where rounding leaves one of its equations off by a millionth.
+class PoseSpace : public ob::SE2StateSpace {
+ public:
+  explicit PoseSpace(const RouteSteering& steering) : steering_(steering) {}
+
+  static Pose2 pose(const ob::State* state) {
+    const auto* se2 = state->as<StateType>();
+    return {{se2->getX(), se2->getY()}, se2->getYaw()};
+  }
+  static void set(ob::State* state, const Pose2& pose) {
+    auto* se2 = state->as<StateType>();
+    se2->setXY(pose.at_m.x(), pose.at_m.y());
+    se2->setYaw(std::remainder(pose.yaw_rad, 2 * std::numbers::pi));
+  }
+  double cost(LegCosts& costs, const ob::State* from, const ob::State* to) const {
+    return costs.driven(steering_.way(pose(from), pose(to)));
+  }
+  double distance(const ob::State* from, const ob::State* to) const override {
+    return steering_.length_m(pose(from), pose(to));
+  }
+  void interpolate(const ob::State* from, const ob::State* to, double share,
+                   ob::State* state) const override {
+    set(state, steering_.between(pose(from), pose(to), share));
+  }
+  bool isMetricSpace() const override { return false; }
+  bool hasSymmetricDistance() const override { return false; }
+  bool hasSymmetricInterpolate() const override { return false; }
+
+ private:
+  const RouteSteering& steering_;
+};
+
+class Objective : public ob::OptimizationObjective {
+ public:
+  Objective(const ob::SpaceInformationPtr& information, LegCosts& costs)
+      : OptimizationObjective(information), costs_(costs) {}
+  ob::Cost stateCost(const ob::State*) const override { return identityCost(); }
+  ob::Cost motionCost(const ob::State* from, const ob::State* to) const override {
+    return ob::Cost(si_->getStateSpace()->as<PoseSpace>()->cost(costs_, from, to));
+  }
+
+ private:
+  LegCosts& costs_;
+};
+
+// What crosses a hazard costs without limit, so that no motion need be looked at twice.
+class AnyMotion : public ob::MotionValidator {
+ public:
+  using MotionValidator::MotionValidator;
+  bool checkMotion(const ob::State*, const ob::State*) const override { return true; }
+  bool checkMotion(const ob::State*, const ob::State*,
+                   std::pair<ob::State*, double>&) const override {
+    return true;
+  }
+};
+
+std::mutex one_at_a_time;
+
+// Keeps OMPL's messages from standard output while it lives.
+class Messages : public ompl::msg::OutputHandler {
+ public:
+  Messages() { ompl::msg::useOutputHandler(this); }
+  ~Messages() override { ompl::msg::restorePreviousOutputHandler(); }
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+
+  void log(const std::string& text, ompl::msg::LogLevel level, const char*, int) override {
+    if (level >= ompl::msg::LOG_WARN) texts.push_back(text);
+  }
+  std::vector<std::string> texts;
+};
+
+ob::SpaceInformationPtr information_on(const RouteSteering& steering, const GroundMap& map) {
+  ob::RealVectorBounds bounds(2);
+  const Vec2 high_m = map.place_m(map.columns() - 1, map.rows() - 1);
+  for (unsigned int k = 0; k < 2; ++k) {
+    bounds.setLow(k, map.low_m()[k]);
+    bounds.setHigh(k, high_m[k]);
+  }
+  auto space = std::make_shared<PoseSpace>(steering);
+  space->setBounds(bounds);
+  auto information = std::make_shared<ob::SpaceInformation>(std::move(space));
+  information->setStateValidityChecker([](const ob::State*) { return true; });
+  information->setMotionValidator(std::make_shared<AnyMotion>(information));
+  information->setup();
+  return information;
+}
+
+// Corners cut and poses moved at random as long as that makes the route cheaper.
+std::vector<Pose2> moved_at_random(LegCosts& costs, const RouteSteering& steering,
+                                   const std::vector<Pose2>& poses) {
+  const ob::SpaceInformationPtr information = information_on(steering, costs.map());
+  og::PathGeometric path(information);
+  ob::State* state = information->allocState();
+  for (const Pose2& pose : poses) {
+    PoseSpace::set(state, pose);
+    path.append(state);
+  }
+  information->freeState(state);
+  og::PathSimplifier simplifier(information, nullptr,
+                                std::make_shared<Objective>(information, costs));
+  const double length_m = path.length();
+  if (length_m < costs.map().spacing_m()) return poses;
+  simplifier.shortcutPath(path, shortcuts, shortcuts);
+  if (steering.is_straight()) {
+    for (const double move_spacings : moves_spacings) {
+      const double move_m = move_spacings * costs.map().spacing_m();
+      const auto steps = static_cast<unsigned int>(std::ceil(tries_a_move * length_m / move_m));
+      simplifier.perturbPath(path, move_m, steps, steps);
+    }
+  }
+  std::vector<Pose2> now;
+  for (const ob::State* of : path.getStates()) now.push_back(PoseSpace::pose(of));
+  return now;
+}
+
+}  // namespace
+
+std::string refining_stamp() {
+  std::string stamp = fmt::format("ompl {} libc {}", OMPL_VERSION, gnu_get_libc_version());
+  // The C library's functions round otherwise with these.
+  if (__builtin_cpu_supports("fma")) stamp += " fma";
+  if (__builtin_cpu_supports("avx2")) stamp += " avx2";
+  return stamp;
+}
+
+Refined refined(LegCosts& costs, const RouteSteering& steering, std::vector<Pose2> poses,
+                std::uint64_t seed) {
+  return moved(costs, steering, with_fewer_poses(costs, steering, std::move(poses)), seed);
+}
+
+Refined moved(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
+              std::uint64_t seed) {
+  const std::lock_guard lock(one_at_a_time);
+  {
+    // It warns of a seed that is not the process' first, which is what is wanted here.
+    const Messages unwanted;
+    ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0x7fffffff + 1));
+  }
+  Messages messages;
+  Refined answer{steering.line(poses), {}};
+  const std::vector<Pose2> now =
+      with_fewer_poses(costs, steering, moved_at_random(costs, steering, poses));
+  if (Line2 line = steering.line(now); costs.driven(line) < costs.driven(answer.line)) {
+    answer.line = std::move(line);
+  }
+  answer.messages = messages.texts;
+  return answer;
+}
+
+}  // namespace lsos

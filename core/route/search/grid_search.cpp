@@ -1,0 +1,289 @@
+#include "route/search/grid_search.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include "route/map/tiled_grid.h"
+#include "route/search/tube.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr std::array<std::array<int, 2>, 8> neighbours{
+    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+constexpr std::uint8_t no_direction = 255, to_goal = 8;
+constexpr double grain_share = 1e-9;  // of what a way costs at the least
+// A way over more nodes is looked for near that over a lattice so many times as coarse, so many of
+// its own spacings to either side: of SEV's over 800 m of LunarSouthPole (the test RoughSearch)
+// that looks at a fortieth of the nodes, for 2 % more than the cheapest costs at most.
+constexpr double near_nodes = 150;
+constexpr int coarser_times = 4;
+constexpr double near_spacings = 10;
+// Where it costs so many times what it does over the coarser one, that does not show what matters:
+// it is looked for everywhere.
+constexpr double trusted_times = 1.25;
+
+struct Candidate {
+  double total = 0;  // estimate of a whole way through it
+  double cost = 0;   // to the node; a bound until the edge is known
+  float favour = 0;  // of those of one total the greatest comes first
+  std::int32_t node = 0;
+  std::uint8_t direction = no_direction;  // that it is come to by
+  bool is_known = false;
+
+  // std::priority_queue takes the greatest: the least total.
+  bool operator<(const Candidate& other) const {
+    if (total != other.total) return total > other.total;
+    if (favour != other.favour) return favour < other.favour;
+    if (node != other.node) return node > other.node;
+    return direction > other.direction;
+  }
+};
+
+class Search {
+ public:
+  // `within`: over its nodes only.
+  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within = nullptr)
+      : costs_(costs),
+        map_(costs.map()),
+        within_(within),
+        start_m_(start_m),
+        goal_m_(goal_m),
+        goal_height_m_(map_.height_m(goal_m)),
+        goal_node_(map_.columns() * map_.rows()),
+        nodes_(map_.columns(), map_.rows()) {
+    start_ = number(column(start_m), row(start_m));
+    find_closing_nodes();
+    grain_ = grain_share * left(start_);
+  }
+
+  GridRoute run() {
+    GridRoute route;
+    double nearest_m = infinite;
+    node(start_).cost = 0;
+    queue_.push({left(start_), 0, 0, start_, no_direction, true});
+    while (!queue_.empty()) {
+      Candidate best = queue_.top();
+      queue_.pop();
+      Node& node = this->node(best.node);
+      if (node.is_closed || (!best.is_known && !(best.cost < node.cost))) continue;
+      if (!best.is_known) {
+        look(best);
+        continue;
+      }
+      node.is_closed = true;
+      node.cost = best.cost;
+      node.come_by = best.direction;
+      ++route.expanded;
+      if (best.node == goal_node_) {
+        route.line = line();
+        route.cost = best.cost;
+        route.nearest_m = goal_m_;
+        return route;
+      }
+      const double off_m = (place(best.node) - goal_m_).norm();
+      if (off_m < nearest_m && can_stand(best)) {
+        nearest_m = off_m;
+        route.nearest_m = place(best.node);
+      }
+      expand(best);
+    }
+    route.cost = infinite;
+    return route;
+  }
+
+ private:
+  struct Node {
+    double cost = infinite;  // the least of those looked at
+    double left = std::numeric_limits<double>::quiet_NaN();
+    bool is_closed = false;
+    std::uint8_t come_by = no_direction;
+  };
+  Node& node(std::int32_t node) {
+    return node == goal_node_ ? goal_ : nodes_(node % map_.columns(), node / map_.columns());
+  }
+
+  // Of the nearest node.
+  int column(const Vec2& at_m) const {
+    return std::clamp(static_cast<int>(std::lround(map_.nodes(at_m).x())), 0, map_.columns() - 1);
+  }
+  int row(const Vec2& at_m) const {
+    return std::clamp(static_cast<int>(std::lround(map_.nodes(at_m).y())), 0, map_.rows() - 1);
+  }
+  std::int32_t number(int column, int row) const { return row * map_.columns() + column; }
+  Vec2 place(std::int32_t node) const {
+    return node == goal_node_ ? goal_m_
+                              : map_.place_m(node % map_.columns(), node / map_.columns());
+  }
+  double height_m(std::int32_t node) {
+    return node == goal_node_ ? goal_height_m_
+                              : map_.node_m(node % map_.columns(), node / map_.columns());
+  }
+  std::int32_t before(const Candidate& c) const {
+    if (c.direction == to_goal) return last_;
+    const auto& way = neighbours[c.direction];
+    return c.node - number(way[0], way[1]);
+  }
+  // A goal that is a node but for rounding is come to from all its neighbours.
+  bool is_closing(const Vec2& at_m) const {
+    return (at_m - goal_m_).cwiseAbs().maxCoeff() <= 1.01 * map_.spacing_m();
+  }
+  void find_closing_nodes() {
+    const int column = this->column(goal_m_), row = this->row(goal_m_);
+    for (int y = std::max(0, row - 1); y <= std::min(map_.rows() - 1, row + 1); ++y) {
+      for (int x = std::max(0, column - 1); x <= std::min(map_.columns() - 1, column + 1); ++x) {
+        const Vec2 at_m = map_.place_m(x, y);
+        if (is_closing(at_m)) closing_.push_back({at_m, (goal_m_ - at_m).norm()});
+      }
+    }
+  }
+  // The shortest way to the goal: along the lattice to a node from which the goal is come to. Any
+  // less would be a reason to look at all ways over level ground that are as short as each other.
+  double far_m(std::int32_t node) const {
+    if (node == goal_node_) return 0;
+    double least_m = infinite;
+    for (const ClosingNode& closing : closing_) {
+      least_m = std::min(least_m, octile_m(closing.at_m - place(node)) + closing.to_goal_m);
+    }
+    return least_m;
+  }
+  // At least what is left to the goal.
+  double left(std::int32_t node) {
+    double& left = this->node(node).left;
+    if (std::isnan(left)) left = left_at(node);
+    return left;
+  }
+  double left_at(std::int32_t node) {
+    const double far_m = this->far_m(node);
+    const double rise_m = goal_height_m_ - height_m(node);
+    return std::isnan(rise_m) ? costs_.least_per_metre() * far_m : costs_.least(far_m, rise_m);
+  }
+
+  // In whole grains: ways of the same cost shall not differ by the last digits of it, which go by
+  // the order of their steps.
+  double total(double cost, std::int32_t node) {
+    const double total = cost + left(node);
+    return grain_ > 0 ? grain_ * std::round(total / grain_) : total;
+  }
+
+  // Ways that have come far, and keep to the straight line: over level ground they need the least
+  // mending.
+  float favour(double cost, std::int32_t node) const {
+    const Vec2 way_m = place(node) - start_m_, whole_m = goal_m_ - start_m_;
+    const double aside_m = std::abs(way_m.x() * whole_m.y() - way_m.y() * whole_m.x());
+    const double length_m = std::max(whole_m.norm(), 1e-9);
+    return static_cast<float>(cost / costs_.least_per_metre() - aside_m / length_m);
+  }
+
+  void offer(const Candidate& from, std::int32_t to, std::uint8_t direction) {
+    Node& node = this->node(to);
+    if (node.is_closed) return;
+    if (within_ != nullptr && !within_->holds(place(to))) return;
+    const double rise_m = height_m(to) - height_m(from.node);
+    if (std::isnan(rise_m)) return;
+    const double cost = from.cost + costs_.least((place(to) - place(from.node)).norm(), rise_m);
+    if (!(cost < node.cost)) return;
+    queue_.push({total(cost, to), cost, favour(cost, to), to, direction, false});
+  }
+
+  bool can_stand(const Candidate& at) {
+    if (at.direction == no_direction) return true;
+    const auto& way = neighbours[at.direction];
+    return costs_.can_stand(place(at.node), Vec2(way[0], way[1]).normalized());
+  }
+
+  void expand(const Candidate& from) {
+    const int column = from.node % map_.columns(), row = from.node / map_.columns();
+    for (std::uint8_t k = 0; k < to_goal; ++k) {
+      const int x = column + neighbours[k][0], y = row + neighbours[k][1];
+      if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
+      offer(from, number(x, y), k);
+    }
+    if (!is_closing(place(from.node))) return;
+    const double cost = from.cost + costs_.straight(place(from.node), goal_m_);
+    if (!(cost < goal_.cost)) return;
+    goal_.cost = cost;
+    last_ = from.node;
+    queue_.push(
+        {total(cost, goal_node_), cost, favour(cost, goal_node_), goal_node_, to_goal, true});
+  }
+
+  // Works out the edge of a candidate.
+  void look(Candidate& candidate) {
+    const std::int32_t from = before(candidate);
+    candidate.cost = node(from).cost + costs_.straight(place(from), place(candidate.node));
+    Node& to = node(candidate.node);
+    if (!(candidate.cost < to.cost)) return;
+    to.cost = candidate.cost;
+    candidate.total = total(candidate.cost, candidate.node);
+    candidate.favour = favour(candidate.cost, candidate.node);
+    candidate.is_known = true;
+    queue_.push(candidate);
+  }
+
+  Line2 line() {
+    Line2 line{goal_m_};
+    std::int32_t node = last_;
+    for (;;) {
+      line.push_back(place(node));
+      const std::uint8_t direction = this->node(node).come_by;
+      if (direction == no_direction) break;
+      node -= number(neighbours[direction][0], neighbours[direction][1]);
+    }
+    std::ranges::reverse(line);
+    return line;
+  }
+
+  LegCosts& costs_;
+  GroundMap& map_;
+  const Tube* within_;
+  Vec2 start_m_, goal_m_;
+  double goal_height_m_;
+  struct ClosingNode {
+    Vec2 at_m;
+    double to_goal_m;
+  };
+  std::vector<ClosingNode> closing_;  // from which the goal is come to
+  double grain_ = 0;                  // of totals
+  std::int32_t start_ = 0, goal_node_, last_ = 0;
+  TiledGrid<Node> nodes_;
+  Node goal_;
+  std::priority_queue<Candidate> queue_;
+};
+
+}  // namespace
+
+double octile_m(const Vec2& way_m) {
+  const double x = std::abs(way_m.x()), y = std::abs(way_m.y());
+  return std::max(x, y) + (std::numbers::sqrt2 - 1) * std::min(x, y);
+}
+
+GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
+  const double spacing_m = costs.map().spacing_m();
+  std::size_t expanded = 0;
+  if (octile_m(goal_m - start_m) > near_nodes * spacing_m) {
+    GroundMap coarser_map = costs.map().coarser(coarser_times);
+    LegCosts coarser = costs.over(coarser_map);
+    const GridRoute way = search_grid(coarser, start_m, goal_m);
+    expanded += way.expanded;
+    if (!way.line.empty()) {
+      const Tube near(costs.map(), way.line, near_spacings * spacing_m);
+      GridRoute route = Search(costs, start_m, goal_m, &near).run();
+      route.expanded += expanded;
+      if (route.cost < trusted_times * way.cost) return route;
+      expanded = route.expanded;
+    }
+  }
+  GridRoute route = Search(costs, start_m, goal_m).run();
+  route.expanded += expanded;
+  return route;
+}
+
+}  // namespace lsos

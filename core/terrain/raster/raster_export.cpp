@@ -1,0 +1,148 @@
+#include "terrain/raster/raster_export.h"
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "terrain/raster/gdal_call.h"
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& file) {
+  const std::string why = GdalSilence::message();
+  throw InputError({file, 0}, fmt::format("cannot be written: {}", why.empty() ? "no space" : why));
+}
+
+GDALDriver& driver(const char* name) {
+  GDALAllRegister();
+  GDALDriver* found = GetGDALDriverManager()->GetDriverByName(name);
+  if (found == nullptr) {
+    throw InputError({}, fmt::format("this GDAL has no driver {}; 3.1 or newer has it", name));
+  }
+  return *found;
+}
+
+GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
+                               const std::vector<MapBand>& bands, const MapRow& values) {
+  const int count = static_cast<int>(bands.size());
+  GDALDatasetUniquePtr dataset(
+      driver("MEM").Create("", grid.columns, grid.rows, count, GDT_Float32, nullptr));
+  if (!dataset) refuse("the map");
+  OGRSpatialReference crs;
+  crs.importFromWkt(grid.crs.c_str());
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  dataset->SetSpatialRef(&crs);
+  dataset->SetGeoTransform(const_cast<double*>(grid.geotransform.data()));
+  for (int k = 0; k < count; ++k) {
+    GDALRasterBand& band = *dataset->GetRasterBand(k + 1);
+    band.SetNoDataValue(std::numeric_limits<float>::quiet_NaN());
+    band.SetUnitType(bands[static_cast<std::size_t>(k)].unit.c_str());
+    band.SetDescription(bands[static_cast<std::size_t>(k)].name.c_str());
+  }
+  const RasterMap map = grid.map(body);
+  std::vector<std::optional<Geodetic>> places(grid.columns);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      places[column] = map.place({static_cast<double>(column), static_cast<double>(row)});
+    }
+    const std::vector<double> found = values(places);
+    const std::vector<float> lines(found.begin(), found.end());
+    for (int k = 0; k < count; ++k) {
+      auto* line = const_cast<float*>(&lines[static_cast<std::size_t>(k) * places.size()]);
+      if (dataset->GetRasterBand(k + 1)->RasterIO(GF_Write, 0, row, grid.columns, 1, line,
+                                                  grid.columns, 1, GDT_Float32, 0, 0,
+                                                  nullptr) != CE_None) {
+        refuse("the map");
+      }
+    }
+  }
+  return dataset;
+}
+
+// Unit of the map; a degree where it is geographic.
+double unit_m(const OGRSpatialReference& crs, const Body& body) {
+  if (crs.IsGeographic()) return body.equatorial_radius_m * std::numbers::pi / 180;
+  return crs.GetLinearUnits();
+}
+
+// gdaldem's, which takes a unit of the map for a metre unless it is told.
+GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
+  CPLStringList words;
+  for (const char* word : {"-of", "MEM", "-compute_edges"}) words.AddString(word);
+  if (const double to_m = unit_m(*heights.GetSpatialRef(), body); to_m != 1) {
+    words.AddString("-s");
+    words.AddString(fmt::format("{}", to_m).c_str());
+  }
+  const std::unique_ptr<GDALDEMProcessingOptions, void (*)(GDALDEMProcessingOptions*)> options(
+      GDALDEMProcessingOptionsNew(words.List(), nullptr), GDALDEMProcessingOptionsFree);
+  int misused = FALSE;
+  GDALDatasetUniquePtr shade(GDALDataset::FromHandle(GDALDEMProcessing(
+      "", GDALDataset::ToHandle(&heights), "hillshade", nullptr, options.get(), &misused)));
+  if (!shade) refuse("the hillshade");
+  shade->GetRasterBand(1)->SetDescription("hillshade");
+  return shade;
+}
+
+// Under another name until it is whole.
+void write_cog(GDALDataset& dataset, const std::string& file) {
+  CPLStringList options;
+  options.SetNameValue("COMPRESS", "DEFLATE");
+  options.SetNameValue("PREDICTOR", "YES");
+  options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
+  const std::string unfinished = file + ".part";
+  CPLErrorReset();
+  GDALDatasetUniquePtr copy(driver("COG").CreateCopy(unfinished.c_str(), &dataset, FALSE,
+                                                     options.List(), nullptr, nullptr));
+  const bool is_made = copy != nullptr;
+  copy.reset();
+  std::error_code error;
+  if (!is_made || CPLGetLastErrorType() >= CE_Failure) {
+    fs::remove(unfinished, error);
+    refuse(file);
+  }
+  fs::rename(unfinished, file, error);
+  if (error) {
+    const std::string why = error.message();
+    fs::remove(unfinished, error);
+    throw InputError({file, 0}, fmt::format("cannot be written: {}", why));
+  }
+}
+
+}  // namespace
+
+void write_map(const std::string& file, const MapGrid& grid, const Body& body,
+               const std::vector<MapBand>& bands, const MapRow& values) {
+  const GDALDatasetUniquePtr dataset = in_memory(grid, body, bands, values);
+  const GdalSilence silence;
+  write_cog(*dataset, file);
+}
+
+void write_raster(const RasterExport& to, const MapGrid& grid, const Body& body,
+                  const std::function<double(const Geodetic&)>& height_m) {
+  const MapRow heights_m = [&](std::span<const std::optional<Geodetic>> places) {
+    std::vector<double> values;
+    for (const auto& place : places) {
+      values.push_back(place ? height_m(*place) : std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+  };
+  GDALDatasetUniquePtr dataset = in_memory(grid, body, {{"height", "m"}}, heights_m);
+  const GdalSilence silence;
+  if (to.is_hillshade) dataset = hillshade(*dataset, body);
+  write_cog(*dataset, to.file);
+}
+
+}  // namespace lsos

@@ -1,0 +1,114 @@
+// What a terrain script says, as values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/error.h"
+#include "terrain/spec/raster_surface.h"
+#include "terrain/spec/soil.h"
+
+namespace lsos {
+
+// Level or tilted ground: height_m at the site's origin, rising by slope_rad towards the azimuth
+// opposite to downslope_azimuth_rad (clockwise from true north there).
+struct PlaneSurface {
+  double height_m = 0;
+  double slope_rad = 0;
+  double downslope_azimuth_rad = 0;
+};
+
+// A crater or a mountain at a place that is known.
+struct Landform {
+  std::string name;
+  double lon_rad = 0;
+  double lat_rad = 0;
+  double diameter_m = 0;    // of the rim's crest; of a mountain's foot
+  double depth_m = 0;       // from the rim's crest to the floor; 0: a mountain
+  double rim_height_m = 0;  // of the crest, or of a mountain's top, above the ground around
+};
+
+// Ground around a place of the body, computed from the landforms on it.
+struct ReliefSurface {
+  double lon_rad = 0;
+  double lat_rad = 0;
+  double height_m = 0;  // of the ground without landforms
+  double spacing_m = 16;
+  std::vector<Landform> landforms;
+};
+
+using Surface = std::variant<PlaneSurface, ReliefSurface, RasterSurface>;
+
+// Craters at random places. With an age their numbers are those that a surface of this age has,
+// but no more than equilibrium allows; without, more than D a m2 are
+// density * (D/diameter_min)^-exponent.
+struct CraterPopulation {
+  double diameter_min_m = 3;
+  double diameter_max_m = 60;
+  std::optional<double> age_gyr;
+  double exponent = 2;
+  double density_pm2 = 2e-4;         // craters larger than diameter_min a m2
+  double depth_to_diameter = 0.196;  // of a fresh one
+  // 0: all fresh; 1: of all ages up to the end of their lives. Absent: 1 with an age, else 0.
+  std::optional<double> degradation;
+};
+
+// Rocks at random places: a share `cover` of the ground (Golombek and Rapp 1997).
+struct RockPopulation {
+  double cover = 0.01;
+  double diameter_min_m = 0.15;
+  double diameter_max_m = 4;
+  double height_to_diameter = 0.5;
+};
+
+// A self-affine surface: the RMS difference of height between points L apart is
+// deviation * (L / 1 m)^hurst, up to the longest wave.
+struct Roughness {
+  double deviation_m = 0.01;
+  double hurst = 0.7;
+  double longest_m = 16;
+};
+
+// What lies below the resolution of the layers.
+struct Detail {
+  std::optional<CraterPopulation> craters;
+  std::optional<RockPopulation> rocks;
+  std::optional<Roughness> roughness;
+  double spacing_m = 0.25;  // of the finest heights, about
+};
+
+// Ground of another soil: within the polygon, or where the raster band holds one of the values.
+struct SoilPatch {
+  Soil soil;
+  std::vector<std::pair<double, double>> lon_lat_deg;
+  std::optional<RasterSurface> raster;
+  std::vector<double> values;
+};
+
+// Layers of another terrain, which takes over where the terrain's own ones end.
+struct TerrainBeyond {
+  std::string name;
+  std::size_t first_layer = 0;    // of the spec's layers
+  bool has_detail_alone = false;  // the spec's detail belongs to these layers only
+  bool names_planet = false;      // the terrain itself lies on any
+};
+
+struct TerrainSpec {
+  std::string name;
+  std::string doc;
+  std::string planet;           // that it is on; "": any
+  Place place;                  // of the script or the plan's Terrain field
+  std::vector<Surface> layers;  // fine to coarse
+  std::optional<TerrainBeyond> beyond;
+  std::optional<Detail> detail;
+  Soil soil;
+  std::vector<SoilPatch> soil_patches;  // the first that holds a place decides
+  std::optional<Soil> rock_soil;        // of rocks; default: a rigid one
+  std::optional<double> optical_depth;  // of dust in the air, straight up
+  bool is_synthetic = true;
+};
+
+}  // namespace lsos

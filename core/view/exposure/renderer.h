@@ -1,0 +1,17 @@
+// What light and sight are drawn with.
+#pragma once
+
+#include "view/exposure/panel_view.h"
+#include "view/gl/gpu.h"
+
+namespace lsos {
+
+// Made, used and destroyed on one thread.
+struct Renderer {
+  explicit Renderer(GpuChoice choice = GpuChoice::any) : gpu(choice), panels(gpu) {}
+
+  Gpu gpu;
+  PanelView panels;
+};
+
+}  // namespace lsos

@@ -1,0 +1,188 @@
+#include "view/exposure/sun_column.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "view/ground/highest_ground.h"
+#include "view/ground/row_probes.h"
+
+namespace lsos {
+
+namespace {
+
+// Rows that are looked at first, in the middle of the strip.
+constexpr double first_rows_m = 0.5, first_share = 0.01;
+constexpr int nodes_across = 13;  // of rows that are drawn
+// Between the rows first looked at the ground may rise by so much of their distance.
+constexpr double rise_max = 1.2;
+constexpr double farthest_m = 400e3;
+
+// Heights of the strip in its own axes: x towards the Sun, y across, z up at the eye.
+class Strip {
+ public:
+  Strip(const Ground& ground, const SunColumn& column)
+      : ground_(ground), column_(column), probes_(ground) {
+    const Vec3 up_S = ground.site().up_S(column.eye_S_m);
+    const double sine = column.sun_S.dot(up_S);
+    const Vec3 level_S = column.sun_S - sine * up_S;
+    const Vec3 along_S = level_S.norm() > 1e-9 ? level_S.normalized() : up_S.unitOrthogonal();
+    axes_S_ << along_S, up_S.cross(along_S), up_S;
+    elevation_rad_ = std::atan2(sine, level_S.norm());
+    const auto start = node(probes_.at(0), 0, 0);
+    last_height_m_ = start ? ground.site().height_m(column.eye_S_m + axes_S_ * *start) : 0;
+  }
+
+  const Mat3& axes_S() const { return axes_S_; }
+  double half_width_m(double x_m) const {
+    return column_.reach_m + 1.1 * x_m * std::tan(column_.disc_rad);
+  }
+  // How steeply a point is seen from all that is lit: at most, and at least; x above the reach.
+  double steepest(const Vec3& at) const {
+    return (at.z() + column_.reach_m) /
+           (at.z() + column_.reach_m > 0 ? at.x() - column_.reach_m : at.x() + column_.reach_m);
+  }
+  double flattest(const Vec3& at) const {
+    return (at.z() - column_.reach_m) /
+           (at.z() - column_.reach_m > 0 ? at.x() + column_.reach_m : at.x() - column_.reach_m);
+  }
+  bool is_past_reach(double x_m) const { return x_m > 2 * column_.reach_m; }
+  // Ground that is seen more steeply than this hides all of the disc.
+  double top_ray() const {
+    return std::tan(std::clamp(elevation_rad_ + column_.disc_rad, -1.5, 1.5));
+  }
+  // The lowest ray to the Sun from anything that is lit.
+  double lowest_ray_m(double x_m) const {
+    const double lowest_rad = elevation_rad_ - column_.disc_rad;
+    return x_m * std::tan(std::clamp(lowest_rad, -1.5, 1.5)) - column_.reach_m;
+  }
+  // Where even the highest ground of the body lies under all rays.
+  bool is_beyond(double x_m) const {
+    const Body& body = ground_.site().body();
+    const double drop_m = x_m * x_m / (2 * body.equatorial_radius_m);
+    const double eye_m = ground_.site().height_m(column_.eye_S_m);
+    return lowest_ray_m(x_m) + drop_m > body.highest_ground_m - eye_m;
+  }
+  // The ground there, in the strip's axes. Beyond its end the last height that was found.
+  Vec3 point(double x_m, double y_m) { return point(probes_.at(x_m), x_m, y_m); }
+  // The same without detail of less than two nodes; they are as far apart as the rows first looked
+  // at. What is missing is at most twice as high, rocks as high as wide.
+  Vec3 first_point(double x_m) { return point(first_probe(x_m), x_m, 0); }
+
+ private:
+  Vec3 point(Ground::Probe& probe, double x_m, double y_m) {
+    if (const auto found = node(probe, x_m, y_m)) {
+      last_height_m_ = ground_.site().height_m(column_.eye_S_m + axes_S_ * *found);
+      return *found;
+    }
+    const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+    const Vertical at = ground_.site().vertical(p_S_m);
+    return axes_S_.transpose() *
+           (p_S_m - (at.height_m - last_height_m_) * at.up_S - column_.eye_S_m);
+  }
+
+  std::optional<Vec3> node(Ground::Probe& probe, double x_m, double y_m) {
+    const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+    const GroundSample sample = probe.sample(p_S_m);
+    if (!sample.is_ground()) return {};
+    return axes_S_.transpose() * (p_S_m - sample.gap_m * sample.up_S - column_.eye_S_m);
+  }
+  // One for each octave of distance.
+  Ground::Probe& first_probe(double x_m) {
+    const int octave = std::ilogb(std::max(1.0, first_share * x_m / first_rows_m));
+    const auto found = first_probes_.find(octave);
+    if (found != first_probes_.end()) return found->second;
+    const double resolution_m = std::ldexp(first_rows_m, octave);
+    return first_probes_.emplace(octave, Ground::Probe::rough(ground_, resolution_m)).first->second;
+  }
+
+  const Ground& ground_;
+  const SunColumn& column_;
+  Mat3 axes_S_;
+  double elevation_rad_ = 0;
+  double last_height_m_ = 0;
+  RowProbes probes_;
+  std::map<int, Ground::Probe> first_probes_;
+};
+
+// Adds a row of nodes across the strip; joined to the last row when that is the one before.
+class StripMesh {
+ public:
+  explicit StripMesh(Strip& strip) : strip_(strip) {}
+
+  void add_row(double x_m, bool is_joined) {
+    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+    double lowest = strip_.is_past_reach(x_m) ? std::numeric_limits<double>::infinity()
+                                              : -std::numeric_limits<double>::infinity();
+    for (int k = 0; k < nodes_across; ++k) {
+      const double y_m = strip_.half_width_m(x_m) * (2.0 * k / (nodes_across - 1) - 1);
+      const Vec3 at = strip_.point(x_m, y_m);
+      const bool is_hidden = strip_.is_past_reach(x_m) && strip_.steepest(at) < ridge_;
+      is_low_.push_back(at.z() < strip_.lowest_ray_m(at.x()) || is_hidden);
+      if (strip_.is_past_reach(x_m)) lowest = std::min(lowest, strip_.flattest(at));
+      const Vec3 p = strip_.axes_S() * at;
+      mesh_.vertices.push_back(
+          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())});
+    }
+    if (!is_joined) return;
+    for (std::uint32_t k = first - nodes_across; k + 1 < first; ++k) {
+      add_triangle({k, k + 1, k + nodes_across});
+      add_triangle({k + 1, k + nodes_across + 1, k + nodes_across});
+    }
+    // Drawn between two rows, the ground hides at least what the lower one does.
+    ridge_ = std::max(ridge_, lowest);
+  }
+  double ridge() const { return ridge_; }
+  Mesh take() { return std::move(mesh_); }
+
+ private:
+  // The lowest rays lie in a plane: what has all corners under it meets none.
+  void add_triangle(const std::array<std::uint32_t, 3>& corners) {
+    if (is_low_[corners[0]] && is_low_[corners[1]] && is_low_[corners[2]]) return;
+    mesh_.triangles.push_back(corners);
+  }
+
+  Strip& strip_;
+  Mesh mesh_;
+  std::vector<bool> is_low_;  // of each vertex: below all rays, or behind the ridge
+  // How steeply, at the least, ground that is drawn is seen all across the strip; it hides what is
+  // lower behind it.
+  double ridge_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
+  Strip strip(ground, column);
+  StripMesh mesh(strip);
+  bool is_open = false;  // the last row drawn is where this stretch begins
+  double x_m = 0, z_m = strip.first_point(0).z();  // of the middle line
+  while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
+    const double next_m = x_m + std::max(first_rows_m, first_share * x_m);
+    const double next_z_m = strip.first_point(next_m).z(), height_m = std::max(z_m, next_z_m);
+    z_m = next_z_m;
+    const double missing_m = 2 * (next_m - x_m);
+    const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m)) + missing_m;
+    const double highest_m = height_m + rise_m;
+    const bool is_hidden =
+        strip.is_past_reach(x_m) && std::max(strip.steepest({x_m, 0, highest_m}),
+                                             strip.steepest({next_m, 0, highest_m})) < mesh.ridge();
+    if (is_hidden || highest_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m))) {
+      is_open = false;
+      x_m = next_m;
+      continue;
+    }
+    if (!is_open) mesh.add_row(x_m, false);
+    is_open = true;
+    for (double at_m = x_m; at_m < next_m;) {
+      at_m = std::min(next_m, at_m + RowProbes::step_m(at_m));
+      mesh.add_row(at_m, true);
+    }
+    x_m = next_m;
+  }
+  return mesh.take();
+}
+
+}  // namespace lsos

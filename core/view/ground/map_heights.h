@@ -1,0 +1,43 @@
+// Heights of a map's cells, linear between their centres: ground as programs of maps know it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "terrain/raster/map_grid.h"
+
+namespace lsos {
+
+class MapHeights {
+ public:
+  MapHeights(const MapGrid& grid, const Body& body);
+
+  // Of a row, NaN where there is no ground.
+  std::span<float> row(int row) {
+    return {&heights_m_[static_cast<std::size_t>(row) * columns_], columns_};
+  }
+  int columns() const { return static_cast<int>(columns_); }
+  int rows() const { return static_cast<int>(rows_); }
+  const RasterMap& map() const { return map_; }
+
+  // A cell's centre lies on the lines between cells, not next to them: beside cells without ground
+  // rounding would take its height away.
+  std::optional<GridCoordinates> coordinates(const Geodetic& place) const;
+
+  // Within half a cell, and a little more.
+  bool holds(const std::optional<GridCoordinates>& at) const;
+  // Absent beyond the centres of the outermost cells and where one of the four is missing.
+  std::optional<double> height_m(const GridCoordinates& at) const;
+  std::optional<double> height_m(const Geodetic& place) const;
+
+ private:
+  double in_period(double u) const;
+
+  RasterMap map_;
+  std::size_t columns_, rows_;
+  bool goes_around_;
+  std::vector<float> heights_m_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,27 @@
+// Rows of a picture's ground, shared among threads. Which thread does which row must not matter.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+#include "base/worker_pool.h"
+
+namespace lsos {
+
+// `start()` makes what one thread works with, `row(work, k)` does one row. What one throws is
+// thrown here, after all have ended.
+template <class Start, class Row>
+void share_rows(int rows, const Start& start, const Row& row) {
+  const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);
+  std::atomic<int> next = 0;
+  WorkerPool pool(static_cast<int>(threads));
+  pool.for_each(threads, [&](std::size_t) {
+    if (next >= rows) return;  // the others were faster
+    auto own = start();
+    for (int k = next++; k < rows; k = next++) row(own, k);
+  });
+}
+
+}  // namespace lsos

@@ -1,0 +1,14 @@
+// lsos.antenna, and the list of them in a rover.
+#pragma once
+
+#include <vector>
+
+#include "lua/api/constructors.h"
+#include "mission/model/antenna.h"
+
+namespace lsos {
+
+void read_antennas(TableReader& t, std::vector<AntennaSpec>& antennas);
+std::vector<Constructor> antenna_constructors();
+
+}  // namespace lsos

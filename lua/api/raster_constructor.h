@@ -1,0 +1,11 @@
+// lsos.raster: a file of heights, and what the file leaves open.
+#pragma once
+
+#include "lua/runtime/reader.h"
+#include "terrain/spec/raster_surface.h"
+
+namespace lsos {
+
+void read_raster(TableReader& t, RasterSurface& raster);
+
+}  // namespace lsos

@@ -1,0 +1,111 @@
+#include "lua/app/check_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lsos {
+
+namespace {
+
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string verdict(const MissionModel& files, std::size_t warnings) {
+  const Plan& plan = files.plan;
+  std::string text =
+      fmt::format("{} can be run{}: {}, {}", plan.file,
+                  warnings == 0 ? ", nothing is wrong with it"
+                                : fmt::format(", with {}", counted(warnings, "warning")),
+                  counted(plan.rovers.size(), "rover"), counted(plan.events.size(), "event"));
+  if (!plan.assets.empty()) text += ", " + counted(plan.assets.size(), "asset");
+  if (plan.decoration_count > 0) {
+    text += fmt::format("; {} left alone", counted(static_cast<std::size_t>(plan.decoration_count),
+                                                   "other Placemark"));
+  }
+  return text + "\n";
+}
+
+std::string leg_text(const PlannedLegLine& leg) {
+  const std::string name =
+      fmt::format("  planned: {} '{}' to waypoint {}", leg.rover_id, leg.label, leg.waypoint);
+  if (leg.is_passed) return name + ": already there\n";
+  return fmt::format("{}: {:.1f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} deg at {:.6f},{:.6f}\n",
+                     name, leg.length_m, leg.duration_s, leg.energy_j / 3600, leg.slope_max_deg,
+                     leg.steepest_lon_deg, leg.steepest_lat_deg);
+}
+
+std::string line_text(const DrawnEventLine& line) {
+  std::vector<std::string> parts;
+  if (line.drawn.to_first_m) {
+    parts.push_back(fmt::format("{:.1f} m to its first waypoint", *line.drawn.to_first_m));
+  }
+  if (line.drawn.along_m > 0) parts.push_back(fmt::format("{:.1f} m along it", line.drawn.along_m));
+  if (parts.empty()) return "";
+  return fmt::format("  drawn: {} '{}': {}\n", line.rover_id, line.label,
+                     fmt::join(parts, ", then "));
+}
+
+// "Route 'leg 2': Speed = 1 m/s" as "Route", "Speed = 1 m/s"; what all events have is of "events".
+std::pair<std::string, std::string> kind_and_default(const std::string& line) {
+  const std::size_t value = line.rfind(": ", line.find(" = "));
+  if (value == std::string::npos) return {"events", line.substr(0, line.find(" ("))};
+  return {line.substr(0, std::min(value, line.find(" '"))), line.substr(value + 2)};
+}
+
+std::string defaults_text(const std::vector<std::string>& defaults) {
+  // In the order in which they first come, with how often each does.
+  std::vector<std::pair<std::string, std::vector<std::pair<std::string, int>>>> kinds;
+  const auto find = [](auto& list, const std::string& name) {
+    const auto found = std::ranges::find(list, name, [](const auto& entry) { return entry.first; });
+    if (found != list.end()) return found;
+    list.push_back({name, {}});
+    return std::prev(list.end());
+  };
+  for (const std::string& line : defaults) {
+    const auto [kind, value] = kind_and_default(line);
+    ++find(find(kinds, kind)->second, value)->second;
+  }
+  std::string text;
+  for (const auto& [kind, values] : kinds) {
+    std::vector<std::string> words;
+    for (const auto& [value, count] : values) {
+      words.push_back(count == 1 ? value : fmt::format("{} ({} times)", value, count));
+    }
+    text += fmt::format("  defaults of {}: {}\n", kind, fmt::join(words, "; "));
+  }
+  return text;
+}
+
+// "SEV: a battery of ..." is of SEV.
+std::string assumptions_text(const std::vector<std::string>& assumptions) {
+  std::vector<std::string> owners;
+  for (const std::string& line : assumptions) {
+    const std::string owner = line.substr(0, line.find(": "));
+    if (std::ranges::find(owners, owner) == owners.end()) owners.push_back(owner);
+  }
+  if (owners.empty()) return "";
+  return fmt::format("  {} of {}: --verbose lists them, and each default\n",
+                     counted(assumptions.size(), "assumption"), fmt::join(owners, ", "));
+}
+
+}  // namespace
+
+std::string check_text(const MissionModel& files, const WaysAhead& ways, bool is_verbose) {
+  const std::vector<Fault> faults = files.faults.sorted();
+  std::string text = files.faults.has_errors() ? "" : verdict(files, faults.size());
+  for (const Fault& fault : faults) text += to_string(fault) + "\n";
+  if (files.faults.has_errors()) return text;
+  for (const PlannedLegLine& leg : ways.planned) text += leg_text(leg);
+  for (const DrawnEventLine& line : ways.drawn) text += line_text(line);
+  if (!is_verbose) {
+    return text + defaults_text(files.plan.defaults) + assumptions_text(files.assumptions);
+  }
+  for (const std::string& line : files.plan.defaults) text += fmt::format("  default: {}\n", line);
+  for (const std::string& line : files.assumptions) text += fmt::format("  assumption: {}\n", line);
+  return text;
+}
+
+}  // namespace lsos

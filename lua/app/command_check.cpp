@@ -1,0 +1,201 @@
+// `lsos-host check` and `lsos-host fsm`: what a plan says, without simulating it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "base/console.h"
+#include "base/units.h"
+#include "lua/app/check_text.h"
+#include "lua/app/commands.h"
+#include "lua/app/common_options.h"
+#include "lua/app/planning_watch.h"
+#include "lua/host/kept_routes.h"
+#include "lua/host/mission_reader.h"
+
+namespace lsos {
+
+namespace {
+
+struct CheckOptions {
+  std::string plan;
+  std::optional<std::uint64_t> seed;
+  bool is_json = false;
+  bool is_verbose = false;
+  bool is_quiet = false;
+};
+
+struct FsmOptions {
+  std::string plan;
+  bool is_json = false;
+};
+
+// Without the -0 that rounding makes.
+double told_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
+
+std::string label_of(const Simulation& simulation, const std::string& rover_id,
+                     std::int64_t sequence) {
+  return std::ranges::find_if(
+             simulation.plan().events,
+             [&](const PlanEvent& e) { return e.rover_id == rover_id && e.sequence == sequence; })
+      ->label;
+}
+
+std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
+  std::vector<PlannedLegLine> lines;
+  for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
+    const auto label = [&](std::int64_t sequence) {
+      return label_of(simulation, way.rover_id, sequence);
+    };
+    for (const PassedWaypoint& passed : way.passed) {
+      PlannedLegLine line{way.rover_id, label(passed.sequence), passed.sequence, passed.waypoint};
+      line.is_passed = true;
+      lines.push_back(std::move(line));
+    }
+    for (const LegAhead& ahead : way.legs) {
+      if (!ahead.leg.is_found()) continue;
+      const Geodetic steepest = simulation.ground().site().geodetic(ahead.leg.steepest_S_m);
+      lines.push_back({way.rover_id, label(ahead.sequence), ahead.sequence, ahead.waypoint,
+                       ahead.leg.length_m, ahead.leg.duration_s, ahead.leg.energy_j,
+                       degrees(ahead.leg.slope_max_rad), told_deg(lon_deg(steepest)),
+                       told_deg(lat_deg(steepest))});
+    }
+  }
+  std::ranges::stable_sort(lines, {}, [](const PlannedLegLine& line) {
+    return std::tuple(line.rover_id, line.sequence, line.waypoint);
+  });
+  return lines;
+}
+
+std::vector<DrawnEventLine> drawn_lines(const Simulation& simulation) {
+  std::vector<DrawnEventLine> lines;
+  for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
+    for (const DrawnLine& drawn : way.drawn) {
+      lines.push_back({way.rover_id, label_of(simulation, way.rover_id, drawn.sequence), drawn});
+    }
+  }
+  return lines;
+}
+
+std::string json_text(const MissionFiles& files, const WaysAhead& ways) {
+  nlohmann::ordered_json paths = nlohmann::ordered_json::array();
+  for (const PlannedLegLine& leg : ways.planned) {
+    if (leg.is_passed) continue;
+    paths.push_back({{"rover_id", leg.rover_id},
+                     {"sequence", leg.sequence},
+                     {"leg", leg.waypoint},
+                     {"length_m", leg.length_m},
+                     {"duration_s", leg.duration_s},
+                     {"energy_j", leg.energy_j},
+                     {"slope_max_deg", leg.slope_max_deg},
+                     {"steepest_lon_deg", leg.steepest_lon_deg},
+                     {"steepest_lat_deg", leg.steepest_lat_deg}});
+  }
+  nlohmann::ordered_json lines = nlohmann::ordered_json::array();
+  for (const DrawnEventLine& line : ways.drawn) {
+    nlohmann::ordered_json& entry = lines.emplace_back(
+        nlohmann::ordered_json{{"rover_id", line.rover_id}, {"sequence", line.drawn.sequence}});
+    if (line.drawn.to_first_m) entry["to_first_m"] = *line.drawn.to_first_m;
+    entry["along_m"] = line.drawn.along_m;
+  }
+  nlohmann::ordered_json faults = nlohmann::ordered_json::array();
+  for (const Fault& fault : files.faults.sorted()) {
+    faults.push_back({{"severity", fault.severity == Severity::error ? "error" : "warning"},
+                      {"file", fault.place.file},
+                      {"line", fault.place.line},
+                      {"what", fault.what}});
+  }
+  const nlohmann::ordered_json answer{{"plan", files.plan.file},
+                                      {"plan_sha256", files.plan.hash()},
+                                      {"is_valid", !files.faults.has_errors()},
+                                      {"rovers", files.plan.rovers.size()},
+                                      {"events", files.plan.events.size()},
+                                      {"decoration", files.plan.decoration_count},
+                                      {"faults", faults},
+                                      {"planned_paths", paths},
+                                      {"drawn_lines", lines},
+                                      {"defaults", files.plan.defaults},
+                                      {"assumptions", files.assumptions}};
+  return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+std::string json_text(const MissionMachine& machine) {
+  nlohmann::ordered_json rovers = nlohmann::ordered_json::array();
+  for (const RoverMachine& rover : machine.rovers) {
+    nlohmann::ordered_json events = nlohmann::ordered_json::array();
+    for (const EventMachine& event : rover.events) {
+      nlohmann::ordered_json phases = nlohmann::ordered_json::array();
+      for (const EventDeclaration::Phase& phase : event.declaration.phases) {
+        phases.push_back(phase.name);
+      }
+      events.push_back({{"sequence", event.event.sequence},
+                        {"type", event.event.type},
+                        {"label", event.event.label},
+                        {"enabled", event.event.is_enabled},
+                        {"phases", phases}});
+    }
+    rovers.push_back(
+        {{"rover_id", rover.rover.id}, {"type", rover.rover.type}, {"events", events}});
+  }
+  return nlohmann::ordered_json{{"rovers", rovers}}.dump(2, ' ', false,
+                                                         nlohmann::json::error_handler_t::replace) +
+         "\n";
+}
+
+int check_command(const CheckOptions& options) {
+  MissionFiles files = read_mission(options.plan, options.seed);
+  WaysAhead ways;
+  if (!files.faults.has_errors()) {
+    try {
+      // The machine's `initialise`: rovers are put on the ground, ways are planned, nothing moves.
+      PlanningWatch watch(options.is_quiet);
+      SimulationSetup setup = simulation_setup(files);
+      setup.keep_legs = [&](const std::string& bytes) {
+        files.faults.add(keep_legs(options.plan, bytes));
+      };
+      setup.on_planning = [&](const std::string& what) { watch.plan(what); };
+      files.faults.add(kept_legs_advice(options.plan));
+      const Simulation simulation(std::move(setup));
+      for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
+      files.faults.add(simulation.advice());
+      files.faults.add(simulation.end_ahead());
+      ways = {planned_legs(simulation), drawn_lines(simulation)};
+    } catch (const InputError& error) {
+      files.faults.add(error.faults());
+    }
+  }
+  print_result(
+      "{}", options.is_json ? json_text(files, ways) : check_text(files, ways, options.is_verbose));
+  return files.faults.has_errors() ? 2 : 0;
+}
+
+int fsm_command(const FsmOptions& options) {
+  const MissionFiles files = read_mission(options.plan);
+  files.faults.throw_if_errors();
+  const MissionMachine machine = synthesise(files.plan, files.catalog->declarations());
+  print_result("{}", options.is_json ? json_text(machine) : to_dot(machine));
+  return 0;
+}
+
+}  // namespace
+
+std::function<int()> prepare_check(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  app.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage")->required();
+  app.add_option("--seed", options->seed, "Instead of the plan's Seed")->check(is_seed());
+  app.add_flag("--json", options->is_json, "The answer as JSON");
+  app.add_flag("--verbose", options->is_verbose, "Each default and assumption");
+  app.add_flag("--quiet", options->is_quiet, "No progress");
+  return [options] { return check_command(*options); };
+}
+
+std::function<int()> prepare_fsm(CLI::App& app) {
+  const auto options = std::make_shared<FsmOptions>();
+  app.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage")->required();
+  app.add_flag("--json", options->is_json, "As JSON");
+  return [options] { return fsm_command(*options); };
+}
+
+}  // namespace lsos

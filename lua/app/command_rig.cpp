@@ -1,0 +1,133 @@
+// `lsos-host rig`: the wheel-soil model on its own, for an engineer who wants to check it.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/console.h"
+#include "base/units.h"
+#include "lua/app/commands.h"
+#include "lua/app/common_options.h"
+#include "lua/app/instrument_answer.h"
+#include "lua/host/catalog.h"
+#include "lua/host/mission_reader.h"
+#include "lua/host/soil_file.h"
+#include "vehicle/single_wheel.h"
+
+namespace lsos {
+
+namespace {
+
+struct RigOptions {
+  std::string soil;  // a name, or a file
+  double radius_m = 0, width_m = 0, load_n = 0;
+  double grouser_height_m = 0;
+  int grouser_count = 0;
+  double interface_friction_ratio = 0.8;
+  std::optional<double> stiffness_npm;  // absent: the load flattens the wheel by 1 % of its radius
+  double gravity_mps2 = 9.80665;
+  std::vector<double> slips;
+  double slip_angle_deg = 0;
+  AnswerStyle style = AnswerStyle::by_output;
+};
+
+// Of a stiff metal wheel, a share of its radius; matters on ground that it hardly marks.
+constexpr double flattening = 0.01;
+
+Soil find_soil(const std::string& name) {
+  if (name.ends_with(".lua") || std::filesystem::is_regular_file(name)) return read_soil_file(name);
+  return read_catalog("")->load_soil(name, {"--soil", 0});
+}
+
+void check(const RigOptions& options, Faults& faults) {
+  const auto need = [&](const char* option, double value, bool is_good, const char* allowed) {
+    if (!is_good) faults.error({}, fmt::format("{} {}: must be {}", option, value, allowed));
+  };
+  const auto above = [](double value) { return std::isfinite(value) && value > 0; };
+  const auto within = [](double value, double most) { return value > 0 && value <= most; };
+  // As the wheels of rover scripts may be.
+  need("--radius", options.radius_m, within(options.radius_m, 10), "above 0, at most 10 m");
+  need("--width", options.width_m, within(options.width_m, 10), "above 0, at most 10 m");
+  need("--load", options.load_n, above(options.load_n), "above 0 N");
+  if (options.stiffness_npm) {
+    need("--stiffness", *options.stiffness_npm,
+         *options.stiffness_npm * options.radius_m >= options.load_n &&
+             std::isfinite(*options.stiffness_npm),
+         "so great that the load does not flatten the wheel by its radius");
+  }
+  need("--gravity", options.gravity_mps2, within(options.gravity_mps2, 1000),
+       "above 0, at most 1000 m/s2");
+  const double h_m = options.grouser_height_m;
+  need("--grouser-height", h_m, h_m >= 0 && h_m < options.radius_m, "0 to the wheel's radius");
+  need("--grouser-count", options.grouser_count,
+       (h_m > 0) == (options.grouser_count > 0) && options.grouser_count <= 1000,
+       "1..1000 where there is a --grouser-height, and only there");
+  need("--interface-friction", options.interface_friction_ratio,
+       options.interface_friction_ratio > 0 && options.interface_friction_ratio <= 1,
+       "above 0, at most 1");
+  need("--slip-angle", options.slip_angle_deg, std::abs(options.slip_angle_deg) <= 90,
+       "-90..90 deg");
+  for (const double slip : options.slips) need("--slip", slip, std::abs(slip) <= 1, "-1..1");
+}
+
+int rig_command(const RigOptions& options) {
+  Faults faults;
+  check(options, faults);
+  faults.throw_if_errors();
+  const Soil soil = find_soil(options.soil);
+  Wheel wheel;
+  wheel.radius_m = options.radius_m;
+  wheel.width_m = options.width_m;
+  wheel.grouser_height_m = options.grouser_height_m;
+  wheel.grouser_count = options.grouser_count;
+  wheel.interface_friction_ratio = options.interface_friction_ratio;
+  wheel.normal_stiffness_npm =
+      options.stiffness_npm.value_or(options.load_n / (flattening * options.radius_m));
+  if (const std::string fault = soil_fault(soil, wheel, 0, options.gravity_mps2); !fault.empty()) {
+    throw InputError({options.soil, 0}, fault);
+  }
+  const std::string overload = soil_fault(soil, wheel, options.load_n, options.gravity_mps2);
+  if (!overload.empty()) print_message("{}: warning: {}\n", options.soil, overload);
+  const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
+  AnswerRow points = AnswerRow::array();
+  for (const double slip : options.slips) {
+    const SingleWheelPoint point =
+        single_wheel(wheel_soil, options.load_n, slip, radians(options.slip_angle_deg));
+    points.push_back({{"slip", slip},
+                      {"slip_angle_deg", options.slip_angle_deg},
+                      {"load_n", options.load_n},
+                      {"drawbar_pull_n", point.drawbar_pull_n},
+                      {"side_force_n", point.side_force_n},
+                      {"torque_n_m", point.torque_n_m},
+                      {"sinkage_m", point.sinkage_m},
+                      {"traction_limit_n", point.traction_limit_n}});
+  }
+  print_answer(points, options.style);
+  return 0;
+}
+
+}  // namespace
+
+std::function<int()> prepare_rig(CLI::App& app) {
+  const auto options = std::make_shared<RigOptions>();
+  app.add_option("--soil", options->soil, "A soil by name, or a Lua file")->required();
+  app.add_option("--radius", options->radius_m, "Of the wheel's rim, m")->required();
+  app.add_option("--width", options->width_m, "m")->required();
+  app.add_option("--load", options->load_n, "On the wheel, N")->required();
+  app.add_option("--slip", options->slips, "-1..1, one or several: 0,0.2,0.5")
+      ->required()
+      ->delimiter(',');
+  app.add_option("--slip-angle", options->slip_angle_deg,
+                 "Of the travel from the heading, deg, to the left positive");
+  app.add_option("--grouser-height", options->grouser_height_m, "m");
+  app.add_option("--grouser-count", options->grouser_count, "Round the whole rim");
+  app.add_option("--interface-friction", options->interface_friction_ratio,
+                 "Friction of soil on the rim over that in the soil, 0..1 (0.8)");
+  app.add_option("--stiffness", options->stiffness_npm,
+                 "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
+  app.add_option("--gravity", options->gravity_mps2, "m/s2 (9.80665)");
+  add_style(app, options->style);
+  return [options] { return rig_command(*options); };
+}
+
+}  // namespace lsos

@@ -1,0 +1,280 @@
+// `lsos-host test`: runs scenarios, each file in a process of its own.
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "base/console.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "lua/app/commands.h"
+#include "lua/session/scenario_runner.h"
+
+namespace lsos {
+
+namespace {
+
+struct TestOptions {
+  std::vector<std::string> paths{"tests/scenarios"};
+  std::string filter;  // only scenarios with it in their name, or their file's
+  std::string junit_file;
+  std::string folder = "out/scenarios";  // of the logs of those that fail
+  int threads = 2;
+  bool is_json = false;
+};
+
+namespace fs = std::filesystem;
+
+// A file whose scenarios run in another process, which writes a line of JSON of each.
+struct Worker {
+  std::string file;
+  pid_t process = 0;
+  int pipe = -1;
+};
+
+nlohmann::json to_json(const ScenarioResult& r) {
+  return {{"file", r.file},
+          {"name", r.name},
+          {"failure", r.failure},
+          {"log", r.log},
+          {"wall_s", r.wall_s}};
+}
+
+std::string line_of(const ScenarioResult& r) {
+  return to_json(r).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+// Lines as line_of() makes them.
+std::vector<ScenarioResult> from_lines(const std::string& text) {
+  std::vector<ScenarioResult> results;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json r = nlohmann::json::parse(line, nullptr, false);
+    if (r.is_discarded()) continue;  // cut short
+    results.push_back({r.at("file"), r.at("name"), r.at("failure"), r.at("log"), r.at("wall_s")});
+  }
+  return results;
+}
+
+void write_all(int file, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t count = write(file, bytes.data() + done, bytes.size() - done);
+    if (count <= 0) return;
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+std::string read_all(int file) {
+  std::string bytes;
+  char buffer[4096];
+  for (ssize_t count = 0; (count = read(file, buffer, sizeof buffer)) > 0;) {
+    bytes.append(buffer, static_cast<std::size_t>(count));
+  }
+  return bytes;
+}
+
+Worker start(const std::string& file, const std::string& folder, const TestOptions& options) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe for a scenario's process");
+  std::fflush(nullptr);
+  const pid_t process = fork();
+  if (process < 0) throw std::runtime_error("no process for a scenario");
+  if (process > 0) {
+    close(ends[1]);
+    return {file, process, ends[0]};
+  }
+  close(ends[0]);
+  const auto report = [&](const ScenarioResult& result) { write_all(ends[1], line_of(result)); };
+  try {
+    run_scenarios(file, options.filter, folder, report);
+  } catch (const std::exception& error) {
+    report({file, "", error.what(), "", 0});
+  }
+  std::fflush(nullptr);
+  _exit(0);
+}
+
+std::vector<ScenarioResult> wait_for(const Worker& worker) {
+  const std::string bytes = read_all(worker.pipe);
+  close(worker.pipe);
+  int status = 0;
+  waitpid(worker.process, &status, 0);
+  std::vector<ScenarioResult> results = from_lines(bytes);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return results;
+  const std::string how = WIFSIGNALED(status) ? fmt::format("signal {}", WTERMSIG(status))
+                                              : "a fault inside the program";
+  results.push_back({worker.file, "",
+                     fmt::format("{}: ended by {} in the scenario after these", worker.file, how),
+                     "", 0});
+  return results;
+}
+
+// Of each file's logs: after its name, and no two the same.
+std::vector<std::string> folders_of(const std::vector<std::string>& files,
+                                    const std::string& folder) {
+  std::vector<std::string> folders;
+  std::set<std::string> taken;
+  for (const std::string& file : files) taken.insert(fs::path(file).stem());
+  std::set<std::string> begun;
+  for (const std::string& file : files) {
+    const std::string stem = fs::path(file).stem();
+    std::string name = stem;
+    // A second one of a name takes a name that no other file has.
+    if (!begun.insert(stem).second) {
+      for (int number = 2; !taken.insert(name).second; ++number) {
+        name = fmt::format("{}_{}", stem, number);
+      }
+    }
+    folders.push_back(fmt::format("{}/{}", folder, name));
+  }
+  return folders;
+}
+
+// Files as given; folders are searched for *.lua. Throws InputError.
+std::vector<std::string> files_of(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    if (fs::is_regular_file(path)) {
+      files.push_back(path);
+      continue;
+    }
+    if (!fs::is_directory(path)) {
+      throw InputError({}, fmt::format("{}: there is no such file or folder of scenarios", path));
+    }
+    std::vector<std::string> found;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path)) {
+      if (entry.path().extension() == ".lua") found.push_back(entry.path());
+    }
+    std::ranges::sort(found);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  if (files.empty()) throw InputError({}, "there is no scenario: no *.lua in the folder");
+  return files;
+}
+
+// On one line, and no directive of TAP.
+std::string title(const ScenarioResult& r) {
+  std::string text;
+  for (const char c : r.name.empty() ? r.file : fmt::format("{}: {}", r.file, r.name)) {
+    if (c == '#' || c == '\\') text += '\\';
+    text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  }
+  return text;
+}
+
+std::string indented(const std::string& text, const std::string& by) {
+  std::string lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines += by + text.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
+  return lines;
+}
+
+// Test Anything Protocol 14.
+std::string tap(std::size_t number, const ScenarioResult& r) {
+  std::string text = fmt::format("{} {} - {} # {:.1f} s\n", r.failure.empty() ? "ok" : "not ok",
+                                 number, title(r), r.wall_s);
+  if (r.failure.empty()) return text;
+  text += "  ---\n  message: |\n" + indented(r.failure, "    ");
+  if (!r.log.empty()) text += fmt::format("  log: {}\n", r.log);
+  return text + "  ...\n";
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\n':
+        out += "&#10;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < ' ' ? '?' : c;  // XML has no others
+    }
+  }
+  return out;
+}
+
+std::string junit(const std::vector<ScenarioResult>& results) {
+  const auto failed =
+      std::ranges::count_if(results, [](const ScenarioResult& r) { return !r.failure.empty(); });
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"lsos-host\" tests=\"{}\" "
+      "failures=\"{}\">\n",
+      results.size(), failed);
+  for (const ScenarioResult& r : results) {
+    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", escaped(r.file),
+                        escaped(r.name), r.wall_s);
+    text += r.failure.empty() ? "/>\n"
+                              : fmt::format(">\n    <failure message=\"{}\"/>\n  </testcase>\n",
+                                            escaped(r.failure));
+  }
+  return text + "</testsuite>\n";
+}
+
+int test_command(const TestOptions& options) {
+  const std::vector<std::string> files = files_of(options.paths);
+  std::vector<ScenarioResult> results;
+  if (!options.is_json) print_result("TAP version 14\n");
+  const auto add = [&](const Worker& worker) {
+    for (ScenarioResult& result : wait_for(worker)) {
+      results.push_back(std::move(result));
+      if (!options.is_json) print_result("{}", tap(results.size(), results.back()));
+    }
+    std::fflush(stdout);
+  };
+  // In order of the files, whichever ends first.
+  std::deque<Worker> running;
+  const std::vector<std::string> folders = folders_of(files, options.folder);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (running.size() >= static_cast<std::size_t>(options.threads)) {
+      add(running.front());
+      running.pop_front();
+    }
+    running.push_back(start(files[i], folders[i], options));
+  }
+  for (const Worker& worker : running) add(worker);
+  if (!options.is_json) print_result("1..{}\n", results.size());
+  if (options.is_json) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const ScenarioResult& result : results) list.push_back(to_json(result));
+    print_result("{}\n", list.dump(2));
+  }
+  if (!options.junit_file.empty()) write_file(options.junit_file, junit(results));
+  if (results.empty())
+    throw InputError({}, fmt::format("no scenario has '{}' in its name", options.filter));
+  const bool has_failed =
+      std::ranges::any_of(results, [](const ScenarioResult& r) { return !r.failure.empty(); });
+  return has_failed ? 1 : 0;
+}
+
+}  // namespace
+
+std::function<int()> prepare_test(CLI::App& app) {
+  const auto options = std::make_shared<TestOptions>();
+  app.add_option("PATH", options->paths, "Files, or folders of them (tests/scenarios)");
+  app.add_option("--filter", options->filter, "Only those with this in their name or file");
+  app.add_option("--junit", options->junit_file, "Write the results as JUnit XML too");
+  app.add_option("-o,--output", options->folder, "Logs of those that fail (out/scenarios)");
+  app.add_option("--threads", options->threads, "Files at a time (2)")->check(CLI::Range(1, 256));
+  app.add_flag("--json", options->is_json, "The results as JSON, in place of TAP");
+  return [options] { return test_command(*options); };
+}
+
+}  // namespace lsos

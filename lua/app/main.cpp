@@ -1,0 +1,99 @@
+// The command line of lsos-host.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <filesystem>
+
+#include "base/console.h"
+#include "base/error.h"
+#include "base/output_error.h"
+#include "lua/app/commands.h"
+#include "lua/host/version.h"
+
+namespace {
+
+using lsos::InputError;
+
+// `lsos-host PLAN.kml ...` is `lsos-host run PLAN.kml ...`; for anything else that is no command
+// the nearest one is suggested.
+void insert_run(std::vector<std::string>& arguments) {
+  if (arguments.empty()) return;
+  if (arguments.front() == "help") {  // "help run" is "run --help"
+    arguments.erase(arguments.begin());
+    arguments.emplace_back("--help");
+  }
+  const std::string& first = arguments.front();
+  if (first == "-h" || first == "--help" || first == "--version") return;
+  std::vector<std::string> known;
+  for (const lsos::Command& command : lsos::commands()) known.emplace_back(command.name);
+  if (std::ranges::count(known, first) > 0) return;
+  std::error_code ignored;
+  if (first.starts_with('-') || std::filesystem::exists(first, ignored)) {
+    arguments.insert(arguments.begin(), "run");
+    return;
+  }
+  throw InputError({}, fmt::format("'{}' is neither a command nor a readable plan{}", first,
+                                   lsos::did_you_mean(first, known)));
+}
+
+int run_program(std::vector<std::string> arguments) {
+  insert_run(arguments);
+  CLI::App app("Simulates planetary surface missions that are drawn on a map.", "lsos-host");
+  app.set_version_flag("--version", lsos::program_version);
+  app.require_subcommand(1);
+  app.footer("lsos-host PLAN.kml is short for lsos-host run PLAN.kml.");
+  std::vector<std::pair<CLI::App*, std::function<int()>>> prepared;
+  for (const lsos::Command& command : lsos::commands()) {
+    CLI::App* options = app.add_subcommand(command.name, command.sentence);
+    prepared.emplace_back(options, command.prepare(*options));
+  }
+
+  // Every command takes what any may be given, so that scripts need not know which has a use for
+  // it.
+  bool is_quiet = false;
+  int threads = 1;
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_option_no_throw("--quiet")) command->add_flag("--quiet", is_quiet)->group("");
+    if (!command->get_option_no_throw("--threads")) {
+      command->add_option("--threads", threads)->check(CLI::Range(1, 256))->group("");
+    }
+  }
+
+  try {
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const auto chosen =
+      std::ranges::find_if(prepared, [](const auto& entry) { return entry.first->parsed(); });
+  return chosen->second();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  // Beyond a file size limit a write must fail and be reported, not kill the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+  lsos::open_missing_streams();
+  try {
+    const int code = run_program({argv + 1, argv + argc});
+    lsos::flush_results();
+    return code;
+  } catch (const InputError& error) {
+    lsos::print_message("{}\n", error.what());
+    return 2;
+  } catch (const std::filesystem::filesystem_error& error) {
+    // A folder that may not be entered, most of all.
+    lsos::print_message("{}: {}\n", error.path1().string(), error.code().message());
+    return error.code() == std::errc::no_space_on_device ? 3 : 2;
+  } catch (const lsos::OutputError& error) {
+    lsos::print_message("{}\n", error.what());
+    return 3;
+  } catch (const std::exception& error) {
+    lsos::print_message("fault inside the program: {}\n", error.what());
+    return 3;
+  }
+}

@@ -1,0 +1,74 @@
+#include "lua/app/opened_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lua/host/run_mission.h"
+#include "mission/model/site.h"
+
+namespace lsos {
+
+namespace {
+
+// Of the scripts and the ground that the run names, those that are not what they were.
+std::vector<std::string> changed_since(const MissionFiles& files, const Ground& ground,
+                                       const std::map<std::string, std::string>& run) {
+  std::vector<std::string> changed;
+  for (const Script& script : files.catalog->scripts()) {
+    if (script.kind != ScriptKind::rover) continue;
+    const auto hash = run.find(fmt::format("rover_{}_sha256", script.name));
+    if (hash == run.end() || hash->second == script.sha256) continue;
+    changed.push_back(script.file);
+  }
+  const auto hash = run.find("terrain_sha256");
+  if (hash != run.end() && hash->second != ground.hash()) changed.push_back("the terrain");
+  return changed;
+}
+
+}  // namespace
+
+PictureRun open_run(const std::string& folder, const LogReader& log) {
+  const MissionFiles files = mission_of_run(folder, log.run());
+  files.faults.throw_if_errors();
+  PictureRun run;
+  run.files = files;
+  run.start = log.start();
+  run.end = log.last_sample_time();
+  const MissionInfo& mission = run.files.plan.mission;
+  run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
+                         mission.seed);
+  for (const std::string& what : changed_since(files, *run.ground, log.run())) {
+    run.warnings.push_back(
+        fmt::format("{} is not what it was when {} was run: the picture may differ", what, folder));
+  }
+  return run;
+}
+
+PictureRun open_picture(const std::string& folder, const std::string& at) {
+  const LogReader log(folder + "/log.gpkg");
+  require_samples(log, folder);
+  PictureRun run = open_run(folder, log);
+  const SimTime time = time_since_start("--at", at, run.start);
+  if (time < SimTime{} || time > run.end) {
+    throw InputError({}, fmt::format("--at {}: the run is from {} to {}", at, format_utc(run.start),
+                                     format_utc(run.start + run.end)));
+  }
+  read_moments(run, log, {time});
+  return run;
+}
+
+PictureRun open_film(const std::string& folder, const std::string& every,
+                     const std::string& rover) {
+  const LogReader log(folder + "/log.gpkg");
+  PictureRun run = open_run(folder, log);
+  const SimTime interval = run.files.plan.mission.log_interval;
+  run.film = every.empty() ? film_times(drive_times(log, rover, interval), run.end)
+                           : film_times(every, run.end);
+  std::vector<SimTime> times;
+  for (const FilmTime& film : run.film) times.push_back(film.time);
+  read_moments(run, log, times);
+  return run;
+}
+
+}  // namespace lsos

@@ -1,0 +1,30 @@
+// The kinds of Placemarks that a plan can have, with their fields, as KML schemas and as examples.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lua/host/catalog.h"
+#include "plan/kml_writer.h"
+
+namespace lsos {
+
+struct Kind {
+  std::string name, doc;
+  std::vector<FieldDeclaration> fields;
+  KmlGeometry geometry;  // an example
+  bool is_event = false;
+};
+
+// MissionInfo, Rover, Asset, and the events of those names; all events for none.
+std::vector<Kind> kinds_of(const Catalog& catalog, const std::vector<std::string>& names);
+
+// What stands in a form where the user has to fill in something.
+std::string example_value(const FieldDeclaration& field);
+
+// Adds the schema of a kind, and a Placemark with an example of each field. `number`: its Sequence.
+void add_example(KmlDocument& document, const Kind& kind, int number);
+// The schema alone, with a field Type.
+KmlSchema schema_of(const Kind& kind);
+
+}  // namespace lsos

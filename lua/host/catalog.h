@@ -1,0 +1,74 @@
+// Which scripts there are: events/, rovers/, terrain/ and terrain/soils/ of several folders, the
+// earlier folder going before the later.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "lua/runtime/script.h"
+#include "mission/model/rover_model.h"
+#include "plan/declaration.h"
+#include "terrain/spec/terrain_spec.h"
+
+namespace lsos {
+
+class LuaState;
+
+class Catalog {
+ public:
+  // Reads and loads every script once; what changes on disk later is not seen. A broken script is
+  // left out and costs only a warning, so that a plan that does not use it runs.
+  explicit Catalog(const std::vector<ScriptFolder>& folders);
+  // The same for plain folders.
+  explicit Catalog(const std::vector<std::string>& folders);
+
+  const Declarations& declarations() const { return declarations_; }
+
+  // Warnings: scripts that are broken (with each of their faults) or hidden by another.
+  const Faults& faults() const { return faults_; }
+  // The errors of a script that is there but broken; empty for others. When a plan names such an
+  // event these say more than "unknown".
+  std::vector<Fault> faults_of(ScriptKind kind, const std::string& name) const;
+
+  // What a script says. Throws InputError: its faults if it is broken; or, at `asked_at`, that
+  // there is no such script, with the nearest name.
+  RoverModel load_rover(const std::string& name, const Place& asked_at = {}) const;
+  // The same rover with changes that a plan makes, as Lua writes the table of lsos.derive. What is
+  // wrong with them stands at `asked_at`, beginning with `what`; numbers of another order of
+  // magnitude than the rover's own are warnings.
+  RoverModel load_variant(const std::string& name, const std::string& changes,
+                          const std::string& what, const Place& asked_at, Faults& faults) const;
+  // The scripts of rovers/ that a script there is derived from.
+  std::set<std::string> bases_of(const std::string& name) const;
+  AssetModel load_asset(const std::string& name, const Place& asked_at = {}) const;
+  TerrainSpec load_terrain(const std::string& name, const Place& asked_at = {}) const;
+  Soil load_soil(const std::string& name, const Place& asked_at = {}) const;
+
+  // All scripts in use, by kind and name, for the hashes of a run.
+  const std::vector<Script>& scripts() const { return scripts_; }
+
+ private:
+  using Key = std::pair<ScriptKind, std::string>;
+
+  void load_all();
+  void load_rover_script(LuaState& lua, const Script& script, Faults& faults);
+  void add_broken(const Script& script, const Faults& faults);
+  template <class T>
+  const T& find(const std::map<std::string, T>& things, ScriptKind kind, const std::string& name,
+                const Place& asked_at) const;
+
+  std::vector<Script> scripts_;
+  Declarations declarations_;
+  Faults faults_;
+  std::map<Key, std::vector<Fault>> broken_;
+  std::map<std::string, RoverModel> rovers_;
+  std::map<std::string, AssetModel> assets_;
+  std::map<std::string, std::set<std::string>> bases_;  // by name of the derived
+  std::map<std::string, TerrainSpec> terrains_;
+  std::map<std::string, Soil> soils_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,265 @@
+// What the scripts of a catalog say, and the answers to those who ask for one.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/path_beside.h"
+#include "lua/api/api.h"
+#include "lua/api/constructors.h"
+#include "lua/api/rover_constructors.h"
+#include "lua/api/terrain_constructors.h"
+#include "lua/host/catalog.h"
+#include "lua/host/event_library.h"
+#include "lua/runtime/loader.h"
+#include "lua/runtime/text_literal.h"
+
+namespace lsos {
+
+namespace {
+
+const char* noun(ScriptKind kind) {
+  switch (kind) {
+    case ScriptKind::event:
+      return "event";
+    case ScriptKind::rover:
+      return "rover type";
+    case ScriptKind::terrain:
+      return "terrain";
+    case ScriptKind::soil:
+      return "soil";
+  }
+  return "";
+}
+
+// What the script of a plan's changes is called where nobody sees it; no file has such a name.
+constexpr const char* variant_file = "=Variant";
+
+template <class T>
+std::vector<std::string> names_of(const std::map<std::string, T>& things) {
+  std::vector<std::string> names;
+  for (const auto& [name, thing] : things) names.push_back(name);
+  return names;
+}
+
+template <class T>
+std::optional<T> load(LuaState& lua, const Script& script, const char* kind, Faults& faults) {
+  std::optional<T> value;
+  lua.run([&](lua_State* L) {
+    if (const Made* made = load_script(L, script, kind, faults))
+      value = std::any_cast<T>(made->value);
+  });
+  return value;
+}
+
+// Fills in the soils that are named, and makes rasters' paths independent of where we are.
+void complete(TerrainScript& terrain, const Script& script,
+              const std::map<std::string, Soil>& soils, Faults& faults) {
+  TerrainSpec& spec = terrain.spec;
+  spec.name = script.name;
+  const auto locate = [&](RasterSurface& raster) {
+    raster.file = path_beside(script.folder, raster.file);
+  };
+  const auto chosen = [&](const SoilChoice& choice) {
+    if (choice.name.empty()) return choice.soil;
+    const auto soil = soils.find(choice.name);
+    if (soil != soils.end()) return soil->second;
+    faults.error(spec.place, fmt::format("terrain: no soil '{}'{}", choice.name,
+                                         did_you_mean(choice.name, names_of(soils))));
+    return Soil{};
+  };
+  for (Surface& layer : spec.layers) {
+    if (auto* raster = std::get_if<RasterSurface>(&layer)) locate(*raster);
+  }
+  spec.soil = chosen(terrain.soil);
+  if (terrain.rock_soil) spec.rock_soil = chosen(*terrain.rock_soil);
+  for (SoilPatchScript& patch : terrain.soil_patches) {
+    patch.patch.soil = chosen(patch.soil);
+    if (patch.patch.raster) locate(*patch.patch.raster);
+    spec.soil_patches.push_back(std::move(patch.patch));
+  }
+}
+
+// Shapes that move with a part that there is not.
+std::vector<std::string> shape_faults(const RoverModel& model) {
+  std::vector<std::string> links;
+  for (const LinkConfig& link : make_vehicle(model.spec, "", 1).links) links.push_back(link.name);
+  std::vector<std::string> faults;
+  for (const Shape& shape : model.shapes) {
+    if (shape.part.empty() || std::ranges::find(links, shape.part) != links.end()) continue;
+    faults.push_back(fmt::format("shapes: part = '{}': there is no such link{}; links are {}",
+                                 shape.part, did_you_mean(shape.part, links),
+                                 fmt::join(links, ", ")));
+  }
+  return faults;
+}
+
+// Wheels are alike, so that what is wrong with one is said a dozen times: three will do.
+void check_vehicle(const RoverModel& model, Faults& faults) {
+  const RoverSpec& rover = model.spec;
+  std::vector<std::string> found = vehicle_faults(rover);
+  if (found.empty()) found = shape_faults(model);
+  constexpr std::size_t shown_max = 3;
+  for (std::size_t i = 0; i < std::min(found.size(), shown_max); ++i) {
+    faults.error(rover.place, "rover: " + found[i]);
+  }
+  if (found.size() > shown_max) {
+    faults.error(rover.place, fmt::format("rover: {} more of the kind", found.size() - shown_max));
+  }
+}
+
+std::vector<std::string> configurations_of(const RoverSpec& rover) {
+  std::vector<std::string> names;
+  for (const RoverConfiguration& configuration : rover.configurations) {
+    names.push_back(configuration.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void Catalog::add_broken(const Script& script, const Faults& faults) {
+  for (const Fault& fault : faults.sorted()) {
+    broken_[{script.kind, script.name}].push_back(fault);
+    faults_.warning(fault.place, fmt::format("the {} '{}' cannot be used: {}", noun(script.kind),
+                                             script.name, fault.what));
+  }
+}
+
+// A script in rovers/ makes a rover or an asset.
+void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& faults) {
+  lua.context().scripts = &scripts_;
+  lua.context().bases.clear();
+  lua.context().deriving.clear();  // of a script that broke
+  lua.run([&](lua_State* L) {
+    if (!run_script(L, script, faults)) return;
+    if (!lua.context().bases.empty()) bases_[script.name] = lua.context().bases;
+    const Made* made = to_made(L, -1);
+    if (made != nullptr && made->kind == asset_kind) {
+      auto asset = std::any_cast<AssetModel>(made->value);
+      declarations_.rover_types[script.name] = {asset.doc, true, {}};
+      assets_[script.name] = std::move(asset);
+    } else if (made != nullptr && made->kind == rover_kind) {
+      auto rover = std::any_cast<RoverModel>(made->value);
+      check_vehicle(rover, faults);
+      if (faults.has_errors()) return;
+      declarations_.rover_types[script.name] = {rover.spec.doc, false,
+                                                configurations_of(rover.spec)};
+      rovers_[script.name] = std::move(rover);
+    } else {
+      faults.error({script.file, 0},
+                   fmt::format("must return lsos.rover {{...}} or lsos.asset {{...}}, found {}",
+                               describe(L, -1)));
+    }
+  });
+}
+
+// Soils come before terrains in scripts_, as terrains name them.
+void Catalog::load_all() {
+  EventLibrary library;
+  std::map<std::string, Faults> event_faults;
+  for (const Script& script : scripts_) {
+    Faults faults;
+    switch (script.kind) {
+      case ScriptKind::event:
+        library.load(script, event_faults[script.name]);
+        break;
+      case ScriptKind::rover:
+        load_rover_script(library.lua(), script, faults);
+        break;
+      case ScriptKind::soil:
+        if (auto soil = load<Soil>(library.lua(), script, soil_kind, faults)) {
+          soils_[script.name] = std::move(*soil);
+        }
+        break;
+      case ScriptKind::terrain:
+        if (auto terrain = load<TerrainScript>(library.lua(), script, terrain_kind, faults)) {
+          complete(*terrain, script, soils_, faults);
+          if (!faults.has_errors()) terrains_[script.name] = std::move(terrain->spec);
+        }
+        break;
+    }
+    add_broken(script, faults);
+  }
+  library.check_sub_events(event_faults);
+  for (const Script& script : scripts_) {
+    if (script.kind == ScriptKind::event) add_broken(script, event_faults[script.name]);
+  }
+  for (const auto& [name, event] : library.events()) declarations_.events[name] = event.declaration;
+  declarations_.terrains = names_of(terrains_);
+  for (const auto& [key, faults] : broken_) {
+    if (key.first == ScriptKind::event) declarations_.broken_events[key.second] = faults;
+    if (key.first == ScriptKind::rover) declarations_.broken_rovers[key.second] = faults;
+    if (key.first == ScriptKind::terrain) declarations_.broken_terrains[key.second] = faults;
+  }
+}
+
+std::vector<Fault> Catalog::faults_of(ScriptKind kind, const std::string& name) const {
+  const auto found = broken_.find({kind, name});
+  return found == broken_.end() ? std::vector<Fault>{} : found->second;
+}
+
+template <class T>
+const T& Catalog::find(const std::map<std::string, T>& things, ScriptKind kind,
+                       const std::string& name, const Place& asked_at) const {
+  const auto found = things.find(name);
+  if (found != things.end()) return found->second;
+  if (std::vector<Fault> faults = faults_of(kind, name); !faults.empty()) {
+    throw InputError(std::move(faults));
+  }
+  throw InputError(asked_at, fmt::format("no {} '{}'{}", noun(kind), name,
+                                         did_you_mean(name, names_of(things))));
+}
+
+RoverModel Catalog::load_rover(const std::string& name, const Place& asked_at) const {
+  return find(rovers_, ScriptKind::rover, name, asked_at);
+}
+
+RoverModel Catalog::load_variant(const std::string& name, const std::string& changes,
+                                 const std::string& what, const Place& asked_at,
+                                 Faults& faults) const {
+  LuaState lua(make_api);
+  lua.context().scripts = &scripts_;
+  Script script;
+  script.kind = ScriptKind::rover;
+  script.name = name;
+  script.file = variant_file;
+  script.source = fmt::format("local lsos = require 'lsos'; return lsos.derive({}, {})",
+                              lua_text(name), changes);
+  Faults found;
+  std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, found);
+  if (model && !found.has_errors()) check_vehicle(*model, found);
+  for (const std::string& doubt : lua.context().doubts) found.warning({}, doubt);
+  std::vector<Fault> told;
+  for (const Fault& fault : found.sorted()) {
+    told.push_back({fault.severity, asked_at, fmt::format("{}: {}", what, fault.what)});
+  }
+  if (found.has_errors()) throw InputError(std::move(told));
+  faults.add(told);
+  model->spec.name = model->spec.vehicle.type = name;
+  model->spec.place = asked_at;
+  const std::string as_script = script_name(variant_file) + ": is ";
+  for (std::string& assumption : model->spec.vehicle.assumptions) {
+    if (!assumption.starts_with(as_script)) continue;
+    assumption = fmt::format("{}: {}", what, assumption.substr(as_script.size()));
+  }
+  return *model;
+}
+
+std::set<std::string> Catalog::bases_of(const std::string& name) const {
+  const auto found = bases_.find(name);
+  return found == bases_.end() ? std::set<std::string>{} : found->second;
+}
+
+AssetModel Catalog::load_asset(const std::string& name, const Place& asked_at) const {
+  return find(assets_, ScriptKind::rover, name, asked_at);
+}
+
+TerrainSpec Catalog::load_terrain(const std::string& name, const Place& asked_at) const {
+  return find(terrains_, ScriptKind::terrain, name, asked_at);
+}
+
+Soil Catalog::load_soil(const std::string& name, const Place& asked_at) const {
+  return find(soils_, ScriptKind::soil, name, asked_at);
+}
+
+}  // namespace lsos

@@ -1,0 +1,252 @@
+#include "lua/host/condition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "lua/runtime/sandbox.h"
+#include "lua/runtime/state.h"
+
+namespace lsos {
+
+namespace {
+
+struct Quantity {
+  const char* name;
+  double (*of)(const SampleRow&);
+  const char* doc;
+};
+
+const std::vector<Quantity>& quantities() {
+  using R = const SampleRow&;
+  static const std::vector<Quantity> list{
+      {"time_s", [](R r) { return seconds(r.time); }, "since the mission's start"},
+      {"lon_deg", [](R r) { return lon_deg(r.place); }, "of the rover"},
+      {"lat_deg", [](R r) { return lat_deg(r.place); }, "of the rover"},
+      {"elevation_m", [](R r) { return r.elevation_m; }, "of the ground under it"},
+      {"x_m", [](R r) { return r.p_S_m.x(); }, "east in the site's frame"},
+      {"y_m", [](R r) { return r.p_S_m.y(); }, "north"},
+      {"z_m", [](R r) { return r.p_S_m.z(); }, "up"},
+      {"roll_rad", [](R r) { return r.roll_rad; }, "right side down positive"},
+      {"pitch_rad", [](R r) { return r.pitch_rad; }, "nose up positive"},
+      {"heading_rad", [](R r) { return r.heading_rad; }, "clockwise from true north"},
+      {"speed_mps", [](R r) { return r.speed_mps; }, "along the ground"},
+      {"distance_m", [](R r) { return r.distance_m; }, "driven since the start"},
+      {"slope_rad", [](R r) { return r.slope_rad; }, "of the ground under the wheels"},
+      {"slip", [](R r) { return r.slip; },
+       "of driving: mean over driven wheels and the last second"},
+      {"slip_max", [](R r) { return r.slip_max; }, "the same of the wheel that slips most"},
+      {"sinkage_m", [](R r) { return r.sinkage_m; }, "mean over wheels"},
+      {"energy_j", [](R r) { return r.energy_j; }, "in the battery"},
+      {"charge", [](R r) { return r.charge; }, "of the battery, 0 to 1"},
+      {"energy_rate_w", [](R r) { return r.energy_rate_w; }, "into the battery"},
+      {"solar_w", [](R r) { return r.solar_w; }, "that is used"},
+      {"solar_available_w", [](R r) { return r.solar_available_w; }, "that the panels could give"},
+      {"external_w", [](R r) { return r.external_w; }, "from outside"},
+      {"load_w", [](R r) { return r.load_w; }, "of all but driving"},
+      {"drive_w", [](R r) { return r.drive_w; }, "of the wheel motors"},
+      {"loss_w", [](R r) { return r.loss_w; }, "of charging and discharging"},
+      {"solar_j", [](R r) { return r.solar_j; }, "since the start"},
+      {"external_j", [](R r) { return r.external_j; }, "since the start"},
+      {"load_j", [](R r) { return r.load_j; }, "since the start"},
+      {"drive_j", [](R r) { return r.drive_j; }, "since the start"},
+      {"loss_j", [](R r) { return r.loss_j; }, "since the start"},
+      {"sun_fraction", [](R r) { return r.sun_fraction; }, "of its panels that the Sun sees"},
+      {"incidence", [](R r) { return r.incidence; }, "the same times the cosine"}};
+  return list;
+}
+
+constexpr std::array<ConditionName, 4> questions{
+    {{"distance_to", "distance_to(id): m, to another rover or an asset"},
+     {"sees", "sees(id): its antenna sees that of another rover, of an asset, or 'Earth'"},
+     {"is_linked_to", "is_linked_to(id): the same, in range, and both antennas up"},
+     {"resource", "resource(name): what is left of it"}}};
+
+constexpr double share_of_call = 0.01;  // of a call's budgets: an expression needs no more
+
+// Upvalue 1 of the functions: the rover.
+const RoverPort& rover_of(lua_State* L) {
+  return *static_cast<const RoverPort*>(lua_touserdata(L, lua_upvalueindex(1)));
+}
+
+int distance_to(lua_State* L) {
+  const RoverPort& rover = rover_of(L);
+  const std::string id = luaL_checkstring(L, 1);
+  const auto p_S_m = rover.place_of_S_m(id);
+  if (!p_S_m) throw std::runtime_error(fmt::format("there is no rover or asset '{}'", id));
+  lua_pushnumber(L, (*p_S_m - rover.view().p_S_m).norm());
+  return 1;
+}
+
+template <auto member>
+int sight_of(lua_State* L) {
+  const auto sight = rover_of(L).sight_of(luaL_checkstring(L, 1));
+  lua_pushboolean(L, sight && (*sight).*member);
+  return 1;
+}
+
+int resource(lua_State* L) {
+  auto& rover = const_cast<RoverPort&>(rover_of(L));  // asks only
+  lua_pushnumber(L, rover.power().resource(luaL_checkstring(L, 1)).value_or(std::nan("")));
+  return 1;
+}
+
+// Pushes the table of what a condition can name.
+void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
+  push_environment(L);
+  for (const Quantity& quantity : quantities()) {
+    lua_pushstring(L, quantity.name);
+    lua_pushnumber(L, quantity.of(row));
+    lua_rawset(L, -3);
+  }
+  const auto add = [&](const char* name, lua_CFunction function) {
+    lua_pushstring(L, name);
+    lua_pushlightuserdata(L, const_cast<RoverPort*>(&rover));
+    lua_pushcclosure(L, function, 1);
+    lua_rawset(L, -3);
+  };
+  add("distance_to", guard<distance_to>);
+  add("sees", guard<sight_of<&PairSight::is_visible>>);
+  add("is_linked_to", guard<sight_of<&PairSight::is_linked>>);
+  add("resource", guard<resource>);
+}
+
+// Pushes the function; answers what is wrong with the text instead. On lines of its own, so that a
+// comment in it ends.
+std::string push_function(lua_State* L, const std::string& text) {
+  const auto failure = load_text(L, "return (\n" + text + "\n)", "condition");
+  if (!failure) {
+    // "a) or (b" fits into our parenthesis, and is no expression.
+    if (load_text(L, "return\n" + text + "\n", "condition")) {
+      lua_pop(L, 1);
+      return "it is not one expression: a parenthesis closes that was not opened";
+    }
+    lua_pop(L, 1);
+    return "";
+  }
+  std::string what = split_place(failure->message, "condition").second;
+  // The parenthesis is ours.
+  const std::string ours = "')' expected (to close '(' at line 1)";
+  if (const auto at = what.find(ours); at != std::string::npos) {
+    what.replace(at, ours.size(), "the condition cannot go on");
+  }
+  if (what.ends_with("near '='")) return what + "; '==' compares";
+  if (what.ends_with("near ','")) return what + "; a decimal number has a point";
+  if (what.ends_with("near '!'")) return what + "; 'not' turns round, '~=' is unequal";
+  if (text.find('%') != std::string::npos) return what + "; a share is from 0 to 1: 80 % is 0.8";
+  const bool has_number = text.find_first_of("0123456789") != std::string::npos;
+  return what + (has_number ? "; numbers are in SI units and have none written, words are 'and', "
+                              "'or', 'not'"
+                            : "; words are 'and', 'or', 'not'");
+}
+
+// Of the call that failed; the line of our own wrapping says nothing.
+std::string cause_of(const LuaFailure& failure) {
+  return split_place(failure.message, "condition").second;
+}
+
+// Pops the function with its environment below it; answers what is wrong with what it gives.
+std::string call_fault(lua_State* L, bool* holds) {
+  const int top = lua_gettop(L) - 1;
+  if (const auto failure = call_script(L, 0, 1, share_of_call)) return cause_of(*failure);
+  const bool is_answer = lua_type(L, -1) == LUA_TBOOLEAN;
+  const std::string found = luaL_typename(L, -1);
+  if (holds != nullptr) *holds = lua_toboolean(L, -1) != 0;
+  lua_settop(L, top);
+  return is_answer ? "" : fmt::format("gives a {}; true or false is wanted", found);
+}
+
+// Upvalues: what a question answers in a trial.
+int trial_answer(lua_State* L) {
+  luaL_checkstring(L, 1);
+  lua_pushvalue(L, lua_upvalueindex(1));
+  return 1;
+}
+
+}  // namespace
+
+const std::vector<ConditionName>& condition_names() {
+  static const std::vector<ConditionName> names = [] {
+    std::vector<ConditionName> all;
+    for (const Quantity& quantity : quantities()) all.push_back({quantity.name, quantity.doc});
+    all.insert(all.end(), questions.begin(), questions.end());
+    return all;
+  }();
+  return names;
+}
+
+std::optional<double> condition_quantity(const std::string& name, const SampleRow& row) {
+  const auto found =
+      std::ranges::find_if(quantities(), [&](const Quantity& q) { return name == q.name; });
+  return found == quantities().end() ? std::nullopt : std::optional(found->of(row));
+}
+
+bool is_question(const std::string& name) {
+  return std::ranges::any_of(questions, [&](const ConditionName& q) { return name == q.name; });
+}
+
+bool gives_number(const std::string& question) {
+  return question == "distance_to" || question == "resource";
+}
+
+std::string condition_syntax_fault(lua_State* L, const std::string& text) {
+  std::string fault = push_function(L, text);
+  if (fault.empty()) lua_pop(L, 1);
+  return fault;
+}
+
+std::string math_fault(lua_State* L, const std::string& member) {
+  const auto failure = load_text(L, "return math." + member, "condition");
+  if (failure) return cause_of(*failure);
+  push_environment(L);
+  lua_setupvalue(L, -2, 1);  // _ENV
+  if (const auto missing = call_script(L, 0, 0)) return cause_of(*missing);
+  return "";
+}
+
+std::string condition_trial_fault(lua_State* L, const std::string& text, double value,
+                                  bool answer) {
+  std::string fault = push_function(L, text);
+  if (!fault.empty()) return fault;
+  push_environment(L);
+  const auto set = [&](const char* name, const auto& push) {
+    lua_pushstring(L, name);
+    push();
+    lua_rawset(L, -3);
+  };
+  for (const Quantity& quantity : quantities()) {
+    set(quantity.name, [&] { lua_pushnumber(L, value); });
+  }
+  for (const ConditionName& question : questions) {
+    set(question.name, [&] {
+      if (gives_number(question.name)) {
+        lua_pushnumber(L, value);
+      } else {
+        lua_pushboolean(L, answer);
+      }
+      lua_pushcclosure(L, guard<trial_answer>, 1);
+    });
+  }
+  lua_setupvalue(L, -2, 1);  // _ENV
+  return call_fault(L, nullptr);
+}
+
+bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
+                     const RoverPort& rover) {
+  std::string fault = push_function(L, text);
+  bool holds = false;
+  if (fault.empty()) {
+    push_names(L, row, rover);
+    lua_setupvalue(L, -2, 1);  // _ENV
+    fault = call_fault(L, &holds);
+  }
+  if (!fault.empty()) throw std::runtime_error(fault);
+  return holds;
+}
+
+}  // namespace lsos

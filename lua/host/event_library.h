@@ -1,0 +1,40 @@
+// All event scripts, loaded into one Lua state.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lua/api/api.h"
+#include "lua/runtime/file_locals.h"
+#include "lua/runtime/script.h"
+#include "lua/runtime/state.h"
+#include "plan/declaration.h"
+
+namespace lsos {
+
+struct EventScript {
+  EventDeclaration declaration;
+  std::string file;
+  int functions = LUA_NOREF;  // registry reference, see event_constructors.h
+  FileLocals locals;
+};
+
+class EventLibrary {
+ public:
+  explicit EventLibrary(const Limits& limits = {}) : lua_(make_api, limits) {}
+
+  // Loads one script; faults are collected and the event is then not there.
+  void load(const Script& script, Faults& faults);
+  // Takes out events whose phases name an event that is not there, or that contain themselves.
+  void check_sub_events(std::map<std::string, Faults>& faults);
+
+  const std::map<std::string, EventScript>& events() const { return events_; }
+  LuaState& lua() { return lua_; }
+
+ private:
+  LuaState lua_;
+  std::map<std::string, EventScript> events_;
+};
+
+}  // namespace lsos

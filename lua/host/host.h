@@ -1,0 +1,60 @@
+// The engine's ScriptHost, in Lua: runs the phases of event scripts.
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+
+#include "lua/host/catalog.h"
+#include "lua/host/condition_world.h"
+#include "lua/runtime/context.h"
+#include "mission/model/rover_model.h"
+#include "mission/port/script_host.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+class LuaHost : public ScriptHost {
+ public:
+  // Loads the catalog's sound event scripts anew. The same catalog always gives the same host, so
+  // that saved states fit.
+  explicit LuaHost(const Catalog& catalog, const Limits& limits = {});
+  ~LuaHost() override;
+
+  // What an event's `check` says of its parameters, and of the rover that has them (nullptr: faults
+  // of the plan keep it from being known); "" when all is well or it has none. Throws ScriptError.
+  struct CheckAnswer {
+    std::string fault, warning;
+  };
+  CheckAnswer check(const std::string& type, const EventArguments& arguments, Instant mission_start,
+                    const PlanRover* rover, const RoverModel* model);
+
+  bool is_open_ended(const std::string& type, const EventArguments& arguments,
+                     Instant mission_start) override;
+  bool awaits_sunlight(const std::string& type, const EventArguments& arguments,
+                       Instant mission_start) override;
+
+  // What is wrong with a condition of a plan, "" when it is well.
+  std::string condition_fault(const std::string& text, const ConditionWorld& world);
+
+  bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) override;
+  std::optional<RouteSettings> route_settings(const std::string& type,
+                                              const EventArguments& arguments,
+                                              Instant mission_start) override;
+  const Declarations& declarations() const override;
+  ScriptInstance begin(const std::string& type, const EventArguments& arguments) override;
+  PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,
+                        PhaseContext& context) override;
+  std::string values_in(const std::string& condition, const SampleRow& row,
+                        const RoverPort& rover) override;
+  std::string run_abort(ScriptInstance instance, PhaseContext& context) override;
+  void end(ScriptInstance instance) override;
+  std::string save(ScriptInstance instance) override;
+  void restore(ScriptInstance instance, const std::string& bytes) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lsos

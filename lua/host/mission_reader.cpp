@@ -1,0 +1,207 @@
+#include "lua/host/mission_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "base/files.h"
+#include "base/parsed.h"
+#include "lua/host/event_check.h"
+#include "lua/host/host.h"
+#include "lua/host/kept_routes.h"
+#include "lua/host/model_advice.h"
+#include "lua/host/plan_table.h"
+#include "lua/host/script_folders.h"
+#include "lua/host/script_use.h"
+#include "lua/host/variant.h"
+#include "mission/model/mission_span.h"
+#include "mission/model/plan_aims.h"
+#include "mission/model/plan_names.h"
+#include "mission/model/site.h"
+#include "plan/kml_reader.h"
+#include "plan/kml_text.h"
+#include "plan/layer_reader.h"
+#include "terrain/spec/terrain_beyond.h"
+
+namespace lsos {
+
+namespace {
+
+TerrainSpec read_terrain(const TerrainName& terrain, const Place& place, const Catalog& catalog) {
+  if (!terrain.is_raster) return catalog.load_terrain(terrain.name, place);
+  return raster_terrain({terrain.name}, place);
+}
+
+TerrainSpec terrain_of(const MissionInfo& mission, const Catalog& catalog, MissionFiles& files) {
+  TerrainSpec terrain = read_terrain(mission.terrain, mission.place, catalog);
+  if (!mission.terrain_beyond.name.empty()) {
+    const TerrainSpec beyond = read_terrain(mission.terrain_beyond, mission.place, catalog);
+    terrain = with_beyond(std::move(terrain), beyond);
+    files.assumptions.push_back(fmt::format("{}: beyond its end the ground is that of {}{}",
+                                            terrain.name, beyond.name,
+                                            beyond.is_synthetic ? ", which is synthetic" : ""));
+  }
+  if (!terrain.soil.name.empty()) return terrain;
+  // Ground of a raster that the plan names itself: no script says what it is made of.
+  const Body& body = mission.planet == nullptr ? *find_body("Moon") : *mission.planet;
+  terrain.soil = catalog.load_soil(std::string(body.assumed_soil), mission.place);
+  files.is_soil_assumed = true;
+  return terrain;
+}
+
+}  // namespace
+
+std::vector<ScriptFolder> script_folders(const std::string& plan_file) {
+  const char* path = std::getenv("LSOS_PATH");
+  return script_folders(plan_file, path == nullptr ? "" : path, shipped_scripts());
+}
+
+std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
+  return std::make_shared<const Catalog>(script_folders(plan_file));
+}
+
+namespace {
+
+// A plan that gives none has one that is said among its defaults.
+void set_max_duration(MissionFiles& files) {
+  Plan& plan = files.plan;
+  const bool is_known =
+      plan.mission.planet != nullptr && !plan.gaps.start_time && !files.faults.has_errors();
+  if (plan.mission.has_max_duration || !is_known) return;
+  LuaHost host(*files.catalog);
+  const auto is_open_ended = [&](const PlanEvent& event) {
+    return host.is_open_ended(event.type, {event.params, {}}, plan.mission.start_time);
+  };
+  try {
+    plan.mission.max_duration = default_max_duration(plan, files.catalog->declarations(),
+                                                     files.rover_models, is_open_ended);
+  } catch (const ScriptError& error) {
+    files.faults.error(plan.mission.place, error.what());
+  }
+  const double hours = seconds(plan.mission.max_duration) / 3600;
+  plan.defaults.push_back(
+      fmt::format("MissionInfo: MaxDuration = {}",
+                  hours > 999 ? fmt::format("{:g} d", hours / 24) : fmt::format("{:g} h", hours)));
+}
+
+// What its script says, with the changes of its Variant.
+RoverModel model_of(const PlanRover& rover, const Catalog& catalog, Faults& faults) {
+  if (rover.variant.empty()) return catalog.load_rover(rover.type, rover.place);
+  const std::string what = fmt::format("Rover '{}': Variant", rover.id);
+  const Parsed<std::string> changes = variant_table(rover.variant);
+  if (!changes) throw InputError(rover.place, fmt::format("{}: {}", what, changes.why));
+  return catalog.load_variant(rover.type, *changes.value, what, rover.place, faults);
+}
+
+// Reads what the plan names.
+void read_models(MissionFiles& files) {
+  const Declarations& declarations = files.catalog->declarations();
+  // Of what there is not, the plan's reader has told.
+  const auto has_type = [&](const std::string& name, bool is_asset) {
+    const auto found = declarations.rover_types.find(name);
+    return found != declarations.rover_types.end() && found->second.is_asset == is_asset;
+  };
+  const auto collect = [&](auto load) {
+    try {
+      load();
+    } catch (const InputError& error) {
+      files.faults.add(error.faults());
+    }
+  };
+  for (const PlanRover& rover : files.plan.rovers) {
+    if (!has_type(rover.type, false)) continue;
+    collect([&] {
+      files.rover_models.insert({rover.model(), model_of(rover, *files.catalog, files.faults)});
+    });
+  }
+  for (const PlanAsset& asset : files.plan.assets) {
+    if (!has_type(asset.type, true)) continue;
+    collect([&] {
+      files.asset_models.insert({asset.type, files.catalog->load_asset(asset.type, asset.place)});
+    });
+  }
+  check_events(files.plan, files, files.faults);
+  check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  check_plan_aims(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  set_max_duration(files);
+  check_plan_spans(files.plan, declarations, files.rover_models, files.faults);
+  const MissionInfo& mission = files.plan.mission;
+  const auto is_known = [&](const TerrainName& terrain) {
+    return terrain.is_raster || std::ranges::count(declarations.terrains, terrain.name) > 0;
+  };
+  const TerrainName& beyond = mission.terrain_beyond;
+  const bool has_terrain = is_known(mission.terrain) && (beyond.name.empty() || is_known(beyond));
+  collect([&] {
+    if (!has_terrain) return;
+    files.terrain = terrain_of(mission, *files.catalog, files);
+    // The simulation does so too, but it is made of plans without errors.
+    const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
+    if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
+    drivable_ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start,
+                       mission.seed);
+  });
+  add_script_warnings(*files.catalog, ScriptUse(*files.catalog, files.plan, files.terrain),
+                      files.faults);
+}
+
+}  // namespace
+
+MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed) {
+  MissionFiles files;
+  files.catalog = read_catalog(plan_file);
+  files.plan.file = plan_file;
+  // Once: a pipe has its bytes no second time, and a file may change.
+  try {
+    const PlanSource source = read_plan_source(plan_file);
+    files.plan_bytes = source.bytes;
+    files.plan = read_plan(plan_file, source.kml, files.catalog->declarations(), files.faults);
+  } catch (const InputError& error) {
+    files.faults.add(error.faults());
+  }
+  if (seed) files.plan.mission.seed = *seed;
+  read_models(files);
+  check_for_events(files.plan, files.faults);
+  add_model_advice(files, false);
+  return files;
+}
+
+PlanSource read_plan_source(const std::string& plan_file) {
+  std::string bytes = read_bytes(plan_file);
+  KmlSource source = parse_plan(bytes, plan_file);
+  // What a run keeps is a map that any viewer opens.
+  if (is_geopackage(bytes)) bytes = kml_of(source);
+  return {plan_file, std::move(source), "", std::move(bytes), true};
+}
+
+MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,
+                          std::optional<std::uint64_t> seed) {
+  MissionFiles files;
+  files.plan_bytes = source.bytes;
+  files.catalog = std::move(catalog);
+  files.plan = read_plan(source.file, source.kml, files.catalog->declarations(), files.faults);
+  if (seed) files.plan.mission.seed = *seed;
+  read_models(files);
+  const bool is_soil_given = !source.soil.empty();
+  if (is_soil_given && !files.faults.has_errors()) {
+    files.terrain.soil = files.catalog->load_soil(source.soil, files.plan.mission.place);
+  }
+  add_model_advice(files, is_soil_given);
+  return files;
+}
+
+SimulationSetup simulation_setup(const MissionFiles& files) {
+  SimulationSetup setup;
+  setup.plan = files.plan;
+  setup.rover_models = files.rover_models;
+  setup.asset_models = files.asset_models;
+  setup.terrain = files.terrain;
+  setup.kept_legs = read_kept_legs(files.plan.file);
+  setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
+  return setup;
+}
+
+}  // namespace lsos

@@ -1,0 +1,41 @@
+// Reading a plan together with the scripts that it names.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lua/host/mission_files.h"
+#include "lua/host/script_folders.h"
+#include "mission/simulation.h"
+#include "plan/kml_reader.h"
+
+namespace lsos {
+
+// Of the scripts that a plan can use, or that any plan can for "".
+std::vector<ScriptFolder> script_folders(const std::string& plan_file);
+// Those scripts.
+std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
+
+// Reads all and collects every fault. `seed` replaces the plan's.
+MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed = {});
+
+// A plan that was read once, to be made into a mission more than once.
+struct PlanSource {
+  std::string file;  // what relative paths are relative to
+  KmlSource kml;
+  std::string soil;     // that the ground is made of; "": the terrain's own
+  std::string bytes;    // the same as a KML or KMZ file
+  bool is_file = true;  // its scripts are found as those of `file`; else as those of any plan
+};
+// Throws InputError.
+PlanSource read_plan_source(const std::string& plan_file);
+MissionFiles read_mission(const PlanSource& source, std::shared_ptr<const Catalog> catalog,
+                          std::optional<std::uint64_t> seed = {});
+
+// What the simulation starts from; the files must have no errors.
+SimulationSetup simulation_setup(const MissionFiles& files);
+
+}  // namespace lsos

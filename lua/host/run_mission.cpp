@@ -1,0 +1,42 @@
+#include "lua/host/run_mission.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "lua/host/mission_reader.h"
+
+namespace lsos {
+
+MissionFiles mission_of_run(const std::string& folder,
+                            const std::map<std::string, std::string>& run) {
+  if (!run.contains("seed") || !run.contains("plan_sha256")) {
+    throw InputError({}, folder + ": its log does not say what was run");
+  }
+  const std::uint64_t seed = std::stoull(run.at("seed"));  // it may have been an option
+  const auto summary =
+      nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
+  if (summary.is_object() && summary.contains("plan") && summary["plan"].is_string()) {
+    const std::string original = summary["plan"].get<std::string>();
+    std::error_code unreadable;  // in a folder that may not be entered
+    if (std::filesystem::is_regular_file(original, unreadable)) {
+      MissionFiles files = read_mission(original, seed);
+      if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
+    }
+  }
+  const std::string copy = folder + "/plan.kml";
+  MissionFiles files = read_mission(copy, seed);
+  if (!files.faults.has_errors()) return files;
+  MissionFiles with_ours = read_mission(read_plan_source(copy), read_catalog(""), seed);
+  return with_ours.faults.has_errors() ? files : with_ours;
+}
+
+void require_samples(const LogReader& log, const std::string& folder) {
+  if (log.has_samples()) return;
+  throw InputError({folder},
+                   "its log has no sample: the run was stopped before its first, and there is "
+                   "nothing to show");
+}
+
+}  // namespace lsos

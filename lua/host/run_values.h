@@ -1,0 +1,16 @@
+// What a log says of the run that it is of.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "lua/host/mission_files.h"
+#include "mission/simulation.h"
+
+namespace lsos {
+
+// The layer `run`: what the run was made of, nothing that differs between two equal runs.
+std::map<std::string, std::string> run_values(const MissionFiles& files,
+                                              const Simulation& simulation);
+
+}  // namespace lsos

@@ -1,0 +1,56 @@
+#include "lua/host/script_folders.h"
+
+#include <filesystem>
+#include <sstream>
+
+namespace lsos {
+
+namespace fs = std::filesystem;
+
+std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
+                                         const std::string& shipped_folder) {
+  std::vector<ScriptFolder> folders;
+  // A folder that comes twice counts where it comes first.
+  const auto add = [&](const std::string& folder, const std::string& shown) {
+    std::error_code is_absent;
+    for (const ScriptFolder& earlier : folders) {
+      if (fs::equivalent(folder, earlier.path, is_absent)) return;
+    }
+    const bool is_shipped = fs::equivalent(folder, shipped_folder, is_absent);
+    folders.push_back({folder, is_shipped ? "" : shown});
+  };
+  const std::string beside = fs::path(plan_file).parent_path().string();
+  add(beside.empty() ? "." : beside, beside);
+  std::istringstream path(lsos_path);
+  for (std::string folder; std::getline(path, folder, ':');) {
+    if (!folder.empty()) add(folder, folder);
+  }
+  add(shipped_folder, "");
+  return folders;
+}
+
+std::string shipped_folder(const std::string& program_file, const std::string& built_from) {
+  std::error_code error;
+  for (fs::path at = fs::path(program_file).parent_path(); at.has_relative_path();
+       at = at.parent_path()) {
+    if (fs::is_directory(at / "share/lsos-host/events", error)) {
+      return (at / "share/lsos-host").string();
+    }
+    if (fs::exists(at / "events/Route.lua", error)) return at.string();
+  }
+  return built_from;
+}
+
+std::string shipped_scripts() {
+  std::error_code ignored;
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return shipped_folder(program, source_folder);
+}
+
+std::string library_file() {
+  std::error_code ignored;
+  const std::string file = shipped_scripts() + "/lua/library.d.lua";
+  return std::filesystem::exists(file, ignored) ? file : "";
+}
+
+}  // namespace lsos

@@ -1,0 +1,18 @@
+// Runs a script file in its own environment and takes what it returns.
+#pragma once
+
+#include <lua.hpp>
+
+#include "lua/runtime/made.h"
+#include "lua/runtime/script.h"
+
+namespace lsos {
+
+// Pushes what the script returned, or collects the faults, pushes nothing and returns false.
+bool run_script(lua_State* L, const Script& script, Faults& faults);
+
+// Pushes what the script returned, made by lsos.`kind`, and returns it; or collects the faults,
+// pushes nothing and returns nullptr.
+const Made* load_script(lua_State* L, const Script& script, const char* kind, Faults& faults);
+
+}  // namespace lsos

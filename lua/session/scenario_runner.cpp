@@ -1,0 +1,116 @@
+#include "lua/session/scenario_runner.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <set>
+
+#include "base/console.h"
+#include "base/files.h"
+#include "lua/runtime/handle.h"
+#include "lua/runtime/loader.h"
+#include "lua/runtime/state.h"
+#include "lua/session/scenario.h"
+#include "lua/session/session_api.h"
+#include "lua/session/sims.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr std::int64_t instructions_max = 2'000'000'000;  // some 20 s
+
+// Pops a scenario's function and runs it.
+ScenarioResult run_one(lua_State* L, Sims& sims, const std::string& file, const std::string& name,
+                       const std::string& folder) {
+  ScenarioResult result{file, name, "", folder, 0};
+  const auto begin = std::chrono::steady_clock::now();
+  push_handle(L, scenario_handle_type(), 0);
+  try {
+    if (const auto failure = call_script(L, 1, 0)) {
+      result.failure = failure->message;
+      // Where it came through, when that is more than the scenario itself.
+      if (std::ranges::count(failure->traceback, '\n') > 4) {
+        result.failure += "\n" + failure->traceback;
+      }
+      // An event that broke is what most of them fail of.
+      for (const std::string& news : sims.take_news()) result.failure += "\n" + news;
+    }
+  } catch (const std::exception& error) {
+    result.failure = fmt::format("fault inside the program: {}", error.what());
+  }
+  if (result.failure.empty()) result.failure = sims.failed_expectation();
+  sims.close_all();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  result.wall_s = wall.count();
+  std::error_code ignored;
+  if (result.failure.empty()) std::filesystem::remove_all(folder, ignored);
+  if (!std::filesystem::exists(folder, ignored)) result.log.clear();
+  return result;
+}
+
+// Of a name, what can be a folder's; no two of a file have the same.
+std::string folder_name(const std::string& name, std::set<std::string>& taken) {
+  constexpr std::size_t longest = 80;
+  std::string text;
+  for (const char c : name.substr(0, longest)) {
+    text += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  }
+  if (text.empty()) text = "_";
+  std::string own = text;
+  for (int k = 2; !taken.insert(own).second; ++k) own = fmt::format("{}_{}", text, k);
+  return own;
+}
+
+}  // namespace
+
+void run_scenarios(const std::string& file, const std::string& filter, const std::string& folder,
+                   const std::function<void(const ScenarioResult&)>& report) {
+  const std::filesystem::path path = file;
+  Script script;
+  script.name = path.stem();
+  script.file = file;
+  script.folder = path.parent_path();
+  const auto source = read_file(file);
+  if (!source) return report({file, "", file + ": cannot be read", "", 0});
+  script.source = *source;
+
+  Limits limits;
+  limits.instructions = instructions_max;
+  limits.cpu_s = 1e9;
+  LuaState lua(make_session_api, limits);
+  lua.run([&](lua_State* L) {
+    // On standard error: standard output is the report.
+    const auto say = [](const std::string& line) { print_message("{}\n", line); };
+    Sims at_load(folder, say, true);
+    lua.context().in_hand = &at_load;
+    Faults faults;
+    if (!run_script(L, script, faults)) {
+      std::string text;
+      for (const Fault& fault : faults.sorted()) text += to_string(fault) + "\n";
+      return report({file, "", text, "", 0});
+    }
+    lua_settop(L, 0);
+    push_scenarios(L);
+    const auto count = static_cast<lua_Integer>(lua_rawlen(L, 1));
+    if (count == 0) report({file, "", file + ": has no lsos.scenario(name, function)", "", 0});
+    std::set<std::string> folders;
+    for (lua_Integer k = 1; k <= count; ++k) {
+      lua_settop(L, 1);
+      lua_rawgeti(L, 1, k);
+      lua_rawgeti(L, 2, 1);
+      const std::string name = error_text(L, 3);
+      if (name.find(filter) == std::string::npos && file.find(filter) == std::string::npos)
+        continue;
+      lua_rawgeti(L, 2, 2);
+      const std::string own_folder = folder + "/" + folder_name(name, folders);
+      Sims sims(own_folder, say);
+      lua.context().in_hand = &sims;
+      report(run_one(L, sims, file, name, own_folder));
+    }
+  });
+  lua.context().in_hand = nullptr;
+}
+
+}  // namespace lsos

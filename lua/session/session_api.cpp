@@ -1,0 +1,34 @@
+#include "lua/session/session_api.h"
+
+#include "lua/runtime/state.h"
+#include "lua/session/scenario.h"
+#include "lua/session/sims.h"
+
+namespace lsos {
+
+const std::vector<ApiFunction>& session_functions() {
+  static const std::vector<ApiFunction> functions{
+      {"sim", guard<make_sim>, "lsos.sim(plan)",
+       "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, "
+       "`soil`, `start`, "
+       "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
+       "Id "
+       "= { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and "
+       "`assets`. In "
+       "scenarios and at the prompt only.",
+       "fun(plan: string|table): lsos.sim"},
+      {"scenario", guard<add_scenario>, "lsos.scenario(name, function(t))",
+       "One more scenario of this file; `lsos-host test` runs them.",
+       "fun(name: string, scenario: fun(t: lsos.t))"}};
+  return functions;
+}
+
+std::vector<ApiFunction> all_functions() {
+  std::vector<ApiFunction> all = api_functions();
+  all.insert(all.end(), session_functions().begin(), session_functions().end());
+  return all;
+}
+
+void make_session_api(lua_State* L) { make_module(L, session_functions()); }
+
+}  // namespace lsos

@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/error.h"
+#include "lua/host/plan_table.h"
+#include "lua/runtime/state.h"
+#include "lua/session/sim_functions.h"
+
+namespace lsos {
+
+namespace {
+
+RoverAgent& agent_of(lua_State* L, int argument) {
+  Simulation& simulation = sim_session(L).simulation();
+  const std::string id = luaL_checkstring(L, argument);
+  RoverAgent* agent = simulation.agent(id);
+  if (agent == nullptr) {
+    throw std::runtime_error(
+        fmt::format("there is no rover '{}'{}", id, did_you_mean(id, simulation.rover_ids())));
+  }
+  return *agent;
+}
+
+// What a hand does to a rover is in the log.
+void note(lua_State* L, const std::string& rover_id, const char* name,
+          const nlohmann::json& fields) {
+  sim_session(L).simulation().note_by_hand(
+      rover_id, name, fields.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
+int sim_dispatch(lua_State* L) {
+  SimSession& session = sim_session(L);
+  const std::string rover_id = luaL_checkstring(L, 2), type = luaL_checkstring(L, 3);
+  if (!lua_isnoneornil(L, 4)) luaL_checktype(L, 4, LUA_TTABLE);
+  lua_settop(L, 4);
+  // { type, fields... }, so that an event reads alike everywhere.
+  lua_newtable(L);
+  lua_pushstring(L, type.c_str());
+  lua_rawseti(L, -2, 1);
+  if (lua_istable(L, 4)) {
+    for (lua_pushnil(L); lua_next(L, 4) != 0; lua_pop(L, 1)) {
+      lua_pushvalue(L, -2);
+      lua_pushvalue(L, -2);
+      lua_rawset(L, 5);
+    }
+  }
+  const std::int64_t sequence = session.dispatch(
+      rover_id, read_event_table(L, 5, session.simulation().ground().site(), caller_place(L)));
+  note(L, rover_id, "dispatched", {{"sequence", sequence}, {"type", type}});
+  lua_pushinteger(L, sequence);
+  return 1;
+}
+
+int sim_shade(lua_State* L) {
+  const double share = luaL_checknumber(L, 3);
+  if (!(share >= 0 && share <= 1)) {
+    throw std::runtime_error(
+        fmt::format("sim:shade: {}; a share of the sunlight is 0 to 1", share));
+  }
+  RoverAgent& agent = agent_of(L, 2);
+  agent.power().set_shade(share);
+  note(L, agent.id(), "shaded", {{"share", share}});
+  return 0;
+}
+
+int sim_set_wheel(lua_State* L) {
+  static constexpr const char* modes[] = {"driven", "free", "locked", nullptr};
+  const int mode = luaL_checkoption(L, 4, "locked", modes);
+  const std::string wheel = luaL_checkstring(L, 3);
+  RoverAgent& agent = agent_of(L, 2);
+  agent.set_wheel(wheel, static_cast<WheelMode>(mode));
+  note(L, agent.id(), "wheel_set", {{"mode", modes[mode]}, {"wheel", wheel}});
+  return 0;
+}
+
+int sim_stick_panel(lua_State* L) {
+  const bool is_stuck = lua_isnoneornil(L, 4) || lua_toboolean(L, 4) != 0;
+  const std::string panel = luaL_optstring(L, 3, "");
+  RoverAgent& agent = agent_of(L, 2);
+  agent.power().set_panel_stuck(panel, is_stuck);
+  note(L, agent.id(), "panel_stuck", {{"is_stuck", is_stuck}, {"panel", panel}});
+  return 0;
+}
+
+int sim_silence(lua_State* L) {
+  const bool is_silent = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
+  RoverAgent& agent = agent_of(L, 2);
+  agent.set_silent(is_silent);
+  note(L, agent.id(), "silenced", {{"is_silent", is_silent}});
+  return 0;
+}
+
+int sim_set_soil(lua_State* L) {
+  const std::string soil = luaL_checkstring(L, 2);
+  sim_session(L).set_soil(soil);
+  for (const std::string& id : sim_session(L).simulation().rover_ids()) {
+    note(L, id, "soil_set", {{"soil", soil}});
+  }
+  return 0;
+}
+
+}  // namespace lsos

@@ -1,0 +1,33 @@
+// What `sim` has, by what it does; bound in sim_handle.cpp.
+#pragma once
+
+#include <lua.hpp>
+
+#include "lua/session/sims.h"
+
+namespace lsos {
+
+// The simulation of the handle at argument 1. Throw std::runtime_error.
+ScriptInstance sim_number(lua_State* L);
+SimSession& sim_session(lua_State* L);
+
+// What is known of it (sim_queries.cpp).
+int sim_time_s(lua_State* L);
+int sim_is_finished(lua_State* L);
+int sim_folder(lua_State* L);
+int sim_rovers(lua_State* L);
+int sim_events(lua_State* L);
+int sim_event(lua_State* L);
+int sim_notes(lua_State* L);
+int sim_where(lua_State* L);
+int sim_picture(lua_State* L);
+
+// What changes its world and its plan (sim_changes.cpp).
+int sim_dispatch(lua_State* L);
+int sim_shade(lua_State* L);
+int sim_set_wheel(lua_State* L);
+int sim_stick_panel(lua_State* L);
+int sim_silence(lua_State* L);
+int sim_set_soil(lua_State* L);
+
+}  // namespace lsos

@@ -1,0 +1,57 @@
+#include "driving/downhill.h"
+
+#include <gtest/gtest.h>
+
+namespace lsos {
+namespace {
+
+constexpr double speed_mps = 2.5, acceleration_mps2 = 0.5, moon_mps2 = 1.62;
+
+double downhill_mps(double pitch_rad) {
+  return downhill_speed_mps({pitch_rad, 0}, speed_mps, acceleration_mps2, moon_mps2);
+}
+
+TEST(Downhill, leaves_the_speed_alone_uphill_on_the_level_and_on_gentle_slopes) {
+  for (const double pitch_rad : {0.4, 0.0, -0.1}) {
+    EXPECT_EQ(braking_mps2({pitch_rad, 0}, acceleration_mps2, moon_mps2), acceleration_mps2);
+    EXPECT_EQ(downhill_mps(pitch_rad), speed_mps);
+  }
+}
+
+TEST(Downhill, stops_on_as_short_a_way_as_on_the_level) {
+  const double level_m = speed_mps * speed_mps / (2 * acceleration_mps2);
+  for (const double pitch_rad : {-0.2, -0.3, -0.36}) {
+    const double slowing_mps2 = braking_mps2({pitch_rad, 0}, acceleration_mps2, moon_mps2);
+    EXPECT_LT(slowing_mps2, acceleration_mps2);
+    EXPECT_NEAR(downhill_mps(pitch_rad) * downhill_mps(pitch_rad) / (2 * slowing_mps2), level_m,
+                1e-9);
+  }
+}
+
+// A block that friction only just holds stands still on the slope whose tangent is its coefficient.
+TEST(Downhill, creeps_where_nothing_is_left_to_brake_with) {
+  const double steepest_rad = -std::atan(braking_grip);
+  EXPECT_EQ(braking_mps2({steepest_rad, 0}, acceleration_mps2, moon_mps2),
+            braking_least * acceleration_mps2);
+  EXPECT_EQ(downhill_mps(2 * steepest_rad), downhill_mps(steepest_rad));
+  EXPECT_GT(downhill_mps(2 * steepest_rad), 0.4 * speed_mps);
+}
+
+// It slides in the direction of the steepest slope, whichever way its wheels are held: on a slope
+// that friction only just holds, brakes are left nothing in any direction that is not up.
+TEST(Downhill, has_its_grip_for_the_slope_across_too) {
+  const double slope_rad = std::atan(braking_grip);
+  for (const double aside_rad : {0.3, 0.8, 1.2, -0.8}) {
+    const Incline ground{std::asin(-std::sin(slope_rad) * std::cos(aside_rad)),
+                         std::asin(std::sin(slope_rad) * std::sin(aside_rad))};
+    EXPECT_NEAR(braking_mps2(ground, acceleration_mps2, moon_mps2),
+                braking_least * acceleration_mps2, 0.02)
+        << aside_rad;
+  }
+  const Incline across{-0.15, 0.3};
+  EXPECT_LT(downhill_speed_mps(across, speed_mps, acceleration_mps2, moon_mps2),
+            downhill_mps(-0.15));
+}
+
+}  // namespace
+}  // namespace lsos
