@@ -12,6 +12,7 @@
 #include "base/units.h"
 #include "product/event_kinds.h"
 #include "record/columns.h"
+#include "record/quantities.h"
 
 namespace lsos {
 
@@ -78,6 +79,15 @@ Json battery(const ReportExtras& extras, const std::string& rover_id) {
   const auto found = extras.batteries.find(rover_id);
   if (found == extras.batteries.end()) return nullptr;
   return {{"capacity_j", found->second.capacity_j}, {"reserve_j", found->second.reserve_j}};
+}
+
+// Names under which a rover has its series.
+Json plotted_names() {
+  Json array = Json::array();
+  for (const Quantity& quantity : quantities()) {
+    if (quantity.is_plotted) array.push_back(quantity.name);
+  }
+  return array;
 }
 
 Json rovers(const ReportData& data, const ReportExtras& extras) {
@@ -291,6 +301,7 @@ std::string report_json(const ReportData& data, const Plan& plan, const SiteFram
       {"terrain", plan.mission.terrain.name},
       {"site", site_json(site)},
       {"summary", parsed},
+      {"quantities", plotted_names()},
       {"rovers", rovers(data, extras)},
       {"assets", assets(data)},
       {"events", placed_rows(data.events, site)},

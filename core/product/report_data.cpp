@@ -8,64 +8,36 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/polyline.h"
 #include "base/units.h"
 #include "picture/rover_colors.h"
 #include "product/drive_marks.h"
+#include "record/quantities.h"
 
 namespace lsos {
 
 namespace {
 
-struct Quantity {
-  const char* name;
-  double SampleRow::*value;
-};
-constexpr std::array quantities{
-    Quantity{"elevation_m", &SampleRow::elevation_m},
-    Quantity{"energy_j", &SampleRow::energy_j},
-    Quantity{"energy_rate_w", &SampleRow::energy_rate_w},
-    Quantity{"speed_mps", &SampleRow::speed_mps},
-    Quantity{"slip", &SampleRow::slip},
-    Quantity{"sun_fraction", &SampleRow::sun_fraction},
-    Quantity{"solar_w", &SampleRow::solar_w},
-    Quantity{"solar_available_w", &SampleRow::solar_available_w},
-};
+// Those that are plotted, in the order of the register.
+const std::vector<const Quantity*>& plotted() {
+  static const std::vector<const Quantity*> list = [] {
+    std::vector<const Quantity*> found;
+    for (const Quantity& quantity : quantities()) {
+      if (quantity.is_plotted) found.push_back(&quantity);
+    }
+    return found;
+  }();
+  return list;
+}
 
 constexpr double line_tolerance_m = 0.2;
 
-double distance_to_m(const ReportPoint& p, const ReportPoint& a, const ReportPoint& b) {
-  const double x = b.x_m - a.x_m, y = b.y_m - a.y_m, square = x * x + y * y;
-  const double share =
-      square > 0 ? std::clamp(((p.x_m - a.x_m) * x + (p.y_m - a.y_m) * y) / square, 0.0, 1.0) : 0;
-  return std::hypot(p.x_m - a.x_m - share * x, p.y_m - a.y_m - share * y);
-}
-
-// Douglas and Peucker: without the points that nobody would miss.
-ReportLine simplified(const ReportLine& line) {
-  if (line.size() < 3) return line;
-  std::vector<bool> kept(line.size(), false);
-  kept.front() = kept.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};
-  while (!open.empty()) {
-    const auto [from, to] = open.back();
-    open.pop_back();
-    std::size_t farthest = from;
-    double most_m = line_tolerance_m;
-    for (std::size_t k = from + 1; k < to; ++k) {
-      const double away_m = distance_to_m(line[k], line[from], line[to]);
-      if (away_m > most_m) {
-        most_m = away_m;
-        farthest = k;
-      }
-    }
-    if (farthest == from) continue;
-    kept[farthest] = true;
-    open.push_back({from, farthest});
-    open.push_back({farthest, to});
-  }
+ReportLine simplified_line(const ReportLine& line) {
+  std::vector<Vec2> points_m;
+  for (const ReportPoint& point : line) points_m.emplace_back(point.x_m, point.y_m);
   ReportLine simple;
-  for (std::size_t k = 0; k < line.size(); ++k) {
-    if (kept[k]) simple.push_back(line[k]);
+  for (const Vec2& point_m : simplified(points_m, line_tolerance_m)) {
+    simple.push_back({point_m.x(), point_m.y()});
   }
   return simple;
 }
@@ -78,7 +50,7 @@ ReportPoint map_point(const SiteFrame& site, const Geodetic& place) {
 ReportLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) {
   ReportLine line;
   for (const Geodetic& place : places) line.push_back(map_point(site, place));
-  return simplified(line);
+  return simplified_line(line);
 }
 
 // North is not the same everywhere: near a pole it turns with each step.
@@ -119,8 +91,8 @@ void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data)
     thinning.places.add(row, thinning.of_places.next(row));
     const WantedRows wanted = thinning.of_series.next(row.time);
     const bool is_moving = row.speed_mps > moving_mps;
-    for (std::size_t k = 0; k < quantities.size(); ++k) {
-      rover.series[k].second.add(time_s, std::array{row.*quantities[k].value}, is_moving, wanted);
+    for (std::size_t k = 0; k < plotted().size(); ++k) {
+      rover.series[k].second.add(time_s, std::array{row.*plotted()[k]->value}, is_moving, wanted);
     }
     rover.distance_m = row.distance_m;
     rover.last_s = time_s;
@@ -229,8 +201,8 @@ ReportRover::ReportRover(const std::string& rover_id, const SampleTotals& totals
     : id(rover_id),
       samples(totals.rows),
       position({report_places_max, 0}, report_places_max, position_columns, 2) {
-  for (const Quantity& quantity : quantities) {
-    series.emplace_back(quantity.name,
+  for (const Quantity* quantity : plotted()) {
+    series.emplace_back(quantity->name,
                         ThinnedRows({totals.rows, totals.moving}, report_stretches, 1, 1));
   }
 }

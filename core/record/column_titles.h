@@ -12,7 +12,7 @@ struct ColumnTitle {
   std::string_view meaning = "";  // what the title does not say
 };
 
-// Throws std::out_of_range for a name that no layer has.
-const ColumnTitle& column_title(std::string_view name);
+// Of a column of a layer. Throws std::out_of_range for a name that no layer has.
+ColumnTitle column_title(std::string_view layer, std::string_view name);
 
 }  // namespace lsos

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/units.h"
+#include "record/quantity_table.h"
 
 namespace lsos {
 
@@ -117,6 +121,11 @@ Column<SampleRow> coordinate(std::string_view name) {
           [](SampleRow& row, const ColumnValue& value) { row.p_S_m[axis] = to_number(value); }};
 }
 
+template <std::size_t... k>
+void add_quantities(std::vector<Column<SampleRow>>& columns, std::index_sequence<k...>) {
+  (columns.push_back(real<quantity_table[k].value>(quantity_table[k].name)), ...);
+}
+
 Column<EventRow> status() {
   return {"status", ColumnType::text,
           [](const EventRow& row, Instant) { return ColumnValue{to_string(row.status)}; },
@@ -141,44 +150,18 @@ constexpr std::array<std::pair<EventStatus, const char*>, 8> status_names{{
 template <>
 std::span<const Column<SampleRow>> columns<SampleRow>() {
   using R = SampleRow;
-  static const Column<R> table[] = {
-      time<&R::time>("time_s"),
-      utc<&R::time>("utc"),
-      text<&R::rover_id>("rover_id"),
-      lon<&R::place>("lon_deg"),
-      lat<&R::place>("lat_deg"),
-      real<&R::elevation_m>("elevation_m"),
-      coordinate<0>("x_m"),
-      coordinate<1>("y_m"),
-      coordinate<2>("z_m"),
-      real<&R::roll_rad>("roll_rad"),
-      real<&R::pitch_rad>("pitch_rad"),
-      real<&R::heading_rad>("heading_rad"),
-      real<&R::speed_mps>("speed_mps"),
-      real<&R::distance_m>("distance_m"),
-      real<&R::slope_rad>("slope_rad"),
-      real<&R::slip>("slip"),
-      real<&R::slip_max>("slip_max"),
-      real<&R::sinkage_m>("sinkage_m"),
-      real<&R::energy_j>("energy_j"),
-      real<&R::charge>("charge"),
-      real<&R::energy_rate_w>("energy_rate_w"),
-      real<&R::solar_w>("solar_w"),
-      real<&R::solar_available_w>("solar_available_w"),
-      real<&R::external_w>("external_w"),
-      real<&R::load_w>("load_w"),
-      real<&R::drive_w>("drive_w"),
-      real<&R::loss_w>("loss_w"),
-      real<&R::solar_j>("solar_j"),
-      real<&R::external_j>("external_j"),
-      real<&R::load_j>("load_j"),
-      real<&R::drive_j>("drive_j"),
-      real<&R::loss_j>("loss_j"),
-      real<&R::sun_fraction>("sun_fraction"),
-      real<&R::incidence>("incidence"),
-      text<&R::event>("event"),
-      text<&R::phase>("phase"),
-  };
+  static const std::vector<Column<R>> table = [] {
+    std::vector<Column<R>> all{time<&R::time>("time_s"), utc<&R::time>("utc"),
+                               text<&R::rover_id>("rover_id"), lon<&R::place>("lon_deg"),
+                               lat<&R::place>("lat_deg")};
+    add_quantities(all, std::make_index_sequence<quantity_table.size()>{});
+    // Behind the elevation stands the position in the site's frame.
+    const auto elevation = std::ranges::find(all, "elevation_m", &Column<R>::name);
+    all.insert(elevation + 1, {coordinate<0>("x_m"), coordinate<1>("y_m"), coordinate<2>("z_m")});
+    all.push_back(text<&R::event>("event"));
+    all.push_back(text<&R::phase>("phase"));
+    return all;
+  }();
   return table;
 }
 

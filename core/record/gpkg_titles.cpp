@@ -31,7 +31,7 @@ void add_titles(GDALDataset& dataset) {
   }
   for (const LayerSpec& layer : contract_layers()) {
     for (const ColumnSpec& column : layer.columns) {
-      const ColumnTitle& title = column_title(column.name);
+      const ColumnTitle title = column_title(layer.name, column.name);
       run_sql(dataset,
               fmt::format("INSERT INTO gpkg_data_columns (table_name, column_name, name, "
                           "title, description) VALUES ({}, {}, {}, {}, {})",

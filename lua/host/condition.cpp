@@ -11,53 +11,57 @@
 #include "base/units.h"
 #include "lua/runtime/sandbox.h"
 #include "lua/runtime/state.h"
+#include "record/quantities.h"
 
 namespace lsos {
 
 namespace {
 
-struct Quantity {
+// Quantities of its row that are no members of it, and those that mean something else here than in
+// the log.
+struct OwnQuantity {
   const char* name;
   double (*of)(const SampleRow&);
   const char* doc;
 };
 
-const std::vector<Quantity>& quantities() {
-  using R = const SampleRow&;
-  static const std::vector<Quantity> list{
-      {"time_s", [](R r) { return seconds(r.time); }, "since the mission's start"},
-      {"lon_deg", [](R r) { return lon_deg(r.place); }, "of the rover"},
-      {"lat_deg", [](R r) { return lat_deg(r.place); }, "of the rover"},
-      {"elevation_m", [](R r) { return r.elevation_m; }, "of the ground under it"},
-      {"x_m", [](R r) { return r.p_S_m.x(); }, "east in the site's frame"},
-      {"y_m", [](R r) { return r.p_S_m.y(); }, "north"},
-      {"z_m", [](R r) { return r.p_S_m.z(); }, "up"},
-      {"roll_rad", [](R r) { return r.roll_rad; }, "right side down positive"},
-      {"pitch_rad", [](R r) { return r.pitch_rad; }, "nose up positive"},
-      {"heading_rad", [](R r) { return r.heading_rad; }, "clockwise from true north"},
-      {"speed_mps", [](R r) { return r.speed_mps; }, "along the ground"},
-      {"distance_m", [](R r) { return r.distance_m; }, "driven since the start"},
-      {"slope_rad", [](R r) { return r.slope_rad; }, "of the ground under the wheels"},
-      {"slip", [](R r) { return r.slip; },
-       "of driving: mean over driven wheels and the last second"},
-      {"slip_max", [](R r) { return r.slip_max; }, "the same of the wheel that slips most"},
-      {"sinkage_m", [](R r) { return r.sinkage_m; }, "mean over wheels"},
-      {"energy_j", [](R r) { return r.energy_j; }, "in the battery"},
-      {"charge", [](R r) { return r.charge; }, "of the battery, 0 to 1"},
-      {"energy_rate_w", [](R r) { return r.energy_rate_w; }, "into the battery"},
-      {"solar_w", [](R r) { return r.solar_w; }, "that is used"},
-      {"solar_available_w", [](R r) { return r.solar_available_w; }, "that the panels could give"},
-      {"external_w", [](R r) { return r.external_w; }, "from outside"},
-      {"load_w", [](R r) { return r.load_w; }, "of all but driving"},
-      {"drive_w", [](R r) { return r.drive_w; }, "of the wheel motors"},
-      {"loss_w", [](R r) { return r.loss_w; }, "of charging and discharging"},
-      {"solar_j", [](R r) { return r.solar_j; }, "since the start"},
-      {"external_j", [](R r) { return r.external_j; }, "since the start"},
-      {"load_j", [](R r) { return r.load_j; }, "since the start"},
-      {"drive_j", [](R r) { return r.drive_j; }, "since the start"},
-      {"loss_j", [](R r) { return r.loss_j; }, "since the start"},
-      {"sun_fraction", [](R r) { return r.sun_fraction; }, "of its panels that the Sun sees"},
-      {"incidence", [](R r) { return r.incidence; }, "the same times the cosine"}};
+constexpr std::array own_quantities{
+    OwnQuantity{"time_s", [](const SampleRow& r) { return seconds(r.time); },
+                "since the mission's start"},
+    OwnQuantity{"lon_deg", [](const SampleRow& r) { return lon_deg(r.place); }, "of the rover"},
+    OwnQuantity{"lat_deg", [](const SampleRow& r) { return lat_deg(r.place); }, "of the rover"},
+    OwnQuantity{"x_m", [](const SampleRow& r) { return r.p_S_m.x(); }, "east in the site's frame"},
+    OwnQuantity{"y_m", [](const SampleRow& r) { return r.p_S_m.y(); }, "north"},
+    OwnQuantity{"z_m", [](const SampleRow& r) { return r.p_S_m.z(); }, "up"},
+    OwnQuantity{"slip", [](const SampleRow& r) { return r.slip; },
+                "of driving: mean over driven wheels and the last second"},
+    OwnQuantity{"slip_max", [](const SampleRow& r) { return r.slip_max; },
+                "the same of the wheel that slips most"},
+};
+
+// A quantity that a condition can name: one of its own, or of the register.
+struct ConditionQuantity {
+  const char* name;
+  const char* doc;
+  double (*own)(const SampleRow&);
+  double SampleRow::*logged;
+
+  double of(const SampleRow& row) const { return own != nullptr ? own(row) : row.*logged; }
+};
+
+const std::vector<ConditionQuantity>& condition_quantities() {
+  static const std::vector<ConditionQuantity> list = [] {
+    std::vector<ConditionQuantity> all;
+    for (const OwnQuantity& own : own_quantities) {
+      all.push_back({own.name, own.doc, own.of, nullptr});
+    }
+    for (const Quantity& quantity : quantities()) {
+      const auto is_own = [&](const OwnQuantity& own) { return quantity.name == own.name; };
+      if (std::ranges::any_of(own_quantities, is_own)) continue;
+      all.push_back({quantity.name.data(), quantity.meaning.data(), nullptr, quantity.value});
+    }
+    return all;
+  }();
   return list;
 }
 
@@ -99,7 +103,7 @@ int resource(lua_State* L) {
 // Pushes the table of what a condition can name.
 void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
   push_environment(L);
-  for (const Quantity& quantity : quantities()) {
+  for (const ConditionQuantity& quantity : condition_quantities()) {
     lua_pushstring(L, quantity.name);
     lua_pushnumber(L, quantity.of(row));
     lua_rawset(L, -3);
@@ -173,7 +177,9 @@ int trial_answer(lua_State* L) {
 const std::vector<ConditionName>& condition_names() {
   static const std::vector<ConditionName> names = [] {
     std::vector<ConditionName> all;
-    for (const Quantity& quantity : quantities()) all.push_back({quantity.name, quantity.doc});
+    for (const ConditionQuantity& quantity : condition_quantities()) {
+      all.push_back({quantity.name, quantity.doc});
+    }
     all.insert(all.end(), questions.begin(), questions.end());
     return all;
   }();
@@ -181,9 +187,9 @@ const std::vector<ConditionName>& condition_names() {
 }
 
 std::optional<double> condition_quantity(const std::string& name, const SampleRow& row) {
-  const auto found =
-      std::ranges::find_if(quantities(), [&](const Quantity& q) { return name == q.name; });
-  return found == quantities().end() ? std::nullopt : std::optional(found->of(row));
+  const auto found = std::ranges::find_if(
+      condition_quantities(), [&](const ConditionQuantity& q) { return name == q.name; });
+  return found == condition_quantities().end() ? std::nullopt : std::optional(found->of(row));
 }
 
 bool is_question(const std::string& name) {
@@ -219,7 +225,7 @@ std::string condition_trial_fault(lua_State* L, const std::string& text, double 
     push();
     lua_rawset(L, -3);
   };
-  for (const Quantity& quantity : quantities()) {
+  for (const ConditionQuantity& quantity : condition_quantities()) {
     set(quantity.name, [&] { lua_pushnumber(L, value); });
   }
   for (const ConditionName& question : questions) {

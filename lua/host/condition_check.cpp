@@ -14,8 +14,8 @@
 #include "lua/host/condition_sizes.h"
 #include "lua/host/condition_words.h"
 #include "lua/host/everyday_words.h"
-#include "lua/runtime/sandbox.h"
 #include "lua/runtime/state.h"
+#include "record/quantities.h"
 
 namespace lsos {
 
@@ -110,11 +110,10 @@ std::string equality_fault(const std::vector<ConditionWord>& words) {
 
 // A quantity of panels or a battery that the rover does not have: no comparison with it holds.
 std::string missing_part_doubt(const std::string& word, const ConditionWorld& world) {
-  static const std::set<std::string> of_panels{"sun_fraction", "incidence", "solar_w",
-                                               "solar_available_w", "solar_j"};
-  static const std::set<std::string> of_battery{"charge", "energy_j", "energy_rate_w"};
-  const bool has_no_panels = world.is_without_panels && of_panels.contains(word);
-  const bool has_no_battery = world.is_without_battery && of_battery.contains(word);
+  const Quantity* quantity = find_quantity(word);
+  if (quantity == nullptr) return "";
+  const bool has_no_panels = world.is_without_panels && quantity->part == QuantityPart::panels;
+  const bool has_no_battery = world.is_without_battery && quantity->part == QuantityPart::battery;
   if (!has_no_panels && !has_no_battery) return "";
   return fmt::format("the rover has no {}: '{}' is not known, and no comparison with it holds",
                      has_no_panels ? "panels" : "battery", word);

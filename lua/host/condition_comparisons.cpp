@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "lua/host/condition.h"
+#include "record/quantities.h"
 
 namespace lsos {
 
@@ -19,9 +20,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// What a quantity can be.
+// What a quantity can be; of the log's, what the register says.
 Bounds bounds_of(std::string_view quantity) {
-  constexpr double half_turn_rad = std::numbers::pi, quarter_rad = half_turn_rad / 2;
   struct Known {
     std::string_view quantity;
     Bounds bounds;
@@ -30,23 +30,11 @@ Bounds bounds_of(std::string_view quantity) {
     return {0, infinite};
   }
   static constexpr std::array known{
-      Known{"charge", {0, 1}},
-      Known{"sun_fraction", {0, 1}},
-      Known{"incidence", {0, 1}},
-      Known{"slip", {-infinite, 1}},
-      Known{"slip_max", {-infinite, 1}},
-      Known{"slope_rad", {0, quarter_rad}},
-      Known{"pitch_rad", {-quarter_rad, quarter_rad}},
-      // A rover that has rolled farther lies on its roof.
-      Known{"roll_rad", {-quarter_rad, quarter_rad}},
-      Known{"heading_rad", {0, 2 * half_turn_rad}},
       Known{"lon_deg", {-180, 180}},
       Known{"lat_deg", {-90, 90}},
       Known{"time_s", {0, infinite}},
-      Known{"speed_mps", {0, infinite}},
-      Known{"distance_m", {0, infinite}},
-      Known{"energy_j", {0, infinite}},
   };
+  if (const Quantity* logged = find_quantity(quantity)) return {logged->least, logged->greatest};
   const auto found = std::ranges::find(known, quantity, &Known::quantity);
   return found == known.end() ? Bounds{-infinite, infinite} : found->bounds;
 }

@@ -11,7 +11,6 @@ const unpackTimes = text => unpack(text, Float64Array);
 const unpackSeries = packed =>
   packed && {t: unpackTimes(packed.t), v: unpack(packed.v, Float32Array)};
 
-const quantities = ['elevation_m', 'energy_j', 'energy_rate_w', 'speed_mps', 'slip', 'sun_fraction', 'solar_w', 'solar_available_w'];
 const rovers = page.rovers.map(packed => {
   const p = packed.position;
   const rover = {
@@ -23,7 +22,7 @@ const rovers = page.rovers.map(packed => {
     },
     events: page.events.filter(event => event.rover_id === packed.id),
   };
-  for (const name of quantities) rover[name] = unpackSeries(packed[name]);
+  for (const name of page.quantities) rover[name] = unpackSeries(packed[name]);
   return rover;
 });
 const roverOf = id => rovers.find(rover => rover.id === id);

@@ -1,0 +1,172 @@
+// The entries of the register of logged quantities, see quantities.h.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <numbers>
+#include <string_view>
+
+#include "record/rows.h"
+
+namespace lsos {
+
+// The part of a rover without which a quantity is not modelled (NaN, NULL in the log).
+enum class QuantityPart { rover, battery, panels };
+
+struct Quantity {
+  std::string_view name;     // of the column, with its SI suffix
+  double SampleRow::*value;  // not_modelled where the rover has no such part
+  std::string_view title;    // as GIS tools show it, with its unit: "Speed, m/s"
+  std::string_view meaning;  // what the title does not say; a phrase that follows it
+  QuantityPart part = QuantityPart::rover;
+  double least = -std::numeric_limits<double>::infinity();
+  double greatest = std::numeric_limits<double>::infinity();
+  bool is_plotted = false;  // over time in report.html
+};
+
+inline constexpr double quarter_turn_rad = std::numbers::pi / 2;
+
+inline constexpr std::array quantity_table{
+    Quantity{.name = "elevation_m",
+             .value = &SampleRow::elevation_m,
+             .title = "Elevation, m",
+             .meaning = "of the ground under it, in the terrain's datum",
+             .is_plotted = true},
+    // A rover that has rolled or pitched farther lies on its roof.
+    Quantity{.name = "roll_rad",
+             .value = &SampleRow::roll_rad,
+             .title = "Roll, rad",
+             .meaning = "right side down positive",
+             .least = -quarter_turn_rad,
+             .greatest = quarter_turn_rad},
+    Quantity{.name = "pitch_rad",
+             .value = &SampleRow::pitch_rad,
+             .title = "Pitch, rad",
+             .meaning = "nose up positive",
+             .least = -quarter_turn_rad,
+             .greatest = quarter_turn_rad},
+    Quantity{.name = "heading_rad",
+             .value = &SampleRow::heading_rad,
+             .title = "Heading, rad",
+             .meaning = "clockwise from true north",
+             .least = 0,
+             .greatest = 4 * quarter_turn_rad},
+    Quantity{.name = "speed_mps",
+             .value = &SampleRow::speed_mps,
+             .title = "Speed, m/s",
+             .meaning = "along the ground",
+             .least = 0,
+             .is_plotted = true},
+    Quantity{.name = "distance_m",
+             .value = &SampleRow::distance_m,
+             .title = "Distance, m",
+             .meaning = "driven along the ground since the start",
+             .least = 0},
+    Quantity{.name = "slope_rad",
+             .value = &SampleRow::slope_rad,
+             .title = "Slope, rad",
+             .meaning = "of the ground under the wheels",
+             .least = 0,
+             .greatest = quarter_turn_rad},
+    Quantity{.name = "slip",
+             .value = &SampleRow::slip,
+             .title = "Slip",
+             .meaning = "mean of the driven wheels on the ground",
+             .greatest = 1,
+             .is_plotted = true},
+    Quantity{.name = "slip_max",
+             .value = &SampleRow::slip_max,
+             .title = "Slip, greatest",
+             .meaning = "of the driven wheel that slips most",
+             .greatest = 1},
+    Quantity{.name = "sinkage_m",
+             .value = &SampleRow::sinkage_m,
+             .title = "Sinkage, m",
+             .meaning = "mean of the wheels on the ground"},
+    Quantity{.name = "energy_j",
+             .value = &SampleRow::energy_j,
+             .title = "Energy, J",
+             .meaning = "in the battery",
+             .part = QuantityPart::battery,
+             .least = 0,
+             .is_plotted = true},
+    Quantity{.name = "charge",
+             .value = &SampleRow::charge,
+             .title = "Charge, 0 to 1",
+             .meaning = "of the battery, of its capacity",
+             .part = QuantityPart::battery,
+             .least = 0,
+             .greatest = 1},
+    Quantity{.name = "energy_rate_w",
+             .value = &SampleRow::energy_rate_w,
+             .title = "Energy rate, W",
+             .meaning = "into the battery; negative: out of it",
+             .part = QuantityPart::battery,
+             .is_plotted = true},
+    Quantity{.name = "solar_w",
+             .value = &SampleRow::solar_w,
+             .title = "Solar power, W",
+             .meaning = "from the panels, as far as it is used",
+             .part = QuantityPart::panels,
+             .is_plotted = true},
+    Quantity{.name = "solar_available_w",
+             .value = &SampleRow::solar_available_w,
+             .title = "Available solar power, W",
+             .meaning = "from the panels, used or not",
+             .part = QuantityPart::panels,
+             .is_plotted = true},
+    Quantity{.name = "external_w",
+             .value = &SampleRow::external_w,
+             .title = "External power, W",
+             .meaning = "from assets and events"},
+    Quantity{.name = "load_w",
+             .value = &SampleRow::load_w,
+             .title = "Loads, W",
+             .meaning = "of all but driving"},
+    Quantity{.name = "drive_w",
+             .value = &SampleRow::drive_w,
+             .title = "Driving, W",
+             .meaning = "of the wheel motors"},
+    Quantity{.name = "loss_w",
+             .value = &SampleRow::loss_w,
+             .title = "Losses, W",
+             .meaning = "of charging and discharging"},
+    Quantity{.name = "solar_j",
+             .value = &SampleRow::solar_j,
+             .title = "Solar energy, J",
+             .meaning = "solar_w since the start",
+             .part = QuantityPart::panels},
+    Quantity{.name = "external_j",
+             .value = &SampleRow::external_j,
+             .title = "External energy, J",
+             .meaning = "external_w since the start"},
+    Quantity{.name = "load_j",
+             .value = &SampleRow::load_j,
+             .title = "Loads, J",
+             .meaning = "load_w since the start"},
+    Quantity{.name = "drive_j",
+             .value = &SampleRow::drive_j,
+             .title = "Driving, J",
+             .meaning = "drive_w since the start"},
+    Quantity{.name = "loss_j",
+             .value = &SampleRow::loss_j,
+             .title = "Losses, J",
+             .meaning = "loss_w since the start"},
+    Quantity{.name = "sun_fraction",
+             .value = &SampleRow::sun_fraction,
+             .title = "Sun on panels, 0 to 1",
+             .meaning = "share of their area that sunlight reaches",
+             .part = QuantityPart::panels,
+             .least = 0,
+             .greatest = 1,
+             .is_plotted = true},
+    Quantity{.name = "incidence",
+             .value = &SampleRow::incidence,
+             .title = "Solar incidence, 0 to 1",
+             .meaning = "sun_fraction times the cosine of the angle of incidence",
+             .part = QuantityPart::panels,
+             .least = 0,
+             .greatest = 1},
+};
+
+}  // namespace lsos
