@@ -1,7 +1,7 @@
-// What planning a leg costs, by square kilometre of corridor and by million nodes of its map (a
-// square kilometre at 1 m), in the mean of seeded legs: the whole of it, on maps whose terrain
-// tiles are warm, over craters and over a raster of rough ground; and for scale the plain A* that
-// the quality test holds it against, on legs of the same corridor.
+// Time of planning a leg, per square kilometre of corridor and per million nodes of its map (a
+// square kilometre at 1 m), as the mean of seeded legs. It is measured for the whole plan, on maps
+// whose terrain tiles are cached, over craters and over a raster of rough ground; and for
+// comparison for the plain A* of the quality test, on legs of the same corridor.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -23,7 +23,8 @@ struct Leg {
   lsos::LegRequest request;
 };
 
-// The first so many by seed that have a way, each planned once: their tiles are warm.
+// The first `count` legs by seed that have a route, each planned once so that their tiles are
+// cached.
 const std::vector<Leg>& legs(const std::string& rover, const std::string& terrain, int length_m,
                              std::size_t count) {
   static std::map<std::tuple<std::string, std::string, int, std::size_t>, std::vector<Leg>> known;
@@ -34,20 +35,21 @@ const std::vector<Leg>& legs(const std::string& rover, const std::string& terrai
     Leg leg{seeded.ground(), {}, {}};
     leg.cost = cost_of(seeded, *leg.ground);
     leg.request.goal_S_m = seeded.goal_S_m(*leg.ground);
-    leg.request.start_heading_rad = 0.1 * static_cast<double>(seed);  // wherever the goal is
+    // independent of the direction of the goal
+    leg.request.start_heading_rad = 0.1 * static_cast<double>(seed);
     leg.request.seed = seed;
     if (plan_leg(*leg.ground, leg.cost, leg.request).is_found()) legs.push_back(std::move(leg));
   }
   return legs;
 }
 
-// As plan_leg's first, along the leg.
+// Area of the first corridor of plan_leg(), along the leg.
 double corridor_m2(double length_m) {
   const double aside_m = std::max(20.0, 0.25 * length_m);
   return (length_m + 2 * aside_m) * 2 * aside_m;
 }
 
-// Seconds for one of what an iteration does `amount` of.
+// Counter of the seconds for a unit of `amount`, which an iteration does.
 void count(benchmark::State& state, const char* name, double amount) {
   state.counters[name] =
       benchmark::Counter(amount * static_cast<double>(state.iterations()),
@@ -94,7 +96,7 @@ const int registered = [] {
           ->Arg(400)
           ->Arg(1000)
           ->Unit(benchmark::kMillisecond);
-      // On its map of 25 m to either side, the planner's for this length.
+      // It uses a map of 25 m to either side, the planner's for this length.
       benchmark::RegisterBenchmark(("plain_astar/" + legs).c_str(), plain_astar, rover, terrain)
           ->Arg(100)
           ->Unit(benchmark::kMillisecond);

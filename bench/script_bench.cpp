@@ -1,4 +1,4 @@
-// What scripts cost: a phase call, and a plan of many rovers and events until it can start.
+// Time of scripts: a phase call, and a plan of many rovers and events until it can start.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder under that for temporary files, removed at the end.
+// A folder in the folder for temporary files, removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder() : path_(fs::temp_directory_path() / fmt::format("lsos-bench-{}", ::getpid())) {
@@ -33,7 +33,7 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// A rover that stands and is told nothing.
+// A rover that stands and ignores commands.
 class StandingRover : public lsos::RoverPort {
  public:
   const lsos::RoverView& view() const override { return view_; }
@@ -61,7 +61,7 @@ class StandingRover : public lsos::RoverPort {
   lsos::RoverPower power_{{}, 1, {}};
 };
 
-// One call of a phase with this text, as the machine makes it.
+// One call of a phase with this text, as the mission makes it.
 void phase_call(benchmark::State& state, const std::string& text) {
   const TemporaryFolder folder;
   folder.write("events/Probe.lua",
@@ -81,7 +81,7 @@ BENCHMARK_CAPTURE(phase_call, looks_and_counts,
                   "ev.state.n = (ev.state.n or 0) + 1\n"
                   "if rover.speed_mps > 1 then return lsos.done end");
 
-// For scale: the same function body, called by bare Lua.
+// For comparison: the same function body, called by bare Lua.
 void bare_lua_call(benchmark::State& state) {
   lua_State* L = luaL_newstate();
   luaL_loadstring(L, "return function(ev, rover) end");
@@ -107,7 +107,8 @@ std::string field(const char* name, const std::string& value) {
   return fmt::format("<SimpleData name=\"{}\">{}</SimpleData>", name, value);
 }
 
-// Rovers side by side, each with as many events, routes and pauses in turn, some on a condition.
+// Rovers side by side, each with `events` events, routes and pauses alternately, some on a
+// condition.
 std::string plan(std::int64_t rovers, std::int64_t events) {
   std::string text =
       "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>\n"
@@ -128,7 +129,8 @@ std::string plan(std::int64_t rovers, std::int64_t events) {
   return text + "</Document></kml>\n";
 }
 
-// From the files to the machine: all that `lsos-host fsm` does before it prints, scripts included.
+// From the files to the synthesised machine: all that `lsos-host fsm` does before it prints,
+// scripts included.
 void read_check_and_synthesise(benchmark::State& state) {
   const TemporaryFolder folder;
   const std::string file = folder.write("plan.kml", plan(state.range(0), state.range(1)));

@@ -1,4 +1,4 @@
-// How fast the simulation runs: a rover that drives, a rover that stands, a plan that is read.
+// Speed of the simulation: a rover that drives, a rover that stands, a plan that is read.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file under the folder for temporary files, removed at the end.
+// A file in the folder for temporary files, removed at the end.
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& name, const std::string& text)
@@ -56,7 +56,7 @@ std::string point(double lon_deg, double lat_deg) {
   return fmt::format("<Point><coordinates>{:.7f},{:.7f}</coordinates></Point>", lon_deg, lat_deg);
 }
 
-// Counters: simulated seconds a second of wall time.
+// Its counter is simulated seconds per second of wall time.
 void simulate(benchmark::State& state, const std::string& text, double limit_s, bool is_logged) {
   const TemporaryFile file("plan.kml", text);
   double sim_s = 0;
@@ -89,7 +89,7 @@ void simulate(benchmark::State& state, const std::string& text, double limit_s, 
   state.counters["x_real_time"] = benchmark::Counter(sim_s, benchmark::Counter::kIsRate);
 }
 
-// One SEV, 12 wheels, 5 ms, logged at 0.5 Hz.
+// One SEV: 12 wheels, steps of 5 ms, logged at 0.5 Hz.
 void sev_drives(benchmark::State& state, const std::string& terrain) {
   simulate(
       state,
@@ -99,7 +99,7 @@ void sev_drives(benchmark::State& state, const std::string& terrain) {
 BENCHMARK_CAPTURE(sev_drives, flat, "Flat")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sev_drives, craters, "Craters")->Unit(benchmark::kMillisecond);
 
-// One panel and a battery; the Sun looked at each 354 s (Moon) or minute.
+// One panel and a battery; the Sun is observed each 354 s (Moon) or minute.
 void sev_parked_for_a_day(benchmark::State& state, const std::string& planet,
                           const std::string& terrain, bool is_logged) {
   simulate(state,

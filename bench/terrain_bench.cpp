@@ -1,5 +1,5 @@
-// What a look at the ground costs: height and normal of the raster alone, with detail upon it, and
-// over a coarser layer; and what making detail costs.
+// Time of a ground sample: height and normal of the raster alone, with detail upon it, and over a
+// coarser layer; and time of making detail.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -65,7 +65,7 @@ TerrainSpec terrain(bool is_enhanced) {
   return spec;
 }
 
-// Random points of a square that the tiles are kept for.
+// Random points of a square whose tiles are cached.
 void look(benchmark::State& state, const TerrainSpec& spec) {
   const SiteFrame site(*find_body("Moon"), {0, 0, 0});
   const Ground ground(spec, site, 1);
@@ -79,7 +79,7 @@ void look(benchmark::State& state, const TerrainSpec& spec) {
   for (auto _ : state) benchmark::DoNotOptimize(probe.sample(points[k++ & 4095]));
 }
 
-// Heights at 0.25 m, a tile after another; the rate is in km2 a second.
+// Heights at 0.25 m, tile after tile; the rate is in km2 per second.
 void make(benchmark::State& state, bool is_over_raster) {
   const SiteFrame site(*find_body("Moon"), {0, 0, 0});
   const SitePlane plane(site);

@@ -1,6 +1,6 @@
-// What one physics step of a rover costs (control, wheels on a 1 m raster, dynamics, bookkeeping)
-// against a bare step of the same tree: Bullet's articulated-body algorithm, positions and
-// forward kinematics, with a constant force a wheel. Run both in one run and divide.
+// Time of a physics step of a rover (control, wheels on a 1 m raster, dynamics, bookkeeping)
+// against a bare step of the same tree: Bullet's articulated-body algorithm, positions and forward
+// kinematics, with a constant force per wheel. Run both in one run and divide.
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ using lsos::Vec3;
 struct Case {
   const char* rover;
   const char* planet;
-  double radius_m;  // of the raster's sphere
+  double radius_m;  // radius of the raster's sphere
 };
 constexpr Case cases[] = {{"SEV", "Moon", 1737400},
                           {"LRV", "Moon", 1737400},
@@ -87,7 +87,8 @@ void drive(benchmark::State& state, const Case& of) {
   double heading = 1;
   const auto steps = lsos::exchange_period / scene.config.step;
   for (auto _ : state) {
-    // Slalom, so that steering works too; an exchange period with its control and report.
+    // The rover drives a slalom, so that steering works too; each iteration is an exchange period
+    // with its control and report.
     const lsos::VehicleReport report = vehicle.report();
     if (std::fmod(vehicle.distance_m(), 20) < 10) heading = -heading;
     vehicle.command({scene.config.cruise_speed_mps, heading * 0.02 * report.speed_mps, false});

@@ -1,5 +1,5 @@
-// What a look at the Sun costs: a panel in one direction, the whole disc, and the ground between,
-// on a terrain of 1 km2 and of 10,000 km2. And a line of sight, and a camera's picture.
+// Time of an exposure to the Sun: a panel in one direction, the whole disc, and the ground between,
+// on a terrain of 1 km2 and of 10,000 km2. Also of a line of sight, and of a camera picture.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr double deg = std::numbers::pi / 180;
 const Vec3 sun(std::cos(1.5 * deg), 0, std::sin(1.5 * deg));
 constexpr double disc_rad = 0.2666 * deg;
 
-// About as many triangles as a rover has.
+// A mesh with about as many triangles as a rover.
 lsos::Mesh rover() {
   lsos::Mesh mesh;
   for (int k = 0; k < 12; ++k) {
@@ -49,7 +49,7 @@ void look(benchmark::State& state, int directions) {
 lsos::TerrainSpec cratered(double reach_m) {
   lsos::TerrainSpec spec;
   lsos::ReliefSurface relief;
-  // Hills as far as the terrain reaches.
+  // Hills cover the terrain as far as it reaches.
   for (int k = 1; k < 6; ++k) {
     const double lon_rad = reach_m * k / 6 / 1737400;
     relief.landforms.push_back({"hill", lon_rad, 0, reach_m / 6, 0, reach_m / 200});
@@ -63,7 +63,7 @@ lsos::TerrainSpec cratered(double reach_m) {
   return spec;
 }
 
-// `is_new`: each time from another place, as a rover that moves; tiles are made on the way.
+// `is_new`: each time from another place, like a rover that moves; tiles are made on the run.
 void ground(benchmark::State& state, double reach_m, bool is_new) {
   const lsos::SiteFrame site(*lsos::find_body("Moon"), {0, 0, 0});
   const lsos::Ground terrain(cratered(reach_m), site, 1);
@@ -80,7 +80,7 @@ void ground(benchmark::State& state, double reach_m, bool is_new) {
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 
-// Both together, the ground already there.
+// Both together, with the ground already made.
 void whole(benchmark::State& state, double reach_m) {
   const lsos::Gpu gpu;
   lsos::PanelView view(gpu);
@@ -96,8 +96,8 @@ void whole(benchmark::State& state, double reach_m) {
   state.counters["triangles"] = static_cast<double>(mesh.triangles.size());
 }
 
-// From one antenna to another over hills and craters, as a rover that drives asks: each time from
-// another place (every 4 m) or from the same.
+// Line of sight from one antenna to another over hills and craters, as a rover that drives needs
+// it: each time from another place (every 4 m) or from the same.
 void sight(benchmark::State& state, double distance_m, bool is_new) {
   lsos::Renderer renderer;
   const lsos::SiteFrame site(*lsos::find_body("Moon"), {0, 0, 0});
@@ -115,7 +115,7 @@ void sight(benchmark::State& state, double distance_m, bool is_new) {
   state.counters["seen"] = benchmark::Counter(seen, benchmark::Counter::kAvgIterations);
 }
 
-// Of 1280 x 720, of ground that nobody has looked at before.
+// A picture of 1280 x 720 of ground whose tiles are not made yet.
 void picture(benchmark::State& state) {
   const lsos::Gpu gpu;
   const lsos::SiteFrame site(*lsos::find_body("Moon"), {0, 0, 0});

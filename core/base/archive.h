@@ -1,6 +1,6 @@
-// State that writes itself out and reads itself back. Each type with state describes itself once,
-// in `void archive(Archive& a) { a(x_m)(count)(name); }`, and that one function serves both
-// directions, so that they cannot drift apart.
+// Serialisation of simulation state. Each type with state lists its members once, in
+// `void archive(Archive& a) { a(x_m)(count)(name); }`, and that one function both writes and reads,
+// which keeps the two directions in step.
 #pragma once
 
 #include <cstring>
@@ -19,7 +19,7 @@ namespace lsos {
 
 class Archive {
  public:
-  // A saved state that does not fit the program: truncated, or of another version.
+  // Thrown for a saved state that does not fit the program: truncated, or of another version.
   class Mismatch : public std::runtime_error {
     using std::runtime_error::runtime_error;
   };
@@ -28,12 +28,13 @@ class Archive {
   static Archive reader(std::string bytes) { return Archive(std::move(bytes), true); }
 
   bool is_reading() const { return reading_; }
-  // What a writer has written.
+  // Everything written until now.
   const std::string& bytes() const { return bytes_; }
-  // A reader has come to the end.
+  // Whether a reader has consumed all its bytes.
   bool is_exhausted() const { return position_ == bytes_.size(); }
 
-  // A word between parts; reading another word in its place throws Mismatch and names both.
+  // Separates parts by a word; reading a different word in its place throws Mismatch, which names
+  // both.
   Archive& tag(std::string_view word);
 
   template <class T>
@@ -97,7 +98,7 @@ class Archive {
   Archive(std::string bytes, bool reading) : bytes_(std::move(bytes)), reading_(reading) {}
 
   void raw(void* data, std::size_t size);
-  // Writes the size, or reads one that can still fit into the bytes left.
+  // Writes the size, or reads one and throws Mismatch if it cannot fit into the bytes left.
   std::size_t size(std::size_t size);
 
   std::string bytes_;

@@ -1,4 +1,4 @@
-// Bytes as text, for what is written into a page.
+// Bytes encoded as text, for embedding in a page.
 #pragma once
 
 #include <string>

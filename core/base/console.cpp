@@ -21,7 +21,8 @@ namespace {
 }  // namespace
 
 void open_missing_streams() {
-  // Each takes the lowest number that is free. Opened for reading: what is printed there fails.
+  // Each open() takes the lowest free descriptor. It is opened for reading, so that printing to it
+  // fails.
   for (int file = 0; file <= STDERR_FILENO;) {
     file = ::open("/dev/null", O_RDONLY);
     if (file < 0) return;

@@ -1,4 +1,4 @@
-// What the program says: results on standard output, which must arrive, and messages on standard
+// Output of the program: results on standard output, which must arrive, and messages on standard
 // error, which a run survives without.
 #pragma once
 
@@ -9,14 +9,15 @@
 
 namespace lsos {
 
-// A program that is started with one of the three standard streams closed would open its next file
-// in its place, and print into that. To be called before anything is opened.
+// Opens /dev/null for each standard stream that is closed. Otherwise the next file opened would
+// take the stream's place, and the program would print into it. To be called before anything is
+// opened.
 void open_missing_streams();
 
 // Throws OutputError where the text is lost.
 void write_result(std::string_view text);
-// All that was written has arrived; throws OutputError where it has not. To be called before an
-// exit code says that all is well.
+// Flushes all results; throws OutputError where they have not arrived. To be called before an exit
+// code reports success.
 void flush_results();
 
 // Never throws: a full disk under standard error must not end a mission.

@@ -50,7 +50,7 @@ bool Faults::has_errors() const {
 }
 
 std::vector<Fault> Faults::sorted() const {
-  // Each once: a script's are found by all that name it.
+  // A fault in a script is found by everything that names the script; it is listed once.
   std::vector<Fault> sorted;
   for (const Fault& fault : faults_) {
     const bool is_told = std::ranges::any_of(sorted, [&](const Fault& told) {
@@ -85,7 +85,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> known) {
-  constexpr std::size_t name_bytes_max = 64;  // no name that we know is longer; the cost is squared
+  constexpr std::size_t name_bytes_max = 64;  // no known name is longer; the cost is quadratic
   if (name.size() > name_bytes_max) return "";
   const auto lower = [](std::string_view text) {
     std::string copy(text);
@@ -95,7 +95,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
   };
   const std::string wanted = lower(name);
   const std::string* nearest = nullptr;
-  int best = static_cast<int>(name.size()) / 3 + 2;  // farther than this is no likely slip
+  int best = static_cast<int>(name.size()) / 3 + 2;  // a larger distance is hardly a typing error
   for (const std::string& candidate : known) {
     const int distance = edit_distance(wanted, lower(candidate));
     if (distance < best) {

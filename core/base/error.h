@@ -1,4 +1,4 @@
-// What went wrong and where: faults of the user's input, and broken promises of ours.
+// Errors: faults of the user's input, and failed assertions of the program itself.
 #pragma once
 
 #include <span>
@@ -27,10 +27,12 @@ struct Fault {
   std::string what;
 };
 
-// "plans/a.kml:41: Route 'leg 2': Speed = -1: must be at least 0.05 m/s"; warnings say so.
+// For example "plans/a.kml:41: Route 'leg 2': Speed = -1: must be at least 0.05 m/s"; a warning has
+// "warning: " before the text.
 std::string to_string(const Fault& fault);
 
-// The input (plan, script, raster, option) is wrong: exit code 2. Holds at least one error.
+// Thrown when the input (plan, script, raster, option) is wrong: exit code 2. Holds at least one
+// error.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::vector<Fault> faults);
@@ -42,7 +44,7 @@ class InputError : public std::runtime_error {
   std::vector<Fault> faults_;
 };
 
-// Collects all faults of an input before anything is refused.
+// Collects all faults of an input, which are then reported together.
 class Faults {
  public:
   void error(Place place, std::string what);
@@ -50,7 +52,7 @@ class Faults {
   void add(const std::vector<Fault>& faults);
 
   bool has_errors() const;
-  // In order of file and line.
+  // Each fault once, ordered by file and line.
   std::vector<Fault> sorted() const;
   // Throws InputError with all errors (not the warnings) if there are any.
   void throw_if_errors() const;
@@ -62,12 +64,13 @@ class Faults {
 // Levenshtein distance in bytes.
 int edit_distance(std::string_view a, std::string_view b);
 
-// "; did you mean 'Speed'?" when a known name is near enough to `name`, else "". No long name is.
+// "; did you mean 'Speed'?" when a known name is near enough to `name`, else ""; always "" for
+// names longer than 64 bytes.
 std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
 [[noreturn]] void broken_promise(const char* condition, const char* file, int line);
 
-// A promise inside our own code, checked in every build; exit code 3 when broken.
+// An assertion of the program failed (checked in every build): exit code 3.
 class InternalError : public std::logic_error {
   using std::logic_error::logic_error;
 };

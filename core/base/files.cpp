@@ -33,7 +33,7 @@ std::optional<std::string> read_file(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
   std::ostringstream bytes;
-  // A stream takes an empty file for a failure; a folder opens, and fails when it is read.
+  // Inserting an empty buffer would set the failbit; a folder can be opened but fails on reading.
   if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
   if (in.bad() || bytes.bad()) return std::nullopt;
   return std::move(bytes).str();

@@ -1,4 +1,4 @@
-// Whole files, read and written at once.
+// Reading and writing of whole files.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 namespace lsos {
 
-// Ending of the name that a file has until it is complete.
+// Suffix of a file's name until it is complete.
 inline constexpr std::string_view part_suffix = ".part";
 
-// Under another name first, then renamed: a reader finds the old file or the new one, never half of
-// one. Throws InputError where the place is not one to write to, OutputError with the reason when
-// the disk is full.
+// Writes under another name first, then renames: a reader finds the old file or the new one, never
+// half of one. Throws InputError where the place cannot be written to, otherwise OutputError with
+// the reason, e.g. a full disk.
 void write_file(const std::string& file, std::string_view bytes);
 
 // Absent when it cannot be read.

@@ -10,7 +10,7 @@ namespace {
 
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
-// Half of its extent along a unit vector.
+// Half of the footprint's extent along a unit vector.
 double reach_m(const Footprint& f, const Vec2& along_S) {
   return f.half_m.x() * std::abs(f.ahead_S.dot(along_S)) +
          f.half_m.y() * std::abs(left_of(f.ahead_S).dot(along_S));

@@ -1,12 +1,12 @@
-// A result that could not be written.
+// Error for a result that could not be written.
 #pragma once
 
 #include <stdexcept>
 
 namespace lsos {
 
-// A result was lost for a reason that the user did not write: a full disk, a closed pipe. Exit code
-// 3. Where the place that was asked for is wrong, InputError says so.
+// A result was lost for a reason outside the input, such as a full disk or a closed pipe: exit code
+// 3. An output path that is itself wrong is an InputError.
 class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

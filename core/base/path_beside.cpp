@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<std::string_view, 5> archives{"/vsizip/", "/vsigzip/", "/vsitar/", "/vsi7z/",
                                                    "/vsirar/"};
 
-// Bytes of the names of archive systems in front; an archive may lie in another.
+// Length in bytes of the leading names of archive systems; an archive may lie within another.
 std::size_t prefix_bytes(std::string_view path) {
   std::size_t bytes = 0;
   for (;;) {

@@ -1,13 +1,13 @@
-// Paths that are written in a file and mean what lies beside it.
+// Resolution of file paths that are relative to the file in which they are written.
 #pragma once
 
 #include <string>
 
 namespace lsos {
 
-// `path` as it is seen from where we run, when it was written in a file of `folder`; an absolute
-// one stays. In GDAL's names of files within archives, "/vsizip/ground.zip/ground.tif", the path of
-// the archive is what is relative; other virtual files (/vsicurl/, /vsimem/) have none.
+// `path`, written in a file of `folder`, relative to the working directory; absolute paths stay. In
+// GDAL's names of files within archives, such as "/vsizip/ground.zip/ground.tif", the path of the
+// archive is resolved; other virtual files (/vsicurl/, /vsimem/) have no relative path.
 std::string path_beside(const std::string& folder, const std::string& path);
 
 }  // namespace lsos

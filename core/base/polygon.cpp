@@ -16,7 +16,7 @@ bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
          sides_differ(cross(d - c, a - c), cross(d - c, b - c));
 }
 
-// Whether two sides share a place; most are told apart by the boxes round them.
+// Whether two sides share a point; bounding boxes rule out most pairs.
 bool do_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const auto are_apart = [&](int axis) {
     return std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
@@ -25,8 +25,8 @@ bool do_meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return !are_apart(0) && !are_apart(1) && segment_distance_m(a, b, c, d) == 0;
 }
 
-// Whether the test holds for any two sides that are not neighbours. Sides are taken from west to
-// east, each with those only that begin before it ends.
+// Whether the test holds for any two sides that are not neighbours. The sides are swept from west
+// to east, each tested only against those that begin before it ends.
 template <typename Test>
 bool any_sides(const Ring& ring, const Test& test) {
   const auto west_m = [&](std::size_t i) { return std::min(ring[i].x(), after(ring, i).x()); };

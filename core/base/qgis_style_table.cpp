@@ -11,7 +11,7 @@ std::string sql_text(std::string_view text) {
 }
 
 std::vector<std::string> qgis_style_sql(const QgisStyleRow& style) {
-  // Without a time, the time at which SQLite adds the row.
+  // Without a time given, SQLite inserts the present one.
   const std::string utc =
       style.utc.empty() ? "strftime('%Y-%m-%dT%H:%M:%fZ', 'now')" : sql_text(style.utc);
   return {

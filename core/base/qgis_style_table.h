@@ -1,4 +1,4 @@
-// The table in which QGIS looks for the styles of a GeoPackage's layers.
+// The table in which QGIS keeps the styles of a GeoPackage's layers.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@ struct QgisStyleRow {
   std::string layer;
   std::string geometry_column;  // "": the layer has none
   std::string name;
-  std::string qml;       // what QGIS would write to a .qml file
-  std::string utc = {};  // when it was made; "": not said
+  std::string qml;       // content of the .qml file that QGIS would write
+  std::string utc = {};  // when the style was made; "": time of insertion
 };
 
-// Statements that make the table where there is none, and add the style as the layer's default.
+// SQL statements that create the table if it does not exist and add the style as the layer's
+// default.
 std::vector<std::string> qgis_style_sql(const QgisStyleRow& style);
 
-// A text as SQL has it.
+// The text as a quoted SQL literal.
 std::string sql_text(std::string_view text);
 
 }  // namespace lsos

@@ -39,7 +39,7 @@ bool is_group_separator(std::string_view text, std::size_t at) {
   return are_three && (at + 4 == text.size() || !is_digit(text[at + 4]));
 }
 
-// Ends behind the number that the text begins with, however it is written.
+// End of the number at the beginning of the text, in whatever notation.
 std::size_t number_end(std::string_view text) {
   std::size_t end = 0;
   if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
@@ -69,7 +69,7 @@ std::optional<double> plain_number(const std::string& text) {
   return value;
 }
 
-// Digits come in threes behind each separator, up to the end or the decimal sign.
+// Whether groups of three digits follow each separator, up to the end or the decimal sign.
 bool is_grouped(std::string_view text, char separator, char decimal) {
   text = text.substr(0, text.find(decimal));
   std::size_t at = text.find(separator);
@@ -81,7 +81,7 @@ bool is_grouped(std::string_view text, char separator, char decimal) {
   return true;
 }
 
-// All that a number can mean, as it is written here. "1,500" can be two numbers.
+// All values that the written number can mean, as plain numbers: "1,500" can be two.
 std::vector<std::string> meanings(std::string_view number) {
   std::string text(number);
   std::erase_if(text, [](char c) { return c == ' ' || c == '\''; });
@@ -118,7 +118,8 @@ std::string asked(const std::vector<std::string>& texts) {
   return fmt::format("; did you mean {}?", all);
 }
 
-// Hours, minutes and seconds: "01:30:00". Two numbers can be of either pair.
+// Suggestion for a clock time such as "01:30:00". Two parts may be hours and minutes or minutes and
+// seconds.
 std::string clock_advice(std::string_view text) {
   std::vector<int> parts;
   while (parts.size() < 3) {
@@ -146,9 +147,9 @@ std::string clock_advice(std::string_view text) {
                      iso(parts[0], parts[1], 0), iso(0, parts[0], parts[1]));
 }
 
-// Part of a quantity, as it should have been written: "1.5 h".
+// Part of a quantity in its correct spelling: "1.5 h".
 struct Part {
-  std::vector<std::string> texts;  // one, or two where the number is not sure
+  std::vector<std::string> texts;  // one, or two where the number is ambiguous
   std::string symbol;
 };
 
@@ -171,10 +172,10 @@ std::optional<Part> part_of(std::string_view number, std::string_view word, cons
   return part;
 }
 
-// "1 hr 30 mins", "1h30".
+// Suggestion for a duration in several parts: "1 hr 30 mins", "1h30".
 std::string several_parts(std::string_view text, const Unit& wanted) {
   std::string whole;
-  std::string_view before;  // the unit of the part before
+  std::string_view before;  // unit of the preceding part
   double before_s = std::numeric_limits<double>::infinity();
   while (!text.empty()) {
     const std::size_t end = number_end(text);
@@ -198,7 +199,7 @@ std::string several_parts(std::string_view text, const Unit& wanted) {
   return asked({whole});
 }
 
-// A gradient in percent is an angle.
+// Suggestion for a gradient in percent given as an angle.
 std::string gradient_advice(std::string_view number) {
   std::vector<std::string> angles;
   for (const std::string& each : meanings(number)) {

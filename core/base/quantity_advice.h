@@ -1,4 +1,4 @@
-// What was meant by a quantity that cannot be read: other spellings of units and numbers.
+// Suggestions for a quantity that cannot be read: other spellings of units and numbers.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 namespace lsos {
 
 // "; did you mean 'h'?" for "2 hrs" where a duration is wanted, "; did you mean '8.04672 km/h'?"
-// for "5 mph"; "" where nothing is sure. What is suggested is of the wanted kind and has the size
+// for "5 mph"; "" where the meaning is not certain. A suggestion has the wanted kind and the size
 // that was written.
 std::string quantity_advice(std::string_view text, const Unit& wanted);
 
-// The same for a unit alone; `kind` "" for any.
+// The same for a unit alone; an empty `kind` allows any.
 std::string unit_advice(std::string_view symbol, std::string_view kind = "");
 
 // The same for a whole number: "; did you mean '1500'?" for "1,500", and "10" for "10.0".

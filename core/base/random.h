@@ -1,5 +1,5 @@
-// Seeded random numbers. A stream is keyed by what it is for, never by when it was made, so that
-// no order of creation reaches a result.
+// Seeded random numbers. The key of a stream is its purpose, not the time of its creation, so
+// results do not depend on the order in which streams are created.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class RandomStream {
   std::uint64_t state_ = 0;
 };
 
-// A well-mixed key from parts, the same on every machine.
+// A well-mixed key from two parts, the same on every machine.
 std::uint64_t mix_key(std::uint64_t key, std::uint64_t part);
 std::uint64_t mix_key(std::uint64_t key, std::string_view part);
 

@@ -1,4 +1,4 @@
-// Text with each of its parts that reads `from` as `to`.
+// Replacement of every occurrence of `from` in a text by `to`.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// SHA-256 of a stream of bytes, for plan, script and terrain hashes and for equal logs.
+// SHA-256 of a stream of bytes; used for the hashes of plans, scripts and terrain and for comparing
+// logs.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Simulated time: whole microseconds since the mission's StartTime, so that sums are exact.
+// Simulated time in whole microseconds since the mission's StartTime, which makes sums exact.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,8 @@ namespace lsos {
 
 using SimTime = std::chrono::duration<std::int64_t, std::micro>;
 
-// Rovers see each other, scripts run and the log is written only at multiples of this.
+// Rovers exchange their states, scripts run and the log is written only at multiples of this
+// period.
 inline constexpr SimTime exchange_period{100'000};
 
 inline double seconds(SimTime time) { return static_cast<double>(time.count()) / 1e6; }
@@ -17,13 +18,13 @@ inline double seconds(SimTime time) { return static_cast<double>(time.count()) /
 // Nearest microsecond. `time_s` must be within +-9e12 s.
 inline SimTime from_seconds(double time_s) { return SimTime{std::llround(time_s * 1e6)}; }
 
-// The nearest whole microsecond, as times are kept: a duration given in hours then is over when it
-// is. Longer ones than those stay as they are.
+// The time rounded to a whole microsecond, as times are stored, so that a duration given in hours
+// ends at exactly that time. Times of 9e12 s and more are returned unchanged.
 inline double rounded_s(double time_s) {
   return std::abs(time_s) < 9e12 ? seconds(from_seconds(time_s)) : time_s;
 }
 
-// The first exchange at or after `time`.
+// The first multiple of the exchange period at or after `time`.
 inline SimTime round_up_to_exchange(SimTime time) {
   const std::int64_t period = exchange_period.count();
   const std::int64_t below = time.count() / period * period;

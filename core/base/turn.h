@@ -1,12 +1,12 @@
-// Turns from one direction to another.
+// Rotations from one direction to another.
 #pragma once
 
 #include "base/vector.h"
 
 namespace lsos {
 
-// The shortest one from the z axis to a direction, of any length but 0. In a file of its own, for
-// Eigen's code for it takes seconds to compile.
+// The shortest rotation from the z axis to a direction of any length but 0. It has a file of its
+// own because Eigen's code for it takes seconds to compile.
 Mat3 turn_of_z(const Vec3& to);
 
 }  // namespace lsos

@@ -18,7 +18,7 @@ struct Spelling {
   double factor = 1;
 };
 
-// As they are written, since case tells milli from mega.
+// Spellings that depend on case, since case distinguishes milli from mega.
 constexpr std::array exact{
     Spelling{"MW", "kW", 1000},     Spelling{"MWh", "kWh", 1000}, Spelling{"mJ", "J", 0.001},
     Spelling{"mWh", "Wh", 0.001},   Spelling{"mPa", "Pa", 0.001}, Spelling{"GPa", "MPa", 1000},
@@ -30,7 +30,7 @@ constexpr std::array exact{
 constexpr double knot_kmph = 1.852, mile_km = 1.609344;  // both by definition
 constexpr double sol_d = 88775.244 / 86400;              // mean solar day of Mars
 
-// In small letters, without blanks, full stops and '^'; "per" is '/'.
+// Spellings in lower case, without blanks, full stops and '^'; "per" is '/'.
 constexpr std::array words{
     Spelling{"sec", "s"},
     Spelling{"secs", "s"},
@@ -226,7 +226,7 @@ std::string in_small_letters(std::string_view text) {
   return small;
 }
 
-// Without what is written in many ways.
+// Removes or unifies what is written in several forms.
 std::string bare(std::string text) {
   constexpr std::pair<const char*, const char*> ways[] = {
       {"\u00b2", "2"}, {"\u00b3", "3"}, {"\u207b\u00b9", "-1"}, {"^", ""},
@@ -250,8 +250,8 @@ std::optional<UnitSpelling> found_in(std::span<const Spelling> table, std::strin
   return {};
 }
 
-// A word with one wrong letter, "feat"; not its first, which may be a prefix, and none so short
-// that it could be another unit.
+// Finds a word with one wrong letter, such as "feat". The first letter must be right, since it may
+// be a prefix, and words under four letters are not matched, since they could be another unit.
 std::optional<UnitSpelling> misspelt(std::string_view small, std::string_view kind) {
   constexpr std::size_t letters_min = 4;
   const bool is_word = small.size() >= letters_min &&
@@ -267,8 +267,8 @@ std::optional<UnitSpelling> misspelt(std::string_view small, std::string_view ki
   return {};
 }
 
-// An m in front is milli or mega, as in "mw", and a capital does not tell which. Lengths, speeds
-// and durations have no mega in use.
+// Whether a leading m may be milli or mega, as in "mw", where a capital does not decide. Lengths,
+// speeds and durations have no mega in use.
 bool may_be_milli_or_mega(std::string_view small, std::string_view kind) {
   return small.front() == 'm' && kind != "length" && kind != "speed" && kind != "duration";
 }

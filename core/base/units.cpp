@@ -65,8 +65,8 @@ constexpr std::array units{
     Unit{"K", "temperature", "k", 1},
 };
 
-// The short decimal number whose reciprocal the factor is (100 for cm, 3.6 for km/h); 0 when there
-// is none. Dividing by it rounds once, so that 35 cm is 0.35 m exactly.
+// The short decimal number whose reciprocal is the factor (100 for cm, 3.6 for km/h); 0 when there
+// is none. Dividing by it rounds once, which makes 35 cm exactly 0.35 m.
 double divisor(const Unit& unit) {
   const double short_reciprocal = std::round(1e6 / unit.si_factor) / 1e6;
   return unit.si_factor < 1 && 1 / short_reciprocal == unit.si_factor ? short_reciprocal : 0;

@@ -1,5 +1,5 @@
-// Vectors and rotations. Names carry the frame: p_S_m is a position in the site frame S in
-// metres; R_SB turns vectors of the body frame B into S. See core/README.md for the letters.
+// Vectors and rotations. Names carry the frame: p_S_m is a position in the site frame S in metres;
+// R_SB rotates vectors of the body frame B into S. See core/README.md for the letters.
 #pragma once
 
 #include <Eigen/Core>

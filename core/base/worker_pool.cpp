@@ -31,7 +31,7 @@ void WorkerPool::take_all() {
 }
 
 void WorkerPool::for_each(std::size_t count, const std::function<void(std::size_t)>& work) {
-  // One piece of work is not worth waking anybody for.
+  // A single piece of work runs on the calling thread: waking others does not pay.
   if (threads_.empty() || count < 2) {
     for (std::size_t i = 0; i < count; ++i) work(i);
     return;

@@ -1,4 +1,4 @@
-// Threads that step rovers side by side between two exchanges.
+// Threads that step rovers in parallel between two exchanges.
 #pragma once
 
 #include <atomic>
@@ -31,7 +31,7 @@ class WorkerPool {
   bool is_ending_ = false;
   std::vector<std::exception_ptr> errors_;
   std::barrier<> begin_, end_;
-  std::vector<std::jthread> threads_;  // last: joined before what they use goes
+  std::vector<std::jthread> threads_;  // last, so that they are joined before members they use
 };
 
 }  // namespace lsos

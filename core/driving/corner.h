@@ -1,5 +1,5 @@
-// Corners of a line that is driven: by an arc where there is room for one, else by stopping and
-// turning on the spot.
+// Fillets: arcs that round the corners of a driving line. A corner without room for an arc is
+// driven by stopping and turning on the spot.
 #pragma once
 
 #include <algorithm>
@@ -7,20 +7,24 @@
 
 namespace lsos {
 
-// How far the arc may pass inside its corner.
+// Greatest distance between a corner and the fillet that rounds it. Larger: smoother and faster
+// lines that pass farther from the waypoints.
 inline constexpr double corner_offset_m = 0.1;
-// How fast wheels steer from straight into an arc, in 1/m a second, and over how long a way at
-// most.
+// Rate at which wheels steer from straight into an arc, in 1/m per second, and the greatest
+// distance driven meanwhile.
 inline constexpr double curvature_rate_1pms = 0.2, steering_way_m = 0.5;
 
-// Radius of the widest arc that touches both sides of a corner: it passes R (1/cos - 1) inside it
-// and begins R tan before it, `room_m` at most. `bend_rad`: of the line there, above 0.
+// Radius of the widest arc that is tangent to both sides of a corner, with half = bend_rad / 2:
+//  it passes   R (1/cos(half) - 1)  inside the corner, `offset_m` at most,
+//  it begins   R tan(half)          before the corner, `room_m` at most.
+// `bend_rad` is the change of direction at the corner, above 0.
 inline double corner_radius_m(double bend_rad, double room_m, double offset_m) {
   const double half = bend_rad / 2;
   return std::min(offset_m / (1 / std::cos(half) - 1), room_m / std::tan(half));
 }
 
-// How fast it is driven, with no more than so much acceleration across.
+// Speed on the arc: limited by the lateral acceleration, v^2 / R, and by the distance that steering
+// into the arc takes, v / (R curvature_rate_1pms).
 inline double arc_speed_mps(double radius_m, double speed_mps, double lateral_mps2) {
   return std::min({speed_mps, std::sqrt(lateral_mps2 * radius_m),
                    steering_way_m * curvature_rate_1pms * radius_m});

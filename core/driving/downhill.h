@@ -1,4 +1,4 @@
-// How fast a rover is driven down a slope, where gravity takes a share of what its brakes can do.
+// Slope speed: how fast a rover may drive down a slope, where gravity takes a share of its braking.
 #pragma once
 
 #include <algorithm>
@@ -6,19 +6,22 @@
 
 namespace lsos {
 
-// Of its weight, what brakes of a rover are counted on for: four fifths of what `lsos-host rig`
-// says of LRV's wheel on ApolloNominal at a slip of -0.25, which is 0.56.
+// Coefficient of braking friction that a rover counts on, braking force over weight. It is four
+// fifths of 0.56, which `lsos-host rig` gives for LRV's wheel on ApolloNominal at a slip of -0.25.
 inline constexpr double braking_grip = 0.45;
-// Of what it slows down by at most, on slopes that leave less.
+// Least deceleration assumed on steep slopes, as a share of the greatest one.
 inline constexpr double braking_least = 0.2;
 
-// Of the ground under a rover: the rise along its travel, up positive, and across it, either sign.
+// Inclination of the ground under a rover: along its travel, rising positive, and across it, either
+// sign.
 struct Incline {
   double pitch_rad = 0, bank_rad = 0;
 };
 
-// What it can count on to slow down by, at most `most_mps2`: of the grip on a circle, less what
-// holds it across the slope and along it.
+// Deceleration that the rover can count on, at most `most_mps2`. On the friction circle the grip
+// left along the travel is what remains after holding the rover across the slope, plus gravity's
+// part along it (negative downhill):
+//  g (sqrt(mu^2 cos^2(slope) - sin^2(bank)) + sin(pitch)),  mu = braking_grip.
 inline double braking_mps2(const Incline& ground, double most_mps2, double gravity_mps2) {
   const double up = std::sin(ground.pitch_rad), across = std::sin(ground.bank_rad);
   const double grip2 = braking_grip * braking_grip * (1 - up * up - across * across);
@@ -26,8 +29,9 @@ inline double braking_mps2(const Incline& ground, double most_mps2, double gravi
   return std::clamp(left_mps2, braking_least * most_mps2, most_mps2);
 }
 
-// So that it stops on as short a way as on the level from `full_mps`. Without it LRV slid 0.6 m off
-// lines down 17 degrees about the lunar south pole (the test PlannedTurns).
+// Speed at which the stopping distance v^2 / (2 a) equals that from `full_mps` on level ground.
+// Without this limit LRV slid 0.6 m off its lines down 17 degrees about the lunar south pole (the
+// test PlannedTurns).
 inline double downhill_speed_mps(const Incline& ground, double full_mps, double most_mps2,
                                  double gravity_mps2) {
   const double level_mps2 = braking_mps2({}, most_mps2, gravity_mps2);

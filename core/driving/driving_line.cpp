@@ -10,7 +10,7 @@ namespace lsos {
 namespace {
 
 constexpr double same_point_m = 0.01;
-constexpr double straight_rad = 0.01;  // a bend that needs no arc
+constexpr double straight_rad = 0.01;  // bends below this need no arc
 constexpr double arc_step_rad = 0.1;
 
 double bend_rad(const Vec2& in, const Vec2& out) {
@@ -33,14 +33,13 @@ class LineBuilder {
     at_ = point;
   }
 
-  // Goes on to the corner by an arc that touches both its sides, or to its very point: there a
-  // rover that can turn on the spot stops; another slows down and swings round as tightly as it
-  // can.
+  // Continues to the corner, either by a fillet or to the corner point itself. There a rover that
+  // can turn on the spot stops; another one slows down and turns as tightly as it can.
   void round_corner(const Vec2& corner, const Vec2& next) {
     const Vec2 in = (corner - at_).normalized(), out = (next - corner).normalized();
     const double bend = bend_rad(in, out), half = std::abs(bend) / 2;
     if (2 * half < straight_rad) return go_to(corner, 0);
-    // Half of the next side is its, the rest belongs to the next corner.
+    // This corner may use half of the next side; the rest belongs to the next corner.
     const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
     double radius_m =
         corner_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.corner_offset_m);
@@ -68,7 +67,7 @@ class LineBuilder {
   }
 
   std::vector<DrivingLeg> finished() {
-    // Backwards: each point so slow that the next can be reached at its own speed.
+    // Backward pass: each end speed is low enough to reach the next one's by decelerating.
     double end_mps = 0;
     for (auto leg = legs_.rbegin(); leg != legs_.rend(); ++leg) {
       if (leg->ends_in_stop) end_mps = 0;

@@ -1,5 +1,5 @@
-// The line that a rover drives through its waypoints: gentle corners rounded by arcs, sharp ones
-// kept as places to stop and turn on the spot, and how fast it may pass each point.
+// The line that a rover drives through its waypoints, with the greatest speed at each point. Gentle
+// corners are rounded by fillets; at sharp ones the rover stops and turns on the spot.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,26 @@ namespace lsos {
 
 struct DrivingLimits {
   double speed_mps = 1;            // greatest along the line
-  double acceleration_mps2 = 0.2;  // along the line, both ways
-  double lateral_mps2 = 0.2;       // across it, in arcs
-  double corner_offset_m = 0.2;    // how far an arc may pass inside its corner
-  double radius_min_m = 5;         // of an arc
+  double acceleration_mps2 = 0.2;  // along the line, speeding up and slowing down
+  double lateral_mps2 = 0.2;       // across the line, in arcs
+  double corner_offset_m = 0.2;    // greatest distance of an arc inside its corner
+  double radius_min_m = 5;         // least radius of an arc
   bool can_turn_on_spot = true;
 };
 
-// One straight piece of the line; arcs are pieces of at most 0.1 rad each. Horizontal plane of S.
+// One straight piece of the line, in the horizontal plane of S; an arc consists of pieces of at
+// most 0.1 rad each.
 struct DrivingLeg {
   Vec2 from_S_m, along_S;  // along_S: unit
   double length_m = 0;
-  double begin_m = 0;        // distance along the line
-  double curvature_1pm = 0;  // of the arc it belongs to, to the left positive
+  double begin_m = 0;        // distance of its beginning along the line
+  double curvature_1pm = 0;  // curvature of the arc it belongs to, left positive
   double speed_max_mps = 0;  // on this leg
-  double end_speed_mps = 0;  // at its end, so that all that follows can be kept
+  double end_speed_mps = 0;  // at its end, low enough for all that follows
   bool ends_in_stop = false;
 };
 
-// Waypoints nearer than 1 cm to the one before are left out; fewer than two leave no legs.
+// Waypoints within 1 cm of the previous one are left out; fewer than two give an empty line.
 std::vector<DrivingLeg> driving_line(const std::vector<Vec2>& waypoints_S_m,
                                      const DrivingLimits& limits);
 

@@ -13,7 +13,8 @@ namespace lsos {
 
 namespace {
 
-// A rover that has not come to rest so long after its last event slides for ever.
+// A rover that is not at rest this long after its last event is taken to slide for ever; the
+// mission then ends without waiting for it.
 constexpr SimTime coming_to_rest{60'000'000};
 
 }  // namespace
@@ -90,7 +91,7 @@ void Simulation::place_rovers() {
       return host_->route_settings(event.type, {event.params, {}}, machine_.mission.start_time)
           .has_value();
     } catch (const ScriptError&) {
-      return false;  // plan_ways() tells it
+      return false;  // plan_ways() reports it
     }
   };
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
@@ -105,7 +106,7 @@ void Simulation::place_rovers() {
   throw_with_advice(faults);
 }
 
-// What the ground is warned of explains what cannot be done on it.
+// Warnings about the ground explain errors that it causes, so they are reported together.
 void Simulation::throw_with_advice(Faults& faults) const {
   if (!faults.has_errors()) return;
   faults.add(ground_->advice());
@@ -128,7 +129,7 @@ void Simulation::plan_ways() {
                       std::move(ahead.drawn)};
     agent.routes().set_ahead(ways_ahead_[i].legs);
   }
-  // Where a way is missing too: to find that takes longest.
+  // Legs are kept also when one has no route: finding that out takes longest.
   if (setup_.keep_legs) setup_.keep_legs(legs_->kept());
   throw_with_advice(faults);
   way_faults_ = faults.sorted();
@@ -151,7 +152,7 @@ void Simulation::start() {
     rover.agent->routes().log_ahead(rover.agent->id());
     rover.agent->observe();
   }
-  // What is decided first knows what is in sight and in the Sun.
+  // Sunlight and sight are evaluated first, so that the first decisions of scripts know them.
   if (light_) watch_the_sun();
   if (sight_) watch_sight();
   for (Rover& rover : rovers_) rover.agent->find_flows();
@@ -162,7 +163,7 @@ void Simulation::advance(std::optional<SimTime> until) {
   if (is_finished_) return;
   const SimTime next = until ? std::min(*until, next_time()) : next_time();
   if (next > setup_.plan.mission.max_duration) {
-    // The last exchange within it.
+    // The clock stops at the last exchange within MaxDuration.
     now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
     for (Rover& rover : rovers_) rover.agent->count_energy(now_);
     stop(setup_.plan.mission.has_max_duration
@@ -196,9 +197,8 @@ SimTime Simulation::next_time() {
     earlier(next, next_sample(rover));
   }
   if (!may_wake || !wake) {
-    // Every rover waits for another: the plan's own circles are found before, what is left is a
-    // script that waits for what does not come. Nothing will happen before the end of time but
-    // rows.
+    // Every rover waits for another. Cycles in the plan are found before the run, so a script waits
+    // for something that never comes: until MaxDuration nothing happens but rows of the log.
     wake = setup_.plan.mission.max_duration + exchange_period;
   }
   return log_ == nullptr ? *wake : std::min(*wake, *next);
@@ -209,7 +209,7 @@ void Simulation::exchange() {
     rover.was_parked = rover.agent->is_parked();
     rover.agent->observe();
     rover.agent->count_energy(now_);
-    take_warnings(rover);  // also of a rover whose events are over
+    take_warnings(rover);  // also for a rover whose events are over
     const RoverPower& power = rover.agent->power();
     const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
@@ -225,13 +225,13 @@ void Simulation::exchange() {
          true);
     break;
   }
-  // Of all before any is looked at: who comes first must not matter.
+  // The motion of all rovers is set before any is evaluated, so that their order does not matter.
   for (Rover& rover : rovers_) rover.motion = motion_of(rover);
   if (light_) watch_the_sun();
   if (sight_) watch_sight();
   share_power();
   for (Rover& rover : rovers_) rover.agent->settle_energy();
-  // Rovers that still roll come to rest first, so that the last rows say where they are.
+  // Rovers that still roll come to rest first, so that the last rows show where they stop.
   is_finished_ =
       is_finished_ || std::ranges::all_of(rovers_, [&](const Rover& rover) {
         return rover.sequence.is_finished() &&
@@ -254,7 +254,7 @@ void Simulation::run_scripts() {
     rover.wake = rover.sequence.wake(now_);
     take_warnings(rover);
   }
-  // Whoever waits for an event that has ended may start at the next exchange.
+  // An event that waits for one that has ended may start at the next exchange.
   if (events_ended() == ended_before) return;
   for (Rover& rover : rovers_) {
     if (!rover.sequence.is_finished()) {
@@ -341,7 +341,7 @@ std::vector<std::string> Simulation::assumptions() const {
   std::vector<std::string> assumptions;
   for (const auto& [key, vehicle] : vehicles_) {
     for (const std::string& assumption : vehicle.assumptions) {
-      // Configurations of one type share theirs.
+      // Configurations of one type share their assumptions.
       if (std::ranges::find(assumptions, assumption) == assumptions.end()) {
         assumptions.push_back(assumption);
       }

@@ -1,11 +1,11 @@
-// A mission that runs: the clock, the rovers and their machines, and the order in which things
-// happen.
+// A running mission: the clock, the rovers with their event sequences, and the order in which
+// things happen.
 //
 // Time is whole microseconds. Every 0.1 s is an exchange; between two exchanges each rover's
-// physics reads only itself and the ground, so rovers step side by side on several threads. At an
-// exchange, on one thread and in byte order of RoverId: physics is looked at, scripts run,
-// commands are given, rows are logged. A parked rover takes part only when it wakes; when all
-// rest, the clock leaps to the earliest wake.
+// physics reads only itself and the ground, so rovers step in parallel on several threads. An
+// exchange runs on one thread, in byte order of RoverId: the state of the physics is read, scripts
+// run, commands are given, rows are logged. A parked rover takes part only when it wakes; when all
+// are parked, the clock leaps to the earliest wake.
 #pragma once
 
 #include <functional>
@@ -31,35 +31,37 @@ namespace lsos {
 
 struct SimulationSetup {
   Plan plan;
-  std::map<std::string, RoverModel> rover_models;  // by PlanRover::model()
-  std::map<std::string, AssetModel> asset_models;  // by AssetType
+  std::map<std::string, RoverModel> rover_models;  // key: PlanRover::model()
+  std::map<std::string, AssetModel> asset_models;  // key: AssetType
   TerrainSpec terrain;
   std::function<std::unique_ptr<ScriptHost>()> make_host;
   int threads = 1;
-  // Torture: at each exchange all state is written out, everything is thrown away and read back.
+  // Torture mode: at each exchange all state is written out, thrown away and read back.
   bool save_every_exchange = false;
-  // Layers `pairs` and `sight_intervals` are wanted.
+  // Whether lines of sight are evaluated, for the layers `pairs` and `sight_intervals` of the log.
   bool keeps_sight = false;
-  // Legs that an earlier run has planned, see PlannedLegs.
+  // Legs planned by an earlier run, see PlannedLegs.
   std::string kept_legs = {};
-  // Ways are planned before it starts. One that is made to go on from a saved state needs none.
+  // Whether routes are planned before the start. A simulation that resumes a saved state needs
+  // none.
   bool plans_ahead = true;
-  // Called with those to keep once the ways are planned, also where one is missing.
+  // Called once the routes are planned with the legs to keep for later runs, also when a leg has no
+  // route.
   std::function<void(const std::string& bytes)> keep_legs = {};
-  // Told what is planned as that begins, "" at its end.
+  // Called with a description as the planning of each leg begins, and with "" when it ends.
   std::function<void(const std::string& what)> on_planning = {};
 };
 
-// What became of one rover.
+// Totals and extremes of one rover over the mission.
 struct RoverResult {
   std::string id;
   double distance_m = 0;
-  double duration_s = 0;  // to its last event's end
+  double duration_s = 0;  // until the end of its last event
   double drive_s = 0;
   double elevation_gain_m = 0;
   double slope_max_rad = not_modelled;
-  double slip_greatest = not_modelled, slip_p95 = not_modelled;  // of driving, see DriveSlip
-  double slip_rolling = not_modelled, driven_s = 0;              // the same
+  double slip_greatest = not_modelled, slip_p95 = not_modelled;  // while driving, see DriveSlip
+  double slip_rolling = not_modelled, driven_s = 0;              // see DriveSlip
   double mean_mps = not_modelled, mean_requested_mps = not_modelled;
   double energy_start_j = not_modelled, energy_end_j = not_modelled;
   double energy_used_j = not_modelled, solar_j = not_modelled, external_j = not_modelled;
@@ -68,41 +70,45 @@ struct RoverResult {
 
 class Simulation : private EventSequence::Others, private Surroundings {
  public:
-  // The machine's `initialise`: ground, site frame, vehicles standing at their starts. Throws
-  // InputError when the plan does not fit the terrain.
+  // Runs the machine's `initialise`: creates the ground and site frame, places the vehicles at
+  // their starts, plans routes. Throws InputError when the plan does not fit the terrain.
   explicit Simulation(SimulationSetup setup);
   ~Simulation() override;
 
-  // Where rows go; none are written without. Before `start`; or later, of a log that begins anew:
-  // events that were under way or over by then are in it too.
+  // Sets the log that rows are written to; without one none are written. Call it before `start`, or
+  // later with a log that begins anew, which then also receives the events that have started or
+  // ended by then.
   void set_log(LogWriter* log);
-  // Who is told each note that scripts and findings write. Before `start`.
+  // Sets the listener that is called with each note of scripts and findings. Call it before
+  // `start`.
   void set_note_listener(std::function<void(const NoteRow&)> listener) {
     note_listener_ = std::move(listener);
   }
-  // The exchange at time 0.
+  // Runs the exchange at time 0.
   void start();
-  // To the next exchange, over quiet time in one leap; no farther than `until`, an exchange to
-  // come.
+  // Steps to the next exchange, over quiet time in one leap, but no farther than `until`, which
+  // must be a later exchange.
   void advance(std::optional<SimTime> until = {});
-  // Ends what runs as incomplete (a signal, the end of MaxDuration).
+  // Ends running events as incomplete (a signal, the end of MaxDuration).
   void stop(const std::string& reason, bool is_failure = false);
-  // `terminate`: last samples, the rest of the events. Called once, when finished.
+  // Runs the machine's `terminate`: writes the last samples and the remaining events. Called once,
+  // when finished.
   void terminate();
 
   bool is_finished() const { return is_finished_; }
   SimTime now() const { return now_; }
   const Plan& plan() const { return setup_.plan; }
   const Ground& ground() const { return *ground_; }
-  // What draws light and sight; "" when nothing asks for it.
+  // Name of the GPU that renders light and sight; "" when neither is needed.
   std::string renderer() const { return renderer_ ? renderer_->gpu.name() : ""; }
 
   std::vector<EventRow> events() const;
   std::vector<RoverResult> results() const;
   const std::vector<std::string>& warnings() const { return warnings_; }
-  // What is known before it starts: of the terrain's files, of ways that do not exist.
+  // Warnings known before the start: about the terrain, legs without a route, and equipment that
+  // events need.
   std::vector<Fault> advice() const;
-  // The ways that are planned before it starts.
+  // The routes of one rover that are planned before the start.
   struct WayAhead {
     std::string rover_id;
     std::vector<LegAhead> legs;
@@ -110,27 +116,30 @@ class Simulation : private EventSequence::Others, private Surroundings {
     std::vector<DrawnLine> drawn;
   };
   const std::vector<WayAhead>& ways_ahead() const { return ways_ahead_; }
-  // Legs for the next run to take up; "" when it would learn nothing new.
+  // Legs for the next run to recall; "" when this run planned no new one.
   std::string kept_legs() const { return legs_->kept(); }
   std::vector<std::string> assumptions() const;
-  // Where its stops see Sun and Earth over the end of the ground, by an estimate of its duration.
+  // Warnings about stops that see the Sun or Earth over the end of the known ground, at times
+  // estimated from the plan.
   std::vector<Fault> end_ahead() const;
-  // How far the mission has come, 0..1: events that have ended, and the share driven of those under
+  // Progress of the mission, 0..1: events that have ended, plus the driven share of those under
   // way.
   double progress() const;
 
-  // For whoever has it in hand: a prompt, a scenario. Between exchanges.
+  // Interactive control by a prompt or a scenario, between exchanges.
   std::vector<std::string> rover_ids() const;
-  // nullptr: there is no such rover.
+  // Returns nullptr when there is no such rover.
   RoverAgent* agent(const std::string& rover_id);
   const EventSequence* sequence(const std::string& rover_id) const;
-  // One more event of a rover. Throws InputError where its turn is over.
+  // Adds an event of a rover. Throws InputError when its sequence is taken or its turn is over, or
+  // when there is no such rover.
   void dispatch(const PlanEvent& event);
-  // A row in `notes` of what a hand has done to a rover. `fields_json`: an object with sorted keys.
+  // Writes a row in `notes` about an interactive change to a rover. `fields_json`: a JSON object
+  // with sorted keys.
   void note_by_hand(const std::string& rover_id, const std::string& name,
                     const std::string& fields_json);
 
-  // All state, and back into a simulation of the same setup.
+  // Serialises all state, and restores it into a simulation of the same setup.
   std::string save();
   void restore(const std::string& bytes);
 
@@ -138,10 +147,10 @@ class Simulation : private EventSequence::Others, private Surroundings {
   struct Rover {
     std::unique_ptr<RoverAgent> agent;
     EventSequence sequence;
-    std::optional<SimTime> wake;    // when its scripts must be called though it is parked
-    std::optional<SimTime> logged;  // its last sample
-    bool was_parked = true;         // when this exchange began; not saved
-    Motion motion = Motion::none;   // of it or its panels at this exchange; not saved
+    std::optional<SimTime> wake;    // when its scripts are due although it is parked
+    std::optional<SimTime> logged;  // time of its last sample
+    bool was_parked = true;         // at the start of this exchange; not saved
+    Motion motion = Motion::none;   // motion of the rover or its panels now; not saved
   };
 
   void check_soil() const;
@@ -156,7 +165,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   void keep_off_assets();
   void run_scripts();
   void take_warnings(Rover& rover);
-  // The light, and who gives power to whom (simulation_light.cpp).
+  // Sunlight, and power from assets to rovers (simulation_light.cpp).
   void make_light();
   void add_light_assumptions(std::vector<std::string>& assumptions) const;
   void watch_the_sun();
@@ -166,7 +175,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   Motion motion_near(const Vec3& p_S_m, const RoverAgent* except) const;
   Mesh solids_near(const Vec3& eye_S_m, const std::string& except_id, const Sunlight& sun) const;
   std::optional<SimTime> quiet_wake(const Rover& rover) const;
-  // Who sees whom (simulation_sight.cpp).
+  // Lines of sight (simulation_sight.cpp).
   void make_sight();
   std::vector<SightEnd> sight_ends() const;
   Mesh solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const;
@@ -189,11 +198,11 @@ class Simulation : private EventSequence::Others, private Surroundings {
   std::function<void(const NoteRow&)> note_listener_;
   MissionMachine machine_;
   std::unique_ptr<Ground> ground_;
-  // By RoverType and RoverConfig, with links.
+  // Vehicles with links; key: PlanRover::model() and RoverConfig.
   std::map<std::pair<std::string, std::string>, VehicleConfig> vehicles_;
   std::unique_ptr<ScriptHost> host_;
   std::unique_ptr<PlannedLegs> legs_;
-  std::vector<WayAhead> ways_ahead_;  // by rover
+  std::vector<WayAhead> ways_ahead_;  // one for each rover
   std::vector<Fault> way_faults_;
   std::vector<PowerSource> sources_;
   std::vector<StandingAsset> assets_;
@@ -201,7 +210,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   std::unique_ptr<Light> light_;
   std::unique_ptr<LooksOverEnd> sun_over_end_;  // with light_
   std::unique_ptr<SightWatch> sight_;
-  std::optional<SimTime> assets_logged_;  // pairs of assets
+  std::optional<SimTime> assets_logged_;  // when pairs of assets were last logged
   double optical_depth_ = 0;
   std::vector<Rover> rovers_;
   WorkerPool pool_;

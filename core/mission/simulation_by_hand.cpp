@@ -1,4 +1,4 @@
-// The part of a mission that a prompt or a scenario has in hand.
+// Interactive control of a running mission, for the prompt and for scenarios.
 #include <algorithm>
 #include <utility>
 
@@ -38,7 +38,7 @@ void Simulation::dispatch(const PlanEvent& event) {
       return std::tie(other.rover_id, other.sequence) > std::tie(event.rover_id, event.sequence);
     });
     events.insert(at, event);
-    // The default counts the events of the plan alone.
+    // The default MaxDuration counts the events of the plan alone, so it no longer applies.
     MissionInfo& mission = setup_.plan.mission;
     if (!mission.has_max_duration) mission.max_duration = longest_mission;
     return;

@@ -1,4 +1,4 @@
-// Rovers that would touch each other, or an asset.
+// Ends drives of rovers that would touch each other or an asset.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,13 +34,14 @@ bool any_of(const RoverAgent& rover, const Touches& touches) {
   return std::ranges::any_of(rover.footprints_ahead(), touches);
 }
 
-// How far from where it is a rover may come before it rests, of its centre: 5 m/s need some 60 m.
+// Bound on how far the centre of a rover moves before it rests; from 5 m/s that is some 60 m.
+// Smaller: fast rovers are stopped too late, larger: more pairs are checked.
 constexpr double near_m = 100;
 
 }  // namespace
 
-// Ends the drive of a rover that could not stop before another, or that would turn into it, by its
-// own motion. Those that move away may go.
+// Ends the drive of each rover that could not stop before another, or would turn into it, if its
+// own motion brings it nearer. Rovers that move apart drive on.
 void Simulation::keep_apart() {
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     for (std::size_t k = i + 1; k < rovers_.size(); ++k) {
@@ -63,7 +64,7 @@ void Simulation::keep_apart() {
   }
 }
 
-// The same before assets, which stay where they are.
+// The same for assets, which do not move.
 void Simulation::keep_off_assets() {
   for (const Rover& rover : rovers_) {
     RoverAgent& agent = *rover.agent;

@@ -1,4 +1,4 @@
-// The part of a mission that has to do with assets, light and the power that they give.
+// Assets, sunlight, and the power that assets give to rovers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-// Of dust on Mars, when the terrain script gives none; said among the assumptions.
+// Optical depth of dust on Mars when the terrain script gives none; listed among the assumptions.
 constexpr double mars_optical_depth = 0.5;
 
 }  // namespace
@@ -86,7 +86,7 @@ Motion Simulation::motion_near(const Vec3& p_S_m, const RoverAgent* except) cons
   return motion;
 }
 
-// About `eye_S_m`, site axes.
+// The mesh is relative to `eye_S_m`, in site axes.
 Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id,
                              const Sunlight& sun) const {
   const Vec3 sun_S = direction_S(ground_->site(), eye_S_m, sun.seen);
@@ -114,7 +114,7 @@ void Simulation::watch_the_sun() {
     if (!agent.is_sun_due(now_, motion_near(p_S_m, &agent))) continue;
     const Sunlight sun = sunlight(ground_->site().body(), agent.place_now(), utc, optical_depth_);
     if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now_);
-    // Panels on their way are looked at when they arrive.
+    // Turning panels are evaluated at whole multiples of the period and when they arrive.
     if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
     const SunValue value =
         look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id(), sun), sun, now_);
@@ -180,7 +180,7 @@ void Simulation::share_power() {
   }
 }
 
-// When something happens to a parked rover that its scripts do not wait for.
+// Earliest time at which something happens to a parked rover that its scripts do not wait for.
 std::optional<SimTime> Simulation::quiet_wake(const Rover& rover) const {
   std::optional<SimTime> wake = rover.agent->power().wake();
   const auto at = [&](std::optional<SimTime> time) {

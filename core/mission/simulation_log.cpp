@@ -1,4 +1,4 @@
-// The part of a mission that writes its log.
+// The log of a mission.
 #include "mission/simulation.h"
 
 namespace lsos {

@@ -1,4 +1,4 @@
-// What rovers and their events know of the others.
+// Queries of rovers and their events about other rovers, assets and the sky.
 #include <algorithm>
 
 #include "mission/simulation.h"
@@ -43,7 +43,7 @@ SkyView Simulation::sky(const Geodetic& place) const {
 
 std::optional<PairSight> Simulation::sight(const std::string& id, const std::string& other) const {
   if (!sight_) return {};
-  // As sight_ends(), then Earth.
+  // The order is that of sight_ends(), then Earth.
   std::vector<std::string> ids = rover_ids();
   for (const StandingAsset& asset : assets_) ids.push_back(asset.plan.id);
   ids.emplace_back(earth_id);

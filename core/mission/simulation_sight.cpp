@@ -1,4 +1,4 @@
-// The part of a mission that has to do with who sees whom.
+// Lines of sight between rovers, assets and Earth.
 #include <algorithm>
 
 #include "mission/light/sun_watch.h"
@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-// Panels may stand out of a body's shapes by this.
+// Distance by which panels may stand out of a body's shapes.
 constexpr double panels_reach_m = 10;
 
 }  // namespace
@@ -21,7 +21,7 @@ void Simulation::make_sight() {
   sight_ = std::make_unique<SightWatch>(*ground_, *renderer_, ends);
 }
 
-// Rovers, then assets.
+// The ends are the rovers, then the assets.
 std::vector<SightEnd> Simulation::sight_ends() const {
   std::vector<SightEnd> ends;
   for (const Rover& rover : rovers_) {
@@ -42,7 +42,7 @@ std::vector<SightEnd> Simulation::sight_ends() const {
   return ends;
 }
 
-// What may stand between two places; where they are one, all that is near to it.
+// Solids that may stand between two places; when the two are equal, all solids near them.
 Mesh Simulation::solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const {
   const Vec3 way_m = to_S_m - from_S_m;
   const double length_m = way_m.norm(), aside_m = length_m > 0 ? panels_reach_m : shading_reach_m;

@@ -17,10 +17,10 @@ std::string length_text(double length_m) {
   return fmt::format("{:g} m", length_m);
 }
 
-// What is left of a picture's width beside the scale.
+// Share of the picture's width that remains beside the scale bar.
 constexpr double text_share = 0.72;
 
-// Broken where parts of a line are set apart.
+// Wraps lines where three spaces separate their parts.
 std::vector<std::string> wrapped(const std::vector<std::string>& lines, Lettering& letters,
                                  int size_px, int most_px) {
   constexpr std::string_view apart = "   ";

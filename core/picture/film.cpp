@@ -34,8 +34,8 @@ std::string ffmpeg() {
                    "install ffmpeg");
 }
 
-// The child's side: it reads pictures from its standard input. In a group of its own a terminal's
-// Ctrl-C does not reach it; this program answers that.
+// Runs in the child, which reads pictures from its standard input. In its own process group it does
+// not receive a terminal's Ctrl-C; this program handles that.
 [[noreturn]] void become(const std::vector<std::string>& words, int from_parent) {
   setpgid(0, 0);
   std::signal(SIGPIPE, SIG_DFL);

@@ -1,4 +1,4 @@
-// A film, made of pictures by the program ffmpeg.
+// A film, encoded from pictures by the program ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -12,10 +12,10 @@ namespace lsos {
 
 inline constexpr int film_pictures_a_second = 25;
 
-// Written under another name, which is the file's only when it is complete; gone when it never is.
+// Written under another name and renamed when complete; the destructor removes an incomplete film.
 class Film {
  public:
-  // An MP4. Throws InputError: ffmpeg is not installed; says how to.
+  // Begins an MP4. Throws InputError, with advice, when ffmpeg is not installed.
   Film(const std::string& file, int width_px, int height_px);
   ~Film();
   Film(const Film&) = delete;
@@ -23,11 +23,11 @@ class Film {
 
   // Red, green and blue bytes, rows from the top. Throws OutputError when ffmpeg has ended.
   void add(std::span<const std::uint8_t> rgb);
-  // Throws OutputError when ffmpeg could not do it.
+  // Throws OutputError when ffmpeg has failed.
   void finish();
 
  private:
-  // Answers its exit code.
+  // Waits for ffmpeg and returns its exit code.
   int end();
 
   std::string file_, part_;

@@ -19,7 +19,7 @@ SimTime step_of(SimTime time, int pictures) {
   return std::max(exchange_period, round_up_to_exchange(time / pictures));
 }
 
-// A film of a whole run shows its end.
+// Adds a last time, so that the film shows the run's end.
 void add_end(std::vector<FilmTime>& times, SimTime end) {
   if (times.empty() || times.back().time >= end) return;
   times.push_back(times.back());
@@ -54,7 +54,7 @@ std::vector<FilmTime> film_times(const DriveTimes& drives, SimTime end) {
   const bool has_both = driving > SimTime{} && quiet > SimTime{};
   const SimTime drive_step =
       has_both ? step_of(driving, film_pictures - quiet_pictures) : step_of(end, film_pictures);
-  // Never slower than the drive.
+  // Quiet time never passes more slowly than a drive.
   const SimTime quiet_step =
       has_both ? std::max(drive_step, step_of(quiet, quiet_pictures)) : drive_step;
   std::vector<FilmTime> times;

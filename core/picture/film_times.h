@@ -1,4 +1,4 @@
-// The moments of a run that a film shows: its drive slowly, its quiet hours fast.
+// Times of a run that a film shows: drives slowly, quiet hours fast.
 #pragma once
 
 #include <string>
@@ -11,19 +11,20 @@ namespace lsos {
 
 struct FilmTime {
   SimTime time{};
-  double rate = 1;  // times as fast as the mission
+  double rate = 1;  // mission time per time of the film
   bool is_quiet = false;
 };
 
-// While a rover drives, and shortly before and after.
+// Intervals in which a rover drives, with a margin before and after.
 using DriveTimes = std::vector<std::pair<SimTime, SimTime>>;
-// Of that rover, "" for the first; ascending and apart. `interval`: LogInterval.
+// Drives of `rover`, "" for the first rover; ascending and disjoint. `interval`: LogInterval, the
+// margin.
 DriveTimes drive_times(const LogReader& log, const std::string& rover, SimTime interval);
 
-// Some 250 moments from 0 to `end`: four in five of them, evenly, while the rover drives, the rest
-// while it stands. Evenly over all where it does but one of the two.
+// Some 250 times from 0 to `end`: four in five of them are spread evenly over the drives, the rest
+// over the times between. Where there are only drives or none, all are spread evenly.
 std::vector<FilmTime> film_times(const DriveTimes& drives, SimTime end);
-// One every so often, "10 s" or "2 min". Throws InputError.
+// Times at the interval `every`, "10 s" or "2 min". Throws InputError.
 std::vector<FilmTime> film_times(const std::string& every, SimTime end);
 
 }  // namespace lsos

@@ -1,6 +1,6 @@
 #include "picture/jpeg.h"
 
-#include <cstdio>  // jpeglib.h wants it before
+#include <cstdio>  // required by jpeglib.h
 #include <cstdlib>
 
 #include <jpeglib.h>
@@ -15,7 +15,7 @@ std::string jpeg_bytes(int width, int height, int channels, std::span<const std:
   jpeg_compress_struct jpeg{};
   jpeg_error_mgr errors{};
   jpeg.err = jpeg_std_error(&errors);
-  // Writing to memory has nothing that can fail but memory; the library would end the program.
+  // Writing to memory fails only if memory runs out; by default the library would then exit.
   errors.error_exit = [](j_common_ptr) {
     throw InternalError("a picture could not be written as JPEG");
   };

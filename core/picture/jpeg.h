@@ -1,4 +1,4 @@
-// Pictures as JPEG, for what must be small.
+// Pictures as JPEG, where size matters.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-// Where Debian, Fedora and Arch have it.
+// Locations of the font in Debian, Fedora and Arch.
 constexpr std::array font_files{
     "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
     "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
@@ -28,7 +28,7 @@ void blend(const RgbCanvas& canvas, int x, int y, const Rgb& colour, double cove
   }
 }
 
-// Its characters; bytes that are no UTF-8 stand for themselves.
+// Decodes UTF-8; bytes that are not UTF-8 stand for themselves.
 std::vector<char32_t> characters(const std::string& text) {
   std::vector<char32_t> found;
   for (std::size_t i = 0; i < text.size();) {
@@ -49,7 +49,7 @@ struct Lettering::Font {
   FT_Library library = nullptr;
   FT_Face face = nullptr;
 
-  // Of the glyph and where the next one begins.
+  // Loads a glyph: its bitmap and its advance to the next one.
   FT_GlyphSlot load(char32_t character, int size_px) const {
     FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size_px));
     LSOS_ASSERT(FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) == 0);

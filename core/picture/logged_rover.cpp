@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-// The reverse of direction_S().
+// Inverse of direction_S().
 SkyPosition sky_position(const SiteFrame& site, const Vec3& p_S_m, const Vec3& direction_S) {
   const double azimuth_rad =
       std::atan2(direction_S.dot(site.east_S(p_S_m)), direction_S.dot(site.north_S(p_S_m)));
@@ -20,7 +20,7 @@ PartPose chassis_pose(const SiteFrame& site, const SampleRow& sample) {
   return chassis_pose(site, sample.p_S_m, sample.heading_rad, sample.pitch_rad, sample.roll_rad);
 }
 
-// The reverse of chassis_pose().
+// Inverse of chassis_pose().
 void set_attitude(const SiteFrame& site, const Mat3& R_SB, SampleRow& sample) {
   const Vec3 up = site.up_S(sample.p_S_m), ahead = R_SB.col(0), left = R_SB.col(1);
   const SkyPosition nose = sky_position(site, sample.p_S_m, ahead);
@@ -35,7 +35,7 @@ Value mixed(const Value& from, const Value& to, double share) {
   return from + share * (to - from);
 }
 
-// Rows of things that may have come or gone in between.
+// Mixes rows of the same name; a row without a counterpart in `to` stays as it is.
 template <class Row, class Mix>
 void mix_rows(std::vector<Row>& rows, const std::vector<Row>& to, std::string Row::*name,
               const Mix& mix) {
@@ -63,7 +63,8 @@ LoggedRover between(const SiteFrame& site, const LoggedRover& from, const Logged
     row.angle_rad = mixed(row.angle_rad, other.angle_rad, share);
     row.extension_m = mixed(row.extension_m, other.extension_m, share);
   });
-  // On the chassis, which they turn with: a panel that lies flat has no azimuth to speak of.
+  // Panels are interpolated in the chassis frame: a panel that lies flat has no well-defined
+  // azimuth.
   for (PanelRow& row : rover.panels) {
     if (std::isnan(row.azimuth_rad)) continue;
     Vec3 normal_B = from_R_SB.transpose() *

@@ -1,4 +1,4 @@
-// Where a rover was, read from the log of a run: what is drawn again without simulating.
+// State of a rover, read from the log of a run, for drawing without simulating.
 #pragma once
 
 #include <optional>
@@ -19,19 +19,19 @@ struct LoggedRover {
   std::vector<PanelRow> panels;
 };
 
-// At a `share`, 0..1, of the way from one sample of a rover to its next: where it was, and how its
-// joints and panels stood. All else is as the first sample has it.
+// Interpolates position, attitude, joints and panels at a `share`, 0..1, between one sample of a
+// rover and its next. All else is taken from the first sample.
 LoggedRover between(const SiteFrame& site, const LoggedRover& from, const LoggedRover& to,
                     double share);
 
-// Of the chassis, then of each link.
+// Poses of the chassis, then of each link.
 std::vector<PartPose> part_poses(const SiteFrame& site, const VehicleConfig& vehicle,
                                  const LoggedRover& logged);
-// The masts of antennas as far as they were raised, frame B.
+// Masts of the antennas, raised as logged, frame B.
 std::vector<Shape> masts(std::span<const AntennaSpec> antennas, const LoggedRover& logged);
 
-// Of the panels that were up, about the rover's reference point, site axes; absent where one was
-// not.
+// Faces of the panels that were up, relative to the rover's reference point, site axes; absent for
+// one that was not.
 std::vector<std::optional<PanelFace>> panel_faces(const SiteFrame& site,
                                                   std::span<const PanelSpec> panels,
                                                   const LoggedRover& logged);

@@ -9,17 +9,17 @@ namespace {
 
 constexpr double apart_m = 0.05, still_mps = 1e-3;
 
-// Two samples of a rover with a time that was asked for between.
+// Two successive samples of a rover with a requested time between them.
 struct Stretch {
   LoggedRover from;
   std::optional<LoggedRover> to;
 };
-using Stretches = std::vector<Stretch>;  // of one time, a rover each
+using Stretches = std::vector<Stretch>;  // at one time, one for each rover
 
 // One rover's samples in order of time, as they come.
 struct Follower {
   std::optional<SampleRow> last;
-  std::size_t next = 0;  // of the times, that has no sample yet
+  std::size_t next = 0;  // index of the first time not filled in yet
 
   // `coming`: the sample after the last, if there is one.
   void fill(std::vector<Stretches>& moments, std::span<const SimTime> times,
@@ -34,7 +34,7 @@ struct Follower {
   }
 };
 
-// Rows of joints or panels to the samples of their time.
+// Assigns rows of joints or panels to the samples of their time.
 class Joiner {
  public:
   explicit Joiner(std::vector<Stretches>& moments) {
@@ -51,7 +51,7 @@ class Joiner {
     if (found == wanted_.end()) return;
     for (LoggedRover* rover : found->second) (rover->*to).push_back(row);
   }
-  // Of all samples; empty when there are none.
+  // Time span of all samples; empty when there are none.
   const TimeSpan& span() const { return span_; }
 
  private:
@@ -64,8 +64,8 @@ class Joiner {
   std::map<std::pair<std::string, SimTime>, std::vector<LoggedRover*>> wanted_;
 };
 
-// How much of its motion from one sample to the next lies behind. A parked rover has few samples;
-// it moved up to `interval` after the first of them, or before the second.
+// Share 0..1 of the motion between two samples that is done. A parked rover has few samples; it
+// moved up to `interval` after the first of them, or before the second.
 double share_at(const Stretch& stretch, SimTime time, SimTime interval) {
   SimTime start = stretch.from.sample.time, end = stretch.to->sample.time;
   if (end - start > interval) {
@@ -75,7 +75,7 @@ double share_at(const Stretch& stretch, SimTime time, SimTime interval) {
   return std::clamp(seconds(time - start) / seconds(end - start), 0.0, 1.0);
 }
 
-// Over the ground about a rover, on the mean of a few places: rocks pass between its wheels.
+// Height over the ground, the mean of nine places about the rover: rocks pass between its wheels.
 double gap_m(Ground::Probe& probe, const Vec3& p_S_m) {
   double sum_m = 0;
   int count = 0;
@@ -90,8 +90,7 @@ double gap_m(Ground::Probe& probe, const Vec3& p_S_m) {
   return count > 0 ? sum_m / count : 0;
 }
 
-// Between two samples the ground rises and falls: the rover stays as far over it as on a straight
-// line.
+// The ground rises and falls between two samples: the height of the rover over it is interpolated.
 LoggedRover at(const Stretch& stretch, SimTime time, const Ground& ground, SimTime interval) {
   if (!stretch.to) return stretch.from;
   const double share = share_at(stretch, time, interval);

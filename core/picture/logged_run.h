@@ -1,4 +1,4 @@
-// A run's log as pictures need it: all rovers at some moments, and where they have been.
+// A run's log as pictures need it: all rovers at some moments, and their tracks.
 #pragma once
 
 #include <map>
@@ -12,7 +12,8 @@
 
 namespace lsos {
 
-// Each rover that has a sample until then, in order of ids, between its last one and the next.
+// Each rover that has a sample by then, in order of ids, interpolated between its last sample and
+// the next.
 using LoggedMoment = std::vector<LoggedRover>;
 
 struct TrackPoint {
@@ -21,12 +22,13 @@ struct TrackPoint {
 };
 
 struct LoggedRun {
-  std::vector<LoggedMoment> moments;                      // as many as times were asked for
-  std::map<std::string, std::vector<TrackPoint>> tracks;  // by rover, 5 cm or more between points
+  std::vector<LoggedMoment> moments;                      // one for each requested time
+  std::map<std::string, std::vector<TrackPoint>> tracks;  // key: rover; 5 cm or more between points
 };
 
-// In one pass over each layer of a log of any length. `times` must ascend; tracks end at the last.
-// `interval`: LogInterval; where samples are farther apart the rover was parked but for so long.
+// Reads each layer once, so that a log may have any length. `times` must ascend; tracks end at the
+// last. `interval`: LogInterval; between samples farther apart the rover was parked except for this
+// long.
 LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, const Ground& ground,
                       SimTime interval);
 

@@ -20,9 +20,10 @@ namespace {
 
 const Vec3 green(0, 1, 0), panel_dark(0.15, 0.18, 0.35), ground_grey(0.42, 0.42, 0.42);
 
-constexpr double ribbon_share = 0.025;  // a track's half width, in reaches of its rover
+constexpr double ribbon_share = 0.025;  // half width of a track, in reaches of its rover
 
-// So much of the surroundings is drawn as the Sun sees it, in reaches of the rover.
+// Extents of what is drawn in the view from the Sun, in reaches of the rover: the picture, the
+// ground that may hide the Sun, and the patch of ground about the rover.
 constexpr double frame_reaches = 0.9, neighbours_reaches = 12, patch_reaches = 8;
 
 std::string view_text(const PictureView& view, const std::string& rover) {
@@ -41,7 +42,7 @@ std::string view_text(const PictureView& view, const std::string& rover) {
   return {};
 }
 
-// How fast a film goes: three digits that count, without an exponent.
+// Rate of a film: three significant digits, without an exponent.
 std::string rate_text(const FilmTime& film) {
   const int digits = static_cast<int>(std::floor(std::log10(film.rate))) - 2;
   const double unit = std::pow(10, digits);
@@ -50,7 +51,7 @@ std::string rate_text(const FilmTime& film) {
                      digits < 0 ? fmt::format("{:g}", rate) : fmt::format("{:.0f}", rate));
 }
 
-// `metres_a_pixel`: where the rover is; 0 where it is not seen.
+// `metres_a_pixel`: scale at the rover; 0 where the rover is not seen.
 Caption caption_of(const PictureMoment& moment, const PictureView& view, const DrawnBody& body,
                    double metres_a_pixel) {
   const SampleRow& sample = moment.rover->sample;
@@ -100,7 +101,7 @@ PictureFrameOut as_the_sun_sees(const PictureRun& run, const PictureMoment& mome
   frame.centre_m = up_S * (reach_m / 3);
   frame.half_m = frame_reaches * reach_m;
   frame.size_px = size_px;
-  // What may stand before the Sun, and the ground about the rover.
+  // Add the ground that may hide the Sun, and the ground about the rover.
   const double wide_m = neighbours_reaches * reach_m;
   solids.push_back({ground_mesh(*run.ground, {eye_S_m, wide_m, sun_S, 0}), ground_grey, false});
   solids.push_back(
@@ -138,7 +139,7 @@ PictureFrameOut as_a_camera_sees(const PictureRun& run, const PictureMoment& mom
   std::vector<DrawnBody> bodies = bodies_about(eye_S_m);
   const DrawnBody subject =
       *std::ranges::find(bodies, moment.rover->sample.rover_id, &DrawnBody::id);
-  // The nearest ones throw shadows, should there be too many.
+  // Sorted by distance: if there are too many bodies, only the nearest cast shadows.
   std::ranges::stable_sort(bodies, {},
                            [&](const DrawnBody& body) { return (body.p_S_m - eye_S_m).norm(); });
   const TerrainShadow shadow(ground, eye_S_m, moment.sun_S, moment.sun.disc_rad,
@@ -178,7 +179,7 @@ PictureFrameOut as_a_camera_sees(const PictureRun& run, const PictureMoment& mom
 PictureSize picture_size(const PictureRun& run, const PictureWish& wish) {
   const bool is_sun = view_of(wish.from, run.rovers).kind == PictureView::Kind::sun;
   const int width_px = wish.size_px > 0 ? wish.size_px : is_sun ? 800 : 1280;
-  // Even, as films need it.
+  // Even, as films require.
   return {width_px, is_sun ? width_px : std::max(2, width_px * 9 / 32 * 2)};
 }
 

@@ -1,4 +1,4 @@
-// One picture of a run, as it is written to a file.
+// Renders one picture of a run, as it is written to a file.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,21 +13,21 @@ namespace lsos {
 struct PictureWish {
   std::string from = "sun";  // sun, chase, east, above, or a rover
   std::string rover;         // "": the first
-  int size_px = 0;           // the width, of what the Sun sees each side; 0: 1280, or 800
+  int size_px = 0;           // width; for the view from the Sun each side; 0: 1280, or 800
 };
 
 struct PictureSize {
   int width_px = 0, height_px = 0;
 };
-// Throws InputError: no such view.
+// Throws InputError where there is no such view.
 PictureSize picture_size(const PictureRun& run, const PictureWish& wish);
 
 struct PictureFrameOut {
   RgbPicture picture;
-  nlohmann::ordered_json about;  // what is told of it
+  nlohmann::ordered_json about;  // facts for the answer
 };
 
-// `k`: of the run's times.
+// `k`: index into the run's times.
 PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureWish& wish,
                            const Gpu& gpu, Lettering& letters);
 

@@ -13,10 +13,11 @@ namespace lsos {
 namespace {
 
 const Vec3 panel_front(0.03, 0.05, 0.16), panel_back(0.45, 0.45, 0.47);
-constexpr double panel_half_m = 0.006;  // as thick as it is drawn
+constexpr double panel_half_m = 0.006;  // half thickness of a drawn panel
 
 constexpr double ribbon_half_px = 0.9;
-// Ribbons lie on what wheels felt; the ground that is drawn is a little coarser.
+// Ribbons lie on the ground that wheels drive on; the drawn ground is a little coarser, so ribbons
+// are raised and drawn nearer.
 constexpr double ribbon_over_m = 0.02, ribbon_nearer = 0.004;
 constexpr double ribbon_step_m = 0.4, ribbon_step_px = 6;
 
@@ -88,7 +89,7 @@ SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainSh
     for (const double side : {1.0, -1.0}) {
       PanelFace sheet = face;
       sheet.centre_m += side * panel_half_m * face.normal();
-      sheet.half_u_m *= side;  // its normal too
+      sheet.half_u_m *= side;  // turns its normal too
       append(scene.mesh, face_mesh(sheet), side > 0 ? panel_front : panel_back, &shadow);
     }
   }

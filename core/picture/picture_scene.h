@@ -1,4 +1,4 @@
-// What a picture of a run shows, from its plan's scripts and its log: rovers, assets, tracks.
+// Contents of a picture of a run, from its plan's scripts and its log: rovers, assets, tracks.
 #pragma once
 
 #include <string>
@@ -12,34 +12,33 @@
 
 namespace lsos {
 
-// A rover or an asset, where it was.
+// A rover or an asset at its logged place.
 struct DrawnBody {
   std::string id, type;
   Vec3 p_S_m = Vec3::Zero();         // its reference point
-  std::vector<PictureSolid> solids;  // about the eye, without panels
-  std::vector<PanelFace> panels;     // about the eye
-  double reach_m = 1;                // all but masts lies so near to the reference point
-  double bound_m = 1;                // and masts so near
-  double top_m = 1;                  // over it, along the vertical
+  std::vector<PictureSolid> solids;  // relative to the eye, without panels
+  std::vector<PanelFace> panels;     // relative to the eye
+  double reach_m = 1;                // radius about the reference point that holds all but masts
+  double bound_m = 1;                // radius that holds masts too
+  double top_m = 1;                  // height above the reference point
 };
 
-// Rovers, then assets. `eye_S_m`: the point that they are drawn about.
+// Rovers, then assets. `eye_S_m`: the point relative to which they are drawn.
 std::vector<DrawnBody> drawn_bodies(const MissionModel& files, const Ground& ground,
                                     const LoggedMoment& rovers, const Vec3& eye_S_m,
                                     const Vec3& sun_S);
 
-// As a camera sees it.
+// The body as part of a scene for a camera.
 SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainShadow& shadow);
 
-// Where a rover has been until then, to where it is, as a ribbon on the ground, from the camera's
-// eye.
+// Ribbon on the ground along a rover's track up to `now`, relative to the camera's eye.
 struct RibbonStyle {
   Vec3 colour = Vec3::Ones();
-  double half_m = 0.1;  // its half width; wider where that were less than a pixel
+  double half_m = 0.1;  // half width; wider where it would be less than a pixel
 };
 SceneMesh track_ribbon(const Ground& ground, std::vector<TrackPoint> track, const TrackPoint& now,
                        const Camera& camera, const RibbonStyle& style);
-// Of a rover, by its place in the order of ids; as on maps.
+// Colour of a rover by its place in the order of ids, the same as on maps.
 Vec3 rover_colour(std::size_t place);
 
 }  // namespace lsos

@@ -16,11 +16,12 @@ namespace {
 
 constexpr std::array names{"sun", "chase", "east", "above"};
 
-constexpr double width_rad = radians(52);  // of the picture
-// From a rover: the other fills this share of the picture's width, between these widths.
+constexpr double width_rad = radians(52);  // width of the picture
+// View from a rover: the other rover fills this share of the picture's width, and the width is
+// limited to this range.
 constexpr double other_share = 0.2, narrowest_rad = radians(4), widest_rad = radians(60);
-constexpr double over_top_m = 0.25;  // of the camera over its rover
-constexpr double ahead_m = 12;       // that a rover looks at before itself
+constexpr double over_top_m = 0.25;  // height of the camera over its rover
+constexpr double ahead_m = 12;       // distance that a rover's camera faces ahead
 
 const DrawnBody& body_of(const std::vector<DrawnBody>& bodies, const std::string& id) {
   const auto found = std::ranges::find(bodies, id, &DrawnBody::id);

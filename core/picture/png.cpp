@@ -12,7 +12,7 @@ std::string png_bytes(int width, int height, std::span<const std::uint8_t> pixel
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
-  image.flags = PNG_IMAGE_FLAG_FAST;  // a fifth larger than the smallest, in a quarter of the time
+  image.flags = PNG_IMAGE_FLAG_FAST;  // a quarter of the time for a fifth more size
   image.format = has_alpha ? PNG_FORMAT_GA : PNG_FORMAT_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');

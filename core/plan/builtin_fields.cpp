@@ -1,4 +1,5 @@
-// The fields that a plan has without any script: of missions, rovers, assets, and of every event.
+// The fields that exist without any script: those of MissionInfo, Rover and Asset, and those that
+// every event has.
 #include "base/sim_time.h"
 #include "plan/declaration.h"
 #include "planet/body.h"

@@ -1,4 +1,4 @@
-// Events that wait for each other in a circle.
+// Finds events that wait for each other in a circle.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +11,14 @@ namespace lsos {
 
 namespace {
 
-// What event `from` waits for.
+// An edge of the graph of waits: the event that another one waits for.
 struct Wait {
   std::size_t to;
-  bool is_start_after;  // else: it is the event before, on the same rover
+  bool is_start_after;  // false: `to` is the event before it on the same rover
 };
 
-// A disabled event counts as ended at time 0: nobody waits for it, and it waits for nobody.
+// The waits of each event. A disabled event counts as ended at time 0: nothing waits for it, and it
+// waits for nothing.
 std::vector<std::vector<Wait>> waits_of(const std::vector<DraftEvent>& drafts) {
   const auto takes_part = [](const DraftEvent& d) { return d.is_placed && d.event.is_enabled; };
   std::map<PlanEvent::Reference, std::size_t> by_identity;
@@ -44,11 +45,11 @@ std::vector<std::vector<Wait>> waits_of(const std::vector<DraftEvent>& drafts) {
 
 struct Step {
   std::size_t event;
-  std::size_t next_wait = 0;  // index into its waits: one behind the wait that is followed
+  std::size_t next_wait = 0;  // index into its waits, one past the wait that is followed
 };
 
-// "A waits for B, which comes after C, which waits for A". Runs of "comes after" on one rover are
-// told as one.
+// "A waits for B, which comes after C, which waits for A". Consecutive "comes after" on one rover
+// are merged into one.
 std::string told(const std::vector<Step>& circle, const std::vector<std::vector<Wait>>& waits,
                  const std::vector<DraftEvent>& drafts) {
   std::string text = named(drafts[circle.front().event]);
@@ -68,7 +69,7 @@ class CircleFinder {
   CircleFinder(const std::vector<DraftEvent>& drafts, Faults& faults)
       : drafts_(drafts), faults_(faults), waits_(waits_of(drafts)), colours_(drafts.size()) {}
 
-  // Depth first, without recursion: plans may have chains of thousands of events.
+  // Depth-first search without recursion: plans may have chains of thousands of events.
   void run() {
     for (std::size_t i = 0; i < drafts_.size(); ++i) {
       if (colours_[i] == Colour::unseen) search(i);
@@ -98,7 +99,7 @@ class CircleFinder {
     }
   }
 
-  // The circle is the end of the path from `first` on. Of circles that share an event, the first
+  // The circle is the end of the path from `first` on. When circles share an event, only the first
   // found is reported: mending it often mends the others.
   void report(std::size_t first) {
     auto begin = std::ranges::find(path_, first, &Step::event);
@@ -107,8 +108,8 @@ class CircleFinder {
       if (is_reported_.contains(step.event)) return;
     }
     for (const Step& step : circle) is_reported_.insert(step.event);
-    // Tell it from the earliest event whose StartAfter is part of it; there is one, for "comes
-    // after" alone never leads back.
+    // The message begins with the earliest event whose StartAfter is part of the circle. There is
+    // one, because "comes after" alone never leads back.
     auto start = circle.end();
     for (auto step = circle.begin(); step != circle.end(); ++step) {
       if (!waits_[step->event][step->next_wait - 1].is_start_after) continue;

@@ -37,7 +37,7 @@ bool has_marker_field(const SourceData& data) {
                              [](const SourceField& field) { return is_marker(field.name); });
 }
 
-// What map tools stamp on features, in whatever case.
+// Fields that map tools add to every feature, in any case of letters.
 bool is_stamped(std::string field) {
   constexpr std::array<std::string_view, 14> stamped{
       "fid",          "id",         "name",    "description", "timestamp", "begin", "end",
@@ -47,7 +47,7 @@ bool is_stamped(std::string field) {
   return std::ranges::find(stamped, field) != stamped.end();
 }
 
-// Columns that GDAL's LIBKML gives to what it reads, spelt so.
+// Columns that GDAL's driver LIBKML adds to what it reads, in exactly this spelling.
 bool is_of_libkml(std::string_view field) {
   return field == "heading" || field == "tilt" || field == "roll" || field == "altitudeMode";
 }
@@ -72,7 +72,7 @@ class Classifier {
   }
 
   bool is_nearly_known(const std::string& name) {
-    constexpr int slip = 2;  // letters
+    constexpr int slip = 2;  // edit distance, letters
     const auto [found, is_new] = nearly_known_.emplace(name, false);
     if (is_new) {
       found->second = std::ranges::any_of(suggestions_.known(), [&](const std::string& known) {
@@ -121,7 +121,7 @@ class Classifier {
     classified_.unread.push_back({&placemark, data, nullptr});
   }
 
-  // Where no SchemaData says what it is.
+  // For a Placemark without a SchemaData of a known name.
   void classify_by_type(const SourcePlacemark& placemark) {
     const SourceField* type = type_field(placemark, "");
     if (type != nullptr && is_known(type->text)) {
@@ -153,7 +153,8 @@ class Classifier {
     ++classified_.decoration_count;
   }
 
-  // The Type that the Placemark gives itself; not where a `name` has such a field of its own.
+  // The field Type of the Placemark; nullptr when there is none, or when `name` declares a field
+  // Type of its own.
   const SourceField* type_field(const SourcePlacemark& placemark, const std::string& name) const {
     if (!name.empty() && has_declared(name, type_name)) return nullptr;
     const SourceField* found = nullptr;
@@ -179,7 +180,7 @@ class Classifier {
     return has_marker_field(all_fields(placemark));
   }
 
-  // The innermost folder that is called like something known; "" when there is none.
+  // The innermost folder with a known name; "" when there is none.
   std::string folder_name(const SourcePlacemark& placemark) const {
     const auto& folders = placemark.folders;
     const auto found = std::find_if(folders.rbegin(), folders.rend(),
@@ -199,8 +200,8 @@ class Classifier {
     });
   }
 
-  // The fields of a Placemark of that name: those of its SchemaData, of all of them where none is
-  // ours, and what stands in Data.
+  // The fields of a Placemark of that name: those of the SchemaData `ours` (nullptr: of all its
+  // SchemaData), and those in plain Data.
   SourceData joined_fields(const SourcePlacemark& placemark, const SourceData* ours,
                            const std::string& name) {
     SourceData joined{"", name, {}, placemark.line};
@@ -220,8 +221,9 @@ class Classifier {
     return joined;
   }
 
-  // A field in Data that is none of the Placemark's is told once for all Placemarks that have it;
-  // one that is nearly right is left for the message that suggests the right one.
+  // Whether a field in plain Data belongs to a Placemark of that name. A foreign field is reported
+  // once for all Placemarks that have it; one that is nearly right counts as wanted, because the
+  // message of check_names() suggests the right name.
   bool is_wanted(const SourcePlacemark& placemark, const SourceField& field,
                  const std::string& name) {
     if (field.text.empty()) return false;
@@ -241,14 +243,14 @@ class Classifier {
     } else if (!hint.empty() && (!is_table || std::ranges::any_of(names, is_slip))) {
       return true;
     }
-    // Joins and notes leave columns in tables that only sound like ours.
+    // Joins and notes leave columns in tables whose names only resemble those of the plan.
     count_unused(placemark,
                  fmt::format("the {} {} is no field of a {}; it is not used{}",
                              is_table ? "column" : "Data", quoted(field.name), name, hint));
     return false;
   }
 
-  // The same text twice is no contradiction.
+  // Adds the field unless it stands there with the same text: equal repetition is no contradiction.
   static void add_once(const SourceField& field, std::vector<SourceField>& fields) {
     const auto same = std::ranges::find(fields, field.name, &SourceField::name);
     if (same != fields.end() && same->text.empty()) {
@@ -272,7 +274,7 @@ class Classifier {
     }
   }
 
-  // Map tools rewrite SchemaData as Data, and what kind of thing it is is lost.
+  // Map tools rewrite SchemaData as Data, and the kind of the Placemark is then lost.
   void warn_if_ours(const SourcePlacemark& placemark) {
     const auto may_be_ours = [](const SourceField& field) {
       return !field.text.empty() && (is_marker(field.name) || field.name == "Planet");
@@ -296,8 +298,9 @@ class Classifier {
     return "Placemark " + (placemark.name.empty() ? "without a name" : quoted(placemark.name));
   }
 
-  // In a Placemark that is ours, other SchemaData are what a GIS tool stamps on everything, unless
-  // they have fields that only ours have. Answers the last one told.
+  // Reports SchemaData that are nearly ours and returns the last of them, or nullptr. In a
+  // Placemark that is ours, other SchemaData come from a GIS tool that adds them to everything,
+  // unless they have marker fields.
   const SourceData* report_nearly_ours(const SourcePlacemark& placemark, bool is_ours) {
     const SourceData* found = nullptr;
     for (const SourceData& data : placemark.data) {
@@ -345,7 +348,7 @@ class Classifier {
   Faults& faults_;
   Suggestions suggestions_;
   std::map<std::string, bool> nearly_known_;
-  // What is not used, with the first Placemark that it was found in.
+  // How many Placemarks have something that is not used, and the first of them.
   struct Unused {
     const SourcePlacemark* first;
     int count;

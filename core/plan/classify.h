@@ -1,4 +1,4 @@
-// Which Placemarks of a document are ours, and what each is.
+// Decides which Placemarks of a document belong to the plan ("ours") and what each one is.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace lsos {
 
-// A Placemark that is ours, with its fields; the Placemark lives in the KmlSource.
+// A Placemark of the plan, with its fields. The Placemark lives in the KmlSource.
 struct OurPlacemark {
   const SourcePlacemark* placemark = nullptr;
-  // `schema` is its NAME. Fields that no NAME is known to have are left out.
+  // `schema` is its name: MissionInfo, Rover, Asset or an event type. Fields in plain Data that
+  // such a Placemark does not have are left out.
   SourceData data;
-  const EventDeclaration* event = nullptr;  // for an event
+  const EventDeclaration* event = nullptr;  // only for an event
 };
 
 struct Classified {
@@ -22,14 +23,15 @@ struct Classified {
   std::vector<OurPlacemark> rovers;
   std::vector<OurPlacemark> assets;
   std::vector<OurPlacemark> events;
-  std::vector<OurPlacemark> unread;  // meant to be ours, with a fault in what they are
+  std::vector<OurPlacemark> unread;  // meant to be ours, but what they are is faulty
   int decoration_count = 0;
 };
 
-// What a Placemark is is said by its SchemaData, else by its field Type, else by the innermost
-// folder that has such a name. A contradiction is a fault; so are a SchemaData that is nearly ours
-// (it has a RoverId, Sequence or RoverType, or is called almost like something known) and two of
-// ours in one Placemark. The rest is decoration, with a warning where it looks like ours.
+// The kind of a Placemark comes from its SchemaData, else from its field Type, else from the
+// innermost folder with a known name. Faults are: a contradiction between these, a SchemaData that
+// is nearly ours (it has a RoverId, Sequence or RoverType, or a name almost like a known one), and
+// two of ours in one Placemark. All others are decoration, with a warning where they look like
+// ours.
 Classified classify(const KmlSource& source, const Declarations& declarations, Faults& faults);
 
 }  // namespace lsos

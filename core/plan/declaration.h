@@ -1,5 +1,5 @@
 // What scripts declare about themselves, as plain values: the fields that a plan may give them.
-// The plan reader checks Placemarks against these; where they come from (Lua) it does not know.
+// The plan reader checks Placemarks against these and does not depend on Lua, where they come from.
 #pragma once
 
 #include <map>
@@ -15,20 +15,20 @@
 
 namespace lsos {
 
-// No duration may be longer, some 27 years: times stay far inside what SimTime can hold.
+// Greatest duration that a field may have, some 27 years: times stay far inside SimTime's range.
 inline constexpr double longest_duration_s = 10000 * 86400.0;
 
 enum class FieldKind { number, integer, boolean, text, choice, duration, utc };
 
-// What a text names: checked before anything runs.
+// What a text field names. Names are checked before anything runs.
 enum class NameOf {
   anything,
-  panel,           // of the event's rover
-  stowable_panel,  // likewise; absent: all that it has
-  turning_panel,   // likewise; absent: all that it has
-  resource,        // of the event's rover
-  antenna,         // of the event's rover, that can be stowed; absent: all that it has
-  power_source,    // an asset of the plan that has power to give
+  panel,           // a panel of the event's rover
+  stowable_panel,  // a panel of the rover that can be stowed; absent: all of them
+  turning_panel,   // a panel of the rover that can be turned; absent: all of them
+  resource,        // a resource of the event's rover
+  antenna,         // an antenna of the rover that can be stowed; absent: all of them
+  power_source,    // an asset of the plan that supplies power
   other,           // another rover of the plan, or an asset
 };
 
@@ -41,7 +41,7 @@ struct FieldDeclaration {
   std::string key;   // in the script, with its SI suffix: "speed_mps"
   FieldKind kind = FieldKind::text;
   std::string doc;
-  const Unit* unit = nullptr;        // of a bare number (number and duration only)
+  const Unit* unit = nullptr;        // unit of a bare number (number and duration only)
   std::optional<double> min_si;      // inclusive
   std::optional<double> max_si;      // inclusive
   std::vector<std::string> choices;  // choice only
@@ -49,7 +49,7 @@ struct FieldDeclaration {
   std::string amount_of;             // number only: key of the text that names the resource used up
   bool is_required = false;
   std::optional<FieldValue> default_value;  // absent: the script sees nil
-  std::string example = {};  // what a form has for it, when that is more than the default
+  std::string example = {};                 // value that a form shows; "": the default
 };
 
 enum class GeometryKind { none, point, line, polygon };
@@ -58,21 +58,20 @@ enum class GeometryKind { none, point, line, polygon };
 struct EventDeclaration {
   std::string name;
   std::string doc;
-  Place place;                           // of the declaration in its script
+  Place place;                           // where its script declares it
   std::vector<FieldDeclaration> fields;  // without the common ones (common_event_fields)
   std::vector<GeometryKind> geometries;  // allowed; `none` among them: may have no geometry
-  bool drives = false;                   // a Point means: drive there from where the rover is
-  bool goes_on_without_power = false;    // also when the rover's battery is empty
-  std::optional<bool> is_open_ended;     // no field says when it ends; absent: by its fields
-  // Keys of texts that name a panel or an antenna, "" for none: which it deploys, which it stows,
-  // and which must be deployed for it. A text that the plan leaves out names all that can be
-  // stowed.
+  bool drives = false;                   // the rover drives to a Point from where it stands
+  bool goes_on_without_power = false;    // it runs on when the rover's battery is empty
+  std::optional<bool> is_open_ended;     // no field gives its end; absent: its fields decide
+  // Keys of the text fields that name the panel or antenna that the event deploys, stows, or needs
+  // deployed; "" for none. A field that the plan omits stands for all that can be stowed.
   std::string deploys, stows, needs_deployed;
   bool may_deploy_unsaid = false;  // its script commands panels or antennas in its phases
   std::string start_phase;
   struct Phase {
     std::string name;
-    std::string sub_event;  // type of the event that this phase is; "" for a function
+    std::string sub_event;  // type of the event that this phase runs; "" for a function
     std::string next;       // phase after the sub-event; "" when the event is then completed
     int line = 0;           // of the script
   };
@@ -89,21 +88,22 @@ struct Declarations {
   };
   std::map<std::string, RoverType> rover_types;
   std::vector<std::string> terrains;
-  // Scripts that are there but cannot be used, with what is wrong in each. A plan that names one is
-  // told that.
+  // Scripts that exist but cannot be used, with the faults of each. They are reported for a plan
+  // that names such a script.
   std::map<std::string, std::vector<Fault>> broken_events, broken_rovers, broken_terrains;
 };
 
-// Enabled, StartTime, StartAfter, Timeout, OnFailure: what every event has beside its own.
+// Fields that every event has beside its own: Enabled, StartTime, StartAfter, StartWhen, SkipWhen,
+// StopWhen, Timeout and OnFailure.
 const std::vector<FieldDeclaration>& common_event_fields();
-// RoverId and Sequence: which event of which rover it is.
+// RoverId and Sequence, which identify an event.
 const std::vector<FieldDeclaration>& event_identity_fields();
 // Fields of MissionInfo, Rover and Asset.
 const std::vector<FieldDeclaration>& mission_fields();
 const std::vector<FieldDeclaration>& rover_fields();
 const std::vector<FieldDeclaration>& asset_fields();
 
-// The fields that a Placemark of that NAME may have: MissionInfo, Rover, Asset or an event.
+// The fields that a Placemark of that name may have: MissionInfo, Rover, Asset or an event type.
 std::vector<std::span<const FieldDeclaration>> fields_of(const std::string& name,
                                                          const Declarations& declarations);
 

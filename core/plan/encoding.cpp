@@ -1,4 +1,4 @@
-// The encodings that KML comes in, converted to UTF-8.
+// Converts the encodings that KML files use to UTF-8.
 #include <fmt/format.h>
 #include <iconv.h>
 
@@ -31,8 +31,8 @@ std::string declared_encoding(std::string_view bytes) {
   return std::string(declaration.substr(open + 1, close - open - 1));
 }
 
-// XML 1.0 (5th ed.), appendix F: byte order mark, else the shape of the first '<', else what is
-// declared in plain bytes.
+// Detects the encoding as XML 1.0 (5th ed.), appendix F, describes: by the byte order mark, else by
+// the bytes of the first '<', else by the declaration in single-byte characters.
 Encoding encoding_of(std::string_view bytes) {
   using namespace std::string_view_literals;
   if (bytes.starts_with("\xef\xbb\xbf"sv)) return {"UTF-8", 3};
@@ -47,16 +47,16 @@ Encoding encoding_of(std::string_view bytes) {
   std::ranges::transform(upper, upper.begin(), [](char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
   });
-  // A declaration that reads as plain bytes cannot be in 16-bit units, whatever it says.
+  // A declaration that is readable as single bytes cannot be in 16-bit units, whatever it says.
   if (upper.empty() || upper.starts_with("UTF-16") || upper.starts_with("UCS-2")) return {"UTF-8"};
   return {declared, 0};
 }
 
-// What iconv_open answers when it cannot.
+// What iconv_open returns when it fails.
 const iconv_t no_converter = reinterpret_cast<iconv_t>(-1);  // NOLINT(performance-no-int-to-ptr)
 
 struct CloseConverter {
-  // std::unique_ptr looks for this name.
+  // std::unique_ptr requires this name.
   using pointer = iconv_t;  // NOLINT(readability-identifier-naming)
   void operator()(iconv_t converter) const { iconv_close(converter); }
 };
@@ -73,7 +73,7 @@ std::string to_utf8(std::string bytes, const std::string& file) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.' || c == ':';
   };
-  // iconv takes options after a slash, which are not for a document to choose.
+  // iconv takes options after a slash, which a document must not choose.
   const bool is_name = std::ranges::all_of(encoding.name, is_name_character);
   const iconv_t opened = is_name ? iconv_open("UTF-8", encoding.name.c_str()) : no_converter;
   if (opened == no_converter) {

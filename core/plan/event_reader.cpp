@@ -70,9 +70,9 @@ class EventsReader {
     event.rover_id = *rover_id;
     draft.is_rover_known = rover_ids_.contains(event.rover_id);
     draft.is_placed = draft.is_rover_known && draft.is_sequence_known;
-    // Without any rover that is the fault to mend first, and it has been said.
+    // When there is no rover at all, that fault is mended first, and it has been reported.
     if (draft.is_rover_known || rover_ids_.empty()) return;
-    // It may be that of a rover whose id cannot be read.
+    // The id may belong to a rover whose RoverId cannot be read.
     if (gaps_.rover_ids) return;
     std::string hint = suggestions_(event.rover_id);
     if (hint.empty()) hint = fmt::format("; there are {}", listed(suggestions_.known()));
@@ -107,7 +107,7 @@ class EventsReader {
 };
 
 void check_sequences(std::vector<DraftEvent>& drafts, const ReadContext& context) {
-  const DraftEvent* first = nullptr;  // with the rover and sequence at hand
+  const DraftEvent* first = nullptr;  // first event with the current rover and sequence
   for (DraftEvent& draft : drafts) {
     if (!draft.is_placed) continue;
     const PlanEvent& event = draft.event;

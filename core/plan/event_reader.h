@@ -1,5 +1,5 @@
-// Reads the Placemarks that are events, each by itself; what they say of each other (StartAfter,
-// goto) is resolved afterwards, in references.h.
+// Reads the Placemarks that are events, each by itself. References between events (StartAfter,
+// goto) are resolved afterwards, in references.h.
 #pragma once
 
 #include <string>
@@ -10,14 +10,15 @@
 
 namespace lsos {
 
-// By rover id, then sequence, then line. `rover_ids`: what RoverId may name, besides those that
-// `gaps` leave open.
+// The events by rover id, then sequence, then line. `rover_ids`: what RoverId may name, besides those that
+// may name; no other id is a fault while `gaps` leave a rover's id open.
 std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
                                     const ReadContext& context,
                                     const std::vector<std::string>& rover_ids,
                                     const PlanGaps& gaps);
 
-// "Enabled = true (12 of 14 events)": of the fields that all events have, which were filled in.
+// Which of the common event fields were filled in from their defaults, and in how many events:
+// "Enabled = true (12 of 14 events)".
 std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events);
 
 }  // namespace lsos

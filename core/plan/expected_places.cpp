@@ -21,7 +21,7 @@ void visit_expected_places(
     const PlanGaps& gaps,
     const std::function<void(const DraftEvent& draft,
                              const std::optional<ExpectedPlace>& expected)>& visit) {
-  // One a rover; where faults leave the place open there is none.
+  // Keyed by rover id; a rover whose place is left open by faults has no entry.
   std::map<std::string, std::optional<ExpectedPlace>> expected;
   for (const PlanRover& rover : rovers) {
     if (!gaps.unplaced_rovers.contains(rover.id))

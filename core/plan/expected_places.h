@@ -1,4 +1,4 @@
-// Where each rover is expected to be as its events come.
+// Where each rover is expected to be before each of its events.
 #pragma once
 
 #include <functional>
@@ -9,16 +9,17 @@
 
 namespace lsos {
 
-// Where a rover then is: at the last point that it was to drive to, at its start, or anywhere
-// within the polygon of its last drive, with the place `at` one of its corners.
+// Where a rover is expected: at the last point it was to drive to, at its start, or anywhere within
+// the polygon of its last drive; `at` is then one corner of the polygon.
 struct ExpectedPlace {
   Geodetic at;
-  std::vector<Geodetic> within;  // outline; empty: at the place itself
+  std::vector<Geodetic> within;  // outline of the polygon; empty: exactly at `at`
 };
 
 // Calls `visit` for each enabled event with a geometry, in order of rover and sequence, with the
-// place where its rover is expected to be before it. Nothing where that is not known: after a drive
-// without a geometry, which follows what moves, and where faults of the plan leave it open.
+// place where its rover is expected before the event. The place is absent where it is not known:
+// after a drive without a geometry, which follows something that moves, and where faults of the
+// plan leave it open.
 void visit_expected_places(
     const std::vector<DraftEvent>& drafts, const std::vector<PlanRover>& rovers,
     const PlanGaps& gaps,

@@ -16,21 +16,24 @@ namespace lsos {
 
 namespace {
 
-// A leg is far from this on, and when it is so many times longer than the median of the rover's
-// other legs, if there are as many, or leads to one end of a line that turns back there. A place
-// that decimal commas explain is far from less on.
+// A leg longer than `far_m` is reported when it exceeds `median_times` the median of the rover's
+// other legs (at least `others_least` of them), exceeds `together_m`, or when the line turns back
+// at its end. A leg that decimal commas explain is reported from `slip_m` on.
 constexpr double far_m = 10e3, median_times = 20, slip_m = 1e3;
 constexpr std::size_t others_least = 2;
-// A slip explains a place that without it would be so much nearer.
+// A slip explains a place that would be at most this share of its distance away without it.
 constexpr double nearer_share = 0.1;
-// A place is as likely as the one with longitude and latitude exchanged when the rover's start is
-// not so many times farther from it.
+// A place may be meant as written when it is at most this many times as far from the rover's start
+// as the place with longitude and latitude exchanged.
 constexpr double likely_times = 2;
-// A line that begins no farther away was drawn from where the rover stands, as well as a hand does.
+// A line that begins within `apart_m`, or within `apart_share` of its length, counts as drawn from
+// where the rover stands: drawing with a mouse is no more exact. A line that ends where the rover
+// stands and begins farther away than `turned_m` is taken to be drawn the wrong way round.
 constexpr double apart_m = 200, apart_share = 0.25, turned_m = 70;
-// A line of another rover begins where that one comes to stand, so exactly.
+// A line belongs to another rover when it begins within `same_place_m` of where that one stands and
+// more than `elsewhere_m` from its own rover.
 constexpr double same_place_m = 5, elsewhere_m = 30;
-// Rovers and assets of one mission are no farther from each other.
+// Greatest distance between rovers and assets of one mission.
 constexpr double together_m = 100e3;
 
 bool is_origin(const Geodetic& place) { return place.lon_rad == 0 && place.lat_rad == 0; }
@@ -40,7 +43,7 @@ std::optional<Geodetic> exchanged(const Geodetic& place) {
   return geodetic_from_degrees(lat_deg(place), lon_deg(place));
 }
 
-// How far a place is that was meant in place of another, if it explains the distance.
+// Distance to the place `meant`, if it is so much nearer that it explains `distance_m`.
 std::optional<double> explained_m(const Body& body, const Geodetic& from, double distance_m,
                                   const std::optional<Geodetic>& meant) {
   if (!meant) return {};
@@ -48,8 +51,8 @@ std::optional<double> explained_m(const Body& body, const Geodetic& from, double
   return away_m <= nearer_share * distance_m ? std::optional(away_m) : std::nullopt;
 }
 
-// Whether a place with longitude and latitude exchanged, or 0,0, may be meant as it is: where both
-// are near the rover's start, or the way there is short.
+// Whether a place that looks like 0,0 or like exchanged longitude and latitude may be meant as it
+// is: when the distance to it is short, or when it lies near the rover's start.
 bool may_be_meant(const Body& body, const Geodetic& start, const Geodetic& place,
                   double distance_m) {
   const double away_m = surface_distance_m(body, start, place);
@@ -59,7 +62,7 @@ bool may_be_meant(const Body& body, const Geodetic& start, const Geodetic& place
   return other && away_m <= likely_times * surface_distance_m(body, start, *other);
 }
 
-// What may have been meant by a place; "" where no slip is known that explains it.
+// Text on what may have been meant by a place; "" where no known slip explains it.
 std::string slip_text(const Body& body, const Geodetic& start, const Geodetic& from,
                       const Geodetic& place, double distance_m,
                       const std::optional<Geodetic>& with_comma) {
@@ -82,12 +85,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// The legs of an event: from the expected place to its first point, and on.
+// One leg of an event; the first leads from the expected place to the event's first point.
 struct Leg {
-  std::size_t waypoint = 0;  // the first is 1
+  std::size_t waypoint = 0;  // at its end, counted from 1
   std::optional<Geodetic> from;
   Geodetic to;
-  std::optional<Geodetic> next;  // waypoint of the same event
+  std::optional<Geodetic> next;  // waypoint after it, of the same event
 };
 
 std::vector<Leg> legs_of(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
@@ -119,14 +122,14 @@ class FarWaypoints {
     for (const Leg& leg : legs_of(draft, expected)) {
       if (!leg.from) continue;
       const double length_m = surface_distance_m(body_, *leg.from, leg.to);
-      // The short way to where a line begins, and none at all, say nothing of the rover's legs.
+      // Legs of no length, and short ones to the start of a line, are not typical of the rover.
       if (length_m == 0 || (leg.waypoint == 1 && leg.next && length_m <= slip_m)) continue;
       lengths_m_[draft.event.rover_id].push_back(length_m);
     }
   }
 
-  // After measure() of all. One warning of a far waypoint an event; none for the way back from a
-  // far place.
+  // To be called after measure() of all events. Reports one far waypoint per event at most, and
+  // never the leg back from a far place.
   void check(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
     const std::string& rover = draft.event.rover_id;
     const bool is_back = strayed_.contains(rover);
@@ -144,13 +147,13 @@ class FarWaypoints {
   }
 
  private:
-  // The waypoint after it lies near the one before it again.
+  // Whether the next waypoint lies near the one before the leg again.
   bool is_spike(const Leg& leg, double distance_m) const {
     return leg.next && surface_distance_m(body_, *leg.from, *leg.next) < nearer_share * distance_m;
   }
 
-  // A line that begins far from the rover beside its own length: the way there is driven first, and
-  // drawn nowhere.
+  // Warns of a line that begins far from the rover compared with its length: the rover drives to
+  // its beginning first, along a leg that is drawn nowhere.
   void warn_if_apart(const DraftEvent& draft, const Leg& leg) {
     const PlanEvent& event = draft.event;
     if (leg.waypoint != 1 || !leg.next || event.geometry.kind != GeometryKind::line) return;
@@ -171,7 +174,7 @@ class FarWaypoints {
       return;
     }
     if (warn_if_of_another(draft, leg, distance_m)) return;
-    // There and at once back again, as where a digit of the first waypoint is wrong.
+    // The line leads back towards the rover at once, as when a digit of waypoint 1 is wrong.
     const double next_m = surface_distance_m(body_, *leg.from, *leg.next);
     if (distance_m > apart_m && next_m < distance_m / 4) {
       faults_.warning({event.place.file, event.geometry.line},
@@ -190,7 +193,7 @@ class FarWaypoints {
                     distance_text(line_m)));
   }
 
-  // A drive that was copied, or drawn, for another rover.
+  // Warns of a drive that was copied from, or drawn for, another rover.
   bool warn_if_of_another(const DraftEvent& draft, const Leg& leg, double distance_m) {
     const PlanEvent& event = draft.event;
     const auto stands_there = [&](const std::string& rover) {
@@ -246,13 +249,13 @@ class FarWaypoints {
 
   const Body& body_;
   Faults& faults_;
-  std::map<std::string, Geodetic> starts_;                // by rover; of those with one
-  std::map<std::string, std::vector<double>> lengths_m_;  // by rover
+  std::map<std::string, Geodetic> starts_;                // by rover; only known ones
+  std::map<std::string, std::vector<double>> lengths_m_;  // of legs, by rover
   std::map<std::string, std::vector<Geodetic>> ends_;     // of events, by rover
   std::set<std::string> strayed_;                         // rovers that a far waypoint has led away
 };
 
-// Of a rover or an asset, from the first rover's start.
+// Warns of a rover or an asset that is far from the first rover's start.
 void check_start(const Body& body, const PlanRover& first, const Geodetic& place,
                  const Place& where, const std::string& subject, Faults& faults) {
   const double distance_m = surface_distance_m(body, first.start, place);

@@ -1,4 +1,4 @@
-// Places that are so far from where they should be that a slip of writing is likely: longitude and
+// Warns of places so far from where they should be that a slip in writing is likely: longitude and
 // latitude exchanged, decimal commas, 0,0.
 #pragma once
 
@@ -13,15 +13,15 @@ namespace lsos {
 std::string distance_text(double distance_m);
 
 // "; with longitude and latitude exchanged it would be 12 m away" where that is a tenth of the
-// distance or less, else "".
+// distance from `from` to `place` or less, else "".
 std::string exchanged_text(const Body& body, const Geodetic& from, const Geodetic& place);
 
-// The places that coordinates give when each two whole numbers are read as one number with a
-// decimal comma ("31,5 12,25": 31.5,12.25). Empty where they cannot be meant so.
+// The places that coordinates give when every two whole numbers are read as one number with a
+// decimal comma ("31,5 12,25": 31.5,12.25). Empty where they cannot be read so.
 std::vector<Geodetic> with_decimal_commas(const std::string& coordinates);
 
-// A warning for each event with a waypoint, and for each rover or asset, that lies farther from the
-// place before it (the first rover's start) than can be meant.
+// Warns of each drive with a waypoint improbably far from the place before it, and of each rover
+// and asset improbably far from the first rover's start.
 void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<PlanRover>& rovers,
                       const std::vector<PlanAsset>& assets, const PlanGaps& gaps, const Body& body,
                       Faults& faults);

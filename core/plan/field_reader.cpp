@@ -25,7 +25,7 @@ Parsed<FieldValue> as_field_value(Parsed<T> parsed) {
   return {FieldValue(*parsed.value), {}};
 }
 
-// A share above 1 was written as a percentage without its sign, or is above 100 %.
+// A share between 1 and 100 was probably meant in per cent; "" for other values.
 std::string share_advice(const std::string& text, double share) {
   if (text.find('%') != std::string::npos) return "";
   return share > 1 && share <= 100 ? fmt::format("; did you mean '{} %'?", share) : "";
@@ -42,7 +42,7 @@ std::string out_of_range(const FieldDeclaration& declaration, double value_si,
   if (is_share && max && text.find('%') != std::string::npos && value_si > *max) {
     return fmt::format("is above {}", format_quantity(*max, *find_unit("%")));
   }
-  // The ceiling that all durations have is no range to be told of.
+  // The ceiling that all durations share is not part of the field's own range.
   if (max == longest_duration_s && declaration.kind == FieldKind::duration) {
     return min && value_si < *min
                ? fmt::format("must be at least {}", format_quantity(*min, unit))
@@ -67,14 +67,15 @@ std::string range_fault(const FieldDeclaration& declaration, const FieldValue& v
   return {};
 }
 
-// "2", "1.5e3": without a unit.
+// Whether the text is a number without a unit: "2", "1.5e3".
 bool is_bare_number(std::string_view text) {
   return !text.empty() &&
          text.find_first_not_of("0123456789.+-eE \t\n\r") == std::string_view::npos;
 }
 
-// A number without a unit that is likely to be in another one than is taken: a duration of seconds
-// where the field is shown in hours, an angle of degrees that is a part of pi. "" for others.
+// Advice on a number without a unit that was probably meant in another one than is taken: a
+// duration in seconds where the field's unit is hours, an angle in degrees that is a fraction of
+// pi, a power in W that may be in kW. "" for others.
 std::string bare_number_advice(const FieldDeclaration& declaration, const FieldValue& value,
                                const std::string& text) {
   const auto* number = std::get_if<double>(&value);
@@ -84,7 +85,7 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
     constexpr double much_shorter = 20, least_share = 0.1, most_share = 2;
     const auto* usual_s = std::get_if<double>(&*declaration.default_value);
     if (usual_s == nullptr || unit.si_factor == 1 || *number * much_shorter >= *usual_s) return "";
-    // In the unit of the default, or in minutes, it would be of its size.
+    // In the field's unit, or in minutes, the value would be close to the default.
     for (const Unit* meant : {&unit, find_unit("min")}) {
       const double meant_s = *number * meant->si_factor;
       if (meant_s < least_share * *usual_s || meant_s > most_share * *usual_s) continue;
@@ -93,14 +94,14 @@ std::string bare_number_advice(const FieldDeclaration& declaration, const FieldV
     }
     return "";
   }
-  // Rovers are fed by kilowatts; what takes less than a radio is written with its unit.
+  // Rovers need kilowatts; fewer watts than a radio takes are rarely meant.
   constexpr double least_w = 5;
   const bool may_be_kw = !declaration.max_si || *number * 1000 <= *declaration.max_si;
   if (unit.symbol == "W" && *number > 0 && *number < least_w && may_be_kw) {
     return fmt::format("is {0:g} W, as without a unit; did you mean '{0:g} kW'?", *number);
   }
   if (unit.symbol != "deg") return "";
-  // Written with two decimals or more, to their last digit.
+  // Only numbers with two decimals or more are compared with fractions of pi.
   const std::size_t point = text.find('.');
   if (point == std::string::npos || text.size() - point < 3) return "";
   constexpr double half_turn_rad = std::numbers::pi, last_digit = 0.002;
@@ -165,7 +166,7 @@ FieldValues FieldReader::read(std::span<const FieldDeclaration> declarations,
     if (const SourceField* field = find(declaration.name)) {
       if (auto value = parse(declaration, *field)) values[declaration.key] = std::move(*value);
     } else if (declaration.is_required) {
-      // Under a misspelt name it is not missing.
+      // The field is given under a misspelt name, which has been reported.
       const std::string hint = fmt::format("; did you mean '{}'?", declaration.name);
       if (std::ranges::find(hints_, hint) != hints_.end()) continue;
       tell(subject_.place.line, fmt::format("{} is missing; it is required", declaration.name));
@@ -221,7 +222,7 @@ std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration
 Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
                                        const std::string& text) const {
   switch (declaration.kind) {
-    case FieldKind::duration: {  // seconds, whatever it is shown in
+    case FieldKind::duration: {  // a bare number is in seconds, whatever the field's unit
       Parsed<double> duration = parse_quantity(text, *find_unit("s"));
       if (duration) duration.value = rounded_s(*duration.value);
       return as_field_value(duration);

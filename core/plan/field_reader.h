@@ -15,23 +15,23 @@
 
 namespace lsos {
 
-// By script key, in SI.
+// Values by script key, in SI.
 using FieldValues = std::map<std::string, FieldValue>;
 
-// nullptr when there is no such value. The kind of the field decides T.
+// The value, or nullptr when there is none. The kind of the field determines T.
 template <class T>
 const T* find_value(const FieldValues& values, const std::string& key) {
   const auto found = values.find(key);
   return found == values.end() ? nullptr : &std::get<T>(found->second);
 }
 
-// What a message speaks about: "plan.kml", line of the Placemark, "Route 'leg 2'".
+// The subject of messages: "plan.kml", line of the Placemark, "Route 'leg 2'".
 struct Subject {
   Place place;
   std::string name;
 };
 
-// For people: "1 m/s", "true", "2026-07-01T12:00:00.000Z".
+// The value as messages show it: "1 m/s", "true", "2026-07-01T12:00:00.000Z".
 std::string format_value(const FieldDeclaration& declaration, const FieldValue& value);
 
 class FieldReader {
@@ -41,23 +41,24 @@ class FieldReader {
 
   const Subject& subject() const { return subject_; }
 
-  // Faults for fields that are in none of the lists, and for fields given twice.
+  // Reports fields that are in none of the lists, that have no name, or that are given twice.
   void check_names(std::initializer_list<std::span<const FieldDeclaration>> known);
 
-  // What is given or has a default, by key. A missing required field and a wrong value are
-  // faults, and are left out. Defaults that were filled in are appended to `defaults`.
+  // The fields that are given or have a default, by key. A missing required field and a wrong value
+  // are faults, and are left out. Defaults that were filled in are appended to `defaults`.
   FieldValues read(std::span<const FieldDeclaration> declarations,
                    std::vector<std::string>* defaults);
 
-  // How many have been told.
+  // Number of faults reported so far, without those of add().
   int fault_count() const { return fault_count_; }
 
-  // nullptr when it is absent. An empty field counts as absent.
+  // The field, or nullptr when it is absent. An empty field counts as absent.
   const SourceField* find(const std::string& name) const;
 
-  // "Route 'leg 2': Speed = -1: WHAT" at the field's line; without a value where it is absent.
+  // Reports "Route 'leg 2': Speed = -1: WHAT" at the field's line; when the field is absent,
+  // "Route 'leg 2': Speed: WHAT" at the Placemark's line.
   void error(const std::string& field_name, const std::string& what);
-  // Faults found elsewhere that explain one of ours.
+  // Adds faults found elsewhere that explain one of this Placemark.
   void add(const std::vector<Fault>& faults) { faults_.add(faults); }
 
  private:

@@ -1,4 +1,4 @@
-// Files that are no XML: what they are instead.
+// Recognises files that are not XML and says what they are instead.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ constexpr std::array magics{
 
 constexpr std::string_view blanks = " \t\r\n";
 
-// Of a text that begins with no tag.
+// What a text is that does not begin with a tag.
 std::string kind_of_text(std::string_view text) {
   if (text.front() == '{' || text.front() == '[') return "JSON; export it as KML";
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));

@@ -22,13 +22,13 @@ struct CoordinateFault {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-// One lon,lat[,alt] at a time. Blanks after or before a comma, which KML forbids but people write,
-// do not end a tuple.
+// Splits a text into tuples lon,lat[,alt]. Blanks after or before a comma, which KML forbids but
+// people write, do not end a tuple.
 class Tuples {
  public:
   Tuples(std::string_view text, int line) : rest_(text), line_(line) {}
 
-  // "" at the end of the text.
+  // The next tuple; "" at the end of the text.
   std::string next() {
     skip_blanks();
     first_line_ = line_;
@@ -44,12 +44,12 @@ class Tuples {
     }
     return tuple;
   }
-  // Of the start of the tuple that next() gave.
+  // Line at which the tuple that next() returned last begins.
   int line() const { return first_line_; }
 
  private:
-  // Whether what follows the blanks after `tuple` is of it. An empty altitude ends a tuple: behind
-  // its second comma a number with a comma of its own is the next longitude.
+  // Whether the text after the blanks behind `tuple` still belongs to it. An empty altitude ends a
+  // tuple: after its second comma, a number with a comma of its own is the next longitude.
   bool goes_on(const std::string& tuple) const {
     if (rest_.empty()) return false;
     if (rest_.front() == ',') return true;
@@ -79,7 +79,7 @@ bool read_number(std::string_view text, double& value) {
   return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
 }
 
-// What is wrong with the tuple, or "" and the place.
+// What is wrong with the tuple; "" when nothing is, and `place` is then set.
 std::string read_tuple(const std::string& tuple, Geodetic& place) {
   std::array<double, 3> numbers{};
   std::size_t count = 0;
@@ -91,7 +91,7 @@ std::string read_tuple(const std::string& tuple, Geodetic& place) {
     if (count == numbers.size()) {
       return "has more than lon,lat,alt; a blank parts coordinates, and decimals take a point";
     }
-    // GIS tools write "nan", or nothing, for an altitude that they do not have.
+    // GIS tools write "nan" or nothing for an altitude that they do not know.
     const bool has_none = count == 2 && (part.empty() || part == "nan" || part == "NaN");
     if (has_none) continue;
     if (!read_number(part, numbers[count])) {
@@ -112,7 +112,7 @@ std::string read_tuple(const std::string& tuple, Geodetic& place) {
   return {};
 }
 
-// The places of a text; only its first wrong coordinate is named.
+// The places of a text. Only the first wrong coordinate is reported.
 std::vector<Geodetic> read_tuples(const std::string& coordinates, int line,
                                   std::vector<CoordinateFault>& wrong) {
   std::vector<Geodetic> places;
@@ -132,8 +132,8 @@ bool is_same(const Geodetic& a, const Geodetic& b) {
   return a.lon_rad == b.lon_rad && a.lat_rad == b.lat_rad;
 }
 
-// A ring ends where it begins, in KML; here each corner stands once, and one that is written twice
-// in a row too.
+// Reduces a ring, which in KML ends where it begins, to one place per corner; repeated corners in a
+// row are merged too.
 void read_corners(std::vector<Geodetic>& places, const std::string& what, int line,
                   std::vector<CoordinateFault>& wrong) {
   places.erase(std::ranges::unique(places, is_same).begin(), places.end());
@@ -172,7 +172,7 @@ std::vector<Geodetic> read_places(const SourceGeometry& source,
   return places;
 }
 
-// The holes of a polygon whose outline is well.
+// The holes of a polygon whose outline has no fault.
 std::vector<std::vector<Geodetic>> read_holes(const SourceGeometry& source,
                                               const std::vector<Geodetic>& outline,
                                               std::vector<CoordinateFault>& wrong) {
@@ -232,7 +232,7 @@ std::optional<PlanGeometry> read_geometry(const SourcePlacemark& placemark,
                   fmt::format("has no geometry; {} is wanted", geometries_text(wanted)));
   }
   const SourceGeometry& source = placemark.geometries.front();
-  // QGIS writes a feature without a place so.
+  // QGIS writes a feature without a place as an empty geometry.
   const bool is_empty = source.holes.empty() && !source.kind.starts_with("Multi") &&
                         source.coordinates.find_first_not_of(" \t\r\n") == std::string::npos;
   if (is_empty && placemark.geometries.size() == 1 && is_wanted(GeometryKind::none)) {

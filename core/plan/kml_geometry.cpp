@@ -10,8 +10,8 @@ using tinyxml2::XMLElement;
 
 namespace {
 
-// The one geometry in a MultiGeometry, which map tools write round any that could have several;
-// nullptr when there are more, or none.
+// The only geometry in a MultiGeometry, which map tools write around any feature that could have
+// several parts; nullptr when there are several, or none.
 const XMLElement* only_member(const XMLElement& multi) {
   const XMLElement* only = nullptr;
   for (const auto* each = multi.FirstChildElement(); each; each = each->NextSiblingElement()) {
@@ -22,7 +22,7 @@ const XMLElement* only_member(const XMLElement& multi) {
   return only;
 }
 
-// The holes of a Polygon. Some tools write all rings into one innerBoundaryIs.
+// The holes of a Polygon. Some tools write all holes into one innerBoundaryIs.
 std::vector<SourceGeometry::Ring> holes_of(const XMLElement& polygon) {
   std::vector<SourceGeometry::Ring> holes;
   for (const auto* each = polygon.FirstChildElement(); each; each = each->NextSiblingElement()) {
@@ -38,7 +38,7 @@ std::vector<SourceGeometry::Ring> holes_of(const XMLElement& polygon) {
   return holes;
 }
 
-// <gx:coord>lon lat alt</gx:coord> of each moment as lon,lat,alt.
+// The elements <gx:coord>lon lat alt</gx:coord> of a track as tuples lon,lat,alt.
 LinedText coordinates_of_track(const XMLElement& track) {
   LinedText found{{}, track.GetLineNum()};
   for (const auto* each = track.FirstChildElement(); each; each = each->NextSiblingElement()) {
@@ -69,7 +69,7 @@ bool is_empty_multi(const XMLElement& element) {
   return true;
 }
 
-// Depth is bounded by tinyxml2's limit on nested elements.
+// The recursion depth is bounded by tinyxml2's limit on nested elements.
 SourceGeometry read_kml_geometry(const XMLElement& element) {
   const std::string_view name = local_name(element);
   if (const XMLElement* only = name.starts_with("Multi") ? only_member(element) : nullptr) {

@@ -1,4 +1,4 @@
-// The geometry elements of KML, as written.
+// Reads the geometry elements of KML, with their coordinates as written.
 #pragma once
 
 #include <string_view>
@@ -8,14 +8,15 @@
 
 namespace lsos {
 
-// `name` is that of the element, without its prefix.
+// Whether an element of that name, without its prefix, is a geometry.
 bool is_geometry(std::string_view name);
 
-// A MultiGeometry without members: a Placemark without a place, as some tools write it.
+// Whether it is a MultiGeometry without members, which some tools write for a Placemark without a
+// place.
 bool is_empty_multi(const tinyxml2::XMLElement& element);
 
-// A MultiGeometry or MultiTrack of one member is that member; a LinearRing and a Track, which has
-// its coordinates parted by blanks, are LineStrings.
+// Reads one geometry. A MultiGeometry or MultiTrack with one member is read as that member; a
+// LinearRing and a Track, whose coordinates are separated by blanks, become LineStrings.
 SourceGeometry read_kml_geometry(const tinyxml2::XMLElement& element);
 
 }  // namespace lsos

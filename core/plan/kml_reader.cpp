@@ -39,7 +39,8 @@ SourceField plain_data(const XMLElement& element) {
   return {attribute(element, "name"), std::move(text.text), text.line};
 }
 
-// GDAL's driver LIBKML, and QGIS with it, write a point that has a field Heading as a Camera there.
+// Reads a point from a Camera: GDAL's driver LIBKML, which QGIS uses, writes a point that has a
+// field Heading so.
 void take_camera(const XMLElement& camera, SourcePlacemark& placemark) {
   const auto text = [&](const char* name) {
     const XMLElement* part = child(camera, name);
@@ -88,7 +89,7 @@ SourceSchema schema(const XMLElement& element, const std::string& file) {
   return found;
 }
 
-// Gathers what one document holds.
+// Collects the Placemarks, Schemas and links of one document.
 class Collector {
  public:
   Collector(KmlSource& source, const std::string& file, std::vector<std::string> folders)
@@ -98,7 +99,7 @@ class Collector {
         first_placemark_(source.placemarks.size()),
         first_schema_(source.schemas.size()) {}
 
-  // Depth is bounded by tinyxml2's limit on nested elements.
+  // The recursion depth is bounded by tinyxml2's limit on nested elements.
   void collect(const XMLElement& element) {
     const std::string_view name = local_name(element);
     if (name == "Placemark") {
@@ -121,7 +122,7 @@ class Collector {
     }
   }
 
-  // A <Schema> may stand after what refers to it, so names are resolved at the end.
+  // Resolves the names of schemas. Called last, because a <Schema> may follow what refers to it.
   void resolve_schemas() {
     std::map<std::string, std::string> names;  // by id
     for (std::size_t i = first_schema_; i < source_.schemas.size(); ++i) {
@@ -136,7 +137,7 @@ class Collector {
         if (hash == 0 && named != names.end() && !named->second.empty()) {
           data.schema = named->second;
         }
-        // The driver LIBKML of GDAL, and QGIS with it, write "#Route.schema" for a layer Route.
+        // GDAL's driver LIBKML, which QGIS uses, writes "#Route.schema" for a layer Route.
         constexpr std::string_view suffix = ".schema";
         if (data.schema.ends_with(suffix)) data.schema.resize(data.schema.size() - suffix.size());
       }
@@ -197,7 +198,7 @@ std::string in_plain_words(const tinyxml2::XMLDocument& document) {
   }
 }
 
-// The one root element; throws unless it is one that KML documents have.
+// The root element. Throws InputError unless there is exactly one and KML documents may have it.
 const XMLElement& root_of(const tinyxml2::XMLDocument& document, const std::string& file) {
   const XMLElement* root = document.RootElement();
   if (root == nullptr) throw InputError({file, 0}, "is no XML: there is no element");
@@ -216,7 +217,7 @@ const XMLElement& root_of(const tinyxml2::XMLDocument& document, const std::stri
   return *root;
 }
 
-// What one document holds is added to the source; returns its links.
+// Adds the contents of one document to the source and returns its links.
 std::vector<Collector::Link> add_document(const KmlText& text, std::vector<std::string> folders,
                                           KmlSource& source) {
   check_markup(text);
@@ -231,7 +232,8 @@ std::vector<Collector::Link> add_document(const KmlText& text, std::vector<std::
   return collector.links();
 }
 
-// The document of an archive, and the documents in it that are linked, in the order of the links.
+// Reads the main document of an archive and the documents in it that are linked, in the order of
+// the links.
 KmlSource parse_kmz(const std::string& bytes, const std::string& file) {
   KmzArchive archive(bytes, file);
   const std::string root = archive.document_name();

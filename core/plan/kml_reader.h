@@ -1,4 +1,5 @@
-// Reading a plan's file, whatever it is.
+// Reads a KML document into plain values: its Placemarks with data and geometry, each with the file
+// and line it came from. The values are not interpreted here.
 #pragma once
 
 #include <string>
@@ -7,9 +8,10 @@
 
 namespace lsos {
 
-// A plan's source, whatever it is: KML, KMZ, or a GeoPackage, which is read anew from `file`.
+// Reads a plan's source of any kind: KML, KMZ, or a GeoPackage, which GDAL reads from `file`
+// itself. Throws InputError.
 KmlSource parse_plan(std::string bytes, const std::string& file);
-// Reads KML or KMZ. Throws InputError (file, line) when that is not what it is.
+// Reads KML or KMZ. Throws InputError (file, line) when it is neither.
 KmlSource read_kml(const std::string& file);
 KmlSource parse_kml(std::string bytes, const std::string& file);
 

@@ -49,7 +49,7 @@ std::string xml_text(std::string_view text) {
   return clean;
 }
 
-// Writes elements in the order that the KML 2.2 schema asks for.
+// Writes elements in the order that the KML 2.2 schema requires.
 class Writer {
  public:
   std::string document(const KmlDocument& document) {
@@ -72,7 +72,8 @@ class Writer {
   }
 
  private:
-  // Things that a reader looks for begin a line; blanks before all else were half of an overlay.
+  // Only elements that people look for begin a line: indentation of all others took up half of an
+  // overlay file.
   void open(const char* name) {
     constexpr std::array<std::string_view, 6> of_a_line{"Document", "Folder", "Placemark",
                                                         "Style",    "Schema", "SimpleField"};
@@ -91,7 +92,7 @@ class Writer {
     if (!text.empty()) element(name, text);
   }
 
-  // A table of HTML stays readable, and a third shorter, between the marks of CDATA.
+  // HTML is written as CDATA, which keeps a table readable and a third shorter.
   void description(const std::string& text) {
     const bool is_html = text.starts_with('<') && text.find("]]>") == std::string::npos;
     if (!is_html) return optional_element("description", text);

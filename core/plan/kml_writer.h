@@ -21,7 +21,7 @@ struct KmlSchema {
   std::string id;
   std::string name;
   std::vector<KmlField> fields;
-  std::vector<KmlField> array_fields = {};  // of tracks: one value a time
+  std::vector<KmlField> array_fields = {};  // of tracks: one value per moment
 };
 
 // Colours are eight hexadecimal digits: alpha, blue, green, red ("ff0000ff" is opaque red).
@@ -33,26 +33,26 @@ struct KmlStyle {
   double icon_scale = 1;
   std::string icon_href;  // "": the viewer's own icon
   double label_scale = 1;
-  std::string balloon_text;  // HTML; $[schema/field] stands for a value; "": the viewer's own
+  std::string balloon_text;  // HTML; $[schema/field] stands for a value; "": viewer's own
 };
 
 enum class KmlGeometryKind { none, point, line, polygon };
 
 struct KmlGeometry {
   KmlGeometryKind kind = KmlGeometryKind::none;
-  // One for a point, two or more for a line; of a polygon three or more corners, each once.
+  // One for a point, two or more for a line, three or more corners for a polygon, each once.
   std::vector<Geodetic> points;
-  // false: the points' heights count, above the reference surface (KML "absolute").
+  // false: the points' heights are written, above the reference surface (KML "absolute").
   bool clamp_to_ground = true;
-  // Corners of a polygon's holes, as those of its outline.
+  // Corners of a polygon's holes, each once.
   std::vector<std::vector<Geodetic>> holes = {};
 };
 
-// Places in the order of time; a viewer moves an icon along them.
+// Places in order of time, along which a viewer moves an icon.
 struct KmlTrack {
   std::vector<std::string> when_utc;  // ISO 8601
-  std::vector<Geodetic> points;       // as many, on the ground
-  // Names of the schema's array fields; as many texts each.
+  std::vector<Geodetic> points;       // one per moment, on the ground
+  // Names of the schema's array fields, each with one text per moment.
   std::vector<std::pair<std::string, std::vector<std::string>>> arrays;
 };
 
@@ -65,8 +65,8 @@ struct KmlPlacemark {
   std::string end_utc;
   std::optional<double> icon_heading_deg;  // clockwise from north
   KmlGeometry geometry;
-  KmlTrack track;         // in place of a geometry, when it has points
-  std::string schema_id;  // of a schema of the document; "": no data
+  KmlTrack track;         // replaces the geometry when it has points
+  std::string schema_id;  // a schema of the document; "": no data
   std::vector<std::pair<std::string, std::string>> data;  // field name, text
 };
 
@@ -77,7 +77,7 @@ struct KmlFolder {
   std::vector<KmlFolder> folders;
 };
 
-// Where a viewer looks when it opens the document, from above.
+// View from above that a viewer shows when it opens the document.
 struct KmlLookAt {
   Geodetic place;
   double range_m = 1000;
@@ -94,7 +94,7 @@ struct KmlDocument {
   std::vector<KmlPlacemark> placemarks;
 };
 
-// As Google Earth calls the bodies that it has; it needs no word for the Earth.
+// Google Earth's name of a body; "" for the Earth.
 std::string target_of(const Body& body);
 
 // The document as UTF-8 text. Characters that XML cannot hold become U+FFFD.
@@ -104,10 +104,10 @@ struct PackedFile {
   std::string name;  // in the archive, with its folders: "icons/arrow.png"
   std::string bytes;
 };
-// A KMZ archive of the document and what it refers to. Throws std::runtime_error when memory runs
-// out.
+// Packs a KMZ archive of the document and the files it refers to. Throws std::runtime_error when
+// memory runs out.
 std::string pack_kmz(const std::string& kml, const std::vector<PackedFile>& others = {});
-// An archive; the same bytes each time.
+// Packs an archive. Equal files give equal bytes.
 std::string pack_zip(const std::vector<PackedFile>& files);
 
 }  // namespace lsos

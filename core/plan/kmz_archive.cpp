@@ -30,7 +30,7 @@ ZipHandle open_archive(const std::string& bytes, const std::string& file) {
   return ZipHandle(archive);
 }
 
-// What macOS adds to archives: no file of the user's.
+// Whether macOS added the file to the archive; such files are not the user's.
 bool is_of_finder(std::string_view name) {
   const std::size_t slash = name.rfind('/');
   return name.starts_with("__MACOSX/") ||
@@ -43,7 +43,7 @@ std::string in_lower_case(std::string text) {
   return text;
 }
 
-// "a%20b" as "a b".
+// Decodes percent escapes: "a%20b" becomes "a b".
 std::string without_escapes(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {

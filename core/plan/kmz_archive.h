@@ -1,4 +1,4 @@
-// The KML documents inside a KMZ archive.
+// Reads the KML documents inside a KMZ archive.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,19 @@ bool is_zip(std::string_view bytes);
 
 class KmzArchive {
  public:
-  // `bytes` must outlive it. Throws InputError where they are no archive.
+  // `bytes` must outlive the archive. Throws InputError when they are not an archive.
   KmzArchive(const std::string& bytes, std::string file, std::size_t max_bytes = max_kml_bytes);
 
-  // doc.kml, as the KMZ convention has it, else the first file in the archive that ends in .kml.
-  // Throws InputError when there is none.
+  // Name of the main document: doc.kml by KMZ convention, else the first file in the archive that
+  // ends in .kml. Throws InputError when there is none.
   std::string document_name() const;
-  // The KML file of the archive that a link in one of its documents leads to; "" when it leads to
-  // none of them.
+  // Name of the KML file in the archive to which `href` in `document` leads; "" when it leads to
+  // none.
   std::string resolved(const std::string& href, const std::string& document) const;
-  // For messages: "plan.kmz/doc.kml".
+  // Path for messages: "plan.kmz/doc.kml".
   std::string path(const std::string& name) const { return file_ + "/" + name; }
-  // Throws InputError when it is damaged, or when all that was unpacked is above the limit.
+  // Bytes of a file in the archive. Throws InputError when it is damaged, or when the bytes
+  // unpacked so far exceed the limit in total.
   std::string unpacked(const std::string& name);
 
  private:

@@ -1,4 +1,4 @@
-// Files packed into an archive, as KMZ and QGZ are.
+// Packs files into a zip archive, the format of KMZ and QGZ.
 #include <stdexcept>
 
 #include "plan/kml_writer.h"
@@ -20,7 +20,7 @@ std::string pack_zip(const std::vector<PackedFile>& files) {
   zip_error_init(&error);
   const ZipSource packed(zip_source_buffer_create(nullptr, 0, 0, &error));
   if (!packed) fail(&error);
-  zip_source_keep(packed.get());  // the archive lets go of its own
+  zip_source_keep(packed.get());  // the archive frees its own reference
   ZipHandle archive(zip_open_from_source(packed.get(), ZIP_TRUNCATE, &error));
   if (!archive) fail(&error);
   for (const auto& [name, bytes] : files) {
@@ -29,7 +29,7 @@ std::string pack_zip(const std::vector<PackedFile>& files) {
         source == nullptr ? -1
                           : zip_file_add(archive.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
     if (index < 0 && source != nullptr) zip_source_free(source);
-    // The same document gives the same bytes at any time: all are of 1 January 1980.
+    // All files are dated 1 January 1980, so that equal documents give equal bytes at any time.
     constexpr zip_uint16_t first_day = 0x21;
     if (index < 0 || zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0,
                                           first_day, 0) != 0) {

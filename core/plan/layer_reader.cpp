@@ -25,7 +25,7 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-// Tables that QGIS keeps its own things in.
+// Whether QGIS stores data of its own in the table.
 bool is_of_qgis(std::string_view layer) {
   return layer == "layer_styles" || layer == "qgis_projects";
 }
@@ -36,14 +36,14 @@ bool is_name(std::string name) {
   return name == "name";
 }
 
-// "2026-07-01T06:00:00.5Z"; a time without a zone is UTC, as in a plan's own texts.
+// ISO 8601, "2026-07-01T06:00:00.500Z". A time without a zone is UTC, as in texts of a plan.
 std::string date_text(const OGRFeature& feature, int field, bool has_time) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, zone = 0;
   float second = 0;
   feature.GetFieldAsDateTime(field, &year, &month, &day, &hour, &minute, &second, &zone);
   std::string date = fmt::format("{:04}-{:02}-{:02}", year, month, day);
   if (!has_time) return date;
-  constexpr int utc = 100;  // zones are counted in quarters of an hour from it, 0 and 1: unknown
+  constexpr int utc = 100;  // zones count quarters of an hour from here; 0 and 1: unknown
   const int offset_min = zone > 1 ? (zone - utc) * 15 : 0;
   const std::string offset =
       offset_min == 0 ? "Z"
@@ -68,7 +68,7 @@ std::string text_of(const OGRFeature& feature, int field) {
   }
 }
 
-// Turns the coordinates of one layer into degrees.
+// Converts the coordinates of one layer to degrees.
 class LayerPlaces {
  public:
   LayerPlaces(const OGRSpatialReference* crs, const std::string& layer) {
@@ -79,11 +79,11 @@ class LayerPlaces {
     is_geographic_ = east_first.IsGeographic() != 0;
   }
 
-  // "" without a CRS: then its numbers are degrees.
+  // Name of the body; "" without a CRS: the coordinates then are degrees.
   std::string body() const { return map_ ? map_->body.name : ""; }
   bool is_geographic() const { return is_geographic_; }
 
-  // "lon,lat"; as written where the map knows no such place, which is told when it is read.
+  // "lon,lat"; as written when the map has no such place, which is reported when the text is read.
   std::string text(double x, double y) const {
     const std::optional<Geodetic> place = map_ ? map_->map.place({x, y}) : std::nullopt;
     if (!place) return fmt::format("{},{}", x, y);
@@ -91,14 +91,14 @@ class LayerPlaces {
   }
 
  private:
-  // To a tenth of a millimetre: what PROJ adds to the numbers of a map is no part of the plan.
+  // Rounds to 1e-9 degrees, a tenth of a millimetre: PROJ's rounding errors do not enter the plan.
   static double rounded(double angle_deg) { return std::round(angle_deg * 1e9) / 1e9 + 0.0; }
 
   struct Map {
     MapBody body;
     RasterMap map;
 
-    // Columns and rows are the map's own coordinates.
+    // The geotransform makes columns and rows equal the map's coordinates.
     Map(const OGRSpatialReference& crs, const RasterName& name)
         : body(body_of(crs, name)), map(crs, {-0.5, 1, 0, -0.5, 0, 1}, 1, body.body, name) {}
   };
@@ -138,7 +138,7 @@ SourceGeometry geometry_of(const OGRGeometry& geometry, const LayerPlaces& place
     case wkbMultiLineString:
     case wkbMultiPolygon:
     case wkbGeometryCollection: {
-      // Empty parts are none.
+      // Empty parts do not count.
       const OGRGeometryCollection& several = *geometry.toGeometryCollection();
       const OGRGeometry* only = nullptr;
       int parts = 0;
@@ -188,7 +188,8 @@ KmlSource read_layers(const std::string& file) {
   const GdalSilence silence;
   GDALAllRegister();
   const char* const drivers[] = {"GPKG", nullptr};
-  // GDAL opens the file itself, not its bytes: while QGIS has it open the last edits lie beside it.
+  // GDAL opens the file itself, not its bytes: while QGIS has it open, the last edits are in a
+  // separate file beside it.
   const Dataset dataset(
       GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
   if (dataset == nullptr) {

@@ -1,5 +1,5 @@
-// Plans drawn as layers of a GIS: a GeoPackage whose layers are named as kinds of things, or have a
-// column Type; columns are fields.
+// Reads plans drawn as layers of a GIS: a GeoPackage whose layers are named after event types,
+// MissionInfo, Rover or Asset, or have a column Type. Columns are fields.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ namespace lsos {
 
 bool is_geopackage(std::string_view bytes);
 
-// The features of all layers, as Placemarks that lie in a folder of the layer's name; the line of
-// each is its fid. Places in any CRS are turned into degrees on its body. Throws InputError when it
-// cannot be opened or a layer's CRS cannot be used.
+// Reads the features of all layers as Placemarks in a folder with the layer's name; the line of
+// each is its fid. Places in any CRS are converted to degrees on its body. Throws InputError when
+// the file cannot be opened or a layer's CRS cannot be used.
 KmlSource read_layers(const std::string& file);
 
 }  // namespace lsos

@@ -35,7 +35,7 @@ OGRwkbGeometryType geometry_type(GeometryKind kind) {
   return wkbNone;
 }
 
-// Numbers with units stay texts; see the contract of a plan's Schemas.
+// Numbers with units are stored as texts, as a plan's Schemas require.
 bool add_column(OGRLayer& layer, const FieldDeclaration& field) {
   OGRFieldDefn column(field.name.c_str(), field.kind == FieldKind::integer   ? OFTInteger64
                                           : field.kind == FieldKind::boolean ? OFTInteger
@@ -106,7 +106,7 @@ void write_form_layers(const std::string& file, const Body& body,
   }
   dataset->FlushCache(false);
   for (const FormLayer& layer : layers) add_style(*dataset, layer);
-  // The name under which GIS tools look it up: PROJ's, with the year.
+  // GIS tools look the CRS up under PROJ's name of the authority, which has the year.
   run_sql(*dataset,
           "UPDATE gpkg_spatial_ref_sys SET definition = replace(definition, "
           "'AUTHORITY[\"IAU\"', 'AUTHORITY[\"IAU_2015\"')");

@@ -1,4 +1,4 @@
-// An empty plan as a GeoPackage: a layer for each kind of thing, with styles for QGIS.
+// Writes an empty plan as a GeoPackage: one layer for each kind of Placemark, with styles for QGIS.
 #pragma once
 
 #include <string>
@@ -11,20 +11,20 @@ namespace lsos {
 
 struct FormField {
   FieldDeclaration declaration;
-  std::string initial;               // what a new feature has; "": nothing
-  std::vector<std::string> choices;  // what it may be; empty: any text
+  std::string initial;               // value in a new feature; "": none
+  std::vector<std::string> choices;  // allowed values; empty: any text
 };
 
-// One layer: the features of a NAME.
+// One layer, whose features are Placemarks of that name.
 struct FormLayer {
   std::string name, doc;
   GeometryKind geometry = GeometryKind::none;
   std::vector<FormField> fields;
-  bool has_first_row = false;  // with the initial values
-  std::string style = {};      // under which QGIS opens it
+  bool has_first_row = false;  // a first feature with the initial values is written
+  std::string style = {};      // QGIS style of the layer
 };
 
-// Throws InputError when it cannot be written, or is there.
+// Throws InputError when the file exists or cannot be written.
 void write_form_layers(const std::string& file, const Body& body,
                        const std::vector<FormLayer>& layers);
 

@@ -1,4 +1,4 @@
-// What XML allows but the parser here does not read, found before it tries.
+// Refuses XML that is allowed but that the parser cannot read, before parsing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,22 +10,22 @@ namespace lsos {
 
 namespace {
 
-// The parser compares each attribute of a tag with all before it: 200,000 of them, in a file of two
-// megabytes, take minutes. KML's richest tags have a dozen.
+// Greatest number of attributes of a tag. The parser compares each attribute with all before it:
+// 200,000 of them, in a file of two megabytes, take minutes. KML's richest tags have a dozen.
 constexpr int most_attributes = 1000;
 
 int line_of(std::string_view text, std::size_t at) {
   return 1 + static_cast<int>(std::ranges::count(text.substr(0, at), '\n'));
 }
 
-// The first place after `ending`, or the end of the text.
+// The position just after `ending`, or the end of the text.
 std::size_t behind(std::string_view text, std::size_t from, std::string_view ending) {
   const std::size_t found = text.find(ending, from);
   return found == std::string_view::npos ? text.size() : found + ending.size();
 }
 
 struct Tag {
-  std::size_t end = 0;  // behind its '>', or the end of the text
+  std::size_t end = 0;  // position after its '>', or the end of the text
   int attributes = 0;
 };
 
@@ -34,7 +34,7 @@ Tag tag_at(std::string_view text, std::size_t at) {
   char quote = 0;
   for (tag.end = at + 1; tag.end < text.size(); ++tag.end) {
     const char c = text[tag.end];
-    if (c == '<') break;  // not allowed in a tag: a quote before it was never closed
+    if (c == '<') break;  // not allowed in a tag: a quote before it is not closed
     if (quote != 0) {
       if (c == quote) quote = 0;
     } else if (c == '"' || c == '\'') {

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whole exchanges, or nothing when `interval_s` is not a multiple.
+// The interval, if it is a multiple of the exchange period.
 std::optional<SimTime> whole_exchanges(double interval_s) {
   const double exchanges = interval_s / seconds(exchange_period);
   const double nearest = std::round(exchanges);
@@ -33,7 +33,7 @@ std::optional<SimTime> read_interval(FieldReader& fields, const FieldValues& val
   return interval;
 }
 
-// `field`: Terrain or TerrainBeyond.
+// Resolves the text of `field`, Terrain or TerrainBeyond: a terrain script, else a raster.
 TerrainName read_terrain(FieldReader& fields, const std::string& field, const std::string& text,
                          const ReadContext& context) {
   TerrainName terrain{text, false, text};
@@ -47,7 +47,7 @@ TerrainName read_terrain(FieldReader& fields, const std::string& field, const st
   }
   const std::string path = path_beside(fs::path(context.plan_file).parent_path().string(), text);
   std::error_code error;
-  // GDAL's virtual file systems: a raster inside an archive. GDAL says whether it is there.
+  // Paths in GDAL's virtual file systems name rasters inside archives; GDAL checks that they exist.
   if (text.starts_with("/vsi") || fs::is_regular_file(path, error)) {
     terrain.name = path;
     terrain.is_raster = true;

@@ -1,5 +1,5 @@
-// A mission plan as values: what the Placemarks of a KML document say, checked, in SI, and each
-// with the line it came from.
+// A mission plan as values: the contents of a KML document's Placemarks, checked, in SI, each with
+// the line it came from.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,11 @@
 
 namespace lsos {
 
-// What a plan says of a terrain.
+// A terrain as a plan names it.
 struct TerrainName {
-  std::string name;  // of a terrain script, or path of a raster (resolved); "": not said
+  std::string name;  // of a terrain script, or path of a raster (resolved); "": not given
   bool is_raster = false;
-  std::string as_written;  // what the plan says; hashed in place of a resolved path
+  std::string as_written;  // text of the plan; hashed instead of the resolved path
 
   const std::string& hashed() const { return is_raster ? as_written : name; }
 };
@@ -31,29 +31,29 @@ struct MissionInfo {
   const Body* planet = nullptr;
   Instant start_time;
   TerrainName terrain;
-  TerrainName terrain_beyond;  // the ground where the terrain ends
+  TerrainName terrain_beyond;  // the ground beyond the edges of `terrain`
   std::uint64_t seed = 0;
   SimTime log_interval{2'000'000};
   SimTime parked_log_interval{60'000'000};
   SimTime max_duration{366LL * 86400 * 1'000'000};
-  bool has_max_duration = false;  // the plan says it; else default_max_duration() does
+  bool has_max_duration = false;  // given in the plan; false: default_max_duration() gives it
 };
 
 struct PlanRover {
   Place place;
   std::string id;
   std::string type;                   // script in rovers/
-  std::string configuration;          // "" = the type's own
-  std::string variant;                // changes to the type's numbers, as written; "" = none
+  std::string configuration;          // "": the type's default
+  std::string variant;                // changes to the type's numbers, as written; "": none
   Geodetic start;                     // height 0: rovers stand on the ground
   std::optional<double> heading_rad;  // clockwise from true north
   double initial_charge = 1;
 
-  // What its numbers are known by: its type, with its changes to them.
+  // Name of the rover's set of numbers: its type, with the changes to them.
   std::string model() const { return variant.empty() ? type : type + " with " + variant; }
 };
 
-// A thing that stands on the ground and is no rover: a habitat, a comm station.
+// An object that stands on the ground and is not a rover: a habitat, a comm station.
 struct PlanAsset {
   Place place;
   std::string id;
@@ -64,8 +64,8 @@ struct PlanAsset {
 
 struct PlanGeometry {
   GeometryKind kind = GeometryKind::none;
-  std::vector<Geodetic> points;  // one for a Point; of a Polygon each corner of its outline once
-  // The holes of a Polygon, each corner once. They lie inside the outline, apart from it and from
+  std::vector<Geodetic> points;  // one for a Point; for a Polygon its outline, each corner once
+  // The holes of a Polygon, each corner once. They lie inside the outline and touch neither it nor
   // each other.
   std::vector<std::vector<Geodetic>> holes = {};
   int line = 0;
@@ -81,8 +81,8 @@ struct PlanEvent {
   std::string rover_id;
   std::int64_t sequence = 0;
   PlanGeometry geometry;
-  std::map<std::string, FieldValue> params;  // by script key; optional absent ones are left out
-  bool has_all_params = true;                // false: faults keep some from being read
+  std::map<std::string, FieldValue> params;  // by script key; without absent optional ones
+  bool has_all_params = true;                // false: some could not be read, because of faults
 
   bool is_enabled = true;
   std::optional<Instant> start_time;
@@ -92,7 +92,7 @@ struct PlanEvent {
     auto operator<=>(const Reference&) const = default;
   };
   std::vector<Reference> start_after;
-  // A Lua expression over logged quantities, as written; "": none.
+  // A Lua expression over logged quantities, as written; its text is "" when there is none.
   struct Condition {
     std::string text;
     int line = 0;
@@ -103,13 +103,13 @@ struct PlanEvent {
   std::int64_t go_to_sequence = 0;  // with OnFailure::go_to
 };
 
-// What faults of a plan leave open. Of that nothing is told which may only follow from them.
+// What the faults of a plan leave open. Faults that may merely follow from these are not reported.
 struct PlanGaps {
   bool start_time = false;                // MissionInfo's
-  bool rover_ids = false;                 // a rover has none that can be read
-  bool asset_ids = false;                 // the same of an asset
+  bool rover_ids = false;                 // the id of a rover cannot be read
+  bool asset_ids = false;                 // the id of an asset cannot be read
   std::set<std::string> unread_ids;       // of rovers and assets whose Placemark cannot be read
-  std::set<std::string> unplaced_rovers;  // by id: their Point cannot be read
+  std::set<std::string> unplaced_rovers;  // ids of rovers whose Point cannot be read
 
   bool has_ids() const { return rover_ids || asset_ids; }
 };
@@ -118,29 +118,31 @@ struct Plan {
   std::string file;
   MissionInfo mission;
   std::vector<PlanRover> rovers;      // in byte order of id
-  std::vector<PlanEvent> events;      // by rover id, then sequence
+  std::vector<PlanEvent> events;      // sorted by rover id, then sequence
   std::vector<PlanAsset> assets;      // in byte order of id
-  int decoration_count = 0;           // Placemarks that are not ours
-  std::vector<std::string> defaults;  // "Route 'leg 2': Speed = 1 m/s", what was filled in
+  int decoration_count = 0;           // Placemarks that do not belong to the plan
+  std::vector<std::string> defaults;  // values filled in: "Route 'leg 2': Speed = 1 m/s"
   PlanGaps gaps;
 
-  // SHA-256 of all that the plan says, in a fixed order, without file name and lines.
+  // SHA-256 of the plan's contents in a fixed order, without file name and lines.
   std::string hash() const;
 };
 
 // The rover with that id; nullptr when there is none, or more than one.
 const PlanRover* rover_of(const Plan& plan, const std::string& rover_id);
 
-// Reads and checks a KML or KMZ file against what there is. All faults are collected in `faults`
-// (warnings too); the plan is complete only when it has no errors, else `gaps` say what is not.
+// Reads a KML, KMZ or GeoPackage file and checks it against the declarations. All faults are
+// collected in `faults`, warnings too. The plan is complete only when there are no errors;
+// otherwise `gaps` says what is open.
 Plan read_plan(const std::string& file, const Declarations& declarations, Faults& faults);
 
 struct KmlSource;
 struct SourcePlacemark;
-// The same of Placemarks that come from elsewhere. `file`: what relative paths are relative to.
+// Reads a plan from Placemarks of another source. Paths in it are relative to the folder of `file`.
 Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,
                Faults& faults);
-// One more event for a plan, to which its references may point. Throws InputError.
+// Reads one more event for a plan; its references may point to events of the plan. Throws
+// InputError.
 PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
                      const Declarations& declarations);
 

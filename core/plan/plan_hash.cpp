@@ -1,5 +1,5 @@
-// The digest of what a plan says. Each value is written with its name and length, so that no two
-// plans give one text; numbers are written exactly.
+// Computes the digest of a plan's contents. Each value is written with its name and length, so that
+// no two different plans give the same text; numbers are written exactly.
 #include <fmt/format.h>
 
 #include "base/sha256.h"
@@ -51,7 +51,7 @@ void add_mission(Digest& digest, const MissionInfo& mission) {
   digest.integer("seed", static_cast<std::int64_t>(mission.seed));
   digest.integer("log_interval", mission.log_interval.count());
   digest.integer("parked_log_interval", mission.parked_log_interval.count());
-  // The default goes by scripts too, which the plan's hash knows nothing of.
+  // The default depends on scripts too, which the plan's hash does not cover.
   if (mission.has_max_duration) digest.integer("max_duration", mission.max_duration.count());
 }
 

@@ -28,7 +28,7 @@ constexpr const char* is_not_read =
     "is not read: a plan is one KML document, or a KMZ archive that holds what its document links "
     "to";
 
-// Base maps and the like are decoration.
+// Whether a link may lead to a part of the plan; base maps and other images are decoration.
 bool may_be_of_the_plan(const std::string& href) {
   std::string name = href.substr(0, href.find_first_of("#?"));
   std::ranges::transform(name, name.begin(),
@@ -44,8 +44,8 @@ void warn_of_links(const KmlSource& source, Faults& faults) {
   }
 }
 
-// Layers on another body than the mission's. Degrees are degrees: GIS tools give a layer of a KML,
-// or one that was drawn without a thought, the Earth's.
+// Reports layers whose CRS is of another body than the mission's. A geographic CRS is only a
+// warning, because its degrees are usable: GIS tools use the Earth's by default, also for KML.
 void check_layers(const KmlSource& source, const MissionInfo& mission, Faults& faults) {
   if (mission.planet == nullptr) return;
   for (const KmlSource::Layer& layer : source.layers) {
@@ -66,7 +66,7 @@ void check_layers(const KmlSource& source, const MissionInfo& mission, Faults& f
   }
 }
 
-// Any map that is no plan: one answer instead of a list of all that it lacks.
+// Message for a map that is no plan: one statement replaces a list of all that it lacks.
 std::string no_plan(int count, const KmlSource& source) {
   if (!source.layers.empty()) {
     return fmt::format(
@@ -110,7 +110,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
 
   const ReadContext context{file, source.file, declarations, faults};
   Unread unread = read_unread(ours.unread, context, plan.gaps);
-  // What cannot be read is there all the same.
+  // A MissionInfo or a Rover that cannot be read is present all the same: it is not missing.
   if (ours.missions.empty() && unread.has_mission) {
     plan.gaps.start_time = true;
   } else {

@@ -10,8 +10,8 @@ namespace lsos {
 
 namespace {
 
-// Corners on the plane that touches the unit sphere at a place, seen from infinity: in lon and lat
-// alone neither the antimeridian nor a pole could lie in a polygon.
+// Orthographic projection of the corners onto the plane that touches the unit sphere at `about`.
+// In longitude and latitude, a polygon could contain neither a pole nor the antimeridian.
 Ring on_plane(const std::vector<Geodetic>& corners, const Geodetic& about) {
   Ring ring;
   for (const Geodetic& corner : corners) {

@@ -18,7 +18,7 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 using Parts =
-    std::pair<std::string, std::string>;  // of a reference; `anything` for what is unknown
+    std::pair<std::string, std::string>;  // of a reference; `anything`: that part is unknown
 constexpr const char* anything = "*";
 
 // goto names one event, so a comma needs no escape there; one that has it is understood.
@@ -35,7 +35,8 @@ std::string escaped(const std::string& label) {
   return text;
 }
 
-// As split_references gives the parts of a label whose commas are not escaped, joined again.
+// The parts into which split_references() splits a label whose commas are not escaped, joined again
+// by commas.
 std::string joined_parts(const std::string& label) {
   std::string joined;
   for (const std::string& part : split_references(label)) {
@@ -69,7 +70,7 @@ class Resolver {
   }
 
  private:
-  // All events that the reference can mean: by label, and as ROVER/SEQUENCE.
+  // All events that the reference can mean, as a label or as ROVER/SEQUENCE.
   Indices meanings(const std::string& reference) const {
     Indices found;
     const auto labelled = by_label_.find(reference);
@@ -94,7 +95,8 @@ class Resolver {
     return std::ranges::all_of(events, [&](std::size_t i) { return drafts_[i].is_placed; });
   }
 
-  // Whether it may be an event whose rover or Sequence cannot be read, and with it its label.
+  // Whether the reference may mean an event whose rover or Sequence, and with it the default label,
+  // cannot be read.
   bool may_be_unplaced(const std::string& reference) const {
     const auto is_in = [&](const std::set<Parts>& known, char between) {
       const std::size_t at = reference.rfind(between);
@@ -128,7 +130,8 @@ class Resolver {
         fmt::format("{}: {} = {}: {}", draft.subject, field.name, shown(field.text), what));
   }
 
-  // Where the parts from `first` on are one label that has commas, says so; answers how many.
+  // Reports parts from `first` on that together are one label with commas; returns their number, or
+  // 0 when they are none.
   std::size_t report_label_with_commas(const DraftEvent& draft,
                                        const std::vector<std::string>& parts, std::size_t first) {
     std::string joined = parts[first];
@@ -163,7 +166,7 @@ class Resolver {
         error(draft, *draft.start_after,
               fmt::format("there is no event {}{}", shown(reference), suggestions_(reference)));
       } else if (found.size() > 1) {
-        // Of two with one Sequence that has been told.
+        // Two events with the same Sequence have been reported already.
         if (!are_placed(found)) continue;
         error(draft, *draft.start_after,
               fmt::format("{} can be {}; ROVER/SEQUENCE says which", shown(reference),
@@ -235,9 +238,9 @@ class Resolver {
   std::vector<DraftEvent>& drafts_;
   Faults& faults_;
   std::set<Parts> unplaced_;         // rover and Sequence
-  std::set<Parts> unplaced_labels_;  // type and Sequence, of those without a name
+  std::set<Parts> unplaced_labels_;  // type and Sequence, of events without a name
   std::map<std::string, Indices> by_label_;
-  std::map<std::string, std::string> labels_with_commas_;  // by what an unescaped one is read as
+  std::map<std::string, std::string> labels_with_commas_;  // by joined_parts() of the label
   std::map<std::pair<std::string, std::int64_t>, Indices> by_identity_;
   Suggestions suggestions_;
 };

@@ -11,7 +11,7 @@ namespace lsos {
 
 namespace {
 
-// Rovers and assets share one set of ids, and pairs of the log call the home planet "Earth".
+// Rovers and assets share one set of ids. "Earth" is reserved for the planet in the log's pairs.
 void check_id(FieldReader& fields, const std::string& field_name, const std::string& id,
               IdPlaces& ids) {
   if (id == "Earth") fields.error(field_name, "this name stands for the planet in the log");
@@ -34,7 +34,7 @@ std::vector<std::string> type_names(const Declarations& declarations, bool is_as
   return names;
 }
 
-// nullptr, and a fault, when there is no such type of rover or asset.
+// The type of rover or asset of that name. When there is none, reports a fault and returns nullptr.
 const Declarations::RoverType* find_type(FieldReader& fields, const std::string& field_name,
                                          const std::string& name, bool wants_asset,
                                          const Declarations& declarations) {

@@ -31,7 +31,7 @@ bool is_number(std::string_view text) {
 
 using FieldTypes = std::map<std::pair<std::string, std::string>, const SourceSchema::Field*>;
 
-// The fields of one file that are typed as numbers, by the schema's id and the field's name.
+// The fields that one file types as numbers, by the schema's id and the field's name.
 FieldTypes number_fields(const KmlSource& source, const std::string& file) {
   FieldTypes found;
   for (const SourceSchema& schema : source.schemas) {

@@ -1,4 +1,4 @@
-// Points of events that do not drive, against where the rover is then expected.
+// Compares the Points of events that do not drive with the places where the rover is then expected.
 #include <fmt/format.h>
 
 #include "plan/expected_places.h"

@@ -28,7 +28,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::string line_text(const Place& place, const std::string& file) {
-  // A feature of a layer has a number, no line.
+  // A feature of a layer has a number instead of a line.
   if (place.file.find(".gpkg/") != std::string::npos) {
     return fmt::format("{}:{}", place.file, place.line);
   }
@@ -42,7 +42,7 @@ std::string quoted(const std::string& text) {
   for (char& c : line) {
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   }
-  // A cut must not leave part of a UTF-8 character: its last byte goes with those that follow it.
+  // A cut must not leave part of a UTF-8 character, so the bytes of an incomplete one are removed.
   if (line.size() < text.size() && (text[line.size()] & 0xc0) == 0x80) {
     while (!line.empty() && (line.back() & 0xc0) == 0x80) line.pop_back();
     if (!line.empty()) line.pop_back();

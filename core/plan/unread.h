@@ -1,4 +1,5 @@
-// Placemarks that are meant to be ours but whose type cannot be read: what others may say of them.
+// Placemarks that are meant to be ours but whose type cannot be read. Other Placemarks may still
+// refer to their ids.
 #pragma once
 
 #include <string>
@@ -14,7 +15,8 @@ struct Unread {
   std::vector<DraftEvent> events;  // with is_read = false
 };
 
-// By the fields that each has. Ids that are missing go to `gaps`, and those that are there.
+// Guesses the kind of each Placemark from its fields. The id of a rover or an asset, or the fact
+// that it has none, is entered into `gaps`.
 Unread read_unread(const std::vector<OurPlacemark>& unread, const ReadContext& context,
                    PlanGaps& gaps);
 

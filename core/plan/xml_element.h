@@ -1,4 +1,4 @@
-// Elements of an XML document, read whatever prefixes it uses.
+// Reads elements of an XML document regardless of namespace prefixes.
 #pragma once
 
 #include <tinyxml2.h>
@@ -8,8 +8,8 @@
 
 namespace lsos {
 
-// "Placemark" of "kml:Placemark". Documents choose their prefixes freely, and no two elements that
-// are looked for differ in their prefix alone.
+// Name without prefix: "Placemark" for "kml:Placemark". Documents choose their prefixes freely, and
+// no two elements that are read here differ in their prefix alone.
 std::string_view local_name(const tinyxml2::XMLElement& element);
 
 struct LinedText {
@@ -20,10 +20,10 @@ struct LinedText {
 // Text and CDATA directly in `element`, trimmed, with the line of its first character.
 LinedText text_of(const tinyxml2::XMLElement& element);
 
-// Trimmed; "" when there is none.
+// Value of an attribute, trimmed; "" when there is none.
 std::string attribute(const tinyxml2::XMLElement& element, const char* name);
 
-// The first of that name; nullptr when there is none.
+// The first child element of that name; nullptr when there is none.
 const tinyxml2::XMLElement* child(const tinyxml2::XMLElement& parent, std::string_view name);
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// Handles of libzip that close themselves.
+// Owning handles of libzip, which close in their destructors.
 #pragma once
 
 #include <zip.h>
@@ -22,7 +22,8 @@ using ZipSource = std::unique_ptr<zip_source_t, FreeSource>;
 using ZipHandle = std::unique_ptr<zip_t, CloseArchive>;
 using ZipEntry = std::unique_ptr<zip_file_t, CloseEntry>;
 
-// "Not a zip archive" as the middle of a sentence; "CRC error" stays.
+// Message of an error for the middle of a sentence: "Not a zip archive" begins in lower case, "CRC
+// error" does not.
 inline std::string message(zip_error_t* error) {
   std::string text = zip_error_strerror(error);
   if (text.size() > 1 && std::islower(static_cast<unsigned char>(text[1]))) {

@@ -140,7 +140,7 @@ Geodetic geodetic(const Body& body, const Vec3& p) {
     place.height_m = p.norm() - body.equatorial_radius_m;
     return place;
   }
-  Vec3 copy = p;  // ERFA takes arrays that it promises not to write, without const
+  Vec3 copy = p;  // ERFA takes non-const arrays that it does not write
   const int status = eraGc2gde(body.equatorial_radius_m, body.flattening, copy.data(),
                                &place.lon_rad, &place.lat_rad, &place.height_m);
   LSOS_ASSERT(status == 0);
@@ -151,7 +151,7 @@ double surface_distance_m(const Body& body, const Geodetic& a, const Geodetic& b
   if (body.flattening != 0) return geodesic_m(body, a, b);
   const Vec3 to_a = direction(a.lon_rad, a.lat_rad);
   const Vec3 to_b = direction(b.lon_rad, b.lat_rad);
-  // The tangent form keeps centimetres at small and at antipodal angles.
+  // The arctangent keeps centimetres at small and at antipodal angles.
   return body.equatorial_radius_m * std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
 }
 

@@ -1,4 +1,4 @@
-// The bodies we drive on: size, gravity, and the geographic reference system of their maps.
+// The bodies that rovers drive on: size, gravity, and geographic reference system of their maps.
 #pragma once
 
 #include <span>
@@ -31,7 +31,7 @@ struct Body {
 };
 
 std::span<const Body> all_bodies();
-// nullptr when there is no such body.
+// Returns nullptr when there is no such body.
 const Body* find_body(std::string_view name);
 
 // East-positive longitude (-pi..pi), latitude, height above the reference surface. Planetocentric

@@ -28,10 +28,10 @@ BarycentricState operator-(const BarycentricState& a, const BarycentricState& b)
   return {a.p_I_m - b.p_I_m, a.v_I_mps - b.v_I_mps};
 }
 
-// The sum of a few thousand terms.
+// Evaluates the series, a sum of a few thousand terms, at `days` of TT since J2000.
 BarycentricState series(CelestialBody body, double days) {
   double heliocentric[2][3], barycentric[2][3];
-  // 1: outside 1900..2100, where it goes on with less accuracy.
+  // Status 1: outside 1900..2100, where the series continues with less accuracy.
   LSOS_ASSERT(eraEpv00(ERFA_DJ00, days, heliocentric, barycentric) >= 0);
   BarycentricState earth = state_of(barycentric);
   switch (body) {
@@ -54,8 +54,8 @@ BarycentricState series(CelestialBody body, double days) {
   return earth;
 }
 
-// The series at whole eighths of a day, joined by cubics that have its positions and velocities
-// there: a metre from it, and hundreds of times faster.
+// The series is evaluated at whole eighths of a day and joined by cubics with its positions and
+// velocities there: within metres of it, and hundreds of times faster.
 constexpr int nodes_a_day = 8;
 
 struct Node {

@@ -22,7 +22,7 @@ struct Orientation {
   double meridian_deg = 0;
 };
 
-// Archinal et al. 2011, table 2: a share of each sine or cosine.
+// Archinal et al. 2011, table 2: each term adds its amplitudes times a sine or cosine.
 Orientation moon_orientation(double days) {
   struct Term {
     double argument_deg, argument_degpday;

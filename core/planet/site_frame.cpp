@@ -32,7 +32,7 @@ SiteFrame::SiteFrame(const Body& body, const Geodetic& origin)
       centre_to_site_S_m_(R_FS_.transpose() * p_FS_m_) {
   const double f = body.flattening, h = origin.height_m;
   stretch_ = f * (2 - f) / ((1 - f) * (1 - f));
-  // Exactly, without the rounding of a rotation there and back.
+  // On a sphere the vector is exact, without the rounding of a rotation and its inverse.
   if (f == 0) centre_to_site_S_m_ = {0, 0, body.equatorial_radius_m + h};
   site_gradient_m_ = times_A(centre_to_site_S_m_);
   site_excess_m2_ = h * (2 * site_gradient_m_.z() - h * times_A(Vec3::UnitZ()).z());
@@ -49,9 +49,9 @@ Geodetic SiteFrame::geodetic(const Vec3& p_S_m) const {
 // The foot f of the vertical through p solves p = (1 + tA) f, f'Af = a^2, so that up = Af/|Af| lies
 // along p + s (p axis') axis with 1 + s = (1 + stretch)(1 + t) / (1 + t + t stretch). With
 // tau = (p'Ap - a^2) / 2 p'A^2p, t = (1 - 2 tau)^(-1/2) - 1 on a sphere, which leaves an error of
-// stretch tau^2 in t and of stretch^2 tau^2 in up. The height along up is exact: where
-// (p - h up)'A(p - h up) = a^2. The excess is taken from the origin's, so that no large numbers
-// cancel.
+// stretch tau^2 in t and of stretch^2 tau^2 in up. The height along up is exact: the root of
+// (p - h up)'A(p - h up) = a^2. The excess p'Ap - a^2 is computed from the origin's, so that no
+// large numbers cancel.
 Vertical SiteFrame::vertical(const Vec3& p_S_m) const {
   const Vec3 p_m = p_S_m + centre_to_site_S_m_;
   const Vec3 from_origin_m = times_A(p_S_m);

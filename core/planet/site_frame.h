@@ -15,7 +15,7 @@ struct Vertical {
 
 class SiteFrame {
  public:
-  // Origin on the reference surface at `origin` raised by its height.
+  // Places the origin at `origin`, its height above the reference surface included.
   SiteFrame(const Body& body, const Geodetic& origin);
 
   const Body& body() const { return *body_; }
@@ -24,31 +24,31 @@ class SiteFrame {
   Vec3 p_S_m(const Geodetic& place) const;
   Geodetic geodetic(const Vec3& p_S_m) const;
 
-  // Without trigonometry, and without the digits that a difference of two radii loses, which wheels
-  // would feel. On an ellipsoid exact to 1e-9 rad and 1e-8 m within 10 km of it (1e-7 at 100 km).
+  // Uses no trigonometry and no difference of two radii, whose lost digits wheels would feel. On an
+  // ellipsoid exact to 1e-9 rad and 1e-8 m within 10 km of its surface (1e-7 at 100 km).
   Vertical vertical(const Vec3& p_S_m) const;
   Vec3 up_S(const Vec3& p_S_m) const { return vertical(p_S_m).up_S; }
   double height_m(const Vec3& p_S_m) const { return vertical(p_S_m).height_m; }
-  // Of the latitude that belongs to a vertical.
+  // Sine of the latitude whose vertical is `up_S`.
   double sin_latitude(const Vec3& up_S) const { return up_S.dot(axis_S_); }
 
-  // Local true north and east at p, unit, horizontal there.
+  // Unit vectors to local true north and east at p, horizontal there.
   Vec3 north_S(const Vec3& p_S_m) const;
   Vec3 east_S(const Vec3& p_S_m) const;
 
-  // Gravity at p: along -up_S.
+  // Gravity at p, along -up_S.
   Vec3 gravity_S_mps2(const Vec3& p_S_m) const;
 
   // Body-fixed coordinates and back.
   Vec3 p_F_m(const Vec3& p_S_m) const { return p_FS_m_ + R_FS_ * p_S_m; }
   Vec3 p_S_m_from_fixed(const Vec3& p_F_m) const { return R_FS_.transpose() * (p_F_m - p_FS_m_); }
   const Mat3& R_FS() const { return R_FS_; }
-  const Vec3& axis_S() const { return axis_S_; }  // of rotation, towards north
-  // From the body's centre to the origin.
+  const Vec3& axis_S() const { return axis_S_; }  // unit, axis of rotation, towards north
+  // Vector from the body's centre to the origin.
   const Vec3& centre_to_site_S_m() const { return centre_to_site_S_m_; }
 
  private:
-  // The reference surface is where p'Ap = a^2 with A = 1 + stretch * axis axis', p from the centre.
+  // The reference surface is where p'Ap = a^2 with A = I + stretch * axis axis', p from the centre.
   Vec3 times_A(const Vec3& v_S) const { return v_S + stretch_ * v_S.dot(axis_S_) * axis_S_; }
 
   const Body* body_;
@@ -59,7 +59,7 @@ class SiteFrame {
   double stretch_;
   Vec3 centre_to_site_S_m_;
   Vec3 site_gradient_m_;   // A p at the origin
-  double site_excess_m2_;  // p'Ap - a^2 there
+  double site_excess_m2_;  // p'Ap - a^2 at the origin
 };
 
 }  // namespace lsos

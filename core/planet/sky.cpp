@@ -37,7 +37,7 @@ Sighting sighting(const Body& on, const Vec3& p_F_m, CelestialBody target, Insta
   const Vec3 spin_F_mps = on.rotation_radps * Vec3::UnitZ().cross(p_F_m);
   const Vec3 v_I_mps = centre.v_I_mps + R.transpose() * spin_F_mps;
 
-  // Where the target was when its light left: two rounds leave less than a metre.
+  // Position of the target when its light left; two iterations leave an error of less than a metre.
   Vec3 to_I_m = barycentric_state(target, at).p_I_m - p_I_m;
   for (int round = 0; round < 2; ++round) {
     to_I_m = barycentric_state(target, before(at, to_I_m.norm() / ERFA_CMPS)).p_I_m - p_I_m;
@@ -66,7 +66,7 @@ double covered_share(double disc_rad, double cover_rad, double separation_rad) {
   if (separation_rad <= disc_rad - cover_rad) {
     return cover_rad * cover_rad / (disc_rad * disc_rad);
   }
-  // Two segments of circles, on the flat sky.
+  // The overlap is two circular segments, on a flat sky.
   const double r = disc_rad, c = cover_rad, d = separation_rad;
   const double at_disc = std::acos(std::clamp((d * d + r * r - c * c) / (2 * d * r), -1.0, 1.0));
   const double at_cover = std::acos(std::clamp((d * d + c * c - r * r) / (2 * d * c), -1.0, 1.0));
@@ -118,8 +118,8 @@ Sky sky(const Body& on, const Geodetic& place, Instant at) {
   result.sun = sky_position(on, place, sun.direction_F);
   result.sun_distance_m = sun.distance_m;
   result.sun_disc_rad = sun.disc_rad;
-  // From the centre: the direction is the zenith's of the place that it passes through. On an
-  // ellipsoid that zenith belongs to the latitude of the direction.
+  // Seen from the centre, the Sun's direction is the zenith of the sub-solar place. On an ellipsoid
+  // that zenith belongs to the latitude of the direction.
   const Vec3 from_centre_F = sighting(on, Vec3::Zero(), CelestialBody::sun, at).direction_F;
   result.sub_solar = {std::atan2(from_centre_F.y(), from_centre_F.x()),
                       std::asin(std::clamp(from_centre_F.z(), -1.0, 1.0)), 0};

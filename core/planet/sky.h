@@ -1,4 +1,4 @@
-// What is seen in the sky of a place: Sun and Earth, where, how large, how far.
+// Sun and Earth in the sky of a place: direction, angular size, distance.
 #pragma once
 
 #include <optional>
@@ -8,25 +8,25 @@
 
 namespace lsos {
 
-// As a camera at a point of the body sees it: light time, aberration and the Sun's bending of light
-// counted, no air.
+// Apparent direction and size of a body, as a camera at a point of another body sees it: light
+// time, aberration and the Sun's bending of light are counted, air is not.
 struct Sighting {
   Vec3 direction_F = Vec3::UnitX();  // unit
-  // The way that light came from the body's centre: about the Sun, but between Moon and Earth about
-  // Earth, where neither has moved much meanwhile.
+  // Length of the light's path from the body's centre, in barycentric axes at rest; between Moon
+  // and Earth in axes that move with Earth, in which neither has moved much meanwhile.
   double distance_m = 0;
   double disc_rad = 0;  // angular radius
 };
-// `p_F_m`: the point, in axes fixed to `on`.
+// Sighting of `target` from the point `p_F_m`, in axes fixed to `on`.
 Sighting sighting(const Body& on, const Vec3& p_F_m, CelestialBody target, Instant at);
 
-// Share of a disc that another one covers. Angular radii and separation of the centres, rad.
+// Share (0..1) of a disc that another one covers. Angular radii and separation of centres, rad.
 double covered_share(double disc_rad, double cover_rad, double separation_rad);
 
-// The same of the Sun that Earth covers, seen from a point of the Moon.
+// Share of the Sun's disc that Earth covers, seen from a point of the Moon.
 double eclipsed_share(const Body& moon, const Vec3& p_F_m, const Sighting& sun, Instant at);
 
-// Where something is in a place's sky. Azimuth 0..2 pi, clockwise from true north; elevation of the
+// Direction in the sky of a place. Azimuth 0..2 pi, clockwise from true north; elevation of the
 // disc's centre above the plane across the local vertical.
 struct SkyPosition {
   double azimuth_rad = 0;
@@ -34,12 +34,12 @@ struct SkyPosition {
 };
 SkyPosition sky_position(const Body& on, const Geodetic& place, const Vec3& direction_F);
 
-// How much air raises what is seen at that elevation, rad: Saemundsson 1986 (a fit to Bennett 1982,
-// 0.07' where he is right to 0.1') at the pressure and temperature of the standard atmosphere at
-// that height; below -1 deg falling to 0 at the nadir, an assumption.
+// Refraction: how much air raises an object of that true elevation, rad. Saemundsson 1986 (a fit to
+// Bennett 1982 within 0.07', whose own error is 0.1') at the pressure and temperature of the
+// standard atmosphere at that height; below -1 deg it falls to 0 at the nadir, an assumption.
 double refraction_rad(double elevation_rad, double height_m);
 
-// Of the place's sky at a moment; what does not apply is absent.
+// Sun and Earth in the sky of a place at a moment; what does not apply is absent.
 struct Sky {
   SkyPosition sun;
   double sun_distance_m = 0;

@@ -12,7 +12,7 @@ constexpr double solar_constant_wpm2 = 1361;
 constexpr double au_m = 149597870700;  // IAU 2012, resolution B2
 constexpr double air_scale_m = 8434;   // RT/g at 288 K
 
-// So far below the horizon no place sees the Sun.
+// No place sees a Sun this far below its horizon; eclipses are not computed there.
 constexpr double night_rad = 0.2;
 
 }  // namespace

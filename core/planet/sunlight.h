@@ -1,4 +1,4 @@
-// The Sun as what it shines on meets it: where it is seen through the air, and how strong it is.
+// Direct sunlight at a place: where the Sun is seen through the air, and how strong its light is.
 #pragma once
 
 #include "base/sim_time.h"
@@ -6,26 +6,26 @@
 
 namespace lsos {
 
-// W/m2 across sunlight at that distance, without air: 1361 W/m2 at 1 au (Kopp and Lean 2011).
+// Irradiance across the light there, without air: 1361 W/m2 at 1 au (Kopp and Lean 2011).
 double irradiance_wpm2(double sun_distance_m);
 
-// How much more air than straight up from sea level a ray passes (Kasten and Young 1989), lessened
-// by height with a scale of 8.4 km. Elevation as seen, at least 0.
+// Air mass: how much more air a ray passes than one straight up from sea level (Kasten and Young
+// 1989), reduced by height with a scale of 8.4 km. Apparent elevation, which counts as at least 0.
 double air_mass(double elevation_rad, double height_m);
 // Share of direct sunlight that clear air lets through: 0.7^(air mass^0.678) (Meinel and Meinel
 // 1976). 0 below the horizon.
 double clear_sky_share(double elevation_rad, double height_m);
-// The same through dust whose optical depth straight up is given: Beer's law over a level layer.
-// Light that the dust scatters is not counted.
+// Share of direct sunlight that dust of a given vertical optical depth lets through: Beer's law
+// over a level layer. Light that the dust scatters is not counted.
 double dusty_sky_share(double elevation_rad, double optical_depth);
 
 struct Sunlight {
-  SkyPosition seen;            // of the disc's centre; on Earth raised by refraction
+  SkyPosition seen;            // position of the disc's centre; on Earth raised by refraction
   double disc_rad = 0;         // angular radius
   double irradiance_wpm2 = 0;  // across direct light of the whole disc
   double eclipsed = 0;         // share of the disc that Earth covers, on the Moon
 };
-// `optical_depth`: of dust, on bodies other than Earth.
+// `optical_depth`: vertical optical depth of dust, on bodies other than Earth.
 Sunlight sunlight(const Body& on, const Geodetic& place, Instant at, double optical_depth);
 
 // Time that the Sun takes for Body::sun_step_deg of its way, in whole exchanges: how often it is

@@ -24,9 +24,9 @@ constexpr sys_days epoch = std::chrono::year{2000} / 1 / 1;
 constexpr int first_year = 1960;
 constexpr int last_year = 2100;
 
-// TAI - UTC at that share of a UTC day. ERFA's table ends with the newest leap second known when
-// the package was made; later moments get its last value, so a leap second announced since needs
-// a newer ERFA. Whole seconds since 1972; before that UTC drifted, and the result is rounded.
+// TAI - UTC, us, at that share of a UTC day. ERFA's table ends with the newest leap second known
+// when the package was made; later moments get its last value, so a leap second announced since
+// needs a newer ERFA. Whole seconds since 1972; before that UTC drifted, and the result is rounded.
 std::int64_t tai_minus_utc_us(sys_days day, double day_share) {
   const std::chrono::year_month_day date{day};
   double delta_s = 0;
@@ -132,7 +132,7 @@ struct Fields {
   std::int64_t zone_us = 0;  // local time - UTC
 };
 
-// Why the text does not have the shape of a moment; empty when it does.
+// read_zone() and read_time() return why a text is not in the shape of a moment, else "".
 std::string read_zone(Reader& in, Fields& out) {
   in.skip_blanks();
   if (in.is_at_end() || in.take("Zz") || in.take_word("UTC")) return "";
@@ -205,7 +205,7 @@ std::string read_fields(std::string_view text, Fields& out) {
   return in.is_at_end() ? "" : "nothing may follow the zone";
 }
 
-// Month and day of the year's day; its fault where the year has no such day.
+// Sets month and day from the day of the year; returns an error where the year has no such day.
 std::string find_day_of_year(Fields& in) {
   const auto year = std::chrono::year{in.year};
   const int last = year.is_leap() ? 366 : 365;

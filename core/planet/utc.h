@@ -1,4 +1,4 @@
-// Calendar time of plans and logs. Leap seconds are right: differences are SI seconds.
+// Calendar time of plans and logs. Leap seconds are counted: differences are SI seconds.
 #pragma once
 
 #include <compare>
@@ -23,12 +23,12 @@ inline SimTime operator-(Instant later, Instant earlier) {
   return SimTime{later.tai_us - earlier.tai_us};
 }
 
-// Reads ISO 8601 ("2026-07-01T12:00:00Z", "2026-07-01 12:00", "2026-07-01T14:00:00.5+02:00").
-// Without a zone it is UTC. Second 60 is accepted in a leap second only. 1960..2100.
+// Reads ISO 8601 ("2026-07-01T12:00:00Z", "2026-07-01 12:00", "2026-07-01T14:00:00.5+02:00"). A
+// time without a zone is UTC. Second 60 is accepted in a leap second only. Years 1960..2100.
 Parsed<Instant> parse_utc(std::string_view text);
 
-// Days of UTC since 2000-01-01T00:00, of 86400 s each: what a clock shows, which waits at midnight
-// through a leap second.
+// Days of UTC since 2000-01-01T00:00, of 86400 s each. Like a clock, the count stops at midnight
+// during a leap second.
 double utc_days(Instant instant);
 
 // "2026-07-01T12:00:00.000Z": rounded to the nearest millisecond.

@@ -1,5 +1,4 @@
-// The local vertical by its series in cells of the site frame: what wheels ask for, millions of
-// times.
+// The local vertical by its series in cells of the site frame: wheels need it millions of times.
 #pragma once
 
 #include <array>
@@ -10,14 +9,14 @@
 
 namespace lsos {
 
-// Remembers the cells last used. One a thread; results never depend on it.
+// Caches the cells last used. Use one object per thread; results never depend on the cache.
 class VerticalCells {
  public:
   explicit VerticalCells(const SiteFrame& site) : site_(&site) {}
 
-  // As SiteFrame::vertical(), within 2e-10 m and 5e-15 rad of it.
+  // Vertical at a point, within 2e-10 m and 5e-15 rad of SiteFrame::vertical().
   Vertical at(const Vec3& p_S_m) {
-    // Dynamics that break down ask from anywhere, also with NaN; no cell has a number there.
+    // Dynamics that diverge pass any point, also NaN; no cell has a number there.
     constexpr double farthest_m = 1e9;
     if (!(p_S_m.squaredNorm() < farthest_m * farthest_m)) return site_->vertical(p_S_m);
     const Cell& cell = cell_of(p_S_m);
@@ -26,7 +25,7 @@ class VerticalCells {
     // Higher up the vertical turns more slowly.
     const Vec3 turn = (1 - rise_m * cell.curvature_1pm) * (cell.turn_1pm * away_m);
     Vertical result;
-    // To second order; shortened by the length that the turn adds.
+    // Second order: `up_S` is shortened by the length that the turn adds.
     result.up_S = cell.vertical.up_S * (1 - 0.5 * turn.squaredNorm()) + turn;
     result.height_m = cell.vertical.height_m + rise_m + 0.5 * away_m.dot(turn);
     return result;
@@ -41,9 +40,9 @@ class VerticalCells {
   struct Cell {
     Key key;
     Vec3 centre_S_m;
-    Vertical vertical;     // there
-    Mat3 turn_1pm;         // of up, by place
-    double curvature_1pm;  // mean, of the surface through the centre
+    Vertical vertical;     // at the centre
+    Mat3 turn_1pm;         // derivative of up by position
+    double curvature_1pm;  // mean curvature of the surface through the centre
   };
 
   const Cell& cell_of(const Vec3& p_S_m) {
@@ -60,7 +59,8 @@ class VerticalCells {
   Cell made(const Key& key) const;
 
   const SiteFrame* site_;
-  std::array<Cell, 8> cells_;  // one for each parity: wheels on both sides of a border keep theirs
+  // One cell for each parity of keys: wheels on both sides of a border keep theirs.
+  std::array<Cell, 8> cells_;
 };
 
 }  // namespace lsos

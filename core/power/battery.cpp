@@ -39,7 +39,7 @@ double time_to_limit_s(const BatterySpec& battery, double energy_j, const PowerF
 
 EnergyAccount after(const BatterySpec& battery, EnergyAccount account, const PowerDemand& demand,
                     double time_s) {
-  // Full or empty, the rate is 0: two parts at most.
+  // A full or empty battery has an energy rate of 0, so there are at most two parts.
   for (int part = 0; part < 2; ++part) {
     const PowerFlows f = power_flows(battery, account.energy_j, demand);
     const double to_limit_s = time_to_limit_s(battery, account.energy_j, f);

@@ -1,5 +1,5 @@
-// A battery on a bus: what flows, and how its charge follows. Powers are constant over a time that
-// the caller chooses; everything between is in closed form.
+// A battery on a bus: power flows, and its charge over time. Powers are constant over a time span
+// that the caller chooses; the charge within it is computed in closed form.
 #pragma once
 
 #include <limits>
@@ -8,14 +8,14 @@ namespace lsos {
 
 struct BatterySpec {
   double capacity_j = 0;
-  double charge_efficiency = 1;     // of what goes in, the share that is kept, 0..1
-  double discharge_efficiency = 1;  // of what is taken out, the share that reaches the bus, 0..1
+  double charge_efficiency = 1;     // share of the energy put in that is stored, 0..1
+  double discharge_efficiency = 1;  // share of the energy taken out that reaches the bus, 0..1
   double charge_power_max_w = std::numeric_limits<double>::infinity();     // at the bus
   double discharge_power_max_w = std::numeric_limits<double>::infinity();  // at the bus
-  double reserve = 0;  // charge 0..1 above which a mission goes on after the battery was empty
+  double reserve = 0;  // charge 0..1 above which a mission resumes after the battery was empty
 };
 
-// What is offered and asked for, W, none below 0.
+// Power offered and requested, W, each at least 0.
 struct PowerDemand {
   double solar_available_w = 0;
   double external_w = 0;
@@ -25,9 +25,9 @@ struct PowerDemand {
   bool operator==(const PowerDemand&) const = default;
 };
 
-// What flows, W: energy_rate_w = solar_w + external_w - load_w - drive_w - loss_w. Solar power
-// beyond what is used and stored is left at the panel, then external power at its source. What
-// cannot be met is shed: loads first, then drives.
+// Power flows, W: energy_rate_w = solar_w + external_w - load_w - drive_w - loss_w. Of a surplus
+// beyond what is used and stored, solar power is left unused first, then external power. A deficit
+// is shed: loads first, then drives.
 struct PowerFlows {
   double solar_w = 0;
   double external_w = 0;
@@ -35,11 +35,11 @@ struct PowerFlows {
   double drive_w = 0;
   double loss_w = 0;  // in charging and discharging
   double energy_rate_w = 0;
-  double shed_w = 0;  // asked for, and not given
+  double shed_w = 0;  // requested but not supplied
 };
 PowerFlows power_flows(const BatterySpec& battery, double energy_j, const PowerDemand& demand);
 
-// What the battery holds, and what has flowed since the start.
+// Energy in the battery, and energies that have flowed since the start.
 struct EnergyAccount {
   double energy_j = 0;
   double solar_j = 0;
@@ -49,15 +49,15 @@ struct EnergyAccount {
   double loss_j = 0;
 };
 
-// When these flows fill or empty the battery, s; infinite if they do not.
+// Time until these flows fill or empty the battery, s; infinite if they do not.
 double time_to_limit_s(const BatterySpec& battery, double energy_j, const PowerFlows& flows);
 
-// The account after a time of constant demand: exact, also where the battery gets full or empty on
-// the way. `time_s` >= 0.
+// The account after a time span of constant demand: exact, even where the battery becomes full or
+// empty within it. `time_s` >= 0.
 EnergyAccount after(const BatterySpec& battery, EnergyAccount account, const PowerDemand& demand,
                     double time_s);
 
-// Sets what the battery holds at once; what that takes or gives counts as external.
+// Sets the battery's energy at once; the difference counts as external energy.
 EnergyAccount with_energy(EnergyAccount account, double energy_j);
 
 }  // namespace lsos

@@ -15,7 +15,7 @@ bool is_all_round(const AngleLimits& limits) {
 
 double wrapped(double angle_rad) { return std::remainder(angle_rad, 2 * pi); }
 
-// The angle within limits that is nearest to a wanted one, going round either way.
+// The angle within limits that is nearest to a wanted one, in either direction of rotation.
 double nearest(const AngleLimits& limits, double wanted_rad) {
   if (is_all_round(limits)) return wrapped(wanted_rad);
   const double middle_rad = (limits.least_rad + limits.most_rad) / 2;
@@ -23,7 +23,7 @@ double nearest(const AngleLimits& limits, double wanted_rad) {
   return middle_rad + std::clamp(wrapped(wanted_rad - middle_rad), -half_rad, half_rad);
 }
 
-// The way that an axis turns, rad, positive or negative.
+// Signed rotation of an axis from one angle to another, rad.
 double way_rad(const AngleLimits& limits, double from_rad, double to_rad) {
   return is_all_round(limits) ? wrapped(to_rad - from_rad) : to_rad - from_rad;
 }
@@ -57,15 +57,15 @@ PanelAngles limited(const PanelSpec& panel, const PanelAngles& wanted) {
 PanelAngles facing(const PanelSpec& panel, const PanelAngles& now, const Vec3& direction_B) {
   const double level = std::hypot(direction_B.x(), direction_B.y());
   PanelAngles angles;
-  // Straight above, every azimuth faces it.
+  // Straight above the deck every azimuth faces the direction.
   angles.azimuth_rad =
       nearest(panel.azimuth,
               level > 1e-9 ? std::atan2(-direction_B.y(), direction_B.x()) : now.azimuth_rad);
-  // For that azimuth: the greatest of cos e (ahead) + sin e (up).
+  // For that azimuth the elevation e that maximises the cosine, cos(e) ahead + sin(e) up.
   const double ahead = direction_B.x() * std::cos(angles.azimuth_rad) -
                        direction_B.y() * std::sin(angles.azimuth_rad);
   const double best_rad = std::atan2(direction_B.z(), ahead);
-  // What lies beyond the limits the nearer limit faces best.
+  // A best elevation beyond the limits is replaced by the nearer limit.
   const AngleLimits& limits = panel.elevation;
   angles.elevation_rad = nearest(limits, best_rad);
   return angles;

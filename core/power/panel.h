@@ -1,5 +1,5 @@
-// A flat solar panel that turns about two axes: where it faces, where it should, and what it makes
-// of light.
+// A flat solar panel that turns about two axes: its orientation, the orientation that it should
+// have, and its electrical power.
 #pragma once
 
 #include <numbers>
@@ -12,8 +12,8 @@
 
 namespace lsos {
 
-// Where a panel faces, seen from its rover: azimuth clockwise from the nose, elevation above the
-// deck (pi/2: straight up).
+// Orientation of a panel relative to its rover: azimuth clockwise from the nose, elevation above
+// the deck (pi/2: straight up).
 struct PanelAngles {
   double azimuth_rad = 0;
   double elevation_rad = std::numbers::pi / 2;
@@ -27,25 +27,25 @@ struct AngleLimits {
 
 struct PanelSpec {
   std::string name;
-  Vec3 p_B_m = Vec3::Zero();  // its middle, about which it turns: forward, left, up
+  Vec3 p_B_m = Vec3::Zero();  // centre, about which it turns: forward, left, up
   double length_m = 0;        // along the nose when it faces straight up at azimuth 0
   double width_m = 0;
   double efficiency = 0;  // electrical out / light in, 0..1
-  double factor = 1;      // what is left after dust, wiring and conversion, 0..1
-  PanelAngles rest;       // before anything is told to it
+  double factor = 1;      // share left after dust, wiring and conversion, 0..1
+  PanelAngles rest;       // before the first command
   AngleLimits azimuth, elevation;
-  double rate_radps = 0;  // either axis
-  double motor_w = 0;     // while it turns
+  double rate_radps = 0;  // of either axis
+  double motor_w = 0;     // while the panel turns
   bool is_stowable = false;
   bool is_stowed = false;  // at the start
-  double deploy_s = 0;     // how long deploying and stowing take
-  double deploy_w = 0;     // meanwhile
+  double deploy_s = 0;     // duration of deploying and of stowing
+  double deploy_w = 0;     // while deploying or stowing
 
   double area_m2() const { return length_m * width_m; }
   bool can_turn() const;
 };
 
-// The panel's middle and half sides in frame B; it is lit on the side of half_u x half_v.
+// The panel's centre and half sides in frame B; the side towards half_u x half_v is the lit one.
 struct PanelPose {
   Vec3 p_B_m;
   Vec3 half_u_B_m, half_v_B_m;
@@ -54,21 +54,21 @@ struct PanelPose {
 };
 PanelPose pose(const PanelSpec& panel, const PanelAngles& angles);
 
-// The angles nearest to facing a direction (unit, frame B) that its limits allow: where both axes
-// turn freely it faces it, where one does, the cosine of incidence is the greatest there is.
+// The allowed angles that face a direction (unit, frame B) best: exactly where both axes turn
+// freely, else with the greatest cosine of incidence within the limits.
 PanelAngles facing(const PanelSpec& panel, const PanelAngles& now, const Vec3& direction_B);
 
-// Within its limits.
+// The wanted angles, clamped to the panel's limits.
 PanelAngles limited(const PanelSpec& panel, const PanelAngles& wanted);
 
-// How long it turns from one to the other, s: both axes at once, at its rate.
+// Duration of a turn between two orientations, s: both axes turn at once, at the panel's rate.
 double turn_s(const PanelSpec& panel, const PanelAngles& from, const PanelAngles& to);
-// Where it is after so long.
+// Orientation after `time_s` of such a turn.
 PanelAngles turned(const PanelSpec& panel, const PanelAngles& from, const PanelAngles& to,
                    double time_s);
 
-// W, in light of that irradiance (W/m2, across it) from a direction whose cosine of incidence it
-// is.
+// Electrical power, W. `cosine`: of the angle of incidence; `irradiance_wpm2`: W/m2 on a surface
+// across the light; `sun_fraction`: visible share of the Sun's disc.
 double panel_power_w(const PanelSpec& panel, double sun_fraction, double cosine,
                      double irradiance_wpm2);
 

@@ -7,12 +7,12 @@ namespace lsos {
 
 namespace {
 
-// Smaller turns are not worth the motor.
+// Turns smaller than this do not justify running the motor.
 constexpr double turn_least_rad = 1e-4;
-// A panel that faces its direction within this has reached it.
+// Greatest angle from the wanted direction at which a panel counts as facing it.
 constexpr double miss_least_rad = 0.5 * std::numbers::pi / 180;
 
-// Angles about the ground, as a direction in frame B.
+// Direction in frame B of angles about the ground.
 Vec3 direction_B(const PanelAngles& angles, const PanelSurroundings& around) {
   const Vec3 east_B = around.north_B.cross(around.up_B);
   return std::cos(angles.elevation_rad) * (std::cos(angles.azimuth_rad) * around.north_B +
@@ -20,7 +20,7 @@ Vec3 direction_B(const PanelAngles& angles, const PanelSurroundings& around) {
          std::sin(angles.elevation_rad) * around.up_B;
 }
 
-// The same back.
+// Inverse of direction_B.
 PanelAngles angles_of(const Vec3& direction_B, const PanelSurroundings& around) {
   const Vec3 east_B = around.north_B.cross(around.up_B);
   return {std::atan2(direction_B.dot(east_B), direction_B.dot(around.north_B)),
@@ -55,13 +55,13 @@ PanelPose PanelArray::pose_at(std::size_t panel, SimTime now) const {
 double PanelArray::deploy(std::size_t panel, bool up, std::optional<double> duration_s,
                           SimTime now) {
   State& state = states_[panel];
-  state.steering = {SteerMode::fixed, specs_[panel].rest};  // what it followed is over
+  state.steering = {SteerMode::fixed, specs_[panel].rest};  // ends what it followed before
   if (state.goes_up == up) return now >= state.ready ? 0 : seconds(state.ready - now);
   const SimTime takes =
       round_up_to_exchange(from_seconds(duration_s.value_or(specs_[panel].deploy_s)));
   state.goes_up = up;
   state.ready = now + takes;
-  // It is folded away as it lies at rest, and comes out so.
+  // A panel is stowed in its rest orientation and comes out in it.
   state.from = state.to = specs_[panel].rest;
   state.turn_start = state.turn_end = now;
   return seconds(takes);
@@ -71,7 +71,7 @@ void PanelArray::set_stuck(std::size_t panel, bool is_stuck, SimTime now) {
   State& state = states_[panel];
   state.is_stuck = is_stuck;
   if (!is_stuck) return;
-  // Half-way up it never gets there.
+  // A panel that is stuck while deploying never becomes usable.
   if (state.goes_up && now < state.ready) state.goes_up = false;
   state.from = state.to = angles(panel, now);
   state.turn_start = state.turn_end = state.ready = now;

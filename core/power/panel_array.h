@@ -1,4 +1,4 @@
-// The panels of one rover over time: up or down, and where they turn.
+// The panels of one rover over time: deployed or stowed, and their rotation.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,20 @@
 
 namespace lsos {
 
-// What a panel is told. Azimuth clockwise, elevation above.
+// How a panel is commanded. Azimuth is clockwise, elevation upwards.
 enum class SteerMode {
-  fixed,  // stays at angles about the rover
-  point,  // stays at angles about the ground: from true north, above the horizon
+  fixed,  // keeps angles relative to the rover
+  point,  // keeps angles relative to the ground: from true north, above the horizon
   track,  // follows the Sun
 };
 struct Steering {
   SteerMode mode = SteerMode::fixed;
-  PanelAngles angles;  // fixed and point
+  PanelAngles angles;  // used by fixed and point
 
   void archive(Archive& a) { a(mode)(angles); }
 };
 
-// Which way the Sun and the compass lie, frame B.
+// Directions of the Sun and of the compass, frame B.
 struct PanelSurroundings {
   Vec3 sun_B = Vec3::UnitZ();
   bool is_sun_up = false;
@@ -30,12 +30,12 @@ struct PanelSurroundings {
   void archive(Archive& a) { a(sun_B)(is_sun_up)(north_B)(up_B); }
 };
 
-// A panel that does not face where it was told: it has stopped at a limit, or is stuck.
+// A panel that does not face the commanded direction: it has stopped at a limit, or is stuck.
 struct PanelMiss {
   std::string panel;
   SteerMode mode = SteerMode::fixed;
-  PanelAngles reached, wanted;  // as the mode counts them; track: about the ground
-  double off_rad = 0;           // between the two directions
+  PanelAngles reached, wanted;  // angles in the frame of the mode; track: about the ground
+  double off_rad = 0;           // angle between the two directions
   bool is_stuck = false;
 };
 
@@ -44,31 +44,33 @@ class PanelArray {
   explicit PanelArray(const std::vector<PanelSpec>& panels);
 
   const std::vector<PanelSpec>& specs() const { return specs_; }
-  // Stowed and half-way ones make nothing and are not drawn.
+  // Whether the panel is deployed. Stowed and half-deployed panels make no power and are not drawn.
   bool is_up(std::size_t panel, SimTime now) const;
   PanelAngles angles(std::size_t panel, SimTime now) const;
   PanelPose pose_at(std::size_t panel, SimTime now) const;
   bool is_stowed(std::size_t panel) const { return !states_[panel].goes_up; }
 
-  // Puts it up or down; answers how long that takes, s, 0 when it is so already.
+  // Deploys or stows the panel; returns how long that takes, s, 0 if it is in that state already.
   double deploy(std::size_t panel, bool up, std::optional<double> duration_s, SimTime now);
   void steer(std::size_t panel, const Steering& steering);
-  // Panels that face another way than asked by more than half a degree, once they have turned. One
-  // that follows the Sun misses it only when it is stuck: its limits are no fault.
+  // Panels that face more than half a degree away from the commanded direction once they have
+  // turned. A panel that tracks the Sun is listed only when it is stuck: limits that keep it from
+  // facing the Sun are no fault.
   std::vector<PanelMiss> misses(SimTime now) const;
-  // Turns those that are up towards where they shall face.
+  // Turns the deployed panels towards their commanded directions.
   void aim(const PanelSurroundings& surroundings, SimTime now);
 
-  // It stays as it is now, whatever it is told: a motor that has failed; or works again.
+  // A stuck panel (its motor has failed) keeps its present orientation whatever is commanded; false
+  // makes it work again.
   void set_stuck(std::size_t panel, bool is_stuck, SimTime now);
   bool is_stuck(std::size_t panel) const { return states_[panel].is_stuck; }
 
-  bool is_turning(SimTime now) const;  // any of them
-  // When the next motion ends, at an exchange; absent when nothing moves.
+  bool is_turning(SimTime now) const;  // whether any panel turns
+  // When the next motion ends, a multiple of the exchange period; absent when nothing moves.
   std::optional<SimTime> next_end(SimTime now) const;
-  // When the last of those that turn arrives; absent when none turns.
+  // When the last of the turning panels arrives; absent when none turns.
   std::optional<SimTime> turn_end(SimTime now) const;
-  // When the last motion ended.
+  // When the last motion ended; absent when none has.
   std::optional<SimTime> last_end(SimTime now) const;
   double motors_w(SimTime now) const;
 
@@ -76,9 +78,9 @@ class PanelArray {
 
  private:
   struct State {
-    bool goes_up = true;  // or is
+    bool goes_up = true;  // is deployed or being deployed
     bool is_stuck = false;
-    SimTime ready{};  // when it is up or down
+    SimTime ready{};  // when deploying or stowing ends
     PanelAngles from, to;
     SimTime turn_start{}, turn_end{};
     Steering steering;
@@ -90,7 +92,7 @@ class PanelArray {
 
   std::vector<PanelSpec> specs_;
   std::vector<State> states_;
-  PanelSurroundings around_;  // when they were last aimed
+  PanelSurroundings around_;  // as of the last call of aim
 };
 
 }  // namespace lsos

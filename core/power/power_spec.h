@@ -1,4 +1,4 @@
-// What a rover's script says of its power: battery, panels, loads and stores.
+// What a rover script declares of its power system: battery, panels, loads and resources.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ enum class LoadState {
   always,
   dark,  // no sunlight falls on the rover
   parked,
-  driving,  // not parked; the wheel motors themselves count apart
+  driving,  // not parked; the wheel motors' power is counted separately
 };
 
 struct LoadSpec {
@@ -25,7 +25,7 @@ struct LoadSpec {
   LoadState when = LoadState::always;
 };
 
-// Something that events use up: oxygen, sample tubes.
+// A supply that events consume: oxygen, sample tubes.
 struct ResourceSpec {
   std::string name;
   std::string unit;
@@ -39,7 +39,7 @@ struct PowerSpec {
   std::vector<ResourceSpec> resources;
 };
 
-// What of a rover decides which loads are on.
+// The conditions of a rover that decide which loads are on.
 struct LoadConditions {
   bool is_dark = false;
   bool is_parked = false;

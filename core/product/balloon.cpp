@@ -30,7 +30,7 @@ class Table {
   void add(const std::string& what, const std::string& value) {
     if (!value.empty()) html_ += fmt::format("<tr><td>{}<td>{}", what, html_text(value));
   }
-  // `name` says the unit, as in the log.
+  // The suffix of `name` gives the unit, as in the log.
   void add(const std::string& what, const std::string& name, double value) {
     if (std::isnan(value)) return;
     html_ += fmt::format("<tr><td>{}<td>{}", what, quantity_text(name, to_three_digits(value)));
@@ -44,7 +44,7 @@ class Table {
   std::string html_;
 };
 
-// Seconds are no news in a balloon, hours are.
+// "2026-07-01 12:00:00 UTC": a balloon needs no fractions of a second.
 std::string day_time(Instant instant) {
   const std::string utc = format_utc(instant);
   return utc.substr(0, 10) + " " + utc.substr(11, 8) + " UTC";

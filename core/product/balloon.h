@@ -1,4 +1,4 @@
-// What a map's balloons say of the rows of a log: tables in units that people read.
+// The balloons of a map: tables of the values of a log's rows, in units that people read.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-// HTML. Values that are not modelled are left out.
+// Each returns HTML. Values that are not modelled are left out.
 std::string balloon(const SampleRow& row, Instant start);
 std::string balloon(const EventRow& row, Instant start);
 std::string balloon(const PlannedPathRow& row);

@@ -25,7 +25,7 @@ class Collector {
     if (a.is_number() && b.is_number()) difference.change = b.get<double>() - a.get<double>();
     found_.push_back(std::move(difference));
   }
-  // Each value of two objects; what one of them lacks is null.
+  // Compares each value of two objects; a value that one of them lacks is null.
   void add_all(const std::string& of, const Json& a, const Json& b) {
     for (const auto& [key, value] : a.items()) add(of, key, value, at(b, key));
     for (const auto& [key, value] : b.items()) {
@@ -40,7 +40,7 @@ class Collector {
   std::vector<Difference>& found_;
 };
 
-// What both or one of them has, each once, in order.
+// The keys of both objects, each once, sorted.
 std::vector<std::string> keys(const Json& a, const Json& b) {
   std::vector<std::string> all;
   for (const Json* object : {&a, &b}) {
@@ -62,7 +62,7 @@ void compare_rovers(const Json& a, const Json& b, Collector& found) {
   }
 }
 
-// By rover and sequence.
+// Events keyed by rover and sequence.
 std::map<std::pair<std::string, std::int64_t>, Json> events_by_key(const Json& summary) {
   std::map<std::pair<std::string, std::int64_t>, Json> events;
   for (const Json& event : summary.value("events", Json::array())) {
@@ -144,7 +144,7 @@ Json json_of(const ColumnValue& value) {
   return nullptr;
 }
 
-// A warning without the "file:line: " before it: plans are named as they were typed.
+// A warning without a leading "file:line: ", as plans are named the way they were typed.
 std::string without_place(const Json& warning) {
   std::string text = warning.is_string() ? warning.get<std::string>() : warning.dump();
   for (std::size_t end = text.find(": "); end < text.find('\n'); end = text.find(": ", end + 1)) {
@@ -190,7 +190,8 @@ Comparison compare(const ComparedRun& run_a, const ComparedRun& run_b) {
     const Json none = Json::array();
     const Json texts_a = a.value(key, none), texts_b = b.value(key, none);
     if (texts_a == texts_b) continue;
-    // One that stands there twice is found in the other twice, or it is lacking.
+    // Each text of one run is matched with one of the other, so a text that occurs twice must occur
+    // twice there as well.
     const auto lacking = [](const Json& all, Json of) {
       Json rest = Json::array();
       for (const Json& text : all) {

@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-// Of all rows that are wanted, how many are kept free for events and for stops.
+// Shares of all rows that are reserved for events and for stops.
 constexpr std::size_t share_of_events = 2, share_of_stops = 1, all_shares = 5;
 
 }  // namespace
@@ -20,7 +20,7 @@ DriveMarks::DriveMarks(const SampleTotals& totals, const std::vector<EventRow>& 
   const std::size_t of_stops = share_of_stops * most / all_shares;
   stops_left_ = of_stops / 2;  // two rows each
   stop_spacing_m_ = totals.distance_m / static_cast<double>(stops_left_);
-  // Less the first row, the last, and one that rounding may add.
+  // Three rows less: the first, the last, and one that rounding may add.
   const std::size_t of_drive = most - events_.size() - of_stops - 3;
   spacing_m_ = totals.distance_m / static_cast<double>(of_drive);
 }
@@ -39,7 +39,7 @@ WantedRows DriveMarks::next(const SampleRow& row) {
   return wanted;
 }
 
-// Where the rover comes to rest and sets off; stops that lie close together count as one.
+// Wants the rows at which the rover stops and sets off; stops that lie close together count as one.
 WantedRows DriveMarks::at_stops(const SampleRow& row) {
   WantedRows wanted;
   const bool is_moving = row.speed_mps > moving_mps;

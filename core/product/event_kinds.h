@@ -1,4 +1,4 @@
-// What events are, by type, and the colour of it in bars under plots.
+// Kinds of events, by type, with their colours in the bars under plots.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct EventKind {
   std::vector<std::string> types;
 };
 
-// Of the shipped types; then one for each type of a user's own that is among the events, as far as
-// there are colours; the last is that of all other types.
+// The kinds of the shipped types, then one for each user-defined type among the events as far as
+// there are colours; the last kind holds all other types.
 std::vector<EventKind> event_kinds(const std::vector<EventRow>& events);
 
 const EventKind& kind_of(const std::vector<EventKind>& kinds, std::string_view event_type);

@@ -6,7 +6,7 @@ namespace lsos {
 
 namespace {
 
-constexpr int parts = 4;  // of an event, by marks within it
+constexpr int parts = 4;  // into which marks within an event divide it
 
 }  // namespace
 

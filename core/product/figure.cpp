@@ -24,7 +24,7 @@ constexpr double letters_mm = 2.6, small_mm = 2.3;
 const Stroke axis{"#000000", 0.22, {}}, grid{"#dddddd", 0.14, {}}, failed{"#c62828", 0.25, {}},
     incomplete{"#555555", 0.2, {}};
 
-// 1, 2 or 5 times a power of ten.
+// The least of 1, 2, 5 times a power of ten that is not below `least`.
 double round_step(double least) {
   const double decade = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0}) {
@@ -41,7 +41,7 @@ struct Range {
     greatest = std::max(greatest, value);
   }
   double span() const { return greatest - least; }
-  // With some room, and never nothing.
+  // Widened on both sides by that share of the span; never empty.
   Range padded(double share) const {
     if (greatest < least) return {0, 1};
     const double pad = span() > 0 ? share * span() : std::max(1e-3, 0.05 * std::abs(greatest));
@@ -84,7 +84,7 @@ class Axes {
     return {box_.left_mm + (x - x_.least) / x_.span() * box_.width_mm,
             box_.bottom_mm() - (y - y_.least) / y_.span() * box_.height_mm};
   }
-  // `axis_mm`: where the horizontal axis' ticks and numbers are.
+  // `axis_mm`: y of the horizontal axis' ticks and numbers.
   void draw(const std::string& x_name, const std::string& y_name, double axis_mm) {
     const double x_step = round_step(x_.span() * 18 / box_.width_mm);
     const double y_step = round_step(y_.span() * 7 / box_.height_mm);
@@ -211,7 +211,7 @@ class Figure {
               is_kw ? 1e-3 : 1, false}}};
   }
 
-  // The rovers, above all panels.
+  // Places of the rovers' keys, above all panels.
   std::vector<PaperPoint> rover_places() const {
     std::vector<std::string> names;
     for (const ReportRover& rover : data_.rovers) names.push_back(rover.id);
@@ -226,7 +226,7 @@ class Figure {
       pen_.write(rover.id, {x_mm + rover_sample_mm, y_mm + 0.9}, letters_mm, Anchor::left);
     }
   }
-  // Where keys begin that have a sample before each name, from a first row at 0 downwards.
+  // Places of keys with a sample before each name, in rows from y = 0 downwards.
   std::vector<PaperPoint> in_rows(const std::vector<std::string>& names, double size_mm,
                                   double sample_mm) const {
     constexpr double apart_mm = 6;
@@ -243,7 +243,7 @@ class Figure {
     return places;
   }
 
-  // Metres are as long to the north as to the east.
+  // A map with equal scales to the north and to the east.
   void plan_view() {
     Range x = extent(position_x), y = extent(position_y);
     const PaperBox box{left_mm, top_mm_, box_width_mm(), map_mm_};
@@ -260,7 +260,7 @@ class Figure {
       axes.line(rover.position.column(position_x), rover.position.column(position_y),
                 line_of(rover, 0.4));
     }
-    // Where each begins: of one that never moves it is all there is.
+    // Mark each start; it is all that shows of a rover that never moves.
     constexpr double dot_mm = 1.6;
     for (const ReportRover& rover : data_.rovers) {
       if (rover.position.times_s().empty()) continue;
@@ -324,7 +324,7 @@ class Figure {
     }
   }
 
-  // Of the kinds that began.
+  // Kinds of which an event has started.
   std::vector<const EventKind*> used_kinds() const {
     std::vector<const EventKind*> used;
     for (const EventKind& kind : kinds_) {
@@ -357,7 +357,7 @@ class Figure {
   const ReportData& data_;
   TimeUnit unit_;
   std::vector<EventKind> kinds_;
-  std::unique_ptr<FigurePen> ruler_;  // measures letters before there is a sheet
+  std::unique_ptr<FigurePen> ruler_;  // measures text before the size of the sheet is known
   double top_mm_;
   double map_mm_;
   FigurePen pen_;

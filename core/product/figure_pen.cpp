@@ -52,7 +52,7 @@ struct FigurePen::Sheet {
 FigurePen::FigurePen(double width_mm, double height_mm, int dpi)
     : sheet_(std::make_unique<Sheet>()) {
   const double scale = dpi / mm_an_inch;
-  // Cairo's pictures are no larger, in pixels either way.
+  // Cairo's limit on width and height of a picture.
   constexpr double pixels_max = 32767;
   if (scale * std::max(width_mm, height_mm) > pixels_max) {
     throw InputError(
@@ -68,7 +68,7 @@ FigurePen::FigurePen(double width_mm, double height_mm, int dpi)
   sheet_->cairo = cairo_create(sheet_->surface);
   cairo_scale(sheet_->cairo, scale, scale);
   cairo_set_line_join(sheet_->cairo, CAIRO_LINE_JOIN_ROUND);
-  // Letters stand where the millimetres say, not on whole pixels.
+  // Glyphs are placed by millimetres, not snapped to whole pixels.
   cairo_font_options_t* options = cairo_font_options_create();
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);

@@ -1,5 +1,5 @@
-// Lines, boxes and letters on a sheet of paper, in millimetres from its upper left corner. By
-// cairo.
+// Draws lines, boxes and text on a sheet of paper with cairo, in millimetres from its upper left
+// corner.
 #pragma once
 
 #include <memory>
@@ -37,15 +37,15 @@ class FigurePen {
   void line(const std::vector<PaperPoint>& points, const Stroke& stroke);
   // Diagonal lines across a box.
   void hatch(const PaperBox& box, const Stroke& stroke, double apart_mm);
-  // What is drawn until the next call stays inside; an empty box: everywhere.
+  // Clips what is drawn until the next call to the box; an empty box ends clipping.
   void clip(const PaperBox& box);
 
   double text_width_mm(const std::string& text, double size_mm);
-  // `at`: on the line that the letters stand on. `is_upwards`: turned to read from below.
+  // `at`: a point on the baseline. `is_upwards`: rotated to read from bottom to top.
   void write(const std::string& text, const PaperPoint& at, double size_mm, Anchor anchor,
              bool is_bold = false, bool is_upwards = false);
 
-  // As a PNG.
+  // The sheet as a PNG.
   std::string png() const;
 
  private:

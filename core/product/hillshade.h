@@ -1,4 +1,4 @@
-// The ground about a site as a picture for GIS tools, lit from the north-west.
+// Hillshade of the ground about a site for GIS tools, lit from the north-west.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace lsos {
 
-// Metres east and north of the site's origin.
+// Extent of a map, metres east and north of the site's origin.
 struct MapExtent {
   double west_m = 0, south_m = 0, east_m = 0, north_m = 0;
 };
 
-// Writes a GeoTIFF of a stereographic map about the site's origin; returns the map's CRS, WKT.
-// Throws InputError when it cannot be written.
+// Writes a GeoTIFF in a stereographic projection about the site's origin. Returns the map's CRS,
+// WKT. Throws InputError when it cannot be written.
 std::string write_hillshade(const std::string& file, const Ground& ground, const MapExtent& extent,
                             double cell_m);
 // WKT of the geographic CRS of the site's body.

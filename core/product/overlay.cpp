@@ -25,7 +25,7 @@ namespace lsos {
 
 namespace {
 
-// Prefixed, so that no plan reader takes a Placemark of ours for an event ("Sample").
+// The prefix keeps plan readers from taking these Placemarks for events ("Sample").
 template <class Row>
 std::string schema_id;
 template <>
@@ -38,7 +38,7 @@ template <>
 const std::string schema_id<NoteRow> = "lsos_notes";
 const std::string track_schema_id = "lsos_track";
 
-// What of a rover's samples the viewer plots along its track.
+// Columns of the samples that viewers plot along the track.
 constexpr std::array track_columns{"elevation_m", "speed_mps",     "slope_rad",
                                    "charge",      "energy_rate_w", "solar_w"};
 
@@ -70,14 +70,14 @@ KmlSchema track_schema() {
   return schema;
 }
 
-// The log has all digits. Places need them: 1e-8 degrees are a millimetre.
+// Seven digits, as the log has all of them; places keep all, as 1e-8 degrees are a millimetre.
 std::string shown_text(std::string_view name, const ColumnValue& value) {
   const auto* number = std::get_if<double>(&value);
   if (number == nullptr || name.ends_with("_deg")) return to_text(value);
   return fmt::format("{:.7g}", *number);
 }
 
-// A Placemark that carries every column of the row that is not NULL.
+// A Placemark with every column of the row that is not NULL.
 template <class Row>
 KmlPlacemark placemark(const Row& row, Instant start, std::string name) {
   KmlPlacemark placemark;
@@ -99,7 +99,7 @@ KmlFolder named_folder(std::string name) {
 
 KmlGeometry point(const Geodetic& place) { return {KmlGeometryKind::point, {place}}; }
 
-// XML's calendar has no second 60: within a leap second there is no time to show.
+// XML's calendar has no second 60: within a leap second the result is "", no time to show.
 std::string xml_time(Instant instant) {
   const std::string utc = format_utc(instant);
   return utc.find(":60.") == std::string::npos ? utc : "";
@@ -126,7 +126,7 @@ KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const Rover
   return folder;
 }
 
-// Beside the driven line in its colour the planned ones are white.
+// Planned lines are white, to contrast with the driven line in the rover's colour.
 KmlFolder planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
                         const std::string& rover_id, const RoverStyle& style) {
   KmlFolder folder = named_folder(rover_id + " planned");
@@ -158,8 +158,7 @@ KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
 KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
                        const std::string& rover_id) {
   KmlFolder folder = named_folder(rover_id + " events");
-  // The first at a place has its label beside it, and what failed: labels of all would lie on each
-  // other.
+  // Only the first event at a place and failed events are labelled: all labels would overlap.
   std::set<std::pair<long, long>> labelled;
   const auto is_first_at = [&](const Geodetic& place) {
     constexpr double parts = 1e6;  // of a radian: 2 m on the Moon
@@ -173,7 +172,7 @@ KmlFolder event_points(const std::vector<EventRow>& events, Instant start,
     const bool is_first = !event.place || is_first_at(*event.place);
     const bool has_label = is_first || event.status == EventStatus::failed;
     mark.style_id = status_style_id(event.status, has_label);
-    // How it ended is known from its end on, and stays on the map.
+    // The mark shows how the event ended, so it appears at that time and stays on the map.
     const auto& known_from = event.end ? event.end : event.start;
     if (known_from) mark.begin_utc = xml_time(start + *known_from);
     if (event.place) mark.geometry = point(*event.place);
@@ -221,7 +220,7 @@ KmlFolder moving_point(const RoverTrack& track, Instant start, const std::string
       const ColumnValue value = column.value(*row, start);
       const auto* number = std::get_if<double>(&value);
       is_known |= number != nullptr;
-      // Not modelled, or not now: no number, and not 0.
+      // A value that is not modelled, or not at this time, must not become 0.
       texts.push_back(number == nullptr ? "nan" : fmt::format("{:.6g}", *number));
     }
     if (is_known) mark.track.arrays.emplace_back(column.name, std::move(texts));
@@ -246,7 +245,7 @@ KmlFolder note_points(const ThinnedNotes& notes, Instant start) {
   return folder;
 }
 
-// A look from above at all places, about the first.
+// A view from above that holds all places, centred on the first.
 class LookAtBounds {
  public:
   void add(const Geodetic& place) {
@@ -254,7 +253,7 @@ class LookAtBounds {
     places_.push_back(place);
   }
   std::optional<KmlLookAt> look_at(const Body& body) const {
-    constexpr double least_m = 300, ranges = 2.2;  // of the farthest place
+    constexpr double least_m = 300, ranges = 2.2;  // multiple of the distance to the farthest place
     if (!first_) return {};
     double farthest_m = 0;
     for (const Geodetic& place : places_) {
@@ -273,7 +272,7 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
   const MissionInfo& mission = plan.mission;
   LSOS_ASSERT(mission.planet != nullptr);
   const std::map<std::string, SampleTotals> totals = log.sample_totals();
-  // Half of a track's places follow the drive, half the time.
+  // Half of a track's points are spaced by distance driven, half by time.
   const int half = overlay_track_max / 2;
   const SimTime interval = sample_interval(log.last_sample_time(), half, mission.log_interval,
                                            mission.parked_log_interval);
@@ -288,7 +287,7 @@ std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
   }
   log.for_each_sample([&](const SampleRow& row) {
     const auto track = tracks.find(row.rover_id);
-    if (track != tracks.end()) track->second.add(row);  // else of a run that goes on
+    if (track != tracks.end()) track->second.add(row);  // absent: it appeared while the run goes on
   });
   return tracks;
 }

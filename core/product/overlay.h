@@ -1,4 +1,4 @@
-// overlay.kml: what happened, drawn over what was planned, for Google Earth and GIS tools.
+// overlay.kml: what happened in a run, drawn over its plan, for Google Earth and GIS tools.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace lsos {
 
-// Sample Placemarks of one rover at most, and places of its track; the log has them all. Three
-// rovers over four weeks stay below 20 MB.
+// Greatest numbers of sample Placemarks and of track points of one rover; the log has all samples.
+// Larger: the file grows; with these, three rovers over four weeks stay below 20 MB.
 inline constexpr int overlay_samples_max = 2000, overlay_track_max = 1500;
 
-// The document: for each rover its drawn lines, the line that it drove, its events where they
-// happened, a track that a time slider plays, and samples evenly spaced along the drive and at each
-// event (see DriveMarks) with every column of the log; then the notes, thinned.
+// The document. For each rover: its lines drawn in the plan, its planned lines, the line that it
+// drove, its events where they happened, a track that a time slider plays, and samples evenly
+// spaced along the drive and at each event (see DriveMarks) with every column of the log. Then the
+// notes, thinned.
 std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_href = server_icon);
 
 // Reads DIR/log.gpkg and writes DIR/overlay.kml. Throws InputError when there is no log.

@@ -25,8 +25,8 @@ constexpr std::array icons{Icon{OverlayIcon::arrow, "arrow", "triangle"},
 
 const Icon& known(OverlayIcon icon) { return icons.at(static_cast<std::size_t>(icon)); }
 
-// Distance of a point from the shape's edge, or a bound of it, negative inside. x is east and y
-// south of the icon's middle; half its width is 1.
+// Signed distance of a point from the shape's edge, or a bound on it; negative inside. x is east
+// and y south of the icon's centre, in units of half its width.
 double distance(OverlayIcon icon, double x, double y) {
   const double across = std::abs(x), size = 0.72;
   const double diagonal = (std::abs(x) + std::abs(y)) * std::numbers::sqrt2 / 2;

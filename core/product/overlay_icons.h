@@ -1,4 +1,4 @@
-// The icons of an overlay: on a server that viewers of KML reach, or as pictures beside it.
+// The icons of an overlay: on a server that KML viewers can reach, or as pictures beside it.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace lsos {
 
-// White shapes, to which styles give colours. An arrow points north where it is not turned.
+// White shapes, coloured by styles. An arrow that is not rotated points north.
 enum class OverlayIcon { arrow, disc, cross, square, diamond };
 
-// Where a document finds an icon.
+// Maps an icon to its address in a document.
 using IconPlace = std::string (*)(OverlayIcon);
-// Where Google keeps one much like it.
+// Address of a similar icon on Google's server.
 std::string server_icon(OverlayIcon icon);
-// Its name in an archive: "icons/arrow.png".
+// Name in an archive: "icons/arrow.png".
 std::string packed_icon(OverlayIcon icon);
-// The pictures under these names, the same bytes each time.
+// The pictures under those names; the same bytes each time.
 std::vector<PackedFile> packed_icons();
 
 }  // namespace lsos

@@ -65,7 +65,7 @@ void RoverStyle::add_to(std::vector<KmlStyle>& styles, IconPlace icon_href) cons
   sample.icon_href = icon_href(OverlayIcon::arrow);
   sample.icon_scale = 0.35;
   sample.label_scale = 0;  // thousands of labels would hide the ground
-  // The line behind the moving icon is in its colour too.
+  // The line behind the moving icon has the same colour.
   KmlStyle track = event;
   track.id = track_id;
   track.line_color_abgr = "ff" + color_;

@@ -1,4 +1,4 @@
-// How lines and points of an overlay look.
+// Styles of an overlay's lines and points.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace lsos {
 
-// How events that ended so look, whatever the rover: "event-failed", "event-failed-unlabelled".
+// Style id of events with that status, for all rovers: "event-failed", "event-failed-unlabelled".
 std::string status_style_id(EventStatus status, bool has_label);
 KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href);
 
-// The styles of one rover; its colour goes by its place among the rovers.
+// The styles of one rover. Its colour depends on its index `i` among the rovers.
 struct RoverStyle {
   std::string plan_id, planned_id, driven_id, event_id, sample_id, track_id;
 

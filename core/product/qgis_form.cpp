@@ -15,8 +15,8 @@ namespace lsos {
 
 namespace {
 
-// The layer of that name. QGIS calls them "mission - Route" or "Route", by how the file was opened:
-// so each is looked up by the name of the one that asks.
+// Expression for the layer of that name. QGIS calls layers "mission - Route" or "Route", depending
+// on how the file was opened, so the name is derived from that of the own layer.
 std::string beside(const FormLayer& own, std::string_view name) {
   return fmt::format("regexp_replace(@layer_name, '{}$', '{}')", own.name, name);
 }
@@ -49,7 +49,7 @@ std::string widget_xml(const FormField& field) {
                      field.declaration.name, type, config);
 }
 
-// Ten more than the highest of all layers that QGIS has open.
+// Ten more than the highest Sequence of all layers that QGIS has open.
 std::string next_sequence(const FormLayer& own, const std::vector<FormLayer>& layers) {
   std::string highest = "0";
   for (const FormLayer& layer : layers) {
@@ -60,7 +60,7 @@ std::string next_sequence(const FormLayer& own, const std::vector<FormLayer>& la
   return fmt::format("max({}) + 10", highest);
 }
 
-// The expression of what a new feature has.
+// The expression for the initial value of a new feature.
 std::string initial_expression(const FormField& field, const FormLayer& own,
                                const std::vector<FormLayer>& layers) {
   if (field.declaration.name == "Sequence") return next_sequence(own, layers);
@@ -70,10 +70,10 @@ std::string initial_expression(const FormField& field, const FormLayer& own,
   return is_text ? sql_text(field.initial) : field.initial;  // QGIS quotes as SQL does
 }
 
-// What a form calls a field and what its numbers are in; below it what that means, in lines of a
-// form's width. A table of features shows the first line.
+// The label of a field in a form: name and unit, and below them the meaning in lines that fit the
+// form. A table of features shows the first line only.
 std::string alias_of(const std::string& name, const std::string& doc, const Unit* unit) {
-  constexpr std::size_t widest = 46;  // letters beside which a box has room
+  constexpr std::size_t widest = 46;  // letters that leave room for the input box
   std::string alias = name, line;
   if (unit != nullptr && unit->kind != "fraction") alias += fmt::format(" ({})", unit->symbol);
   std::istringstream words(doc);
@@ -86,7 +86,7 @@ std::string alias_of(const std::string& name, const std::string& doc, const Unit
   return alias + "\n" + line;
 }
 
-// What is asked of every event stands on a second page, and fid on none.
+// The pages of a form: fields common to all events are on a second page, and fid is on none.
 std::string tabs_of(const FormLayer& layer) {
   std::string what = R"(<attributeEditorField name="name" index="1" showLabel="1"/>)", when;
   int index = 2;
@@ -110,7 +110,7 @@ std::string tabs_of(const FormLayer& layer) {
                      page("When, and if it fails", when));
 }
 
-// Columns in which the lines of a title have room.
+// The table's columns, wide enough for the lines of a title.
 std::string table_of(const FormLayer& layer) {
   constexpr int width_px = 290;
   const auto column = [&](const std::string& name, int is_hidden) {
@@ -122,8 +122,8 @@ std::string table_of(const FormLayer& layer) {
   return fmt::format("<attributetableconfig><columns>{}</columns></attributetableconfig>", columns);
 }
 
-// The colour that the feature's rover has on all our maps: by the order of the ids drawn so far,
-// which QGIS sorts as words (ids in capitals and small letters may change places).
+// Expression for the colour that the feature's rover has on all maps: by the order of the ids drawn
+// so far. QGIS sorts them as words, so ids that mix upper and lower case may be ordered otherwise.
 std::string rover_color(const FormLayer& layer) {
   std::string colors;
   for (std::size_t k = 0; k < rover_colors.size(); ++k) {
@@ -138,7 +138,7 @@ std::string rover_color(const FormLayer& layer) {
 }
 
 std::string point_symbol(const FormLayer& layer) {
-  // An arrow where the plan says the heading, by its number and unit.
+  // An arrow where the plan gives a heading, parsed from its number and unit.
   if (layer.name == "Rover") {
     const std::string number = R"(to_real(regexp_substr("Heading", '(-?[0-9.]+)')))";
     return qgis_symbol(
@@ -161,7 +161,7 @@ std::string point_symbol(const FormLayer& layer) {
   return qgis_symbol("marker", "0", {marker});
 }
 
-// With an arrow at its end.
+// A line with an arrow at its end.
 std::string line_symbol(const FormLayer& layer) {
   const std::string color = rover_color(layer);
   const std::string arrow =
@@ -183,7 +183,7 @@ std::string area_symbol(const FormLayer& layer) {
                        {{"outlineColor", rover_color(layer)}}}});
 }
 
-// What a feature is called on the map: "SEV1", "20 To the ridge".
+// Expression for a feature's label on the map: "SEV1", "20 To the ridge".
 std::string label_of(const FormLayer& layer) {
   if (layer.name == "Asset") return R"("AssetId")";
   if (!has_field(layer, "Sequence")) return R"("RoverId")";
@@ -217,7 +217,7 @@ std::string style_of(const FormLayer& layer, const std::vector<FormLayer>& layer
   for (const FormField& field : layer.fields) {
     const FieldDeclaration& declaration = field.declaration;
     widgets += widget_xml(field);
-    // Durations without a unit are seconds, whatever they are shown in.
+    // Durations without a unit are seconds, whatever unit they are shown in.
     const Unit* unit = declaration.kind == FieldKind::duration ? find_unit("s") : declaration.unit;
     aliases += fmt::format(R"(<alias index="{}" field="{}" name="{}"/>)", index++, declaration.name,
                            xml_escaped(alias_of(declaration.name, declaration.doc, unit)));

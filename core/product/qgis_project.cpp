@@ -15,7 +15,7 @@ std::string crs_xml(const std::string& wkt, std::string_view authority = "") {
                      xml_escaped(wkt), authority);
 }
 
-// QGIS gives layers with ids of ten letters or fewer new ones.
+// QGIS replaces layer ids of ten letters or fewer.
 std::string id_of(std::string_view layer) { return fmt::format("lsos_{}_layer", layer); }
 
 std::string source_of(std::string_view layer) {
@@ -49,7 +49,7 @@ std::string hillshade(const QgisMap& map) {
       id_of("hillshade"), crs_xml(map.map_crs_wkt));
 }
 
-// As drawn in the plan: a layer of the overlay for each rover.
+// Lines as drawn in the plan: one layer of the overlay per rover.
 std::string drawn_layer(std::size_t rover, const QgisMap& map) {
   const QgisSymbolLayer line{"SimpleLine",
                              {{"line_color", rover_qgis_color(rover, 110)},
@@ -64,7 +64,7 @@ std::string drawn_layer(std::size_t rover, const QgisMap& map) {
       qgis_single_symbol(qgis_symbol("line", "0", {line})));
 }
 
-// A step of which a run has some 300, as a clock has them.
+// A round time step of which a run of up to 300 days has at most 300.
 double time_step_s(double span_s) {
   constexpr double steps_s[] = {1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200, 21600};
   constexpr double frames = 300;

@@ -16,11 +16,11 @@ struct QgisMap {
   const Body* body = nullptr;
   std::string log_crs_wkt;  // of log.gpkg
   std::string map_crs_wkt;  // of the hillshade, in m; the project's own
-  // What it shows first, in the map's CRS, m.
+  // Extent shown first, in the map's CRS, m.
   double west_m = 0, south_m = 0, east_m = 0, north_m = 0;
-  std::set<std::string> has_drawn;  // rovers whose plan draws something, in overlay.kml beside it
+  std::set<std::string> has_drawn;  // rovers with lines drawn in the plan, in overlay.kml beside it
   bool has_hillshade = false;       // as hillshade.tif beside it
-  // For the time slider.
+  // Range of the time slider.
   Instant start, end;
 };
 

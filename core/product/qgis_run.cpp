@@ -14,7 +14,7 @@ namespace lsos {
 namespace {
 
 constexpr double margin_share = 0.25, margin_least_m = 40;
-constexpr int hillshade_px = 1000;      // of the longer side
+constexpr int hillshade_px = 1000;      // along the longer side
 constexpr double finest_cell_m = 0.25;  // smaller cells show no more
 
 void add(MapExtent& extent, double x_m, double y_m) {
@@ -28,7 +28,7 @@ double longer_m(const MapExtent& extent) {
   return std::max(extent.east_m - extent.west_m, extent.north_m - extent.south_m);
 }
 
-// All that was drawn, planned and driven, and the site's origin.
+// Extent of all that was drawn, planned and driven, and the site's origin, with a margin.
 MapExtent extent_of(const ReportData& data) {
   MapExtent extent;
   for (const ReportRover& rover : data.rovers) {

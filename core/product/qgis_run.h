@@ -1,4 +1,4 @@
-// mission.qgz and hillshade.tif: a run as QGIS opens it.
+// Writes mission.qgz and hillshade.tif: a run as QGIS opens it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-// From the run's log. Throws InputError where they cannot be written.
+// Writes both from the run's log. Throws InputError where they cannot be written.
 void write_qgis_project(const std::string& run_dir, const MissionModel& files,
                         const Ground& ground);
 

@@ -17,8 +17,8 @@ struct Symbol {
   QgisOptions options, properties;
 };
 
-// One symbol for each value of a column.
-// `last`: an expression; features of which it is 1 are drawn over all others, "" for none.
+// A renderer with one symbol per value of a column. `last`: an expression; features for which it is
+// 1 are drawn over all others; "": none.
 std::string categories(std::string_view column, const std::vector<Symbol>& symbols, bool is_line,
                        const std::string& last = "") {
   std::string values, drawn;
@@ -42,7 +42,7 @@ std::string categories(std::string_view column, const std::vector<Symbol>& symbo
       column, last.empty() ? 0 : 1, values, drawn, order);
 }
 
-// "255,0,0,255" of KML's "0000ff".
+// "255,0,0,255" from KML's "0000ff".
 std::string color_of(std::size_t rover) {
   const std::string_view bgr = rover_colors[rover % rover_colors.size()];
   const auto part = [&](std::size_t at) {
@@ -105,7 +105,7 @@ std::string notes() {
                                            {"outline_color", "60,60,60,255"}}}}));
 }
 
-// One label a place, with the texts of all that happened there.
+// One label per place, with the texts of all its features.
 std::string label(std::string_view column) {
   const std::string place = "round($x, 4) || ',' || round($y, 4)";
   const std::string together = fmt::format(
@@ -114,7 +114,7 @@ std::string label(std::string_view column) {
   return qgis_labeling(together, QgisPlacement::about_points);
 }
 
-// When a feature is shown as the time slider moves: from `start` on, to `end` where there is one.
+// Times at which a feature is shown under the time slider: from `start` on, until `end` if given.
 std::string temporal(std::string_view start, std::string_view end) {
   constexpr int from_a_moment = 1, between_moments = 2;
   return fmt::format(
@@ -129,7 +129,7 @@ std::string temporal(std::string_view start, std::string_view end) {
 std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers) {
   const QgisOptions path{{"line_width", "0.5"}, {"line_width_unit", "MM"}, {"line_style", "dash"}};
   return {
-      // How an event ended is known from its end on.
+      // Events are drawn by their status, which is known from their end on.
       {"events", "Events", "Point", events(), label("label"), temporal("end_utc", "")},
       {"notes", "Notes", "Point", notes(), label("name"), "", false},
       {"samples", "Samples", "Point", samples(rovers), "", temporal("utc", "")},

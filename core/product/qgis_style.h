@@ -1,5 +1,5 @@
-// How QGIS draws the layers of a log: XML of its version 3.22, in parts that its project files and
-// its styles share.
+// Styles with which QGIS draws the layers of a log: XML of its version 3.22, in parts that project
+// files and styles share.
 #pragma once
 
 #include <string>
@@ -18,14 +18,14 @@ struct QgisLayer {
   bool is_on = true;          // drawn when the project opens
 };
 
-// Those that have places, the topmost first. `rovers`: their ids in byte order, which decides their
-// colours.
+// The layers that have places, the topmost first. `rovers`: their ids in byte order, which
+// determines their colours.
 std::vector<QgisLayer> qgis_layers(const std::vector<std::string>& rovers);
 
 // A style as QGIS keeps it in the table layer_styles.
 std::string qgis_style(const QgisLayer& layer);
 
-// "255,0,0,110": of the rover at that place in the order of ids; opacity of 255.
+// Colour of the rover at that index in the order of ids: "255,0,0,110"; `opacity`: 0..255.
 std::string rover_qgis_color(std::size_t rover, int opacity);
 
 }  // namespace lsos

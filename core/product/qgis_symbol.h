@@ -13,8 +13,8 @@ using QgisOptions = std::vector<std::pair<std::string, std::string>>;
 struct QgisSymbolLayer {
   std::string kind;  // "SimpleMarker", "SimpleLine", "SimpleFill", "MarkerLine"
   QgisOptions options;
-  QgisOptions properties = {};  // options that an expression decides for each feature
-  std::string marker = {};      // <symbol> that a MarkerLine is made of
+  QgisOptions properties = {};  // options given by an expression per feature
+  std::string marker = {};      // <symbol> of a MarkerLine
 };
 
 // <symbol>. `type`: "marker", "line" or "fill"; `layers`: the lowest first.
@@ -23,12 +23,11 @@ std::string qgis_symbol(std::string_view type, std::string_view name,
 // <renderer-v2> that draws all features alike. `symbol`: named "0".
 std::string qgis_single_symbol(const std::string& symbol);
 
-// <labeling> of an expression. `placement`: of points about them, of lines along them, of polygons
-// inside.
+// <labeling> by an expression. `placement`: around points, along lines, or inside polygons.
 enum class QgisPlacement { about_points, along_lines, inside };
 std::string qgis_labeling(const std::string& expression, QgisPlacement placement);
 
-// Text of an element or attribute.
+// Escapes the text of an element or attribute.
 std::string xml_escaped(std::string_view text);
 
 }  // namespace lsos

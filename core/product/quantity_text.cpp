@@ -11,15 +11,15 @@ namespace lsos {
 
 namespace {
 
-// How a quantity whose name ends so is shown where it is as large as that or larger.
+// The unit in which a quantity with that suffix is shown if its value is at least `least`.
 struct ShownUnit {
   std::string_view suffix;
   double least = 0;   // in the unit of the name
-  double factor = 1;  // of that unit in the shown one
+  double factor = 1;  // units of the name per shown unit
   std::string_view unit;
 };
 constexpr double hour_s = 3600, minute_s = 60, kilo = 1000;
-// The larger unit first.
+// The larger unit comes first.
 constexpr ShownUnit shown_units[] = {
     {"_m", kilo, kilo, " km"},    {"_m", 0, 1, " m"},
     {"_s", hour_s, hour_s, " h"}, {"_s", minute_s, minute_s, " min"},
@@ -41,7 +41,7 @@ const ShownUnit* unit_of(std::string_view name, double value) {
 std::string quantity_label(const std::string& name) {
   std::string label = name;
   const ShownUnit* unit = unit_of(name, 0);
-  const bool is_word = unit != nullptr && unit->unit == " %";  // a part of the name
+  const bool is_word = unit != nullptr && unit->unit == " %";  // the suffix is a word of the name
   if (unit != nullptr && !is_word) label.resize(label.size() - unit->suffix.size());
   std::ranges::replace(label, '_', ' ');
   return label;

@@ -1,17 +1,18 @@
-// Quantities of a summary as people read them, in the units of the report: m and km, s to h, Wh and
-// kWh, degrees, per cent.
+// Text of a summary's quantities in the units of the report: m and km, s to h, Wh and kWh, W and
+// kW, degrees, per cent.
 #pragma once
 
 #include <string>
 
 namespace lsos {
 
-// "energy_used_j" is "energy used".
+// The name without its unit: "energy_used_j" becomes "energy used".
 std::string quantity_label(const std::string& name);
 
-// `name` says the unit of `value`: distance_m, solar_j, max_slip. Six digits that count.
+// The suffix of `name` gives the unit of `value`: distance_m, solar_j, max_slip. Six significant
+// digits.
 std::string quantity_text(const std::string& name, double value);
-// The same of a difference, with its sign.
+// The same for a difference, with its sign.
 std::string change_text(const std::string& name, double change);
 
 }  // namespace lsos

@@ -16,14 +16,14 @@
 
 namespace lsos {
 
-// Files of report/ and of dygraphs, as embed.cmake writes them.
+// Files of report/ and dygraphs, defined in a source that embed.cmake writes.
 extern const std::string_view report_page, report_style, report_script, dygraphs;
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Little-endian, as browsers have it.
+// Little-endian, as in browsers.
 template <class Number>
 std::string packed(const std::vector<double>& values, double per_unit) {
   std::string bytes(values.size() * sizeof(Number), '\0');
@@ -117,7 +117,7 @@ Json value_of(const ColumnValue& value) {
   return nullptr;
 }
 
-// All columns of each row, and where on the map it is.
+// All columns of each row, and its position on the map.
 template <class Row>
 Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
   Json array = Json::array();
@@ -136,7 +136,7 @@ Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
   return array;
 }
 
-// With their fields as an object.
+// The notes, with their fields as an object.
 Json notes(const ReportData& data, const SiteFrame& site) {
   Json array = placed_rows(data.notes.rows, site);
   for (Json& note : array) {
@@ -240,7 +240,7 @@ Json site_json(const SiteFrame& site) {
           {"flattening", site.body().flattening}};
 }
 
-// Inside <script> no "<" may stand: "</script>" in a label would end it.
+// Escapes "<", as "</script>" in a label would end the script.
 std::string script_safe(const std::string& json) {
   std::string safe;
   safe.reserve(json.size());
@@ -254,17 +254,17 @@ std::string script_safe(const std::string& json) {
   return safe;
 }
 
-// Its last line names a file that only its makers have.
+// Removes the last line of dygraphs, which names a source map that the page does not have.
 std::string_view without_source_map(std::string_view script) {
   const std::size_t at = script.rfind("//# sourceMappingURL=");
   return at == std::string_view::npos ? script : script.substr(0, at);
 }
 
-// When leap seconds end within the run, s after its start. Of a span that UTC counts shorter than
-// it was, halves are looked at until the moment is found.
+// Ends of leap seconds within the run, s after its start. Days in which UTC falls behind the
+// elapsed time are bisected until the moment is found.
 std::vector<double> leap_ends_s(Instant start, double end_s) {
   constexpr double day_s = 86400, rounding_s = 1e-5;
-  // A start within a leap second is behind by what has gone of it.
+  // A run that starts within a leap second: counting begins a second earlier.
   const double before_s = format_utc(start).find(":60") != std::string::npos ? 1 : 0;
   const double base_days = utc_days(start + from_seconds(-before_s));
   const auto behind_s = [&](double time_s) {
@@ -290,7 +290,7 @@ std::string report_json(const ReportData& data, const Plan& plan, const SiteFram
                         const std::string& summary, const ReportExtras& extras) {
   Json parsed = Json::parse(summary, nullptr, false);
   if (!parsed.is_object()) parsed = nullptr;
-  if (parsed.is_object()) parsed.erase("events");  // as in the log
+  if (parsed.is_object()) parsed.erase("events");  // the page takes them from the log
   const Json document = {
       {"plan", plan.file},
       {"body", std::string(plan.mission.planet->name)},

@@ -1,5 +1,5 @@
-// report.html: one page, without a network, that shows what a run came to: warnings, tables, a map,
-// plots with one cursor of time, pictures.
+// report.html: one page that works offline and shows the results of a run: warnings, tables, a map,
+// plots with a common time cursor, pictures.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace lsos {
 
-// What a browser shows as a picture.
+// A picture in a format that browsers show.
 struct EmbeddedPicture {
   std::string mime;  // image/jpeg
   std::string bytes;
@@ -22,13 +22,13 @@ struct ReportMap {
   double left_m = 0, bottom_m = 0, right_m = 0, top_m = 0;
   EmbeddedPicture relief;
   double lowest_m = 0, highest_m = 0;
-  double missing_share = 0;  // of the map, where no ground is known
-  // Dark where the ground does not see the Sun, then.
+  double missing_share = 0;  // share of the map where no ground is known
+  // Dark where the ground does not see the Sun at the time `shadow_s`.
   std::optional<EmbeddedPicture> shadow;
   double shadow_s = 0;
-  double sunlit_share = not_modelled;  // of the map
-  // Towards the Sun from the map's middle: where the ground ends, and as far as it counts; NaN
-  // where it does not end before.
+  double sunlit_share = not_modelled;  // share of the map
+  // Distances towards the Sun from the map's centre: to the end of the ground, and up to which
+  // ground may hide the Sun; NaN where the ground does not end before.
   double ground_reaches_m = not_modelled, ground_matters_m = not_modelled;
 };
 
@@ -44,18 +44,18 @@ struct ReportBattery {
   double capacity_j = 0, reserve_j = 0;
 };
 
-// What needs the ground and the scripts of the plan, which may be gone when a log is read.
+// Parts that need the ground and the scripts of the plan, which may be missing when a log is read.
 struct ReportExtras {
   std::optional<ReportMap> map;
   std::vector<ReportPicture> pictures;
   std::map<std::string, ReportBattery> batteries;  // by rover id
-  std::vector<std::string> left_out;               // what is missing in the page, and why
+  std::vector<std::string> left_out;               // parts missing from the page, and why
 };
 
-// `summary`: the text of summary.json; "" when there is none: the run has not finished.
+// `summary`: the text of summary.json; "" when the run has not finished and there is none.
 std::string report_html(const ReportData& data, const Plan& plan, const SiteFrame& site,
                         const std::string& summary, const ReportExtras& extras);
-// The page's data, as it stands inside <script>: no '<' in it.
+// The page's data as it stands inside <script>, without any '<'.
 std::string report_json(const ReportData& data, const Plan& plan, const SiteFrame& site,
                         const std::string& summary, const ReportExtras& extras);
 

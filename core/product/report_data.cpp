@@ -53,14 +53,14 @@ ReportLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) 
   return simplified_line(line);
 }
 
-// North is not the same everywhere: near a pole it turns with each step.
+// Heading relative to the map's axes: near a pole the local north turns with each step.
 double heading_on_map_rad(const SiteFrame& site, const SampleRow& row) {
   const Vec3 ahead_S = std::sin(row.heading_rad) * site.east_S(row.p_S_m) +
                        std::cos(row.heading_rad) * site.north_S(row.p_S_m);
   return std::atan2(ahead_S.x(), ahead_S.y());
 }
 
-// How a rover's rows are thinned: what is shown over time, and on the map.
+// Chooses the rows of a rover that are shown over time and on the map.
 struct Thinning {
   EventMarks of_series;
   DriveMarks of_places;
@@ -84,7 +84,7 @@ void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data)
   log.for_each_sample([&](const SampleRow& row) {
     const auto known = rovers.find(row.rover_id);
     if (known == rovers.end())
-      return;  // its first came since they were counted, of a run that goes on
+      return;  // in a run that goes on: its first row was written after counting
     ReportRover& rover = known->second;
     Thinning& thinning = thinnings.at(row.rover_id);
     const double time_s = seconds(row.time);
@@ -137,8 +137,8 @@ void read_lines(const LogReader& log, const Plan& plan, const SiteFrame& site, R
   }
 }
 
-// Between two ends, since when one has seen the other, or been linked to it, as rows of `pairs` say
-// that came after the last interval that is in the log.
+// Sight or link between two ends that is not over: since when, from rows of `pairs` after the last
+// interval in the log.
 struct OpenSight {
   struct Since {
     SimTime closed_until{-1};
@@ -186,7 +186,7 @@ void read_pairs(const LogReader& log, ReportData& data) {
     series.finish();
     data.distances.push_back({ids.first, ids.second, std::move(series)});
   }
-  // Of a log that ends in its midst.
+  // Intervals that had not ended when the log did.
   for (const auto& [ids, sight] : open) {
     const auto& [visible, link, last] = sight;
     if (visible.begin) add(ids.first, ids.second, false, *visible.begin, last);

@@ -1,4 +1,4 @@
-// What a report shows of a run, read from its log in one pass over each layer.
+// The data of a report, read from a run's log in one pass over each layer.
 #pragma once
 
 #include <map>
@@ -14,12 +14,12 @@
 
 namespace lsos {
 
-// Points of a series at most are about four times as many, besides those at the starts and ends of
-// events; and places of a rover on the map. The log has all.
+// A series has at most about four points per stretch, besides those at the starts and ends of
+// events. `report_places_max`: places of a rover on the map. The log has all samples.
 inline constexpr int report_stretches = 1000;
 inline constexpr std::size_t report_event_points_max = 1000, report_places_max = 5000;
 
-// On the map: metres east and north in the site's frame.
+// A point of the map: metres east and north in the site frame.
 struct ReportPoint {
   double x_m = 0, y_m = 0;
 };
@@ -31,7 +31,7 @@ enum PositionColumn : std::size_t {
   position_y,
   position_lon_deg,
   position_lat_deg,
-  position_heading_rad,  // on the map: clockwise from the site's north
+  position_heading_rad,  // clockwise from the site's north
   position_columns
 };
 
@@ -44,7 +44,7 @@ struct ReportRover {
   ThinnedRows position;
   std::vector<std::pair<std::string, ThinnedRows>> series;  // by column of the log
   std::vector<ReportLine> drawn, planned;
-  // Of the last sample, for a run without a summary.
+  // Values of the last sample, for a run without a summary.
   double distance_m = 0, last_s = 0;
 };
 
@@ -78,10 +78,10 @@ struct ReportData {
 // `site`: the frame of the log's x_m, y_m.
 ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site);
 
-// The frame of a log, from the log itself; good enough to draw a map.
+// The site frame of a log, estimated from its first sample; accurate enough to draw a map.
 SiteFrame site_of(const LogReader& log, const Plan& plan);
 
-// "#ff0000" of the rover at that place in the order of ids.
+// Colour of the rover at that index in the order of ids: "#ff0000".
 std::string web_colour(std::size_t place);
 
 }  // namespace lsos

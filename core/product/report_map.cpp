@@ -15,9 +15,9 @@ namespace {
 
 constexpr double margin_share = 0.14, margin_least_m = 25;
 constexpr double flattest = 0.62, steepest = 1.1;  // height over width
-constexpr int relief_px = 600, shadow_px = 200;    // of the longer side
+constexpr int relief_px = 600, shadow_px = 200;    // along the longer side
 constexpr double lit_from_rad = radians(315), lit_rad = radians(45);
-constexpr double wanted_slope = 0.35;  // of the steep places, as they are drawn
+constexpr double wanted_slope = 0.35;  // slope to which steep places are exaggerated
 constexpr double exaggeration_most = 6;
 constexpr double darkest = 0.62;  // cover of full shadow
 // Stripes where no ground is known: period and width in cells.
@@ -101,7 +101,7 @@ std::vector<Slope> slopes(const std::vector<double>& heights_m, const MapCells& 
   return found;
 }
 
-// Lit from the north-west, as maps are; flat ground is pale, so that lines stand out.
+// Relief lit from the north-west, as on maps; flat ground is pale, so that lines stand out.
 EmbeddedPicture relief(const std::vector<double>& heights_m, const MapCells& grid) {
   const std::vector<Slope> all = slopes(heights_m, grid);
   std::vector<double> steep;

@@ -1,4 +1,4 @@
-// The ground under a mission as a map for its report: relief, and what lies in shadow at a time.
+// Map of the ground under a mission for its report: relief, and the shadow at a given time.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-// All that was drawn, planned and driven lies on it; absent where there is nothing of that.
+// The map covers all that was drawn, planned and driven; absent where there is nothing of these.
 // `shadow_at`: since the start.
 std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data, SimTime shadow_at,
                                     int threads);

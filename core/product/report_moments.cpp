@@ -10,20 +10,20 @@ namespace lsos {
 
 namespace {
 
-constexpr double still_m = 2;        // an event that moves less is a stop
-constexpr SimTime stop{60'000'000};  // and lasts so long
+constexpr double still_m = 2;        // an event with less motion is a stop
+constexpr SimTime stop{60'000'000};  // shortest stop that counts
 constexpr SimTime picture_apart{30'000'000};
 constexpr std::size_t stops_most = 8;
 constexpr std::size_t rovers_most = 3;  // whose start and end are shown
 
-// By rover, when its panels went up or down.
+// Times at which each rover's panels went up or down.
 class PanelTimes {
  public:
   explicit PanelTimes(const LogReader& log) {
     log.for_each_panel([&](const PanelRow& row) {
       auto& changes = by_rover_[row.rover_id];
       const bool is_up = !std::isnan(row.azimuth_rad);
-      // Of several panels one is enough.
+      // One of several panels is enough for the rover to count as up.
       if (!changes.empty() && changes.back().first == row.time) {
         changes.back().second |= is_up;
       } else if (changes.size() < 2 || changes.back().second != is_up ||
@@ -53,7 +53,7 @@ SimTime middle(const EventRow& event) {
   return round_up_to_exchange((*event.start + *event.end) / 2);
 }
 
-// Of events without a drive between them the longest stands for the stop.
+// Stops with panels up. The longest of the events between two drives stands for the stop.
 std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& panels) {
   std::vector<ReportMoment> stops;
   const EventRow* longest = nullptr;
@@ -93,7 +93,7 @@ std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData&
     if (end > picture_apart) moments.push_back({end, rover.id, "End", false});
   }
   const std::vector<ReportMoment> stops = solar_stops(data, panels);
-  // Of too many some of all parts of the mission.
+  // If there are too many stops, some from all parts of the mission are kept.
   const std::size_t count = std::min(stops_most, stops.size());
   if (count < stops.size()) {
     left_out.push_back(fmt::format("pictures of {} of the {} stops with panels up",

@@ -1,4 +1,5 @@
-// The moments of a run that its report has pictures of: the start, each stop in the Sun, the end.
+// Selects the times of a run that its report has pictures of: the start, each stop in the Sun, the
+// end.
 #pragma once
 
 #include <string>
@@ -13,10 +14,11 @@ struct ReportMoment {
   SimTime time{};
   std::string rover_id;
   std::string title;
-  bool is_solar = false;  // its panels were up: what the Sun sees is shown too
+  bool is_solar = false;  // its panels were up: the view from the Sun is shown too
 };
 
-// In order of time; some dozen at most. What had no room among them is added to `left_out`.
+// Moments in order of time, some dozen at most. A text for what had to be left out is added to
+// `left_out`.
 std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data,
                                          std::vector<std::string>& left_out);
 

@@ -65,7 +65,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
   extras.batteries = batteries(run.files);
   if (run.ground) {
     extras.map = report_map(*run.ground, data, wish.shadow_at, wish.threads);
-    // No font, no way to draw: all else is still worth reading.
+    // Pictures may fail, as without a font or a GPU; the rest is still worth reading.
     try {
       if (wish.has_pictures) extras.pictures = pictures(run, log, data, left_out);
     } catch (const std::exception& error) {
@@ -84,7 +84,7 @@ void write_report(const std::string& run_dir, const MissionModel& files, const G
   run.ground = std::shared_ptr<const Ground>(std::shared_ptr<const Ground>(), &ground);
   run.start = log.start();
   run.end = log.last_sample_time();
-  std::vector<std::string> left_out;  // the page says so
+  std::vector<std::string> left_out;  // the page lists it
   write_file(run_dir + "/report.html",
              report_of(std::move(run), log, to_json(summary), wish, left_out));
 }

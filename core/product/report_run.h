@@ -1,5 +1,5 @@
-// report.html of a run, from its log, with what its plan's scripts and terrain add: a map,
-// pictures.
+// Writes report.html of a run from its log, with a map and pictures from its plan's scripts and
+// terrain.
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@
 namespace lsos {
 
 struct ReportWish {
-  SimTime shadow_at{};  // since the start: of the map
+  SimTime shadow_at{};  // time of the map's shadow, since the start
   bool has_pictures = true;
   int threads = 2;
 };
 
-// `run`: its files and its ground; without ground there is neither map nor picture, and
-// `left_out` says why. `summary`: the text of summary.json, "" for none. What else has to be left
-// out is added.
+// `run`: the run's files and ground. Without ground there is neither map nor picture, and
+// `left_out` states why. `summary`: text of summary.json, "" for none. Texts for all else that is
+// left out are added.
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
                       const ReportWish& wish, std::vector<std::string>& left_out);
 
-// DIR/report.html of a run that has just ended.
+// Writes DIR/report.html of a run that has just ended.
 void write_report(const std::string& run_dir, const MissionModel& files, const Ground& ground,
                   const RunSummary& summary, const ReportWish& wish);
 

@@ -9,7 +9,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double vertex_spacing_m = 0.5;  // finer than a wheelbase, so no turn is lost
+constexpr double vertex_spacing_m = 0.5;  // less than a wheelbase, so that no turn is lost
 
 SimTime round_up(SimTime time, SimTime step) { return (time + step - SimTime{1}) / step * step; }
 

@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The summary goes first: without it a run is unfinished, whatever else is still there.
+// The summary is removed first: without it a run is unfinished, whatever other files remain.
 constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz", "report.html",
                                "report.png",   "plan.kml",     "mission.qgz", "hillshade.tif",
                                "log.gpkg",     "log.gpkg-wal", "log.gpkg-shm"};
 
-// Empty while a folder is looked at; holds `run_mark` from `prepare` on.
+// Empty while a folder is being checked; contains `run_mark` from `prepare` on.
 constexpr const char* lock_name = ".lsos-host.lock";
 constexpr std::string_view run_mark = "a run of lsos-host that has not finished\n";
 
@@ -40,7 +40,7 @@ bool is_there(const fs::path& file) {
   return fs::exists(fs::symlink_status(file, error));
 }
 
-// A link would lead us to read, or a later program to write, somewhere else.
+// Rejects links, through which this program would read, or a later one write, somewhere else.
 bool is_plain_file(const fs::path& file) {
   std::error_code error;
   return fs::is_regular_file(fs::symlink_status(file, error));
@@ -85,7 +85,7 @@ void refuse_foreign(const std::string& path, const Content content) {
                    fmt::format("{}: {}; name another folder with -o", what, std::strerror(errno)));
 }
 
-// The file behind the descriptor is still the one of that name.
+// Whether the open file is still the one of that name.
 bool is_same_file(int descriptor, const std::string& file) {
   struct stat open_file {};
   struct stat named_file {};
@@ -103,7 +103,7 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
   while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
   try {
     make_folders();
-    // Before the lock too: in a foreign folder not even a lock file may be made.
+    // Check before locking as well: in a foreign folder not even a lock file may be created.
     refuse_foreign(path_, content_of(path_));
     lock();
     const Content content = content_of(path_);
@@ -144,7 +144,7 @@ void RunFolder::make_folders() {
 
 void RunFolder::lock() {
   const std::string lock_file = file(lock_name);
-  // Again only when a file that was there was removed by its holder, before we opened or locked it.
+  // Retry only if the existing file was removed by its holder before it was opened or locked here.
   for (;;) {
     lock_ = ::open(lock_file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
     has_made_lock_file_ = lock_ >= 0;
@@ -170,8 +170,7 @@ void RunFolder::check_replaceable() {
   struct stat folder {};
   if (::stat(path_.c_str(), &folder) != 0) refuse_for_errno(path_, "cannot be read");
   const uid_t self = ::geteuid();
-  // In a folder with the sticky bit, as /tmp, everybody may write and none remove what is
-  // another's.
+  // In a folder with the sticky bit, like /tmp, all may write but none may remove another's files.
   if ((folder.st_mode & S_ISVTX) == 0 || self == 0 || folder.st_uid == self) return;
   for (const char* name : run_files) {
     struct stat old {};
@@ -182,7 +181,7 @@ void RunFolder::check_replaceable() {
 }
 
 void RunFolder::prepare() {
-  // The lock file holds this mark or nothing, so one write settles it.
+  // The lock file holds this mark or nothing, so one write suffices.
   if (::pwrite(lock_, run_mark.data(), run_mark.size(), 0) != std::ssize(run_mark)) {
     throw OutputError(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
   }

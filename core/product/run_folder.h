@@ -1,5 +1,5 @@
-// The folder that a run leaves its files in, and the rules for touching it: a finished run of ours
-// may be replaced, an unfinished one only when forced, anything else never.
+// The folder of a run's files, and the rules for changing it: a finished run of this program may be
+// replaced, an unfinished one only when forced, anything else never.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@ namespace lsos {
 // "out/PLAN-NAME" for "some/where/PLAN-NAME.kml".
 std::string default_run_folder(const std::string& plan_file);
 
-// Holds the folder against other writers until it goes.
+// Locks the folder against other writers until destroyed.
 class RunFolder {
  public:
-  // Checks that `path` may become the folder of a run and locks it. Folders that are missing are
-  // made; of files that are there none is touched. Throws InputError with advice when another
-  // program writes there, when an unfinished run is there and `force` is not given, and when
-  // anything is there that is no run of ours, or the folder may not be written.
+  // Checks that `path` may become the folder of a run and locks it. Missing folders are created;
+  // existing files are not touched. Throws InputError with advice when another program writes
+  // there, when it holds an unfinished run and `force` is not given, when it holds anything that is
+  // no run of this program, and when it is not writable.
   RunFolder(const std::string& path, bool force);
-  // Gives the lock back. Where `prepare` was not called, the folder is as it was found.
+  // Releases the lock. If `prepare` was not called, the folder is as it was found.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -27,15 +27,15 @@ class RunFolder {
   // The path of a file in the folder.
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
-  // Removes the files of the run that was there; its other files stay. From now on the folder
-  // holds an unfinished run until it has a summary. To be called only when the plan has passed its
-  // checks, right before the log is made; throws OutputError when a file cannot be removed.
+  // Removes the files of an earlier run; other files stay. From now on the folder holds an
+  // unfinished run until it has a summary. To be called only when the plan has passed its checks,
+  // right before the log is created. Throws OutputError when a file cannot be removed.
   void prepare();
 
  private:
   void make_folders();
   void lock();
-  // Throws InputError where `prepare` would fail halfway.
+  // Throws InputError if `prepare` would fail halfway.
   void check_replaceable();
   void release();
 

@@ -16,7 +16,8 @@ namespace lsos {
 
 namespace {
 
-// A rover whose slip is not in the summary though it drove for long; "" for others.
+// Warning for a rover whose slip is missing from the summary though it drove for long; "" for
+// others.
 std::string slip_warning(const RoverResult& result) {
   constexpr double long_s = 60;
   const bool is_missing = std::isnan(result.slip_p95) && !std::isnan(result.slip_rolling);
@@ -35,7 +36,7 @@ std::string slip_warning(const RoverResult& result) {
       result.id, result.driven_s / 60, result.slip_rolling);
 }
 
-// A rover that came nowhere near the speed that was asked of it; "" for others.
+// Warning for a rover that stayed far below its requested speed; "" for others.
 std::string slowness_warning(const RoverResult& result) {
   constexpr double long_s = 60, share = 0.5;
   if (!(result.driven_s >= long_s && result.mean_mps < share * result.mean_requested_mps))
@@ -49,7 +50,7 @@ std::string slowness_warning(const RoverResult& result) {
 
 RunSummary summarise(const Simulation& simulation, const MissionModel& files, double wall_s) {
   RunSummary summary;
-  // Whole, so that what lies beside it is found again from any folder.
+  // An absolute path, so that files beside the plan are found from any folder.
   summary.plan = std::filesystem::absolute(files.plan.file).lexically_normal().string();
   summary.start = files.plan.mission.start_time;
   summary.events = simulation.events();
@@ -81,14 +82,14 @@ RunSummary summarise(const Simulation& simulation, const MissionModel& files, do
   return summary;
 }
 
-// Makes room for the log, which must not exist.
+// Prepares the folder and returns the name of the log, which must not exist yet.
 std::string prepared(RunFolder& folder, const std::string& plan_bytes) {
   folder.prepare();
   write_file(folder.file("plan.kml"), plan_bytes);
   return folder.file("log.gpkg");
 }
 
-// "" when it was made.
+// Error of making a product; "" when it was made.
 std::string fault_of_making(const Product& product, const RunSummary& summary) {
   try {
     product.write(summary);
@@ -100,7 +101,7 @@ std::string fault_of_making(const Product& product, const RunSummary& summary) {
   }
 }
 
-// The summary that is there already stays where no new one can be written.
+// Writes the summary again with its new warnings; where that fails the earlier one stays.
 void keep_warnings(const std::string& run_dir, const RunSummary& summary) {
   try {
     write_summary(run_dir, summary);

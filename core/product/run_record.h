@@ -1,4 +1,4 @@
-// What a run leaves behind: its folder with the log, the overlay and the summary.
+// The files of a run: its folder with the log, the overlay and the summary.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace lsos {
 
-// A file that is made of a finished run's log, and can be made again.
+// A file that is made from a finished run's log, and can be made again.
 struct Product {
   std::string file;     // "report.html"
   std::string command;  // "report": the command that makes it again
@@ -22,15 +22,16 @@ struct Product {
 
 class RunRecord {
  public:
-  // The plan passed its checks: what an earlier run left in the folder goes. `plan_bytes`: what its
-  // plan.kml will hold. `run_values`: the layer `run`. Throws LogError, InputError.
+  // To be constructed once the plan has passed its checks: what an earlier run left in the folder
+  // is removed. `plan_bytes`: contents of the new plan.kml. Throws LogError, InputError.
   RunRecord(RunFolder& folder, const std::string& plan_bytes, const MissionModel& files,
             const std::map<std::string, std::string>& run_values, Simulation& simulation);
 
   LogWriter& log() { return log_; }
-  // Ends the log once the simulation has been terminated and writes the summary, with which the run
-  // is finished; then overlay.kml and `more`. Of a product that cannot be made `warn` is told what
-  // is missing and which command makes it again, and the summary's warnings have it.
+  // Ends the log after the simulation has been terminated and writes the summary, which marks the
+  // run as finished; then writes overlay.kml and `more`. For a product that cannot be made, `warn`
+  // is called with what is missing and the command that makes it again; the summary's warnings
+  // include this too.
   RunSummary finish(const MissionModel& files, const Simulation& simulation, double wall_s,
                     const std::function<void(const std::string&)>& warn,
                     const std::vector<Product>& more = {});

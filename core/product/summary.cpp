@@ -31,7 +31,7 @@ Json json_of(const EventRow& event, Instant start) {
 }
 
 Json json_of(const RoverSummary& rover) {
-  // The library writes numbers that are not finite as null.
+  // The library writes non-finite numbers as null.
   Json object = {{"distance_m", rover.distance_m},
                  {"duration_s", rover.duration_s},
                  {"drive_s", rover.drive_s},

@@ -10,10 +10,10 @@ namespace lsos {
 
 namespace {
 
-// A screen of 24 rows less the lines around the events.
+// A screen of 24 rows minus the lines around the events.
 constexpr std::size_t events_on_a_screen = 16;
 
-// "2 d 03 h", "3 h 05 min", "5 min 07 s", "7.5 s".
+// Examples: "2 d 03 h", "3 h 05 min", "5 min 07 s", "7.5 s".
 std::string duration_text(double time_s) {
   if (!std::isfinite(time_s)) return "-";
   if (time_s < 60) return fmt::format("{:.1f} s", time_s);

@@ -9,7 +9,7 @@ namespace lsos {
 
 namespace {
 
-// Keeps `limit` of `count`, evenly spread.
+// Keeps `limit` of `count` items, evenly spread.
 struct Stride {
   std::size_t count = 0, limit = 0;
   std::size_t passed = 0;
@@ -45,14 +45,14 @@ ThinnedNotes thinned_notes(const LogReader& log, std::size_t most) {
   for (const auto& [kind, count] : kinds.by_kind) counts.push_back(count);
   const std::size_t limit = limit_of_each(counts, most);
   for (const auto& [kind, count] : kinds.by_kind) strides[kind] = {count, limit};
-  // With more kinds than notes that can be shown, all are of one.
+  // If there are more kinds than notes that can be shown, all notes are treated as one kind.
   const bool is_one_kind = kinds.by_kind.empty();
   Stride all{kinds.in_all, most};
   log.for_each_note([&](const NoteRow& row) {
     Stride* stride = &all;
     if (!is_one_kind) {
       const auto known = strides.find({row.rover_id, row.name});
-      if (known == strides.end()) return;  // of a run that goes on: written since it was counted
+      if (known == strides.end()) return;  // in a run that goes on: written after counting
       stride = &known->second;
     }
     if (!stride->keeps_next()) return;

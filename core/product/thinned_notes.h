@@ -1,4 +1,4 @@
-// Which of a log's notes a map or a page shows: a script may write thousands a second.
+// Chooses the notes of a log that a map or a page shows: a script may write thousands a second.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace lsos {
 
-// Notes of a log that are shown at most; the log has them all.
+// Greatest number of notes that are shown; the log has all.
 inline constexpr std::size_t shown_notes_max = 2000;
-// Fields of a note that are longer than this many bytes are left out of what is shown.
+// Fields of a note that are longer than this many bytes are not shown.
 inline constexpr std::size_t shown_note_bytes_max = 4096;
 
 struct ThinnedNotes {
@@ -18,11 +18,11 @@ struct ThinnedNotes {
   std::size_t in_log = 0;
 };
 
-// Notes of one rover and name are a kind. Kinds with few notes are kept whole, of the others each
-// keeps as many as any other, spread evenly over its notes, with its first and its last.
+// Notes of the same rover and name form a kind. Kinds with few notes are kept whole; the others
+// keep the same number each, spread evenly, including the first and the last.
 ThinnedNotes thinned_notes(const LogReader& log, std::size_t most = shown_notes_max);
 
-// How many of each kind are kept: the greatest limit at which all kinds together are at most
+// The number of notes kept of each kind: the greatest limit at which all kinds together are at most
 // `most`. `counts`: notes of each kind.
 std::size_t limit_of_each(std::vector<std::size_t> counts, std::size_t most);
 

@@ -23,7 +23,7 @@ ThinnedRows::ThinnedRows(Count count, int stretches, std::size_t columns, std::s
 
 void ThinnedRows::add(double time_s, std::span<const double> values, bool is_moving,
                       WantedRows wanted) {
-  // A stretch that is closed has kept its last row.
+  // If that stretch was closed since, its last row is kept anyway.
   std::vector<Row>& before = open_[previous_].rows;
   if (wanted.previous && !before.empty()) before.back().is_wanted = true;
   previous_ = is_moving ? 1 : 0;

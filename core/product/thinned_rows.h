@@ -1,4 +1,4 @@
-// A long series with few points that looks the same: of each stretch of its rows those with the
+// Thins a long series so that its plot looks the same: of each stretch of rows those with the
 // first, last, least and greatest value are kept.
 #pragma once
 
@@ -12,23 +12,23 @@
 
 namespace lsos {
 
-// Rows of a rover that moves and of one that stands are stretches of their own: else hours of
-// standing would leave a short drive a few points.
+// Rows in which the rover moves and rows in which it stands form separate stretches: otherwise
+// hours of standing would leave few points to a short drive.
 class ThinnedRows {
  public:
-  // So many rows in all, and among them of a rover that moves, as come to be added.
+  // Expected number of rows, and of those in which the rover moves.
   struct Count {
     std::size_t rows = 0, moving = 0;
   };
-  // Rows are cut into `stretches`; where that leaves few in each, all are kept. Rows have `columns`
-  // values; the first `deciding` of them say which rows are kept.
+  // Rows are divided into `stretches`; if that leaves few in each, all are kept. Rows have
+  // `columns` values; the first `deciding` of them determine which rows are kept.
   ThinnedRows(Count count, int stretches, std::size_t columns, std::size_t deciding);
 
-  // In order of time. A value that is not modelled is NaN; a gap keeps one row in each stretch.
-  // `wanted`: rows to be kept whatever their values.
+  // Rows come in order of time. A value that is not modelled is NaN; a gap keeps one row in each
+  // stretch. `wanted`: rows to be kept whatever their values.
   void add(double time_s, std::span<const double> values, bool is_moving = false,
            WantedRows wanted = {});
-  // The rows of the stretches that go on; to be called before they are read.
+  // Closes the open stretches; to be called before rows are read.
   void finish();
 
   const std::vector<double>& times_s() const { return times_s_; }
@@ -43,14 +43,14 @@ class ThinnedRows {
     bool is_wanted = false;
   };
   struct Stretch {
-    std::size_t most = 1;  // rows
+    std::size_t most = 1;  // rows at most
     std::vector<Row> rows;
   };
   void close(Stretch& stretch);
 
   std::size_t deciding_;
   std::array<Stretch, 2> open_;  // standing, moving
-  std::size_t previous_ = 0;     // of them, which holds the row before
+  std::size_t previous_ = 0;     // index in open_ of the stretch that holds the last row
   std::vector<Row> kept_;
   std::vector<double> times_s_;
   std::vector<std::vector<double>> columns_;

@@ -42,7 +42,7 @@ std::int64_t to_integer(const ColumnValue& value) {
   return number == nullptr ? 0 : *number;
 }
 
-// Columns that are one member of the row.
+// The column of one member of the row.
 template <auto member, class Row = decltype(row_of(member))>
 Column<Row> real(std::string_view name) {
   return {name, ColumnType::real, [](const Row& row, Instant) { return from_number(row.*member); },
@@ -83,7 +83,7 @@ Column<Row> optional_time(std::string_view name) {
           }};
 }
 
-// Calendar time of a member, or of two, the first that is known.
+// Calendar time of a member, or of the first of two that is known.
 template <auto member, auto second = member, class Row = decltype(row_of(member))>
 Column<Row> utc(std::string_view name) {
   return {name, ColumnType::utc,
@@ -95,7 +95,7 @@ Column<Row> utc(std::string_view name) {
           nullptr};
 }
 
-// Of a member that is a place.
+// Longitude and latitude of a member that is a place.
 template <auto member, class Row = decltype(row_of(member))>
 Column<Row> lon(std::string_view name) {
   return {name, ColumnType::real,

@@ -1,5 +1,5 @@
-// What the columns of each layer are: name, type, and how a row gives and takes the value. One
-// table serves creating a layer, writing, reading back, the digest and the products.
+// The columns of each layer: name, type, getter and setter. One table serves creating a layer,
+// writing, reading back, the digest and the products.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace lsos {
 
-// utc: a text as "2026-07-01T00:00:00.000Z".
+// A value of type utc is a text like "2026-07-01T00:00:00.000Z".
 enum class ColumnType { integer, real, text, utc };
 
 // monostate is NULL: a NaN, an absent optional, an empty text.
@@ -27,11 +27,11 @@ struct Column {
   ColumnType type = ColumnType::real;
   // `start` is the mission's StartTime, for columns of calendar time.
   ColumnValue (*value)(const Row& row, Instant start) = nullptr;
-  // Takes a value back; nullptr where it follows from the other columns.
+  // Sets the value in a row; nullptr where it follows from other columns.
   void (*set_value)(Row& row, const ColumnValue& value) = nullptr;
 };
 
-// Layer `run`: what the run was made of.
+// Layer `run`: the inputs of the run.
 struct RunRow {
   std::string key;
   std::string value;
@@ -66,7 +66,7 @@ std::span<const Column<RunRow>> columns<RunRow>();
 // A value as text in the C locale, numbers in the shortest form that reads back equal; "" is NULL.
 std::string to_text(const ColumnValue& value);
 
-// The status with that name, as to_string writes it.
+// The status whose name, as written by to_string, this is; absent: none.
 std::optional<EventStatus> event_status(std::string_view name);
 
 }  // namespace lsos

@@ -58,11 +58,11 @@ OGRwkbGeometryType geometry_type(LayerGeometry geometry) {
   return wkbNone;
 }
 
-constexpr int zone_utc = 100;  // as GDAL counts zones
+constexpr int zone_utc = 100;  // GDAL's number of the time zone
 
 void set_utc(OGRFeature& feature, int field, const std::string& text) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0;
-  float second = 0;  // GDAL's own; exact to far less than a millisecond
+  float second = 0;  // GDAL's type; exact to far less than a millisecond
   const int count =
       std::sscanf(text.c_str(), "%d-%d-%dT%d:%d:%fZ", &year, &month, &day, &hour, &minute, &second);
   LSOS_ASSERT(count == 6);
@@ -83,12 +83,12 @@ std::string utc(const OGRFeature& feature, int field) {
 Dataset create(const std::string& file) {
   GDALDriver* driver = geopackage_driver();
   if (driver == nullptr) return nullptr;
-  // Only a write-ahead log leaves the file readable after kill -9; it has to be asked for before
-  // the file exists. A power loss may cost the last commits (NORMAL), a kill may not.
+  // Only a write-ahead log leaves the file readable after kill -9; the option must be set before
+  // the file exists. With NORMAL a power loss may cost the last commits, a kill does not.
   const CPLConfigOptionSetter journal("OGR_SQLITE_JOURNAL", "WAL", false);
   const CPLConfigOptionSetter synchronous("OGR_SQLITE_SYNCHRONOUS", "NORMAL", false);
   CPLStringList options;
-  // GDAL's own table of row counts is written at close alone: wrong for whoever reads meanwhile.
+  // GDAL writes its table of row counts only on closing: other readers would find wrong counts.
   options.SetNameValue("ADD_GPKG_OGR_CONTENTS", "NO");
   return Dataset(driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, options.List()));
 }
@@ -103,7 +103,7 @@ OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialRe
   CPLStringList options;
   options.SetNameValue("FID", "fid");
   options.SetNameValue("GEOMETRY_NAME", "geom");
-  // Keeping an index costs more than the rows themselves.
+  // Maintaining an index costs more than writing the rows.
   options.SetNameValue("SPATIAL_INDEX", "NO");
   const bool is_spatial = spec.geometry != LayerGeometry::none;
   OGRLayer* layer = dataset.CreateLayer(std::string(spec.name).c_str(), is_spatial ? &crs : nullptr,

@@ -1,5 +1,5 @@
-// A thin skin over GDAL's vector API for one GeoPackage: ownership, and errors that come as text
-// instead of being printed. Only for this folder.
+// A thin wrapper of GDAL's vector API for one GeoPackage: ownership, and errors as text instead of
+// printed. Only for use in this folder.
 #pragma once
 
 #include <gdal_priv.h>
@@ -13,7 +13,7 @@
 
 namespace lsos::gpkg {
 
-// While it lives, GDAL's errors of this thread are kept here and printed nowhere.
+// While an object exists, GDAL's errors of this thread are kept in it and not printed.
 class QuietErrors {
  public:
   QuietErrors();
@@ -22,7 +22,7 @@ class QuietErrors {
   QuietErrors& operator=(const QuietErrors&) = delete;
 
   bool has_failed() const { return !message_.empty(); }
-  // The first failure, else a general word.
+  // The first failure, or a general message if there was none.
   std::string message() const;
 
  private:
@@ -37,23 +37,24 @@ struct CloseDataset {
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 using Feature = std::unique_ptr<OGRFeature>;
 
-// A new file in WAL mode; nullptr when it cannot be made (`file` exists, no space).
+// Creates a file in WAL mode; nullptr when that fails (`file` exists, no space).
 Dataset create(const std::string& file);
-// nullptr when it is no GeoPackage.
+// nullptr when the file is no GeoPackage.
 Dataset open_to_read(const std::string& file);
 
-// nullptr when it fails.
+// nullptr on failure.
 OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs);
 
-// Runs one statement and gives each row of its answer to `visit`. What fails, a QuietErrors around
-// the call knows.
+// Runs one statement and passes each row of its result to `visit`. Errors are reported by a
+// QuietErrors around the call.
 void run_sql(GDALDataset& dataset, const std::string& statement,
              const std::function<void(const OGRFeature&)>& visit = {});
 
-// Titles and meanings of the columns of all layers, as the GeoPackage's schema extension has them.
+// Writes titles and meanings of the columns of all layers in the form of the GeoPackage's schema
+// extension.
 void add_titles(GDALDataset& dataset);
 
-// A text as "2026-07-01T00:00:00.000Z" goes into a field of date and time.
+// In a field of date and time the value is a text like "2026-07-01T00:00:00.000Z".
 void set_value(OGRFeature& feature, int field, const ColumnValue& value);
 ColumnValue value(const OGRFeature& feature, int field, ColumnType type);
 

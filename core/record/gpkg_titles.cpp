@@ -1,4 +1,4 @@
-// What GIS tools show people in place of column names.
+// Column titles, which GIS tools show in place of the names.
 #include <fmt/format.h>
 
 #include "base/qgis_style_table.h"
@@ -7,7 +7,7 @@
 
 namespace lsos::gpkg {
 
-// OGC 12-128r18, annex F.9.
+// The tables follow OGC 12-128r18, annex F.9.
 void add_titles(GDALDataset& dataset) {
   run_sql(dataset,
           "CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, "

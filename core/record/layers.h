@@ -1,4 +1,4 @@
-// The layers of a log: every one that the contract names, in the order of the digest.
+// The layers of a log: all those of the contract, in the order of the digest.
 #pragma once
 
 #include <optional>
@@ -57,7 +57,7 @@ inline constexpr std::string_view layer_name<NoteRow> = "notes";
 template <>
 inline constexpr std::string_view layer_name<RunRow> = "run";
 
-// Where the point of a row is; absent: the row has none.
+// The place of a row's point; absent if the row has none.
 template <class Row>
 std::optional<Geodetic> place_of(const Row& row) {
   if constexpr (requires { row.place; }) return row.place;

@@ -16,25 +16,25 @@
 
 namespace lsos {
 
-// The key in layer `run` that holds the StartTime, microseconds of TAI as in Instant. Written by
-// LogWriter itself.
+// The key in layer `run` that holds the StartTime, in microseconds of TAI as in Instant. LogWriter
+// writes it.
 inline constexpr std::string_view start_key = "start_tai_us";
 
-// The log could not be written (a full disk): the run must stop. What was committed before stays
+// The log cannot be written, e.g. on a full disk: the run must stop. Rows committed before stay
 // readable.
 class LogError : public OutputError {
   using OutputError::OutputError;
 };
 
-// Writes log.gpkg. All layers exist and are committed before the constructor returns; rows are
-// committed at least once a wall second by `commit_if_due`. Fids count up from 1 in each layer,
-// in order of writing. Not for use from two threads.
+// Writes log.gpkg. All layers exist and are committed when the constructor returns; `commit_if_due`
+// commits rows at least once per second of wall time. Fids count up from 1 in each layer, in the
+// order of writing. Not thread-safe.
 class LogWriter {
  public:
-  // `file` must not exist. `crs` as in Body; `start` turns time_s into utc. All functions throw
-  // LogError; after one the file is closed as the last commit left it.
+  // `file` must not exist. `crs`: as in Body. `start`: converts time_s to utc. All functions throw
+  // LogError on failure, after which the file is closed in the state of the last commit.
   LogWriter(const std::string& file, const std::string& crs, Instant start);
-  // Without `finish` the file stays as the last commit left it.
+  // Without `finish` the file stays in the state of the last commit.
   ~LogWriter();
   LogWriter(const LogWriter&) = delete;
   LogWriter& operator=(const LogWriter&) = delete;
@@ -49,19 +49,19 @@ class LogWriter {
   void write(const PhaseRow& row);
   void write(const PlannedPathRow& row);
   void write(const NoteRow& row);
-  // Layer `run`, a row a key, updated when written again; nothing that differs between two equal
-  // runs.
+  // Writes layer `run`, one row per key, which is updated when written again. Values must not
+  // differ between two equal runs.
   void write_run(const std::map<std::string, std::string>& values);
 
-  // No part of the digest.
+  // Styles are not part of the digest.
   void write_styles(const std::vector<LayerStyle>& styles);
 
-  // Commits when the last commit is a wall second old.
+  // Commits if the last commit is about a second of wall time old.
   void commit_if_due();
   void commit();
 
-  // Commits all, folds the write-ahead log into the one file and closes it. Where another program
-  // has the file open just then, that program's closing removes the write-ahead log.
+  // Commits all, folds the write-ahead log into the one file and closes it. If another program has
+  // the file open at that time, the write-ahead log is removed when that program closes it.
   void finish();
 
  private:
@@ -69,31 +69,31 @@ class LogWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-// A row of any layer, as the digest has it.
+// A row of any layer, as it enters the digest.
 struct LogRow {
   std::int64_t fid = 0;
   std::vector<ColumnValue> values;  // in the order of the layer's columns
   std::string geometry;             // ISO WKB; "" is NULL
 };
 
-// Faster than this a rover moves.
+// Speed above which a rover counts as moving.
 inline constexpr double moving_mps = 1e-3;
 
-// What the samples of one rover come to.
+// Totals of one rover's samples.
 struct SampleTotals {
-  std::size_t rows = 0, moving = 0;  // those in which it moves
-  double distance_m = 0;             // driven at the last
+  std::size_t rows = 0, moving = 0;  // moving: those above moving_mps
+  double distance_m = 0;             // greatest distance driven
 };
 
-// Both ends belong to it.
+// A closed interval.
 struct TimeSpan {
   SimTime from = SimTime::min(), to = SimTime::max();
 };
 
-// Reads a log back, of a finished, running or killed run. Rows in fid order.
+// Reads the log of a finished, running or killed run. Rows come in fid order.
 class LogReader {
  public:
-  explicit LogReader(const std::string& file);  // throws InputError when it is no log of ours
+  explicit LogReader(const std::string& file);  // throws InputError if it is no log
   ~LogReader();
 
   std::vector<SampleRow> samples() const;
@@ -106,7 +106,7 @@ class LogReader {
   std::vector<PhaseRow> phases() const;
   std::vector<PlannedPathRow> planned_paths() const;
   std::vector<NoteRow> notes() const;
-  // One row at a time: weeks of them need not fit into memory.
+  // One row at a time, so that the rows of weeks need not fit into memory.
   void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;
   void for_each_joint(const std::function<void(const JointRow&)>& visit,
                       const TimeSpan& within = {}) const;
@@ -114,27 +114,27 @@ class LogReader {
                       const TimeSpan& within = {}) const;
   void for_each_pair(const std::function<void(const PairRow&)>& visit) const;
   void for_each_note(const std::function<void(const NoteRow&)>& visit) const;
-  // False of a run that was killed before its first.
+  // False if the run was killed before its first sample.
   bool has_samples() const;
-  // By rover.
+  // Keyed by rover id.
   std::map<std::string, SampleTotals> sample_totals() const;
-  // Rows of the pair that has most.
+  // Number of rows of the pair that has most.
   std::size_t pair_count() const;
   using NoteKind = std::pair<std::string, std::string>;  // rover_id, name
   struct NoteCounts {
     std::size_t in_all = 0;
-    std::map<NoteKind, std::size_t> by_kind;  // empty where there are more than were asked for
+    std::map<NoteKind, std::size_t> by_kind;  // empty if there are more than kinds_max
   };
   NoteCounts note_counts(std::size_t kinds_max) const;
-  // The next rows of a layer of the contract, `count` at most, in fid order.
+  // The rows of a layer that follow `fid`, at most `count`, in fid order.
   std::vector<LogRow> rows_after(std::string_view layer, std::int64_t fid, std::size_t count) const;
-  // Of the row that was written last; 0 when there is none.
+  // Time of the row that was written last; 0 if there is none.
   SimTime last_sample_time() const;
   std::map<std::string, std::string> run() const;
   Instant start() const;
 
-  // SHA-256 over all layers of the contract in fixed order, rows in fid order, every value with
-  // its type: equal for equal runs.
+  // SHA-256 over all layers of the contract in fixed order, rows in fid order, each value with its
+  // type: equal for equal runs.
   std::string sha256() const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t rows_at_once = 4096;
 
-// As the digest has it: bit for bit.
+// Compares bit by bit, as the digest does.
 bool is_same(const ColumnValue& a, const ColumnValue& b) {
   const auto* x = std::get_if<double>(&a);
   const auto* y = std::get_if<double>(&b);
@@ -22,7 +22,7 @@ bool is_same(const ColumnValue& a, const ColumnValue& b) {
   return a == b;
 }
 
-// "time_s 12, rover_id SEV1": what tells the row from others.
+// The values that identify the row among others: "time_s 12, rover_id SEV1".
 std::string where(const LayerSpec& layer, const LogRow& row) {
   constexpr std::array names{"time_s", "rover_id", "from_id", "to_id",    "sequence", "phase",
                              "kind",   "panel",    "joint",   "resource", "key"};

@@ -29,7 +29,7 @@ std::vector<int> field_numbers(OGRLayer& layer, const LayerSpec& spec, const std
   return numbers;
 }
 
-// The rows that a layer gives, to the end of the scope.
+// Limits the rows that a layer returns, until the end of the scope.
 class Filter {
  public:
   Filter(OGRLayer& layer, const std::string& where) : layer_(layer) {
@@ -68,7 +68,7 @@ void add_value(Sha256& hash, const ColumnValue& value) {
   }
 }
 
-// "" where there is none.
+// "" where the feature has no geometry.
 std::string geometry_wkb(const OGRFeature& feature) {
   const OGRGeometry* geometry = feature.GetGeometryRef();
   if (geometry == nullptr) return {};
@@ -149,10 +149,10 @@ struct LogReader::Impl {
     });
   }
 
-  // The others are passed over before a feature is made of them.
+  // Rows outside the span are filtered before features are made of them.
   template <class Row, class Visit>
   void for_each_row(const TimeSpan& within, Visit visit) const {
-    constexpr double rounding_s = 5e-7;  // half of what times are counted in
+    constexpr double rounding_s = 5e-7;  // half of the unit in which times are counted
     const Filter filter(layer(spec(layer_name<Row>)),
                         fmt::format("time_s BETWEEN {} AND {}", seconds(within.from) - rounding_s,
                                     seconds(within.to) + rounding_s));

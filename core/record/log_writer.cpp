@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Wall time after which rows are committed: what a reader or a kill may miss at most.
+// Wall time after which rows are committed: the most that a reader or a kill may miss.
 constexpr std::chrono::milliseconds commit_period{900};
 
 // Writes the rows of one layer, fids counted from 1.
@@ -38,7 +38,7 @@ class RowLayer {
 
   std::int64_t last_fid() const { return last_fid_; }
 
-  // Puts the layer's extent into the file's table of contents, which map viewers zoom to.
+  // Writes the layer's extent into the file's table of contents; map viewers zoom to it.
   bool sync() { return layer_->SyncToDisk() == OGRERR_NONE; }
 
  private:
@@ -65,7 +65,7 @@ class RowLayer {
 struct LogWriter::Impl {
   std::string file;
   Instant start;
-  // Before the layers' features, which need the dataset's column definitions until they go.
+  // Declared before the layers' features, which need its column definitions until destroyed.
   gpkg::Dataset dataset;
   RowLayer<SampleRow> samples;
   RowLayer<JointRow> joints;
@@ -83,7 +83,7 @@ struct LogWriter::Impl {
   Clock::time_point last_commit = Clock::now();
   bool in_transaction = false;
 
-  // Does `action`; when it fails, the log is lost from the last commit on.
+  // Runs `action`; if it fails, abandons the log after the last commit and throws LogError.
   template <class Action>
   void attempt(const char* what, Action action) {
     if (dataset == nullptr) throw LogError(fmt::format("{}: {}: the log is closed", file, what));
@@ -94,7 +94,7 @@ struct LogWriter::Impl {
     throw LogError(fmt::format("{}: {}: {}", file, what, why));
   }
 
-  // Closes the file as the last commit left it.
+  // Closes the file in the state of the last commit.
   void abandon() {
     const gpkg::QuietErrors errors;
     if (in_transaction) dataset->RollbackTransaction();
@@ -103,7 +103,7 @@ struct LogWriter::Impl {
     dataset.reset();
   }
 
-  // Features hold on to their layer's definition, so they go before the dataset.
+  // Features refer to the definition of their layer, so they are released before the dataset.
   void release_features() {
     samples = {};
     joints = {};
@@ -137,12 +137,12 @@ struct LogWriter::Impl {
     open_layer(planned_paths);
     open_layer(notes);
     open_layer(run);
-    // GDAL makes tables late; the first step must find them all in the file.
+    // GDAL creates tables lazily; all must be in the file before the first step.
     attempt("making the layers", [&] {
       dataset->FlushCache(false);
       return true;
     });
-    // The name under which GIS tools look it up: PROJ's, with the year.
+    // GIS tools look the reference system up under PROJ's name of the authority, with the year.
     attempt("naming the reference system", [&] {
       gpkg::run_sql(*dataset,
                     "UPDATE gpkg_spatial_ref_sys SET definition = replace(definition, "
@@ -179,7 +179,7 @@ struct LogWriter::Impl {
     attempt("writing", [&] { return layer.append(row, start); });
   }
 
-  // Writes the row, or updates the one that was written for this key.
+  // Writes the row, or updates the one that was already written for this key.
   template <class Row, class Key>
   void put(RowLayer<Row>& layer, std::map<Key, std::int64_t>& fids, const Key& key,
            const Row& row) {
@@ -200,7 +200,7 @@ LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant st
   impl_->file = file;
   impl_->start = start;
   {
-    // GDAL would open an existing GeoPackage and add to it.
+    // GDAL would open an existing GeoPackage and append to it.
     if (std::filesystem::exists(file)) {
       throw LogError(fmt::format("{}: making the log: the file exists", file));
     }
@@ -214,7 +214,7 @@ LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant st
   impl_->create_layers(crs);
   impl_->put_run({std::string(start_key), fmt::format("{}", start.tai_us)});
   impl_->commit();
-  // Into the file itself, so that who looks at it alone sees a GeoPackage from the beginning.
+  // Checkpoint into the file itself, so that from the beginning it is a GeoPackage on its own.
   impl_->attempt("making the layers", [&] {
     gpkg::run_sql(*impl_->dataset, "PRAGMA wal_checkpoint(TRUNCATE)");
     return true;
@@ -272,9 +272,9 @@ void LogWriter::finish() {
     return true;
   });
   {
-    // Back from WAL to the plain journal, so that the one file can be read from a read-only place.
-    // SQLite refuses that while another program has the file open, and that is no fault of the
-    // log: it stays in WAL mode.
+    // Switch from WAL to the plain journal, so that the one file can be read from a read-only
+    // place. SQLite refuses this while another program has the file open; the log then stays in WAL
+    // mode, which is no error.
     const gpkg::QuietErrors ignored;
     gpkg::run_sql(*impl_->dataset, "PRAGMA journal_mode = DELETE");
   }

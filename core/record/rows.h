@@ -17,7 +17,7 @@ namespace lsos {
 struct SampleRow {
   SimTime time{};
   std::string rover_id;
-  Geodetic place;                     // of the reference point; height: its own
+  Geodetic place;                     // reference point, with its own height
   double elevation_m = not_modelled;  // of the ground under it, raster datum
   Vec3 p_S_m = Vec3::Zero();
   double roll_rad = 0, pitch_rad = 0, heading_rad = 0;
@@ -33,7 +33,7 @@ struct SampleRow {
   std::string phase;
 };
 
-// Layer `joints`: what a picture needs: one row a joint or mast, rover and time.
+// Layer `joints`: the pose for pictures, one row per joint or mast, rover and time.
 struct JointRow {
   SimTime time{};
   std::string rover_id;
@@ -46,30 +46,30 @@ struct JointRow {
 struct PairRow {
   SimTime time{};
   std::string from_id, to_id;
-  double distance_m = 0;     // between reference points; Earth: its centre
-  std::int64_t visible = 0;  // 0 or 1, antenna to antenna; Earth: of its disc's centre
+  double distance_m = 0;                   // between reference points; Earth: its centre
+  std::int64_t visible = 0;                // 0 or 1, antenna to antenna; Earth: its disc's centre
   double visible_fraction = not_modelled;  // of Earth's disc
   std::int64_t link = 0;                   // 0 or 1
   std::string relay;  // ids that join the two without a direct link, comma-separated; "" = NULL
 };
 
-// Layer `sight_intervals`: how long one end saw another, or was linked to it.
+// Layer `sight_intervals`: times during which one end saw another, or was linked to it.
 struct SightIntervalRow {
   std::string from_id, to_id;
-  std::string kind;  // visible, link
+  std::string kind;  // "visible" or "link"
   SimTime start{}, end{};
   double light_time_s = 0;  // from one to the other, at its start
 };
 
-// Layer `panels`: what the Sun did for one panel.
+// Layer `panels`: exposure and power of one panel.
 struct PanelRow {
   SimTime time{};
   std::string rover_id;
   std::string panel;
   double sun_fraction = not_modelled;
-  double incidence = not_modelled;                                  // the same times the cosine
+  double incidence = not_modelled;                                  // sun_fraction times the cosine
   double power_w = not_modelled;                                    // before curtailment
-  double azimuth_rad = not_modelled, elevation_rad = not_modelled;  // that it faces; NaN: stowed
+  double azimuth_rad = not_modelled, elevation_rad = not_modelled;  // of its face; NaN: stowed
 };
 
 // Layer `resources`.
@@ -114,7 +114,7 @@ struct PhaseRow {
   std::optional<SimTime> end;
 };
 
-// Layer `planned_paths`: a leg when it was planned.
+// Layer `planned_paths`: a leg as it was planned.
 struct PlannedPathRow {
   SimTime time{};
   std::string rover_id;
@@ -126,7 +126,7 @@ struct PlannedPathRow {
   std::vector<Geodetic> line;
 };
 
-// Layer `notes`: what events log, findings, decisions.
+// Layer `notes`: messages of events, findings, decisions.
 struct NoteRow {
   SimTime time{};
   std::string rover_id;

@@ -18,26 +18,27 @@ namespace lsos {
 
 namespace {
 
-// Corridors, in lengths of the leg to either side; and never less than this.
+// Half widths of the corridors, in lengths of the leg, and the least one.
 constexpr double corridors[] = {0.25, 1, 2.5};
 constexpr double corridor_min_m = 20;
-// The same for rovers that cannot turn on the spot, in radii of their turns.
+// Least half width for rovers that cannot turn on the spot, in turning radii.
 constexpr double turning_room = 5;
-// A leg shorter than this leads nowhere.
+// A leg shorter than this has no direction.
 constexpr double same_m = 1e-3;
-// About start and goal, where nothing is kept off.
+// Radius around start and goal within which the rover keeps no distance from hazards.
 constexpr double tight_m = 2;
-// Where a rover stands beyond a limit it may leave over ground that is so much worse, over so much
-// of its own reach.
+// A rover that stands beyond a limit may leave over ground that is worse by the factor
+// `leaving_worse` in slope and unevenness and by `leaving_clearance_m` in clearance, within
+// `leaving_reaches` times the distance of its wheels.
 constexpr double leaving_worse = 1.1, leaving_clearance_m = 0.02, leaving_reaches = 1.5;
-// A leg is planned so often at most, and once more each so many metres, until a closer look finds
-// nothing wrong with it.
+// Greatest number of attempts to plan a leg, to which one is added for each `closer_look_m` of it,
+// until a denser check finds no hazard on the line.
 constexpr int closer_looks = 12;
 constexpr double closer_look_m = 50;
-// Of the room beside the tightest turn that what must be avoided may take up.
+// Share of the room beside the tightest arc that an avoided disc may take up.
 constexpr double passing_share = 0.9;
-// A map has no more nodes than this: where a search looks at all of 60 million, nodes and queue
-// take some three gigabytes.
+// Greatest number of nodes of a map: where a search expands all of 60 million, nodes and queue take
+// some three gigabytes.
 constexpr double nodes_max = 6e7;
 
 Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
@@ -88,7 +89,7 @@ class LegPlanner {
     return size_m.prod() / (spacing_m_ * spacing_m_) <= nodes_max;
   }
 
-  // The longest leg in the direction of the goal that is planned, by bisection.
+  // Length of the longest leg in the direction of the goal that can be planned, by bisection.
   double longest_m() const {
     const double share = *std::ranges::min_element(corridors);
     double fits_m = 0, fails_m = goal_m_.norm();
@@ -105,8 +106,8 @@ class LegPlanner {
                                            : std::max(corridor_min_m, turning_room * radius_m_);
   }
 
-  // What lies close ahead of a rover that cannot turn on the spot cuts all ways that it can take:
-  // it is made so small that the tightest of them passes it.
+  // A disc close ahead of a rover that cannot turn on the spot blocks all of its routes, so it is
+  // shrunk until the tightest arc passes it.
   Disc2 passable(const Disc2& disc) const {
     if (finder_.cost().can_turn_on_spot) return disc;
     const double heading_rad = request_.start_heading_rad;
@@ -119,7 +120,7 @@ class LegPlanner {
     return {disc.center_m, std::min(disc.radius_m, passing_share * room_m)};
   }
 
-  // False where a wider corridor might hold a way.
+  // False where a wider corridor might hold a route.
   bool try_within(double aside_m, bool is_last) {
     const Vec2 start_m = Vec2::Zero();
     // The start is one of the nodes.
@@ -144,7 +145,8 @@ class LegPlanner {
       costs.set_leaving(leaving_, leaving_limits_);
       costs.set_standing(standing_.footprints(), request_.obstacles.rover_at_rest);
       costs.set_turn_room(turn_room_);
-      // Cheap beside the search, which would look at all that can be reached before it gave up.
+      // Reachability is cheap beside the search, which expands all that can be reached before it
+      // gives up.
       reach = look_for_reach(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
       if (reach.answer != Reach::Answer::joined) break;
@@ -152,7 +154,8 @@ class LegPlanner {
                                              ? over_nodes(costs, nearest_m)
                                              : over_poses(costs, nearest_m);
       if (!way || !std::isfinite(costs.along(way->line))) break;
-      // Between the steps that costs are summed in a limit may be passed: not there, then.
+      // A limit may be exceeded between the samples of the costs: the next attempt avoids those
+      // places.
       for (const Vec2& at_m : costs.hazards(way->line, step_m())) {
         if (is_near_end(at_m)) continue;
         passed_m = passed_m.value_or(at_m);
@@ -189,7 +192,7 @@ class LegPlanner {
     return refuse(map, why_cut_off(map, reach), nearest_m);
   }
 
-  // What a rover that turns on the spot would touch at one of a route's corners.
+  // Object that a rover turning on the spot would touch at one of the corners of a route.
   std::optional<std::size_t> blocked_turn(const Line2& route_m) const {
     for (std::size_t k = 1; k + 1 < route_m.size(); ++k) {
       const Vec2 in_m = route_m[k] - route_m[k - 1], out_m = route_m[k + 1] - route_m[k];
@@ -230,7 +233,7 @@ class LegPlanner {
     return fmt::format("no way comes nearer to the goal than {} m; {}", told, beyond);
   }
 
-  // A rover that stands where it should not shall leave: over ground that is no worse.
+  // A rover that stands beyond a limit may leave over ground that is hardly worse.
   void find_leaving(GroundMap& map) {
     leaving_.radius_m = 0;
     const Stance stance = best_stance(map, finder_, Vec2::Zero());
@@ -249,7 +252,7 @@ class LegPlanner {
         std::min(limits.clearance_min_m, stance.clearance_m - leaving_clearance_m);
   }
 
-  // Longer than the steps that costs are summed in.
+  // Distance between avoided places on a line; longer than the steps in which costs are summed.
   double step_m() const { return 1.6 * spacing_m_; }
   bool is_near_end(const Vec2& at_m) const {
     if (leaving_.holds(at_m)) return true;
@@ -304,8 +307,8 @@ class LegPlanner {
     if (goal_m_.norm() < same_m) leg_.end_heading_rad = request_.start_heading_rad;
   }
 
-  // Setting off from rest; or the corner that the way before this one ends in, which is taken to
-  // end in as long a piece as this one begins with.
+  // Adds setting off from rest; or the corner between the previous leg and this one, where the
+  // previous leg is taken to end in a piece as long as the first of this one.
   void tell_start(const LegCosts& costs, const Line2& line) {
     const DriveCost& cost = finder_.cost();
     if (request_.starts_at_rest) {
@@ -355,7 +358,7 @@ class LegPlanner {
   Disc2 leaving_;
   DriveLimits leaving_limits_;
   bool turns_too_wide_ = false, are_turns_at_border_ = false;
-  // What the last look found before it was refined: the next, which is to keep off a little more,
+  // Route of the last attempt before refinement: the next attempt, which avoids a little more,
   // begins with it.
   std::vector<Pose2> unrefined_;
   Ground::Probe probe_;

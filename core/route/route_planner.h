@@ -7,10 +7,10 @@
 
 namespace lsos {
 
-// Looks in a corridor about the straight line, in a wider one where that holds no way.
+// Searches a corridor around the straight line, and a wider one where that holds no route.
 PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegRequest& request);
 
-// Whether it can drive straight from one place to the other, near by.
+// Whether the rover can drive straight from one place to another nearby.
 bool is_free(const Ground& ground, const DriveCost& cost, const Obstacles& obstacles,
              const Vec3& from_S_m, const Vec3& to_S_m);
 

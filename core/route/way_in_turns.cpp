@@ -14,21 +14,23 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// A piece shorter than this leads nowhere.
+// A piece shorter than this has no direction.
 constexpr double same_m = 1e-3;
-// Points nearer than this to the line between their neighbours are left out.
+// Points nearer than `thinned_m` to the line between their neighbours are removed, unless the cost
+// rises by more than the factor `thinned_worth`.
 constexpr double thinned_m = 0.01;
 constexpr double thinned_worth = 1.001;
-// Poses are searched where the rounded way costs so much more than that over the lattice; and no
-// more than so many of them, where there is a rounded way and where there is none.
+// Poses are searched where the rounded route costs more than `poses_worth` times the lattice route;
+// the search expands at most `poses_to_better` of them where there is a rounded route, and
+// `poses_max` where there is none.
 constexpr double poses_worth = 1.05;
 constexpr std::size_t poses_to_better = 160'000, poses_max = 520'000;
-// About the way over the lattice first, so many radii to either side: over 400 m of rough ground
-// that takes less than half of the time, for ways that cost 1 % more in the mean. With 8 for 6 a
-// kilometre takes a fifth longer, for 0.1 % less.
+// Half width, in radii, of the corridor around the lattice route that is searched first. Over 400 m
+// of rough ground it takes less than half of the time, for routes that cost 1 % more in the mean.
+// Larger: 8 in place of 6 takes a fifth longer over a kilometre, for 0.1 % less.
 constexpr double near_radii = 6;
 
-// The cheapest of the ways that are offered.
+// Keeps the cheapest of the routes offered.
 class Planner {
  public:
   Planner(LegCosts& costs, const DriveCost& cost, const Pose2& start, const Vec2& goal_m,
@@ -42,15 +44,16 @@ class Planner {
         steering_(RouteSteering::in_turns(radius_m, spacing_m_,
                                           [&](double of_m) { return arc_price_m(cost, of_m); })) {}
 
-  // The way over the lattice with its corners rounded is found at once and mostly smooth; poses are
-  // searched where it costs more than that of a rover without turns to make.
+  // The lattice route with rounded corners is found fast and is mostly smooth. Poses are searched
+  // where it costs notably more than the lattice route itself, which a rover that turns on the spot
+  // would take.
   WayInTurns run(const std::vector<Pose2>& known) {
     WayInTurns answer;
     answer.nearest_m = start_.at_m;
     if (driven(known) < infinite) offer_refined(known);
     if (!best_) look(answer);
     if (!best_) return answer;
-    // Points so near to each other that the rover slows down for corners that are none.
+    // Where points are too close together the rover slows down for corners that do not exist.
     Line2 thin = simplified(best_->line, thinned_m);
     if (costs_.driven(thin) <= thinned_worth * least_) best_->line = std::move(thin);
     answer.way = std::move(best_);
@@ -79,8 +82,8 @@ class Planner {
     offer(refined(costs_, steering_, poses, seed_), poses);
   }
 
-  // A line with sharp corners made as cheap as their rounding lets it be, then rounded. Where its
-  // arcs have no room they hardly ever have it after moves.
+  // Optimises the line with sharp corners by the cost of rounding them, then rounds it. Where its
+  // arcs have no room, perturbation hardly ever makes room for them.
   void round(const Line2& over_lattice) {
     if (over_lattice.empty()) return;
     const RouteSteering sharp = RouteSteering::on_the_spot();
@@ -99,7 +102,7 @@ class Planner {
     offer_refined(arcs);
   }
 
-  // By way of the middle of each of its pieces.
+  // Poses in the middle of each piece of the line.
   std::vector<Pose2> rounded(const Line2& sharp) const {
     std::vector<Pose2> poses{start_};
     for (std::size_t k = 0; k + 1 < sharp.size(); ++k) {
@@ -109,10 +112,10 @@ class Planner {
       const bool is_last = k + 2 == sharp.size();
       poses.push_back({is_last ? sharp[k + 1] : Vec2(sharp[k] + way_m / 2), yaw_rad});
     }
-    if (poses.size() > 1) poses.back().at_m = sharp.back();  // whatever was left out
+    if (poses.size() > 1) poses.back().at_m = sharp.back();  // even if the last piece was left out
     return poses;
   }
-  // Infinite where arcs have no room.
+  // Cost of driving over these poses; infinite where arcs have no room.
   double driven(const std::vector<Pose2>& arcs) {
     return arcs.size() > 1 ? costs_.driven(steering_.line(arcs)) : infinite;
   }
@@ -130,10 +133,10 @@ class Planner {
     answer.nearest_m = way.nearest_m;
     if (!way.line.empty()) {
       offer_refined(way.poses);
-      // What its poses are joined by may look at other places than the search did.
+      // Steering between its poses may lead over other places than the line that was searched.
       offer({way.line, {}});
     }
-    // The yaw at the goal is free.
+    // The yaw at the goal is free, so one arc and a straight line may do.
     for (const bool to_left : {true, false}) {
       for (const double wider : {1, 2, 4, 8}) {
         auto direct = arc_and_straight(start_, goal_m_, wider * radius_m_, to_left, spacing_m_);
@@ -150,7 +153,7 @@ class Planner {
   std::uint64_t seed_;
   RouteSteering steering_;
   std::optional<Refined> best_;
-  std::vector<Pose2> unrefined_;  // of it
+  std::vector<Pose2> unrefined_;  // those of `best_`
   double least_ = infinite;
 };
 

@@ -1,4 +1,4 @@
-// Finer layers over coarser ones.
+// Blending of finer layers over coarser ones.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,11 @@
 
 namespace lsos {
 
-// Each layer takes its weight of what the finer ones left.
+// Weighted sum of layers, added from fine to coarse. The share of each is its weight times what the
+// finer ones left.
 class Blend {
  public:
-  // False when nothing is left for coarser layers.
+  // Returns false when nothing is left for coarser layers.
   bool add(const LayerSample& s) {
     const double share = left_ * s.weight;
     const Vec2 share_by_xy = left_by_xy_ * s.weight + left_ * s.weight_by_xy;
@@ -26,7 +27,7 @@ class Blend {
     return left_ > 0;
   }
   bool is_ground() const { return sum_ > 0; }
-  // Where the coarser layers have no ground, the finer ones stand for all of it.
+  // Where the coarser layers have no ground, the finer ones make up all of it.
   LayerSample result() const {
     const double per_sum = 1 / sum_;
     LayerSample s;
@@ -43,11 +44,11 @@ class Blend {
   Vec2 left_by_xy_ = Vec2::Zero();
   bool is_rock_ = false;
   double largest_share_ = 0;
-  double sum_ = 0;  // of the shares; 1 - left_, without its cancellation
+  double sum_ = 0;  // sum of the shares: 1 - left_, without its cancellation
   Vec2 sum_by_xy_ = Vec2::Zero();
 };
 
-// `sample(k)` is layer k's, fine to coarse.
+// Blends all layers; `sample(k)` returns the sample of layer k, from fine to coarse.
 template <class SampleOf>
 std::optional<LayerSample> blended(std::size_t layers, const SampleOf& sample) {
   if (layers == 1) return sample(0);

@@ -20,16 +20,16 @@ namespace lsos {
 
 namespace {
 
-// Detail is drawn on a map around the place that the finest layer lies at, so that it stays where
-// it is when the site moves. Layers wider than this have no such place: there it is the node of a
-// net of degrees next to the site.
+// Detail is drawn on a map about the middle of the finest layer, so that it stays in place when the
+// site moves. A layer wider than local_rad has no such place: there the map is about the node of a
+// net of longitudes and latitudes, net_rad apart, that is nearest to the site.
 constexpr double local_rad = 0.35;
 constexpr double net_rad = 5 * std::numbers::pi / 180;
 
-// Cells larger than this get no detail: what lies in them is not a matter of wheels.
+// Larger cells get no detail: what lies in them does not concern wheels.
 constexpr double detail_cell_max_m = 1000;
 
-// Beyond, the map of landforms would stretch them.
+// Beyond this the map of landforms would stretch them.
 constexpr double relief_reach_rad = std::numbers::pi / 6;
 
 void check_reach(const ReliefSurface& relief, const TerrainSpec& spec, const SiteFrame& site) {
@@ -143,7 +143,7 @@ struct Ground::Impl {
     return spec.beyond && spec.beyond->has_detail_alone ? spec.beyond->first_layer : 0;
   }
 
-  // Ground is wanted beyond the terrain somewhere along the edge of its coarsest layer.
+  // Refuses a terrain beyond that has no ground along the edge of this terrain's coarsest layer.
   void check_beyond() {
     const std::size_t first = spec.beyond->first_layer;
     const auto is_ground = [&](const Geodetic& place) {
@@ -171,8 +171,8 @@ struct Ground::Impl {
     return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
   }
 
-  // From a place towards the middle of a layer, whose corners may be empty; the place where none
-  // is.
+  // First place with ground on the line from an edge to the middle of a layer, whose corners may be
+  // empty; the edge where there is none.
   Geodetic first_with_ground(std::size_t k, const Geodetic& edge) const {
     constexpr int steps = 16;
     const HeightGrid& grid = layers[k]->grid();
@@ -188,14 +188,14 @@ struct Ground::Impl {
     return edge;
   }
 
-  // A raster that lies above or below the one around it by more than their heights scatter, as
-  // with heights of two datums: the blend between them would be a slope that is not there.
+  // Warns of a raster that lies above or below the layer around it by more than their heights
+  // scatter, as with heights of two datums: the blend would be a slope that is not there.
   std::string step_advice(std::size_t k) const {
     constexpr double least_m = 5, scatters = 3;
     constexpr std::size_t least_places = 12;
     const auto* upper = std::get_if<RasterSurface>(&spec.layers[k]);
     const auto* lower = std::get_if<RasterSurface>(&spec.layers[k + 1]);
-    // A script's own ground below its rasters is its author's; what a plan lays around them is not.
+    // Generated ground below a script's rasters is its author's, but not what a plan lays around.
     const bool is_beyond = spec.beyond && k + 1 == spec.beyond->first_layer;
     if (upper == nullptr || (lower == nullptr && !is_beyond)) return "";
     std::vector<double> steps_m;
@@ -226,7 +226,7 @@ struct Ground::Impl {
                          : "bring both to one reference first");
   }
 
-  // Detail that is all larger than what may be added to the finest raster that is to have some.
+  // Warns of craters or rocks all larger than may be added to the finest raster that gets detail.
   std::string detail_advice() const {
     const std::size_t first = first_with_detail();
     const auto* raster = std::get_if<RasterSurface>(&spec.layers[first]);
@@ -248,7 +248,7 @@ struct Ground::Impl {
     return text;
   }
 
-  // The one that most of the ground is made of there.
+  // Layer that most of the ground at the place is made of; nullopt without ground.
   std::optional<std::size_t> main_layer(const Geodetic& place) const {
     std::optional<std::size_t> most;
     double left = 1, largest_share = 0;
@@ -348,7 +348,7 @@ struct Ground::Probe::Impl {
       layers.emplace_back(*layer, layer->look(resolution_m, detail_nodes, fades));
     }
   }
-  // Close looks come one beside the other; looks from afar would make a cell each.
+  // Samples at full resolution lie close together; coarse ones would fill a new cell each.
   Standing standing(const Vec3& p_S_m) {
     return is_close ? ground.plane.standing(p_S_m, verticals.at(p_S_m))
                     : ground.plane.standing(p_S_m);
@@ -388,8 +388,8 @@ GroundSample Ground::Probe::sample(const Vec3& p_S_m) {
   sample.up_S = standing.up_S;
   sample.gap_m = standing.height_m - surface->height_m;
   sample.soil = surface->is_rock ? ground.soils.of_rock() : ground.soils.at(standing.at);
-  // The surface is where height(p) - surface(x, y) is 0; its normal is that gradient. The
-  // gradients of x and y grow from the asked point down to the surface.
+  // The surface is where height(p) - surface(x, y) is 0; its normal is the gradient of that. The
+  // gradients of x and y grow from the sampled point down to the surface.
   const double growth = standing.radius_m / (standing.radius_m - sample.gap_m);
   const Vec3 gradient_S = standing.up_S - growth * (surface->height_by_xy.x() * standing.grad_x_S +
                                                     surface->height_by_xy.y() * standing.grad_y_S);

@@ -7,16 +7,17 @@ namespace lsos {
 
 namespace {
 
-// A layer hands over within so many of its cells, or a quarter of a small raster.
+// A layer fades over so many of its cells, or over a quarter of a small raster.
 constexpr int fade_cells_max = 32;
 
-// Weight of a layer that has faded: where no other has ground, it goes on to its very end.
+// Least weight of a layer: where no other has ground, it continues to its very end.
 constexpr double trace = 1e-9;
-// Of the last one more: where a finer one ends near its end, it takes over within a few of the
-// finer one's cells; at its holes it leaves a step of a thousandth of what the two differ by.
+// Least weight of the last layer. It is larger, so that where a finer layer ends near the last
+// one's end, the last one takes over within a few of the finer one's cells; at a hole of the last
+// one it leaves a step of a thousandth of their difference.
 constexpr double last_trace = 1e-3;
 
-// A last layer smaller than this would be nothing but its edge.
+// A smaller last layer does not fade: it would be nothing but its edge.
 constexpr double last_fading_cells_min = 16;
 
 double cells_across(const GridExtent& extent) {
@@ -41,10 +42,10 @@ GridExtent extent_on(const GridExtent& extent, int level) {
           std::ldexp(extent.period, -level)};
 }
 
-// The coarsest level whose cells are not above the resolution.
+// Coarsest level whose cells are not larger than the resolution.
 int level_for(double resolution_m, double cell_m, int coarsest) {
   if (!(resolution_m > cell_m)) return 0;
-  // A resolution of just so many cells is meant, whatever their last digits.
+  // A resolution of exactly so many cells is meant, whatever the last digits.
   return std::min(coarsest, static_cast<int>(std::log2(resolution_m / cell_m) + 0.01));
 }
 
@@ -90,11 +91,11 @@ std::shared_ptr<const WeightTile> Layer::weight_tile(const TileKey& key) {
   });
 }
 
-// Patches that are not split any further never overlap, so that the one last used answers for
+// Patches that are not split any further never overlap, so that the one last used is right for
 // every point it holds.
 const Patch& Layer::Probe::patch(const PlanePoint& at) {
   if (last_patch_ != nullptr && last_patch_->holds(at)) return *last_patch_;
-  constexpr int kept_level = 3;  // 256 m: one place for each square, whatever the patches' size
+  constexpr int kept_level = 3;  // 256 m: one slot for each square, whatever the patches' size
   const PatchKey key = Patch::key_of(at, kept_level);
   std::shared_ptr<const Patch>& kept = patches_[2 * (key.row & 1) + (key.column & 1)];
   if (!kept || !kept->holds(at)) kept = layer_->patches_.patch(at);

@@ -22,8 +22,8 @@ struct LayerSample {
   bool is_rock = false;
 };
 
-// The last tile of each parity of keys: wheels on both sides of a border keep their own. Shared
-// pointers: the ground may drop a piece while a probe still uses it.
+// Cache of the last tile of each parity of keys: wheels on both sides of a border keep their own.
+// Tiles are shared pointers: the ground may drop one while a probe still uses it.
 template <class Tile>
 class LastTiles {
  public:
@@ -38,21 +38,21 @@ class LastTiles {
   std::array<std::shared_ptr<const Tile>, 4> kept_;
 };
 
-// Layers of several hand over to each other at their edges and holes.
+// Position of a layer in the stack, whose layers take over from each other at edges and holes.
 enum class LayerPlace { alone, above, last };
 
-// How closely ground is looked at.
+// Level of detail at which ground is sampled.
 struct Look {
-  int level = 0;  // of the grid
+  int level = 0;  // level of the grid
   bool has_detail = true;
   int detail_level = 0;
 };
 
 class Layer {
  public:
-  // A layer that fades needs twice that across.
+  // Least width of fading, in cells; a layer that fades needs twice that across.
   static constexpr int fade_cells_min = 4;
-  // Detail is rough on every scale.
+  // Default number of detail nodes within the resolution: detail is rough on every scale.
   static constexpr double detail_nodes_shown = 16;
 
   // `cell_m`: mean side of the grid's cells; infinite where that is not known.
@@ -63,16 +63,16 @@ class Layer {
   bool has_detail() const { return detail_ != nullptr; }
   void add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
                   std::uint64_t seed);
-  // The coarsest look that still shows what is as large as the resolution; 0: all there is. Detail
-  // has so many nodes for what is just large enough. Where none of it is, detail is left out; where
-  // it `fades`, only when it is smaller than two nodes.
+  // Coarsest level of detail that still shows features as large as the resolution; 0: all there is.
+  // Detail has `detail_nodes` nodes for a feature just large enough. Detail without features that
+  // large is left out; with `fades`, only when they are smaller than two nodes.
   Look look(double resolution_m, double detail_nodes = detail_nodes_shown,
             bool fades = false) const;
 
   class Probe {
    public:
     explicit Probe(Layer& layer, const Look& look) : layer_(&layer), look_(look) {}
-    // Of the surface; nullopt where this layer has no ground.
+    // Sample of the surface; nullopt where this layer has no ground.
     std::optional<LayerSample> sample(const PlanePoint& at);
     std::optional<LayerSample> sample(const Geodetic& place);
 
@@ -85,7 +85,7 @@ class Layer {
     Layer* layer_;
     Look look_;
     std::array<std::shared_ptr<const Patch>, 4> patches_;
-    const Patch* last_patch_ = nullptr;  // one of them
+    const Patch* last_patch_ = nullptr;  // one of patches_
     LastTiles<HeightTile> tiles_;
     LastTiles<DetailTile> details_;
     LastTiles<WeightTile> weights_;

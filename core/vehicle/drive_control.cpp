@@ -9,7 +9,7 @@ namespace lsos {
 namespace {
 
 constexpr double steering_free_rad = 0.2;  // error up to which wheels turn at full speed
-constexpr double steering_stop_rad = 0.8;  // error from which they stand
+constexpr double steering_stop_rad = 0.8;  // error from which they stand still
 
 Vec3 rest_position_B_m(const VehicleConfig& config, int link) {
   Vec3 p = Vec3::Zero();
@@ -19,7 +19,7 @@ Vec3 rest_position_B_m(const VehicleConfig& config, int link) {
   return p;
 }
 
-// Velocity over the ground of a point of the body that moves as commanded.
+// Velocity over the ground of a point of the body under the commanded motion.
 Vec2 velocity_at(const WheelLayout& layout, const DriveCommand& command, const Vec2& p_B_m) {
   return {command.speed_mps - command.yaw_rate_radps * p_B_m.y(),
           command.left_mps + command.yaw_rate_radps * (p_B_m.x() - layout.turning_x_B_m)};

@@ -1,6 +1,6 @@
-// From the motion that is wanted of the vehicle to angles of its steering joints and speeds of its
-// wheels: every wheel that can steer rolls about one common centre of turning (double Ackermann,
-// crab and point turn are the same rule); those that cannot slide sideways as little as may be.
+// Inverse kinematics of driving: steering angles and wheel speeds for a wanted motion of the
+// vehicle. All wheels that steer roll about one common centre of turning (double Ackermann, crab
+// and point turn are the same rule); wheels that cannot steer slide sideways as little as possible.
 #pragma once
 
 #include <vector>
@@ -13,18 +13,18 @@ namespace lsos {
 // Wanted motion of the reference point.
 struct DriveCommand {
   double speed_mps = 0;       // along the heading, backwards negative
-  double yaw_rate_radps = 0;  // to the left positive
-  bool is_braking = true;     // brakes on; the rest is then ignored
-  double left_mps = 0;        // sideways: vehicles that can crab
+  double yaw_rate_radps = 0;  // left positive
+  bool is_braking = true;     // brakes on; the other members are then ignored
+  double left_mps = 0;        // sideways, for vehicles that can crab
 
   void archive(Archive& a) { a(speed_mps)(yaw_rate_radps)(is_braking)(left_mps); }
 };
 
-// Where steering joints and wheels stand, from the configuration's tree.
+// Positions of steering joints and wheels, from the configuration's tree of links.
 struct WheelLayout {
   struct Steering {
     int link = 0;
-    Vec2 p_B_m;  // of its axis
+    Vec2 p_B_m;  // steering axis
     double angle_max_rad = 0;
   };
   struct WheelPlace {
@@ -37,8 +37,7 @@ struct WheelLayout {
   };
   std::vector<Steering> steerings;
   std::vector<WheelPlace> wheels;
-  double turning_x_B_m = 0;  // where wheels that cannot steer stand, on the mean: the vehicle
-                             // turns about a point beside it
+  double turning_x_B_m = 0;  // x of the centre of turning: mean over the wheels that cannot steer
   double skid_track_ratio = 1;
 };
 WheelLayout wheel_layout(const VehicleConfig& config);
@@ -48,9 +47,9 @@ struct WheelTargets {
   std::vector<double> spin_radps;          // by wheel
 };
 
-// `steering_now_rad`: present angles. Of the two directions a wheel can point in, the nearer one
-// is taken. Standing still keeps the angles. Spins fade to zero while steerings are far (over
-// 0.2 rad, fully at 0.8) from their target, so that wheels do not fight each other.
+// `steering_now_rad`: present angles. Of a wheel's two possible directions the nearer one is taken.
+// A command without motion keeps the angles. Wheel speeds fade to zero while a steering angle is
+// off its target (from 0.2 rad, fully at 0.8 rad), to keep wheels from working against each other.
 WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
                            const std::vector<double>& steering_now_rad);
 

@@ -6,8 +6,8 @@
 
 namespace lsos {
 
-// Round its chassis and wheels, with its reference point at the origin, heading along x, wheels
-// straight ahead.
+// Rectangle around chassis and wheels, with the reference point at the origin, heading along x,
+// wheels straight ahead.
 Footprint footprint_at_rest(const VehicleConfig& vehicle);
 
 }  // namespace lsos

@@ -10,11 +10,11 @@ namespace {
 
 btVector3 bt(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 eigen(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-// Of the inverse rotation: Bullet's turn from the parent or the world to the link.
+// Inverse of Bullet's rotation, which goes from the parent or the world to the link.
 Mat3 inverse_rotation(const btQuaternion& q) {
   return Quat(q.w(), -q.x(), -q.y(), -q.z()).toRotationMatrix();
 }
-// Written out, for Eigen calls a loop for it.
+// Written out, because Eigen calls a loop for it.
 Mat3 product(const Mat3& a, const Mat3& b) {
   Mat3 c;
   for (int i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ Multibody::Multibody(const VehicleConfig& config) : impl_(std::make_unique<Impl>
   const btQuaternion unturned(0, 0, 0, 1);
   for (std::size_t i = 0; i < config.links.size(); ++i) {
     const LinkConfig& link = config.links[i];
-    // Bullet measures from the parent's centre of mass, we from its frame.
+    // Bullet measures from the parent's centre of mass, LinkConfig from the parent's frame.
     const Vec3 p_parent_com = link.parent < 0
                                   ? config.p_BC_m
                                   : config.links[static_cast<std::size_t>(link.parent)].p_JC_m;
@@ -113,7 +113,7 @@ void Multibody::add_joint_force(int link, double force) { impl_->body.addJointTo
 
 void Multibody::step(double step_s) {
   btMultiBody& body = impl_->body;
-  // Also integrates the velocities (its last lines add acceleration x step).
+  // This also integrates the velocities (its last lines add acceleration x step).
   body.computeAccelerationsArticulatedBodyAlgorithmMultiDof(
       step_s, impl_->scratch_r, impl_->scratch_v, impl_->scratch_m, /*isConstraintPass=*/false,
       /*jointFeedbackInWorldSpace=*/false, /*jointFeedbackInJointFrame=*/false);
@@ -179,7 +179,7 @@ void Multibody::update_motions() {
     motion.R_SL = product(parent.R_SL, inverse_rotation(link.m_cachedRotParentToThis));
     const Vec3 from_parent_S_m = motion.R_SL * eigen(link.m_cachedRVector);
     motion.p_C_S_m = parent.p_C_S_m + from_parent_S_m;
-    // Joint axes in the link's frame: rotation, and motion of its centre of mass (see
+    // Axes of the joint in the link's frame: angular, and linear at its centre of mass (see
     // btMultiBodyLink.h).
     const double rate = body.getJointVel(i);
     motion.omega_S_radps = parent.omega_S_radps + motion.R_SL * (eigen(link.getAxisTop(0)) * rate);

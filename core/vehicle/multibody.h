@@ -1,6 +1,6 @@
-// The rigid bodies of one vehicle, moved by Bullet's articulated-body algorithm (btMultiBody) in
-// double precision. No constraints, contacts or warm starts: the state is positions and velocities
-// alone and can be restored exactly.
+// The rigid bodies of one vehicle, advanced by Bullet's articulated-body algorithm (btMultiBody) in
+// double precision. There are no constraints, contacts or warm starts: the state consists of
+// positions and velocities alone and can be restored exactly.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace lsos {
 
-// Where a link is and how it moves, in the site frame S; C is its centre of mass.
+// Pose and motion of a link in the site frame S; C is its centre of mass.
 struct LinkMotion {
   Vec3 p_C_S_m = Vec3::Zero();
   Mat3 R_SL = Mat3::Identity();
@@ -33,7 +33,7 @@ class Multibody {
   explicit Multibody(const VehicleConfig& config);
   ~Multibody();
 
-  // Puts the chassis' reference frame B at a pose, joints where the configuration begins,
+  // Places the chassis' reference frame B at a pose, with joints at their initial positions and
   // everything at rest.
   void place(const Vec3& p_SB_m, const Mat3& R_SB);
 
@@ -42,20 +42,20 @@ class Multibody {
   double joint_position(int link) const;
   double joint_velocity(int link) const;
 
-  // Forces of the coming step; cleared by it.
+  // Forces of the next step, which clears them.
   void add_force(int link, const Vec3& force_S_n, const Vec3& point_S_m);
-  void add_wrench(int link, const Vec3& force_S_n, const Vec3& torque_S_n_m);  // at its C
+  void add_wrench(int link, const Vec3& force_S_n, const Vec3& torque_S_n_m);  // torque about C
   void add_gravity(const Vec3& g_S_mps2);
   void add_joint_force(int link, double force);  // N or N m, on the link, along its axis
 
   void step(double step_s);
   // The first link (or `chassis`) whose motion is not a finite number; nullopt: all are.
   std::optional<int> broken_link() const;
-  // Kinetic energy, and potential energy of gravity `g_S_mps2` above the site's origin, J.
+  // Kinetic energy, and potential energy in gravity `g_S_mps2` above the site's origin, J.
   double kinetic_j() const;
   double potential_j(const Vec3& g_S_mps2) const;
 
-  // All velocities to exactly zero.
+  // Sets all velocities to exactly zero.
   void halt();
 
   void archive(Archive& a);

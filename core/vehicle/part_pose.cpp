@@ -49,7 +49,7 @@ std::vector<PartPose> part_poses(const VehicleConfig& config, const PartPose& ch
     if (link.joint == JointType::prismatic) {
       pose.p_S_m += on.R_SB * (joints[i] * link.axis);
     } else {
-      // Turned about the joint, which stays where it is.
+      // The part turns about its joint, which stays in place.
       pose.R_SB = on.R_SB * Eigen::AngleAxisd(joints[i], link.axis).toRotationMatrix();
       pose.p_S_m = on.point_S_m(joints_B_m[i]) - pose.R_SB * joints_B_m[i];
     }

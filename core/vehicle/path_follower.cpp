@@ -15,33 +15,34 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_end_m = 0.02;       // a stop is reached this near to it
-constexpr double standing_on_m = 1;     // of a waypoint, where the arrival radius is not smaller
-constexpr double turn_begin_rad = 1.0;  // heading error that driving cannot mend
+constexpr double at_end_m = 0.02;       // distance from a stop at which it counts as reached
+constexpr double standing_on_m = 1;     // waypoints this near at the start are passed
+constexpr double turn_begin_rad = 1.0;  // heading error that needs a turn on the spot
 constexpr double turn_done_rad = 0.03;
-// Over this the distance to the line decays. Steering lags by some tenths of a second, so it must
-// be driven in well more than that.
+// Lookahead time, over which the cross-track error decays. It must be well above the lag of the
+// steering, which is some tenths of a second.
 constexpr double lookahead_s = 2.0;
-constexpr double preview_s = 0.4;   // arcs are steered for this early, for the same lag
-constexpr double creep_mps = 0.05;  // slowest speed asked for while driving
+constexpr double preview_s = 0.4;   // time by which arcs are steered early, for the same lag
+constexpr double creep_mps = 0.05;  // lowest speed commanded while driving
 constexpr double at_rest_mps = 0.01;
-constexpr double progress_m = 0.5;      // less than this in stuck_s is being stuck; of slow
-constexpr double progress_share = 0.1;  // drives, less than this share of what is asked
+constexpr double progress_m = 0.5;      // least progress in stuck_s, else the rover is stuck
+constexpr double progress_share = 0.1;  // the same for slow drives, share of the requested speed
 constexpr double stuck_s = 60;
 constexpr double turning_progress_rad = 0.05;  // the same for turning on the spot
-constexpr double drift_smoothing_s = 0.5;      // to see how drift changes
-constexpr double drift_lead_s = 1;             // what it will be is told for so far ahead
-constexpr double drift_speed_min_mps = 0.01;   // slower than this says nothing of it
+constexpr double drift_smoothing_s = 0.5;  // filter from which the change of side slip is estimated
+constexpr double drift_lead_s = 1;         // time ahead for which side slip is predicted
+constexpr double drift_speed_min_mps = 0.01;  // side slip is not measured below this speed
 constexpr double drift_max_rad = 0.6;
-constexpr double steering_off_m = 1;  // way over which wheels that are off are steered, at most
-constexpr double swing_accelerations = 2;  // across the travel, of the one along it
+constexpr double steering_off_m = 1;       // most travel while a curvature error is steered out
+constexpr double swing_accelerations = 2;  // lateral over forward acceleration, off laid arcs
 constexpr double incline_smoothing_s = 0.5;
-constexpr double crab_turn_rate = 0.5;   // 1/s: how fast a heading error is turned back
-constexpr double stopping_limit_s = 30;  // brakes that take longer than this do not hold
+constexpr double crab_turn_rate = 0.5;   // 1/s, rate at which a heading error is corrected
+constexpr double stopping_limit_s = 30;  // brakes that take longer than this have failed
 
 double wrapped_rad(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-// The sine, but full where the travel leads backwards: its sine is 0 when it must turn the most.
+// Sine of the error, but full where the travel leads backwards: there the sine falls to 0 while the
+// rover must turn the most.
 double turning_share(double error_rad) {
   const double error = wrapped_rad(error_rad);
   return std::abs(error) < std::numbers::pi / 2 ? std::sin(error) : std::copysign(1, error);
@@ -52,8 +53,8 @@ double turning_share(double error_rad) {
 PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
                            const FollowerLimits& limits)
     : waypoints_S_m_{start.p_S_m}, limits_(limits) {
-  // A waypoint that the rover stands on is behind it: one that cannot turn on the spot would
-  // circle.
+  // A waypoint on which the rover stands is behind it; a rover that cannot turn on the spot would
+  // circle around it.
   const auto stands_on = [&](const Vec3& p) {
     const double radius_m = std::min(limits.arrival_radius_m, standing_on_m);
     return (p.head<2>() - start.p_S_m).norm() <= radius_m;
@@ -135,8 +136,8 @@ void PathFollower::ramp_speed(double to_end_m, double period_s) {
                            std::max(creep_mps, braking_speed_mps(to_end_m))});
 }
 
-// From which the end of each leg is reached at its speed. Those speeds count on full slowing: what
-// lies behind them is looked at where there is less of it.
+// Speed from which the end speed of each leg can still be reached. End speeds assume the full
+// deceleration; where less is available, the legs beyond the present one are evaluated too.
 double PathFollower::braking_speed_mps(double to_end_m) const {
   const double slowing_mps2 =
       braking_mps2(incline_, limits_.acceleration_mps2, limits_.gravity_mps2);
@@ -152,10 +153,10 @@ double PathFollower::braking_speed_mps(double to_end_m) const {
   return least_mps;
 }
 
-// Along the line; crabbing does not go where the rover points.
+// Inclination along the direction of travel, which differs from the heading while crabbing.
 void PathFollower::find_incline(const FollowerPose& pose, double heading_error_rad,
                                 double period_s) {
-  const double aside_rad = limits_.is_crabbing ? -heading_error_rad : 0;  // of its travel, left
+  const double aside_rad = limits_.is_crabbing ? -heading_error_rad : 0;  // yaw to travel, left
   const Vec2 up_B(std::sin(pose.pitch_rad), std::sin(pose.roll_rad) * std::cos(pose.pitch_rad));
   const Vec2 ahead_B(std::cos(aside_rad), std::sin(aside_rad)), left_B(-ahead_B.y(), ahead_B.x());
   const double share = std::min(1.0, period_s / incline_smoothing_s);
@@ -187,10 +188,10 @@ PathFollower::Drift PathFollower::drift(const FollowerPose& pose, double period_
 DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, double left_m,
                                  double heading_error_rad, double period_s) {
   ramp_speed(to_end_m, period_s);
-  // On a cross slope a rover goes not where it points. What must lie along the line is its travel.
+  // On a cross slope a rover does not travel along its heading. The travel must follow the line.
   const auto [drift_rad, drift_soon_rad] = drift(pose, period_s);
-  // Distance to the line decays critically damped over the lookahead l: in distance travelled,
-  // e'' + (2/l) e' + e/l^2 = 0 about the arc's own curvature.
+  // Cross-track error e decays critically damped over the lookahead l. In distance travelled:
+  //  e'' + (2/l) e' + e/l^2 = 0,  about the curvature of the arc itself.
   const double lookahead_m = std::max(limits_.lookahead_min_m, lookahead_s * pose.speed_mps);
   const double most_1pm = 1 / limits_.radius_min_m, ramp_1pm = curvature_rate_1pms * period_s;
   const double wanted_1pm =
@@ -201,12 +202,13 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double off_1pm = std::abs(wanted_1pm - command_curvature_1pm_);
   command_curvature_1pm_ =
       std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);
-  // Where it swings round without an arc laid for it, no faster than the ground holds it.
+  // In turns without a laid arc the lateral acceleration is limited.
   const double turn_1pm = std::max(std::abs(command_curvature_1pm_), 1e-6);
   const double swing_mps2 = swing_accelerations * limits_.acceleration_mps2;
   command_mps_ = std::min(command_mps_, std::max(creep_mps, std::sqrt(swing_mps2 / turn_1pm)));
-  // Nor so fast that its wheels are not steered in time, that it drifts off, or that brakes do not
-  // hold it downhill; it slows down no faster than twice as it speeds up.
+  // The speed is limited further so that wheels are steered in time, side slip does not carry the
+  // rover off its line, and the brakes hold it downhill; it slows down at twice its acceleration at
+  // most.
   const double steered_mps = steering_off_m * curvature_rate_1pms / std::max(off_1pm, 1e-6);
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
   const double kept_mps = std::min({steered_mps, drift_speed_mps(drift_soon_rad), downhill_mps()});
@@ -214,7 +216,7 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
 
-// Goes along the line sideways, heading kept: the wheels point where the rover shall go.
+// Follows the line sideways with constant heading: the wheels point in the direction of travel.
 DriveCommand PathFollower::crab(const FollowerPose& pose, double to_end_m, double left_m,
                                 double period_s) {
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
@@ -233,7 +235,7 @@ DriveCommand PathFollower::crab(const FollowerPose& pose, double to_end_m, doubl
           ahead_S.x() * v_S_mps.y() - ahead_S.y() * v_S_mps.x()};
 }
 
-// Of the leg that the rover will be on after `preview_m`.
+// Curvature of the leg that the rover will be on after `preview_m`.
 double PathFollower::curvature_ahead_1pm(double to_end_m, double preview_m) const {
   std::size_t leg = leg_;
   for (preview_m -= to_end_m; preview_m > 0; preview_m -= line_[leg].length_m) {
@@ -245,7 +247,7 @@ double PathFollower::curvature_ahead_1pm(double to_end_m, double preview_m) cons
 
 DriveCommand PathFollower::turn(double heading_error_rad, const FollowerPose& pose) {
   command_mps_ = command_curvature_1pm_ = 0;
-  // Come to rest first, then turn, slowing down towards the end.
+  // The rover comes to rest first and then turns, slowing down towards the end.
   if (pose.speed_mps > 2 * creep_mps) return {0, 0, false};
   const double rate =
       std::clamp(-heading_error_rad, -limits_.turn_rate_radps, limits_.turn_rate_radps);
@@ -309,8 +311,8 @@ std::vector<FollowerPose> PathFollower::poses_ahead(const FollowerPose& pose, do
   return poses;
 }
 
-// Arcs cut corners by some centimetres: what is left along the line is a little less than what is
-// left from waypoint to waypoint.
+// Fillets cut corners by some centimetres, so the remaining length along the line is a little less
+// than the remaining distance from waypoint to waypoint.
 std::size_t PathFollower::next_waypoint() const {
   std::size_t next = waypoints_S_m_.size() - 1;
   for (double rest_m = 0; next > 1; --next) {
@@ -328,7 +330,7 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
       is_turning && heading_error_rad < best_heading_error_rad_ - turning_progress_rad;
   if (has_moved) best_remaining_m_ = remaining_m_;
   if (has_turned) best_heading_error_rad_ = heading_error_rad;
-  // A heading that swings to and fro is no progress.
+  // A heading that swings back and forth is no progress.
   if (!is_turning && has_moved) best_heading_error_rad_ = 2 * std::numbers::pi;
   since_progress_s_ = has_moved || has_turned ? 0 : since_progress_s_ + period_s;
   return since_progress_s_ > stuck_s;

@@ -1,5 +1,5 @@
-// Follows a driving line: turns towards it, holds it with feedback on distance and heading, keeps
-// its speeds, stops and turns at sharp corners, and comes to rest at its end.
+// Follows a driving line: turns towards it, holds it by feedback on cross-track and heading error,
+// keeps its speeds, stops and turns at sharp corners, and comes to rest at its end.
 #pragma once
 
 #include <limits>
@@ -15,17 +15,18 @@ namespace lsos {
 
 struct FollowerLimits {
   double speed_mps = 1;  // along the line
-  // That it stops from as its brakes let it; downhill it stops on as short a way.
+  // Speed from which the rover can stop on level ground; on a descent it is lowered so that the
+  // stopping distance stays the same.
   double full_speed_mps = 1;
   double acceleration_mps2 = 0.2;
   double arrival_radius_m = 1;   // the rover must come to rest within this of the last waypoint
-  double radius_min_m = 5;       // tightest turn while driving
+  double radius_min_m = 5;       // radius of the tightest turn while driving
   double turn_rate_radps = 0.2;  // on the spot
   bool can_turn_on_spot = true;
   double gravity_mps2 = 9.81;
-  double lookahead_min_m = 2.5;  // over which distance to the line decays at low speed
-  bool is_crabbing = false;      // goes along the line without turning into it
-  // From the line to either side; farther than this it fails.
+  double lookahead_min_m = 2.5;  // distance over which the cross-track error decays at low speed
+  bool is_crabbing = false;      // follows the line without turning into it
+  // Greatest cross-track error to either side; beyond it the drive fails.
   double stray_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
@@ -34,12 +35,12 @@ struct FollowerLimits {
   }
 };
 
-// Where the rover is, on the horizontal plane of the site frame.
+// Pose and motion of the rover in the horizontal plane of the site frame.
 struct FollowerPose {
   Vec2 p_S_m;
   double yaw_rad = 0;                  // counter-clockwise from east
   double speed_mps = 0;                // magnitude
-  double left_mps = 0;                 // its part across the heading: sliding, or crabbing
+  double left_mps = 0;                 // its component across the heading: side slip, or crabbing
   double pitch_rad = 0, roll_rad = 0;  // nose up, right side down
 };
 
@@ -48,29 +49,29 @@ class PathFollower {
   enum class Status { driving, arrived, failed };
 
   PathFollower() = default;
-  // `path_S_m`: at least one waypoint; only x and y matter. The line begins where the rover is;
-  // waypoints within the arrival radius (1 m at most) of it, up to the first that is not, are
-  // passed.
+  // `path_S_m` has at least one waypoint; only x and y matter. The line begins at the rover; the
+  // first waypoints count as passed as long as they are within the arrival radius (at most 1 m) of
+  // it.
   PathFollower(const Path3& path_S_m, const FollowerPose& start, const FollowerLimits& limits);
 
-  // Called once an exchange period; the command holds until the next call.
+  // Called once per exchange period; the command holds until the next call.
   DriveCommand update(const FollowerPose& pose, double period_s);
 
   Status status() const { return status_; }
   const std::string& reason() const { return reason_; }
-  bool is_stuck() const { return is_stuck_; }        // why it failed
-  bool has_strayed() const { return has_strayed_; }  // the same
-  // The waypoint that comes next, counted as in the path that was given.
+  bool is_stuck() const { return is_stuck_; }        // the reason of a failure
+  bool has_strayed() const { return has_strayed_; }  // likewise
+  // Index, in the path given to the constructor, of the waypoint that comes next.
   std::size_t next_waypoint() const;
   double remaining_m() const { return remaining_m_; }
   double requested_mps() const { return limits_.speed_mps; }
-  // How far it has to turn yet, counter-clockwise, while it turns on the spot; else 0.
+  // Remaining angle of a turn on the spot, counter-clockwise; 0 while it does not turn.
   double turn_left_rad(double yaw_rad) const;
-  // Where a rover at `pose` will be on so much of the line that comes next, each `step_m`; its
-  // distance to the line decays over the lookahead. Ends where the rover comes to rest before.
+  // Predicted poses on the next `length_m` of the line, every `step_m`, for a rover at `pose` whose
+  // cross-track error decays over the lookahead. They end where the rover comes to rest before.
   std::vector<FollowerPose> poses_ahead(const FollowerPose& pose, double length_m,
                                         double step_m) const;
-  // How much of the line lies behind, 0..1.
+  // Share of the line that has been driven, 0..1.
   double share() const;
 
   void archive(Archive& a);
@@ -86,7 +87,8 @@ class PathFollower {
   double braking_speed_mps(double to_end_m) const;
   double downhill_mps() const;
   void ramp_speed(double to_end_m, double period_s);
-  // Of the travel from the heading, to the left positive: how far the rover slides.
+  // Side slip angle, from heading to travel, left positive: now, and predicted for drift_lead_s
+  // ahead.
   struct Drift {
     double now_rad = 0, soon_rad = 0;
   };
@@ -94,17 +96,17 @@ class PathFollower {
   bool makes_no_progress(double heading_error_rad, double period_s);
   void lay_line();
 
-  std::vector<Vec2> waypoints_S_m_;  // from where the rover was
+  std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was
   FollowerLimits limits_;
-  std::vector<DrivingLeg> line_;  // derived from the two above
+  std::vector<DrivingLeg> line_;  // derived from waypoints_S_m_ and limits_
 
   std::size_t leg_ = 0;
   bool is_turning_ = false;
   bool is_stopping_ = false;
-  double command_mps_ = 0;  // ramped
+  double command_mps_ = 0;  // rate-limited
   double command_curvature_1pm_ = 0;
-  double drift_rad_ = 0;    // smoothed
-  Incline incline_;         // smoothed
+  double drift_rad_ = 0;    // low-pass filtered
+  Incline incline_;         // low-pass filtered
   double heading_rad_ = 0;  // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;
@@ -114,7 +116,7 @@ class PathFollower {
   Status status_ = Status::driving;
   std::string reason_;
   bool is_stuck_ = false, has_strayed_ = false;
-  std::size_t passed_ = 0;  // waypoints that it stood on at the start
+  std::size_t passed_ = 0;  // waypoints that were within reach at the start
 };
 
 }  // namespace lsos

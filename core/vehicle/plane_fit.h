@@ -1,4 +1,4 @@
-// The plane that lies best through points of the ground.
+// The plane that fits points of the ground best.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ struct PlaneFit {
   Vec3 normal;  // unit, on the side of `up`
 };
 
-// Least squares of distances along `up` (unit). At least three points that are not in line.
+// Least-squares fit of distances along `up` (unit). Needs three points or more, not on one line.
 PlaneFit fit_plane(const std::vector<Vec3>& points, const Vec3& up);
 
 }  // namespace lsos

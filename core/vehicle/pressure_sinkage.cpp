@@ -52,9 +52,9 @@ double PressureSinkage::static_sinkage_m(double load_n) const {
   if (soil_.is_rigid || load_n <= 0) return 0;
   const double deepest_m = diameter_m_ / 2;
   if (soil_.has_bekker()) return std::min(std::pow(scale_ * load_n, exponent_), deepest_m);
-  // Newton's method in y = sqrt(z), in which the load is nearly a cubic with positive terms. Each
-  // term alone would have to reach deeper: the least of those depths is above the answer, and from
-  // there the iteration comes down.
+  // Newton's method in y = sqrt(z), in which the load is nearly a cubic with positive terms. A
+  // single term carries the whole load only at a greater depth, so the least of those depths bounds
+  // the solution from above, and from there the iteration descends to it.
   const double b_root_D = width_m_ * std::sqrt(diameter_m_);
   const double by_c = load_n / (b_root_D * soil_.cohesion_pa * factors_.N_c);
   const double by_q = std::cbrt(load_n / (b_root_D * unit_weight_npm3_ * factors_.N_q));
@@ -74,10 +74,11 @@ double PressureSinkage::rut_work_n(double sinkage_m) const {
   if (soil_.is_rigid || sinkage_m <= 0) return 0;
   const double z = sinkage_m;
   if (soil_.has_bekker()) return k_npm_ * std::pow(z, soil_.n + 1) / (soil_.n + 1);
-  // The integral of min(b, l(z)): half a segment of the wheel's circle while l is below b.
+  // Integral of min(b, l(z)) over the depth: half a segment of the wheel's circle while l is below
+  // b.
   const double R = diameter_m_ / 2;
   const double b = width_m_;
-  const double wide_m = b < R ? R - std::sqrt(R * R - b * b) : R;  // where l reaches b
+  const double wide_m = b < R ? R - std::sqrt(R * R - b * b) : R;  // depth at which l reaches b
   const double lower_m = std::min(z, wide_m);
   const double segment_m2 =
       (R * R * std::acos(1 - lower_m / R) - (R - lower_m) * contact_length_m(lower_m)) / 2;

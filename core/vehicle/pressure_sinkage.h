@@ -1,5 +1,5 @@
-// How deep a rigid wheel sinks under its load, and the work that making its rut takes. One law a
-// soil: sinkage and resistance always come from the same one.
+// Static sinkage of a rigid wheel under its load, and the work that compacting its rut takes.
+// Sinkage and resistance always come from the same pressure law of the soil:
 //
 //   Bekker (1969), where k_c, k_phi, n are known: p = (k_c/b + k_phi) z^n.
 //   Terzaghi (1943), where they are not: p = c N_c + gamma z N_q + gamma B N_gamma / 2 over the
@@ -20,29 +20,30 @@ struct BearingFactors {
 };
 BearingFactors bearing_factors(double friction_rad);
 
-// One wheel shape on one soil; what does not change from step to step is worked out once.
+// One wheel shape on one soil; constants are computed once.
 class PressureSinkage {
  public:
-  // `gravity_mps2`: for the soil's weight. Radius and width of the wheel in m, > 0.
+  // `gravity_mps2` gives the soil's weight. Radius and width of the wheel in m, > 0.
   PressureSinkage(const Soil& soil, double radius_m, double width_m, double gravity_mps2);
 
   // Depth at which the law carries the load, 0..radius. Bekker:
   // z = (3 W / ((3 - n)(k_c + b k_phi) sqrt(D)))^(2/(2n+1)).
   double static_sinkage_m(double load_n) const;
 
-  // What the soil carries at a sinkage, N: the inverse of static_sinkage_m.
+  // Load that the soil carries at a sinkage, N: the inverse of static_sinkage_m.
   double load_n(double sinkage_m) const;
 
-  // Work of the law a metre of rut, N. Bekker: R_c = (k_c + b k_phi) z^(n+1) / (n+1).
+  // Work of the pressure law per metre of rut, N. Bekker: R_c = (k_c + b k_phi) z^(n+1) / (n+1).
   double rut_work_n(double sinkage_m) const;
 
-  // The resistance of a wheel that carries `load_n` at this sinkage, which may be deeper than the
-  // static one: soil that slip has loosened bears less at every depth, by the same factor, and
-  // takes as much less work.
+  // Resistance of a wheel that carries `load_n` at this sinkage, which may be deeper than the
+  // static one: soil loosened by slip bears less at every depth, by one factor, and takes less work
+  // by the same factor.
   double compaction_resistance_n(double sinkage_m, double load_n) const;
 
-  // Area of the contact as seen from above over its width: l = sqrt(D z - z^2), from entry to the
-  // lowest point, because the rut does not spring back. Deeper than its axle a wheel has l = R.
+  // Length of the contact, which is its area seen from above over its width: l = sqrt(D z - z^2),
+  // from the entry to the lowest point, because the rut does not spring back; l = R for wheels
+  // deeper than their axle.
   double contact_length_m(double sinkage_m) const;
 
  private:

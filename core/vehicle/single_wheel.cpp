@@ -6,10 +6,10 @@ namespace lsos {
 
 namespace {
 
-constexpr double speed_mps = 0.1;  // of the faster of rim and travel; forces do not depend on it
+constexpr double speed_mps = 0.1;  // the faster of rim and travel speed; forces do not depend on it
 constexpr double step_s = 0.01;
 constexpr int steps_max = 1'000'000;
-constexpr double steady = 1e-12;  // relative change of the sinkage in a step
+constexpr double steady = 1e-12;  // relative change of the sinkage in one step
 
 }  // namespace
 
@@ -28,7 +28,7 @@ SingleWheelPoint single_wheel(const WheelSoil& wheel_soil, double load_n, double
       travel_mps * Vec3(std::cos(slip_angle_rad), std::sin(slip_angle_rad), 0);
   input.rolling_speed_mps = slip < 0 ? speed_mps * (1 + slip) : speed_mps;
 
-  // A wheel that slips wholly has been rolling before: the soil ahead of it is built up.
+  // A wheel at full slip has been rolling before: the resistance of the soil ahead is built up.
   WheelContactState state;
   state.rolled_m = rolling_mobilised_m;
   WheelContactForces forces;

@@ -1,6 +1,6 @@
-// A single-wheel test bed: one wheel, held at a load, slip and slip angle until nothing changes.
-// It turns the same wheel_soil.h that vehicles stand on. Slip here is by the speed of travel, as
-// rigs report it; at slip angles the log's slip, along the heading, is another number.
+// A single-wheel test bed: one wheel held at a load, slip and slip angle until its state is steady.
+// It uses the same wheel_soil.h as the vehicles. Slip here refers to the speed of travel, as rigs
+// report it; the log's slip refers to the speed along the heading and differs at slip angles.
 #pragma once
 
 #include "vehicle/wheel_soil.h"
@@ -9,9 +9,9 @@ namespace lsos {
 
 struct SingleWheelPoint {
   double slip = 0;            // -1..1: 1 - v/(r w) driving, r w/v - 1 braking; v: speed of travel
-  double slip_angle_rad = 0;  // of the travel from the heading, to the left positive
+  double slip_angle_rad = 0;  // direction of travel from the heading, left positive
   double drawbar_pull_n = 0;  // along the heading
-  double side_force_n = 0;    // on the wheel, to the left positive
+  double side_force_n = 0;    // on the wheel, left positive
   double torque_n_m = 0;      // about the axle, driving positive
   double sinkage_m = 0;
   double traction_limit_n = 0;  // the soil's shear strength at that sinkage

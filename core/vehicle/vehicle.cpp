@@ -16,9 +16,9 @@ namespace {
 constexpr SimTime settle_least{1'000'000}, settle_longest{20'000'000};
 constexpr double underside_spacing_m = 0.5;  // a rock or crest between points is not felt
 constexpr double settled_mps = 1e-4;
-// A look at the ground serves the steps of so long, in which the search for the contact mostly
-// settles (search_smoothing_s): on crests bent up to 1.7 times as much as the wheel with steps of
-// 10 ms, 1.9 times with 5 ms.
+// Time for which a contact plane serves. The search for the contact mostly settles in it
+// (search_smoothing_s): on crests of up to 1.7 times the wheel's curvature with steps of 10 ms, 1.9
+// times with 5 ms.
 constexpr SimTime foothold_period{20'000};
 
 }  // namespace
@@ -84,7 +84,7 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   const Vec3 ahead =
       std::cos(heading_rad) * site.north_S(p_S_m) + std::sin(heading_rad) * site.east_S(p_S_m);
 
-  // The plane through the ground under the wheels gives the attitude to begin with.
+  // The plane through the ground under the wheels gives the initial attitude.
   std::vector<Vec3> feet_S_m;
   for (const WheelLayout::WheelPlace& wheel : layout_.wheels) {
     const Vec3 over = p_S_m + wheel.p_B_m.x() * ahead + wheel.p_B_m.y() * up.cross(ahead);
@@ -95,14 +95,14 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   const PlaneFit plane = fit_plane(feet_S_m, up);
   Mat3 R_SB;
   R_SB.col(2) = plane.normal;
-  // Raised or lowered only: dropped onto the plane along its normal, `ahead` would turn on a slope
-  // that falls to the side as well.
+  // `ahead` is moved vertically onto the plane: projected along the plane's normal it would change
+  // the heading on a slope that also falls to the side.
   const double rise = -ahead.dot(plane.normal) / up.dot(plane.normal);
   R_SB.col(0) = (ahead + rise * up).normalized();
   R_SB.col(1) = R_SB.col(2).cross(R_SB.col(0));
   const double height_m = (plane.point - p_S_m).dot(plane.normal) / up.dot(plane.normal);
   bodies_.place(p_S_m + height_m * up, R_SB);
-  // Joints that do not begin at rest may have wheels below the ground.
+  // With joints that do not begin at rest, wheels may be below the ground.
   double deepest_m = 0;
   for (const WheelPart& part : parts_) {
     const Vec3& hub_S_m = bodies_.motion(part.link).p_C_S_m;
@@ -181,7 +181,7 @@ void Vehicle::command(const DriveCommand& command) {
   }
 }
 
-// Within a period the local vertical turns by less than 1e-6 rad.
+// Gravity is constant within a period: the local vertical turns by less than 1e-6 rad.
 void Vehicle::find_gravity() {
   gravity_S_mps2_ = ground_->site().gravity_S_mps2(bodies_.motion(Multibody::chassis).p_C_S_m);
 }

@@ -1,5 +1,5 @@
-// One simulated vehicle: its bodies, wheels on the soil, motors and brakes, stepped through an
-// exchange period at a time. It reads only itself and the ground.
+// One simulated vehicle: its bodies, wheels on the soil, motors and brakes, stepped through one
+// exchange period at a time. It reads only its own state and the ground.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@
 
 namespace lsos {
 
-// What can be said of a vehicle at an exchange. Angles about the local vertical there: heading
-// clockwise from true north, 0..2 pi; pitch nose up; roll right side down.
+// State of a vehicle at an exchange. Angles about the local vertical there: heading clockwise from
+// true north, 0..2 pi; pitch nose up; roll right side down.
 struct VehicleReport {
   Vec3 p_S_m = Vec3::Zero();  // reference point
   Vec3 v_S_mps = Vec3::Zero();
   double heading_rad = 0, pitch_rad = 0, roll_rad = 0;
   double yaw_rad = 0;  // counter-clockwise from the site's east, horizontal plane
   double yaw_rate_radps = 0;
-  double speed_mps = 0;             // of the reference point along the ground
-  double slope_rad = not_modelled;  // of the plane through the ground under the wheels
+  double speed_mps = 0;             // speed of the reference point along the ground
+  double slope_rad = not_modelled;  // slope of the plane fitted to the ground under the wheels
   double slip = not_modelled;       // mean over driven wheels in contact
-  double slip_max = not_modelled;   // of the wheel that slips most, with its sign
+  double slip_max = not_modelled;   // slip of the wheel that slips most, with its sign
   double sinkage_m = not_modelled;
-  double elevation_m = not_modelled;  // of the ground under the reference point
+  double elevation_m = not_modelled;  // elevation of the ground under the reference point
   bool is_on_ground_data = true;      // the terrain is known under every wheel
-  bool is_chassis_on_ground = false;  // it touched in the last period: high-centred
+  bool is_chassis_on_ground = false;  // it touched the ground in the last period: high-centred
   bool is_finite = true;
 
   void archive(Archive& a) {
@@ -39,15 +39,15 @@ struct VehicleReport {
   }
 };
 
-// Work since the start, J, by what does it; done on the vehicle, so that what takes energy away
-// is negative. Their sum is the change of its kinetic and potential energy.
+// Work done on the vehicle since the start, J, by its cause; negative where energy is taken away.
+// The sum equals the change of the vehicle's kinetic and potential energy.
 struct WorkDone {
-  double motors_j = 0;  // of driven wheels
+  double motors_j = 0;  // motors of driven wheels
   double brakes_j = 0;
   double steering_j = 0;
   double suspension_j = 0;  // springs, dampers, stops, differentials
   double soil_j = 0;        // all forces on wheels
-  double chassis_j = 0;     // of the ground on the chassis
+  double chassis_j = 0;     // contact of the chassis with the ground
 
   double sum_j() const {
     return motors_j + brakes_j + steering_j + suspension_j + soil_j + chassis_j;
@@ -57,16 +57,15 @@ struct WorkDone {
 
 class Vehicle {
  public:
-  // `config` with all its links; `ground` must outlive the vehicle.
+  // `config` must have all its links; `ground` must outlive the vehicle.
   Vehicle(const VehicleConfig& config, const Ground& ground);
   Vehicle(const Vehicle&) = delete;  // parts point into config_
   Vehicle& operator=(const Vehicle&) = delete;
 
   const VehicleConfig& config() const { return config_; }
 
-  // Stands the vehicle on the ground at a place and lets it settle on its springs, brakes on.
-  // Answers why that cannot be: the ground is not known under a wheel, or too steep to stand on;
-  // "" when it stands.
+  // Places the vehicle on the ground and lets it settle on its springs with brakes on. Returns ""
+  // or the reason why it cannot stand there: no terrain data under a wheel, or ground too steep.
   std::string place(const Geodetic& at, double heading_rad);
 
   // Takes effect with the next `advance`.
@@ -75,22 +74,22 @@ class Vehicle {
   // Steps through `period`, a multiple of the configuration's step.
   void advance(SimTime period);
 
-  // A wheel that fails, or works again; in order of the links that have one.
+  // Makes a wheel fail, or work again; wheels are numbered in order of their links.
   void set_wheel_mode(std::size_t wheel, WheelMode mode);
 
-  // Parked: brakes on, all velocities exactly zero.
+  // Parks the vehicle: brakes on, all velocities exactly zero.
   void halt();
 
   VehicleReport report();
-  // Of the chassis, then of each link.
+  // Poses of the chassis, then of each link.
   std::vector<PartPose> part_poses() const;
   // Position (m or rad) of each joint, in order of config().links.
   std::vector<double> joint_positions() const;
   const WorkDone& work() const { return work_; }
   double kinetic_j() const { return bodies_.kinetic_j(); }
-  double potential_j() const;  // of gravity at the chassis, above the site's origin
-  // What its dynamics broke on ("step 12 of ..."), "" while all numbers are finite. A broken
-  // vehicle is not stepped any more.
+  double potential_j() const;  // with gravity at the chassis, above the site's origin
+  // Where the dynamics failed ("its dynamics gave a number that is not finite in step 12 ..."); ""
+  // while all numbers are finite. A failed vehicle is no longer stepped.
   const std::string& fault() const { return fault_; }
   double distance_m() const { return distance_m_; }  // driven by the reference point
   double drive_j() const { return drive_j_; }        // electrical, since the start
@@ -104,10 +103,10 @@ class Vehicle {
     WheelMode mode = WheelMode::driven;
     double spin_target_radps = 0;
     double servo_integral_rad = 0;  // accumulated speed error
-    double smooth_spin_radps = 0;   // what the motor's limits go by
+    double smooth_spin_radps = 0;   // low-pass filtered spin, for the motor's limits
     double brake_anchor_rad = 0;
-    Vec3 search_S = Vec3::UnitZ();  // normal of the ground along which its contact is looked for
-    // Of the last step, for reports.
+    Vec3 search_S = Vec3::UnitZ();  // ground normal along which the contact point is searched
+    // Values of the last step, for reports.
     double load_n = 0, sinkage_m = 0, slip = not_modelled, torque_n_m = 0;
 
     void archive(Archive& a) {
@@ -116,8 +115,8 @@ class Vehicle {
     }
   };
   struct SteeringState {
-    double target_rad = 0;    // where it shall go
-    double setpoint_rad = 0;  // on the way there, at the motor's rate
+    double target_rad = 0;    // angle commanded
+    double setpoint_rad = 0;  // angle on the way to the target, at the motor's rate
 
     void archive(Archive& a) { a(target_rad)(setpoint_rad); }
   };
@@ -125,17 +124,17 @@ class Vehicle {
   struct WheelPart {
     int link = 0;
     const Wheel* shape = nullptr;
-    const DriveMotor* motor = nullptr;  // nullptr: a wheel without one
-    std::vector<WheelSoil> soils;       // by the ground's number
+    const DriveMotor* motor = nullptr;  // nullptr: a wheel without a motor
+    std::vector<WheelSoil> soils;       // by soil number of the ground
   };
 
-  // The ground under a wheel, as a plane that is good for a while; while it brakes anew each step.
+  // Cached contact plane of the ground under a wheel; sampled in each step while the wheel brakes.
   struct Foothold {
-    int steps_left = 0;           // that it is good for
-    Vec3 p_S_m = Vec3::Zero();    // where it was looked at
-    double gap_m = not_modelled;  // over the plane there, along its normal; NaN: no ground
+    int steps_left = 0;           // steps for which it remains valid
+    Vec3 p_S_m = Vec3::Zero();    // point of the rim at which the ground was sampled
+    double gap_m = not_modelled;  // of that point over the plane, along its normal; NaN: no ground
     Vec3 normal_S = Vec3::UnitZ();
-    int soil = 0;  // of Ground::soils()
+    int soil = 0;  // index into Ground::soils()
   };
 
   void step(double step_s);
@@ -164,20 +163,20 @@ class Vehicle {
   WheelLayout layout_;
   std::vector<Vec3> centres_B_m_;  // centres_at_rest_B_m
   std::vector<int> spring_links_;
-  std::vector<WheelPart> parts_;          // by layout_.wheels
-  int foothold_steps_;                    // for which one is good
-  std::vector<Foothold> footholds_;       // by layout_.wheels; anew each period
+  std::vector<WheelPart> parts_;  // by layout_.wheels
+  int foothold_steps_;            // steps that a contact plane serves after the one that samples it
+  std::vector<Foothold> footholds_;       // by layout_.wheels; cleared each period
   std::vector<Vec3> underside_B_m_;       // points of the chassis that may touch the ground
-  Vec3 gravity_S_mps2_ = Vec3::Zero();    // once a period, from the pose
-  bool is_chassis_near_ground_ = false;   // looked at once a period
+  Vec3 gravity_S_mps2_ = Vec3::Zero();    // computed once a period, from the pose
+  bool is_chassis_near_ground_ = false;   // determined once a period
   std::vector<WheelState> wheels_;        // by layout_.wheels
   std::vector<SteeringState> steerings_;  // by layout_.steerings
   DriveCommand command_;
-  Vec3 ground_normal_S_ = Vec3::UnitZ();  // mean under the wheels at the last step
+  Vec3 ground_normal_S_ = Vec3::UnitZ();  // mean under the wheels in the last step
   bool is_chassis_on_ground_ = false;
   double distance_m_ = 0, drive_j_ = 0, drive_w_ = 0;
   WorkDone work_;
-  std::int64_t steps_ = 0;  // since it was placed
+  std::int64_t steps_ = 0;  // since the vehicle was placed
   std::string fault_;
 };
 

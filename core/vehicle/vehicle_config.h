@@ -1,5 +1,5 @@
-// What a vehicle is made of: a tree of rigid links joined by springs, steering motors and driven
-// wheels. Plain values; suspension templates (wishbone.h) make them from a rover script's numbers.
+// The components of a vehicle: a tree of rigid links joined by springs, steering motors and driven
+// wheels. Plain values; suspension templates (wishbone.h) build them from a rover script's numbers.
 //
 // Frame B is fixed to the chassis: x forward, y left, z up, origin at the reference point, which
 // is the ground centre of the wheelbase with the vehicle at rest on level ground.
@@ -25,51 +25,53 @@ struct Inertia {
 struct SpringDamper {
   double stiffness = 0;                   // N/m or N m/rad
   double damping = 0;                     // N s/m or N m s/rad
-  double preload = 0;                     // N or N m at q = 0; see wishbone.h for who sets it
+  double preload = 0;                     // N or N m at q = 0; set by the template, see wishbone.h
   double lower_stop = 0, upper_stop = 0;  // m or rad
   double stop_stiffness = 0, stop_damping = 0;
 };
 
 struct SteeringMotor {
-  double angle_max_rad = 0;  // either way
+  double angle_max_rad = 0;  // either direction
   double rate_max_radps = 0;
   double torque_max_n_m = 0;
-  double stiffness_n_m_prad = 0;  // of the position servo; also holds when parked
+  double stiffness_n_m_prad = 0;  // position servo; also holds while parked
   double damping_n_m_sprad = 0;
 };
 
 struct DriveMotor {
   double torque_max_n_m = 0;  // at the wheel, after gearing
   double power_max_w = 0;     // mechanical, at the wheel
-  // The torque falls linearly to zero at this speed (a DC motor's line); infinite: it does not.
+  // Speed at which the torque has fallen linearly to zero (a DC motor's line); infinite: it does
+  // not fall.
   double no_load_speed_radps = std::numeric_limits<double>::infinity();
   double efficiency = 1;               // mechanical out / electrical in, 0..1
-  double servo_gain_n_m_sprad = 0;     // torque a rad/s of speed error
-  double servo_integral_n_m_prad = 0;  // torque a rad of accumulated speed error
+  double servo_gain_n_m_sprad = 0;     // torque per rad/s of speed error
+  double servo_integral_n_m_prad = 0;  // torque per rad of accumulated speed error
   double brake_torque_max_n_m = 0;
-  double brake_stiffness_n_m_prad = 0;  // of the brake's saved-anchor spring
+  double brake_stiffness_n_m_prad = 0;  // spring from the angle at which the brake closed
   double brake_damping_n_m_sprad = 0;
 };
 
 struct Wheel {
-  double radius_m = 0;  // of the rim, without grousers
+  double radius_m = 0;  // rim, without grousers
   double width_m = 0;
   double normal_stiffness_npm = 0;
   double normal_damping_nspm = 0;
   double tangential_damping_nspm = 0;
-  // Of wheel and contact along the ground. Soil that is stiffer than this hardly counts.
+  // Stiffness of wheel and contact along the ground; the softer of this and the soil acts
+  // (wheel_soil.h).
   double tangential_stiffness_npm = std::numeric_limits<double>::infinity();
   double grouser_height_m = 0;
   int grouser_count = 0;
-  // Friction between rim and soil over friction within the soil, tan(delta)/tan(phi), 0..1. Rough
-  // rims and treads shear soil on soil (1).
+  // Friction between rim and soil over friction within the soil, tan(delta)/tan(phi), 0..1. It is 1
+  // for rough rims and treads, which shear soil on soil.
   double interface_friction_ratio = 0.8;
-  double rolling_resistance = 0;  // of the wheel itself (flexing), share of its load
+  double rolling_resistance = 0;  // flexing of the wheel itself, as a share of its load
 
   bool operator==(const Wheel&) const = default;
 };
 
-// How a wheel turns: by its motor and brake, freely, or not at all (a seized drive).
+// How a wheel turns: driven by its motor and brake, freely, or not at all (a seized drive).
 enum class WheelMode { driven, free, locked };
 
 enum class JointType { revolute, prismatic };
@@ -83,16 +85,16 @@ struct LinkConfig {
   Vec3 p_PJ_m = Vec3::Zero();  // joint, in the parent's link frame (chassis: frame B)
   Vec3 p_JC_m = Vec3::Zero();  // the link's centre of mass seen from the joint
   Inertia inertia;
-  // What acts in the joint: one of these at most.
+  // Action in the joint: at most one of the three below.
   std::optional<SpringDamper> spring;
   std::optional<SteeringMotor> steering;
   std::optional<DriveMotor> drive;
-  std::optional<Wheel> wheel;  // the link is a wheel; its joint axis is the axle
+  std::optional<Wheel> wheel;  // the link is a wheel, with its joint axis as axle
   WheelMode wheel_mode = WheelMode::driven;
-  double initial = 0;  // m or rad: where the joint stands when the vehicle is placed
+  double initial = 0;  // position of the joint when the vehicle is placed, m or rad
 };
 
-// Two joints tied so that one turns as far as the other turns back (a differential): torque on
+// Two joints tied by a differential so that one turns as far as the other turns back: torque on
 // both = -stiffness (q1 + q2) - damping (q1' + q2').
 struct JointCoupling {
   int first = 0, second = 0;      // links
@@ -103,21 +105,22 @@ struct JointCoupling {
 struct VehicleConfig {
   std::string type;
   Inertia chassis;
-  Vec3 p_BC_m = Vec3::Zero();          // chassis' centre of mass
-  Vec3 chassis_size_m = Vec3::Zero();  // of its box, for pictures and contact
+  Vec3 p_BC_m = Vec3::Zero();          // centre of mass of the chassis
+  Vec3 chassis_size_m = Vec3::Zero();  // size of its box, for pictures and contact
   double chassis_clearance_m = 0;      // from ground to the box's underside at rest
   std::vector<LinkConfig> links;
   std::vector<JointCoupling> couplings;
   SimTime step{5000};  // divides the exchange period
   double cruise_speed_mps = 0;
   double speed_max_mps = 0;
-  double acceleration_mps2 = 0;  // both ways, when following a path
+  double acceleration_mps2 = 0;  // speeding up and slowing down on a path
   bool can_turn_on_spot = false;
-  bool can_crab = false;  // drives in any direction without turning
-  // Wheels that cannot steer slide when the vehicle turns: it turns this much less than their
-  // speeds say, as if its track were wider (Mandow et al. 2007). 1: all wheels roll.
+  bool can_crab = false;  // can drive in any direction without turning
+  // Wheels that cannot steer slide when the vehicle turns. It then turns more slowly than the wheel
+  // speeds imply, as if its track were wider by this ratio (Mandow et al. 2007). 1: all wheels
+  // roll.
   double skid_track_ratio = 1;
-  // Electrical drive power is multiplied by this to match field measurements; see the source.
+  // Factor on the electrical drive power that matches field measurements; see the source.
   double drive_calibration = 1;
   std::string drive_calibration_source;
   double turning_radius_min_m = 5;       // while driving

@@ -1,4 +1,4 @@
-// What acts on a vehicle in one step.
+// Forces on a vehicle in one step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,24 +11,26 @@ namespace lsos {
 
 namespace {
 
-// The chassis on the ground: sinks this far into it under the vehicle's whole weight, and slides
-// with this friction. Assumptions; touching fails the drive anyway.
+// Contact of the chassis: it sinks this far into the ground under the vehicle's whole weight, and
+// slides with this friction. Both are assumptions; a contact fails the drive in any case.
 constexpr double chassis_sag_m = 0.02;
 constexpr double chassis_friction = 0.5;
 constexpr double chassis_slide_mps = 0.01;  // friction is proportional to speed below this
-// When to look every step: nearer than this, or than it can come in a period over a slope of 1:2.
+// The contact is computed in each step when the chassis is nearer to the ground than this, plus the
+// distance by which it can approach within a period over a slope of 1:2.
 constexpr double chassis_near_m = 0.02;
 constexpr double chassis_approach = 0.5;
 
-// Over this a wheel's contact moves along its rim. Set at once to the normal of the ground that it
-// finds, it would jump to and fro for ever on ground that is bent more than the wheel.
+// Time constant with which the contact point of a wheel moves along its rim. Applied at once, the
+// normal of the ground found there would make it jump back and forth for ever on ground of more
+// curvature than the wheel.
 constexpr double search_smoothing_s = 0.02;
 
-// For so much of its radius, which is less than its contact is long, a wheel takes the ground for
-// the plane that it found.
+// Travel, as a share of the wheel's radius, for which a contact plane serves. It is less than the
+// length of the contact.
 constexpr double foothold_radii = 1.0 / 12;
 
-constexpr double limit_smoothing_s = 0.2;  // of the speed that a motor's limits go by
+constexpr double limit_smoothing_s = 0.2;  // for the speed at which a motor's limits are evaluated
 
 }  // namespace
 
@@ -108,7 +110,7 @@ void Vehicle::apply_steering(double step_s) {
   }
 }
 
-// The brake holds with a spring from where it closed, and slips at its greatest torque.
+// The brake is a spring from the angle at which it closed, and slips at its greatest torque.
 double Vehicle::brake_torque_n_m(const DriveMotor& motor, double angle_rad, double spin_radps,
                                  WheelState& wheel) const {
   const double slack_rad = motor.brake_torque_max_n_m / motor.brake_stiffness_n_m_prad;
@@ -119,12 +121,13 @@ double Vehicle::brake_torque_n_m(const DriveMotor& motor, double angle_rad, doub
   return std::clamp(torque_n_m, -motor.brake_torque_max_n_m, motor.brake_torque_max_n_m);
 }
 
-// A speed servo within what the motor can give: its torque, its power, and the line from stall to
-// no load in the direction that it turns. What it cannot hold back the brake holds.
+// Speed servo within the limits of the motor: torque, power, and the line from stall to no load in
+// the direction in which it turns. The brake supplies the holding torque that the motor lacks.
 double Vehicle::motor_torque_n_m(const DriveMotor& motor, double spin_radps, double step_s,
                                  WheelState& wheel) const {
-  // The line is steeper than the servo: followed step by step it would shake a light wheel. It is
-  // read at a smoothed speed, and what the speed departs from that is damped by the servo's gain.
+  // The line is steeper than the servo's gain: evaluated at the present speed it would shake a
+  // light wheel. It is evaluated at a filtered speed; deviations from that are damped with the
+  // servo's gain.
   wheel.smooth_spin_radps +=
       (spin_radps - wheel.smooth_spin_radps) * std::min(1.0, step_s / limit_smoothing_s);
   const double smooth_radps = wheel.smooth_spin_radps, speed_radps = std::abs(smooth_radps);
@@ -140,7 +143,7 @@ double Vehicle::motor_torque_n_m(const DriveMotor& motor, double spin_radps, dou
   const double low_n_m = smooth_radps < 0 ? -driving_n_m : -holding_n_m;
   const double high_n_m = smooth_radps > 0 ? driving_n_m : holding_n_m;
   double torque_n_m = std::clamp(wanted_n_m, low_n_m, high_n_m);
-  // At its limit the motor accumulates no error that it could not act on, only what unwinds it.
+  // Anti-windup: at its limit the motor accumulates only errors that reduce the excess.
   if (torque_n_m == wanted_n_m || (wanted_n_m - torque_n_m) * error_radps < 0) {
     wheel.servo_integral_rad = integral_rad;
   }
@@ -199,7 +202,7 @@ void Vehicle::apply_contacts(double step_s) {
     const LinkMotion& hub = bodies_.motion(part.link);
     const Vec3 axle = hub.R_SL.col(1);
 
-    // The rim's lowest point, seen along the ground's normal where the wheel was; the ground there.
+    // The rim's lowest point along the last search normal, and the ground there.
     const Vec3& search_S = wheel.search_S;
     const Vec3 down = -(search_S - search_S.dot(axle) * axle).normalized();
     const Vec3 arm_m = part.shape->radius_m * down;
@@ -250,7 +253,7 @@ void Vehicle::find_chassis_near_ground() {
   }
 }
 
-// Of wheels in contact: so much lower they carry the chassis over the ground between them.
+// Mean sinkage of the wheels in contact: it lowers the chassis towards the ground between them.
 double Vehicle::mean_sinkage_m() const {
   double sum_m = 0, touching = 0;
   for (const WheelState& wheel : wheels_) {
@@ -264,11 +267,11 @@ void Vehicle::apply_chassis_contact(double step_s) {
   const double sunk_m = mean_sinkage_m();
   const double mass_kg = config_.mass_kg();
   const LinkMotion& chassis = bodies_.motion(Multibody::chassis);
-  // The points of one edge or so carry it all.
+  // The points of about one edge carry the whole load.
   const double carrying = std::sqrt(static_cast<double>(underside_B_m_.size()));
   const double stiffness_npm = mass_kg * gravity_S_mps2_.norm() / (chassis_sag_m * carrying);
   const double damping_nspm = std::sqrt(stiffness_npm * mass_kg) / 2;
-  // Friction that would turn the motion round within a step is no friction.
+  // Friction must not reverse the motion within a step.
   const double drag_max_nspm = mass_kg / (4 * static_cast<double>(underside_B_m_.size()) * step_s);
   for (const Vec3& p_B_m : underside_B_m_) {
     const Vec3 p_S_m = chassis.p_C_S_m + chassis.R_SL * (p_B_m - config_.p_BC_m);

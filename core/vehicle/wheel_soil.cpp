@@ -10,22 +10,23 @@ namespace lsos {
 
 namespace {
 
-// Shear displacement beyond which the anchor is dragged along: in units of K, at 98 % of the limit,
-// or of the contact's length, when the wheel skids nine tenths of its way.
+// Shear displacement beyond which the anchor is dragged along, the larger of two limits: in units
+// of K, at 98 % of the shear strength; in contact lengths, where the wheel skids over nine tenths
+// of its travel.
 constexpr double shear_displacements_max = 25, shear_lengths_max = 5;
 
 constexpr double sinkage_max_radii = 1.5;
 
-// Slip sinkage rises in proportion to u at first and to (1 + u_half a) in the end.
+// Slip sinkage factor: 1 + a u for small u, tending to 1 + slip_sinkage_half a.
 constexpr double slip_sinkage_half = 2;
 
 // A wheel that turns slower than this stands: rounding must not roll a parked rover off its anchor.
 constexpr double still_mps = 1e-5;
 
-// std::hypot guards against overflow, which costs more than all the rest of a step.
+// Plain norm: std::hypot guards against overflow, which costs more than the rest of a step.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
-// Share of the limit, divided by x: (1 - (1 - e^-x)/x) / x.
+// Mobilised share of the shear strength divided by x: (1 - (1 - e^-x)/x) / x.
 double mobilised_by_x(double x) {
   if (x < 1e-4) return 0.5 - x / 6;
   return (1 + std::expm1(-x) / x) / x;
@@ -66,7 +67,8 @@ double WheelSoil::ploughing_n(double width_m, double depth_m) const {
          (0.5 * unit_weight_npm3_ * depth_m * wedge_ + 2 * soil_.cohesion_pa);
 }
 
-// On ground that a wheel hardly marks, the contact is where the wheel is flattened.
+// Length from the deepest point to the rim's entry, sqrt(z (2 R - z)), with z the sinkage or, on
+// ground that the wheel hardly marks, the flattening of the wheel.
 double WheelSoil::contact_length_m(double sinkage_m, double load_n) const {
   const double k = wheel_.normal_stiffness_npm;
   const double flattened_m = k > 0 ? load_n / k : 0;
@@ -75,18 +77,19 @@ double WheelSoil::contact_length_m(double sinkage_m, double load_n) const {
   return std::sqrt(z * (2 * shear_radius_m_ - z));
 }
 
-// One step of one wheel, in the plane of the ground: along the wheel's heading and to its left.
+// Quantities of one step of one wheel in the plane of the ground: x along its heading, y to its
+// left.
 struct WheelSoil::Step {
   double load_n = 0, static_sinkage_m = 0, length_m = 0;
-  double ahead_mps = 0, left_mps = 0;  // of the hub
-  double rim_mps = 0;                  // backwards, where soil is sheared
+  double ahead_mps = 0, left_mps = 0;  // velocity of the hub
+  double rim_mps = 0;    // rim speed where soil is sheared, relative to the hub, backwards
   double curvature = 0;  // share by which the rim lags behind the hub, mean over the contact
   Vec2 shear_m = Vec2::Zero(), shear_rate_mps = Vec2::Zero();
   double limit_n = 0;  // H_max
   Vec2 K_m = Vec2::Zero();
   double shear_by_K = 0;
-  double built_up = 0;       // resistance to rolling, -1..1
-  Vec2 slip = Vec2::Zero();  // travel for each metre rolled, less one that rolls without slip
+  double built_up = 0;       // mobilised share of the rolling resistance, -1..1
+  Vec2 slip = Vec2::Zero();  // excess travel for each metre rolled; 0 in rolling without slip
   double sinkage_m = 0;
 };
 
@@ -95,8 +98,9 @@ Vec2 WheelSoil::shear_modulus_m(double limit_n) const {
   return {std::max(soil_.shear_modulus_x_m, wheel_m), std::max(soil_.shear_modulus_y_m, wheel_m)};
 }
 
-// Slip shears the soil; rolling brings fresh soil under the rim. In steady rolling the balance of
-// both leaves the mean displacement of the contact.
+// Slip shears the soil and rolling brings fresh soil under the rim:
+//  dj/dt = slip speed - 2 |r w| j / l,
+// integrated implicitly. In steady rolling the balance of both gives the mean displacement j.
 void WheelSoil::shear(Step& step, const Vec2& before_m, double rolling_mps, double step_s) const {
   const double rolled_mps = std::max(0.0, std::abs(rolling_mps) - still_mps);
   const double fresh = 1 / (1 + 2 * rolled_mps * step_s / step.length_m);
@@ -119,7 +123,8 @@ double WheelSoil::slip_sinkage_m(const Step& step) const {
       sinkage_max_radii * wheel_.radius_m);
 }
 
-// Damping acts on the change of shear, so that steady slip has none of it.
+// Traction from the mobilised shear. Damping acts on the rate of shear, which is zero in steady
+// slip.
 Vec2 WheelSoil::traction_n(const Step& step) const {
   const double share_by_K = 2 * step.limit_n * mobilised_by_x(2 * step.shear_by_K);
   const Vec2 stiffness_npm = share_by_K * step.K_m.cwiseInverse();
@@ -129,13 +134,14 @@ Vec2 WheelSoil::traction_n(const Step& step) const {
   return most > step.limit_n ? Vec2(force_n * (step.limit_n / most)) : force_n;
 }
 
-// Compaction, ploughing and the wheel's own flexing.
+// Resistance of compaction, ploughing and the wheel's own flexing.
 Vec2 WheelSoil::resistance_n(const Step& step) const {
   double against_n = wheel_.rolling_resistance * step.load_n, side_n = 0;
   if (!soil_.is_rigid) {
     against_n += pressure_.compaction_resistance_n(step.sinkage_m, step.load_n);
-    // It ploughs as much of its way as it does not roll. How far it travels for each metre rolled
-    // is read from the shear, which is steady: speeds would make stiff dampers of slow wheels.
+    // The wheel ploughs for the share of its travel that it does not roll. Travel for each metre
+    // rolled is taken from the shear, which is steady; taken from the speeds it would act as a
+    // stiff damper on slow wheels.
     const double onward = step.built_up < 0 ? -1 : 1;
     const double travel = length(1 + onward * step.slip.x(), step.slip.y());
     const double skid = std::max(0.0, 1 - 1 / std::max(travel, 1e-3));
@@ -183,7 +189,7 @@ WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step
   state.rolled_m = std::clamp(state.rolled_m + step.ahead_mps * step_s, -rolling_mobilised_m,
                               rolling_mobilised_m);
   step.built_up = state.rolled_m / rolling_mobilised_m;
-  // What the rim's curvature shears in rolling without slip is part of the static sinkage.
+  // The shear from the rim's curvature in rolling without slip belongs to the static sinkage.
   step.slip = 2 / step.length_m * step.shear_m + Vec2(step.curvature * step.built_up, 0);
   state.sinkage_m = step.sinkage_m = forces.sinkage_m = slip_sinkage_m(step);
 
@@ -223,8 +229,8 @@ double normal_load_n(const Wheel& wheel, double penetration_m, double closing_mp
 double slip_ratio(double hub_speed_mps, double rolling_speed_mps) {
   const double hub = std::abs(hub_speed_mps), rolling = std::abs(rolling_speed_mps);
   if (hub < 1e-3 && rolling < 1e-3) return not_modelled;
-  if (rolling == 0) return -1;  // locked, whichever way it slides
-  const double along = hub_speed_mps * (rolling_speed_mps < 0 ? -1 : 1);  // seen by the rim
+  if (rolling == 0) return -1;  // locked, whichever direction it slides in
+  const double along = hub_speed_mps * (rolling_speed_mps < 0 ? -1 : 1);  // in the rim's direction
   if (rolling >= along) return std::max(-1.0, std::min(1.0, 1 - along / rolling));
   return rolling / along - 1;
 }

@@ -1,33 +1,34 @@
 // Forces between one wheel and the soil, at a single contact point.
 //
-// A reconstruction of the ROAMS wheel model (Sohl and Jain 2005, whose equations are not public):
-// no torque at the contact, one compliance along the terrain normal and one with two degrees of
-// freedom along the terrain, traction limited by the strength of the soil. With z the sinkage, l
-// the length of the contact, j the mean displacement by which the soil under it is sheared:
+// Reconstruction of the ROAMS wheel model (Sohl and Jain 2005, whose equations are not public): no
+// torque at the contact, one compliance along the terrain normal and one with two degrees of
+// freedom along the terrain, traction limited by the strength of the soil. In the following z is
+// the sinkage, l the length of the contact, j the mean shear displacement of the soil under it, h
+// the height of the grousers, and g, 0..1, the share of the rim that the soil wedges of the
+// grousers fill.
 //
 //   Static sinkage z0 and compaction: the soil's one pressure law (pressure_sinkage.h).
 //   Slip sinkage: z = z0 (1 + a u / (1 + u/2)), u = 2 |j - j0| / l, a = Soil::slip_sinkage, j0 the
 //     shear of rolling without slip. Measured sinkages of a small wheel in sand under slip, skid
 //     and slip angles fall on one curve over u, which is why shear, not slip, is the variable; the
-//     curve's form is a fit to them (VALIDATION.md).
-//   Shear strength: H_max = f (b l c (1 + 2 g h/b) + W tan(phi) (1 + 0.64 g (h/b) atan(b/h))), h
-//     the grousers' height (Bekker 1969 as in Li and Bingham's LTV paper; g, see below, is ours);
-//     f is the interface friction ratio of the rim between grousers and 1 where they shear soil on
-//     soil.
+//     form of the curve is a fit to them (VALIDATION.md).
+//   Shear strength: H_max = f (b l c (1 + 2 g h/b) + W tan(phi) (1 + 0.64 g (h/b) atan(b/h)))
+//     (Bekker 1969 as in Li and Bingham's LTV paper; g is added here). f is the interface
+//     friction ratio on the rim between grousers, and 1 where grousers shear soil on soil.
 //   Mobilised share: 1 - (1 - exp(-x))/x with x = 2 |j|/K (Janosi and Hanamoto 1961, integrated
-//     along the contact as Wong did); K differs along and across the wheel. Of soil and wheel in
-//     series the softer one is taken: K is at least H_max / tangential stiffness.
-//   Steady rolling: j = l/2 (r w - v (1 - z/(2R)))/(r w): Wong and Reece's j(theta), averaged over
-//     the contact. Its part without slip, from the rim's curvature, is why a driven wheel at zero
-//     slip nearly carries its own resistance.
-//   Grousers: between them soil turns with the wheel, so that shear, its arm and its length are
-//     those of the circle r + g h, where g, 0..1, is how much of the rim their wedges fill.
-//     Of the factors in Li and Bingham's formula N_g, for several grousers, is left out.
-//   Ploughing: passive earth pressure (Rankine 1857) on the rim's face b for the part of its way
-//     that the wheel does not roll, sideways travel included, and on its side, taken as the whole
-//     chord at full depth, as it is pushed sideways. It comes on top of the shear strength. The
-//     wedge's two ends widen the face by half its length. A wheel that rolls as far as it travels
-//     presses soil down and pushes none ahead: its compaction resistance is all.
+//     along the contact as Wong did); K differs along and across the wheel. Soil and wheel act in
+//     series and the softer one is taken: K is at least H_max / tangential stiffness.
+//   Steady rolling: j = l/2 (r w - v (1 - z/(2R)))/(r w), Wong and Reece's j(theta) averaged over
+//     the contact. Its part without slip, from the rim's curvature, is why a driven wheel at
+//     zero slip nearly overcomes its own resistance.
+//   Grousers: the soil between them turns with the wheel, so shear, its lever arm and the contact
+//     length are those of the circle r + g h. Li and Bingham's factor N_g, for several grousers, is
+//     left out.
+//   Ploughing: passive earth pressure (Rankine 1857) on the rim's face, of width b, for the part of
+//     its travel (sideways included) that the wheel does not roll; and on its side, taken as the
+//     whole chord at full depth, while it is pushed sideways. It adds to the shear strength. The
+//     two ends of the wedge widen the face by half the wedge's length. A wheel that rolls as far as
+//     it travels presses soil down and pushes none ahead: it has compaction resistance only.
 #pragma once
 
 #include <string>
@@ -39,31 +40,31 @@
 
 namespace lsos {
 
-// The way over which resistance to rolling builds up, as the soil ahead of the wheel gives a
-// little before it flows. It also keeps a standing wheel from being pushed.
+// Travel over which rolling resistance builds up, because the soil ahead of the wheel yields a
+// little before it flows. This also lets a standing wheel resist being pushed.
 inline constexpr double rolling_mobilised_m = 0.005;
 
-// What the contact remembers. This holds a parked rover on a slope without creeping.
+// State of the contact between steps. It holds a parked rover on a slope without creep.
 struct WheelContactState {
-  Vec3 shear_S_m = Vec3::Zero();  // how far the soil under the wheel is sheared, site frame
-  double rolled_m = 0;            // into the soil ahead, -rolling_mobilised_m..rolling_mobilised_m
+  Vec3 shear_S_m = Vec3::Zero();  // shear displacement of the soil under the wheel, site frame
+  double rolled_m = 0;  // travel into the soil ahead, -rolling_mobilised_m..rolling_mobilised_m
   double sinkage_m = 0;
 
   void archive(Archive& a) { a(shear_S_m)(rolled_m)(sinkage_m); }
 };
 
-// How the wheel meets the ground at this step. Vectors in the site frame.
+// State of a wheel relative to the ground in one step. Vectors are in the site frame.
 struct WheelContactInput {
   double load_n = 0;             // along the normal
   Vec3 normal_S;                 // unit, out of the ground
   Vec3 heading_S;                // unit, rolling direction along the surface
-  Vec3 hub_velocity_S_mps;       // of the wheel's centre
+  Vec3 hub_velocity_S_mps;       // velocity of the wheel's centre
   double rolling_speed_mps = 0;  // rim radius x spin
 };
 
 struct WheelContactForces {
-  Vec3 traction_S_n = Vec3::Zero();  // shear along the ground, `arm_m` below the hub
-  Vec3 at_hub_S_n = Vec3::Zero();    // what has no torque: compaction, ploughing, flexing
+  Vec3 traction_S_n = Vec3::Zero();  // shear force along the ground, applied `arm_m` below the hub
+  Vec3 at_hub_S_n = Vec3::Zero();    // forces without torque: compaction, ploughing, flexing
   double arm_m = 0;                  // r + g h
   double sinkage_m = 0;
   double traction_limit_n = 0;  // H_max
@@ -75,12 +76,13 @@ class WheelSoil {
  public:
   WheelSoil(const Soil& soil, const Wheel& wheel, double gravity_mps2);
 
-  // One step of `step_s`; changes `state`. A load of 0 lets the contact forget.
+  // Advances `state` by one step of `step_s` and returns the forces. A load of 0 resets the state.
   WheelContactForces forces(const WheelContactInput& input, double step_s,
                             WheelContactState& state) const;
 
-  // Most shear along the terrain, N, over a contact of this length: what the soil bears, and what
-  // reaches it through the rim (the interface friction ratio). The latter limits the traction.
+  // Greatest shear force along the terrain, N, over a contact of this length: that which the soil
+  // bears, and that which reaches it through the rim (interface friction ratio). The latter limits
+  // traction.
   double soil_shear_n(double load_n, double contact_length_m) const;
   double traction_limit_n(double load_n, double contact_length_m) const;
   // Passive earth pressure on a face of this width and depth, N.
@@ -108,16 +110,16 @@ class WheelSoil {
   double wedge_ = 0;  // tan(pi/4 + phi/2): root of K_p, and the wedge's length over its depth
 };
 
-// Why such a wheel with this load cannot stand on the soil ("k_c + b k_phi is ..., must be above
-// 0", "it sinks to its axle"), else "".
+// Reason why such a wheel with this load cannot stand on the soil ("k_c + b k_phi is ..., must be
+// above 0", "they sink to the axle"), else "".
 std::string soil_fault(const Soil& soil, const Wheel& wheel, double load_n, double gravity_mps2);
 
-// Force along the normal of the wheel's spring and damper, N, never pulling. `penetration_m` of
-// the rim into the surface along the normal, `closing_mps` its growth.
+// Normal force of the wheel's spring and damper, N, at least 0. `penetration_m` is the depth of the
+// rim below the surface along the normal, `closing_mps` its rate.
 double normal_load_n(const Wheel& wheel, double penetration_m, double closing_mps);
 
-// Longitudinal slip, -1..1: 1 - v/(r w) when driving, r w/v - 1 when braking; NaN when both are
-// slower than 1 mm/s.
+// Longitudinal slip, -1..1: 1 - v/(r w) when driving, r w/v - 1 when braking; NaN when both speeds
+// are below 1 mm/s.
 double slip_ratio(double hub_speed_mps, double rolling_speed_mps);
 
 }  // namespace lsos

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* answer_kind = "answer";
 
-// Longer than any mission, and still exact in microseconds.
+// Latest time that scripts may give, s: longer than any mission, and still exact in microseconds.
 constexpr double time_max_s = 9e9;
 
 double check_time_s(lua_State* L, double min, const char* function) {

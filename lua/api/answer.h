@@ -10,7 +10,7 @@ namespace lsos {
 
 void push_answer(lua_State* L, PhaseAnswer answer);
 
-// nullptr when the value at `index` is no answer.
+// Returns nullptr when the value at `index` is no answer.
 const PhaseAnswer* to_answer(lua_State* L, int index);
 
 // The text that string.format makes of all arguments; they are popped.
@@ -21,8 +21,9 @@ int answer_fail(lua_State* L);
 int answer_sleep(lua_State* L);
 int answer_sleep_until(lua_State* L);
 
-// The values that the phase function left above `base`. Throws std::runtime_error for what is no
-// answer, and for the name of a phase that the event does not have.
+// Reads the answer from the values that the phase function left above stack index `base`. Throws
+// std::runtime_error for a value that is no answer, and for the name of a phase that the event does
+// not have.
 PhaseAnswer read_answer(lua_State* L, int base, const EventDeclaration& event);
 
 }  // namespace lsos

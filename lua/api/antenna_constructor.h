@@ -1,4 +1,4 @@
-// lsos.antenna, and the list of them in a rover.
+// The constructor lsos.antenna, and the list of antennas in a rover's table.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// `rover.antennas`: raising and stowing them.
+// `rover.antennas`: raises and stows the rover's antennas.
 #include <fmt/format.h>
 
 #include <optional>

@@ -1,4 +1,5 @@
-// The lsos module as a registry: what is bound to Lua and what lua/README.md says are one list.
+// Registry of the lsos module: one list from which functions are bound to Lua and lua/README.md is
+// written.
 #pragma once
 
 #include <lua.hpp>
@@ -25,14 +26,14 @@ struct ApiConstant {
 
 const std::vector<ApiFunction>& api_functions();
 const std::vector<ApiConstant>& api_constants();
-// Sections: fields, events, rovers, terrains.
+// A section of the reference: events, fields of events, rovers, or terrains and soils.
 struct ApiSection {
   const char* title;
   std::vector<Constructor> constructors;
 };
 const std::vector<ApiSection>& api_sections();
 
-// Makes the sandbox and the module of a state whose scripts are events, rovers and terrains. Once a
+// Makes the lsos module; called once for each Lua state.
 // state.
 void make_api(lua_State* L);
 // The same with more functions.

@@ -53,7 +53,7 @@ int read_param(lua_State* L) {
 
 int refuse_write(lua_State*) { throw std::runtime_error("ev.params is read-only"); }
 
-// pairs(ev.params): over the values that are there. Upvalue: table of values.
+// pairs(ev.params) iterates over the given values. Upvalue: table of values.
 int params_pairs(lua_State* L) {
   push_environment(L);
   lua_getfield(L, -1, "pairs");

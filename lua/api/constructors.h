@@ -1,4 +1,5 @@
-// lsos.wheel {...} and the like: functions that read a table into a C++ value while a script loads.
+// Constructors such as lsos.wheel {...}: functions that read a table into a C++ value while a
+// script loads.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 
 namespace lsos {
 
-// One constructor as registered and documented.
+// A constructor as it is registered and documented.
 struct Constructor {
   const char* name;
   lua_CFunction function;  // its upvalue 1 is the name
@@ -24,7 +25,7 @@ struct Constructor {
 std::vector<Constructor> field_constructors();
 std::vector<Constructor> event_constructors();
 std::vector<Constructor> rover_constructors();
-// Among rover_constructors.
+// Parts of rover_constructors().
 std::vector<Constructor> suspension_constructors();
 std::vector<Constructor> power_constructors();
 std::vector<Constructor> asset_constructors();
@@ -33,11 +34,11 @@ std::vector<Constructor> terrain_constructors();
 // The name of the constructor that runs, and a reader of its one argument.
 TableReader constructor_reader(lua_State* L);
 
-// Keeps a copy of the table at `index` as the user value of what was made from it, at the top:
-// lsos.derive makes another from it.
+// Keeps a copy of the table at `index` as the user value of the object at the top, which was made
+// from it. lsos.derive builds a changed object from this copy.
 void keep_keys(lua_State* L, int index);
 
-// "Route" of "events/Route.lua": scripts are named by their files.
+// "Route" for "events/Route.lua": scripts are named by their files.
 std::string script_name(const std::string& file);
 
 template <class T, void (*read)(TableReader&, T&)>
@@ -61,7 +62,7 @@ Constructor constructor(const char* name, const char* doc) {
           doc};
 }
 
-// A fault for each name that two of them have.
+// Adds a fault for each name that two entries share.
 template <class T>
 void check_unique_names(TableReader& t, const char* key, const std::vector<T>& all) {
   std::set<std::string> names;

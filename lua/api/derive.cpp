@@ -23,7 +23,7 @@ namespace lsos {
 
 namespace {
 
-// What has been changed, for the sentence among the assumptions: "battery.capacity_j = 2.16e+08".
+// Texts of the changes, for the sentence among the assumptions: "battery.capacity_j = 2.16e+08".
 using Changes = std::vector<std::string>;
 
 std::string joined(const std::string& path, const std::string& key) {
@@ -46,7 +46,7 @@ std::string value_text(lua_State* L) {
   }
 }
 
-// Pushes a copy of the table that the thing at `index` was made from.
+// Pushes a copy of the table that the object at `index` was made from.
 void push_copied_keys(lua_State* L, int index, const std::string& path) {
   index = lua_absindex(L, index);
   lua_newtable(L);
@@ -65,7 +65,7 @@ void push_copied_keys(lua_State* L, int index, const std::string& path) {
 
 void push_changed(lua_State* L, int made, int changes, const std::string& path, Changes& told);
 
-// The name that a part in a list was given; "" for one without.
+// The name that a part in a list was given; "" for a part without one.
 std::string name_of(lua_State* L, int index) {
   std::string name;
   if (to_made(L, index) == nullptr) return name;
@@ -95,7 +95,8 @@ std::string name_of(lua_State* L, int index) {
                         fmt::join(names, ", ")));
 }
 
-// Pushes the list at `list` with the changes at `changes`, a table from names to changes.
+// Pushes the list at `list` with the changes in the table at `changes`, which maps names of parts
+// to changes.
 void push_changed_list(lua_State* L, int list, int changes, const std::string& path,
                        Changes& told) {
   list = lua_absindex(L, list);
@@ -142,7 +143,7 @@ void push_changed_list(lua_State* L, int list, int changes, const std::string& p
   }
 }
 
-// Whether the table at `index` names parts; the alternative is a list of its own.
+// Whether the table at `index` maps names to changes; otherwise it is a whole new list.
 bool has_names(lua_State* L, int index) {
   lua_pushvalue(L, index);
   lua_pushnil(L);
@@ -152,7 +153,7 @@ bool has_names(lua_State* L, int index) {
   return is_name;
 }
 
-// A number in place of one of another order of magnitude, as in kWh in place of J.
+// Adds a doubt about a number of another order of magnitude than the base's, as kWh in place of J.
 void doubt_size(lua_State* L, const std::string& path) {
   constexpr double most_times = 1e3;
   if (lua_type(L, -1) != LUA_TNUMBER || lua_type(L, -2) != LUA_TNUMBER) return;
@@ -164,9 +165,9 @@ void doubt_size(lua_State* L, const std::string& path) {
                   lua_tonumber(L, -1), unit.empty() ? "" : " ", unit, lua_tonumber(L, -2)));
 }
 
-// Replaces the value at the top, which is new, by what becomes of the old one below it.
+// Replaces the new value at the top by the old value below it with the change applied.
 void change(lua_State* L, const std::string& path, Changes& told) {
-  // A vec3 is a value, though Lua keeps it as a table.
+  // A vec3 is replaced as a whole, though Lua stores it as a table.
   const bool is_part = to_made(L, -2) != nullptr;
   const bool is_list = lua_istable(L, -2) && !is_vec3(L, -2);
   if (lua_istable(L, -1) && is_part) {
@@ -198,7 +199,7 @@ void merge(lua_State* L, int changes, const std::string& path, Changes& told) {
     names.emplace_back(lua_tostring(L, -2));
     lua_pop(L, 1);
   }
-  std::ranges::sort(names);  // the order of the sentence
+  std::ranges::sort(names);  // their order in the sentence
   for (const std::string& name : names) {
     if (path.empty() && (name == "assumptions" || name == "doc" || name == "api")) continue;
     lua_getfield(L, keys, name.c_str());
@@ -226,7 +227,7 @@ void push_changed(lua_State* L, int made, int changes, const std::string& path, 
   construct_again(L, kind);
 }
 
-// Appends the texts of the list at the top to that of the table below it.
+// Sets the assumptions of the table at `keys`: its own, those of `changes`, then `more`.
 void add_assumptions(lua_State* L, int keys, int changes, const std::vector<std::string>& more) {
   lua_newtable(L);
   lua_Integer count = 0;
@@ -253,7 +254,7 @@ void add_assumptions(lua_State* L, int keys, int changes, const std::vector<std:
   lua_setfield(L, keys, "assumptions");
 }
 
-// Pushes what the base's script returns.
+// Runs the base's script and pushes what it returns.
 const Made& push_base(lua_State* L, const std::string& name) {
   LuaContext& ctx = context(L);
   load_faults(L, "derive");
@@ -303,7 +304,7 @@ int derive(lua_State* L) {
   push_copied_keys(L, -1, "");
   const int keys = lua_gettop(L);
   lua_pushnil(L);
-  lua_setfield(L, keys, "name");  // the base's own, which its file has
+  lua_setfield(L, keys, "name");  // the base's name; the derived script is named by its own file
   for (const char* own : {"doc", "api"}) {
     lua_getfield(L, changes, own);
     if (lua_isnil(L, -1)) {

@@ -12,7 +12,8 @@ namespace lsos {
 
 namespace {
 
-// Runs `body(key)` for each text key of the table at the top, in byte order, with its value there.
+// Calls body(key) for each text key of the table at the top, in byte order, with the key's value at
+// the top.
 template <class F>
 void for_each_text_key(TableReader& t, const char* table_name, F&& body) {
   lua_State* L = t.L();
@@ -40,7 +41,7 @@ bool is_table_or_fault(TableReader& t, const char* key, const char* wanted) {
   return false;
 }
 
-// A dimensional value has its SI unit in its name; one without a dimension must not claim one.
+// A key of a dimensional value ends in its SI unit; a key of a dimensionless one must not.
 void check_suffix(TableReader& t, const std::string& key, const FieldDeclaration& field) {
   std::string suffix;
   if (field.unit != nullptr && !field.unit->suffix.empty()) suffix = field.unit->suffix;
@@ -164,7 +165,7 @@ void read_phases(TableReader& t, EventDeclaration& event, int functions) {
 void check_phases(TableReader& t, EventDeclaration& event) {
   std::vector<std::string> names;
   for (const EventDeclaration::Phase& phase : event.phases) names.push_back(phase.name);
-  if (names.empty()) return;  // a fault already
+  if (names.empty()) return;  // already reported
   if (event.start_phase.empty() && names.size() == 1) event.start_phase = names.front();
   if (event.start_phase.empty()) return t.fault("'start' is missing: which phase comes first?");
   const auto check = [&](const std::string& what, const std::string& name) {
@@ -181,7 +182,7 @@ void check_phases(TableReader& t, EventDeclaration& event) {
       [&](const EventDeclaration::Phase& phase) { return phase.name == event.start_phase; });
 }
 
-// Copies a function that may be missing to the table at `functions`.
+// Copies an optional function to the table at `functions`.
 void read_function(TableReader& t, const char* key, const char* type, const char* doc,
                    int functions) {
   if (!t.take(optional, key, type, doc)) return;
@@ -211,7 +212,7 @@ void read_open_ended(TableReader& t, EventDeclaration& event, int functions) {
   }
 }
 
-// Keys of the params that name what the event deploys, stows or needs deployed.
+// Reads the keys of the params that name what the event deploys, stows or needs deployed.
 void read_equipment(TableReader& t, EventDeclaration& event) {
   const auto read = [&](const char* name, std::string& key, const char* doc) {
     t.text(optional, name, key, doc);

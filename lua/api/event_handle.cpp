@@ -1,4 +1,4 @@
-// `ev`: what an event was given, what it remembers, and what time it is.
+// `ev`: what an event was given, what it remembers, and its times.
 #include <fmt/format.h>
 
 #include <string>
@@ -67,7 +67,7 @@ int log(lua_State* L) {
   return 0;
 }
 
-// For the summary and the report; a note besides, where it was.
+// Adds a warning to the summary and the report, and a note that shows where it was given.
 int warn(lua_State* L) {
   const EventCall& call = call_of(L);
   lua_remove(L, 1);

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/units.h"
 #include "base/quantity_advice.h"
+#include "base/units.h"
 #include "lua/api/constructors.h"
 #include "plan/declaration.h"
 

@@ -1,4 +1,4 @@
-// `ev.geometry`: the waypoints of an event, and what a polygon is asked.
+// `ev.geometry`: the waypoints of an event, and the methods for polygons.
 #include <fmt/format.h>
 
 #include <string>
@@ -58,7 +58,7 @@ FreeArea area_of(lua_State* L, const char* method) {
   return {ring_of(arguments.geometry_S_m), std::move(holes)};
 }
 
-// Arguments 2 to 4 of both: from, to and the margin.
+// Arguments 2 to 4 of `parts` and `path`: from, to and the margin.
 struct Request {
   Vec2 from_m, to_m;
   double margin_m = 0;
@@ -98,7 +98,8 @@ int parts(lua_State* L) {
 }
 
 int path(lua_State* L) {
-  // A path between few corners costs a fraction of this, one between thousands up to some seconds.
+  // A path between few corners costs a fraction of this; one between thousands takes up to some
+  // seconds.
   constexpr std::int64_t instructions_per_path = 200, instructions_per_side = 200;
   const Request request = check_request(L, "path");
   const FreeArea area = area_of(L, "path");
@@ -127,7 +128,7 @@ int path(lua_State* L) {
   return 2;
 }
 
-// A new vec3 each time, so that changing it changes nothing here.
+// Pushes a new vec3 each time, so that changing it changes nothing here.
 int geometry_index(lua_State* L) {
   const Path3& points_S_m = arguments_of(L).geometry_S_m;
   if (lua_type(L, 2) == LUA_TSTRING) {

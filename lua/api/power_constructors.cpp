@@ -30,7 +30,7 @@ void read_battery(TableReader& t, BatterySpec& battery) {
            "(default 0).");
 }
 
-// Both ends of an axis, or neither.
+// Reads the two limits of an axis, which are given together or not at all.
 void read_limits(TableReader& t, const char* least, const char* most, double rest_rad,
                  const Range& range, AngleLimits& limits, const char* doc) {
   std::optional<double> from_rad, to_rad;
@@ -107,7 +107,7 @@ void read_resource(TableReader& t, ResourceSpec& resource) {
   t.number(required, "amount", resource.amount, not_negative, "At the start.");
 }
 
-// '#c08040'
+// Reads a colour such as '#c08040'.
 bool read_colour(const std::string& text, Vec3& colour) {
   if (text.size() != 7 || text[0] != '#') return false;
   for (int k = 0; k < 3; ++k) {

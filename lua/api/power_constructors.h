@@ -1,4 +1,4 @@
-// What rovers and assets have besides wheels: power and shapes.
+// Tables of what rovers and assets have besides wheels: power and shapes.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace lsos {
 
-// battery, panels, loads and resources of a rover.
+// Reads battery, panels, loads and resources of a rover.
 void read_power(TableReader& t, PowerSpec& power);
 void read_panels(TableReader& t, std::vector<PanelSpec>& panels);
 void read_shapes(TableReader& t, std::vector<Shape>& shapes);

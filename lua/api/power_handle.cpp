@@ -1,4 +1,4 @@
-// `rover.battery` and `rover.panels`: a rover's energy, and what scripts may do with it.
+// `rover.battery` and `rover.panels`: a rover's energy, and the methods of scripts that change it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -96,7 +96,7 @@ int steer(lua_State* L) {
   Steering steering;
   constexpr std::pair<const char*, SteerMode> modes[] = {
       {"fixed", SteerMode::fixed}, {"point", SteerMode::point}, {"track", SteerMode::track}};
-  // Sums of headings and angles are smaller, and so many degrees larger.
+  // Sums of headings and angles are within these ranges; most numbers in degrees are not.
   constexpr Range turn{-4 * std::numbers::pi, 4 * std::numbers::pi};
   constexpr Range upright{-std::numbers::pi, std::numbers::pi};
   t.word(required, "mode", modes, steering.mode, "'track', 'point' or 'fixed'.");

@@ -1,4 +1,4 @@
-// lsos.raster: a file of heights, and what the file leaves open.
+// lsos.raster: a file of heights, with settings that the file does not contain.
 #pragma once
 
 #include "lua/runtime/reader.h"

@@ -31,7 +31,7 @@ void push_leg(lua_State* L, const PlannedWay::Leg& leg) {
   push_field(L, "slope_max_rad", leg.slope_max_rad);
 }
 
-// avoid = list of vec3, avoid_radius_m = number
+// Reads avoid = list of vec3, avoid_radius_m = number.
 void read_avoided(TableReader& t, std::vector<AvoidedDisc>& avoided) {
   Path3 places;
   if (t.take(optional, "avoid", "list of vec3", "Places to keep off, whatever the ground there.")) {

@@ -1,4 +1,4 @@
-// Planned ways between Lua and C++.
+// Planned routes between Lua and C++.
 #pragma once
 
 #include <lua.hpp>
@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-// What rover:plan_path is told, and what an event's `route` gives.
+// Options of rover:plan_path, and the result of an event's `route`.
 struct RouteOptions {
   RouteSettings settings;
   std::int64_t first = 1;  // waypoint that comes next
@@ -16,10 +16,10 @@ struct RouteOptions {
 
 void read_route_options(TableReader& t, RouteOptions& options);
 
-// Reads the table (or nil: all as it is) at `index`. Throws InputError with all faults.
+// Reads the table at `index` (nil: all defaults). Throws InputError with all faults.
 RouteOptions check_route_options(lua_State* L, int index, const char* what);
 
-// Pushes { path = , legs = , length_m = , ... }.
+// Pushes the route as { path = , legs = , length_m = , ... }.
 void push_way(lua_State* L, const PlannedWay& way);
 
 }  // namespace lsos

@@ -25,13 +25,14 @@ struct Chassis {
 
 bool is_positive(const Vec3& v) { return v.minCoeff() > 0; }
 
-// A flat disc's moment about its axle is just the sum of the other two.
+// Whether a principal moment is at most the sum of the other two. A flat disc's moment about its
+// axle equals that sum, hence the tolerance.
 bool is_at_most_the_others(double moment_kgm2, const Vec3& all_kgm2) {
   constexpr double slack = 1e-9;
   return moment_kgm2 <= (all_kgm2.sum() - moment_kgm2) * (1 + slack);
 }
 
-// Of a box with its mass spread evenly.
+// Principal moments of a box with evenly distributed mass.
 Vec3 box_moments_kgm2(double mass_kg, const Vec3& size_m) {
   const Vec3 squares = size_m.cwiseProduct(size_m);
   return mass_kg / 12 *
@@ -57,7 +58,7 @@ void read_chassis(TableReader& t, Chassis& chassis) {
       moments_kgm2.value_or(box_moments_kgm2(chassis.inertia.mass_kg, chassis.size_m));
 }
 
-// joints = { rocker_left = 0.2 }
+// Reads joints = { rocker_left = 0.2 }.
 void read_joints(TableReader& t, std::map<std::string, double>& joints) {
   if (!t.take(optional, "joints", "table of numbers, m or rad",
               "Where joints stand at the start, by name; the others at 0."))
@@ -97,7 +98,7 @@ void read_configuration(TableReader& t, RoverConfiguration& configuration) {
             "Aboard in this configuration (default: as many as the rover carries).");
 }
 
-// One of three kinds of suspension.
+// Reads one of three kinds of suspension.
 void read_suspension(TableReader& t, Suspension& suspension) {
   constexpr const char* kinds = "lsos.wishbone, lsos.rocker_bogie or lsos.skid_steer";
   if (!t.take(required, "suspension", kinds, "Springs or rockers, steering and wheels.")) return;
@@ -114,7 +115,7 @@ void read_suspension(TableReader& t, Suspension& suspension) {
   lua_pop(t.L(), 1);
 }
 
-// A rover's physics step divides the exchange period exactly.
+// Reads the physics step, which must divide the exchange period exactly.
 void read_step(TableReader& t, VehicleConfig& vehicle) {
   double step_s = seconds(vehicle.step);
   t.number(required, "step_s", step_s, {1e-5, seconds(exchange_period)},

@@ -1,4 +1,4 @@
-// What is known of a rover before anything runs, as an event's `check` sees it.
+// Facts about a rover that are known before anything runs, for an event's `check`.
 #pragma once
 
 #include <lua.hpp>
@@ -8,9 +8,9 @@
 
 namespace lsos {
 
-// Pushes { id, type, battery_capacity_j, charge_power_max_w, initial_charge, length_m,
-// slope_max_rad, panels
-// }. What the rover has not, or has no limit of, is nil.
+// Pushes { id, type, battery_capacity_j, charge_power_max_w, initial_charge, length_m, crew,
+// configuration, slope_max_rad, panels }. A property that the rover lacks, or a limit that it does
+// not have, is nil.
 void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& model);
 
 }  // namespace lsos

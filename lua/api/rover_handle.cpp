@@ -15,7 +15,7 @@ namespace lsos {
 
 namespace {
 
-// Looking at ground or sky may have to make it first.
+// Cost of sampling ground or sky, which may have to be generated first.
 constexpr std::int64_t instructions_per_look = 1000;
 
 RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
@@ -124,8 +124,9 @@ int follow(lua_State* L) {
   return 0;
 }
 
-// The dearest that a script can ask for: a kilometre may take a second, and more. A mission's own
-// route of hundreds of legs must fit, though most of it is planned before the event asks for it.
+// Charges for planning, the most expensive work that a script can request: a kilometre may take a
+// second or more. A mission's own route of hundreds of legs must fit the budget, though most of it
+// is planned before the event requests it.
 void charge_planning(lua_State* L, const Path3& waypoints, std::int64_t first,
                      const Vec3& from_S_m) {
   constexpr std::int64_t instructions_per_plan = 150'000, instructions_per_leg = 1000;

@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-// lsos.wheel: what is of one wheel.
+// Value of lsos.wheel: the properties of one wheel.
 struct WheelScript {
   Wheel wheel;
   double mass_kg = 0;
@@ -24,7 +24,7 @@ struct Spring {
   double travel_up_m = 0, travel_down_m = 0;
 };
 
-// A wheel's place on the ground at rest.
+// Reads a wheel's place on the ground at rest.
 void read_place(TableReader& t, Vec2& p_B_m, const char* doc) {
   Vec3 position_m = Vec3::Zero();
   t.vec3(required, "position_m", position_m, doc);
@@ -107,7 +107,7 @@ void read_drive(TableReader& t, DriveMotor& motor) {
            "Of the brake's hold.");
 }
 
-// The wheels and motors of any suspension.
+// Reads the wheels and motors of any suspension.
 template <class Suspension>
 void read_wheels(TableReader& t, Suspension& suspension) {
   WheelScript wheel;
@@ -118,7 +118,8 @@ void read_wheels(TableReader& t, Suspension& suspension) {
   suspension.wheel_moments_kgm2 = wheel.moments_kgm2;
 }
 
-// The knuckles and steering of any suspension that has them; needed when something is steered.
+// Reads the knuckles and steering of a suspension that has them; required when something is
+// steered.
 template <class Suspension>
 void read_knuckles(TableReader& t, Suspension& suspension, bool is_steered, const char* of) {
   std::optional<double> knuckle_mass_kg;

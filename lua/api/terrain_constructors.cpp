@@ -1,4 +1,4 @@
-// lsos.terrain, its layers, the detail upon them, and lsos.soil.
+// lsos.terrain, its layers, the detail on them, and lsos.soil.
 #include "lua/api/terrain_constructors.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@ namespace lsos {
 
 namespace {
 
-// Steeper than any soil; bearing factors grow without bound towards a right angle.
+// Greatest friction angle. No soil has a larger one, and bearing factors grow without bound towards
+// a right angle.
 constexpr double friction_max_rad = 1.3;
 
 void read_plane(TableReader& t, PlaneSurface& plane) {
@@ -73,13 +74,14 @@ void read_craters(TableReader& t, CraterPopulation& craters) {
   if (craters.diameter_min_m > craters.diameter_max_m) {
     t.fault("diameter_min_m is above diameter_max_m");
   }
-  // Ten times what a surface holds in equilibrium.
+  // Greatest density accepted: ten times that of a surface in equilibrium.
   const double most_pm2 = 0.8 / (craters.diameter_min_m * craters.diameter_min_m);
   if (!craters.age_gyr && craters.density_pm2 > most_pm2) {
     t.fault(fmt::format("density_pm2 = {}: at most {:.3g} craters of {} m have room",
                         craters.density_pm2, most_pm2, craters.diameter_min_m));
   }
-  // With small exponents the large ones are the most: of the largest octave's least diameter.
+  // With small exponents large craters dominate; so the density is also checked at the lower end of
+  // the largest octave.
   const double octave_m = std::max(craters.diameter_min_m, craters.diameter_max_m / 2);
   const double larger_pm2 =
       craters.density_pm2 * std::pow(octave_m / craters.diameter_min_m, -craters.exponent);
@@ -134,7 +136,7 @@ void read_detail(TableReader& t, Detail& detail) {
 
 constexpr const char* surfaces = "lsos.raster, lsos.relief or lsos.plane";
 
-// The value on top of the stack.
+// Adds the layer at the top of the stack.
 void add_layer(TableReader& t, const std::string& key, TerrainSpec& spec) {
   const Made* made = to_made(t.L(), -1);
   if (made != nullptr && made->kind == "plane") {
@@ -166,7 +168,7 @@ void read_layers(TableReader& t, TerrainSpec& spec) {
     t.fault(fmt::format("layers: an array is wanted, found {}", describe(L, -1)));
   }
   lua_pop(L, 1);
-  // What has no end hides all below it.
+  // A layer without an end would hide all layers below it.
   for (std::size_t k = 0; k + 1 < spec.layers.size(); ++k) {
     if (std::holds_alternative<RasterSurface>(spec.layers[k])) continue;
     t.fault(
@@ -266,7 +268,7 @@ void read_terrain(TableReader& t, TerrainScript& terrain) {
          "Ground of other soils; the first that holds a place decides.");
 }
 
-// Bekker's parameters: all three or none.
+// Reads Bekker's parameters: all three or none.
 void read_bekker(TableReader& t, Soil& soil) {
   std::optional<double> k_c, k_phi, n;
   t.number(optional, "k_c", k_c, any_number,

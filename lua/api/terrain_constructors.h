@@ -1,4 +1,4 @@
-// What lsos.terrain makes: the specification, whose soil may still be a name.
+// Value of lsos.terrain: the specification, whose soils may still be names.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@ namespace lsos {
 inline constexpr const char* terrain_kind = "terrain";
 inline constexpr const char* soil_kind = "soil";
 
-// A soil in a terrain script: itself, or the name of a script in terrain/soils/.
+// A soil in a terrain script: the soil itself, or the name of a script in terrain/soils/.
 struct SoilChoice {
-  std::string name;  // "": `soil` is it
+  std::string name;  // "": `soil` holds the soil
   Soil soil;
 };
 
@@ -31,7 +31,7 @@ struct TerrainScript {
   std::vector<SoilPatchScript> soil_patches;
 };
 
-// The keys of lsos.soil, also for a plain table.
+// Reads the keys of lsos.soil, also from a plain table.
 void read_soil(TableReader& t, Soil& soil);
 
 }  // namespace lsos

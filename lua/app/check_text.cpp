@@ -48,7 +48,8 @@ std::string line_text(const DrawnEventLine& line) {
                      fmt::join(parts, ", then "));
 }
 
-// "Route 'leg 2': Speed = 1 m/s" as "Route", "Speed = 1 m/s"; what all events have is of "events".
+// Splits "Route 'leg 2': Speed = 1 m/s" into "Route" and "Speed = 1 m/s". Defaults of fields that
+// all events have belong to "events".
 std::pair<std::string, std::string> kind_and_default(const std::string& line) {
   const std::size_t value = line.rfind(": ", line.find(" = "));
   if (value == std::string::npos) return {"events", line.substr(0, line.find(" ("))};
@@ -56,7 +57,7 @@ std::pair<std::string, std::string> kind_and_default(const std::string& line) {
 }
 
 std::string defaults_text(const std::vector<std::string>& defaults) {
-  // In the order in which they first come, with how often each does.
+  // Kinds and values in order of first occurrence, each value with its number of occurrences.
   std::vector<std::pair<std::string, std::vector<std::pair<std::string, int>>>> kinds;
   const auto find = [](auto& list, const std::string& name) {
     const auto found = std::ranges::find(list, name, [](const auto& entry) { return entry.first; });
@@ -79,7 +80,7 @@ std::string defaults_text(const std::vector<std::string>& defaults) {
   return text;
 }
 
-// "SEV: a battery of ..." is of SEV.
+// Groups assumptions by owner: "SEV: a battery of ..." belongs to SEV.
 std::string assumptions_text(const std::vector<std::string>& assumptions) {
   std::vector<std::string> owners;
   for (const std::string& line : assumptions) {

@@ -1,4 +1,4 @@
-// What `lsos-host check` says to people.
+// Text that `lsos-host check` prints for people.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct PlannedLegLine {
   bool is_passed = false;  // the rover stands there already: nothing is planned
 };
 
-// What an event drives as drawn.
+// Lengths of the line that an event drives as drawn, without planning.
 struct DrawnEventLine {
   std::string rover_id, label;
   DrawnLine drawn;
@@ -30,9 +30,9 @@ struct WaysAhead {
   std::vector<DrawnEventLine> drawn;
 };
 
-// First whether the plan can be run, then warnings, ways, defaults by what they are of, and
-// how many assumptions there are; `is_verbose`: each default and assumption on a line of its own.
-// Of a plan with errors its faults alone.
+// States whether the plan can be run, then lists warnings, routes, defaults grouped by their
+// owners, and the number of assumptions. `is_verbose`: each default and assumption is on a line of
+// its own. For a plan with errors only its faults are listed.
 std::string check_text(const MissionModel& files, const WaysAhead& ways, bool is_verbose);
 
 }  // namespace lsos

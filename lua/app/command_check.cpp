@@ -1,4 +1,4 @@
-// `lsos-host check` and `lsos-host fsm`: what a plan says, without simulating it.
+// `lsos-host check` and `lsos-host fsm`: check and show a plan without simulating it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -149,7 +149,8 @@ int check_command(const CheckOptions& options) {
   WaysAhead ways;
   if (!files.faults.has_errors()) {
     try {
-      // The machine's `initialise`: rovers are put on the ground, ways are planned, nothing moves.
+      // The constructor runs the machine's `initialise`: rovers are placed on the ground and routes
+      // are planned, but nothing moves.
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = simulation_setup(files);
       setup.keep_legs = [&](const std::string& bytes) {

@@ -1,5 +1,5 @@
-// `lsos-host compare` and `lsos-host verify`: what differs between two runs, and whether the log of
-// a run is the one that its summary was written of.
+// `lsos-host compare` and `lsos-host verify`: list the differences between two runs, and check that
+// the log of a run is the one its summary was written from.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

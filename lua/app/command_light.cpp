@@ -39,10 +39,11 @@ struct Question {
   std::optional<MapWindow> window;
 };
 
-// Places that are lit over the end of the ground.
+// Statistics of places that are lit across the end of the ground, where unknown ground may hide the
+// Sun.
 class LightOverEnd {
  public:
-  // For each place that is lit, with the Sun's elevation there.
+  // To be called for each lit place, with the Sun's elevation there.
   void add(const std::optional<GroundEnd>& end, double sun_rad) {
     ++lit_;
     if (!end) return;
@@ -64,10 +65,10 @@ class LightOverEnd {
   }
 
  private:
-  double lit_ = 0, over_ = 0;  // places
-  double reaches_m_ = 0;       // sum
-  double matters_m_ = 0;       // greatest
-  double sun_rad_ = 0;         // where that is
+  double lit_ = 0, over_ = 0;  // numbers of places
+  double reaches_m_ = 0;       // summed over the places counted in over_
+  double matters_m_ = 0;       // largest of these places
+  double sun_rad_ = 0;         // elevation of the Sun at that place
 };
 
 Question question_of(const LightOptions& options) {
@@ -85,7 +86,8 @@ Question question_of(const LightOptions& options) {
   return question;
 }
 
-// Places farther away would have no light of their own.
+// Throws InputError where the map extends beyond the reach of its site, as no light can be computed
+// there.
 void check_reach(const MapGrid& grid, const Ground& ground) {
   const SiteFrame& site = ground.site();
   const RasterMap map = grid.map(site.body());
@@ -179,8 +181,7 @@ std::function<int()> prepare_light(CLI::App& app) {
   add_ground(app, options->terrain);
   app.add_option("--at", options->at, "UTC: 2026-07-01T00:00:00Z")->required();
   app.add_option("-o,--output", options->file, "The GeoTIFF to write")->required();
-  app.add_option("--threads", options->threads, "Threads that work on it")
-      ->check(CLI::Range(1, 256));
+  add_threads(app, options->threads, "Threads that work on it");
   add_style(app, options->terrain.style);
   return [options] { return light_command(*options); };
 }

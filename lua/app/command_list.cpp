@@ -1,4 +1,4 @@
-// `lsos-host list`: what a plan can name, with fields, units, ranges and defaults.
+// `lsos-host list`: lists what a plan can name, with fields, units, ranges and defaults.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ std::string default_text(const FieldDeclaration& field) {
   return format_utc(std::get<Instant>(*field.default_value));
 }
 
-// That of a bare number in a plan: of durations always seconds. Whole numbers have none.
+// Unit of a bare number in a plan: seconds for every duration, none for whole numbers.
 const Unit* bare_unit(const FieldDeclaration& field) {
   return field.kind == FieldKind::duration ? find_unit("s") : field.unit;
 }
@@ -60,7 +60,7 @@ double si_factor(const FieldDeclaration& field) {
   return bare_unit(field) != nullptr ? bare_unit(field)->si_factor : 1;
 }
 
-// Not the ceiling that all durations have.
+// Whether the field has a maximum other than the one that all durations have.
 bool has_own_ceiling(const FieldDeclaration& field) {
   return field.max_si &&
          !(field.kind == FieldKind::duration && *field.max_si == longest_duration_s);
@@ -97,7 +97,7 @@ std::string field_text(const FieldDeclaration& field) {
 
 struct Listed {
   std::string name, doc;
-  std::vector<GeometryKind> geometries = {};  // of an event
+  std::vector<GeometryKind> geometries = {};  // events only
   std::vector<FieldDeclaration> fields = {};
   std::optional<RoverModel> rover = {};
   bool is_asset = false;
@@ -190,7 +190,7 @@ std::string listed_text(const Listed& one) {
 
 int list_command(const ListOptions& options) {
   const auto catalog = read_catalog("");
-  // What is broken or hidden is not listed, but not passed over either.
+  // Broken and hidden scripts are not listed, but they are reported on standard error.
   for (const Fault& fault : catalog->faults().sorted()) {
     print_message("{}\n", to_string(fault));
   }

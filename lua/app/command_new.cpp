@@ -1,4 +1,5 @@
-// `lsos-host new WHAT NAME`: an event, rover, terrain, scenario or plan that works, to begin from.
+// `lsos-host new WHAT NAME`: writes a working event, rover, terrain, scenario or plan to start
+// from.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ struct NewOptions {
 
 namespace fs = std::filesystem;
 
-// What is written, by what it is; nothing of it may be there.
+// Kind, name and text of each file to write. None of the files may exist already.
 using NewFiles = std::vector<std::pair<std::string, std::pair<std::string, std::string>>>;
 
 void check_word(const NewOptions& options) {
@@ -96,7 +97,7 @@ NewFiles new_terrain(const NewOptions& options, const Catalog& catalog) {
   return {{"terrain", {"terrain/" + options.name + ".lua", new_terrain_text(raster)}}};
 }
 
-// Options that what is made does not have.
+// Throws InputError for options that do not apply to what is made.
 void refuse_stray_options(const NewOptions& options) {
   const bool is_plan = options.what == "plan";
   const auto refuse = [&](bool is_given, const char* option) {
@@ -150,7 +151,7 @@ NewFiles new_files(const NewOptions& options, const Catalog& catalog) {
       {"scenario", {"tests/scenarios/" + options.name + ".lua", new_scenario_text(options.name)}}};
 }
 
-// For editors with the Lua language server, beside scripts of one's own.
+// Adds settings for editors with the Lua language server, unless the folder has such settings.
 void add_editor_settings(NewFiles& files) {
   constexpr const char* settings = ".luarc.json";
   const std::string library = library_file();

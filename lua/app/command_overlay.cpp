@@ -26,8 +26,8 @@ int overlay_command(const OverlayOptions& options) {
   if (!std::filesystem::exists(plan_file) || !std::filesystem::exists(folder + "/log.gpkg")) {
     throw InputError({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
   }
-  // The plan passed its checks when it was run; what its folder had beside it (scripts, rasters)
-  // may be elsewhere now and is not needed to draw it.
+  // The plan passed its checks when it was run. Files that it had beside it (scripts, rasters) may
+  // have been moved since, and are not needed to draw it.
   const LogReader log(folder + "/log.gpkg");
   require_samples(log, folder);
   const MissionFiles files = mission_of_run(folder, log.run());

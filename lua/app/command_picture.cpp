@@ -1,4 +1,4 @@
-// `lsos-host picture`: a rover of a run, as the Sun or a camera saw it, and films of that.
+// `lsos-host picture`: pictures and films of a rover of a run, as the Sun or a camera saw it.
 #include <fmt/format.h>
 #include <unistd.h>
 

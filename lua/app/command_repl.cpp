@@ -1,4 +1,5 @@
-// `lsos-host repl`: the prompt on a terminal, with editing and history; piped input as a script.
+// `lsos-host repl`: a prompt with editing and history on a terminal; piped input is run as a
+// script.
 #include <editline/readline.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -16,7 +17,7 @@ namespace lsos {
 
 namespace {
 
-Repl* completed_by = nullptr;  // of the one prompt of a process
+Repl* completed_by = nullptr;  // the one prompt of the process
 volatile std::sig_atomic_t is_interrupted = 0;
 
 char* next_completion(const char*, int state) {
@@ -31,7 +32,7 @@ char* next_completion(const char*, int state) {
 }
 
 char** complete(const char* text, int, int) {
-  rl_attempted_completion_over = 1;  // never the names of files
+  rl_attempted_completion_over = 1;  // never complete file names
   return rl_completion_matches(text, next_completion);
 }
 
@@ -52,7 +53,7 @@ int talk(Repl& repl) {
   for (;;) {
     is_interrupted = 0;
     char* line = readline(text.empty() ? "> " : ">> ");
-    if (line == nullptr && is_interrupted != 0) {  // what was begun is given up
+    if (line == nullptr && is_interrupted != 0) {  // discard the unfinished input
       text.clear();
       std::clearerr(stdin);
       print_result("\n");
@@ -71,7 +72,7 @@ int talk(Repl& repl) {
   return 0;
 }
 
-// All that goes wrong is said; the exit code tells.
+// Runs standard input as a script. All errors are printed; the exit code is 1 if there was any.
 int follow_script(Repl& repl) {
   bool has_failed = false;
   int number = 0, first = 1;

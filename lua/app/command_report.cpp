@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "base/output_file.h"
 #include "lua/app/commands.h"
+#include "lua/app/common_options.h"
 #include "lua/app/opened_run.h"
 #include "lua/host/run_mission.h"
 #include "product/figure.h"
@@ -33,7 +34,8 @@ struct OpenedRun {
   std::vector<std::string> left_out;
 };
 
-// What the plan had beside it (scripts, rasters) may be elsewhere now: then without the ground.
+// Opens the run. Files that the plan had beside it (scripts, rasters) may have been moved since;
+// the run is then opened without its ground.
 OpenedRun opened(const std::string& folder, const LogReader& log) {
   OpenedRun opened;
   try {
@@ -115,8 +117,7 @@ std::function<int()> prepare_report(CLI::App& app) {
   app.add_flag("--png", options->is_figure, "Its plots as a figure for a paper");
   app.add_option("--dpi", options->dpi, "Of the figure, 18 cm wide (300)")
       ->check(CLI::Range(50, 1200));
-  app.add_option("--threads", options->threads, "Threads that work on the map")
-      ->check(CLI::Range(1, 256));
+  add_threads(app, options->threads, "Threads that work on the map");
   app.add_flag("--json", options->is_json, "The name of the file as JSON");
   return [options] { return report_command(*options); };
 }

@@ -1,4 +1,4 @@
-// `lsos-host rig`: the wheel-soil model on its own, for an engineer who wants to check it.
+// `lsos-host rig`: runs the wheel-soil model on its own, so that an engineer can check it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ struct RigOptions {
   AnswerStyle style = AnswerStyle::by_output;
 };
 
-// Of a stiff metal wheel, a share of its radius; matters on ground that it hardly marks.
+// Deflection of a stiff metal wheel, a share of its radius; matters on ground that it hardly marks.
 constexpr double flattening = 0.01;
 
 Soil find_soil(const std::string& name) {
@@ -45,7 +45,7 @@ void check(const RigOptions& options, Faults& faults) {
   };
   const auto above = [](double value) { return std::isfinite(value) && value > 0; };
   const auto within = [](double value, double most) { return value > 0 && value <= most; };
-  // As the wheels of rover scripts may be.
+  // The ranges are those of wheels in rover scripts.
   need("--radius", options.radius_m, within(options.radius_m, 10), "above 0, at most 10 m");
   need("--width", options.width_m, within(options.width_m, 10), "above 0, at most 10 m");
   need("--load", options.load_n, above(options.load_n), "above 0 N");

@@ -1,4 +1,4 @@
-// `lsos-host run`: reads, checks, simulates, and leaves the results in a folder.
+// `lsos-host run`: reads and checks a plan, simulates it, and leaves the results in a folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace {
 
 std::atomic<int> asked_to_stop{0};
 
-// Answers the signal that stopped it, or 0.
+// Returns the signal that stopped the run, or 0.
 int simulate(Simulation& simulation, bool is_quiet) {
   Progress progress(is_quiet);
   int stopped_by = 0;
@@ -51,11 +51,11 @@ int simulate(Simulation& simulation, bool is_quiet) {
 
 void ask_to_stop(int signal) {
   asked_to_stop = signal;
-  std::signal(signal, SIG_DFL);  // who asks again does not want to wait
+  std::signal(signal, SIG_DFL);  // a second signal ends the program at once
 }
 
-// The plan whose run the folder holds; "" where it holds none, that of this plan, or of one that is
-// no longer there.
+// File of another plan whose run the folder holds; "" where it holds no run, a run of this plan, or
+// a run of a plan that no longer exists.
 std::string other_plan_in(const std::string& folder, const std::string& plan) {
   const std::string bytes = read_file(folder + "/summary.json").value_or("");
   const auto summary = nlohmann::json::parse(bytes, nullptr, false);
@@ -82,7 +82,7 @@ int run_command(const RunOptions& options) {
   const std::string path =
       options.folder.empty() ? default_run_folder(options.plan) : options.folder;
   const std::string other = other_plan_in(path, options.plan);
-  // Plans of one name in two folders would replace each other's results unasked.
+  // Without this check plans of the same name in two folders would replace each other's results.
   if (!other.empty() && options.folder.empty() && !options.is_forced) {
     throw InputError({path, 0},
                      fmt::format("holds the run of {}, another plan of that name: -o names another "
@@ -100,7 +100,8 @@ int run_command(const RunOptions& options) {
     legs_not_kept = keep_legs(options.plan, bytes);
   };
   setup.on_planning = [&](const std::string& what) { watch.plan(what); };
-  // The last checks: whether the plan fits the terrain. Only then the old run may go.
+  // The constructor makes the last checks, whether the plan fits the terrain. The old run is
+  // removed only after them.
   Simulation simulation(std::move(setup));
   for (const Fault& fault : simulation.advice()) {
     files.faults.add({fault});
@@ -109,9 +110,9 @@ int run_command(const RunOptions& options) {
   if (!options.is_quiet && !simulation.renderer().empty()) {
     print_message("light is drawn by {}\n", simulation.renderer());
   }
-  // What is lost is said to everybody.
+  // The loss of results is reported even with --quiet.
   if (!other.empty()) print_message("{}: the run of {} that it held is replaced\n", path, other);
-  // Until here a signal may end it at once: there is nothing to write out.
+  // Up to here a signal may end the program at once, as there are no results to write.
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
   RunRecord record(folder, files.plan_bytes, files, run_values(files, simulation), simulation);
@@ -127,7 +128,8 @@ int run_command(const RunOptions& options) {
                           write_qgis_project(folder.path(), files, simulation.ground());
                         }});
     products.push_back({"report.html", "report", [&](const RunSummary& came_to) {
-                          // Who stops a run does not want to wait for pictures.
+                          // The report of a stopped run has no pictures, so that the program ends
+                          // soon.
                           const ReportWish wish{{}, stopped_by == 0, std::max(2, options.threads)};
                           write_report(folder.path(), files, simulation.ground(), came_to, wish);
                         }});
@@ -153,8 +155,7 @@ std::function<int()> prepare_run(CLI::App& app) {
   app.add_flag("--quiet", options->is_quiet, "No progress");
   app.add_flag("--json", options->is_json, "The summary as JSON");
   app.add_flag("--watch", options->is_watched, "Run again whenever the plan or a script changes");
-  app.add_option("--threads", options->threads, "Threads that step rovers")
-      ->check(CLI::Range(1, 256));
+  add_threads(app, options->threads, "Threads that step rovers");
   app.add_option("--seed", options->seed, "Instead of the plan's Seed")->check(is_seed());
   app.add_flag("--save-every-exchange", options->save_every_exchange,
                "Write all state out and read it back every 0.1 s (a test of resuming)");

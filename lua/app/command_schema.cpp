@@ -1,5 +1,5 @@
-// `lsos-host schema`: what a plan can hold, as KML: <Schema> elements for a map's forms, and a plan
-// with one Placemark of each; or as the empty layers of a GeoPackage with forms for QGIS.
+// `lsos-host schema`: writes what a plan can hold, as KML <Schema> elements for a map's forms and a
+// plan with one Placemark of each; or as the empty layers of a GeoPackage with forms for QGIS.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,10 +32,10 @@ struct SchemaOptions {
 
 using Json = nlohmann::ordered_json;
 
-// What any plan has, beside its events.
+// Kinds of Placemarks that any plan has besides its events.
 constexpr std::array<std::string_view, 3> always{"MissionInfo", "Rover", "Asset"};
 
-// What forms offer to choose from.
+// Choices that a form offers for a field.
 std::vector<std::string> choices_of(const FieldDeclaration& field, const Catalog& catalog) {
   const bool is_asset = field.name == "AssetType";
   if (field.name != "RoverType" && !is_asset) return field.choices;
@@ -46,7 +46,7 @@ std::vector<std::string> choices_of(const FieldDeclaration& field, const Catalog
   return types;
 }
 
-// What a new feature has: what it must have, and what is filled in where a plan says nothing.
+// Value of a field in a new feature: its default, or an example where it is required; else "".
 std::string initial_value(const FieldDeclaration& field, std::string_view planet) {
   if (field.name == "Planet") return std::string(planet);
   if (field.kind == FieldKind::boolean && field.default_value) {
@@ -59,7 +59,8 @@ std::string initial_value(const FieldDeclaration& field, std::string_view planet
   return field.is_required && shown != "?" ? shown : "";
 }
 
-// A line is drawn where a point would do as well; what needs no place may have a point.
+// Geometry of a kind's layer: the first of polygon, line and point that its event can have. A line
+// is thus drawn where a point would do as well, and an event that needs no place may have a point.
 GeometryKind form_geometry(const Kind& kind, const Catalog& catalog) {
   if (kind.name == "MissionInfo") return GeometryKind::none;
   if (!kind.is_event) return GeometryKind::point;
@@ -84,7 +85,7 @@ std::vector<FormLayer> form_layers(const std::vector<Kind>& kinds, const Catalog
   return layers;
 }
 
-// The Placemarks have their values in the order of their schema's fields.
+// Relies on Placemarks that have their values in the order of their schema's fields.
 Json kinds_json(const KmlDocument& document) {
   Json kinds = Json::array();
   for (std::size_t k = 0; k < document.schemas.size(); ++k) {

@@ -1,4 +1,5 @@
-// `lsos-host sight`: whether places see each other over the ground, and maps of what one sees.
+// `lsos-host sight`: computes whether places see each other over the ground, and maps of what one
+// sees.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,10 +38,11 @@ struct SightOptions {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-// Whoever is higher may see ground farther away than can be looked up around one site.
+// Greatest height above the ground, m. A higher observer may see ground that is too far away to be
+// sampled around one site.
 constexpr double highest_m = 100e3;
 
-// A place as it was asked; its height is above the ground.
+// A place given on the command line; its height is above the ground.
 struct AskedPlace {
   std::string option;  // "--to 30,10,2"
   Geodetic place;
@@ -74,7 +76,7 @@ std::optional<AskedPlace> asked_place(const std::string& option, const std::stri
   return AskedPlace{asked, *place};
 }
 
-// Either lines or a map.
+// Adds faults unless either lines of sight or a map is requested.
 void check_kind(const SightOptions& options, Faults& faults) {
   const bool is_map = !options.file.empty();
   const auto needs_map = [&](const char* option, bool is_given) {
@@ -99,7 +101,7 @@ void check_kind(const SightOptions& options, Faults& faults) {
   }
 }
 
-// All that is wrong at once.
+// Reads the options. Throws InputError with all faults at once.
 Question question_of(const SightOptions& options) {
   Faults faults;
   Question question;
@@ -119,7 +121,7 @@ Question question_of(const SightOptions& options) {
   return question;
 }
 
-// Ground is looked up around the site.
+// Throws InputError where `from` is too far from the site, around which the ground is sampled.
 void check_near_site(const Body& body, const Geodetic& site, const AskedPlace& from) {
   constexpr double reach_rad = 0.1;
   const double reach_m = reach_rad * body.equatorial_radius_m;
@@ -129,12 +131,13 @@ void check_near_site(const Body& body, const Geodetic& site, const AskedPlace& f
                                    away_m / 1000, from.option, reach_m / 1000));
 }
 
-// Where its height is above the reference surface. `resolution_m`: of the ground.
+// The place with its height above the reference surface; a fault where there is no ground.
+// `resolution_m`: resolution at which the ground is sampled.
 std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
                                   double resolution_m, Faults& faults) {
   Geodetic place = asked.place;
   if (const auto height_m = ground.elevation_m(place, resolution_m)) {
-    // No mast is as high by chance.
+    // A height this large and this close to the ground's elevation is no mast's by chance.
     constexpr double least_m = 50, near_m = 5;
     if (place.height_m > least_m && std::abs(place.height_m - *height_m) < near_m) {
       print_message(
@@ -151,7 +154,7 @@ std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
   return {};
 }
 
-// Of the straight line, in the sky of `from`.
+// Length of the straight line, and its azimuth and elevation in the sky of `from`.
 AnswerRow line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 way_m = to_S_m - from_S_m;
   const double east_m = way_m.dot(site.east_S(from_S_m));
@@ -160,7 +163,7 @@ AnswerRow line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_
   const double level_m = std::hypot(east_m, north_m);
   AnswerRow line{
       {"distance_m", computed(way_m.norm())}, {"azimuth_deg", nullptr}, {"elevation_deg", nullptr}};
-  constexpr double least_m = 1e-6;  // nearer there is no direction
+  constexpr double least_m = 1e-6;  // a shorter line has no direction
   if (level_m > least_m) {
     const double azimuth_deg = degrees(std::atan2(east_m, north_m));
     const double from_north_deg = azimuth_deg < 0 ? azimuth_deg + 360 : azimuth_deg;
@@ -170,7 +173,7 @@ AnswerRow line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_
   return line;
 }
 
-// What is seen is seen over ground that is not known.
+// Adds a warning where a visible target is seen across ground that is not known.
 void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, AnswerRow& line) {
   if (!end || line["visible"] == 0) return;
   const std::string warning = fmt::format(
@@ -182,7 +185,7 @@ void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, AnswerRo
   line["warnings"] = {warning};
 }
 
-// As missions have them: drawn.
+// Lines of sight, rendered as in missions.
 AnswerRow lines(const Ground& ground, const Question& question) {
   Faults faults;
   const auto from = on_ground(ground, *question.from, 0, faults);
@@ -209,7 +212,7 @@ AnswerRow lines(const Ground& ground, const Question& question) {
 
 using Places = std::vector<std::optional<Geodetic>>;
 
-// Calls work(k) for all of a row, from any thread.
+// Calls work(part, k) for each place of a row, from several threads.
 template <class Work>
 void for_row(WorkerPool& pool, int threads, const Places& places, const Work& work) {
   const auto parts = static_cast<std::size_t>(threads);
@@ -220,12 +223,12 @@ void for_row(WorkerPool& pool, int threads, const Places& places, const Work& wo
   });
 }
 
-// Of the ground in the cells of the map. Beside missing samples there is none, but the raster's own
-// cells have their samples.
+// Finds the heights of the ground in the cells of the map. Next to missing samples the ground has
+// no height; there the raster's own samples are used.
 void find_heights(const TerrainSource& source, const Ground& ground, double resolution_m,
                   const SightOptions& options, WorkerPool& pool, MapHeights& heights) {
   const RasterReader* own = options.terrain.resolution_m ? nullptr : source.reader();
-  std::vector<Ground::Probe> probes;  // one a part of a row, so one a thread
+  std::vector<Ground::Probe> probes;  // one for each part of a row, hence for each thread
   for (int k = 0; k < options.threads; ++k) probes.emplace_back(ground, resolution_m);
   constexpr double close_m = 64;
   Places places(heights.row(0).size());
@@ -235,7 +238,7 @@ void find_heights(const TerrainSource& source, const Ground& ground, double reso
     }
     const std::span<float> heights_m = heights.row(row);
     for_row(pool, options.threads, places, [&](std::size_t part, std::size_t k) {
-      // Probes are fast where cells lie close, and do not reach round the body.
+      // Probes are fast where cells are close together, but they do not reach around the body.
       std::optional<double> height_m;
       if (resolution_m < close_m) {
         const GroundSample sample = probes[part].sample(ground.site().p_S_m(*places[k]));
@@ -252,7 +255,7 @@ void find_heights(const TerrainSource& source, const Ground& ground, double reso
   }
 }
 
-// On the map's own ground where that lies there.
+// Position of the observer, above the map's own ground where the map covers it.
 Geodetic eye_of(const Ground& ground, const MapHeights& heights, const AskedPlace& from,
                 double resolution_m) {
   if (const auto height_m = heights.height_m(from.place)) {
@@ -271,8 +274,8 @@ void check_flat(const ViewSector& sector, const Viewshed& view) {
                                    sector.farthest_m / 1000, view.reach_m() / 1000));
 }
 
-// Places of a map that are seen, and those of them that are seen over ground that is not known: of
-// a spread of lines, since each is marched on its own.
+// Estimates the share of a map's visible places that are seen across ground that is not known. It
+// samples at most some 4000 lines of sight, since each is marched on its own.
 class SeenOverEnd {
  public:
   SeenOverEnd(const Ground& ground, const Vec3& eye_S_m, std::size_t cells, double cell_m)
@@ -281,7 +284,7 @@ class SeenOverEnd {
         margin_m_(2 * cell_m),
         every_(ground.has_end() ? std::max<std::size_t>(1, cells / lines) : 0) {}
 
-  // For each place that is seen.
+  // To be called for each visible place.
   void add(const Vec3& target_S_m) {
     if (every_ == 0 || ++seen_ % every_ != 0) return;
     ++asked_;
@@ -300,7 +303,7 @@ class SeenOverEnd {
 
   GroundEndProbe probe_;
   Vec3 eye_S_m_;
-  double margin_m_;  // beside missing samples there is no ground, but the raster's cells are there
+  double margin_m_;    // next to missing samples there is no ground, but the raster has cells
   std::size_t every_;  // 0: the ground has no end
   std::size_t seen_ = 0;
   int asked_ = 0, over_ = 0;
@@ -309,7 +312,7 @@ class SeenOverEnd {
 AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
                    const SightOptions& options) {
   const SiteFrame& site = ground.site();
-  constexpr int values_of_cell = 2;  // heights, and what is seen
+  constexpr int values_of_cell = 2;  // height and visibility
   const MapGrid grid =
       map_grid(source, question.window, options.terrain.resolution_m, values_of_cell);
   const double resolution_m = cell_m(grid, *source.body);
@@ -391,8 +394,7 @@ std::function<int()> prepare_sight(CLI::App& app) {
                  "Of what the map looks for in each cell, m above the ground");
   app.add_option("-o,--output", options->file, "The GeoTIFF to write: 1 seen, 0 not");
   app.add_flag("--flat", options->is_flat, "The map as if the body did not curve");
-  app.add_option("--threads", options->threads, "Threads that work on it")
-      ->check(CLI::Range(1, 256));
+  add_threads(app, options->threads, "Threads that work on it");
   add_style(app, options->terrain.style);
   return [options] { return sight_command(*options); };
 }

@@ -1,4 +1,5 @@
-// `lsos-host sun`: Sun and Earth in the sky of a place, for an engineer who wants to check them.
+// `lsos-host sun`: positions of Sun and Earth in the sky of a place, so that an engineer can check
+// them.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -64,7 +65,8 @@ int sun_command(const SunOptions& options) {
   Faults faults;
   const Body* body = option_body("--planet", options.planet, faults);
   const auto site = option_site("--site", options.site, faults);
-  // Nothing stands so high; more often than not the radius of the body was meant.
+  // Greatest height of a site, m. Nothing stands so high; a larger number is usually the body's
+  // radius.
   constexpr double highest_m = 100e3;
   if (site && std::abs(site->height_m) > highest_m) {
     faults.error({}, fmt::format("--site {}: the height after LON,LAT is above the reference "

@@ -1,4 +1,4 @@
-// `lsos-host terrain`: the ground on its own, for an engineer who wants to check it or map it.
+// `lsos-host terrain`: the ground on its own, so that an engineer can check it or map it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ void check_export(const TerrainOptions& options, Faults& faults) {
   check_resolution(options, faults);
 }
 
-// All that is wrong at once.
+// Reads the options. Throws InputError with all faults at once.
 Question question_of(const TerrainOptions& options) {
   Faults faults;
   Question question;
@@ -68,7 +68,7 @@ AnswerRow degrees_or_null(const std::optional<double>& angle_rad) {
   return angle_rad ? AnswerRow(computed(degrees(*angle_rad))) : AnswerRow(nullptr);
 }
 
-// What wheels feel: height, and the normal as east, north, up of the place.
+// Adds the ground as wheels meet it: its height, and its normal as east, north and up at the place.
 void add_ground(const Ground& ground, const Geodetic& place, AnswerRow& fields) {
   fields["height_m"] = nullptr;
   fields["normal"] = nullptr;
@@ -90,7 +90,8 @@ void add_ground(const Ground& ground, const Geodetic& place, AnswerRow& fields) 
 AnswerRow point_of(const TerrainSource& source, const Ground& ground, const Geodetic& place) {
   AnswerRow fields{{"lon_deg", asked_deg(lon_deg(place))}, {"lat_deg", asked_deg(lat_deg(place))}};
   std::optional<RasterPoint> raster;
-  // The finest raster that has a height there; without one, what the finest says of the place.
+  // The finest raster with a height there is used; without one, the finest raster that covers the
+  // place.
   for (const auto& reader : source.readers) {
     const auto point = reader->at(place);
     if (!raster || (point && point->height_m)) raster = point;
@@ -119,8 +120,8 @@ AnswerRow exported(const TerrainSource& source, const Ground& ground, const Ques
                    const TerrainOptions& options) {
   const bool is_own_grid = !options.resolution_m;
   const MapGrid grid = map_grid(source, question.window, options.resolution_m);
-  std::int64_t cells = 0;  // with ground
-  // Beside missing samples there is no ground, but the raster's own cells have their samples.
+  std::int64_t cells = 0;  // cells with ground
+  // Next to missing samples the ground has no height; there the raster's own samples are used.
   write_raster({options.export_file, options.is_hillshade}, grid, *source.body,
                [&](const Geodetic& place) {
                  std::optional<double> height_m =
@@ -147,7 +148,7 @@ int terrain_command(const TerrainOptions& options) {
   print_advice(*ground);
   AnswerRow points = AnswerRow::array();
   for (const Geodetic& place : question.places) {
-    // Beyond the reach of the site's tangent plane there is a site of its own.
+    // A place beyond the reach of the site's tangent plane gets its own site.
     const double away_rad =
         surface_distance_m(*source.body, place, *question.site) / source.body->equatorial_radius_m;
     constexpr double reach_rad = 0.9;

@@ -1,4 +1,4 @@
-// `lsos-host test`: runs scenarios, each file in a process of its own.
+// `lsos-host test`: runs scenarios, each file in a separate process.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "lua/app/commands.h"
+#include "lua/app/common_options.h"
 #include "lua/session/scenario_runner.h"
 
 namespace lsos {
@@ -31,7 +32,7 @@ struct TestOptions {
 
 namespace fs = std::filesystem;
 
-// A file whose scenarios run in another process, which writes a line of JSON of each.
+// A file whose scenarios run in another process, which writes a line of JSON for each scenario.
 struct Worker {
   std::string file;
   pid_t process = 0;
@@ -50,13 +51,13 @@ std::string line_of(const ScenarioResult& r) {
   return to_json(r).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-// Lines as line_of() makes them.
+// Parses the lines that line_of() makes.
 std::vector<ScenarioResult> from_lines(const std::string& text) {
   std::vector<ScenarioResult> results;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const nlohmann::json r = nlohmann::json::parse(line, nullptr, false);
-    if (r.is_discarded()) continue;  // cut short
+    if (r.is_discarded()) continue;  // an incomplete line
     results.push_back({r.at("file"), r.at("name"), r.at("failure"), r.at("log"), r.at("wall_s")});
   }
   return results;
@@ -115,7 +116,7 @@ std::vector<ScenarioResult> wait_for(const Worker& worker) {
   return results;
 }
 
-// Of each file's logs: after its name, and no two the same.
+// Log folder of each file, named after the file; no two are the same.
 std::vector<std::string> folders_of(const std::vector<std::string>& files,
                                     const std::string& folder) {
   std::vector<std::string> folders;
@@ -125,7 +126,7 @@ std::vector<std::string> folders_of(const std::vector<std::string>& files,
   for (const std::string& file : files) {
     const std::string stem = fs::path(file).stem();
     std::string name = stem;
-    // A second one of a name takes a name that no other file has.
+    // A second file of the same name gets a number that makes its folder unique.
     if (!begun.insert(stem).second) {
       for (int number = 2; !taken.insert(name).second; ++number) {
         name = fmt::format("{}_{}", stem, number);
@@ -158,7 +159,7 @@ std::vector<std::string> files_of(const std::vector<std::string>& paths) {
   return files;
 }
 
-// On one line, and no directive of TAP.
+// Title on one line, escaped so that TAP finds no directive in it.
 std::string title(const ScenarioResult& r) {
   std::string text;
   for (const char c : r.name.empty() ? r.file : fmt::format("{}: {}", r.file, r.name)) {
@@ -205,7 +206,7 @@ std::string escaped(const std::string& text) {
         out += "&#10;";
         break;
       default:
-        out += static_cast<unsigned char>(c) < ' ' ? '?' : c;  // XML has no others
+        out += static_cast<unsigned char>(c) < ' ' ? '?' : c;  // XML allows no other
     }
   }
   return out;
@@ -239,7 +240,7 @@ int test_command(const TestOptions& options) {
     }
     std::fflush(stdout);
   };
-  // In order of the files, whichever ends first.
+  // Results are printed in the order of the files, whichever ends first.
   std::deque<Worker> running;
   const std::vector<std::string> folders = folders_of(files, options.folder);
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -272,7 +273,7 @@ std::function<int()> prepare_test(CLI::App& app) {
   app.add_option("--filter", options->filter, "Only those with this in their name or file");
   app.add_option("--junit", options->junit_file, "Write the results as JUnit XML too");
   app.add_option("-o,--output", options->folder, "Logs of those that fail (out/scenarios)");
-  app.add_option("--threads", options->threads, "Files at a time (2)")->check(CLI::Range(1, 256));
+  add_threads(app, options->threads, "Files at a time (2)");
   app.add_flag("--json", options->is_json, "The results as JSON, in place of TAP");
   return [options] { return test_command(*options); };
 }

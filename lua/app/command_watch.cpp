@@ -1,4 +1,4 @@
-// `lsos-host run --watch`: each run is a process of its own, so that one that is out of date can be
+// `lsos-host run --watch`: each run is a separate process, so that a run that is out of date can be
 // stopped.
 #include <fmt/format.h>
 #include <sys/prctl.h>
@@ -26,7 +26,7 @@ constexpr useconds_t look_us = 200'000;
 
 std::atomic<int> asked_to_stop{0};
 
-// Of each file that the run could depend on, when it was last written.
+// Time at which each file that the run could depend on was last written.
 using Written = std::map<std::string, fs::file_time_type>;
 
 Written written_now(const std::string& plan_file) {
@@ -48,7 +48,7 @@ Written written_now(const std::string& plan_file) {
   return written;
 }
 
-// One of those that differ, for people.
+// Name of one of the files that differ, for a message; "" for none.
 std::string changed_file(const Written& before, const Written& after) {
   for (const auto& [file, time] : after) {
     const auto known = before.find(file);
@@ -60,7 +60,8 @@ std::string changed_file(const Written& before, const Written& after) {
   return "";
 }
 
-// Until the files have changed, and then stand still: an editor may write in several steps.
+// Waits until the files have changed and have then been stable for one interval, as an editor may
+// write in several steps. Returns the name of a changed file.
 std::string wait_for_change(const std::string& plan_file, Written& written) {
   std::string changed;
   while (asked_to_stop == 0) {
@@ -77,7 +78,7 @@ std::string wait_for_change(const std::string& plan_file, Written& written) {
   return changed;
 }
 
-// When a file was written last; of none, the least of times.
+// Time at which a file was last written; the least of times where there is no such file.
 fs::file_time_type modified(const std::string& file) {
   std::error_code none;
   return fs::last_write_time(file, none);
@@ -88,8 +89,8 @@ void end_with_parent(pid_t parent) {
   if (getppid() != parent) _exit(0);
 }
 
-// Forks with both signals held back, so that none reaches the child while our handler is still
-// there to swallow it.
+// Forks with both signals blocked, so that none reaches the child while the parent's handler is
+// still installed there and would swallow it.
 pid_t fork_with_own_signals() {
   sigset_t both, before;
   sigemptyset(&both);
@@ -125,11 +126,11 @@ int watch_command(RunOptions options) {
       return run_command(options);
     }
     const std::string changed = wait_for_change(options.plan, written);
-    // A run that goes on is out of date; one that has ended takes no notice.
+    // A run still going is out of date and is stopped; one that has ended is not affected.
     kill(process, asked_to_stop != 0 ? static_cast<int>(asked_to_stop) : SIGTERM);
     waitpid(process, nullptr, 0);
     if (asked_to_stop != 0) return 128 + asked_to_stop;
-    // A run that took the folder wrote its plan there: what is left of it is ours.
+    // A run that took the folder has written its plan there, so what is left in it may be replaced.
     options.is_forced |= modified(kept_plan) != kept_before;
     if (!options.is_quiet) print_message("\n{} has changed: running again\n", changed);
   }

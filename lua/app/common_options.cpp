@@ -19,6 +19,10 @@ const CLI::Validator& is_seed() {
   return validator;
 }
 
+void add_threads(CLI::App& command, int& threads, const char* what) {
+  command.add_option("--threads", threads, what)->check(CLI::Range(1, 256));
+}
+
 void add_style(CLI::App& command, AnswerStyle& style) {
   command.add_flag_callback(
       "--json", [&] { style = AnswerStyle::json; }, "JSON, as in a file or a pipe");

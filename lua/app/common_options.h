@@ -11,6 +11,9 @@ namespace lsos {
 // A check of a seed: the library would take -1 for the greatest number.
 const CLI::Validator& is_seed();
 
+// --threads, 1 to 256.
+void add_threads(CLI::App& command, int& threads, const char* what);
+
 // How an instrument prints its answer: --json or --text.
 void add_style(CLI::App& command, AnswerStyle& style);
 

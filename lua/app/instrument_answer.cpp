@@ -20,7 +20,7 @@ constexpr const char* warnings_key = "warnings";
 struct UnitText {
   std::string_view suffix, unit;
 };
-// The longer suffix first.
+// Longer suffixes come first, since the first that matches is used.
 constexpr UnitText unit_texts[] = {{"_n_m", " N m"}, {"_deg", "°"}, {"_mps2", " m/s2"},
                                    {"_n", " N"},     {"_m", " m"},  {"_s", " s"}};
 
@@ -30,7 +30,7 @@ const UnitText* unit_of(std::string_view key) {
   return found == std::end(unit_texts) ? nullptr : found;
 }
 
-// "sub_solar_lon_deg" is "sub solar lon".
+// "sub_solar_lon_deg" becomes "sub solar lon".
 std::string label_of(const std::string& key) {
   const UnitText* unit = unit_of(key);
   std::string label = key.substr(0, key.size() - (unit == nullptr ? 0 : unit->suffix.size()));
@@ -38,12 +38,13 @@ std::string label_of(const std::string& key) {
   return label;
 }
 
-// Places to 1e-6 degrees at least, a decimetre, what was computed to six digits.
+// Longitude and latitude with nine digits, 1e-6 degrees or a decimetre at least; other numbers with
+// six.
 std::string number_text(double value, const std::string& key) {
   constexpr double many = 1e6;
   if (key == "lon_deg" || key == "lat_deg") return fmt::format("{:.9g}", value);
   if (std::abs(value) >= many) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.6g}", value == 0 ? 0 : value);  // no -0
+  return fmt::format("{:.6g}", value == 0 ? 0 : value);  // no negative zero
 }
 
 std::string value_text(const std::string& key, const AnswerRow& value) {
@@ -65,7 +66,7 @@ std::string value_text(const std::string& key, const AnswerRow& value) {
   return number_text(number, key) + std::string(unit == nullptr ? "" : unit->unit);
 }
 
-// Characters, of which "°" is one.
+// Width in characters; "°" counts as one.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
@@ -76,7 +77,8 @@ std::string padded(const std::string& text, std::size_t width, bool is_left) {
   return is_left ? text + space : space + text;
 }
 
-// Columns of texts, the first of labels; as many rows side by side as fit.
+// Lays out columns of texts, the first of which holds the labels; as many rows of the answer as fit
+// stand side by side.
 std::string table(const std::vector<std::vector<std::string>>& columns) {
   const auto widest = [](const std::vector<std::string>& column) {
     std::size_t width = 0;
@@ -110,7 +112,7 @@ std::string answer_table(const AnswerRow& rows) {
   std::vector<std::string> keys;
   for (const AnswerRow& row : rows) {
     for (const auto& [key, value] : row.items()) {
-      if (key == warnings_key) continue;  // they stand on standard error
+      if (key == warnings_key) continue;  // they are printed on standard error
       if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
     }
   }

@@ -1,4 +1,4 @@
-// What instruments answer: a JSON array with one object a point for programs, a table for people.
+// Answers of instruments: a JSON array with one object for each point, or a table for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,12 +11,12 @@ enum class AnswerStyle { by_output, json, text };
 
 using AnswerRow = nlohmann::ordered_json;
 
-// Prints the rows, an array: in the style that is asked, else as a table where standard output is a
-// terminal, and as JSON where it is a file or a pipe.
+// Prints the rows, an array, in the given style. `by_output` gives a table where standard output is
+// a terminal, and JSON where it is a file or a pipe.
 void print_answer(const AnswerRow& rows, AnswerStyle style);
 
-// A line a quantity and a column a row, as many side by side as fit on a screen. Without
-// `warnings`, which are long, and are told on standard error.
+// A table with one line for each quantity and one column for each row, as many side by side as fit
+// on a screen. It omits `warnings`, which are long and are printed on standard error.
 std::string answer_table(const AnswerRow& rows);
 
 }  // namespace lsos

@@ -49,8 +49,8 @@ int run_program(std::vector<std::string> arguments) {
     prepared.emplace_back(options, command.prepare(*options));
   }
 
-  // Every command takes what any may be given, so that scripts need not know which has a use for
-  // it.
+  // Every command accepts options that any command may be given, so that shell scripts need not
+  // know which command uses them.
   bool is_quiet = false;
   int threads = 1;
   for (CLI::App* command : app.get_subcommands({})) {
@@ -61,7 +61,7 @@ int run_program(std::vector<std::string> arguments) {
   }
 
   try {
-    std::ranges::reverse(arguments);  // as CLI11 takes them
+    std::ranges::reverse(arguments);  // the order that CLI11 expects
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
     lsos::print_message("{}\n", error.what());
     return 2;
   } catch (const std::filesystem::filesystem_error& error) {
-    // A folder that may not be entered, most of all.
+    // Usually a folder that may not be entered.
     lsos::print_message("{}: {}\n", error.path1().string(), error.code().message());
     return error.code() == std::errc::no_space_on_device ? 3 : 2;
   } catch (const lsos::OutputError& error) {

@@ -145,7 +145,7 @@ lsos.scenario('a drive of 30 m arrives', function(t)
 end)
 )";
 
-// A text with its marks filled in, each once: what is filled in is not looked through.
+// Replaces the marks in a text in one pass: replaced text is not searched for further marks.
 std::string filled_in(std::string_view text,
                       const std::vector<std::pair<std::string_view, std::string>>& marks) {
   std::string filled;
@@ -197,7 +197,7 @@ KmlDocument new_plan(const NewPlan& plan, const std::vector<Kind>& kinds) {
   document.target = target_of(*plan.body);
   document.description = "A rover drives out, looks around and comes back.";
   for (const Kind& kind : kinds) document.schemas.push_back(schema_of(kind));
-  // Towards the equator, where the ground goes on.
+  // The goal lies towards the equator, where the ground continues.
   const SiteFrame site(*plan.body, plan.start);
   Geodetic goal = site.geodetic({out_m, plan.start.lat_rad > 0 ? -aside_m : aside_m, 0});
   goal.height_m = 0;

@@ -1,4 +1,4 @@
-// What `lsos-host new` writes: scripts, a scenario and a plan to begin from.
+// Texts that `lsos-host new` writes: scripts, a scenario and a plan to start from.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@ namespace lsos {
 // An event of that name that waits, and a scenario that tests it.
 std::string new_event_text(const std::string& name);
 std::string new_event_scenario_text(const std::string& name);
-// A rover that differs from `base` in one number, and a scenario that drives it.
-// `mass_kg`: of its chassis.
+// A rover that differs from `base` in one number, and a scenario that drives it. `mass_kg`: mass of
+// the base's chassis.
 std::string new_rover_text(const std::string& name, const std::string& base, double mass_kg);
 std::string new_rover_scenario_text(const std::string& name);
 // Ground from a raster (a path from the script), or synthetic ground for "".
 std::string new_terrain_text(const std::string& raster);
-// A drive that must arrive.
+// A scenario with a drive that must arrive.
 std::string new_scenario_text(const std::string& name);
 
 // A plan of one rover that drives out, looks around and comes back.
@@ -25,7 +25,7 @@ struct NewPlan {
   const Body* body = nullptr;
   Geodetic start;
 };
-// With the schemas of `kinds`.
+// The plan as KML, with the schemas of `kinds`.
 KmlDocument new_plan(const NewPlan& plan, const std::vector<Kind>& kinds);
 
 }  // namespace lsos

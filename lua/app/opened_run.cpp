@@ -11,7 +11,7 @@ namespace lsos {
 
 namespace {
 
-// Of the scripts and the ground that the run names, those that are not what they were.
+// Rover scripts and ground of the run that differ from those of today.
 std::vector<std::string> changed_since(const MissionFiles& files, const Ground& ground,
                                        const std::map<std::string, std::string>& run) {
   std::vector<std::string> changed;

@@ -1,4 +1,4 @@
-// Places and windows as options of instruments give them, in degrees.
+// Parses places and windows given in degrees as options of instruments.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace lsos {
 
-// The numbers of "1.5,-2,..."; a fault names the option where there are not `count` of them.
+// The numbers in "1.5,-2,..."; a fault that names the option unless there are `count` of them.
 std::optional<std::vector<double>> option_numbers(const std::string& option,
                                                   const std::string& text, std::size_t count,
                                                   const std::string& form, Faults& faults);

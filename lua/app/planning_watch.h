@@ -1,4 +1,4 @@
-// Tells on standard error what is planned, where that takes longer than one would wait for.
+// Reports on standard error what is being planned, when that takes more than 2 s.
 #pragma once
 
 #include <condition_variable>
@@ -15,7 +15,7 @@ class PlanningWatch {
   PlanningWatch(const PlanningWatch&) = delete;
   PlanningWatch& operator=(const PlanningWatch&) = delete;
 
-  // What is planned from now on; "": nothing.
+  // Sets what is planned from now on; "": nothing.
   void plan(const std::string& what);
 
  private:
@@ -23,8 +23,8 @@ class PlanningWatch {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::string what_;      // guarded by mutex_, as the next two
-  long long number_ = 0;  // of the calls of plan()
+  std::string what_;      // guarded by mutex_, as are the next two
+  long long number_ = 0;  // number of calls of plan()
   bool is_ending_ = false;
   std::thread thread_;
 };

@@ -1,4 +1,4 @@
-// How far a run has come, on standard error: a bar on a terminal, a line now and then elsewhere.
+// Progress of a run on standard error: a bar on a terminal, an occasional line elsewhere.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ class Progress {
  public:
   explicit Progress(bool is_quiet);
 
-  // `share` of the mission that is done, 0..1. Draws at most ten times a second.
+  // `share`: completed part of the mission, 0..1. Draws at most ten times a second.
   void show(double share, double sim_s);
   // Removes the bar.
   void finish();
@@ -24,7 +24,7 @@ class Progress {
   Clock::time_point drawn_ = begin_;
 };
 
-// "2 d 03:04:05", "00:12:30".
+// Time as a clock shows it: "2 d 03:04:05", "00:12:30".
 std::string clock_text(double time_s);
 
 }  // namespace lsos

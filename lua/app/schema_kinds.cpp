@@ -25,7 +25,7 @@ std::string kml_type(FieldKind kind) {
   }
 }
 
-// 1 where that is allowed, else the nearest that is.
+// 1 where the field allows it, else the nearest allowed number.
 std::string allowed_number(const FieldDeclaration& field) {
   const double least = field.min_si.value_or(-infinite), most = field.max_si.value_or(infinite);
   if (field.kind == FieldKind::integer) {
@@ -33,7 +33,7 @@ std::string allowed_number(const FieldDeclaration& field) {
   }
   const double factor = field.unit != nullptr ? field.unit->si_factor : 1;
   double value = std::clamp(1.0, least / factor, most / factor);
-  // Converted back as a plan's it must not be outside by a rounding.
+  // Read back from a plan, the value must not be out of range by a rounding error.
   while (value * factor < least) value = std::nextafter(value, infinite);
   while (value * factor > most) value = std::nextafter(value, -infinite);
   return fmt::format("{}", value);
@@ -101,7 +101,7 @@ std::vector<Kind> kinds_of(const Catalog& catalog, const std::vector<std::string
 
 KmlSchema schema_of(const Kind& kind) {
   KmlSchema schema{kind.name, kind.name, {}};
-  // Map tools rewrite schemaUrl: then this still says what the Placemark is.
+  // Map tools may rewrite schemaUrl; this field then still states the kind of the Placemark.
   schema.fields.push_back({"Type", "string", "what the Placemark is"});
   for (const FieldDeclaration& field : kind.fields) {
     schema.fields.push_back({field.name, kml_type(field.kind), field.doc});

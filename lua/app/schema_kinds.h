@@ -1,4 +1,4 @@
-// The kinds of Placemarks that a plan can have, with their fields, as KML schemas and as examples.
+// Kinds of Placemarks that a plan can have, with their fields, as KML schemas and as examples.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ struct Kind {
   bool is_event = false;
 };
 
-// MissionInfo, Rover, Asset, and the events of those names; all events for none.
+// MissionInfo, Rover, Asset, and the events of those names; all events if `names` is empty.
 std::vector<Kind> kinds_of(const Catalog& catalog, const std::vector<std::string>& names);
 
-// What stands in a form where the user has to fill in something.
+// Text that a form shows where the user has to fill in a value.
 std::string example_value(const FieldDeclaration& field);
 
 // Adds the schema of a kind, and a Placemark with an example of each field. `number`: its Sequence.
 void add_example(KmlDocument& document, const Kind& kind, int number);
-// The schema alone, with a field Type.
+// The schema of a kind, with a field Type.
 KmlSchema schema_of(const Kind& kind);
 
 }  // namespace lsos

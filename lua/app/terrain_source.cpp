@@ -53,20 +53,20 @@ void refuse_raster_options(const TerrainOptions& options) {
   faults.throw_if_errors();
 }
 
-// What is no script's name is a raster when there is such a file, or when it looks like one: GDAL
-// also opens names that are no files.
+// Whether a name that is no script's is a raster: such a file exists, or the name looks like one,
+// as GDAL also opens names that are no files.
 bool is_raster_name(const std::string& name) {
   std::error_code ignored;
   return fs::exists(name, ignored) || name.find_first_of("/.:") != std::string::npos;
 }
 
-// Also of one that is broken.
+// Whether the catalog has a terrain script of that name, sound or broken.
 bool is_script_of(const Catalog& catalog, const std::string& name) {
   return !catalog.faults_of(ScriptKind::terrain, name).empty() ||
          std::ranges::count(catalog.declarations().terrains, name) > 0;
 }
 
-// A terrain by name, or the raster that is read as `surface` says.
+// A terrain script by name, or the raster read with the settings of `surface`.
 TerrainSpec named_terrain(const Catalog& catalog, const std::string& name,
                           const RasterSurface& surface) {
   const bool is_script = is_script_of(catalog, name);
@@ -143,7 +143,7 @@ double cell_m(const MapGrid& grid, const Body& body) {
     least_m = std::min(least_m, side_m);
     greatest_m = std::max(greatest_m, side_m);
   }
-  // At a pole of a map in degrees columns come together.
+  // At a pole of a map in degrees the columns converge.
   constexpr double smallest_m = 1e-3, smallest_share = 0.01;
   return greatest_m > 0 ? std::max({smallest_m, smallest_share * greatest_m, least_m}) : 1;
 }

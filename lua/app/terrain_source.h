@@ -1,4 +1,4 @@
-// The terrain that an instrument is asked about: a script by name, or a raster file.
+// The terrain of an instrument's options: a script by name, or a raster file.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace lsos {
 struct TerrainOptions {
   std::string name;    // of a terrain script, or a raster
   std::string beyond;  // the same, where that one ends; "": none
-  // Of a raster alone; a script says its own.
+  // These describe a raster alone; a script says its own.
   std::string band;  // its number or description
   std::optional<double> nodata;
   std::string unit;
@@ -39,33 +39,35 @@ struct TerrainSource {
   TerrainSpec spec;
   bool is_script = false;
   std::vector<std::unique_ptr<RasterReader>> readers;  // of its rasters, fine to coarse
-  // That of the finest raster; null without one.
+  // Reader of the finest raster; nullptr without rasters.
   const RasterReader* reader() const { return readers.empty() ? nullptr : readers.front().get(); }
   const Body* body = nullptr;  // the reader's own, or one of all_bodies()
 };
 
-// Throws InputError: no such script or raster, options that do not fit it, an unknown planet.
+// Throws InputError for a script or raster that does not exist, options that do not fit it, or an
+// unknown planet.
 TerrainSource terrain_source(const TerrainOptions& options);
 
-// Its ground about a site: on its surface there, as a run has it; on the reference surface where
-// there is none.
+// Ground of the terrain about a site. The site's origin is on the surface there, as in a run, or on
+// the reference surface where there is no ground.
 std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& site,
                                   std::uint64_t seed);
-// Prints what is to be told of its rasters: units that are in doubt, overviews that are missing.
+// Prints warnings about the rasters: units that are in doubt, overviews that are missing.
 void print_advice(const Ground& ground);
-// Of its finest raster.
+// Centre of the finest raster.
 Geodetic middle(const TerrainSource& source);
 
-// The grid of a map: of the window at that resolution, or of the finest raster. `values`: that are
-// held of each cell.
+// Grid of a map: that of the window at the given resolution, or that of the finest raster.
+// `values`: number of values held for each cell.
 MapGrid map_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
                  const std::optional<double>& resolution_m, int values = 1);
-// About as long as a cell's shorter side, in its middle; 1 mm at least, and a hundredth of the
-// longer side.
+// Approximate length of the shorter side of the cell in the grid's middle; at least 1 mm and a
+// hundredth of the longer side.
 double cell_m(const MapGrid& grid, const Body& body);
-// Faults of --resolution.
+// Adds the faults of --resolution.
 void check_resolution(const TerrainOptions& options, Faults& faults);
-// Throws InputError: without a raster there is none, and both options are wanted.
+// Throws InputError where the terrain has no raster, whose grid could be used, and --window and
+// --resolution are not both given.
 void check_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
                 const std::optional<double>& resolution_m);
 

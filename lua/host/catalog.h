@@ -1,5 +1,5 @@
-// Which scripts there are: events/, rovers/, terrain/ and terrain/soils/ of several folders, the
-// earlier folder going before the later.
+// Catalog of the scripts in events/, rovers/, terrain/ and terrain/soils/ of several folders. Where
+// two scripts have the same name, the one in the earlier folder is used.
 #pragma once
 
 #include <map>
@@ -29,25 +29,25 @@ class Catalog {
 
   // Warnings: scripts that are broken (with each of their faults) or hidden by another.
   const Faults& faults() const { return faults_; }
-  // The errors of a script that is there but broken; empty for others. When a plan names such an
-  // event these say more than "unknown".
+  // Errors of a script that exists but is broken; empty for any other name. Where a plan names such
+  // an event they say more than "unknown".
   std::vector<Fault> faults_of(ScriptKind kind, const std::string& name) const;
 
-  // What a script says. Throws InputError: its faults if it is broken; or, at `asked_at`, that
-  // there is no such script, with the nearest name.
+  // The rover that a script defines. Throws InputError with the script's faults if it is broken;
+  // or, if there is no such script, with a fault at `asked_at` that suggests the nearest name.
   RoverModel load_rover(const std::string& name, const Place& asked_at = {}) const;
-  // The same rover with changes that a plan makes, as Lua writes the table of lsos.derive. What is
-  // wrong with them stands at `asked_at`, beginning with `what`; numbers of another order of
-  // magnitude than the rover's own are warnings.
+  // The same rover with changes that a plan makes, written as the Lua table that lsos.derive takes.
+  // Faults in the changes are placed at `asked_at` and begin with `what`; numbers of another order
+  // of magnitude than the rover's own are warnings.
   RoverModel load_variant(const std::string& name, const std::string& changes,
                           const std::string& what, const Place& asked_at, Faults& faults) const;
-  // The scripts of rovers/ that a script there is derived from.
+  // Names of the scripts in rovers/ that the script `name` is derived from.
   std::set<std::string> bases_of(const std::string& name) const;
   AssetModel load_asset(const std::string& name, const Place& asked_at = {}) const;
   TerrainSpec load_terrain(const std::string& name, const Place& asked_at = {}) const;
   Soil load_soil(const std::string& name, const Place& asked_at = {}) const;
 
-  // All scripts in use, by kind and name, for the hashes of a run.
+  // All scripts that no other hides, ordered by kind and name, for the hashes of a run.
   const std::vector<Script>& scripts() const { return scripts_; }
 
  private:
@@ -66,7 +66,7 @@ class Catalog {
   std::map<Key, std::vector<Fault>> broken_;
   std::map<std::string, RoverModel> rovers_;
   std::map<std::string, AssetModel> assets_;
-  std::map<std::string, std::set<std::string>> bases_;  // by name of the derived
+  std::map<std::string, std::set<std::string>> bases_;  // by name of the derived rover
   std::map<std::string, TerrainSpec> terrains_;
   std::map<std::string, Soil> soils_;
 };

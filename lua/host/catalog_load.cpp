@@ -1,4 +1,4 @@
-// What the scripts of a catalog say, and the answers to those who ask for one.
+// Loads the scripts of a catalog, and looks up what they define.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,8 @@ const char* noun(ScriptKind kind) {
   return "";
 }
 
-// What the script of a plan's changes is called where nobody sees it; no file has such a name.
+// File name given to the script that holds a plan's changes. It is never shown, and no file has
+// such a name.
 constexpr const char* variant_file = "=Variant";
 
 template <class T>
@@ -51,7 +52,8 @@ std::optional<T> load(LuaState& lua, const Script& script, const char* kind, Fau
   return value;
 }
 
-// Fills in the soils that are named, and makes rasters' paths independent of where we are.
+// Replaces named soils by their values, and makes the paths of rasters relative to the script's
+// folder.
 void complete(TerrainScript& terrain, const Script& script,
               const std::map<std::string, Soil>& soils, Faults& faults) {
   TerrainSpec& spec = terrain.spec;
@@ -79,7 +81,7 @@ void complete(TerrainScript& terrain, const Script& script,
   }
 }
 
-// Shapes that move with a part that there is not.
+// Faults of shapes that move with a link which the rover does not have.
 std::vector<std::string> shape_faults(const RoverModel& model) {
   std::vector<std::string> links;
   for (const LinkConfig& link : make_vehicle(model.spec, "", 1).links) links.push_back(link.name);
@@ -93,7 +95,8 @@ std::vector<std::string> shape_faults(const RoverModel& model) {
   return faults;
 }
 
-// Wheels are alike, so that what is wrong with one is said a dozen times: three will do.
+// Adds the faults of a rover's vehicle, at most three: wheels are alike, so a fault of one is found
+// a dozen times.
 void check_vehicle(const RoverModel& model, Faults& faults) {
   const RoverSpec& rover = model.spec;
   std::vector<std::string> found = vehicle_faults(rover);
@@ -129,7 +132,7 @@ void Catalog::add_broken(const Script& script, const Faults& faults) {
 void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& faults) {
   lua.context().scripts = &scripts_;
   lua.context().bases.clear();
-  lua.context().deriving.clear();  // of a script that broke
+  lua.context().deriving.clear();  // what a script that failed may have left
   lua.run([&](lua_State* L) {
     if (!run_script(L, script, faults)) return;
     if (!lua.context().bases.empty()) bases_[script.name] = lua.context().bases;
@@ -153,7 +156,7 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
   });
 }
 
-// Soils come before terrains in scripts_, as terrains name them.
+// Terrains name soils, so soils come before terrains in scripts_.
 void Catalog::load_all() {
   EventLibrary library;
   std::map<std::string, Faults> event_faults;

@@ -71,7 +71,7 @@ constexpr std::array<ConditionName, 4> questions{
      {"is_linked_to", "is_linked_to(id): the same, in range, and both antennas up"},
      {"resource", "resource(name): what is left of it"}}};
 
-constexpr double share_of_call = 0.01;  // of a call's budgets: an expression needs no more
+constexpr double share_of_call = 0.01;  // of a call's budgets, enough for an expression
 
 // Upvalue 1 of the functions: the rover.
 const RoverPort& rover_of(lua_State* L) {
@@ -95,12 +95,12 @@ int sight_of(lua_State* L) {
 }
 
 int resource(lua_State* L) {
-  auto& rover = const_cast<RoverPort&>(rover_of(L));  // asks only
+  auto& rover = const_cast<RoverPort&>(rover_of(L));  // only reads
   lua_pushnumber(L, rover.power().resource(luaL_checkstring(L, 1)).value_or(std::nan("")));
   return 1;
 }
 
-// Pushes the table of what a condition can name.
+// Pushes the environment with all names that a condition can use.
 void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
   push_environment(L);
   for (const ConditionQuantity& quantity : condition_quantities()) {
@@ -120,12 +120,12 @@ void push_names(lua_State* L, const SampleRow& row, const RoverPort& rover) {
   add("resource", guard<resource>);
 }
 
-// Pushes the function; answers what is wrong with the text instead. On lines of its own, so that a
-// comment in it ends.
+// Compiles the condition and pushes its function, or returns what is wrong with the text. The text
+// is put on separate lines, so that a comment in it ends.
 std::string push_function(lua_State* L, const std::string& text) {
   const auto failure = load_text(L, "return (\n" + text + "\n)", "condition");
   if (!failure) {
-    // "a) or (b" fits into our parenthesis, and is no expression.
+    // "a) or (b" compiles inside the added parentheses, but is no expression.
     if (load_text(L, "return\n" + text + "\n", "condition")) {
       lua_pop(L, 1);
       return "it is not one expression: a parenthesis closes that was not opened";
@@ -134,7 +134,7 @@ std::string push_function(lua_State* L, const std::string& text) {
     return "";
   }
   std::string what = split_place(failure->message, "condition").second;
-  // The parenthesis is ours.
+  // The parenthesis was added here, so the message must not mention it.
   const std::string ours = "')' expected (to close '(' at line 1)";
   if (const auto at = what.find(ours); at != std::string::npos) {
     what.replace(at, ours.size(), "the condition cannot go on");
@@ -149,12 +149,13 @@ std::string push_function(lua_State* L, const std::string& text) {
                             : "; words are 'and', 'or', 'not'");
 }
 
-// Of the call that failed; the line of our own wrapping says nothing.
+// Message of the failed call, without its place: the line belongs to the text added here.
 std::string cause_of(const LuaFailure& failure) {
   return split_place(failure.message, "condition").second;
 }
 
-// Pops the function with its environment below it; answers what is wrong with what it gives.
+// Calls and pops the function at the top, whose environment is set. Returns what is wrong with its
+// result.
 std::string call_fault(lua_State* L, bool* holds) {
   const int top = lua_gettop(L) - 1;
   if (const auto failure = call_script(L, 0, 1, share_of_call)) return cause_of(*failure);
@@ -165,7 +166,7 @@ std::string call_fault(lua_State* L, bool* holds) {
   return is_answer ? "" : fmt::format("gives a {}; true or false is wanted", found);
 }
 
-// Upvalues: what a question answers in a trial.
+// Upvalue 1: the answer to a question in a trial.
 int trial_answer(lua_State* L) {
   luaL_checkstring(L, 1);
   lua_pushvalue(L, lua_upvalueindex(1));

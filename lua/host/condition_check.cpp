@@ -1,5 +1,4 @@
-// What is wrong with a condition before anything runs: its names, by its words; what it gives, by
-// trying it.
+// Checks a condition before anything runs: its names by its words, its result by trial calls.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +20,7 @@ namespace lsos {
 
 namespace {
 
-// "" when it may be there without being known.
+// Fault of a name that is not known; "" where the set of known names is incomplete.
 std::string unknown(const char* what, const std::string& name, const std::set<std::string>& known,
                     bool are_all_known) {
   if (!are_all_known) return "";
@@ -47,7 +46,7 @@ std::string argument_fault(const std::string& question, const std::string& argum
                                 : unknown("rover or asset", argument, ids, world.are_ids_known);
 }
 
-// What an operand of == or ~= is, where one word or one question says it.
+// Type of an operand of == or ~=, where a single word or question determines it.
 enum class Operand { unclear, number, truth, text };
 
 Operand operand_of(const ConditionWord& word) {
@@ -61,7 +60,7 @@ Operand operand_of(const ConditionWord& word) {
   return is_quantity ? Operand::number : Operand::unclear;
 }
 
-// Where the operand that ends at `i` begins: sees('B') and sees 'B' are one.
+// First word of the operand that ends at `i`: sees('B') and sees 'B' are one operand.
 std::size_t operand_begin(const std::vector<ConditionWord>& words, std::size_t i) {
   const auto asks = [&](std::size_t at) {
     return words[at].kind == ConditionWord::Kind::name && is_question(words[at].text);
@@ -71,13 +70,13 @@ std::size_t operand_begin(const std::vector<ConditionWord>& words, std::size_t i
   return i;
 }
 
-// Behind the operand that begins at `i`.
+// First word behind the operand that begins at `i`.
 std::size_t operand_end(const std::vector<ConditionWord>& words, std::size_t i) {
   if (!is_question(words[i].text)) return i + 1;
   return i + 1 < words.size() && words[i + 1].text == "(" ? i + 4 : i + 2;
 }
 
-// Lua compares a number with a truth or a text without complaint: they never are the same.
+// Lua compares a number with a boolean or a text without complaint, though they are never equal.
 std::string equality_fault(const std::vector<ConditionWord>& words) {
   static constexpr const char* names[] = {"", "a number", "true or false", "a text"};
   const auto is_one_of = [&](std::size_t at, std::string_view symbols) {
@@ -88,7 +87,8 @@ std::string equality_fault(const std::vector<ConditionWord>& words) {
     if (!is_one_of(i, "=~") || !is_one_of(i + 1, "=")) continue;
     const std::size_t left = operand_begin(words, i - 1), right = i + 2;
     const bool is_negated = left > 0 && words[left - 1].text == "not";
-    // Of what is part of more, as in a < b == c and in a == b + c, one word does not tell.
+    // Where an operand is part of a larger expression, as in a < b == c and in a == b + c, a single
+    // word does not determine its type.
     if (left > 0 && !is_negated && !begins_operand(words[left - 1])) continue;
     const std::size_t after = operand_end(words, right);
     if (after < words.size() && !ends_operand(words[after])) continue;
@@ -108,7 +108,8 @@ std::string equality_fault(const std::vector<ConditionWord>& words) {
   return "";
 }
 
-// A quantity of panels or a battery that the rover does not have: no comparison with it holds.
+// Doubt about a quantity of panels or a battery that the rover does not have: no comparison with it
+// holds.
 std::string missing_part_doubt(const std::string& word, const ConditionWorld& world) {
   const Quantity* quantity = find_quantity(word);
   if (quantity == nullptr) return "";
@@ -126,7 +127,7 @@ std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, st
   const std::string& word = words[i].text;
   const bool is_member =
       i > 0 && words[i - 1].kind == ConditionWord::Kind::symbol && words[i - 1].text == ".";
-  // With the methods of texts, or what can be indexed, it could do all that a script can.
+  // With methods of texts or with indexing a condition could do all that a script can.
   if (words[i].kind == ConditionWord::Kind::symbol &&
       std::string_view(":[{").find(word) != std::string::npos) {
     return fmt::format("a condition has no '{}'", word);
@@ -151,7 +152,7 @@ std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, st
   return argument_fault(word, *argument, world);
 }
 
-// All of them.
+// Faults of all names, at most five.
 std::string names_fault(lua_State* L, const std::vector<ConditionWord>& words,
                         const ConditionWorld& world) {
   constexpr std::size_t faults_max = 5;
@@ -164,10 +165,11 @@ std::string names_fault(lua_State* L, const std::vector<ConditionWord>& words,
   return fmt::format("{}", fmt::join(faults, "; "));
 }
 
-// What stands there, alone or in brackets, where that is a number; else "".
+// Text of the numeric operand at `at`, alone or in brackets; "" where it is not known to be a
+// number.
 std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
   std::size_t brackets = 0;
-  bool is_number = false;  // what has a minus is one
+  bool is_number = false;  // an operand with a minus is a number
   for (; at < words.size() && words[at].kind == ConditionWord::Kind::symbol; ++at) {
     if (words[at].text == "-") {
       is_number = true;
@@ -184,7 +186,7 @@ std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
     return brackets == 0 && !no_numbers.contains(words[at + 2].text) ? name + "(...)" : "";
   }
   if (!is_number && operand_of(words[at]) != Operand::number) return "";
-  // Before its last bracket it may be compared.
+  // An operand that is followed by more before its last bracket may be part of a comparison.
   std::size_t after = operand_end(words, at);
   for (; brackets > 0; --brackets, ++after) {
     if (after >= words.size() || words[after].text != ")") return "";
@@ -192,7 +194,7 @@ std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
   return words[at].text + (is_question(words[at].text) ? "(...)" : "");
 }
 
-// Lua takes every number for true, so that `not` of one is never true.
+// Lua treats every number as true, so `not` of a number is never true.
 std::string negation_fault(const std::vector<ConditionWord>& words) {
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     if (words[i].kind != ConditionWord::Kind::name || words[i].text != "not") continue;
@@ -218,7 +220,8 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
   if (!size.empty()) return size;
   std::string negation = negation_fault(words);
   if (!negation.empty()) return negation;
-  // Comparisons go one way and the other; what stands behind `and` and `or` is reached by one.
+  // Trial values that make comparisons true and false, so that each operand of `and` and `or` is
+  // reached by one of them.
   for (const double value : {0.0, 1.0, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     for (const bool answer : {false, true}) {
       std::string fault = condition_trial_fault(L, text, value, answer);

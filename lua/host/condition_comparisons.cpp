@@ -20,7 +20,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// What a quantity can be; of the log's, what the register says.
+// Possible values of a quantity.
 Bounds bounds_of(std::string_view quantity) {
   struct Known {
     std::string_view quantity;
@@ -50,7 +50,7 @@ struct Side {
   bool is_size = false;  // math.abs of it
   double sign = 1;
   double number = 0;
-  std::size_t end = 0;  // behind it
+  std::size_t end = 0;  // index of the word behind it
 };
 
 bool is_math(const std::vector<ConditionWord>& words, std::size_t at, std::string_view function) {
@@ -64,7 +64,7 @@ bool is_number(const std::vector<ConditionWord>& words, std::size_t at) {
   return at < words.size() && words[at].kind == ConditionWord::Kind::number;
 }
 
-// 20, math.rad(20), 20 / 3.6, 30 * 3.6e6.
+// A number or a product of numbers: 20, math.rad(20), 20 / 3.6, 30 * 3.6e6.
 std::optional<Side> number_at(const std::vector<ConditionWord>& words, std::size_t at) {
   Side side;
   if (is_math(words, at, "rad") && is_number(words, at + 4)) {
@@ -90,7 +90,7 @@ std::optional<Side> number_at(const std::vector<ConditionWord>& words, std::size
   return side;
 }
 
-// charge, math.abs(roll_rad), distance_to('Base').
+// A quantity: charge, math.abs(roll_rad), distance_to('Base').
 std::optional<Side> quantity_at(const std::vector<ConditionWord>& words, std::size_t at) {
   Side side;
   side.is_size = is_math(words, at, "abs") && words[at + 4].kind == ConditionWord::Kind::name;
@@ -118,7 +118,7 @@ std::optional<Side> side_at(const std::vector<ConditionWord>& words, std::size_t
   return side;
 }
 
-// "<", "<=", ">", ">=", "==" or "~="; "" for none. It may be two words.
+// The operator at `at`: "<", "<=", ">", ">=", "==" or "~="; "" for none. It may be two words.
 std::string sign_at(const std::vector<ConditionWord>& words, std::size_t at, std::size_t& end) {
   std::string text;
   for (end = at; end < words.size() && text.size() < 2; ++end) {
@@ -147,7 +147,7 @@ bool ends_operand(const ConditionWord& after) {
 }
 
 std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words, std::size_t at) {
-  // What is part of a sum or a product has another size.
+  // An operand of a sum or a product is not compared by itself.
   if (at > 0 && !begins_operand(words[at - 1])) return {};
   std::optional<Side> left = side_at(words, at);
   if (!left) return {};

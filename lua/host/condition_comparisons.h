@@ -1,4 +1,4 @@
-// Comparisons of a quantity alone with a number alone, as conditions are made of.
+// Comparisons of a single quantity with a single number, from which conditions are usually built.
 #pragma once
 
 #include <cstddef>
@@ -10,30 +10,31 @@
 
 namespace lsos {
 
-// What a quantity can be; infinite where nothing bounds it.
+// Possible values of a quantity; infinite where it is not bounded.
 struct Bounds {
   double low, high;
 };
 
-// A quantity on the left of a number.
+// A comparison, turned so that the quantity is on the left.
 struct Comparison {
   std::string quantity;  // "charge", "distance_to('Base')"
   std::string shown;     // the same, or math.abs of it
   std::string how;       // <, <=, >, >=, == or ~=
   double number = 0;
-  Bounds bounds;         // of what is shown
+  Bounds bounds;         // of the value named in `shown`
   bool is_size = false;  // math.abs of the quantity is compared
-  std::size_t end = 0;   // the word behind it
+  std::size_t end = 0;   // index of the word behind the comparison
 };
 
-// What binds an operand of a comparison to nothing else before it, or after it.
+// Whether an operand of a comparison may begin after the word `before`, or end before `after`, so
+// that no other operator binds to it.
 bool begins_operand(const ConditionWord& before);
 bool ends_operand(const ConditionWord& after);
 
-// The comparison that begins with the word at `at`; none where more than a quantity and a number,
-// or less, is compared there.
+// The comparison that begins with the word at `at`; none where anything but a single quantity and a
+// single number is compared there.
 std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words, std::size_t at);
-// All of them.
+// All comparisons of a condition.
 std::vector<Comparison> comparisons_of(const std::vector<ConditionWord>& words);
 
 }  // namespace lsos

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Both ends belong to it; open ends are the next number.
+// A closed interval; an open end is replaced by the next representable number.
 struct Interval {
   double low, high;
 };
@@ -33,7 +33,7 @@ Set intersection(const Set& a, const Set& b) {
   return both;
 }
 
-// Intervals that touch or overlap become one, so that sets stay as small as what made them.
+// Union of two sets. Intervals that touch or overlap are merged, which keeps the sets small.
 Set joined(Set a, const Set& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::ranges::sort(a, {}, &Interval::low);
@@ -50,10 +50,10 @@ Set joined(Set a, const Set& b) {
   return merged;
 }
 
-// Values outside which something cannot hold, for each quantity that it depends on by itself.
+// For each quantity on which an expression depends, the values outside which it cannot hold.
 using Sets = std::map<std::string, Set>;
 
-// Where both hold.
+// Values where both expressions may hold.
 Sets both(Sets a, const Sets& b) {
   for (const auto& [quantity, set] : b) {
     const auto [at, is_new] = a.try_emplace(quantity, set);
@@ -62,7 +62,7 @@ Sets both(Sets a, const Sets& b) {
   return a;
 }
 
-// Where one of them holds.
+// Values where at least one of the expressions may hold.
 Sets either(const Sets& a, const Sets& b) {
   Sets any;
   for (const auto& [quantity, set] : a) {
@@ -106,12 +106,12 @@ Sets sets_of(const Comparison& c, const std::string& how) {
   return {{c.quantity, std::move(set)}};
 }
 
-// Quantities of driving have no value while a rover stands.
+// Whether a quantity is undefined while the rover stands.
 bool may_have_no_value(const std::string& quantity) {
   return quantity == "slip" || quantity == "slip_max";
 }
 
-// A part of a condition: where it may hold, and where it may not.
+// A part of a condition: values where it may hold, and values where it may not.
 struct Part {
   Sets yes, no;
 };
@@ -159,7 +159,7 @@ class Reader {
       is_told = is_told || quantity_without_values(part.yes) || quantity_without_values(other.yes);
       part = {both(part.yes, other.yes), either(part.no, other.no)};
       const std::string* quantity = quantity_without_values(part.yes);
-      // A comparison that never holds by itself is told as that.
+      // A comparison that never holds by itself is reported elsewhere (sizes_doubt).
       if (quantity != nullptr && !is_told && never_.empty()) never_ = *quantity;
     }
     return part;
@@ -182,14 +182,14 @@ class Reader {
     }
     if (auto c = comparison_at(words_, at_)) {
       at_ = c->end;
-      // Without a value neither the comparison nor its opposite holds.
+      // While the quantity has no value, neither the comparison nor its opposite holds.
       if (may_have_no_value(c->quantity)) return {sets_of(*c, c->how), {}};
       return {sets_of(*c, c->how), sets_of(*c, opposite(c->how))};
     }
     return skipped();
   }
 
-  // Past what is neither a comparison nor in brackets: it may hold or not.
+  // Skips a term that is neither a comparison nor in brackets; it may hold or not.
   Part skipped() {
     for (int depth = 0; at_ < words_.size(); ++at_) {
       if (is_at("(")) ++depth;

@@ -1,4 +1,4 @@
-// Conditions that hold never, or always, for what their comparisons ask of one quantity.
+// Finds conditions that never hold, or always hold, because of their comparisons of one quantity.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace lsos {
 
-// A part of the condition that holds for no value of a quantity, as `charge < 0.2 and charge >
-// 0.5`, or the whole of one that holds for all, as `charge > 0.2 or charge < 0.5`; "" when well.
+// Doubt about a part of the condition that holds for no value of a quantity, as `charge < 0.2 and
+// charge > 0.5`, or about a condition that holds for all values, as `charge > 0.2 or charge < 0.5`;
+// "" for none.
 std::string sets_doubt(const std::vector<ConditionWord>& words);
 
 }  // namespace lsos

@@ -33,10 +33,11 @@ std::string bounds_text(const Comparison& c) {
   return fmt::format("{} is from {:.4g} to {:.4g}", c.shown, c.bounds.low, c.bounds.high);
 }
 
-// An energy in kWh or a speed in km/h, which only the rover's own tell from one in SI.
+// Doubt about an energy that seems to be in kWh or a speed that seems to be in km/h. Only the
+// rover's own capacity and greatest speed distinguish these from SI values.
 std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
   constexpr double overspeed = 1.5, j_per_kwh = 3.6e6, kmh_per_mps = 3.6;
-  // An empty battery is asked for by 0 or by 1 J.
+  // Comparisons with 0 or 1 J are for an empty battery.
   if (c.quantity == "energy_j" && world.battery_capacity_j && c.number > 1 &&
       c.number * j_per_kwh <= 1.1 * *world.battery_capacity_j) {
     return fmt::format(
@@ -55,8 +56,8 @@ std::string scale_fault(const Comparison& c, const ConditionWorld& world) {
   return "";
 }
 
-// A time in hours, which only its size tells from one in seconds. `is_alone`: beside another
-// comparison it may well be the first seconds that are meant.
+// Doubt about a time that seems to be in hours, judged by its size. `is_alone`: together with
+// another comparison the first seconds of a mission may well be meant.
 std::string hours_doubt(const Comparison& c, bool is_alone) {
   constexpr double hours_max = 25;
   if (c.quantity != "time_s" || c.how == "==" || c.number <= 0 || c.number >= hours_max) return "";
@@ -67,7 +68,7 @@ std::string hours_doubt(const Comparison& c, bool is_alone) {
       c.number);
 }
 
-// What is waited for until after the mission.
+// Doubt about a comparison that holds only after the mission's end.
 std::string late_doubt(const Comparison& c, const ConditionWorld& world, bool is_alone) {
   if (c.quantity != "time_s" || !is_alone || !world.max_duration_s) return "";
   Comparison within = c;
@@ -76,7 +77,8 @@ std::string late_doubt(const Comparison& c, const ConditionWorld& world, bool is
   return never_text(c, fmt::format("MaxDuration is {:g} s", *world.max_duration_s));
 }
 
-// A latitude or longitude without its sign: all of the plan lies about its negative.
+// Doubt about a latitude or longitude whose sign seems to be missing: the whole plan lies about its
+// negative.
 std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
   constexpr double room_deg = 0.5;
   if (c.is_size || !world.lat_deg) return "";
@@ -84,7 +86,7 @@ std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
   if (!is_lat && (c.quantity != "lon_deg" || !world.lon_deg)) return "";
   const ConditionWorld::Span span = is_lat ? *world.lat_deg : *world.lon_deg;
   const double farthest_deg = std::max(std::abs(world.lat_deg->low), std::abs(world.lat_deg->high));
-  // At the pole all longitudes are near.
+  // At the poles all longitudes are near.
   if (!is_lat && farthest_deg + room_deg >= 90) return "";
   const double more_deg = is_lat ? room_deg : room_deg / std::cos(radians(farthest_deg + room_deg));
   const double low = span.low - more_deg, high = span.high + more_deg;
@@ -100,7 +102,8 @@ std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
                      -c.number);
 }
 
-// A number so far outside that another unit was meant, whichever way it is compared.
+// Whether a number is so far out of bounds that another unit was meant, whichever way it is
+// compared.
 bool is_far_outside(const Comparison& c, double share) {
   const double span = c.bounds.high - c.bounds.low;
   return c.number > c.bounds.high + share * span || c.number < c.bounds.low - share * span;
@@ -111,7 +114,7 @@ std::string in_radians(const Comparison& c) {
                      c.number, c.number, c.number);
 }
 
-// A percentage or an angle in degrees, which can be nothing else.
+// Fault of a number that can only be a percentage or an angle in degrees.
 std::string fault_of(const Comparison& c) {
   if (c.bounds.high == 1 && c.number >= 2) {
     return fmt::format("{} is 1 at most, and is compared with {}: 80 % is 0.8", c.shown, c.number);
@@ -120,7 +123,7 @@ std::string fault_of(const Comparison& c) {
   return is_angle && std::abs(c.number) > 2 * std::numbers::pi ? in_radians(c) : "";
 }
 
-// What is likely to be a slip, or never holds.
+// Doubt about a comparison that is likely to be a mistake, or that never holds.
 std::string doubt_of(const Comparison& c, const ConditionWorld& world, bool is_alone) {
   constexpr double angle_share = 0.3, longitude_share = 0.02;
   if (c.quantity.ends_with("_rad") && is_outside(c) &&

@@ -1,4 +1,4 @@
-// Comparisons of a condition whose number shows that another unit was meant, or that never hold.
+// Finds comparisons whose number shows that another unit was meant, or that never hold.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace lsos {
 
-// A number that can only be in another unit, beside a quantity alone, its negative or its math.abs;
-// "" when well.
+// Fault of a number that can only be in another unit, compared with a single quantity, its negative
+// or its math.abs; "" for none.
 std::string sizes_fault(const std::vector<ConditionWord>& words);
-// The same of numbers that are likely to be slips, and of comparisons that never hold.
+// Doubt about a number that is likely to be a mistake, or about a comparison that never holds; ""
+// for none.
 std::string sizes_doubt(const std::vector<ConditionWord>& words, const ConditionWorld& world);
 
 }  // namespace lsos

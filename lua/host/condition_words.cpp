@@ -15,7 +15,8 @@ namespace {
 
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// Past the end of [==[ ... ]==] that begins at `at`; absent: none does.
+// Position past the end of the long text [==[ ... ]==] that begins at `at`; absent where none
+// begins.
 std::optional<std::size_t> long_text_end(const std::string& text, std::size_t at,
                                          std::size_t& level) {
   level = text.find_first_not_of('=', at + 1);
@@ -27,7 +28,6 @@ std::optional<std::size_t> long_text_end(const std::string& text, std::size_t at
 
 }  // namespace
 
-// As Lua reads it, without comments. What is no Lua is told by Lua's own parser.
 std::vector<ConditionWord> condition_words(const std::string& text) {
   std::vector<ConditionWord> words;
   for (std::size_t i = 0; i < text.size();) {
@@ -66,7 +66,6 @@ std::vector<ConditionWord> condition_words(const std::string& text) {
   return words;
 }
 
-// The text that the question at `i` is asked with: sees('B'), sees 'B'; nullptr: not a plain one.
 const std::string* question_argument(const std::vector<ConditionWord>& words, std::size_t i) {
   const std::size_t at = i + 1 < words.size() && words[i + 1].text == "(" &&
                                  words[i + 1].kind == ConditionWord::Kind::symbol
@@ -85,7 +84,7 @@ std::string number_text(double value) {
 std::string answer_text(const std::string& question, const std::string& argument,
                         const RoverPort& rover) {
   if (question == "resource") {
-    auto& asked = const_cast<RoverPort&>(rover);  // asks only
+    auto& asked = const_cast<RoverPort&>(rover);  // only reads
     return number_text(asked.power().resource(argument).value_or(std::nan("")));
   }
   if (question == "distance_to") {

@@ -1,4 +1,4 @@
-// The words of a condition, and what they stand for.
+// Splits a condition into words.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct ConditionWord {
   std::string text;
 };
 
-// As Lua reads it, without comments. What is no Lua is told by Lua's own parser.
+// Words as Lua reads them, without comments. Text that is not Lua is reported by Lua's own parser.
 std::vector<ConditionWord> condition_words(const std::string& text);
 
-// The text that the question at `i` is asked with: sees('B'), sees 'B'; nullptr: not a plain one.
+// The argument of the question at `i`, as in sees('B') or sees 'B'; nullptr if it is no plain text.
 const std::string* question_argument(const std::vector<ConditionWord>& words, std::size_t i);
 
 }  // namespace lsos

@@ -13,7 +13,7 @@ namespace {
 
 using Events = std::map<std::string, EventScript>;
 
-// The events that `name` is made of, itself included, as deep as they are there.
+// Adds the events that `name` is composed of, at any depth, to `parts`.
 void add_parts(const Events& events, const std::string& name, std::set<std::string>& parts) {
   const auto found = events.find(name);
   if (found == events.end()) return;
@@ -24,7 +24,7 @@ void add_parts(const Events& events, const std::string& name, std::set<std::stri
   }
 }
 
-// Commands to panels and antennas need one of these words.
+// A script that commands panels or antennas contains one of these words.
 bool may_deploy(const std::string& source) {
   return source.find("deploy") != std::string::npos || source.find("stow") != std::string::npos;
 }
@@ -63,7 +63,7 @@ void EventLibrary::load(const Script& script, Faults& faults) {
 }
 
 void EventLibrary::check_sub_events(std::map<std::string, Faults>& faults) {
-  // An event that goes may be part of another: repeat until nothing changes.
+  // A removed event may be part of another one: repeat until nothing changes.
   for (bool is_changed = true; is_changed;) {
     std::vector<std::string> broken;
     for (const auto& [name, script] : events_) {

@@ -24,9 +24,9 @@ class EventLibrary {
  public:
   explicit EventLibrary(const Limits& limits = {}) : lua_(make_api, limits) {}
 
-  // Loads one script; faults are collected and the event is then not there.
+  // Loads one script. If it has faults they are collected, and the event does not exist.
   void load(const Script& script, Faults& faults);
-  // Takes out events whose phases name an event that is not there, or that contain themselves.
+  // Removes events with a phase that names a missing event, and events that contain themselves.
   void check_sub_events(std::map<std::string, Faults>& faults);
 
   const std::map<std::string, EventScript>& events() const { return events_; }

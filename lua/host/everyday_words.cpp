@@ -88,7 +88,7 @@ constexpr std::array meanings{
     Meaning{"connected", "is_linked_to"},
 };
 
-// A unit at a word's end, and one such in the unit of the quantity.
+// A unit at the end of a word, the quantity's own unit, and the conversion between the two.
 struct Suffix {
   std::string_view suffix, own, conversion;
 };
@@ -126,7 +126,7 @@ std::string_view meaning_of(std::string_view word) {
   return known == names.end() ? std::string_view() : std::string_view(known->name);
 }
 
-// What people are likely to think in, in the quantity's unit.
+// Conversion from the unit in which people are likely to think to the quantity's unit.
 std::string_view usual_conversion(std::string_view quantity) {
   for (const std::string_view suffix : {"_deg", "_kmh", "_kwh"}) {
     const auto found = std::ranges::find(suffixes, suffix, &Suffix::suffix);
@@ -140,7 +140,7 @@ std::string hint(std::string_view quantity, std::string_view conversion) {
   const auto known = std::ranges::find_if(
       names, [&](const ConditionName& name) { return std::string_view(name.name) == quantity; });
   std::string doc = known->doc;
-  if (doc.starts_with(quantity)) doc.erase(0, doc.find(": ") + 2);  // a question's begins with it
+  if (doc.starts_with(quantity)) doc.erase(0, doc.find(": ") + 2);  // drop a question's own name
   if (!conversion.empty()) doc += fmt::format("; {}", conversion);
   return fmt::format("; did you mean '{}' ({})?", quantity, doc);
 }
@@ -159,7 +159,7 @@ std::string everyday_word_hint(const std::string& word) {
     const std::string base = small.substr(0, small.size() - each.suffix.size());
     std::string_view quantity = meaning_of(base + std::string(each.own));
     if (quantity.empty()) quantity = meaning_of(base);
-    // The battery's charge has percents, its energy has kWh, whichever is said.
+    // Percents are of the battery's charge and kWh of its energy, whichever word is used.
     if (each.own.empty() && quantity == "energy_j") quantity = "charge";
     if (each.own == "_j" && quantity == "charge") quantity = "energy_j";
     const bool is_of_unit = each.own.empty() ? is_share(quantity) : quantity.ends_with(each.own);

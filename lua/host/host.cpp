@@ -29,9 +29,9 @@ struct Instance {
 };
 
 constexpr std::string_view state_version = "ev.state 1";
-constexpr std::size_t ending_bytes_max = 1000;  // of what on_abort says
+constexpr std::size_t ending_bytes_max = 1000;  // of the text that on_abort returns
 
-// Marks the phase call as going on, for handles and lsos functions.
+// Marks the phase call as running, for handles and lsos functions.
 class CallScope {
  public:
   CallScope(LuaContext& context, const EventCall& call) : context_(context) {
@@ -62,7 +62,7 @@ struct LuaHost::Impl {
     return found->second;
   }
 
-  // Pushes the instance's table; what needs the context is made at the first call.
+  // Pushes the instance's table; entries that need the phase's context are made at the first call.
   void push_table(lua_State* L, ScriptInstance id, Instance& instance, const EventCall& call) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
     if (lua_getfield(L, -1, "ev") != LUA_TNIL) return lua_pop(L, 1);
@@ -79,9 +79,9 @@ struct LuaHost::Impl {
     lua_setfield(L, -2, "ev");
   }
 
-  // Calls the script function at the top with (ev, rover), pops it, leaves `results` values. Throws
-  // EquipmentFault where the rover could not do what the script asked, std::runtime_error for what
-  // it may not leave behind.
+  // Calls the script function at the top with (ev, rover), pops it and leaves `results` values.
+  // Throws EquipmentFault where the rover could not do what the script commanded, and
+  // std::runtime_error where the script changed a local of its file.
   void call(lua_State* L, ScriptInstance id, Instance& instance, const EventCall& call,
             const std::string& where, int results) {
     push_table(L, id, instance, call);
@@ -92,7 +92,7 @@ struct LuaHost::Impl {
     const auto failure = call_script(L, 2, results);
     const std::string changed = instance.script->locals.restore(L);
     if (failure) {
-      // A script may have caught it and then have failed of something else.
+      // A script may have caught this fault and then have failed for another reason.
       const std::optional<std::string>& fault = library.lua().context().equipment_fault;
       if (fault && failure->message.ends_with(*fault)) throw EquipmentFault(*fault);
       throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
@@ -129,20 +129,21 @@ struct LuaHost::Impl {
     answer.arguments.params = read_params(L, -1, child, event_call.phase.mission_start);
     lua_pop(L, 1);
     push_part("geometry");
-    const CallScope scope(library.lua().context(), event_call);  // it may be ev.geometry
+    const CallScope scope(library.lua().context(), event_call);  // the geometry may be ev.geometry
     read_waypoints(L, -1, child, answer.arguments);
     return answer;
   }
 
-  // Calls a function of parameters that an event may have; `read` finds the answer at the top.
+  // Calls an optional function of an event with its parameters; `read` takes the result from the
+  // top.
   template <class Read>
   void ask(const std::string& type, const char* function, const EventArguments& arguments,
            Instant mission_start, const Read& read) {
     ask(
         type, function, arguments, mission_start, [](lua_State*) { return 0; }, 1, read);
   }
-  // `push_more` pushes arguments behind the parameters and answers how many; `read` finds so many
-  // results at the top.
+  // `push_more` pushes arguments behind the parameters and returns their number; `read` finds
+  // `results` results at the top.
   template <class Push, class Read>
   void ask(const std::string& type, const char* function, const EventArguments& arguments,
            Instant mission_start, const Push& push_more, int results, const Read& read) {
@@ -299,13 +300,13 @@ PhaseAnswer LuaHost::run_phase(ScriptInstance id, const std::string& phase_name,
       answer = phase.sub_event.empty() ? impl_->run_function(L, id, instance, call, where)
                                        : impl_->run_sub_event(L, id, instance, call, phase, where);
       instance.last_phase = phase_name;
-      impl_->state_bytes(L, instance);  // what cannot be saved is refused in the phase that put it
+      impl_->state_bytes(L, instance);  // refuses, in this phase, what cannot be saved
     } catch (const ScriptError&) {
       throw;
     } catch (const EquipmentFault& fault) {
       answer = Fail{fault.what()};
     } catch (const std::runtime_error& error) {
-      // What was answered, or left in ev.state, or given to a sub-event: by the phase as a whole.
+      // The answer, ev.state or a sub-event's arguments are wrong: a fault of the phase as a whole.
       const int line = find_phase(script.declaration, phase_name).line;
       const Fault fault{Severity::error, {script.file, line}, error.what()};
       throw ScriptError(phase_failure({to_string(fault), ""}, script, where, context));

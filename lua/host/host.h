@@ -1,4 +1,4 @@
-// The engine's ScriptHost, in Lua: runs the phases of event scripts.
+// The engine's ScriptHost, implemented in Lua: runs the phases of event scripts.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,9 @@ class LuaHost : public ScriptHost {
   explicit LuaHost(const Catalog& catalog, const Limits& limits = {});
   ~LuaHost() override;
 
-  // What an event's `check` says of its parameters, and of the rover that has them (nullptr: faults
-  // of the plan keep it from being known); "" when all is well or it has none. Throws ScriptError.
+  // Result of an event's `check` for its parameters and for the rover that runs it; empty texts
+  // when all is well or it has no `check`. `rover` and `model` are nullptr where faults of the plan
+  // keep them from being known. Throws ScriptError.
   struct CheckAnswer {
     std::string fault, warning;
   };
@@ -34,7 +35,7 @@ class LuaHost : public ScriptHost {
   bool awaits_sunlight(const std::string& type, const EventArguments& arguments,
                        Instant mission_start) override;
 
-  // What is wrong with a condition of a plan, "" when it is well.
+  // What is wrong with a condition of a plan; "" for a sound one.
   std::string condition_fault(const std::string& text, const ConditionWorld& world);
 
   bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) override;

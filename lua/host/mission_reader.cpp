@@ -66,7 +66,7 @@ std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
 
 namespace {
 
-// A plan that gives none has one that is said among its defaults.
+// Sets MaxDuration where the plan gives none, and lists it among the defaults.
 void set_max_duration(MissionFiles& files) {
   Plan& plan = files.plan;
   const bool is_known =
@@ -88,7 +88,7 @@ void set_max_duration(MissionFiles& files) {
                   hours > 999 ? fmt::format("{:g} d", hours / 24) : fmt::format("{:g} h", hours)));
 }
 
-// What its script says, with the changes of its Variant.
+// The rover that its script defines, with the changes of its Variant.
 RoverModel model_of(const PlanRover& rover, const Catalog& catalog, Faults& faults) {
   if (rover.variant.empty()) return catalog.load_rover(rover.type, rover.place);
   const std::string what = fmt::format("Rover '{}': Variant", rover.id);
@@ -97,10 +97,10 @@ RoverModel model_of(const PlanRover& rover, const Catalog& catalog, Faults& faul
   return catalog.load_variant(rover.type, *changes.value, what, rover.place, faults);
 }
 
-// Reads what the plan names.
+// Reads and checks the models that the plan names.
 void read_models(MissionFiles& files) {
   const Declarations& declarations = files.catalog->declarations();
-  // Of what there is not, the plan's reader has told.
+  // Types that do not exist have been reported when the plan was read.
   const auto has_type = [&](const std::string& name, bool is_asset) {
     const auto found = declarations.rover_types.find(name);
     return found != declarations.rover_types.end() && found->second.is_asset == is_asset;
@@ -138,7 +138,7 @@ void read_models(MissionFiles& files) {
   collect([&] {
     if (!has_terrain) return;
     files.terrain = terrain_of(mission, *files.catalog, files);
-    // The simulation does so too, but it is made of plans without errors.
+    // The simulation checks this too, but it is constructed only for plans without errors.
     const bool is_placed = !files.plan.rovers.empty() && files.plan.gaps.unplaced_rovers.empty();
     if (mission.planet == nullptr || !is_placed || !files.faults.has_errors()) return;
     drivable_ground_at(files.terrain, *mission.planet, files.plan.rovers.front().start,
@@ -154,7 +154,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   MissionFiles files;
   files.catalog = read_catalog(plan_file);
   files.plan.file = plan_file;
-  // Once: a pipe has its bytes no second time, and a file may change.
+  // The file is read once: a pipe cannot be read again, and a file may change.
   try {
     const PlanSource source = read_plan_source(plan_file);
     files.plan_bytes = source.bytes;
@@ -172,7 +172,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 PlanSource read_plan_source(const std::string& plan_file) {
   std::string bytes = read_bytes(plan_file);
   KmlSource source = parse_plan(bytes, plan_file);
-  // What a run keeps is a map that any viewer opens.
+  // The plan kept with a run is KML, which any viewer opens.
   if (is_geopackage(bytes)) bytes = kml_of(source);
   return {plan_file, std::move(source), "", std::move(bytes), true};
 }

@@ -14,21 +14,21 @@
 
 namespace lsos {
 
-// Of the scripts that a plan can use, or that any plan can for "".
+// Folders of the scripts that a plan can use, or that any plan can use for "".
 std::vector<ScriptFolder> script_folders(const std::string& plan_file);
-// Those scripts.
+// Catalog of those scripts.
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
 
-// Reads all and collects every fault. `seed` replaces the plan's.
+// Reads the plan and its scripts, and collects every fault. `seed` replaces the plan's.
 MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint64_t> seed = {});
 
-// A plan that was read once, to be made into a mission more than once.
+// A plan that is read once and can be made into several missions.
 struct PlanSource {
-  std::string file;  // what relative paths are relative to
+  std::string file;  // base of relative paths
   KmlSource kml;
-  std::string soil;     // that the ground is made of; "": the terrain's own
-  std::string bytes;    // the same as a KML or KMZ file
-  bool is_file = true;  // its scripts are found as those of `file`; else as those of any plan
+  std::string soil;     // soil of the ground; "": the terrain's own
+  std::string bytes;    // the plan as a KML or KMZ file
+  bool is_file = true;  // scripts are found beside `file`; else as for any plan
 };
 // Throws InputError.
 PlanSource read_plan_source(const std::string& plan_file);

@@ -32,11 +32,12 @@ bool drives_elsewhere_than_on_the_moon(const MissionFiles& files) {
          std::ranges::any_of(files.plan.events, drives);
 }
 
-// The scripts of ground for any planet have the Moon's regolith.
+// Warns of driving elsewhere on lunar soil: shipped terrains for any planet have the Moon's
+// regolith.
 void say_lunar_soil(MissionFiles& files) {
   const TerrainSpec& terrain = files.terrain;
   const bool is_lunar = terrain.soil.name.starts_with("Apollo");
-  // Who writes a script chooses its soil.
+  // The author of any other script has chosen its soil.
   const auto is_shipped = [&](const Script& script) {
     return script.kind == ScriptKind::terrain && script.name == terrain.name &&
            script.folder.starts_with(shipped_scripts());
@@ -51,7 +52,8 @@ void say_lunar_soil(MissionFiles& files) {
                   files.plan.mission.planet->name, depends_on_soil));
 }
 
-// Regolith is much alike all over the Moon; on Mars and Earth any drive depends on the choice.
+// Records the assumed soil, and warns where it matters: regolith is similar all over the Moon, but
+// on Mars and Earth every drive depends on the choice.
 void say_assumed_soil(MissionFiles& files) {
   if (!files.is_soil_assumed) return;
   const MissionInfo& mission = files.plan.mission;
@@ -98,14 +100,15 @@ bool is_near(const SoilPatch& patch, const Body& body, const Geodetic& place) {
   if (std::ranges::any_of(patch.lon_lat_deg, [&](const auto& c) { return corner_m(c) < near_m; })) {
     return true;
   }
-  // A patch may be larger than that.
+  // The place may lie inside a patch whose corners are farther away.
   const auto [west, east] = std::ranges::minmax(patch.lon_lat_deg | std::views::keys);
   const auto [south, north] = std::ranges::minmax(patch.lon_lat_deg | std::views::values);
   const double lon = lon_deg(place), lat = lat_deg(place);
   return lon >= west && lon <= east && lat >= south && lat <= north;
 }
 
-// Patches of soil that are all elsewhere, as with longitude and latitude exchanged.
+// Warns where all patches of soil are far from the rovers, as with longitude and latitude
+// exchanged.
 void say_far_patches(MissionFiles& files) {
   const TerrainSpec& terrain = files.terrain;
   const Body* body = files.plan.mission.planet;

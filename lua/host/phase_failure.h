@@ -1,4 +1,4 @@
-// What is said of an event's script that broke.
+// Messages for failed event scripts.
 #pragma once
 
 #include "lua/host/event_library.h"
@@ -7,13 +7,13 @@
 
 namespace lsos {
 
-// events/Route.lua:23: Route 'leg 2' in phase drive at 812.4 s: attempt to ...
-//   plan.kml:41: rover A at 25.0042 E, 89.4005 S (12.0, 40.1 m from the site), heading 12 deg, ...
-// and the traceback. `where`: "phase drive".
+// Message for a script that failed in `where` ("phase drive"), with the traceback:
+//   events/Route.lua:23: Route 'leg 2' in phase drive at 812.4 s: attempt to ...
+//     plan.kml:41: rover A: 12.0 m east, 40.1 m north of the site, heading 12.0 deg, ...
 std::string phase_failure(const LuaFailure& failure, const EventScript& script,
                           const std::string& where, const PhaseContext& context);
 
-// "heading 12.0 deg, 1.40 m/s, ...": what a rover does, for a message.
+// State of a rover for a message: "12.0 m east, 40.1 m north of the site, heading 12.0 deg, ...".
 std::string state_text(RoverPort& rover);
 
 }  // namespace lsos

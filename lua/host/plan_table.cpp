@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* usual_start = "2026-07-01T00:00:00Z";
 
-// Text of a field's value; absent: it cannot be one.
+// Text of a field's value; absent where the value cannot be a field.
 std::optional<std::string> field_text(lua_State* L, int index) {
   switch (lua_type(L, index)) {
     case LUA_TBOOLEAN:
@@ -49,11 +49,12 @@ std::optional<Vec3> point_at(lua_State* L, int index) {
 
 std::string coordinates(const SiteFrame& site, const Vec3& p_S_m) {
   const Geodetic at = site.geodetic(p_S_m);
-  // As precise as in the file that is written of it: the same plan, to the bit.
+  // The precision of the KML file that is written from the plan, so that both are the same plan to
+  // the bit.
   return fmt::format("{:.9f},{:.9f}", lon_deg(at), lat_deg(at));
 }
 
-// Leaves the stack as it was, whatever way it is left.
+// Restores the height of the Lua stack on leaving the scope.
 class KeptTop {
  public:
   explicit KeptTop(lua_State* L) : L_(L), top_(lua_gettop(L)) {}
@@ -112,7 +113,7 @@ class PlanTableReader {
     if (parked_log_interval_s) {
       set(mission, "ParkedLogInterval", fmt::format("{}", *parked_log_interval_s));
     }
-    // A mission made by hand that has no end is a mistake in it, to be seen within seconds.
+    // An interactive mission without an end is a mistake in it, which should show within seconds.
     constexpr double longest_s = 86'400;
     set(mission, "MaxDuration", fmt::format("{}", max_duration_s.value_or(longest_s)));
     for_each_named(t, required, "rovers", "Id = { type = 'SEV', at = {0, 0}, events = {...} }",
@@ -148,7 +149,7 @@ class PlanTableReader {
   }
 
  private:
-  // The value is at the top.
+  // Reads the entry `key` of an event, whose value is at the top.
   void read_entry(const std::string& type, const std::string& key, const SiteFrame& site,
                   SourcePlacemark& placemark) {
     const KeptTop kept(L_);
@@ -260,7 +261,7 @@ class PlanTableReader {
     t.finish();
   }
 
-  // Of the list at the top.
+  // Reads the events in the list at the top.
   void read_events(const std::string& rover_id, const SiteFrame& site, KmlSource& source) {
     const KeptTop kept(L_);
     const int list = lua_gettop(L_);
@@ -313,8 +314,8 @@ class PlanTableReader {
     placemark.geometries.push_back({"Point", coordinates(site, p_m), place_.line});
   }
 
-  // Runs read(name) for each entry of the table of tables at `key`, in byte order, with it at the
-  // top.
+  // Calls read(name) for each entry of the table of tables at `key`, in byte order, with the entry
+  // at the top.
   template <class Read>
   void for_each_named(TableReader& t, Need need, const char* key, const char* doc,
                       const Read& read) {

@@ -1,4 +1,4 @@
-// Plans and events that scripts give as tables.
+// Reads plans and events that scripts give as tables.
 #pragma once
 
 #include <lua.hpp>
@@ -12,20 +12,20 @@
 namespace lsos {
 
 struct PlanTable {
-  KmlSource source;  // as if it had been drawn on a map
-  std::string soil;  // that the terrain is made of in place of its own; "": its own
+  KmlSource source;  // the plan as if it had been drawn on a map
+  std::string soil;  // replaces the terrain's soil; "": its own
 };
 
-// Reads the table at `index`: { planet = , terrain = , rovers = { A = { type = , events = {...} } }
-// }. `place` is where it stands, for messages. Throws InputError with all faults.
+// Reads the plan at `index`: { planet = , terrain = , rovers = { A = { type = , events = {...} } }
+// }. `place`: where the table stands, for messages. Throws InputError with all faults.
 PlanTable read_plan_table(lua_State* L, int index, const Place& place);
 
 // Reads the event at `index`: { 'Route', path = {...}, Speed = '2 km/h' }; names that begin with a
-// capital are fields of the event. Waypoints: vec3 or { east_m, north_m } in the site's frame.
+// capital are fields of the event. Waypoints are vec3 or { east_m, north_m } in the site's frame.
 SourcePlacemark read_event_table(lua_State* L, int index, const SiteFrame& site,
                                  const Place& place);
 
-// The same map as KML.
+// The plan as KML.
 std::string kml_of(const KmlSource& source);
 
 }  // namespace lsos

@@ -14,12 +14,12 @@ MissionFiles mission_of_run(const std::string& folder,
   if (!run.contains("seed") || !run.contains("plan_sha256")) {
     throw InputError({}, folder + ": its log does not say what was run");
   }
-  const std::uint64_t seed = std::stoull(run.at("seed"));  // it may have been an option
+  const std::uint64_t seed = std::stoull(run.at("seed"));  // may have been given as an option
   const auto summary =
       nlohmann::json::parse(read_file(folder + "/summary.json").value_or("{}"), nullptr, false);
   if (summary.is_object() && summary.contains("plan") && summary["plan"].is_string()) {
     const std::string original = summary["plan"].get<std::string>();
-    std::error_code unreadable;  // in a folder that may not be entered
+    std::error_code unreadable;  // as in a folder that may not be entered
     if (std::filesystem::is_regular_file(original, unreadable)) {
       MissionFiles files = read_mission(original, seed);
       if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;

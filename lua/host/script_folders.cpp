@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 std::vector<ScriptFolder> script_folders(const std::string& plan_file, const std::string& lsos_path,
                                          const std::string& shipped_folder) {
   std::vector<ScriptFolder> folders;
-  // A folder that comes twice counts where it comes first.
+  // A folder that occurs twice counts at its first place.
   const auto add = [&](const std::string& folder, const std::string& shown) {
     std::error_code is_absent;
     for (const ScriptFolder& earlier : folders) {

@@ -8,7 +8,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-// With the events that these are made of.
+// Adds an event with the events that it is composed of.
 void add_event(const Declarations& declarations, const std::string& name, Names& names) {
   if (name.empty() || !names.insert(name).second) return;
   const auto found = declarations.events.find(name);
@@ -65,7 +65,7 @@ void add_script_warnings(const Catalog& catalog, const ScriptUse& use, Faults& f
   }
   const std::vector<Fault> known = faults.sorted();
   for (const Fault& fault : catalog.faults().sorted()) {
-    // What the plan names and cannot have is an error already.
+    // A script that the plan names and that is broken has been reported as an error.
     const bool is_known = std::ranges::any_of(known, [&](const Fault& k) {
       return k.place == fault.place && fault.what.ends_with(k.what);
     });

@@ -1,4 +1,4 @@
-// Which of all scripts that are found a plan uses.
+// Determines which of the scripts found are used by a plan.
 #pragma once
 
 #include <set>
@@ -18,12 +18,12 @@ class ScriptUse {
 
  private:
   std::set<std::string> events_, rovers_, terrains_, soils_;
-  // What a broken script names is not known: it may be any.
+  // The scripts that a broken script names are not known; they may be any.
   bool is_any_event_ = false, is_any_soil_ = false;
 };
 
-// Adds a warning for each script that the plan uses in place of another, and for what keeps one
-// from being used. Scripts that only lie there are no matter.
+// Adds warnings for scripts that the plan uses and that hide another or are broken. Scripts that
+// the plan does not use are ignored.
 void add_script_warnings(const Catalog& catalog, const ScriptUse& use, Faults& faults);
 
 }  // namespace lsos

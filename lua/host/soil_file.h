@@ -1,4 +1,4 @@
-// A soil from a file of the user's, for instruments that take one.
+// Reads a soil from a user's file, for instruments that take one.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace lsos {
 
-// A Lua file that returns lsos.soil {...} or a plain table with the same keys. Throws InputError.
+// Reads a Lua file that returns lsos.soil {...} or a plain table with the same keys. Throws
+// InputError.
 Soil read_soil_file(const std::string& file);
 
 }  // namespace lsos

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* example = "battery.capacity_j = 60 kWh; cruise_speed_mps = 1.5";
 
-// A table of tables and values in Lua.
+// A value, or a table of nodes, to be written in Lua.
 struct Node {
   std::string value;  // "" for a table
   std::map<std::string, Node> parts;
@@ -43,7 +43,7 @@ bool is_name(const std::string& text) {
 
 Parsed<std::string> value_of(const std::string& key, const std::string& text);
 
-// "0, 0, 1.2", but neither "144,000,000" nor "true, 0, 1".
+// Whether the text is a vector: "0, 0, 1.2", but neither "144,000,000" nor "true, 0, 1".
 bool is_vector(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   const auto is_group = [](const std::string& part) {
@@ -57,7 +57,7 @@ bool is_vector(const std::string& text) {
          !(is_group(parts[1]) && is_group(parts[2]));
 }
 
-// "0, 0, 1.2", each in the unit of the key.
+// Vector such as "0, 0, 1.2", each number in the unit of the key.
 Parsed<std::string> vector_of(const std::string& key, const std::string& text) {
   std::vector<std::string> values;
   for (const std::string& part : split(text, ',')) {
@@ -79,14 +79,15 @@ Parsed<std::string> value_of(const std::string& key, const std::string& text) {
   const Parsed<double> number = parse_quantity(text, own == nullptr ? *find_unit("1") : *own);
   if (number) return {fmt::format("{}", *number.value), ""};
   if (own != nullptr) return {{}, number.why};
-  // A key without its unit, as in capacity = 60 kWh: the rover's script says what it is called.
+  // A quantity for a key written without its unit, as in capacity = 60 kWh, is passed on as a text:
+  // lsos.derive then reports the key's real name.
   const bool has_unit = std::ranges::any_of(
       all_units(), [&](const Unit& unit) { return parse_quantity(text, unit).value.has_value(); });
   if (has_unit) return {lua_text(text), ""};
   return {{}, number.why};
 }
 
-// Adds "a.b = value"; "" or what is wrong with it.
+// Adds the change "a.b = value"; returns its fault or "".
 std::string add(const std::string& change, Node& root) {
   const std::size_t equals = change.find('=');
   if (equals == std::string::npos) {

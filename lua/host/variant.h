@@ -1,4 +1,4 @@
-// A plan's Variant: changes to the numbers of a rover's script, as a planner writes them.
+// Reads a plan's Variant: changes to the numbers of a rover's script, as a planner writes them.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace lsos {
 
-// "battery.capacity_j = 60 kWh; panels.Roof.efficiency = 0.32; can_crab = false": keys of the
-// rover's script, those of its parts behind a point, each with a number (with a unit of the key's
-// kind, else in the key's own), true, false or a text in quotes. The answer is the table of
-// lsos.derive in Lua.
+// Reads "battery.capacity_j = 60 kWh; panels.Roof.efficiency = 0.32; can_crab = false": keys of the
+// rover's script, those of its parts behind a point, each with a number (in a unit of the key's
+// kind, or in the key's own unit if none is given), true, false or a text in quotes. Returns the
+// table of lsos.derive in Lua.
 Parsed<std::string> variant_table(const std::string& text);
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// What the program calls itself.
+// Version of the program.
 #pragma once
 
 namespace lsos {

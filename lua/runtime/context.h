@@ -1,4 +1,4 @@
-// What our C functions must know of the world they are called in; one a lua_State.
+// Context of the C++ functions that scripts call; one for each lua_State.
 #pragma once
 
 #include <cstddef>
@@ -19,40 +19,40 @@ struct lua_State;
 
 namespace lsos {
 
-// What scripts may use up. The budget of instructions is per call and also pays for long work
-// inside C functions; the memory is that of the whole state. The processor's time is a last resort:
+// Budgets of scripts. The instructions are counted per call, and long work inside C functions is
+// charged to them too; the memory is that of the whole state. The processor time is a last resort:
 // only instructions that take a hundred times as long as others, such as % of numbers far apart,
-// spend it first. What the engine does for a script, planning and making ground and sky, is not
-// counted there.
+// exhaust it first. It does not count the engine's work for a script, such as planning or
+// generating ground and sky.
 struct Limits {
   std::int64_t instructions = 3'000'000;
   std::size_t memory_bytes = std::size_t{256} << 20;
   double cpu_s = 0.5;
 };
 
-// What one call may allocate, whether it keeps it or not.
+// Bytes that one call may allocate per instruction of its budget, kept or not.
 inline constexpr std::int64_t bytes_per_instruction = 40;
 
-// What one phase call may write into the log.
+// Notes that one phase call may write into the log.
 inline constexpr int notes_max = 1000;
 inline constexpr std::size_t note_bytes_max = std::size_t{1} << 20;
 
-// The phase call that is going on.
+// The phase call that is running.
 struct EventCall {
   const EventDeclaration& declaration;
   const EventArguments& arguments;
   ScriptInstance instance;
   PhaseContext& phase;
-  std::optional<RandomStream>& random;  // made at its first use
+  std::optional<RandomStream>& random;  // created at its first use
 };
 
-// Rovers of a simulation that a script has in hand: they may be asked and told things though no
-// phase of theirs runs. Their handles have ids below 0.
+// Rovers of an interactive simulation, which a script may query and command though no phase of
+// theirs runs. Their handles have ids below 0.
 class RoversInHand {
  public:
   virtual ~RoversInHand() = default;
   virtual RoverPort& rover(ScriptInstance handle) = 0;
-  // A line of `print` or `help`.
+  // Prints a line of `print` or `help`.
   virtual void say(const std::string& text) = 0;
 };
 
@@ -61,43 +61,45 @@ struct LuaContext {
 
   Limits limits;
   ScriptMemory memory;
-  // A script's call is going on; otherwise nothing is charged.
+  // Whether a script's call is running; otherwise nothing is charged.
   bool is_charging = false;
   std::int64_t instructions_max = 0, instructions_left = 0;  // of the call
-  std::optional<double> cpu_end_s;  // of the call, by cpu_now_s(); set at its first look
-  // What the call has written into the log.
+  std::optional<double> cpu_end_s;  // of the call, by cpu_now_s(); set at the first check
+  // Notes that the call has written into the log.
   int notes = 0;
   std::size_t note_bytes = 0;
-  // Where there is one, of a prompt: whether the user wants what runs to stop.
+  // Set at a prompt: whether the user wants the running script to stop.
   bool (*is_stop_wanted)() = nullptr;
 
-  // Set when a budget is spent: the message, with the script's line. No script may catch that.
+  // Set when a budget is spent: the message, with the script's line. No script may catch this
+  // error.
   std::string spent;
 
-  // A fault of ours that travels through Lua as an error.
+  // A C++ exception that travels through Lua as an error and is no fault of the script.
   std::exception_ptr internal_error;
-  // Of the call that failed last.
+  // Traceback of the last call that failed.
   std::string traceback;
-  // What the last EquipmentFault of the call said, which travels through Lua as an error.
+  // Message of the call's last EquipmentFault, which travels through Lua as an error.
   std::optional<std::string> equipment_fault;
 
   Faults* load_faults = nullptr;  // while a script loads
-  // While scripts of rovers/ load: all that there are, the bases whose scripts run now, and those
-  // that have run since this was last empty.
+  // While scripts of rovers/ load: all scripts, the bases whose scripts are running, and the bases
+  // that have run since the set was last cleared.
   const std::vector<Script>* scripts = nullptr;
   std::vector<std::string> deriving;
   std::set<std::string> bases;
-  std::vector<std::string> doubts;  // changes that are likely to be slips
+  std::vector<std::string> doubts;  // changes that are likely to be mistakes
   const EventCall* call = nullptr;  // while a phase runs
-  RoversInHand* in_hand = nullptr;  // of a prompt or a scenario
+  RoversInHand* in_hand = nullptr;  // at a prompt or in a scenario
 };
 
 LuaContext& context(lua_State* L);
 
-// Time that this thread has had of a processor.
+// Processor time of this thread, s.
 double cpu_now_s();
 
-// While it lives the engine works for a script, as long as that takes: planning, making ground.
+// Marks work of the engine for a script, such as planning or generating ground, which does not
+// count against the script's processor time.
 class EngineWork {
  public:
   explicit EngineWork(lua_State* L) : context_(context(L)), begin_s_(cpu_now_s()) {}
@@ -112,16 +114,17 @@ class EngineWork {
   double begin_s_;
 };
 
-// The running phase call. Throws std::runtime_error naming `what` when there is none.
+// The running phase call. Throws std::runtime_error that names `what` when there is none.
 const EventCall& running_call(lua_State* L, const char* what);
 
-// Takes `instructions` off the budget for work that no count hook sees. Raises when it is spent.
+// Takes `instructions` off the budget for work that no count hook sees. Raises an error when the
+// budget is spent.
 void charge(lua_State* L, std::int64_t instructions);
-// The same for handling that many bytes in C.
+// Charges for handling `bytes` bytes in C.
 void charge_bytes(lua_State* L, std::size_t bytes);
 
-// Writes a row of the phase that runs into the log's notes. Throws std::runtime_error beyond what
-// one call may write.
+// Writes a note of the running phase into the log. Throws std::runtime_error beyond the number and
+// size that one call may write.
 void write_note(lua_State* L, const EventCall& call, const std::string& name,
                 const std::string& fields_json);
 

@@ -12,7 +12,7 @@ constexpr std::size_t locals_max = 100;
 constexpr std::size_t entries_max = 1000;  // of all tables
 constexpr int tables_deep = 3;
 
-// Adds the function at the top to the list at `list` once; pops it.
+// Adds the function at the top to the list at `list`, once; pops it.
 void add_function(lua_State* L, int list) {
   lua_pushvalue(L, -1);
   const bool is_known = lua_rawget(L, list) != LUA_TNIL;
@@ -25,8 +25,9 @@ void add_function(lua_State* L, int list) {
   lua_rawset(L, list);
 }
 
-// Calls what() with each function and table in the table at the top, itself at the top, in an order
-// that is the same in every process: texts by bytes, then whole numbers. Others have none.
+// Calls what() with each function and table in the table at the top, each at the top. The order is
+// the same in every process: text keys by bytes, then whole numbers. Other keys have no such order
+// and are skipped.
 template <class What>
 void for_each_part(lua_State* L, const What& what) {
   const int table = lua_gettop(L);
@@ -57,8 +58,8 @@ void for_each_part(lua_State* L, const What& what) {
   }
 }
 
-// Gives the table at `index` the metatable at the top, or none for nil; pops it. A '__gc' that it
-// may have by now is not seen: it would run without a budget.
+// Sets the metatable of the table at `index` to the one at the top, or to none for nil; pops it. A
+// '__gc' that was added to the metatable since is hidden from Lua: it would run without a budget.
 void set_metatable(lua_State* L, int index) {
   if (!lua_istable(L, -1)) {
     lua_setmetatable(L, index);
@@ -80,7 +81,8 @@ void set_metatable(lua_State* L, int index) {
   lua_settop(L, metatable - 1);
 }
 
-// Those in the table at the top, which stays, and behind it.
+// Adds the functions in the table at the top, which stays, and in the tables and metatables that it
+// leads to.
 void add_functions(lua_State* L, int list, int deep) {
   for_each_part(L, [&] {
     if (lua_isfunction(L, -1)) {
@@ -94,8 +96,8 @@ void add_functions(lua_State* L, int list, int deep) {
   lua_pop(L, 1);
 }
 
-// Whether the table at the top is empty and protected: what libraries have is behind them, and they
-// cannot be written to.
+// Whether the table at the top is empty and protected. Libraries are such tables: their contents
+// are behind them, and they cannot be written to.
 bool is_library(lua_State* L) {
   if (luaL_getmetafield(L, -1, "__metatable") == LUA_TNIL) return false;
   lua_pop(L, 1);
@@ -105,7 +107,7 @@ bool is_library(lua_State* L) {
   return false;
 }
 
-// Not-a-number is what it was when it is one still.
+// Whether two values are the same; not-a-number counts as equal to itself.
 bool are_same(lua_State* L, int a, int b) {
   if (lua_type(L, a) != lua_type(L, b)) return false;
   return lua_rawequal(L, a, b) != 0 || (lua_rawequal(L, a, a) == 0 && lua_rawequal(L, b, b) == 0);

@@ -14,8 +14,9 @@ namespace lsos {
 
 namespace {
 
-// Its address is the key of the HandleType in a metatable; that of a HandleType the key of its
-// metatable in the registry: no text is to be made to look them up.
+// Keys are addresses, so that a look-up creates no text: the address of `type_key` is the key of
+// the HandleType in a metatable, and the address of a HandleType is the key of its metatable in the
+// registry.
 constexpr char type_key = 0;
 
 const HandleType& type_of_closure(lua_State* L) {
@@ -78,7 +79,7 @@ void push_metatable(lua_State* L, const HandleType& type) {
   lua_setfield(L, -2, "__metatable");
   lua_pushstring(L, type.name);
   lua_setfield(L, -2, "__name");  // for Lua's own messages
-  // Last: should memory end before, it is made anew.
+  // This is done last: if memory runs out before, the metatable is built anew next time.
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &type);
 }

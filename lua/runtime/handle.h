@@ -1,5 +1,5 @@
-// Objects of the host in scripts: `ev`, `rover`, `rover.drive`. A handle holds the id of its event,
-// no pointer; it answers only while that event's phase runs. Fields are read-only.
+// Objects of the host that scripts use: `ev`, `rover`, `rover.drive`. A handle holds the id of its
+// event and no pointer; it works only while a phase of that event runs. Fields are read-only.
 #pragma once
 
 #include <lua.hpp>
@@ -29,12 +29,12 @@ struct HandleType {
   const char* doc;
   std::vector<HandleField> fields;
   std::vector<HandleMethod> methods;
-  lua_CFunction write = nullptr;  // __newindex; absent: everything is refused
-  const char* is_a = "";          // what it is besides, as the Lua language server writes it
+  lua_CFunction write = nullptr;  // __newindex; absent: every write is refused
+  const char* is_a = "";          // its base class, as the Lua language server writes it
 };
 
 const HandleType& event_handle_type();
-// What ev.geometry has beside its waypoints.
+// Fields and methods of ev.geometry besides its waypoints.
 const HandleType& geometry_type();
 const HandleType& rover_handle_type();
 const HandleType& drive_handle_type();
@@ -45,30 +45,30 @@ const HandleType& antennas_handle_type();
 // Pushes a handle (with one user value) of an event.
 void push_handle(lua_State* L, const HandleType& type, ScriptInstance instance);
 
-// Of a handle; nullptr when the value at `index` is none.
+// Type of the handle at `index`; nullptr when the value there is no handle.
 const HandleType* handle_type(lua_State* L, int index);
 
-// Its id. Throws std::runtime_error when argument 1 is another object.
+// Id of the handle at argument 1. Throws std::runtime_error when it is another object.
 ScriptInstance handle_id(lua_State* L, const HandleType& type);
 
-// The rover that the handle at argument 1 belongs to: of the running event, or one in hand. Throws
-// as handle_call().
+// The rover that the handle at argument 1 belongs to: that of the running event, or one of an
+// interactive simulation. Throws as handle_call().
 RoverPort& handle_rover(lua_State* L, const HandleType& type);
 
-// The call that the handle at argument 1 belongs to. Throws std::runtime_error when it is another
-// object, or one of an event that is not running now.
+// The running call that the handle at argument 1 belongs to. Throws std::runtime_error when it is
+// another object, or belongs to an event that is not running now.
 const EventCall& handle_call(lua_State* L, const HandleType& type);
 
 // Throws "ev has no 'sate'; did you mean 'state'?".
 [[noreturn]] void refuse_handle_key(const HandleType& type, const char* key);
 
-// NaN, a quantity that is not modelled, is nil for scripts.
+// Pushes a number, or nil for NaN, which stands for a quantity that is not modelled.
 void push_quantity(lua_State* L, double value);
 
-// The read-only view of the event's waypoints (geometry_view.cpp).
+// Pushes the read-only view of the event's waypoints (geometry_view.cpp).
 void push_geometry(lua_State* L, ScriptInstance instance);
 
-// The event's arguments if the value at `index` is that view, else nullptr. Throws
+// The event's arguments if the value at `index` is ev.geometry, else nullptr. Throws
 // std::runtime_error when it belongs to an event that is not running now.
 const EventArguments* to_geometry(lua_State* L, int index);
 

@@ -21,8 +21,8 @@ using nlohmann::json;
 constexpr int depth_max = 20;
 constexpr std::int64_t instructions_per_value = 20;
 
-// One table on its way into the log. A table may come twice, so that what it grows to is bounded
-// besides the depth.
+// Converts one table for the log. A table may occur in several places, so the size of the result is
+// bounded as well as its depth.
 class Writer {
  public:
   explicit Writer(lua_State* state) : L_(state) {}
@@ -56,7 +56,7 @@ class Writer {
         fmt::format("{}: more than {} KiB in one note", path, note_bytes_max >> 10));
   }
 
-  // JSON has no infinity and no not-a-number.
+  // JSON has no infinity and no not-a-number; they become null.
   json number(int index) {
     if (lua_isinteger(L_, index)) return lua_tointeger(L_, index);
     const double value = lua_tonumber(L_, index);
@@ -89,7 +89,7 @@ class Writer {
     return list;
   }
 
-  // It has no other key: that would be lost. Of several the first in order is named.
+  // Throws where a list has other keys, which would be lost; the first in order is named.
   void check_list(int index, const std::string& path, lua_Integer length) {
     std::optional<std::string> other;
     lua_pushnil(L_);
@@ -118,7 +118,7 @@ class Writer {
       }
     }
     json object = json::object();
-    push_sorted_keys(L_, index);  // so that the same fault is found first each time
+    push_sorted_keys(L_, index);  // the same fault is then found first each time
     const auto count = static_cast<lua_Integer>(lua_rawlen(L_, -1));
     for (lua_Integer i = 1; i <= count; ++i, lua_pop(L_, 2)) {
       lua_rawgeti(L_, -1, i);

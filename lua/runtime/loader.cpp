@@ -11,7 +11,7 @@ namespace lsos {
 
 namespace {
 
-// The main chunk alone says no more than the message's place.
+// A traceback of the main chunk alone adds nothing to the message's place and is dropped.
 std::string useful_traceback(const std::string& traceback) {
   const auto is_chunk_only = std::ranges::count(traceback, '\n') <= 3;
   return is_chunk_only ? "" : "\n" + traceback;

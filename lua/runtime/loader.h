@@ -1,4 +1,4 @@
-// Runs a script file in its own environment and takes what it returns.
+// Runs a script file in its own environment and returns what it returns.
 #pragma once
 
 #include <lua.hpp>
@@ -8,11 +8,11 @@
 
 namespace lsos {
 
-// Pushes what the script returned, or collects the faults, pushes nothing and returns false.
+// Pushes what the script returned. On faults, collects them, pushes nothing and returns false.
 bool run_script(lua_State* L, const Script& script, Faults& faults);
 
-// Pushes what the script returned, made by lsos.`kind`, and returns it; or collects the faults,
-// pushes nothing and returns nullptr.
+// Pushes what the script returned, which lsos.`kind` must have made, and returns it. On faults,
+// collects them, pushes nothing and returns nullptr.
 const Made* load_script(lua_State* L, const Script& script, const char* kind, Faults& faults);
 
 }  // namespace lsos

@@ -11,10 +11,10 @@ namespace lsos {
 
 namespace {
 
-// Its address is the key of the metatable in the registry: no text is to be made to look it up.
+// Its address is the key of the metatable in the registry, so that a look-up creates no text.
 constexpr char metatable_key = 0;
 
-// For the metatable's own functions, which scripts cannot get hold of.
+// The value without a check: only for the metatable's own functions, which scripts cannot reach.
 Made& made_at(lua_State* L, int index) { return *static_cast<Made*>(lua_touserdata(L, index)); }
 
 int collect(lua_State* L) {
@@ -46,7 +46,7 @@ void push_metatable(lua_State* L) {
   lua_setfield(L, -2, "__metatable");
   lua_pushstring(L, "lsos object");
   lua_setfield(L, -2, "__name");  // for Lua's own messages
-  // Last: should memory end before, it is made anew.
+  // This is done last: if memory runs out before, the metatable is built anew next time.
   lua_pushvalue(L, -1);
   lua_rawsetp(L, LUA_REGISTRYINDEX, &metatable_key);
 }

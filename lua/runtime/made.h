@@ -1,4 +1,4 @@
-// What constructors make: a C++ value that scripts can hold and pass on, but not look into.
+// Values that constructors make: C++ values that scripts can hold and pass on, but not inspect.
 #pragma once
 
 #include <any>
@@ -15,13 +15,13 @@ struct Made {
   std::any value;
 };
 
-// Pushes it as userdata with one user value.
+// Pushes the value as userdata with one user value.
 void push_made(lua_State* L, Made made);
 
-// nullptr when the value at `index` is something else.
+// The value at `index`; nullptr when something else is there.
 const Made* to_made(lua_State* L, int index);
 
-// "a wheel", "a number", "nothing": for messages.
+// Noun for a message: "a wheel", "a number", "nothing".
 std::string describe(lua_State* L, int index);
 
 }  // namespace lsos

@@ -46,7 +46,7 @@ bool is_in_class(int c, int name) {
     case 'x':
       is = std::isxdigit(c) != 0;
       break;
-    case 'z':  // of old patterns
+    case 'z':  // deprecated in Lua
       is = c == 0;
       break;
     default:
@@ -102,7 +102,7 @@ PatternMatcher::Capture PatternMatcher::capture(int number, std::size_t begin,
   return {from, static_cast<std::size_t>(part.length)};
 }
 
-// Past the single-character class that begins at `p`: c . %a [set].
+// Position past the single-character class that begins at `p`: c . %a [set].
 const char* PatternMatcher::class_end(const char* p) {
   const char first = *p++;
   if (first == escape) {
@@ -120,7 +120,7 @@ const char* PatternMatcher::class_end(const char* p) {
   return p + 1;
 }
 
-// `p` at '[', `last` at ']'.
+// `p` is at '[', `last` at ']'.
 bool PatternMatcher::is_in_set(unsigned char c, const char* p, const char* last) {
   const char* begin = p;
   bool is_listed = false;
@@ -222,7 +222,8 @@ const char* PatternMatcher::match_captured(const char* s, char digit) {
   return is_equal ? s + part.length : nullptr;
 }
 
-// %f[set] at `p`, the set: between a character outside it and one inside.
+// Matches the frontier %f[set], with `p` at the set: a position between a character outside it and
+// one inside.
 const char* PatternMatcher::match_frontier(const char* s, const char* p, const char*& next) {
   if (pattern_at(p) != '[') throw PatternError("missing '[' after '%f' in pattern");
   next = class_end(p);
@@ -232,7 +233,8 @@ const char* PatternMatcher::match_frontier(const char* s, const char* p, const c
   return is_frontier ? s : nullptr;
 }
 
-// A class and what follows it. Goes on: with the pattern at `next`, from where it answers.
+// Matches a class with its suffix. `goes_on`: matching continues with the pattern at `next`, from
+// the returned position of the subject.
 const char* PatternMatcher::match_one(const char* s, const char* p, bool& goes_on,
                                       const char*& next) {
   const char* end = class_end(p);

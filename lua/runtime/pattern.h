@@ -1,9 +1,9 @@
-// Lua's text patterns on plain text, each step of the matcher counted. The matcher backtracks: a
-// short pattern can take longer than any mission, so that whoever calls must be able to stop it.
+// Lua's text patterns on plain text, with each step of the matcher counted. The matcher backtracks,
+// so that a short pattern can take longer than any mission; the caller must be able to stop it.
 //
 // A port of the matcher in lstrlib.c of Lua 5.4, Copyright (C) 1994-2022 Lua.org, PUC-Rio, by
 // Roberto Ierusalimschy, Luiz Henrique de Figueiredo and Waldemar Celes, under the MIT licence:
-// https://www.lua.org/license.html. It finds, captures and refuses what that does.
+// https://www.lua.org/license.html. It finds, captures and refuses the same as that matcher.
 #pragma once
 
 #include <array>
@@ -16,33 +16,33 @@
 
 namespace lsos {
 
-// "malformed pattern (missing ']')" and the like, in Lua's words.
+// Error in a pattern, in Lua's words: "malformed pattern (missing ']')".
 class PatternError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 class PatternMatcher {
  public:
-  // Told now and then how many steps were made since; may throw, to stop.
+  // Called at intervals with the number of steps since the last call; may throw, to stop.
   using Counter = std::function<void(std::int64_t steps)>;
 
-  // `pattern` without an anchor at its beginning; both texts must outlive this.
+  // `pattern` has no anchor at its beginning; both texts must outlive this object.
   PatternMatcher(std::string_view subject, std::string_view pattern, Counter counter);
 
-  // Whether the pattern matches at that place of the subject: where the match ends. Throws
+  // End of the match that begins at `begin`; absent where the pattern does not match there. Throws
   // PatternError.
   std::optional<std::size_t> match_at(std::size_t begin);
-  // Tells the counter of the steps that it has not heard of.
+  // Reports the remaining steps to the counter.
   void tell_steps();
 
-  // Of the last match.
+  // Number of captures of the last match.
   int capture_count() const { return level_; }
   struct Capture {
     std::size_t begin = 0;
     std::optional<std::size_t> length;  // absent: the position itself was captured
   };
-  // `number` from 0; a pattern without captures has its whole match begin..end as the first.
-  // Throws PatternError.
+  // Capture `number`, from 0. Without captures in the pattern, number 0 is the whole match
+  // begin..end. Throws PatternError.
   Capture capture(int number, std::size_t begin, std::size_t end) const;
 
  private:
@@ -77,7 +77,7 @@ class PatternMatcher {
   std::array<Part, captures_max> parts_;
 };
 
-// No character of it has a meaning of its own.
+// Whether no character of the pattern has a special meaning.
 bool is_plain_pattern(std::string_view pattern);
 
 }  // namespace lsos

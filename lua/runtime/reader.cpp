@@ -130,7 +130,8 @@ bool TableReader::check(const char* key, double value, const Range& range) {
   return false;
 }
 
-// "mode = 'tarck': 'fixed', 'point' or 'track' is wanted; did you mean 'track'?"
+// Adds a fault for an unknown word: "mode = 'tarck': 'fixed', 'point' or 'track' is wanted; did you
+// mean 'track'?"
 void TableReader::check_word(const char* key, const std::string& word,
                              const std::vector<std::string>& names) {
   if (std::ranges::find(names, word) != names.end()) return;

@@ -22,7 +22,7 @@
 
 namespace lsos {
 
-// Numbers in SI that a key may have.
+// Range of a key's number, in SI.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -35,7 +35,7 @@ inline constexpr Range fraction{0, 1};
 
 enum Need { optional, required };
 
-// One key as documentation shows it.
+// A key as the documentation shows it.
 struct KeyDoc {
   std::string key;
   std::string type;  // "number, m, above 0"
@@ -45,9 +45,9 @@ struct KeyDoc {
 
 class TableReader {
  public:
-  // Faults are collected as "WHAT: ..." at `place`. `what` is as a script author calls it: "wheel".
+  // Faults are collected as "WHAT: ..." at `place`. `what`: name of the constructor, "wheel".
   TableReader(lua_State* L, int index, std::string what, Place place, Faults& faults);
-  // Reads nothing, lists the keys.
+  // Reads no table; lists the keys.
   explicit TableReader(std::vector<KeyDoc>& keys);
 
   void number(Need, const char* key, std::optional<double>& value, const Range&, const char* doc);
@@ -56,7 +56,7 @@ class TableReader {
   void boolean(Need, const char* key, std::optional<bool>& value, const char* doc);
   void text(Need, const char* key, std::optional<std::string>& value, const char* doc);
   void vec3(Need, const char* key, std::optional<Vec3>& value, const char* doc);
-  // The same for members with a default of their own: left alone when the key is absent or wrong.
+  // Overloads for members with a default of their own, which stays when the key is absent or wrong.
   void number(Need need, const char* key, double& value, const Range& range, const char* doc) {
     assign(value, [&](auto& found) { number(need, key, found, range, doc); });
   }
@@ -73,7 +73,7 @@ class TableReader {
   void vec3(Need need, const char* key, Vec3& value, const char* doc) {
     assign(value, [&](auto& found) { vec3(need, key, found, doc); });
   }
-  // One of some words, each with what it means.
+  // A key whose text is one of some words; each word maps to a value.
   template <class T, std::size_t count>
   void word(Need need, const char* key, const std::pair<const char*, T> (&words)[count], T& value,
             const char* doc) {
@@ -88,32 +88,33 @@ class TableReader {
     check_word(key, *found, names);
   }
   void numbers(Need, const char* key, std::vector<double>& value, const Range&, const char* doc);
-  // One that is required must not be empty.
+  // A required list must not be empty.
   void texts(Need, const char* key, std::vector<std::string>& value, const char* doc);
-  // api = 1
+  // Reads api = 1.
   void api_version();
 
-  // What the constructor lsos.KIND made; leaves `value` alone when absent or of another kind.
+  // Reads a value made by the constructor lsos.KIND; leaves `value` unchanged when the key is
+  // absent or the value is of another kind.
   template <class T>
   void made(Need need, const char* key, const char* kind, T& value, const char* doc) {
     if (const Made* found = made_value(need, key, kind, doc))
       value = std::any_cast<T>(found->value);
   }
-  // An array of them.
+  // Reads an array of such values.
   template <class T>
   void list(Need need, const char* key, const char* kind, std::vector<T>& value, const char* doc) {
     made_list(need, key, kind, doc,
               [&](const Made& found) { value.push_back(std::any_cast<T>(found.value)); });
   }
 
-  // For what has no function above: pushes the value (nil when absent) and returns true, or pushes
-  // nothing and returns false when there is no table. The key then counts as known. Metatables of
-  // the table are not asked: they could run a script outside its budgets.
+  // For types without a function above: pushes the key's value (nil when absent) and returns true;
+  // without a table it pushes nothing and returns false. The key then counts as known. The table is
+  // read raw, since its metatables could run a script outside its budgets.
   bool take(Need need, const char* key, const char* type, const char* doc);
 
   // Adds the fault "WHAT: text".
   void fault(const std::string& text);
-  // Adds the faults of keys that nothing asked for.
+  // Adds a fault for each key of the table that was not read.
   void finish();
 
   lua_State* L() const { return L_; }
@@ -145,14 +146,14 @@ class TableReader {
   std::vector<std::string> known_;
 };
 
-// The faults of the script that is loading. Throws std::runtime_error when none is:
-// "lsos.wheel works only while a script loads".
+// Faults of the script that is loading. Throws std::runtime_error when none is loading: "lsos.wheel
+// works only while a script loads".
 Faults& load_faults(lua_State* L, const char* constructor);
 
-// "; did you mean 'speed_mps'?" for 'speed': a key whose unit was forgotten, else the nearest key.
+// "; did you mean 'speed_mps'?" for 'speed': a key whose unit was left out, else the nearest key.
 std::string suggest_key(std::string_view key, std::span<const std::string> known);
 
-// The unit that a key's suffix names: "m/s" for "speed_mps", "" for none.
+// Unit in a key's suffix: "m/s" for "speed_mps", "" for none.
 std::string si_unit_of(std::string_view key);
 
 }  // namespace lsos

@@ -13,10 +13,11 @@ namespace lsos {
 
 namespace {
 
-// Taken from Lua as they are.
+// Functions taken from Lua unchanged.
 constexpr const char* base_functions[] = {"assert", "error",  "ipairs", "rawequal",
                                           "rawget", "rawlen", "select", "type"};
-// Absent from libraries: what is not repeatable (random, randomseed) and binary code (dump).
+// Functions removed from libraries: those that are not repeatable (random, randomseed) and those
+// for binary code (dump).
 constexpr const char* math_absent[] = {"random", "randomseed"};
 constexpr const char* string_absent[] = {"dump"};
 

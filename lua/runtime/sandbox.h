@@ -1,4 +1,4 @@
-// What scripts can reach: an allow list of Lua's own functions, some of them replaced so that no
+// Functions that scripts can reach: an allow list of Lua's own, some of them replaced so that no
 // script can hang the program, read an address, or see an order that differs from run to run.
 #pragma once
 
@@ -6,12 +6,12 @@
 
 namespace lsos {
 
-// Makes the shared, read-only libraries. Once a state, before any script.
+// Makes the shared, read-only libraries; called once for each state, before any script runs.
 void make_sandbox(lua_State* L);
 
 // Pushes a new environment for one script file.
 void push_environment(lua_State* L);
-// The same that takes globals: of a prompt.
+// Pushes an environment that accepts globals, for a prompt.
 void push_open_environment(lua_State* L);
 
 // Replacements, each in its own file; `L`'s top is the library's table.
@@ -19,7 +19,7 @@ void replace_string_functions(lua_State* L);
 void replace_pattern_functions(lua_State* L);
 void replace_table_functions(lua_State* L);
 void replace_utf8_functions(lua_State* L);
-// The top is the metatable of texts: '10' + 1 reads a number.
+// The same for the metatable of texts: '10' + 1 parses a number.
 void replace_text_arithmetic(lua_State* L);
 
 }  // namespace lsos

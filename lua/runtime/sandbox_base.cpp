@@ -49,7 +49,7 @@ int pairs(lua_State* L) {
   return 1;
 }
 
-// Upvalue 1: Lua's own.
+// tonumber with a charge. Upvalue 1: Lua's own function.
 int to_number(lua_State* L) {
   if (lua_type(L, 1) == LUA_TSTRING) charge_bytes(L, 4 * lua_rawlen(L, 1));
   return lua_tocfunction(L, lua_upvalueindex(1))(L);
@@ -61,8 +61,8 @@ int to_text(lua_State* L) {
   return 1;
 }
 
-// After a protected call that failed: an error that no script may catch goes on. The others cost
-// what a C++ exception does.
+// Called after a protected call that failed: passes on an error that no script may catch. Any other
+// error is charged what a C++ exception costs.
 void pass_on_fatal(lua_State* L, int status) {
   constexpr std::int64_t instructions_per_exception = 300;
   LuaContext& ctx = context(L);
@@ -84,10 +84,10 @@ int protected_call(lua_State* L) {
   return lua_gettop(L);
 }
 
-// A spent budget is raised inside the count hook, where no further hook fires: the script's handler
-// (upvalue 1) could then loop without an end.
+// Error handler of xpcall. A spent budget raises inside the count hook, where no further hook
+// fires, so the script's handler (upvalue 1) could then loop without end.
 int handle_error(lua_State* L) {
-  constexpr std::int64_t instructions_per_handler = 200;  // it may raise, and be called of that
+  constexpr std::int64_t instructions_per_handler = 200;  // called again if it raises
   if (!context(L).spent.empty()) return 1;
   charge(L, instructions_per_handler);
   lua_pushvalue(L, lua_upvalueindex(1));
@@ -120,9 +120,9 @@ int set_metatable(lua_State* L) {
   luaL_argexpected(L, lua_istable(L, 2) || lua_isnil(L, 2), 2, "nil or table");
   if (is_protected(L, 1)) throw std::runtime_error("this metatable cannot be changed");
   if (lua_istable(L, 2)) {
-    // Finalizers and weak tables act when the collector runs, which is not repeatable. Set later
-    // neither has an effect: Lua looks for '__gc' here only, and the collector is not shown a
-    // '__mode' (see ScriptMemory). So that the metatable remains the script's own, to change.
+    // Finalisers and weak tables act when the collector runs, which is not repeatable. Set after
+    // this call, neither has an effect: Lua checks for '__gc' only here, and '__mode' is hidden
+    // from the collector (see ScriptMemory). The metatable thus stays the script's own, to change.
     for (const char* name : {"__gc", "__mode"}) {
       lua_pushstring(L, name);
       lua_rawget(L, 2);
@@ -168,7 +168,7 @@ int require(lua_State* L) {
   return 1;
 }
 
-// Goes to the notes of the log, under the name "print"; at a prompt it is printed.
+// Writes a note "print" into the log; at a prompt the line is printed.
 int print(lua_State* L) {
   constexpr std::int64_t instructions_per_print = 200;
   std::string line;

@@ -1,5 +1,5 @@
-// string.find, match, gmatch and gsub as in Lua 5.4, on our own matcher, which charges what it
-// does. Their structure follows lstrlib.c of Lua 5.4; see pattern.h for its authors and licence.
+// string.find, match, gmatch and gsub as in Lua 5.4, on a matcher that charges its steps. Their
+// structure follows lstrlib.c of Lua 5.4; see pattern.h for its authors and licence.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -14,7 +14,7 @@ namespace lsos {
 
 namespace {
 
-// Steps of the matcher in about the time of one Lua instruction.
+// Steps of the matcher that take about the time of one Lua instruction.
 constexpr std::int64_t steps_per_instruction = 4;
 
 constexpr std::size_t result_bytes_max = std::size_t{64} << 20;
@@ -29,7 +29,7 @@ PatternMatcher::Counter charge_steps(lua_State* L) {
   return [L](std::int64_t steps) { charge(L, 1 + steps / steps_per_instruction); };
 }
 
-// Where the optional argument says to begin; counted from 0.
+// Start position from the optional argument, counted from 0.
 std::size_t begin_argument(lua_State* L, int index, std::size_t size) {
   const lua_Integer begin = luaL_optinteger(L, index, 1);
   if (begin > 0) return static_cast<std::size_t>(begin) - 1;
@@ -43,7 +43,7 @@ void push_capture(lua_State* L, std::string_view subject, const PatternMatcher::
   lua_pushlstring(L, subject.data() + capture.begin, *capture.length);
 }
 
-// All captures, or the whole match where there is none and `with_whole`.
+// Pushes all captures; without captures, the whole match if `with_whole`.
 int push_captures(lua_State* L, std::string_view subject, const PatternMatcher& matcher,
                   std::size_t begin, std::size_t end, bool with_whole) {
   const int count = matcher.capture_count() == 0 && with_whole ? 1 : matcher.capture_count();
@@ -101,7 +101,7 @@ int find_or_match(lua_State* L) {
   return 1;
 }
 
-// Upvalues: the subject, the pattern, where to go on, where the last match ended (-1: none).
+// Upvalues: the subject, the pattern, the next position, the end of the last match (-1: none).
 int next_match(lua_State* L) {
   const std::string_view subject = text_argument(L, lua_upvalueindex(1));
   const auto first = static_cast<std::size_t>(lua_tointeger(L, lua_upvalueindex(3)));
@@ -132,7 +132,7 @@ int gmatch(lua_State* L) {
   return 1;
 }
 
-// One call of gsub; its arguments stay where they are on the stack.
+// One call of gsub; its arguments stay in place on the stack.
 class Substitution {
  public:
   explicit Substitution(lua_State* state)
@@ -189,7 +189,7 @@ class Substitution {
     result_ += text;
   }
 
-  // What stands for the match; false: the match itself.
+  // Adds the replacement of the match. Returns false where the match itself is kept.
   bool add_value(const PatternMatcher& matcher, std::size_t begin, std::size_t end, int type) {
     if (type == LUA_TFUNCTION) {
       lua_pushvalue(L_, 3);
@@ -215,7 +215,7 @@ class Substitution {
     return !is_kept;
   }
 
-  // The text at argument 3, with %0..%9 and %%.
+  // Adds the text at argument 3, with %0..%9 and %% replaced.
   void add_text(const PatternMatcher& matcher, std::size_t begin, std::size_t end) {
     std::string_view text = text_argument(L_, 3);
     for (std::size_t at = text.find('%'); at != std::string_view::npos; at = text.find('%')) {

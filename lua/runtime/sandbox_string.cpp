@@ -1,4 +1,5 @@
-// string functions that could hang the program, eat its memory or show an address, bounded.
+// Bounded versions of string functions that could hang the program, exhaust its memory or show an
+// address.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,9 +17,9 @@ namespace {
 
 constexpr double rep_bytes_max = 1 << 20;
 
-constexpr lua_Integer values_max = 10'000;  // that one call gives
+constexpr lua_Integer values_max = 10'000;  // results of one call
 
-// snprintf of a number with all its digits.
+// Cost of snprintf of a number with all its digits.
 constexpr std::int64_t instructions_per_conversion = 100;
 
 std::string_view text_argument(lua_State* L, int index) {
@@ -38,7 +39,7 @@ std::size_t text_bytes(lua_State* L, int first) {
   return bytes;
 }
 
-// upper, lower, reverse, sub, char, byte: their work is what they give.
+// upper, lower, reverse, sub, char, byte: their work is proportional to their results.
 int charged_by_results(lua_State* L) {
   const int count = call_original(L);
   charge_bytes(L, text_bytes(L, lua_gettop(L) - count + 1));
@@ -46,7 +47,7 @@ int charged_by_results(lua_State* L) {
   return count;
 }
 
-// Reading arithmetic's numbers out of texts.
+// Arithmetic on texts: parsing numbers is charged by the length of the arguments.
 int charged_by_arguments(lua_State* L) {
   charge_bytes(L, 4 * text_bytes(L, 1));
   return call_original(L);
@@ -76,7 +77,7 @@ int rep(lua_State* L) {
     throw std::runtime_error(
         fmt::format("string.rep would make {:.0f} bytes; at most {:.0f}", bytes, rep_bytes_max));
   }
-  if (bytes == 0) {  // Lua's own would append nothing, so many times
+  if (bytes == 0) {  // Lua's own would loop `count` times to append nothing
     lua_pushliteral(L, "");
     return 1;
   }
@@ -85,7 +86,8 @@ int rep(lua_State* L) {
   return call_original(L);
 }
 
-// pack, unpack, packsize: a format is read letter by letter; unpack gives a value a letter.
+// pack, unpack, packsize: a format is parsed letter by letter; unpack gives a value for each
+// letter.
 int packing(lua_State* L) {
   const auto letters = static_cast<lua_Integer>(text_argument(L, 1).size());
   if (letters > values_max) {
@@ -118,7 +120,7 @@ int format(lua_State* L) {
     push_text(L, i);
     lua_replace(L, i);
   }
-  charge_bytes(L, text_bytes(L, 2));  // of %.1s the whole text is looked at
+  charge_bytes(L, text_bytes(L, 2));  // even %.1s reads the whole text
   return charged_by_results(L);
 }
 

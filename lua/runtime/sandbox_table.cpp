@@ -1,5 +1,5 @@
-// table functions that loop inside C, bounded; and a sort that gives equal elements in equal order
-// on every run (Lua's own picks pivots by the clock in bad cases).
+// Bounded versions of table functions that loop inside C, and a sort that leaves equal elements in
+// the same order on every run (Lua's own picks pivots by the clock in bad cases).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace lsos {
 namespace {
 
 constexpr lua_Integer elements_max = 10'000'000;
-constexpr lua_Integer values_max = 10'000;  // that one call gives
+constexpr lua_Integer values_max = 10'000;  // results of one call
 
-// A metatable could answer for a length without an end.
+// Refuses tables whose metatable could report an endless length.
 void check_plain_table(lua_State* L, int index) {
   luaL_checktype(L, index, LUA_TTABLE);
   for (const char* name : {"__len", "__index", "__newindex"}) {
@@ -30,11 +30,11 @@ void check_plain_table(lua_State* L, int index) {
 
 int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
-// Elements that insert and remove move.
+// insert and remove, charged by the elements that they move.
 int shifting(lua_State* L) {
   check_plain_table(L, 1);
   const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
-  // With a position: insert has three arguments then, remove two.
+  // With a position insert has three arguments, remove two.
   const bool is_remove = lua_gettop(L) == 2 && lua_toboolean(L, lua_upvalueindex(2)) != 0;
   if (lua_gettop(L) == 3 || is_remove) {
     const lua_Integer position = luaL_checkinteger(L, 2);
@@ -48,7 +48,7 @@ int concat(lua_State* L) {
   const lua_Integer first = luaL_optinteger(L, 3, 1);
   const auto length = static_cast<lua_Integer>(lua_rawlen(L, 1));
   const lua_Integer last = luaL_optinteger(L, 4, length);
-  // Beyond what it holds it ends with an error; a number among them becomes a text.
+  // Past the end of the list concat raises an error. A number in the list becomes a text.
   if (last >= first && first <= length) {
     charge(L, 20 * (std::min(last, length) - std::max<lua_Integer>(1, first) + 1));
   }
@@ -58,7 +58,7 @@ int concat(lua_State* L) {
 }
 
 int unpack(lua_State* L) {
-  // ev.geometry and the like answer by metatable.
+  // The length is taken with metatables, as ev.geometry needs.
   const lua_Integer first = luaL_optinteger(L, 2, 1);
   const lua_Integer last = lua_isnoneornil(L, 3) ? luaL_len(L, 1) : luaL_checkinteger(L, 3);
   const double count = static_cast<double>(last) - static_cast<double>(first) + 1;

@@ -1,4 +1,4 @@
-// utf8 functions, charged by the bytes that they go through.
+// utf8 functions, charged by the bytes that they read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace lsos {
 namespace {
 
 constexpr std::size_t bytes_per_instruction = 4;
-constexpr lua_Integer values_max = 10'000;  // that one call gives
+constexpr lua_Integer values_max = 10'000;  // results of one call
 
 int call_original(lua_State* L) { return lua_tocfunction(L, lua_upvalueindex(1))(L); }
 
@@ -48,7 +48,8 @@ int code_point(lua_State* L) {
   return call_original(L);
 }
 
-// Upvalue 1: Lua's own iterator. It goes past the bytes that continue a character.
+// Iterator of utf8.codes. Upvalue 1: Lua's own iterator, which skips the continuation bytes of a
+// character.
 int next_code(lua_State* L) {
   std::size_t size = 0;
   const char* text = luaL_checklstring(L, 1, &size);

@@ -1,4 +1,4 @@
-// A script file as read from disk, and the folders they come from.
+// A script file as read from disk, and the folders of scripts.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ struct Script {
   ScriptKind kind = ScriptKind::event;
   std::string name;    // "Route": the file's name without .lua
   std::string file;    // as shown to users and in messages: "events/Route.lua"
-  std::string folder;  // where it lies; what it names relative to itself is found there
+  std::string folder;  // its folder; base of relative names in it
   std::string source;
   std::string sha256;  // of the source
 };
 
-// A folder of scripts, and what its files are called in messages: `shown`/events/Route.lua.
+// A folder of scripts, and the prefix of its files' names in messages: `shown`/events/Route.lua.
 struct ScriptFolder {
   std::string path;
   std::string shown;  // "" for the shipped ones

@@ -17,14 +17,14 @@ constexpr std::size_t text_bytes_per_weight = 1024;
 
 constexpr std::size_t bytes_per_value = 16;
 constexpr std::size_t stack_bytes_max = 25'000 * bytes_per_value;
-constexpr std::size_t stack_spare_bytes = 5 * bytes_per_value;  // that Lua adds to each stack
+constexpr std::size_t stack_spare_bytes = 5 * bytes_per_value;  // spare room in Lua's stack
 constexpr std::size_t values_per_weight = 128;
 constexpr std::size_t deep_stack_bytes = 4 * values_per_weight * bytes_per_value;
 
-// A chain of __index or __call through so many metatables is gone through in one instruction.
+// One instruction can go through a chain of this many metatables by __index or __call.
 constexpr std::size_t metatables_per_weight = 24;
 
-// What a block costs beside its bytes; and the vectors of tables, whose keys are placed anew when
+// Cost of a block besides its bytes; and of the arrays of tables, whose keys are placed anew when
 // they grow.
 constexpr std::size_t bytes_per_block = 160;
 constexpr std::size_t vector_factor = 4;
@@ -47,12 +47,12 @@ void write_place(lua_State* L, char* text, std::size_t size) {
 
 void* ScriptMemory::allocate(void* self, void* block, std::size_t old_size, std::size_t new_size) {
   auto& memory = *static_cast<ScriptMemory*>(self);
-  const bool is_text = block == nullptr && old_size == LUA_TSTRING;  // then it is the kind
+  const bool is_text = block == nullptr && old_size == LUA_TSTRING;  // old_size is then the kind
   const bool is_vector = block == nullptr && old_size == 0;
   if (block == nullptr) old_size = 0;
   if (new_size == 0) {
     if (old_size > long_text_bytes) memory.long_texts_.erase(block);
-    if (block != nullptr && block == memory.stack_) {  // Lua has just moved it to a new block
+    if (block != nullptr && block == memory.stack_) {  // Lua has moved its stack
       memory.stack_ = memory.newest_;
       memory.stack_bytes_ = memory.newest_bytes_;
     }
@@ -71,10 +71,10 @@ void* ScriptMemory::grow(void* block, std::size_t old_size, std::size_t new_size
     if (is_in_call_ && refusal_ != nullptr) return nullptr;
     const char* why = nullptr;
     if (bytes_ - old_size + new_size > bytes_max_) why = "memory";
-    // A block that moves costs its whole length, also when a table only sorts its keys anew.
+    // A block that moves costs its whole length, even when a table only rehashes its keys.
     if (is_in_call_ && traffic_ + new_size > traffic_max_) why = "traffic";
-    // Lua doubles its stack by a new block. A chain of __call without an end does so within one
-    // instruction, where no hook could look.
+    // Lua doubles its stack by allocating a new block. An endless chain of __call does so within
+    // one instruction, where no hook can intervene.
     const bool is_new_stack =
         block == nullptr && !is_text && new_size == 2 * stack_bytes_ - stack_spare_bytes;
     if (is_in_call_ && (is_stack || is_new_stack) && new_size > stack_bytes_max) why = "stack";
@@ -126,7 +126,7 @@ void ScriptMemory::refuse(const char* why) {
 
 void ScriptMemory::begin_call(lua_State* L, std::size_t traffic_max, bool is_phase) {
   L_ = L;
-  // Texts that are garbage must not count, nor a stack that was deep.
+  // Neither garbage texts nor a stack that was once deep may count.
   if (has_new_long_text_ || stack_bytes_ > deep_stack_bytes) collect(L);
   collect_if_due(L);
   is_phase_ = is_phase;
@@ -150,7 +150,7 @@ std::int64_t ScriptMemory::weight() const {
   std::size_t weight = 1 + stack_bytes_ / bytes_per_value / values_per_weight;
   weight += longest_text_ / text_bytes_per_weight;
   const std::size_t chain = metatables_ / metatables_per_weight;
-  weight += chain * chain;  // __call moves all that came before, at each
+  weight += chain * chain;  // each __call moves all values before it
   return static_cast<std::int64_t>(weight);
 }
 
@@ -167,7 +167,7 @@ void ScriptMemory::note_metatable(lua_State* L) {
     lua_pop(L, 1);
     lua_newtable(L);
     lua_newtable(L);
-    lua_pushliteral(L, "k");  // it keeps none of them
+    lua_pushliteral(L, "k");  // weak keys: keeps none of them alive
     lua_setfield(L, -2, "__mode");
     lua_setmetatable(L, -2);
     lua_pushvalue(L, -1);
@@ -183,11 +183,11 @@ void ScriptMemory::note_metatable(lua_State* L) {
   lua_pop(L, 2);
 }
 
-// Without the modes of scripts' metatables, which come back at once.
+// Collects garbage with the '__mode' of scripts' metatables removed for the time of the collection.
 void ScriptMemory::collect(lua_State* L) {
   const int top = lua_gettop(L);
   luaL_checkstack(L, 8, "memory");
-  lua_newtable(L);  // metatable = its mode
+  lua_newtable(L);  // maps metatables to their modes
   const int modes = lua_gettop(L);
   if (lua_getfield(L, LUA_REGISTRYINDEX, metatables_key) == LUA_TTABLE) {
     for (lua_pushnil(L); lua_next(L, modes + 1) != 0;) {
@@ -201,7 +201,7 @@ void ScriptMemory::collect(lua_State* L) {
       lua_insert(L, -2);
       lua_rawset(L, modes);
       lua_pushliteral(L, "__mode");
-      lua_pushboolean(L, 0);  // no mode, but it keeps the place in the table
+      lua_pushboolean(L, 0);  // no mode, but the key keeps its slot
       lua_rawset(L, -3);
     }
   }

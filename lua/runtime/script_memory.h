@@ -1,6 +1,6 @@
-// What the scripts of one Lua state take of memory: the state's allocator, and the moments at which
-// it collects. They depend on what scripts do alone, so that a script fails at the same place in
-// each run.
+// Memory of the scripts of one Lua state: the state's allocator, and the times at which garbage is
+// collected. Both depend only on what scripts do, so that a script fails at the same place in each
+// run.
 #pragma once
 
 #include <cstddef>
@@ -19,35 +19,35 @@ class ScriptMemory {
   // The lua_Alloc of the state; `self` is the ScriptMemory.
   static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
 
-  // From here on what is allocated counts, and a refusal is final until end_call(): Lua's own
-  // emergency collection, whose moment no rule of ours decides, can then be seen by no script. What
-  // earlier calls of phases left does not count in one of a phase: a mission that was resumed does
-  // not have it.
+  // From here on allocations count towards the call, and a refusal is final until end_call(): no
+  // script can then observe Lua's own emergency collection, whose timing is not under control. A
+  // phase does not count what earlier calls of phases left, as a resumed mission does not have it.
   void begin_call(lua_State* L, std::size_t traffic_max, bool is_phase);
   void end_call();
 
-  // Why the allocator refused in this call, as "more than ..."; nullptr when it did not.
+  // Limit for which the allocator refused in this call: "memory", "traffic" or "stack"; nullptr
+  // when it did not refuse.
   const char* refusal() const { return refusal_; }
-  // Where it did: "file:line: ".
+  // Place of the refusal: "file:line: ".
   const char* refused_at() const { return refused_at_; }
 
   std::size_t bytes_max() const { return bytes_max_; }
   std::size_t traffic_max() const { return traffic_max_; }
 
-  // How much more than usual one instruction can cost now: comparing long texts, passing on many
-  // values and going through a chain of metatables are single instructions.
+  // Greatest cost of one instruction at present, as a multiple of the usual cost: comparing long
+  // texts, passing many values and going through a chain of metatables are single instructions.
   std::int64_t weight() const;
-  // Instructions between two looks of the count hook: fewer while there are long texts, of which
-  // two may be compared byte by byte.
+  // Instructions between two calls of the count hook: fewer while there are long texts, as two of
+  // them may be compared byte by byte.
   int hook_interval() const;
 
-  // Collects when enough has been allocated since it last was; answers what that cost, in
+  // Collects garbage when enough has been allocated since the last time; returns the cost in
   // instructions. Lua's collector never runs by itself.
   std::int64_t collect_if_due(lua_State* L);
 
-  // Scripts may not have weak tables, whose contents depend on the collector; but a metatable can
-  // get its '__mode' after setmetatable has seen it. Notes the metatable at the top, so that the
-  // collector does not see that either.
+  // Records the metatable at the top, so that a '__mode' in it is hidden from the collector.
+  // Scripts may not have weak tables, whose contents depend on the collector, but can add '__mode'
+  // to a metatable after setmetatable has checked it.
   void note_metatable(lua_State* L);
 
  private:
@@ -58,7 +58,7 @@ class ScriptMemory {
 
   std::size_t bytes_max_;
   std::size_t bytes_ = 0;
-  std::size_t collected_to_ = 0;  // bytes that were left
+  std::size_t collected_to_ = 0;  // bytes left after the last collection
   std::size_t since_collected_ = 0;
   std::size_t traffic_ = 0, traffic_max_ = 0;
   bool is_in_call_ = false;
@@ -66,20 +66,20 @@ class ScriptMemory {
   char refused_at_[160] = "";
   lua_State* L_ = nullptr;
 
-  // Lua's stack is the second block of a new state; it tells how many values one call passes on.
+  // Lua's stack is the second block of a new state; its size shows how many values one call passes.
   int blocks_made_ = 0;
   void* stack_ = nullptr;
   std::size_t stack_bytes_ = 0;
-  void* newest_ = nullptr;  // block that was made last
+  void* newest_ = nullptr;  // the last block allocated
   std::size_t newest_bytes_ = 0;
 
   std::size_t metatables_ = 0;       // of scripts
-  std::size_t metatables_kept_ = 0;  // not made by phases
+  std::size_t metatables_kept_ = 0;  // those not made by phases
   bool is_phase_ = false;
 
-  std::unordered_map<const void*, std::size_t> long_texts_;  // bytes by block; looked up only
+  std::unordered_map<const void*, std::size_t> long_texts_;  // bytes by block; order is never used
   bool has_new_long_text_ = false;
-  std::size_t longest_text_ = 0;  // of those that were there in this call
+  std::size_t longest_text_ = 0;  // of the texts that existed in this call
 };
 
 // Writes the place of the innermost script function, "file:line: " or "", without allocating.

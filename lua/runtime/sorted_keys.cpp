@@ -31,7 +31,8 @@ bool comes_before(const Key& a, const Key& b) {
 }  // namespace
 
 void push_sorted_keys(lua_State* L, int index) {
-  // Of the sort and of the new table; before it, as nothing looks at the budget meanwhile.
+  // Cost of sorting a key and of its entry in the new table, charged beforehand: nothing checks the
+  // budget meanwhile.
   constexpr std::int64_t instructions_per_key = 8;
   index = lua_absindex(L, index);
   std::vector<Key> keys;

@@ -14,7 +14,7 @@ namespace lsos {
 
 namespace {
 
-// Once the budget is spent every later look raises again.
+// Once the budget is spent every later check raises again.
 void raise_spent(lua_State* L, const char* place) {
   LuaContext& ctx = context(L);
   if (ctx.spent.empty()) {
@@ -83,13 +83,13 @@ void note_memory_spent(lua_State* L) {
 
 namespace {
 
-// A message as long as anybody reads.
+// A message cut to a readable length.
 std::string shortened(const std::string& message) {
   constexpr std::size_t bytes_max = 4000;
   return message.size() <= bytes_max ? message : message.substr(0, bytes_max) + "...";
 }
 
-// Whether a message begins as "file:12: " does.
+// Whether a message begins with a place such as "file:12: ".
 bool has_place(std::string_view message) {
   const std::size_t end = message.substr(0, 200).find(": ");
   if (end == std::string_view::npos || end == 0) return false;
@@ -98,7 +98,7 @@ bool has_place(std::string_view message) {
   return digits < end && digits > 1 && message[digits - 1] == ':';
 }
 
-// An error may come without a place: its value is no text, or C code called C code.
+// Message handler. An error may lack a place: its value is no text, or C code called C code.
 int keep_traceback(lua_State* L) {
   std::string message = shortened(error_text(L, 1));
   if (!has_place(message)) {
@@ -134,7 +134,7 @@ LuaState::LuaState(void (*make_libraries)(lua_State*), const Limits& limits)
   L_ = lua_newstate(ScriptMemory::allocate, &context_->memory);
   LSOS_ASSERT(L_ != nullptr);
   *static_cast<LuaContext**>(lua_getextraspace(L_)) = context_.get();
-  lua_gc(L_, LUA_GCSTOP);  // ScriptMemory decides
+  lua_gc(L_, LUA_GCSTOP);  // ScriptMemory collects
   try {
     run(make_libraries);
   } catch (const std::exception&) {
@@ -218,7 +218,7 @@ void charge(lua_State* L, std::int64_t instructions) {
 }
 
 void charge_bytes(lua_State* L, std::size_t bytes) {
-  constexpr std::size_t bytes_per_charge = 16;  // in about the time of one Lua instruction
+  constexpr std::size_t bytes_per_charge = 16;  // handled in about the time of one Lua instruction
   charge(L, static_cast<std::int64_t>(bytes / bytes_per_charge));
 }
 
@@ -273,7 +273,7 @@ std::pair<Place, std::string> split_place(const std::string& message, const std:
 
 Place caller_place(lua_State* L) {
   lua_Debug ar;
-  // lsos.derive calls constructors, which then stand between.
+  // Skips C functions in between, as when lsos.derive calls constructors.
   for (int level = 1;; ++level) {
     if (lua_getstack(L, level, &ar) == 0 || lua_getinfo(L, "Sl", &ar) == 0) return {};
     if (std::string_view(ar.what) != "C") break;
@@ -291,7 +291,7 @@ int definition_line(lua_State* L) {
 void raise_error(lua_State* L, const std::string& whole) {
   const std::string message = shortened(whole);
   luaL_where(L, 1);
-  const bool says_where = message.starts_with(lua_tostring(L, -1));  // a fault with its place
+  const bool says_where = message.starts_with(lua_tostring(L, -1));  // has its place already
   lua_pushlstring(L, message.data(), message.size());
   if (!says_where) lua_concat(L, 2);
   lua_error(L);

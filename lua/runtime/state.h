@@ -1,4 +1,4 @@
-// One Lua state, and the only ways into it: load text, call a script, run our own code protected.
+// A Lua state, and the only entries into it: load text, call a script, run C++ code protected.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace lsos {
 
 class LuaState {
  public:
-  // `make_libraries` makes what its scripts can reach, see make_api().
+  // Makes the sandbox and the lsos module; no script is loaded.
   explicit LuaState(void (*make_libraries)(lua_State*), const Limits& limits = {});
   ~LuaState();
   LuaState(const LuaState&) = delete;
@@ -22,8 +22,8 @@ class LuaState {
 
   LuaContext& context() { return *context_; }
 
-  // Runs our own code where Lua may raise errors. What `body` throws arrives here unchanged; a
-  // Lua error that `body` lets out arrives as InternalError. Leaves the stack as it was.
+  // Runs C++ code in which Lua may raise errors. An exception of `body` is rethrown unchanged; a
+  // Lua error that leaves `body` is thrown as InternalError. Leaves the stack as it was.
   void run(const std::function<void(lua_State*)>& body);
 
  private:
@@ -31,46 +31,46 @@ class LuaState {
   lua_State* L_ = nullptr;
 };
 
-// A script that broke. `message` begins with "file:line: " where Lua knows the place.
+// Error of a script. `message` begins with "file:line: " where Lua knows the place.
 struct LuaFailure {
   std::string message;
   std::string traceback;  // "stack traceback:\n..."
 };
 
 // Compiles `source` (text only) and pushes the function; `file` is shown in messages. On a syntax
-// error pushes nothing.
+// error nothing is pushed.
 std::optional<LuaFailure> load_text(lua_State* L, const std::string& source,
                                     const std::string& file);
 
 // Calls the script function below its arguments, with fresh budgets. Pops both; pushes the results
-// if the call went well. Throws only what our own broken promises throw. The call may take a share
-// of what the limits allow.
+// if the call succeeds. Throws only for faults of the program itself. `share`: share of the limits
+// that the call may use.
 std::optional<LuaFailure> call_script(lua_State* L, int argument_count, int result_count,
                                       double share = 1);
 
-// Says that the memory is spent, with the place where the allocator last refused.
+// Records that the memory is spent, with the place where the allocator last refused.
 void note_memory_spent(lua_State* L);
 
-// The error value at `index` as text; other than strings are named by type.
+// The error value at `index` as text; a value that is no string is named by its type.
 std::string error_text(lua_State* L, int index);
 
 // Splits "file:line: what". The place is the whole `file` when the message has none.
 std::pair<Place, std::string> split_place(const std::string& message, const std::string& file);
 
-// Where the script function is that called the running C function; line 0 when unknown.
+// Place of the script function that called the running C function; line 0 when unknown.
 Place caller_place(lua_State* L);
-// In which line of its file the function at the top begins.
+// Line of its file in which the function at the top begins.
 int definition_line(lua_State* L);
 
 [[noreturn]] void raise_error(lua_State* L, const std::string& message);
 void keep_internal_error(lua_State* L);
 
-// A call of one of our functions costs about as much.
+// Approximate cost of calling a C++ function.
 inline constexpr std::int64_t instructions_per_call = 10;
 
-// What is registered with Lua goes through this: a C++ exception becomes a Lua error with the
-// script's place. It catches std::exception only, since Lua's own errors are C++ exceptions too,
-// and raises after the catch block is left.
+// Wrapper of every function that is registered with Lua: it turns a C++ exception into a Lua error
+// with the script's place. It catches std::exception only, since Lua's own errors are C++
+// exceptions too, and raises the error after the catch block is left.
 template <int (*function)(lua_State*)>
 int guard(lua_State* L) {
   charge(L, instructions_per_call);

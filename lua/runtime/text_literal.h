@@ -1,4 +1,4 @@
-// Texts in Lua source.
+// Text literals in Lua source.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace lsos {
 
-// 'it\'s' for it's: the text as a literal in single quotes.
+// The text as a literal in single quotes: 'it\'s' for it's.
 inline std::string lua_text(std::string_view text) {
   std::string literal = "'";
   for (const char c : text) {

@@ -17,11 +17,11 @@ constexpr int depth_max = 100;
 
 enum class Tag : std::uint8_t { nil, no, yes, integer, number, text, vec3, table };
 
-// Where a value is: a key or a number of a list in what is around it. Text is made of it only for
-// messages, as most values are right.
+// Path of a value: a key or a list index within its parent. Its text is built only for messages, as
+// most values are sound.
 struct Path {
   const Path* around = nullptr;
-  std::string_view key;  // of the whole: its name
+  std::string_view key;  // for the root: its name
   std::int64_t number = 0;
 
   std::string text() const {
@@ -66,7 +66,7 @@ class Saver {
  private:
   void tag(Tag tag) { archive_(tag); }
 
-  // What was written, or will at least be.
+  // Throws where the bytes written, or certain to be written, are too many.
   void check_size(const Path& path, std::size_t bytes) const {
     if (bytes - bytes_before_ <= state_bytes_max) return;
     const Path* whole = &path;
@@ -110,7 +110,8 @@ class Saver {
                     path.text(), first_path(whole_index_, *whole, table)));
   }
 
-  // Of the table, walking as the saver does; only tables that were seen.
+  // Path at which the saver first met `table`. It walks in the saver's order, through tables that
+  // the saver has seen.
   std::string first_path(int index, const Path& path, const void* table) {
     if (lua_topointer(L_, index) == table) return path.text();
     std::string found;
@@ -198,9 +199,9 @@ class Saver {
     lua_pop(L_, 1);
   }
 
-  // Keys are 1..length and texts; answers how many are texts.
+  // Checks that the keys are 1..length and texts; returns the number of texts.
   std::int64_t check_keys(int index, const Path& path, std::int64_t length) {
-    constexpr std::size_t field_bytes_min = 10;  // the length of its key, a tag, a letter
+    constexpr std::size_t field_bytes_min = 10;  // its key's length, a tag, a letter
     std::int64_t count = 0;
     std::size_t bytes = archive_.bytes().size();
     lua_pushnil(L_);
@@ -227,7 +228,7 @@ class Saver {
   Archive& archive_;
   std::size_t bytes_before_;
   int whole_index_ = 0;
-  // Tables on the way, by identity, that is only looked up: addresses reach no result.
+  // Tables met so far, by identity. The set is used for look-up only: addresses affect no result.
   std::unordered_set<const void*> seen_;
 };
 

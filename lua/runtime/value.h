@@ -9,13 +9,14 @@
 
 namespace lsos {
 
-// It is written after each phase and kept in the log at each checkpoint.
+// Largest size of the bytes. The state is written after each phase and kept in the log at each
+// checkpoint.
 inline constexpr std::size_t state_bytes_max = std::size_t{1} << 20;
 
-// Writes the value at `index`, tables in sorted order. Throws std::runtime_error naming the path
-// ("ev.state.path[3].f") of what cannot be saved: functions, objects, tables with metatables,
-// tables that occur twice or in themselves, lists with holes, other keys than texts, and more than
-// state_bytes_max.
+// Writes the value at `index`, tables in sorted order. Throws std::runtime_error that names the
+// path ("ev.state.path[3].f") of what cannot be saved: functions, objects, tables with metatables,
+// tables that occur twice or contain themselves, lists with holes, keys that are no texts, and more
+// than state_bytes_max.
 void save_value(lua_State* L, int index, const std::string& name, Archive& archive);
 
 // Pushes the value that was saved. Throws Archive::Mismatch for damaged bytes.

@@ -1,4 +1,4 @@
-// The text of lua/library.d.lua: the registry in the words of the Lua language server.
+// Writes lua/library.d.lua: the registry as annotations for the Lua language server.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ constexpr const char* head = R"(---@meta lsos
 ---@class lsos.made
 )";
 
-// "number, m, above 0" of the documentation as a type.
+// Type for the language server from the documentation's, such as "number, m, above 0".
 std::string type_of(std::string text) {
   static const std::map<std::string, std::string> known{
       {"number", "number"},

@@ -9,17 +9,17 @@ namespace lsos {
 
 namespace {
 
-// A longer line is not read.
+// Longest line that is read, bytes.
 constexpr std::size_t read_max = 2000;
 
 bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-// What a vec3 has in its own unit.
+// Whether a member of a vec3 has the unit of the vec3.
 bool is_of_a_vec3(const std::string& member) {
   return member == "x" || member == "y" || member == "z" || member == "length";
 }
 
-// Reads a line that Lua has read already: its brackets and quotes match.
+// Reads a line that Lua has already parsed: its brackets and quotes match.
 class LineReader {
  public:
   explicit LineReader(std::string_view rest) : rest_(rest) {}
@@ -44,7 +44,7 @@ class LineReader {
       rest_.remove_prefix(1);
     }
   }
-  // The next one that is not blank; 0 behind the last.
+  // The next character that is not blank; 0 behind the last.
   char next() {
     skip_blanks();
     return rest_.empty() ? '\0' : rest_.front();
@@ -54,7 +54,7 @@ class LineReader {
     rest_.remove_prefix(1);
     return true;
   }
-  // Of an expression.
+  // Whether an expression ends here.
   bool is_at_end() {
     const char c = next();
     return c == '\0' || c == ',' || c == ';' || rest_.starts_with("--");
@@ -78,7 +78,7 @@ class LineReader {
     return text;
   }
 
-  // A word, a text, or what stands between two brackets, or one other letter.
+  // Skips a word, a text, a bracketed group, or one other character.
   void skip_token() {
     const char c = next();
     if (c == '\'' || c == '"') {
@@ -94,8 +94,8 @@ class LineReader {
     }
   }
 
-  // "speed_mps" of -sim.rovers['A'].speed_mps, of a call its function. Stops at what no such path
-  // has.
+  // Last name of a path: "speed_mps" for -sim.rovers['A'].speed_mps; for a call, that of its
+  // function. Stops at the first character that belongs to no such path.
   std::string path_name() {
     std::string name;
     take('-');
@@ -122,7 +122,7 @@ class LineReader {
     }
   }
 
-  // "time_s" of ['time_s'].
+  // "time_s" for ['time_s'].
   std::string text_key() const {
     LineReader inside(rest_.substr(1));
     const char quote = inside.next();
@@ -137,7 +137,7 @@ class LineReader {
 }  // namespace
 
 std::vector<std::string> value_names(const std::string& line) {
-  // What holds commas of its own, in words or in long texts and comments, is not read.
+  // Constructs with commas of their own, in words or in long texts and comments, are not read.
   static const std::regex other(R"(\[=*\[|--.*\S.*\n|\bfunction\b|\S.*\breturn\b)");
   if (line.size() > read_max || std::regex_search(line, other)) return {""};
   return LineReader(line).value_names();

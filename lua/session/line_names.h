@@ -1,4 +1,5 @@
-// Names in a line that is typed at the prompt: of what it asks for, and of what it makes local.
+// Names in a line typed at the prompt: those of the expressions it evaluates, and those of its
+// local variables.
 #pragma once
 
 #include <string>
@@ -6,12 +7,13 @@
 
 namespace lsos {
 
-// The name that each expression of a list ends in, which says the unit of its value: "speed_mps",
-// "x", "" of "sim.rovers.A.speed_mps, x[2], a / b". Of arithmetic it is ""; none of a line with
-// functions, long texts or comments before its end, or of one that is very long.
+// For each expression of a list, the name that it ends in, which states the unit of its value:
+// "speed_mps", "x", "" for "sim.rovers.A.speed_mps, x[2], a / b". Arithmetic gives "". A line with
+// functions, long texts or comments before its end, or a very long line, is not read and gives one
+// "".
 std::vector<std::string> value_names(const std::string& line);
 
-// Names that a line makes local: "x", "y" of "local x, y = 1, 2".
+// Names of the local variables that a line declares: "x", "y" for "local x, y = 1, 2".
 std::vector<std::string> local_names(const std::string& line);
 
 }  // namespace lsos

@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-// The rovers as they are now; where they have been is in the log.
+// The simulation as a run to draw: rovers in their present state, with tracks from the log.
 PictureRun run_of(SimSession& session) {
   Simulation& simulation = session.simulation();
   const SimTime now = session.now();

@@ -1,4 +1,4 @@
-// A picture of a simulation in hand, as it stands.
+// A picture of an interactive simulation in its present state.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace lsos {
 
-// Writes a PNG. Throws InputError: no such view or rover, no such folder.
+// Writes a PNG. Throws InputError where there is no such view, rover or folder.
 void write_picture(SimSession& session, const PictureWish& wish, const std::string& file);
 
 }  // namespace lsos

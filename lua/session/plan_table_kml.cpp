@@ -1,4 +1,4 @@
-// The KML document of a plan that was read from a table, or from the layers of a GIS.
+// Writes the KML document of a plan that was read from a table, or from the layers of a GIS.
 #include <algorithm>
 #include <sstream>
 
@@ -9,7 +9,7 @@ namespace lsos {
 
 namespace {
 
-// Places of a text of coordinates.
+// Places in a text of coordinates.
 std::vector<Geodetic> places_of(const std::string& text) {
   std::vector<Geodetic> places;
   std::istringstream points(text);
@@ -22,7 +22,8 @@ std::vector<Geodetic> places_of(const std::string& text) {
   return places;
 }
 
-// What has too few places, or several parts, is told when the plan is read, and is no KML.
+// Whether a geometry can be written as KML. One with too few places or several parts cannot; it is
+// reported when the plan is read.
 bool is_whole(const SourceGeometry& geometry) {
   const std::size_t places = places_of(geometry.coordinates).size();
   if (geometry.kind == "Point") return places == 1;
@@ -30,7 +31,8 @@ bool is_whole(const SourceGeometry& geometry) {
   return geometry.kind == "Polygon" && places >= 3;
 }
 
-// A feature of a layer has no SchemaData: its Type, or its layer's name, says what it is.
+// Data of a Placemark. A feature of a layer has no SchemaData; its field Type, or the name of its
+// layer, states its kind.
 SourceData data_of(const SourcePlacemark& placemark) {
   if (!placemark.data.empty()) return placemark.data.front();
   SourceData data{"", placemark.folders.empty() ? "" : placemark.folders.back(), {}, 0};

@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-// "lsos.sleep(time_s)" and what it does.
+// A signature, "lsos.sleep(time_s)", and its description below.
 std::string entry_text(std::string_view signature, std::string_view doc) {
   return fmt::format("{}\n  {}", signature, doc);
 }
@@ -24,7 +24,7 @@ struct Entry {
   std::string text;
 };
 
-// All that help knows, in the order of lua/README.md.
+// All entries of the help, in the order of lua/README.md.
 std::vector<Entry> entries() {
   std::vector<Entry> all;
   for (const HandleType* type : scripted_objects()) {

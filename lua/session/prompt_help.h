@@ -1,4 +1,4 @@
-// help() at the prompt: of the registry that the binding and lua/README.md are made of.
+// help() at the prompt, from the registry that also makes the binding and lua/README.md.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace lsos {
 std::string general_help();
 std::string help_of(const HandleType& type);
 
-// Of a function, constant, constructor, object or method by its name: "sleep", "lsos.sleep", "ev",
-// "run_for", "sim:run_for". An unknown one is told which was meant.
+// Help for a function, constant, constructor, object or method by its name: "sleep", "lsos.sleep",
+// "ev", "run_for", "sim:run_for". For an unknown name it suggests the nearest one.
 std::string help_of(const std::string& name);
 
 }  // namespace lsos

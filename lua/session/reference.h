@@ -1,4 +1,4 @@
-// The texts of lua/README.md and lua/library.d.lua, made from what is bound to Lua.
+// Texts of lua/README.md and lua/library.d.lua, made from what is bound to Lua.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ struct HandleType;
 std::string api_reference();
 std::string api_library();
 
-// All objects that scripts are given: of phases, then of scenarios and prompts.
+// Types of all objects that scripts are given: those of phases, then those of scenarios and
+// prompts.
 const std::vector<const HandleType*>& scripted_objects();
 
 }  // namespace lsos

@@ -20,7 +20,7 @@ namespace lsos {
 namespace {
 
 constexpr const char* shown_file = "prompt";
-constexpr int tables_behind = 4;  // one another, by __index
+constexpr int tables_behind = 4;  // chained by __index
 
 // Set by Ctrl-C while a line runs; it stops a script, and SimSession stops a run.
 std::atomic<bool> is_stop_wanted{false};
@@ -57,29 +57,29 @@ int help(lua_State* L) {
   return 0;
 }
 
-// Says the values at 2 and above; 1 are the names that they have in the line. As a call of its own,
-// since a value's text may be made by a script.
+// Prints the values at 2 and above; 1 holds the names that they have in the line. It is a call of
+// its own, since a script may produce a value's text.
 int say_values(lua_State* L) {
   const int count = lua_gettop(L);
   const auto& names = *static_cast<const std::vector<std::string>*>(lua_touserdata(L, 1));
   for (int i = 2; i <= count; ++i) {
     if (lua_isnil(L, i) && count == 2) break;
-    // The last expression, a call, may give several.
+    // The last expression may be a call that gives several values.
     const std::size_t number = std::min(static_cast<std::size_t>(i - 2), names.size() - 1);
     context(L).in_hand->say(shown_value(L, i, names[number]));
   }
   return 0;
 }
 
-// Adds the texts among the keys of the table at the top.
+// Adds the text keys of the table at the top.
 void add_keys(lua_State* L, std::vector<std::string>& names) {
   for (lua_pushnil(L); lua_next(L, -2) != 0; lua_pop(L, 1)) {
     if (lua_type(L, -2) == LUA_TSTRING) names.emplace_back(lua_tostring(L, -2));
   }
 }
 
-// Names of what the value at the top has. A library cannot be written to: what it has is in a table
-// behind it.
+// Names of the members of the value at the top. A library is an empty, protected table: its members
+// are in a table behind it.
 std::vector<std::string> member_names(lua_State* L) {
   std::vector<std::string> names;
   if (const HandleType* type = handle_type(L, -1)) {
@@ -100,7 +100,7 @@ std::vector<std::string> member_names(lua_State* L) {
   return names;
 }
 
-// "quit" and "exit", as other prompts know them.
+// Whether the text is "quit" or "exit", as in other prompts.
 bool is_farewell(const std::string& text) {
   static const std::regex word(R"(\s*(quit|exit)\s*(\(\s*\))?\s*)");
   return std::regex_match(text, word);
@@ -189,7 +189,8 @@ Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   return Outcome::done;
 }
 
-// A local of one line is not known on the next, as each line is a chunk of its own.
+// Hint for a local variable of an earlier line: each line is a separate chunk, so that its locals
+// are not known on the next.
 std::string Repl::local_hint(const std::string& message) const {
   constexpr std::string_view mark = "no global '";
   const std::size_t at = message.find(mark);
@@ -209,7 +210,7 @@ std::vector<std::string> Repl::completions(const std::string& text) {
   std::vector<std::string> found;
   lua_.run([&](lua_State* L) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, environment_);
-    std::string known;  // of the path, with its last dot
+    std::string known;  // known part of the path, with its last dot
     for (std::size_t at = 0;;) {
       const std::size_t end = path.find_first_of(".:", at);
       if (end == std::string::npos) break;

@@ -1,4 +1,4 @@
-// The prompt: lines of Lua with a simulation in hand.
+// The prompt: runs lines of Lua with an interactive simulation.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@ namespace lsos {
 
 class Repl {
  public:
-  // `plan_file`: what `sim` is of; "": `sim` is made by lsos.sim {...}. `say` prints lines. Throws
-  // InputError.
+  // `plan_file`: the plan of `sim`; "": the user makes `sim` by lsos.sim {...}. `say` prints lines.
+  // Throws InputError.
   Repl(const std::string& plan_file, const std::string& folder,
        std::function<void(const std::string&)> say);
 
   enum class Outcome { done, incomplete, failed, ended };
-  // Runs a piece of text that begins in that line; says what an expression gives, or what is wrong.
-  // Incomplete: more lines belong to it. Ended: it is the word that leaves the prompt.
+  // Runs a text that begins in line `line`; prints the values of expressions, or the error.
+  // Incomplete: more lines belong to it. Ended: the text is the word that leaves the prompt.
   Outcome run(const std::string& text, int line = 1);
 
-  // What the name at the end of `text` may go on as, whole: "sim.ro" to "sim.rovers".
+  // Completions of the name at the end of `text`, as whole names: "sim.rovers" for "sim.ro".
   std::vector<std::string> completions(const std::string& text);
 
  private:

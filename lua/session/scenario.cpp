@@ -16,7 +16,7 @@ namespace {
 
 constexpr int depth_max = 16;  // of tables that are compared
 
-// Tables are equal when all that they hold is.
+// Equality by value: tables are equal when all their entries are.
 bool are_equal(lua_State* L, int a, int b, int depth = 0) {
   luaL_checkstack(L, 8, "tables in tables");
   a = lua_absindex(L, a);
@@ -39,14 +39,15 @@ bool are_equal(lua_State* L, int a, int b, int depth = 0) {
   return holds(a, b) && holds(b, a);
 }
 
-// "distance: " and " (at 94.2 s of sim1)" about what is wrong.
+// Fails an expectation: the message is `text`, after "distance: " for the text at `what` and before
+// ", at 94.2 s" for the simulated time.
 [[noreturn]] void fail(lua_State* L, int what, const std::string& text) {
   std::string message;
   if (lua_type(L, what) == LUA_TSTRING) message = std::string(lua_tostring(L, what)) + ": ";
   message += text;
   Sims& sims = running_sims(L, "t");
   if (SimSession* sim = sims.last()) message += fmt::format(", at {} s", seconds(sim->now()));
-  // It counts though the script may catch it.
+  // The failure counts even if the script catches the error.
   sims.expectation_failed(to_string({Severity::error, caller_place(L), message}));
   throw std::runtime_error(message);
 }
@@ -113,7 +114,7 @@ int expect_failure(lua_State* L) {
   }
   const std::string found = error_text(L, -1);
   if (found.find(wanted) != std::string::npos) {
-    running_sims(L, "t").forget_expectation();  // that one was to fail
+    running_sims(L, "t").forget_expectation();  // this failure was expected
     return 0;
   }
   fail(L, 4, fmt::format("expected an error with '{}', found '{}'", wanted, found));

@@ -50,7 +50,7 @@ ScenarioResult run_one(lua_State* L, Sims& sims, const std::string& file, const 
   return result;
 }
 
-// Of a name, what can be a folder's; no two of a file have the same.
+// A folder's name made of a scenario's; no two scenarios of a file have the same.
 std::string folder_name(const std::string& name, std::set<std::string>& taken) {
   constexpr std::size_t longest = 80;
   std::string text;

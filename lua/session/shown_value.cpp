@@ -19,7 +19,7 @@ namespace lsos {
 
 namespace {
 
-constexpr int depth_max = 16;  // of tables that are shown
+constexpr int depth_max = 16;  // of nested tables that are shown
 
 bool has_text_of_its_own(lua_State* L, int index) {
   if (luaL_getmetafield(L, index, "__tostring") == LUA_TNIL) return false;
@@ -27,7 +27,7 @@ bool has_text_of_its_own(lua_State* L, int index) {
   return true;
 }
 
-// "a boolean" when a key is neither a number nor a text, so that keys have no order.
+// "a boolean" when a key is neither a number nor a text, so that the keys have no order; else "".
 std::string other_key(lua_State* L, int index) {
   std::string found;
   lua_pushnil(L);
@@ -39,10 +39,10 @@ std::string other_key(lua_State* L, int index) {
   return found;
 }
 
-// Whether numbers within a table are written with the units that their names say.
+// Whether numbers in a table are written with the units in their names.
 enum class Units { none, shown };
 
-// The unit that a name says: of what scripts are given, and of what people call theirs.
+// Unit in a name, for names of the API and for names that users choose.
 std::string unit_of(const std::string& name) {
   // Every vec3 of these is a place in the site frame.
   static constexpr std::array<std::string_view, 6> places{"position", "path",     "geometry",
@@ -57,7 +57,7 @@ std::string unit_of(const std::string& name) {
   return si_unit_of(name);
 }
 
-// What a member of something is called as: entries of a list and x, y, z are of what holds them.
+// Name that gives a member its unit: entries of a list and x, y, z take that of their holder.
 std::string name_of_member(lua_State* L, int key, const std::string& holder) {
   if (lua_type(L, key) != LUA_TSTRING) return holder;
   std::string name = lua_tostring(L, key);
@@ -76,7 +76,7 @@ std::string number_text(lua_State* L, int index) {
                                       : tostring_text(L, index);
 }
 
-// A number, vec3, text or object, with the unit that its name says: "1.97 m/s" of speed_mps.
+// A number, vec3, text or object, with the unit in its name: "1.97 m/s" for speed_mps.
 std::string quantity_text(lua_State* L, int index, const std::string& name) {
   const std::string symbol = unit_of(name), unit = symbol.empty() ? "" : " " + symbol;
   if (lua_type(L, index) == LUA_TNUMBER) return number_text(L, index) + unit;
@@ -86,7 +86,8 @@ std::string quantity_text(lua_State* L, int index, const std::string& name) {
   return tostring_text(L, index);
 }
 
-// As far as so many bytes go: tables that hold each other would be written for minutes.
+// The value in Lua's notation, cut off after about `bytes`: tables that contain each other would be
+// written for minutes.
 std::string written(lua_State* L, int index, Units units, const std::string& name,
                     std::size_t bytes, int depth = 0) {
   luaL_checkstack(L, 12, "tables in tables");
@@ -121,7 +122,7 @@ std::string written(lua_State* L, int index, Units units, const std::string& nam
   return members.empty() ? "{}" : "{ " + members + " }";
 }
 
-// On the line of what holds it: a table is written, as far as a line goes.
+// A member on one line; a table is cut off at the end of the line.
 std::string member_text(lua_State* L, int index, const std::string& name) {
   constexpr std::size_t bytes_max = 200;
   if (!lua_istable(L, index) || has_text_of_its_own(L, index)) {
@@ -135,7 +136,7 @@ std::string member_text(lua_State* L, int index, const std::string& name) {
   return text.substr(0, end) + "...";
 }
 
-// The fields of a handle, or what a table holds, a line each.
+// Adds the fields of a handle, or the entries of a table, one on each line.
 void add_members(lua_State* L, int index, const std::string& name, std::string& text) {
   index = lua_absindex(L, index);
   if (const HandleType* type = handle_type(L, index)) {

@@ -1,4 +1,4 @@
-// Values of scripts as people read them: at the prompt, and in what a scenario found.
+// Text of script values for people: at the prompt, and in the failures of scenarios.
 #pragma once
 
 #include <lua.hpp>
@@ -6,11 +6,11 @@
 
 namespace lsos {
 
-// On one line, as it is written: 'text', { 1, 2, name = 'x' }.
+// The value on one line, in Lua's notation: 'text', { 1, 2, name = 'x' }.
 std::string written_value(lua_State* L, int index);
 
-// With the unit that `name` says ("1.97 m/s" of speed_mps); what a table or an object holds
-// follows, a line each, with the units that the names there say. May call a script's __tostring.
+// The value with the unit in `name` ("1.97 m/s" for speed_mps). The members of a table or an object
+// follow, one on each line, with the units in their names. May call a script's __tostring.
 std::string shown_value(lua_State* L, int index, const std::string& name);
 
 }  // namespace lsos

@@ -23,7 +23,7 @@ RoverAgent& agent_of(lua_State* L, int argument) {
   return *agent;
 }
 
-// What a hand does to a rover is in the log.
+// Logs an interactive change to a rover as a note.
 void note(lua_State* L, const std::string& rover_id, const char* name,
           const nlohmann::json& fields) {
   sim_session(L).simulation().note_by_hand(
@@ -37,7 +37,7 @@ int sim_dispatch(lua_State* L) {
   const std::string rover_id = luaL_checkstring(L, 2), type = luaL_checkstring(L, 3);
   if (!lua_isnoneornil(L, 4)) luaL_checktype(L, 4, LUA_TTABLE);
   lua_settop(L, 4);
-  // { type, fields... }, so that an event reads alike everywhere.
+  // Build { type, fields... }, the form that events have everywhere.
   lua_newtable(L);
   lua_pushstring(L, type.c_str());
   lua_rawseti(L, -2, 1);

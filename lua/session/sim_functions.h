@@ -1,4 +1,4 @@
-// What `sim` has, by what it does; bound in sim_handle.cpp.
+// Fields and methods of `sim`, grouped by purpose; they are bound in sim_handle.cpp.
 #pragma once
 
 #include <lua.hpp>
@@ -7,11 +7,11 @@
 
 namespace lsos {
 
-// The simulation of the handle at argument 1. Throw std::runtime_error.
+// Number and session of the simulation whose handle is argument 1. Throw std::runtime_error.
 ScriptInstance sim_number(lua_State* L);
 SimSession& sim_session(lua_State* L);
 
-// What is known of it (sim_queries.cpp).
+// Queries (sim_queries.cpp).
 int sim_time_s(lua_State* L);
 int sim_is_finished(lua_State* L);
 int sim_folder(lua_State* L);
@@ -22,7 +22,7 @@ int sim_notes(lua_State* L);
 int sim_where(lua_State* L);
 int sim_picture(lua_State* L);
 
-// What changes its world and its plan (sim_changes.cpp).
+// Changes to the simulated world and the plan (sim_changes.cpp).
 int sim_dispatch(lua_State* L);
 int sim_shade(lua_State* L);
 int sim_set_wheel(lua_State* L);

@@ -1,4 +1,4 @@
-// `sim`: a simulation in hand. How it is stepped and saved, and all that it has.
+// `sim`: an interactive simulation. Stepping and saving, and the list of all its members.
 #include <fmt/format.h>
 
 #include <filesystem>

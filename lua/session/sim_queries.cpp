@@ -32,13 +32,13 @@ void set_time(lua_State* L, const char* key, std::optional<SimTime> time) {
   set_quantity(L, key, time ? seconds(*time) : not_modelled);
 }
 
-// event.X where an event has no X.
+// __index of an event table: throws for a key that events do not have.
 int refuse_event_key(lua_State* L) {
   static const std::vector<std::string> known{"rover",  "sequence",   "type",          "label",
                                               "status", "reason",     "ready_s",       "start_s",
                                               "end_s",  "distance_m", "energy_used_j", "solar_j"};
   const std::string wanted = key_text(L, 2);
-  if (std::ranges::find(known, wanted) != known.end()) return 0;  // without a value
+  if (std::ranges::find(known, wanted) != known.end()) return 0;  // a key without a value
   throw std::runtime_error(fmt::format("an event has no '{}'{}; it has {}", wanted,
                                        did_you_mean(wanted, known), fmt::join(known, ", ")));
 }
@@ -75,7 +75,7 @@ void for_each_event(lua_State* L, const Visit& visit) {
   }
 }
 
-// sim.rovers.X where there is none.
+// __index of sim.rovers: throws for a rover that does not exist.
 int refuse_rover(lua_State* L) {
   std::vector<std::string> ids;
   for (lua_pushnil(L); lua_next(L, 1) != 0; lua_pop(L, 1)) ids.push_back(key_text(L, -2));
@@ -193,7 +193,8 @@ int sim_notes(lua_State* L) {
   return 1;
 }
 
-// "812.4 s  SEV1  leg 2: drive   10.000020,20.000010 deg  1.20 m/s  charge 84 %"
+// State of all rovers: "812.4 s", then one line each: "SEV1  'leg 2' in drive  10.000020,20.000010
+// deg  1.20 m/s  ...".
 int sim_where(lua_State* L) {
   SimSession& session = sim_session(L);
   std::string text = fmt::format("{} s", seconds(session.now()));

@@ -24,10 +24,10 @@ std::atomic<bool> is_interrupted{false};
 constexpr SimTime quiet_look{1'000'000};
 constexpr std::size_t hash_bytes = 64;
 
-// Its number changes with what is saved.
+// The number changes with the saved format.
 std::string saved_head() { return std::string(SimSession::saved_mark) + " 4\n"; }
 
-// One more event, checked as those of a plan's file are. Throws InputError.
+// An event that is checked as those of a plan's file are. Throws InputError.
 PlanEvent checked_event(const SourcePlacemark& placemark, const Plan& plan,
                         const MissionFiles& files) {
   PlanEvent event = read_event(placemark, plan, files.catalog->declarations());
@@ -59,7 +59,7 @@ SimSession::~SimSession() {
   try {
     finish();
   } catch (const std::exception&) {
-    // What was committed of the log stays.
+    // The committed part of the log stays.
   }
 }
 
@@ -171,8 +171,8 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
   std::vector<SourceField>& fields = placemark.data.front().fields;
   fields.push_back({"RoverId", rover_id, 0});
   if (std::ranges::find(fields, "Sequence", &SourceField::name) == fields.end()) {
-    // Behind what has had its turn or was dispatched before, ahead of what the plan has next, where
-    // there is room.
+    // The number follows the events that have begun or were dispatched earlier, and precedes the
+    // plan's next event where there is room.
     std::int64_t last = 0, next = std::numeric_limits<std::int64_t>::max(), highest = 0;
     const std::set<std::int64_t> earlier = dispatched_to(rover_id);
     for (std::size_t i = 0; i < sequence->events().size(); ++i) {
@@ -219,7 +219,7 @@ std::vector<std::string> SimSession::take_news() {
                                  seconds(record.end.value_or(now())), record.reason));
     }
   }
-  // The reason of a script that broke comes again there, with its traceback.
+  // The reason of a failed script occurs in a warning again, with its traceback.
   const std::vector<std::string>& warnings = simulation_->warnings();
   for (std::size_t& i = told_warnings_; i < warnings.size(); ++i) {
     const std::size_t reason = warnings[i].find('\n');
@@ -254,7 +254,7 @@ void SimSession::load(const std::string& bytes) {
     if (files.plan.hash() != plan) throw InputError({}, "was saved with another plan");
     std::vector<SourcePlacemark> dispatched;
     if (!dispatched_kml.empty()) dispatched = parse_kml(dispatched_kml, source_.file).placemarks;
-    for (SourcePlacemark& placemark : dispatched) placemark.line = 0;  // was not saved
+    for (SourcePlacemark& placemark : dispatched) placemark.line = 0;  // the line was not saved
     std::unique_ptr<Simulation> simulation = made(files, true, dispatched);
     simulation->restore(state);
     dispatched_ = std::move(dispatched);
@@ -267,7 +267,7 @@ void SimSession::load(const std::string& bytes) {
   }
   told_.clear();
   told_warnings_ = 0;
-  take_news();  // what had come until then was told
+  take_news();  // earlier failures and warnings have been reported
 }
 
 void SimSession::commit_log() {

@@ -1,5 +1,5 @@
-// A simulation in hand: of a prompt or a scenario. It is stepped, asked, changed between exchanges,
-// and leaves what a run leaves.
+// An interactive simulation of a prompt or a scenario. It can be stepped, queried and changed
+// between exchanges, and leaves the files of a run.
 #pragma once
 
 #include <chrono>
@@ -17,9 +17,9 @@ namespace lsos {
 
 class SimSession {
  public:
-  // `folder`: of its log, replaced if it is there. Throws InputError with all that is wrong.
+  // `folder`: folder of its log, replaced if it exists. Throws InputError with all faults.
   SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog, const std::string& folder);
-  // Writes the rest of the log, if `finish` has not.
+  // Writes the rest of the log, unless finish() has.
   ~SimSession();
   SimSession(const SimSession&) = delete;
   SimSession& operator=(const SimSession&) = delete;
@@ -28,50 +28,53 @@ class SimSession {
   const MissionFiles& files() const { return files_; }
   const std::string& folder() const { return folder_.path(); }
   const std::vector<NoteRow>& notes() const { return notes_; }
-  // What failed and what was warned of since this was last asked, a text each.
+  // Failures and warnings since the last call, one text each.
   std::vector<std::string> take_news();
   SimTime now() const { return simulation_->now(); }
 
-  // So many exchanges: 0.1 s each while something moves, else to the next time that something
-  // happens. All of these end with the mission.
+  // Advances by `count` exchanges: 0.1 s each while something moves, else to the next time that
+  // something happens. This and the next four end with the mission.
   void step(std::int64_t count);
   void run_for(double duration_s);
-  // Asks after each exchange, at whole seconds over quiet time. False: the limit came first.
+  // Evaluates `is_enough` after each exchange, and at whole seconds over quiet time. Returns false
+  // when the limit is reached first.
   bool run_until(const std::function<bool()>& is_enough, double limit_s);
   void run();
-  // Until a rover has entered another phase.
+  // Advances until a rover has entered another phase.
   void step_phase();
 
-  // One more event. `fields` as a plan has them; the Sequence is the next that is free when absent.
-  // Answers its Sequence. Throws InputError.
+  // Adds an event. The Placemark has fields as a plan has them; without a Sequence the next free
+  // one is used. Returns its Sequence. Throws InputError.
   std::int64_t dispatch(const std::string& rover_id, SourcePlacemark placemark);
-  // Reads the catalog anew; what has changed is called from the next phase on. Throws InputError,
-  // and all is as it was.
+  // Reads the catalog anew; changed scripts are called from the next phase on. Throws InputError
+  // and then leaves everything unchanged.
   void reload();
-  // Goes on in another soil, rocks excepted. Throws as reload().
+  // Continues on another soil, rocks excepted. Throws as reload().
   void set_soil(const std::string& name);
-  // What a saved one begins with, before the number of its form.
+  // First bytes of a saved session, before the version number of its format.
   static constexpr std::string_view saved_mark = "lsos-host session";
   std::string save();
-  // Into the same plan. The log begins anew from there. Throws InputError, and all is as it was.
+  // Restores a saved session of the same plan. The log begins anew from there. Throws InputError
+  // and then leaves everything unchanged.
   void load(const std::string& bytes);
-  // What has come so far is in the file then.
+  // Commits the log, so that the file contains all rows so far.
   void commit_log();
-  // Ends it: events under way are incomplete.
+  // Ends the simulation: events under way are incomplete.
   void finish();
 
-  // Set by a signal: what runs ends with std::runtime_error at the next exchange.
+  // Called by a signal handler: a running simulation ends with std::runtime_error at the next
+  // exchange.
   static void interrupt();
   static void forget_interrupt();
 
  private:
   MissionFiles files_with(const std::string& soil, std::shared_ptr<const Catalog> catalog) const;
-  // Of these files, with what was dispatched.
+  // Constructs a simulation of these files with the dispatched events.
   std::unique_ptr<Simulation> made(const MissionFiles& files, bool plans_ahead,
                                    const std::vector<SourcePlacemark>& dispatched) const;
-  // Goes on with that in place of the one before, in the same log or a new one.
+  // Replaces the simulation, in the same log or a new one.
   void take(std::unique_ptr<Simulation> simulation, bool begins_log);
-  // Goes on from where it is with other files.
+  // Continues from the present state with other files.
   void go_on_with(MissionFiles files, bool plans_ahead);
   void advance(std::optional<SimTime> until = {});
   std::vector<std::string> phases() const;
@@ -82,12 +85,12 @@ class SimSession {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<RunRecord> record_;
-  // Sequences.
+  // Sequences of the events dispatched to a rover.
   std::set<std::int64_t> dispatched_to(const std::string& rover_id) const;
 
   std::vector<SourcePlacemark> dispatched_;
   std::vector<NoteRow> notes_;
-  std::set<std::string> told_;  // failed events, by rover and sequence
+  std::set<std::string> told_;  // reported failed events, by rover and sequence
   std::size_t told_warnings_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The simulations that a prompt or a scenario has in hand, by number.
+// The interactive simulations of a prompt or a scenario, by number.
 #pragma once
 
 #include <functional>
@@ -15,33 +15,32 @@ namespace lsos {
 
 class Sims : public RoversInHand {
  public:
-  // Each leaves its log in a folder of its own in `folder`: sim1, sim2, ...
-  // `say` prints lines.
-  // `is_loading`: of a file that says which scenarios it has.
+  // Each simulation leaves its log in its own folder within `folder`: sim1, sim2, ... `say` prints
+  // lines. `is_loading`: a file that declares scenarios is loading.
   Sims(std::string folder, std::function<void(const std::string&)> say, bool is_loading = false)
       : folder_(std::move(folder)), say_(std::move(say)), is_loading_(is_loading) {}
 
   bool is_loading() const { return is_loading_; }
-  // The first expectation of a scenario that did not hold; "": all did.
+  // The first expectation of a scenario that failed; "": none.
   void expectation_failed(const std::string& message) {
     if (failed_expectation_.empty()) failed_expectation_ = message;
   }
   void forget_expectation() { failed_expectation_.clear(); }
   const std::string& failed_expectation() const { return failed_expectation_; }
 
-  // Answers its number, which no other of the process has. Throw InputError.
+  // Open a simulation and return its number, which is unique in the process. Throw InputError.
   ScriptInstance open(const std::string& plan_file);
   ScriptInstance open(lua_State* L, int table, const Place& place);
 
-  // Throws std::runtime_error: it is not of these, a scenario before had it.
+  // Throws std::runtime_error where the number is not of these but of an earlier scenario.
   SimSession& at(ScriptInstance number);
-  // nullptr before the first.
+  // The last simulation opened; nullptr before the first.
   SimSession* last() { return sessions_.empty() ? nullptr : sessions_.rbegin()->second.get(); }
   void close_all() { sessions_.clear(); }
-  // Of all of them, a line each.
+  // Failures and warnings of all simulations, one line each.
   std::vector<std::string> take_news();
 
-  // The id of a rover's handles.
+  // Id of a rover's handles.
   ScriptInstance handle(ScriptInstance number, const std::string& rover_id);
   RoverPort& rover(ScriptInstance handle) override;
   void say(const std::string& text) override { say_(text); }
@@ -53,11 +52,12 @@ class Sims : public RoversInHand {
   std::function<void(const std::string&)> say_;
   bool is_loading_ = false;
   std::string failed_expectation_;
-  std::shared_ptr<const Catalog> catalog_;  // of plans that are tables
+  std::shared_ptr<const Catalog> catalog_;  // for plans that are tables
   std::map<ScriptInstance, std::unique_ptr<SimSession>> sessions_;
 };
 
-// Those of the script that runs. Throws std::runtime_error naming `what` in event scripts.
+// The simulations of the running script. Throws std::runtime_error that names `what` in event
+// scripts.
 Sims& running_sims(lua_State* L, const char* what);
 
 const struct HandleType& sim_handle_type();

@@ -1,5 +1,5 @@
-// Shipped rovers on grounds of the test's choice, driven along a path below the machine: nothing
-// parks, nothing is logged.
+// Shipped rovers on test grounds, driven along a path without the mission layer: nothing parks and
+// nothing is logged.
 #pragma once
 
 #include <memory>
@@ -27,20 +27,20 @@ struct GroundAt {
 };
 std::unique_ptr<Ground> ground(const GroundAt& at);
 
-// The shipped rover on this ground's planet; `step_share` of its script's step.
+// The shipped rover in this planet's gravity; its script's step is multiplied by `step_share`.
 VehicleConfig rover_on(const std::string& name, const Ground& ground, const std::string& planet,
                        const std::string& configuration = "", double step_share = 1);
 
 struct DriveResult {
-  std::string failure;  // "" when it arrived
+  std::string failure;  // "" when the rover arrived
   VehicleReport end;
-  double distance_m = 0, drive_j = 0, worst_m = 0;  // worst: farthest from the drawn line
+  double distance_m = 0, drive_j = 0, worst_m = 0;  // worst: greatest distance to the path
   double duration_s = 0;
   WorkDone work;
   double energy_change_j = 0;  // kinetic and potential
 };
 
-// Along waypoints from the start (site frame), beginning towards the first.
+// Drives along waypoints (site frame) from the start, heading for the first one initially.
 DriveResult drive(const VehicleConfig& config, const Ground& ground,
                   const std::vector<Vec2>& waypoints_S_m, double speed_mps);
 

@@ -1,4 +1,4 @@
-// What planning takes driving for, against shipped rovers driven up the same slopes.
+// The drive cost model that planning uses, against shipped rovers driven up the same slopes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ double rover_efficiency(const VehicleConfig& rover) {
   return 0;
 }
 
-// Between two lengths of drive, so that starting and stopping do not count. Wheels of the whole
-// vehicle carry unlike loads, those of the table all the same.
+// The difference of two lengths of drive excludes starting and stopping. The wheels of a vehicle
+// carry unequal loads, those of the table equal ones.
 TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
   const Climb& climb = GetParam();
   for (const double slope_deg : climb.slopes_deg) {
@@ -60,7 +60,8 @@ INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
                                          Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
-// Downhill its wheels are held back: by so much that the electrical energy would be that.
+// `spare_jpm` is the energy that brakes and motors take up downhill, as the electrical energy that
+// it stands for.
 TEST(DriveTableDownhill, spares_what_the_brakes_of_the_simulated_rover_take) {
   for (const char* name : {"SEV", "LRV"}) {
     for (const double slope_deg : {-10.0, -15.0}) {
@@ -87,8 +88,7 @@ TEST(DriveTableDownhill, spares_what_the_brakes_of_the_simulated_rover_take) {
   }
 }
 
-// Spirit drove on five wheels for years: the sixth is dragged, at the cost of as much pull as it
-// takes to drag it.
+// Spirit drove on five wheels for years, dragging the sixth, which costs the pull that drags it.
 TEST(DriveTableOfSpirit, with_a_locked_wheel_costs_more_and_climbs_less) {
   const auto level = ground({"Mars", PlaneSurface{}, "MMS"});
   const double g_mps2 = gravity_mps2(*find_body("Mars"), start);

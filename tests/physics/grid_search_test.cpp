@@ -1,4 +1,4 @@
-// How much of the lattice a search looks at on level and on rough ground, of a shipped rover.
+// Number of nodes that a search expands on level and on rough ground, for a shipped rover.
 #include "route/search/grid_search.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,9 @@
 namespace lsos::test {
 namespace {
 
-// Ways that take the same steps in another order cost the same; of bearings between the lattice's
-// own there are as many as places in a parallelogram.
+// Routes that take the same steps in another order cost the same. For a bearing between the
+// lattice's own there are as many nodes on them as in a parallelogram; the tie-break must avoid
+// most of them.
 TEST(LevelSearch, looks_at_few_of_the_ways_that_cost_the_same) {
   const auto level = ground({"Moon", PlaneSurface{}, "ApolloNominal"});
   const VehicleConfig rover = rover_on("SEV", *level, "Moon");
@@ -35,7 +36,7 @@ TEST(LevelSearch, looks_at_few_of_the_ways_that_cost_the_same) {
   }
 }
 
-// Against the search from the goal backwards, which looks at all of the map that it must.
+// Compared with a search backwards from the goal, which expands every node of the map that it must.
 TEST(RoughSearch, near_a_coarser_way_costs_hardly_more_and_looks_at_less) {
   for (const std::uint64_t seed : {4, 6, 9, 13}) {
     const SeededLeg leg{"SEV", "LunarSouthPole", seed, 800};

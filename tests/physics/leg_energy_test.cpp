@@ -1,5 +1,5 @@
-// What planning takes a leg's energy and time for, against shipped rovers driven along the same
-// line, over rough ground and round corners.
+// Planned energy and time of a leg, against shipped rovers driven along the same line, over rough
+// ground and round corners.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ struct Planned {
   double energy_j = std::nan(""), duration_s = std::nan("");
 };
 
-// Of driving along it from rest; NaN where a hazard lies on it, or a slope up to which its wheels
-// only just climb: there they dig.
+// Energy and time of driving the line from rest; NaN where a hazard lies on it, or a slope near the
+// limit of what the wheels climb, on which they dig in.
 Planned planned(const Ground& ground, const DriveCost& cost, const Line2& line) {
   const StanceFinder finder(cost);
   const Vec2 reach_m = Vec2::Constant(130);
@@ -43,7 +43,7 @@ struct Series {
 
 class RoughGround : public testing::TestWithParam<Series> {};
 
-// Other legs than those that the share of the weight was fitted to.
+// Uses other legs than those to which the share of the weight was fitted.
 TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
   const Series& series = GetParam();
   int found = 0;
@@ -65,7 +65,7 @@ TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
     driven_sum_j += driven.drive_j;
     planned_sum_s += told.duration_s;
     driven_sum_s += driven.duration_s;
-    // Down a slope there is little left to be right about.
+    // Down a slope so little energy remains that its relative error says nothing.
     const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
     EXPECT_NEAR(told.energy_j, driven.drive_j, 0.2 * std::max(driven.drive_j, level_j)) << seed;
   }
@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Rovers, RoughGround,
                                          Series{"MER", 15, 4}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
-// A zigzag whose sides are so long: corners driven round, slowed down for, stopped at.
+// A zigzag of 20 m sides, with corners that are rounded, slowed down for, or stopped at.
 TEST(Corners, cost_what_they_cost_the_simulated_rover) {
   const auto level = ground({"Moon", PlaneSurface{}, "ApolloNominal"});
   const VehicleConfig rover = rover_on("SEV", *level, "Moon");
@@ -113,8 +113,8 @@ TEST(Corners, cost_what_they_cost_the_simulated_rover) {
 
 class PlannedTurns : public testing::TestWithParam<Series> {};
 
-// Arcs and the slowing down for them and where it drifts, over the pole's rough ground. And the
-// rover stays by its line.
+// Includes arcs, slowing down for them and for side slip, over the rough ground of the pole. The
+// rover must also stay near its line.
 TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
   const Series& series = GetParam();
   int found = 0;
@@ -126,7 +126,7 @@ TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
     LegRequest request;
     request.goal_S_m = leg.goal_S_m(*ground);
     request.starts_at_rest = true;
-    // As the rover of drive() stands: towards the first waypoint.
+    // The initial heading of drive(): towards the first waypoint.
     request.start_heading_rad = std::atan2(request.goal_S_m.x(), request.goal_S_m.y());
     const PlannedLeg planned = plan_leg(*ground, cost, request);
     if (!planned.is_found()) continue;
@@ -145,8 +145,8 @@ TEST_P(PlannedTurns, cost_what_they_cost_the_simulated_rover) {
     driven_sum_s += driven.duration_s;
     worst_m = std::max(worst_m, driven.worst_m);
     EXPECT_LT(driven.worst_m, 0.5) << "seed " << seed;
-    // Down a slope there is little left to be right about, and what one bump gives back takes it
-    // over the next or is lost to the brakes.
+    // Down a slope so little energy remains that its relative error says nothing: what one bump
+    // gives back carries the rover over the next or is lost to the brakes.
     const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
     const bool is_down = request.goal_S_m.z() < -std::tan(radians(3)) * series.length_m;
     EXPECT_NEAR(planned.energy_j, driven.drive_j, is_down ? 0.3 * level_j : 0.2 * driven.drive_j)

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A map about the straight line from the origin, that as a node.
+// A map about the straight line from the origin to the goal, with a node at the origin.
 GroundMap map_about(const Ground& ground, const DriveCost& cost, const MapFrame& frame,
                     const Vec2& goal_m) {
   const double spacing_m = map_spacing_m(cost);
@@ -73,8 +73,8 @@ double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S
   GroundMap map = map_about(ground, cost, frame, goal_m);
   LegCosts costs(map, finder, aim);
   costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
-  // Corners cost: what is known of a node depends on the neighbour that it is come to from, 4 for
-  // the start.
+  // Corners cost, so the state of a node includes the neighbour from which it is reached; 4 stands
+  // for the start.
   constexpr int from_none = 4;
   const auto state = [&](int x, int y, int from) {
     return static_cast<std::size_t>((y * map.columns() + x) * 9 + from);
@@ -125,7 +125,7 @@ double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S
 
 double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
   constexpr int headings = 36;
-  constexpr double curvatures[] = {0, 1, -1, 0.3, -0.3, 0.13, -0.13};  // in tightest turns
+  constexpr double curvatures[] = {0, 1, -1, 0.3, -0.3, 0.13, -0.13};  // over 1 / least radius
   constexpr std::size_t kinds = std::size(curvatures);
   const StanceFinder finder(cost);
   const MapFrame frame(ground.site(), Vec3::Zero());
@@ -136,8 +136,8 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
   const double level_jpm = cost.soils.front().at(0).energy_jpm;
   const double per_j = request.aim == RouteAim::risk ? 1 / level_jpm : 1;
   const double step_m = 2 * map.spacing_m();
-  // What a pose costs depends on the turn that it is come to by: into another one the rover slows
-  // down.
+  // The cost of a pose depends on the turn that leads to it, because the rover slows down for
+  // another one.
   const auto cell = [&](const Vec2& at_m, double yaw_rad, std::size_t kind) {
     const Vec2 place = (at_m - map.low_m()) / map.spacing_m();
     const double turn = yaw_rad / (2 * std::numbers::pi);
@@ -157,7 +157,7 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
     double yaw_rad = 0;
     std::size_t kind = 0;
     std::int64_t before = -1;
-    Line2 line;  // from the one before
+    Line2 line;  // from the previous node
   };
   std::vector<Node> nodes{
       {Vec2::Zero(), std::numbers::pi / 2 - request.start_heading_rad, 0, -1, {Vec2::Zero()}}};
@@ -197,7 +197,7 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
       }
     }
     for (std::size_t kind = 0; kind < kinds; ++kind) {
-      // By small straight pieces, as an arc is driven.
+      // The step consists of short straight pieces, as an arc is driven.
       constexpr int pieces = 4;
       Node next{here_m, yaw_rad, kind, static_cast<std::int64_t>(number), {}};
       const double by_rad = curvatures[kind] * step_m / pieces / cost.turning_radius_min_m;

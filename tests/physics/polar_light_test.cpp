@@ -1,5 +1,5 @@
-// Light on the shipped ground of the Moon's south pole: by marching over it, as maps are made, and
-// by rendering, as panels see it. The two share no code but the ground.
+// Light on the shipped ground of the Moon's south pole, by marching over it, as maps do, and by
+// rendering, as for panels. The two methods share no code but the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,8 +34,8 @@ std::vector<Instant> sampled_dates(const std::vector<std::string>& dates) {
   return moments;
 }
 
-// Over a year, at all ages of the Moon: where permanent shadow is mapped (Mazarico et al. 2011)
-// there is none, and Shackleton's rim has it most of the time.
+// Over a year, at all phases of the Moon, mapped permanent shadow (Mazarico et al. 2011) stays
+// dark, and Shackleton's rim is lit most of the time.
 TEST_F(PolarLight, never_comes_to_the_floors_of_the_cold_traps) {
   const auto dates =
       sampled_dates({"2026-01-10", "2026-02-23", "2026-03-27", "2026-05-03", "2026-06-07",
@@ -53,7 +53,7 @@ TEST_F(PolarLight, never_comes_to_the_floors_of_the_cold_traps) {
       EXPECT_EQ(sun_fraction(probe, place, at), 0) << floor.crater << " " << format_utc(at);
     }
   }
-  // Eight places on the rim, 10.5 km about its middle.
+  // Eight places on the rim, 10.5 km from the crater's centre.
   int lit = 0, seen = 0;
   for (const Instant at : dates) {
     double most = 0;
@@ -69,8 +69,8 @@ TEST_F(PolarLight, never_comes_to_the_floors_of_the_cold_traps) {
   EXPECT_GT(lit, seen / 2);
 }
 
-// A small square over the ground that faces the Sun, drawn, against the ground below it, marched:
-// random places and times, the Sun near the horizon.
+// A small square above the ground facing the Sun, rendered, against the same place marched: random
+// places and times, with the Sun near the horizon.
 TEST_F(PolarLight, is_the_same_drawn_and_marched) {
   Renderer renderer;
   Light light(*ground, renderer);

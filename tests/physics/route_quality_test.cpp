@@ -1,5 +1,6 @@
-// Planned legs of shipped rovers on shipped terrains: none costs more than another search finds,
-// and none goes far beyond a limit between the steps in which the planner looks at the ground.
+// Planned legs of shipped rovers on shipped terrains: none costs more than a reference search
+// finds, and none goes far beyond a limit between the samples at which the planner evaluates the
+// ground.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ struct Series {
   int legs;
 };
 
-// Of the straight line where the rover turns on the spot; infinite where that is not free.
+// Cost of the straight line for a rover that turns on the spot; infinite if that line is not free.
 double straight_cost(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
   if (!cost.can_turn_on_spot) return std::numeric_limits<double>::infinity();
   const StanceFinder finder(cost);
@@ -34,8 +35,8 @@ double straight_cost(const Ground& ground, const DriveCost& cost, const LegReque
   return costs.straight(Vec2::Zero(), goal_m);
 }
 
-// The least inclined plane that fits the ground under the wheels, by least squares, whichever way
-// the rover stands: on the ground itself, without the planner's map.
+// Least slope, over all headings of the rover, of the plane fitted by least squares to the ground
+// under its wheels. Uses the ground itself, not the planner's map.
 double least_slope_rad(const Ground& ground, const DriveCost& cost, const Vec3& at_S_m) {
   Ground::Probe probe(ground);
   const auto wheels = static_cast<Eigen::Index>(cost.wheels_B_m.size());
@@ -72,12 +73,14 @@ TEST_P(RouteQuality, is_never_costlier_than_the_way_over_the_lattice) {
     request.seed = seed;
     request.start_heading_rad = 0.1 * static_cast<double>(seed);
     const PlannedLeg planned = plan_leg(*ground, cost, request);
-    // A rover that cannot turn on the spot keeps a tenth of its tightest turn for steering.
+    // For a rover that cannot turn on the spot the planner keeps a tenth of its tightest turn for
+    // steering.
     const double over_lattice = cost.can_turn_on_spot
                                     ? grid_cost(*ground, cost, request.goal_S_m, request.aim)
                                     : pose_cost(*ground, cost, request);
     const double allowed = cost.can_turn_on_spot ? 1 + 1e-9 : 1.05;
-    // A place that it could not set off from again is no goal, whatever the A* says.
+    // A place from which the rover could not start again is no goal, whatever the reference A*
+    // finds.
     if (planned.reason.starts_with("the goal is on a slope")) {
       ++too_steep;
       const double least_rad = std::min(cost.limits.slope_max_rad, climbs_rad(cost.soils[0]));
@@ -96,7 +99,8 @@ TEST_P(RouteQuality, is_never_costlier_than_the_way_over_the_lattice) {
       worst = std::max(worst, planned.cost / over_lattice);
     }
     EXPECT_LE(planned.cost, straight_cost(*ground, cost, request) * (1 + 1e-9)) << "seed " << seed;
-    // What is forbidden, looked for at steps of its own; about start and goal it lies as they do.
+    // Limits are checked at samples other than the planner's; near the given start and goal they
+    // are not checked.
     const StanceFinder finder(cost);
     const MapFrame frame(ground->site(), Vec3::Zero());
     const Vec2 reach_m = Vec2::Constant(4 * series.length_m);
@@ -128,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Series{"SEV", "Craters", 120, 15}, Series{"SEV", "LunarSouthPole", 120, 10},
                     Series{"MER", "Craters", 40, 15}, Series{"MER", "LunarSouthPole", 40, 10},
                     Series{"LRV", "Craters", 80, 10}, Series{"LRV", "LunarSouthPole", 80, 5},
-                    // Searched near coarser ways.
+                    // Long legs are searched in a corridor about a coarser route.
                     Series{"SEV", "Craters", 500, 5}, Series{"SEV", "LunarSouthPole", 500, 5}),
     [](const auto& tested) {
       return fmt::format("{}{}{:.0f}", tested.param.rover, tested.param.terrain,

@@ -1,4 +1,4 @@
-// Sums that must close for shipped rovers, and what they are known to be able to do.
+// Energy balances of shipped rovers, and their known abilities.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace lsos::test {
 namespace {
 
-// Slopes to some 15 degrees: shallow craters on a plane that rises to the north by 3.
+// Slopes up to some 15 degrees: shallow craters on a plane that rises by 3 degrees to the north.
 const GroundAt hills{"Moon", PlaneSurface{0, radians(3), radians(180)}, "ApolloNominal",
                      Detail{.craters = CraterPopulation{.diameter_min_m = 10,
                                                         .diameter_max_m = 80,
@@ -73,10 +73,10 @@ TEST(Lrv, needs_35_to_90_watt_hours_a_kilometre_on_level_regolith) {
   EXPECT_LT(wh_pkm, 90);
 }
 
-// Driven straight up a plane from rest until it is steady.
+// A climb straight up a plane from rest until the motion is steady.
 struct Climb {
   bool stands = false;
-  double slip = 1, speed_mps = 0;  // of wheels; uphill
+  double slip = 1, speed_mps = 0;  // slip of the wheels; speed uphill
 };
 Climb climb(const char* rover, const char* planet, const char* soil, double slope_rad,
             double speed_mps, double duration_s) {
@@ -118,7 +118,7 @@ struct Follower {
 };
 class Following : public testing::TestWithParam<Follower> {};
 
-// Two gentle corners, and a sharp one for those that turn on the spot.
+// Two gentle corners, and a sharp one for rovers that turn on the spot.
 TEST_P(Following, stays_on_its_line_on_the_level_and_across_15_degrees) {
   const auto& [rover, planet, soil, speed_mps] = GetParam();
   for (const double slope_deg : {0.0, 15.0}) {

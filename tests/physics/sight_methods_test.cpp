@@ -1,5 +1,5 @@
-// Lines of sight by drawing, as missions have them, and by marching, as maps are made. The two
-// share no code but the ground.
+// Lines of sight by rendering, as in missions, and by marching, as for maps. The two methods share
+// no code but the ground.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,15 +18,15 @@ namespace {
 
 struct Agreement {
   int pairs = 0, equal = 0, seen = 0;
-  double farthest_edge_m = 0;  // clearance by marching, where the two differ
+  double farthest_edge_m = 0;  // greatest clearance by marching where the methods differ
 };
 
-// At random places.
+// Pairs of antennas at random places.
 struct Pairs {
   int count;
-  double around_m;  // of the site's middle, one end
+  double around_m;  // range of the first end's x and y about the site's origin
   double shortest_m, longest_m;
-  double highest_m;  // antennas are an eighth of that to all of it
+  double highest_m;  // greatest antenna height; the least is an eighth of it
 };
 
 Agreement agreement(const Ground& ground, const Pairs& pairs) {
@@ -79,7 +79,7 @@ TEST(SightMethods, agree_among_craters) {
   expect_agreement(agreement(*ground, {1000, 500, 20, 1000, 0.8}));
 }
 
-// Where detail that is as wide as the cells must leave their means alone.
+// A raster on which detail as wide as the cells must leave their means unchanged.
 TEST(SightMethods, agree_over_a_raster_of_large_cells) {
   const TextRaster raster{"+proj=stere +lat_0=-90 +R=1737400 +units=m", "100000,60,0,100000,0,-60",
                           "", rows_of(60, 60, [](int, int) { return 0.0; })};

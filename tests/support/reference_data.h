@@ -1,4 +1,4 @@
-// Data that tests check against. They lie beside the repository and are no part of it.
+// Data against which tests check. They lie beside the repository and are not part of it.
 #pragma once
 
 #include <cstdlib>
@@ -19,9 +19,9 @@ inline std::filesystem::path reference_file(const std::filesystem::path& name) {
 
 }  // namespace lsos
 
-// Skips the test where there are no reference data at all. Where they are, but this file or folder
-// is not among them, or where LSOS_REFERENCE_DATA names no folder, the test fails: what is lost
-// must not go unnoticed.
+// Skips the test when there are no reference data at all. The test fails when this file or folder
+// is missing among them, or when LSOS_REFERENCE_DATA names no folder: lost data must not go
+// unnoticed.
 #define LSOS_NEEDS_REFERENCE(name)                                                 \
   do {                                                                             \
     if (!std::filesystem::is_directory(lsos::reference_folder())) {                \

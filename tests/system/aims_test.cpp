@@ -1,4 +1,4 @@
-// Missions that wait, and areas with holes, through the whole program.
+// Missions that wait and areas with holes, run through the whole program.
 #include <gmock/gmock.h>
 
 #include "system/run_folder.h"
@@ -44,7 +44,7 @@ TEST(WaitsForEver, ends_with_the_condition_and_its_values_and_few_rows) {
   const std::string plan = folder.write(
       "plan.kml", kml(plan_of({event("Pause", "A", 1,
                                      {{"Duration", "10"}, {"StartWhen", "distance_m &gt; 9"}})},
-                              // An empty field is none: the default.
+                              // An empty field counts as absent and takes its default.
                               {{"MaxDuration", "1 h"}, {"ParkedLogInterval", ""}})));
   const Outcome outcome = run({"run", plan, "-o", folder / "run", "--quiet", "--no-report"});
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
@@ -61,7 +61,7 @@ std::string ring(const char* name, const std::string& coordinates) {
          "</coordinates></LinearRing></" + name + ">";
 }
 
-// 80 m by 80 m about a hole of 40 m by 40 m.
+// A square of 80 m by 80 m around a hole of 40 m by 40 m.
 TEST(Survey, of_a_polygon_with_a_hole_keeps_out_of_it) {
   const TempFolder folder;
   const std::string polygon =

@@ -1,5 +1,5 @@
-// Rasters of 40,000 x 40,000 cells: what they cost, and what is said about them. The files are
-// sparse, so that they take no disk.
+// Rasters of 40,000 x 40,000 cells: their cost in memory, and the advice that is given. The files
+// are sparse, so that they take no disk space.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -77,7 +77,7 @@ TEST(BigRaster, without_overviews_is_advised_to_have_some) {
                                     file)));
 }
 
-// They may have averaged marks of missing samples.
+// Overviews are not used when they may have averaged nodata marks into heights.
 TEST(BigRaster, with_overviews_that_are_not_used_is_advised_to_declare_its_marks) {
   const TempFolder folder;
   const std::string file =
@@ -107,14 +107,14 @@ TEST(BigRaster, with_overviews_or_of_moderate_size_needs_no_advice) {
 TEST(BigRaster, is_driven_on_in_little_memory) {
   const TempFolder folder;
   const std::string file = SparseRaster{.side = 40'000}.write(folder, "big.tif");
-  // The report's pictures are drawn in some 150 MB of their own.
+  // The report's pictures would take some 150 MB more.
   const Outcome outcome =
       run({drive_on(file, folder), "-o", folder / "run", "--quiet", "--no-report"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_THAT(summary(folder / "run")["warnings"].dump(), HasSubstr("overviews"));
-  // The sanitizer's own memory would be measured; all above holds with it too.
+  // With a sanitizer, its own memory would be measured. All above holds with it too.
   if (is_sanitized) return;
-  rusage used;  // of the largest of this process's children
+  rusage used;  // ru_maxrss: of the largest child process
   ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &used), 0);
   EXPECT_LT(used.ru_maxrss, 300'000) << "kB";
   EXPECT_GT(used.ru_maxrss, 10'000) << "kB";
@@ -126,7 +126,7 @@ std::string terrain_hash(const std::string& raster, const TempFolder& folder) {
   return query(folder / "run" / "log.gpkg", "select value from run where key = 'terrain_sha256'");
 }
 
-// Its hash does not see each change, but when it was changed is seen.
+// A raster's hash does not cover every cell, but its time of change is noticed.
 TEST(BigRaster, that_was_changed_is_planned_on_again) {
   const TempFolder folder;
   const std::string raster = SparseRaster{.side = 8192}.write(folder, "a.tif");
@@ -148,7 +148,7 @@ TEST(BigRaster, that_was_changed_is_planned_on_again) {
   EXPECT_NE(kept(), first);
 }
 
-// 32 x 32 blocks, of which every eighth is read.
+// The raster has 32 x 32 blocks, of which every eighth is read.
 TEST(BigRaster, has_a_hash_of_what_it_holds) {
   const TempFolder folder;
   SparseRaster raster{.side = 8192};

@@ -7,8 +7,8 @@ namespace lsos::test {
 
 namespace {
 
-// Events as a mouse makes them. The axes of a plot begin 64 pixels from its left edge and end 10
-// before its right one.
+// Events like those of a mouse. The axes of a plot begin 64 pixels from its left edge and end 10
+// pixels before its right edge.
 const std::string tools = R"js(
 const rest = () => new Promise(done => setTimeout(done, 120));
 const at = (element, share) => {
@@ -57,7 +57,7 @@ mark.id = 'answer';
 mark.textContent = btoa(unescape(encodeURIComponent(JSON.stringify(answer))));
 document.body.append(mark);
 })();</script>)js");
-  // Who asks for the document alone is drawn no frames.
+  // With --dump-dom no frames are drawn, so that animation frames need a timer instead.
   const std::string head = "<head>";
   page.insert(page.find(head) + head.size(),
               "<script>window.requestAnimationFrame = f => setTimeout(f, 10);</script>");

@@ -1,4 +1,4 @@
-// A page opened in headless Chromium, with a script of the test's own in it.
+// Opens a page in headless Chromium with a script of the test in it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,13 +8,13 @@
 
 namespace lsos::test {
 
-// "" where no Chromium is installed.
+// Name of the Chromium program; "" when none is installed.
 std::string browser();
 
-// Opens a copy of the page and awaits `steps`, the body of an async function in which move(element,
-// share), drag(element, from, to), twice(element), click(element), text(selector) and
-// rest() stand ready. Answers what it returns; {"error": ...} where it throws. Shares are of the
-// width of a plot's axes.
+// Opens a copy of the page and awaits `steps`, the body of an async function that can call
+// move(element, share), drag(element, from, to), twice(element), click(element), text(selector) and
+// rest(). Returns its result, or {"error": ...} when it throws. Shares are fractions of the width
+// of a plot's axes.
 nlohmann::json in_browser(const TempFolder& folder, const std::string& page_file,
                           const std::string& steps);
 

@@ -1,4 +1,4 @@
-// `lsos-host picture --from VIEW` and `--movie`: runs as cameras see them.
+// `lsos-host picture --from VIEW` and `--movie`: pictures of runs by cameras.
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
 
@@ -48,7 +48,7 @@ Image read_image(const std::string& file) {
   return image;
 }
 
-// In rows from..to, shares of the height.
+// Number of pixels with a property in the rows from..to, given as fractions of the height.
 template <class Is>
 int count(const Image& image, double from, double to, const Is& is) {
   int found = 0;
@@ -62,7 +62,7 @@ int count(const Image& image, double from, double to, const Is& is) {
 bool is_first_track(const Pixel& p) { return p.red > 240 && p.green < 10 && p.blue < 10; }
 
 // Two SEVs on cratered ground with the Sun 25 degrees high in the west; the first one drives
-// eastwards, the second stands beside its way.
+// eastwards, the second stands beside its route.
 class CameraPicture : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -100,13 +100,13 @@ TEST_F(CameraPicture, from_behind_shows_ground_sky_track_and_shadow) {
   const Image seen = image("chase");
   ASSERT_EQ(seen.width, 640);
   ASSERT_EQ(seen.height, 360);
-  // The sky of the Moon is black, the ground below the horizon is lit.
+  // The sky of the Moon is black; the ground below the horizon is lit.
   EXPECT_EQ(count(seen, 0, 0.05, [](const Pixel& p) { return p.sum() == 0; }), 640 * 18);
   EXPECT_GT(count(seen, 0.3, 0.9, [](const Pixel& p) { return p.sum() > 300; }), 60000);
-  // Shadow: far darker than that, but not in the caption's band.
+  // Shadows are far darker; the band of the caption is left out.
   EXPECT_GT(count(seen, 0.5, 0.88, [](const Pixel& p) { return p.sum() < 130; }), 1000);
   EXPECT_GT(count(seen, 0.5, 0.9, is_first_track), 60);
-  // Its letters.
+  // The letters of the caption are white.
   EXPECT_GT(count(seen, 0.9, 1, [](const Pixel& p) { return p.sum() == 3 * 255; }), 100);
 }
 
@@ -114,7 +114,7 @@ TEST_F(CameraPicture, before_it_has_driven_there_is_no_track) {
   EXPECT_EQ(count(image("chase", "0"), 0, 0.9, is_first_track), 0);
 }
 
-// Samples are 2 s apart.
+// Samples are 2 s apart, so that 25 s lies between two of them.
 TEST_F(CameraPicture, moves_between_samples) {
   image("above", "24");
   const std::string first = read_text(*folder / "x.png");
@@ -220,7 +220,8 @@ class Film : public CameraPicture {
         std::filesystem::directory_iterator(folder->path()),
         [](const auto& entry) { return entry.path().filename().string().starts_with("x.mp4"); });
   }
-  // In place of ffmpeg: `body` of a shell script, the film's name last of its arguments.
+  // Writes a shell script with this body that replaces ffmpeg, and returns a PATH that finds it.
+  // The film's name is its last argument.
   static std::string program(const std::string& name, const std::string& body) {
     const std::string file = folder->write(name + "/ffmpeg", "#!/bin/sh\n" + body + "\n");
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);

@@ -1,5 +1,6 @@
-// MER where Curiosity stood: 33 of its localisations between sols 960 and 1073 lie on the 1 m
-// HiRISE elevation model of Gale crater that we have. Read and projected here by other means.
+// MER placed where Curiosity stood: 33 of its localisations between sols 960 and 1073 lie on the 1
+// m HiRISE elevation model of Gale crater in the reference data. The test reads and projects the
+// raster by other means than the program.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -24,12 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mars_radius_m = 3396190;  // the sphere of the raster, IAU 2000
+constexpr double mars_radius_m = 3396190;  // sphere of the raster, IAU 2000
 constexpr double deg = std::numbers::pi / 180;
 
 // One localisation. Yaw is the heading, clockwise from north: the rover's x axis is forward and its
-// z axis down. Longitude and latitude are planetocentric: easting and northing are those times the
-// sphere's radius.
+// z axis down. Longitude and latitude are planetocentric; easting and northing are these angles
+// times the sphere's radius.
 struct Stand {
   int sol = 0;
   double easting_m = 0, northing_m = 0, elevation_m = 0, yaw_rad = 0;
@@ -81,14 +82,14 @@ class Raster {
     if (dataset_) dataset_->GetGeoTransform(transform_);
   }
 
-  // With room for a rover and the cells around it.
+  // Whether the raster holds a place, with room for a rover and the cells around it.
   bool holds(const Stand& stand) const {
     const double u = column(stand.easting_m), v = row(stand.northing_m);
     return u > 4 && v > 4 && u < dataset_->GetRasterXSize() - 5 &&
            v < dataset_->GetRasterYSize() - 5;
   }
 
-  // Catmull and Rom's cubic through the 4 x 4 nearest cell centres.
+  // Height interpolated by Catmull and Rom's cubic through the 4 x 4 nearest cell centres.
   double height_m(double easting_m, double northing_m) const {
     const double u = column(easting_m), v = row(northing_m);
     const int i = static_cast<int>(u), j = static_cast<int>(v);
@@ -120,8 +121,8 @@ struct Attitude {
   double pitch_rad = 0, roll_rad = 0;
 };
 
-// The ground under MER's wheels, from the raster: in the rover's own level frame, forward, right,
-// up. Wheels stand nearer to each other on a slope than on the level, which is left out.
+// Points of the raster under MER's wheels, in the rover's level frame: forward, right, up. The
+// horizontal distances between wheels, which are shorter on a slope, are taken as on the level.
 constexpr double half_base_m = 1.41 / 2;  // rovers/MER.lua
 constexpr std::array<double, 3> forward_m{half_base_m, 0, -half_base_m}, right_m{0.53, 0.61, 0.53};
 constexpr double track_m = 2 * (0.53 + 0.61 + 0.53) / 3;
@@ -138,10 +139,10 @@ Eigen::Matrix<double, 6, 3> ground_under_wheels(const Raster& raster, const Stan
   return points;
 }
 
-// How MER stands by the shape of its suspension alone: a bogie's pivot is halfway between the
+// Attitude of MER from the geometry of its suspension alone. A bogie's pivot is halfway between the
 // middle and the rear wheel, so that each rocker leans on its front wheel and on the mean of those
 // two, and the differential gives the body the mean pitch of both rockers. All of them turn about
-// the body's y axis, so that the body rolls as the sides' mean heights differ.
+// the body's y axis, so that the body rolls by the difference of the sides' mean heights.
 double side_pitch_rad(const Eigen::Matrix<double, 6, 3>& points, int front) {
   const double rise_m = points(front, 2) - (points(front + 1, 2) + points(front + 2, 2)) / 2;
   return std::atan(rise_m / (1.5 * half_base_m));
@@ -153,14 +154,14 @@ Attitude stand_of_mer(const Eigen::Matrix<double, 6, 3>& points) {
   return {pitch_rad, std::atan(drop_m / track_m * std::cos(pitch_rad))};
 }
 
-// Of the plane with the least squares.
+// Slope of the plane fitted by least squares.
 double slope_rad(Eigen::Matrix<double, 6, 3> points) {
   const Eigen::Matrix<double, 6, 1> h_m = points.col(2);
   points.col(2).setOnes();
   return std::atan(points.colPivHouseholderQr().solve(h_m).eval().head<2>().norm());
 }
 
-// MERs that stand clear of each other, as few plans as that takes.
+// Groups the places so that the MERs of one plan stand clear of each other, in few groups.
 std::vector<std::vector<Stand>> clear_of_each_other(const std::vector<Stand>& stands) {
   std::vector<std::vector<Stand>> groups;
   for (const Stand& stand : stands) {
@@ -225,10 +226,10 @@ class Curiosity : public ::testing::Test {
   const fs::path raster_file = reference_file("dem/mars/gale_hirise_1m_missionDEM.tif");
 };
 
-// What the columns mean is not written anywhere, so the rover's own drives say it.
+// The meaning of the columns is documented nowhere, so it is derived from the rover's drives.
 TEST_F(Curiosity, yaw_is_the_heading_clockwise_from_north) {
   const std::vector<TraverseRow> rows = traverse();
-  std::map<std::string, std::vector<double>> off_deg;  // by what yaw might be
+  std::map<std::string, std::vector<double>> off_deg;  // by possible meaning of yaw
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double east_m = rows[i].easting_m - rows[i - 1].easting_m;
     const double north_m = rows[i].northing_m - rows[i - 1].northing_m;
@@ -275,22 +276,22 @@ TEST_F(Curiosity, stood_at_the_height_of_the_raster) {
   }
 }
 
-// How far the body can be turned about the vertical when MER is let down with its rockers in line:
-// they turn against each other, nose up on the right by `angle` and down on the left, about pivots
-// that are 0.45 m above the wheels. That far where no wheel moves, less where they roll.
+// Greatest turn of the body about the vertical when MER is lowered with its rockers in line: they
+// turn against each other, nose up on the right by `angle_rad` and down on the left, about pivots
+// 0.45 m above the wheels. The turn is that large when no wheel moves, and smaller when they roll.
 double turn_by_rockers_rad(const Eigen::Matrix<double, 6, 3>& points) {
   const double angle_rad = (side_pitch_rad(points, 0) - side_pitch_rad(points, 3)) / 2;
   return std::atan(2 * 0.45 * std::sin(angle_rad) / track_m);
 }
 
-// MER at rest against what the raster and its suspension say of where it came to stand.
+// Compares MER at rest with the raster and its suspension at the place where it came to rest.
 void expect_rest(const SampleRow& row, const Stand& stand, const Raster& raster) {
   const Stand rest{.sol = stand.sol,
                    .easting_m = row.place.lon_rad * mars_radius_m,
                    .northing_m = row.place.lat_rad * mars_radius_m,
                    .yaw_rad = row.heading_rad};
   const Eigen::Matrix<double, 6, 3> points = ground_under_wheels(raster, rest);
-  // On a slope the springs let it down by a little.
+  // On a slope the springs deflect a little and shift the rover.
   EXPECT_LT(std::hypot(rest.easting_m - stand.easting_m, rest.northing_m - stand.northing_m), 0.03);
   const double turn_rad = std::remainder(row.heading_rad - stand.yaw_rad, 360 * deg);
   EXPECT_LT(std::abs(turn_rad), std::abs(turn_by_rockers_rad(points)) + 0.1 * deg);

@@ -1,4 +1,4 @@
-// Seeded legs among craters, driven as planned and driven straight: what planning is for.
+// Seeded legs among craters, driven along planned and along straight routes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ std::vector<Mark> plan_of(const Series& series, const Leg& leg, const char* even
           event(event_type, "R", 1, {}, line(leg.from + " " + leg.to))};
 }
 
-// Whether there is a way that is not the straight one.
+// Whether a route is found and it is not the straight one.
 bool is_detour(const Series& series, const Leg& leg) {
   const TempFolder folder;
   const Outcome check = run(
@@ -67,7 +67,7 @@ struct Driven {
   bool is_completed = false;
   double distance_m = 0, energy_wh = 0;
   std::string reason;
-  std::size_t notes = 0;  // of being stuck or astray
+  std::size_t notes = 0;  // about being stuck or off the path
 };
 
 Driven driven(const Series& series, const Leg& leg, const char* event_type) {
@@ -84,8 +84,8 @@ constexpr Series all_series[] = {{"SEV", "LunarSouthPole", 100, 8},
                                  {"MER", "LunarSouthPole", 30, 8},
                                  {"MER", "Craters", 40, 7}};
 
-// Thirty legs in all. Where a limit of the rover forbids ground that a straight drive happens to
-// get over, the way round costs more: that is what limits are for.
+// The series have thirty legs in all. Where a limit of the rover forbids ground that a straight
+// drive happens to cross, the planned route costs more; that is the purpose of limits.
 TEST(Dodge, planned_ways_arrive_where_straight_ones_mostly_fail_or_cost_more) {
   int all_legs = 0, all_worse = 0;
   for (const Series& series : all_series) {

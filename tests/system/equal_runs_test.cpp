@@ -42,7 +42,7 @@ TEST_F(EqualRuns, follow_when_all_state_is_saved_and_read_back_at_each_exchange)
 }
 
 TEST_F(EqualRuns, do_not_follow_from_another_plan) {
-  plan_.back().geometry = point("0.0005,-0.00070001");  // 0.3 mm aside
+  plan_.back().geometry = point("0.0005,-0.00070001");  // shifted by 0.3 mm
   EXPECT_NE(digest(), first_);
 }
 

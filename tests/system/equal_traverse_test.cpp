@@ -21,7 +21,7 @@ std::string digest(const std::string& plan_text, const Words& options) {
   return summary(folder / "run")["log_sha256"];
 }
 
-// All Placemarks in one Document, in another order.
+// A plan with all Placemarks in one Document, in another order.
 std::string shuffled(const std::string& text) {
   const std::string begin = "<Placemark>", end = "</Placemark>";
   std::vector<std::string> marks;

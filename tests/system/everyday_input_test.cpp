@@ -1,4 +1,4 @@
-// What people and their tools hand to the program, beside a right KML file.
+// Input of people and their tools other than a correct KML file.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(Pipe, is_read_as_a_plan) {
   EXPECT_THAT(foreign.out, HasSubstr("/dev/stdin:1: is no XML: it is a table of text"));
 }
 
-// "ground.zip" with "ground.asc", 20 m of level ground about the rover.
+// Writes a zip file with "ground.asc", 1.2 km by 1.2 km of level ground around the rover.
 void write_zipped_ground(const fs::path& file) {
   std::string grid = "ncols 40\nnrows 40\nxllcorner 30.98\nyllcorner 19.98\ncellsize 0.001\n";
   for (int row = 0; row < 40; ++row) {

@@ -1,5 +1,6 @@
-// What ends a drive: high-centring, rolling over, being stuck, another rover in the way; each with
-// a reason in the event and a row in `notes`. And what does not: standing on a slope for a week.
+// Causes that end a drive: high-centring, rolling over, being stuck, another rover on the path;
+// each gives a reason in the event and a row in `notes`. Standing on a slope for a week ends
+// nothing.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -18,13 +19,13 @@ using ::testing::HasSubstr;
 
 constexpr double moon_radius_m = 1737400;
 
-// Metres east and north of the Moon's 0,0.
+// Coordinates "lon,lat" of a place x_m east and y_m north of the Moon's 0,0.
 std::string place(double x_m, double y_m) {
   const double deg_pm = 180 / std::numbers::pi / moon_radius_m;
   return fmt::format("{:.9f},{:.9f}", x_m * deg_pm, y_m * deg_pm);
 }
 
-// A raster of the Moon round 0,0 at 0.5 m.
+// Writes a raster of the Moon around 0,0 with cells of 0.5 m.
 void write_raster(const TempFolder& folder, const std::string& name, int cells,
                   const std::function<double(double x_m, double y_m)>& height_m) {
   const double half_m = cells * 0.25;
@@ -87,7 +88,8 @@ Mark on(const std::string& terrain, const Fields& more = {}) {
 }
 
 TEST(Findings, a_ridge_under_the_chassis_ends_the_drive) {
-  // Its crest is 0.5 m above a chord of the LRV's wheelbase, the chassis 0.36 m above its wheels.
+  // The crest is 0.5 m above a chord of the LRV's wheelbase, the chassis only 0.36 m above its
+  // wheels.
   const TempFolder folder;
   write_raster(folder, "ridge", 100,
                [](double x_m, double) { return std::max(0.0, 0.9 - std::abs(x_m) * 0.9 / 1.9); });
@@ -177,7 +179,7 @@ TEST(Findings, are_the_same_when_all_state_is_saved_and_read_at_each_exchange) {
 }
 
 TEST(Findings, a_rover_that_turns_on_the_spot_does_not_swing_into_another) {
-  // Side by side 5 m apart: SEV's corners reach 3.1 m when it turns.
+  // The rovers stand side by side, 4.4 m apart; SEV's corners reach 3.1 m when it turns.
   const TempFolder folder;
   const Ran result =
       run_plan(folder, {on("Flat"), rover("SEV", "A", place(0, 0), {{"Heading", "0"}}),
@@ -227,7 +229,7 @@ TEST(RoverConfig, decides_how_the_rover_starts) {
                 HasSubstr("SEV: drive energy is multiplied by 1 (drive_calibration): not "
                           "calibrated against field data"));
   }
-  // 3000 kg instead of 4000 kg.
+  // The mass is 3000 kg instead of 4000 kg.
   EXPECT_LT(drive_j[1], 0.85 * drive_j[0]);
   EXPECT_GT(drive_j[1], 0.5 * drive_j[0]);
 }

@@ -1,5 +1,5 @@
-// `check` and other people's maps: whatever a planner drops on it, it answers, and says why that is
-// no plan.
+// `check` with other people's maps: whatever file it is given, it ends and says why that is not a
+// plan.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
-// The files are small; the rest is for a machine that is busy.
+// Time limit of a check. The files are small; the margin is for a busy machine.
 constexpr std::chrono::seconds limit{10};
 
 std::vector<fs::path> foreign_files() {
@@ -41,7 +41,7 @@ std::vector<fs::path> foreign_files() {
   return files;
 }
 
-// Nothing when it does not end within the limit.
+// Outcome of `check`; nothing when it does not end within `longest`.
 std::optional<Outcome> check(const fs::path& file, std::chrono::seconds longest = limit) {
   const auto start = std::chrono::steady_clock::now();
   Process process(program({"check", file}));
@@ -65,7 +65,7 @@ fs::path packed(const fs::path& kml, const TempFolder& folder) {
   return file;
 }
 
-// What another look at the file says that it is.
+// Kind of a file, as tinyxml2 reads it directly.
 enum class Kind { malformed, other_xml, kml };
 
 Kind kind_of(const fs::path& file) {
@@ -76,7 +76,7 @@ Kind kind_of(const fs::path& file) {
   return roots.contains(name.substr(name.rfind(':') + 1)) ? Kind::kml : Kind::other_xml;
 }
 
-// `seen` is the file as messages call it.
+// Expects the right refusal of a file; `seen` is its name in messages.
 void expect_answer(const std::optional<Outcome>& outcome, const std::string& seen, Kind kind) {
   ASSERT_TRUE(outcome) << "no answer within " << limit.count() << " s";
   EXPECT_FALSE(outcome->was_killed) << "by signal " << outcome->exit_code - 128;
@@ -151,7 +151,7 @@ TEST(ForeignKml, with_thousands_of_attributes_is_refused_at_once) {
   EXPECT_THAT(outcome->out, HasSubstr(file + ":2: has a tag with 200000 attributes; 1000 at most"));
 }
 
-// Each name stands for ten of the one before: a gigabyte where a reader expands them.
+// Each entity expands to ten of the one before, to a gigabyte in all.
 TEST(ForeignKml, with_entities_of_its_own_is_refused) {
   const TempFolder folder;
   std::string text = "<?xml version=\"1.0\"?>\n<!DOCTYPE kml [\n<!ENTITY e0 \"ha\">\n";

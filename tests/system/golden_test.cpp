@@ -1,6 +1,6 @@
-// The logs of all shipped plans, against digests that are kept in tests/golden/digests.txt: a
-// change that is not meant to change what is computed does not. LSOS_UPDATE_GOLDEN=1 writes them
-// anew; the commit says why.
+// Compares the logs of all shipped plans with the digests in tests/golden/digests.txt, so that no
+// change alters results unintentionally. LSOS_UPDATE_GOLDEN=1 writes the digests anew; the commit
+// says why.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 const fs::path golden = repository() / "tests/golden/digests.txt";
 
-// Over all layers, and of `run` what neither a new version nor a comment in a script changes.
+// Digest of all layers. Of `run`, the values are left out that a new version or a comment in a
+// script changes.
 std::string golden_digest(const fs::path& log) {
   const Outcome outcome = run_command(
       {"sqlite3", log.string(),

@@ -1,5 +1,5 @@
-// Light and sight on a small raster: what is said where the ground ends before the horizon that
-// counts, and what changes when a coarser raster is laid around it.
+// Light and sight on a small raster: the warning where the ground ends before the horizon that
+// matters, and the effect of a coarser raster around it.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -23,14 +23,14 @@ using ::testing::Not;
 constexpr double moon_radius_m = 1737400;
 constexpr const char* at = "2026-07-29T08:00:00Z";  // the Sun 4.3 degrees high, due north
 
-// South polar stereographic (Snyder 1987, eq. 21-1); the site lies at 0 E, 85 S.
+// Site at 0 E, 85 S in south polar stereographic projection (Snyder 1987, eq. 21-1).
 const double site_y_m = 2 * moon_radius_m * std::tan(2.5 * std::numbers::pi / 180);
 constexpr const char* polar =
     R"(PROJCS["Moon south pole",GEOGCS["Moon 2000",DATUM["D_Moon_2000",SPHEROID["Moon_2000_IAU_IAG",1737400,0]],PRIMEM["Reference_Meridian",0],UNIT["degree",0.0174532925199433]],PROJECTION["Polar_Stereographic"],PARAMETER["latitude_of_origin",-90],PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]])";
 constexpr const char* mars_polar =
     R"(PROJCS["Mars south pole",GEOGCS["Mars 2000",DATUM["D_Mars_2000",SPHEROID["Mars_2000_IAU_IAG",3396190,0]],PRIMEM["Reference_Meridian",0],UNIT["degree",0.0174532925199433]],PROJECTION["Polar_Stereographic"],PARAMETER["latitude_of_origin",-90],PARAMETER["central_meridian",0],PARAMETER["scale_factor",1],PARAMETER["false_easting",0],PARAMETER["false_northing",0],UNIT["metre",1]])";
 
-// A ring of hills of 50 to 450 m about the site, 4 km away.
+// A ring of hills, 50 to 450 m high, 4 km from the site.
 double height_m(double x_m, double y_m) {
   const double away_m = std::hypot(x_m, y_m), along = (away_m - 4000) / 800;
   return (250 + 200 * std::sin(40 * std::atan2(x_m, y_m))) * std::exp(-along * along);
@@ -38,8 +38,8 @@ double height_m(double x_m, double y_m) {
 
 constexpr double missing = -9;
 
-// A square of cells of that size, about a place that lies east of the site; heights by metres
-// east and north of the site.
+// Writes a square raster with cells of that size, centred `east_m` east of the site. `height_m`
+// takes metres east and north of the site.
 template <class Height>
 std::string raster_of(const TempFolder& folder, const std::string& name, int cells, double cell_m,
                       const Height& height_m, double east_m = 0, const char* crs = polar) {
@@ -69,7 +69,7 @@ struct Light {
   std::vector<float> shares;
 };
 
-// The inner 200 m.
+// Light of the inner 200 m of the site.
 Light light_of(const TempFolder& folder, const Words& ground) {
   Words words{"light"};
   words.insert(words.end(), ground.begin(), ground.end());
@@ -116,7 +116,8 @@ TEST(GroundEnd, light_with_a_coarse_raster_beyond_is_that_of_the_whole) {
   for (std::size_t k = 0; k < both.shares.size(); ++k) {
     EXPECT_NEAR(both.shares[k], whole.shares[k], 0.03) << k;
   }
-  // 13 km are not as far as counts at 4.3 degrees.
+  // The coarse ground ends at 13 km, which is less than ground can cast shadows from at 4.3
+  // degrees.
   EXPECT_NEAR(both.answer["ground_reaches_m"].get<double>(), 13000, 300);
 }
 
@@ -129,7 +130,8 @@ TEST(GroundEnd, nothing_is_said_where_no_ground_can_count) {
   EXPECT_FALSE(light_of(folder, {"Craters"}).answer.contains("warnings"));
 }
 
-// Level ground of the Moon in cells of a degree, from -90 to 90 north.
+// Writes level ground of the Moon in cells of one degree, from 90 degrees south to 90 degrees
+// north.
 std::string degrees_of_moon(const TempFolder& folder, double west_deg, int columns) {
   std::string text = fmt::format("ncols {}\nnrows 180\nxllcorner {}\nyllcorner -90\ncellsize 1\n",
                                  columns, west_deg);
@@ -149,7 +151,7 @@ Outcome light_at_new_moon(const TempFolder& folder, const std::string& raster,
               "-o", folder / "light.tif", "--json"});
 }
 
-// The terminator lies at 54 degrees east, the raster's edge at 58.
+// The terminator lies at 54 degrees east, the raster's edge at 58 degrees.
 TEST(GroundEnd, is_told_with_the_sun_of_a_place_that_is_lit_over_it) {
   const TempFolder folder;
   const Outcome outcome = light_at_new_moon(folder, degrees_of_moon(folder, 0, 58), "10,-5,58,5");
@@ -193,7 +195,8 @@ TEST(GroundEnd, light_tells_how_many_cells_have_no_ground) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json answer = json::parse(outcome.out)[0];
   const double cells = answer["columns"].get<double>() * answer["rows"].get<double>();
-  // The window begins 793 m west of the site and ends 100 m east of it; the raster begins at 500 m.
+  // The window reaches from 793 m west of the site to 100 m east of it; the raster begins at 500 m
+  // west.
   EXPECT_NEAR(answer["cells_without_value"].get<double>() / cells, 0.33, 0.02) << answer;
 }
 
@@ -221,7 +224,7 @@ TEST(GroundEnd, a_line_of_sight_across_a_hole_is_told) {
   const std::string file = raster_of(folder, "hole", 40, 25, [](double, double north_m) {
     return std::abs(north_m) < 100 ? missing : 0;
   });
-  // 300 m to the north of the middle and to the south.
+  // The places lie 300 m north and 300 m south of the middle.
   const Outcome lines = run({"sight", file, "--from", "0,-84.9901,2", "--to", "0,-85.0099,2",
                              "--to", "0.05,-84.9901,2", "--json"});
   ASSERT_EQ(lines.exit_code, 0) << lines.err;
@@ -238,7 +241,7 @@ TEST(GroundEnd, a_line_of_sight_across_a_hole_is_told) {
               HasSubstr("of what is seen is seen over ground that is not known"));
 }
 
-// An SEV that stays at the site for ten minutes, beside the rasters.
+// Writes a plan beside the rasters in which an SEV stays at the site for ten minutes.
 std::string stay(const TempFolder& folder, const std::string& name, const Fields& more) {
   Mark info = mission(more);
   for (auto& [field, value] : info.fields) {
@@ -290,7 +293,7 @@ TEST(GroundEnd, a_run_takes_its_light_over_the_terrain_beyond_and_says_where_tha
   EXPECT_THAT(told, Contains(HasSubstr("the ground ends 500 m away towards the Sun, 4.3 deg high, "
                                        "which ground up to")));
   EXPECT_GT(summary(alone)["rovers"]["A"]["solar_j"].get<double>(), 0);
-  // In the shadow of the wall nothing is seen over its end.
+  // In the shadow of the wall the end of the ground does not matter.
   EXPECT_EQ(summary(walled)["rovers"]["A"]["solar_j"], 0);
   EXPECT_THAT(summary(walled)["warnings"], Not(Contains(HasSubstr("light of A"))));
   EXPECT_EQ(query(walled + "/log.gpkg", "SELECT value FROM run WHERE key = 'terrain_beyond'"),

@@ -1,4 +1,4 @@
-// Habits of the tree that a reader relies on: short files that say what they are for.
+// Properties of the source tree that readers rely on: short files that say their purpose.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ constexpr std::size_t lines_max = 400;
 
 TEST(SourceFiles, are_no_longer_than_a_reader_can_hold) {
   for (const SourceFile& file : source_files({".h", ".cpp", ".lua"})) {
-    if (file.path == "lua/library.d.lua") continue;  // for editors, made from the registry
+    if (file.path == "lua/library.d.lua") continue;  // generated from the registry, for editors
     EXPECT_LE(file.lines.size(), lines_max) << file.path;
   }
 }
@@ -29,14 +29,14 @@ TEST(Headers, say_what_they_are_for_and_are_included_once) {
 
 TEST(Scripts, say_what_they_are_for) {
   for (const SourceFile& file : source_files({".lua"})) {
-    // Wrong on purpose; the first lines say what message is expected.
+    // Scripts that are wrong on purpose; their first lines give the expected message.
     if (file.path.string().starts_with("tests/messages/")) continue;
     ASSERT_FALSE(file.lines.empty()) << file.path;
     EXPECT_TRUE(file.lines[0].starts_with("--")) << file.path << " starts without a comment";
   }
 }
 
-// Where a number is from stands behind it, or in the comment right above it.
+// Whether the source of a number is given behind it, or in the comment right above it.
 bool is_graded(const std::vector<std::string>& lines, std::size_t i) {
   static const std::regex grade(R"(-- .*\b[VRDA]\b.*)"), comment(" *--.*");
   if (std::regex_search(lines[i], grade)) return true;
@@ -47,7 +47,7 @@ bool is_graded(const std::vector<std::string>& lines, std::size_t i) {
 }
 
 TEST(Rovers, say_of_every_number_where_it_is_from) {
-  // radius_m = 0.4, size_m = lsos.vec3(1, 2, 3), local mass_kg = 5; not api = 1 and what is 0.
+  // Matches radius_m = 0.4, size_m = lsos.vec3(1, 2, 3), local mass_kg = 5; not api = 1 or zeros.
   const std::regex number(
       R"( *(local )?(?!api )\w+ *= (vec\(|lsos\.vec3|math\.rad|[-{0-9]).*[1-9].*)");
   int numbers = 0;
@@ -67,6 +67,25 @@ TEST(Sources, start_with_a_comment_or_with_their_header) {
     ASSERT_FALSE(file.lines.empty()) << file.path;
     EXPECT_TRUE(file.lines[0].starts_with("// ") || file.lines[0].starts_with("#include"))
         << file.path << ": " << file.lines[0];
+  }
+}
+
+// A comment that begins so is a fragment whose subject the reader has to guess.
+TEST(Comments, begin_with_their_subject) {
+  static const std::regex comment(R"(^(.*?)// (.*)$)"), fragment(R"(^(Of|That|By|So)\b.*)");
+  for (const SourceFile& file : source_files({".h", ".cpp"})) {
+    bool is_in_block = false;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      std::smatch match;
+      const bool is_comment = std::regex_match(file.lines[i], match, comment);
+      const bool is_alone =
+          is_comment && match[1].str().find_first_not_of(' ') == std::string::npos;
+      if (is_comment && !(is_alone && is_in_block)) {
+        EXPECT_FALSE(std::regex_match(match[2].str(), fragment))
+            << file.path << ":" << i + 1 << ": " << match[2];
+      }
+      is_in_block = is_alone;
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-// What instruments print: JSON into a pipe, a table on a terminal, numbers as they are meant.
+// Output of instruments: JSON into a pipe, a table on a terminal, numbers without rounding errors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ Words with(Words words, const std::string& more) {
   return words;
 }
 
-// As a shell on a terminal would start it.
+// Output of the program started by a shell on a terminal.
 std::string on_a_terminal(const Words& arguments) {
   std::string line;
   for (const std::string& word : program(arguments)) line += "'" + word + "' ";
@@ -57,7 +57,7 @@ TEST(InstrumentAnswer, has_places_as_they_were_asked_and_no_noise_of_sums) {
   EXPECT_FALSE(std::regex_search(line, ten_decimals)) << line;
 }
 
-// Warnings are sentences, and told on standard error.
+// Warnings are sentences on standard error, and not in the table.
 TEST(InstrumentAnswer, is_a_table_without_warnings) {
   const TempFolder folder;
   const std::string raster = folder / "small.tif";

@@ -1,4 +1,4 @@
-// Who may include whom: our folders by layer, and each third-party library in its folders alone.
+// Allowed includes: our own folders by layer, and each third-party library in its folders only.
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ struct Library {
   std::set<std::string> folders;
 };
 
-// Eigen and fmt may be everywhere, and are not in this table.
+// The folders that may include each library. Eigen and fmt are allowed everywhere.
 const std::vector<Library>& libraries() {
   static const std::vector<Library> table = {
       {std::regex("(lua|lauxlib|lualib)\\.h(pp)?"), {"lua"}},
@@ -60,7 +60,7 @@ const std::vector<Library>& libraries() {
       {std::regex("ompl/.*"), {"route"}},
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
-      {std::regex("gnu/libc-version\\.h"), {"route"}},  // which one is loaded
+      {std::regex("gnu/libc-version\\.h"), {"route"}},  // version of the C library
       {std::regex("nlohmann/.*"), {"picture", "product", "lua"}},
       {std::regex("openssl/.*"), {"base"}},
   };
@@ -87,7 +87,7 @@ struct Include {
   std::size_t line = 0;
   std::string unit;  // of the file that includes: "terrain/grid/patch"
   std::string header;
-  bool is_ours = false;  // in quotes
+  bool is_ours = false;  // included in quotes
 
   std::string place() const { return file.string() + ":" + std::to_string(line) + ": "; }
 };
@@ -237,7 +237,7 @@ TEST(Layers, headers_in_quotes_exist) {
 }
 
 TEST(Layers, third_party_headers_stay_in_their_folder) {
-  // The C++ library has no extension; these few are the system's.
+  // Headers of the C++ library have no extension; the others belong to the system.
   const std::regex standard(
       R"([a-z_0-9]+|(Eigen|fmt)/.*|(unistd|fcntl|iconv|poll|signal|locale|termios|errno|time|xlocale)\.h|sys/.*\.h)");
   int seen = 0;

@@ -1,4 +1,4 @@
-// Results that cannot be written: they are never claimed, and no run is lost for the lack of one.
+// Results that cannot be written: the program never claims them, and loses no run for lack of one.
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -15,16 +15,16 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// The program's words as a shell takes them, with what stands behind them.
+// Runs the program in a shell, with text such as a redirection appended to its command line.
 Outcome in_shell(const Words& arguments, const std::string& behind, const fs::path& folder = ".") {
   std::string line = "'" LSOS_PROGRAM "'";
   for (const std::string& word : arguments) line += " '" + word + "'";
   return run_command({"bash", "-c", line + " " + behind}, {.folder = folder});
 }
 
-// Words that run the program as a user who owns nothing; empty where that is not possible.
+// Words that run the program as a user without rights on the files.
 Words as_other_user(const Words& arguments) {
-  if (geteuid() != 0) return program(arguments);  // tests make their folders read-only
+  if (geteuid() != 0) return program(arguments);  // read-only folders are enough
   Words words{"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
   for (const std::string& word : program(arguments)) words.push_back(word);
   return words;
@@ -46,7 +46,7 @@ class OtherUser : public ::testing::Test {
     }
   }
   Outcome run_so(const Words& arguments) const {
-    // A loop would last for ever.
+    // The time limit ends an endless loop.
     Words words{"timeout", "60"};
     for (const std::string& word : as_other_user(arguments)) words.push_back(word);
     return run_command(words, {.folder = folder_.path()});
@@ -67,7 +67,7 @@ TEST_F(OtherUser, is_told_that_a_run_cannot_be_written_there) {
   close_all();
   for (const std::string& out : {closed.string(), (closed / "a/b").string(), std::string()}) {
     Words arguments{"run", plan_, "--quiet", "--no-report"};
-    if (!out.empty()) arguments.insert(arguments.end(), {"-o", out});  // else out/plan
+    if (!out.empty()) arguments.insert(arguments.end(), {"-o", out});  // default: out/plan
     const Outcome outcome = run_so(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << out << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("Permission denied; name another folder with -o"));
@@ -75,7 +75,7 @@ TEST_F(OtherUser, is_told_that_a_run_cannot_be_written_there) {
   EXPECT_TRUE(fs::is_empty(closed));
 }
 
-// Its lock can be taken, and its files cannot be removed.
+// The run's lock can be taken, but its files cannot be removed.
 TEST_F(OtherUser, does_not_break_a_run_that_cannot_be_replaced) {
   ASSERT_EQ(run({"run", plan_, "-o", folder_ / "a", "--quiet", "--no-report"}).exit_code, 0);
   const std::string before = read_text(folder_ / "a" / "summary.json");
@@ -164,7 +164,7 @@ TEST(LostOutput, is_not_exit_0) {
   }
   const Outcome closed = in_shell({"list", "events"}, ">&-");
   EXPECT_EQ(closed.exit_code, 3) << closed.err;
-  // By then nobody reads.
+  // The reader of the pipe has ended before the program writes.
   const Outcome broken = run_command({"bash", "-c",
                                       "{ sleep 0.3; '" LSOS_PROGRAM
                                       "' list events; echo code $? >&2; } | true; wait"});
@@ -193,7 +193,7 @@ TEST(LostMessages, stop_nothing) {
   }
 }
 
-// A limit of the file size stands for the disk: writes beyond it fail.
+// A limit on file sizes simulates a full disk: writes beyond it fail.
 class FullDisk : public ::testing::TestWithParam<int> {};
 
 TEST_P(FullDisk, ends_a_run_with_what_was_committed) {
@@ -208,17 +208,17 @@ TEST_P(FullDisk, ends_a_run_with_what_was_committed) {
   EXPECT_THAT(outcome.err, HasSubstr("log.gpkg"));
   EXPECT_FALSE(fs::exists(folder / "run" / "summary.json"));
   EXPECT_NE(query(folder / "run" / "log.gpkg", "select count(*) from samples"), "");
-  // The folder is there to be replaced.
+  // A later run may replace the folder.
   EXPECT_EQ(run({"run", folder.write("plan.kml", kml(short_drive())), "-o", folder / "run",
                  "--quiet", "--no-report", "--force"})
                 .exit_code,
             0);
 }
 
-// 1024-byte blocks: some time after the layers were made.
+// The limit, in blocks of 1024 bytes, is reached some time after the layers are created.
 INSTANTIATE_TEST_SUITE_P(Blocks, FullDisk, ::testing::Values(600));
 
-// A note an exchange.
+// An event that logs ten notes per exchange.
 TEST(ManyNotes, are_thinned_in_overlay_and_report) {
   const TempFolder folder;
   folder.write("events/Chatter.lua", R"(
@@ -243,13 +243,13 @@ return lsos.event {
   EXPECT_THAT(read_text(folder / "run" / "report.html"), HasSubstr("\"notes_in_log\":6011"));
 }
 
-// What is in the way of its overlay and report is no fault of the run.
+// A run completes even when its overlay and report cannot be written.
 TEST(Products, that_cannot_be_made_are_warned_of) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(short_drive()));
   Process process(program({plan, "-o", folder / "run", "--quiet"}));
   fs::create_directories(folder / "run");
-  // The names are free until the log is made.
+  // The names must be free until the log is created.
   while (!fs::exists(folder / "run" / "log.gpkg") && process.is_running()) usleep(1000);
   fs::create_directories(folder / "run" / "overlay.kml" / "in the way");
   fs::create_directories(folder / "run" / "report.html" / "in the way");

@@ -1,5 +1,5 @@
-// plans/lunar_traverse.kml, the paper's first study: what its log must hold, row by row. What a
-// planner expects of it in words is in tests/scenarios/lunar_traverse.lua.
+// plans/lunar_traverse.kml, the paper's first study: checks of its log, row by row. What a planner
+// expects of it is checked in tests/scenarios/lunar_traverse.lua.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -29,7 +29,7 @@ void expect_energy_to_close(const std::vector<SampleRow>& rows) {
   for (const SampleRow& row : rows) {
     const double in_j = row.solar_j + row.external_j;
     const double out_j = row.load_j + row.drive_j + row.loss_j;
-    // Of what went through, and what a number of 115 MJ can show.
+    // Tolerance: 1e-9 of the energy that flowed, and the rounding of a number of 115 MJ.
     const double within_j = 1e-9 * (in_j + out_j) + 1e-15 * start_j;
     ASSERT_NEAR(row.energy_j, start_j + in_j - out_j, within_j) << seconds(row.time);
     ASSERT_NEAR(row.energy_rate_w,
@@ -76,14 +76,14 @@ void expect_earth_to_come_and_go(const LogReader& log) {
   }
   ASSERT_GE(seen.size(), 2u);
   EXPECT_EQ(seen.front().start, SimTime{});
-  double dark_s = 0;  // longest
+  double dark_s = 0;  // longest gap
   for (std::size_t k = 1; k < seen.size(); ++k) {
     dark_s = std::max(dark_s, seconds(seen[k].start - seen[k - 1].end));
   }
   EXPECT_GT(dark_s, 3600) << "on the crater's floor";
 }
 
-// Places of a line, no farther apart than a wheel is wide.
+// Points of a line at distances of 0.3 m or less, about the width of a wheel.
 std::vector<PlanePoint> dense(const std::vector<PlanePoint>& line) {
   std::vector<PlanePoint> points;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
@@ -96,8 +96,8 @@ std::vector<PlanePoint> dense(const std::vector<PlanePoint>& line) {
   return points;
 }
 
-// Craters about as large as the rover, 4.5 to 20 m, with walls steeper than 18 degrees (a bowl of
-// depth d and diameter D is inclined by 4 d / D at its wall): how many the line goes through.
+// Number of craters that the line crosses, of those about as large as the rover, 4.5 to 20 m, with
+// walls steeper than 18 degrees. The wall of a bowl of depth d and diameter D has slope 4 d / D.
 int craters_on(const std::vector<PlanePoint>& line) {
   CraterPopulation population;  // of terrain/LunarSouthPole.lua
   population.age_gyr = 3.9;
@@ -141,7 +141,7 @@ void expect_to_dodge_craters(const std::vector<SampleRow>& rows) {
   EXPECT_GT(straight, 20);
 }
 
-// Of the rows that drive, so many are samples of the overlay.
+// Share of the driving rows that are samples of the overlay.
 double share_of_drive(const std::string& overlay, const std::vector<SampleRow>& rows) {
   const std::regex speed("<SimpleData name=\"speed_mps\">([-0-9.e]+)<");
   const auto is_driving = [](double speed_mps) { return speed_mps > 0.5; };
@@ -188,7 +188,7 @@ TEST(LunarTraverse, is_what_the_paper_tells) {
   EXPECT_TRUE(fs::exists(folder / "run" / "report.html"));
 }
 
-// The README's promise: one changed line.
+// The README promises that one changed line is enough.
 TEST(LunarTraverse, is_planned_on_a_raster_by_one_changed_line) {
   const TempFolder folder;
   const Outcome exported = run({"terrain", "LunarSouthPole", "--site", "80,-84.7", "--window",

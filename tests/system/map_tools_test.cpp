@@ -1,4 +1,4 @@
-// Plans that GIS tools read and save again: through GDAL's drivers, and as a GeoPackage.
+// Plans that GIS tools read and save again, through GDAL's drivers and as a GeoPackage.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-// What the plan is, however it is written; and what is wrong with it.
+// Hash of a plan, which is independent of how it is written, and its faults.
 struct Checked {
   std::string hash;
   std::string faults;
@@ -61,13 +61,13 @@ TEST(MapTools, shipped_plans_come_back_from_every_driver) {
   }
 }
 
-// Labels and values with what XML and tools trip over.
+// Random plans whose labels and values have characters that are difficult in XML and for tools.
 class RandomPlan {
  public:
   explicit RandomPlan(unsigned seed) : random_(seed) {}
 
   std::string text(const std::string& schemas) {
-    // GDAL takes a layer's kind of geometry from its first feature: those with places come first.
+    // Features with places come first: GDAL takes a layer's geometry type from its first feature.
     std::string marks;
     for (const char* id : {"A", "B & C"}) {
       marks += mark("Rover", std::string("rover ") + id,
@@ -115,7 +115,7 @@ class RandomPlan {
                        "schemaUrl=\"#" +
                        type + "\"><SimpleData name=\"Type\">" + type + "</SimpleData>";
     for (const auto& [field, value] : fields) {
-      // What is empty and typed as a number GDAL reads as 0; check warns of it.
+      // GDAL reads an empty number as 0, of which check warns.
       if (value.empty() && field == "Crew") continue;
       text += "<SimpleData name=\"" + field + "\">" + escaped(value) + "</SimpleData>";
     }
@@ -156,7 +156,7 @@ class RandomPlan {
   std::mt19937 random_;
 };
 
-// The <Schema> elements of every kind of thing.
+// The <Schema> elements of every kind of Placemark.
 std::string all_schemas() {
   const std::string text = run({"schema"}).out;
   const std::size_t first = text.find("<Schema"), end = text.rfind("</Schema>");
@@ -176,7 +176,7 @@ void expect_round_trips(int count) {
     const std::string out = folder / ("out." + driver.ending);
     ASSERT_EQ(save_again(plan, driver, out).exit_code, 0);
     const Checked after = checked(out);
-    // LIBKML writes a heading as a Camera's, a number of degrees: that is told.
+    // LIBKML writes a heading into a Camera, as a number of degrees, of which check warns.
     if (after.faults.find("stands in a Camera") != std::string::npos) continue;
     ++equal;
     EXPECT_EQ(after.hash, before.hash) << "seed " << k << " by " << driver.name << "\n"
@@ -186,13 +186,13 @@ void expect_round_trips(int count) {
   EXPECT_GE(equal, count / 3);
 }
 
-// More of them among the long tests.
+// The long tests set a greater number.
 TEST(MapTools, random_plans_come_back) {
   const char* count = std::getenv("LSOS_ROUND_TRIPS");
   expect_round_trips(count == nullptr ? 24 : std::atoi(count));
 }
 
-// The layers of a plan as a GeoPackage, which GDAL makes of them.
+// GDAL converts the layers of a plan to a GeoPackage.
 TEST(GeoPackagePlan, is_the_plan_that_it_was_made_of) {
   for (const char* name : {"two_rovers", "solar_stop", "lunar_traverse"}) {
     const std::string plan = repository() / "plans" / (std::string(name) + ".kml");
@@ -211,7 +211,7 @@ TEST(GeoPackagePlan, is_run_as_any_other) {
   const std::string form = folder / "form.gpkg";
   const Outcome made = run({"schema", "Pause", "Route", "-o", form});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  // Drawn in metres of a map of the Moon.
+  // The features are drawn in metres of a map of the Moon.
   const auto ogr = [&](const Words& words) {
     const Outcome outcome = run_command(words, {.environment = {"GDAL_PAM_ENABLED=NO"}});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -228,7 +228,7 @@ TEST(GeoPackagePlan, is_run_as_any_other) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const json result = summary(folder / "run");
   EXPECT_NEAR(result["rovers"]["A"]["distance_m"], 30, 1);
-  // What it keeps is KML of the same plan.
+  // The run keeps the same plan as KML.
   EXPECT_EQ(checked(folder / "run/plan.kml").hash, checked(layers).hash);
 }
 
@@ -247,7 +247,7 @@ TEST(GeoPackagePlan, on_a_map_of_another_body_is_refused) {
   EXPECT_THAT(outcome.out, HasSubstr("plan.gpkg/drawn: its CRS is of Earth"));
 }
 
-// One feature of a layer Route beside a form's MissionInfo and a rover; what check says of it.
+// Output of check for one feature of a layer Route, beside a form's MissionInfo and a rover.
 std::string faults_of_route(const std::string& wkt, const std::string& columns = "",
                             const std::string& values = "") {
   const TempFolder folder;
@@ -271,7 +271,7 @@ std::string faults_of_route(const std::string& wkt, const std::string& columns =
   return outcome.out;
 }
 
-// As merging and dissolving make them.
+// Merging and dissolving in a GIS create such geometries.
 TEST(GeoPackagePlan, of_several_parts_is_told_by_its_layer_and_feature) {
   EXPECT_THAT(faults_of_route("MULTILINESTRING ((0 0, 0.001 0), (0.001 0, 0.001 0.001))"),
               HasSubstr("plan.gpkg/Route:1: Route 10: has a MultiGeometry"));
@@ -289,7 +289,7 @@ TEST(GeoPackagePlan, has_columns_of_its_own) {
   EXPECT_THAT(told, HasSubstr("the column 'speed_kmh' is no field of a Route; it is not used; did "
                               "you mean 'Speed'?"));
   EXPECT_THAT(told, ::testing::Not(HasSubstr("heading'")));
-  // A slip of the pen is one.
+  // A misspelt column is a fault.
   EXPECT_THAT(faults_of_route("LINESTRING (0 0, 0.001 0)", "Speeed;", "5;"),
               HasSubstr("there is no field 'Speeed'; did you mean 'Speed'?"));
 }
@@ -307,7 +307,7 @@ TEST(SchemaForm, names_the_unit_of_bare_numbers) {
   EXPECT_THAT(style("Route"), HasSubstr("name=\"Speed (m/s)&#10;Driving speed"));
 }
 
-// A feature without a place as QGIS saves it in a layer of lines.
+// QGIS saves a feature without a place in a layer of lines as an empty geometry.
 TEST(MapTools, an_empty_geometry_is_none) {
   const TempFolder folder;
   std::vector<Mark> marks = short_drive();

@@ -1,6 +1,6 @@
-// Every message that a user can cause is a file: a wrong plan in tests/messages/plan, one that does
-// not fit its scripts or its ground in tests/messages/mission, or a command line in
-// tests/messages/options. A new file is a new case; tests/README.md says how it looks.
+// Every message that a user can cause has a file: a wrong plan in tests/messages/plan, a plan that
+// does not fit its scripts or its ground in tests/messages/mission, or a command line in
+// tests/messages/options. A new file is a new case; tests/README.md gives the format.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
-// The text after `key` in the lines that start with it, without `ending`.
+// The texts between `key` and `ending` in the lines that have both.
 Words values(const std::vector<std::string>& lines, const std::string& key,
              const std::string& ending = "") {
   Words values;
@@ -64,7 +64,7 @@ class PlanMessage : public ::testing::TestWithParam<std::string> {};
 TEST_P(PlanMessage, is_as_expected) {
   const fs::path file = messages / GetParam();
   Words expected = values(read_lines(file), "<!-- expect: ", " -->");
-  // Files beside the plan are named with their folder.
+  // {here} stands for the folder of the plan, in names of files beside it.
   for (std::string& text : expected) {
     const std::size_t at = text.find("{here}");
     if (at != std::string::npos) text.replace(at, 6, file.parent_path());
@@ -77,7 +77,7 @@ TEST_P(PlanMessage, is_as_expected) {
   const Outcome outcome = run({"check", file.string()});
   EXPECT_EQ(outcome.exit_code, only_warnings ? 0 : 2) << outcome.err;
   for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
-  // Nothing else is told of the plan: no fault that only follows from another.
+  // No other fault of the plan is reported, such as one that only follows from another.
   std::istringstream told(outcome.out);
   for (std::string line; std::getline(told, line);) {
     if (!line.starts_with(file.string() + ":") || outcome.exit_code == 0) continue;
@@ -102,7 +102,7 @@ TEST_P(OptionsMessage, is_as_expected) {
   std::istringstream words(args[0]);
   const Words arguments{std::istream_iterator<std::string>(words), {}};
 
-  // There the program finds a plan that is right, and can do no harm.
+  // The temporary folder holds a correct plan, and the program can do no harm there.
   const TempFolder folder;
   folder.write("plan.kml", read_text(repository() / "plans" / "first_drive.kml"));
   const Outcome outcome = run(arguments, {.folder = folder.path()});

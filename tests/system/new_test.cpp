@@ -1,4 +1,4 @@
-// `lsos-host new`: what it writes works as it is.
+// `lsos-host new`: its files work without changes.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ TEST(New, event_is_a_script_and_a_scenario_that_passes) {
   const Outcome other = run({"new", "event", "Fetch", "--json"}, there);
   EXPECT_EQ(other.out,
             "{\"event\":\"events/Fetch.lua\",\"scenario\":\"tests/scenarios/Fetch.lua\"}\n");
-  // Once, for editors: what the lsos module has.
+  // A file for editors, written once, refers to the library of the lsos module.
   const auto settings = nlohmann::json::parse(read_text(folder / ".luarc.json"));
   EXPECT_TRUE(std::filesystem::exists(settings["workspace.library"][0].get<std::string>()));
   const Outcome again = run({"new", "event", "DropBeacon"}, there);

@@ -1,4 +1,4 @@
-// Who sees whom in a mission: layers `pairs` and `sight_intervals`.
+// Lines of sight in a mission: layers `pairs` and `sight_intervals`.
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Degrees of longitude on the Moon's equator.
+// A distance along the Moon's equator in degrees of longitude.
 double degrees_of_m(double distance_m) { return distance_m / 1737400 * 180 / std::numbers::pi; }
 
 std::string east_m(double distance_m) { return fmt::format("{:.9f},0", degrees_of_m(distance_m)); }
@@ -41,7 +41,7 @@ PairRow pair_at(const PlanRun& run, double time_s, const std::string& from, cons
   return {};
 }
 
-// Over a sphere two heights see each other as far as sqrt(2 R h1) + sqrt(2 R h2).
+// On a sphere, points at heights h1 and h2 see each other up to sqrt(2 R h1) + sqrt(2 R h2).
 TEST(Pairs, ends_at_the_horizon) {
   const double reach_m = std::sqrt(2 * 1737400.0) * (std::sqrt(10.0) + std::sqrt(4.0));
   for (const double share : {0.98, 1.02}) {
@@ -68,8 +68,8 @@ TEST(Pairs, two_below_each_others_horizon_are_joined_through_an_asset) {
   EXPECT_NEAR(both.distance_m, 9000, 1);
   EXPECT_EQ(pair_at(run, 0, "A", "Mid").link, 1);
   EXPECT_EQ(pair_at(run, 0, "A", "Mid").relay, "");
-  EXPECT_EQ(pair_at(run, 0, "A", "Off").relay, "");  // nobody sees it
-  // Their own antennas do not reach Earth; the station's does.
+  EXPECT_EQ(pair_at(run, 0, "A", "Off").relay, "");  // seen by nothing
+  // The rovers' own antennas do not reach Earth; the station's does.
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").visible, 1);
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").link, 0);
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").relay, "Mid");
@@ -89,7 +89,8 @@ TEST(Pairs, has_no_link_beyond_the_range_of_its_antennas) {
   }
 }
 
-// Earth stands 1.1 degrees high in the west: a tall rover 40 m away comes to stand before it.
+// Earth stands 1.1 degrees high in the west; a tall rover drives to a place 40 m away in front of
+// it.
 TEST(Pairs, of_earth_ends_when_another_rover_stands_before_it) {
   const double azimuth_rad = 274.406 * std::numbers::pi / 180;
   const auto at = [&](double ahead_m, double aside_m) {
@@ -131,8 +132,8 @@ TEST(Pairs, a_habitat_stands_between) {
   }
 }
 
-// The Sun stands 13 degrees high in the east: an array beside the line stands across it, its panel
-// wider than its mast; farther aside it does not reach.
+// The Sun stands 13 degrees high in the east. The panel of an array beside the line, which is wider
+// than its mast, crosses the line; farther aside it does not.
 TEST(Pairs, a_solar_arrays_panel_stands_between) {
   for (const double aside_m : {1.5, 6.0}) {
     Mark array = asset("Array", "SolarArray", 60);
@@ -148,7 +149,7 @@ TEST(Pairs, a_solar_arrays_panel_stands_between) {
   }
 }
 
-// Told again, a mast on its way up takes what is left of it.
+// A second command to a rising mast takes only the remaining time.
 TEST(Pairs, a_mast_told_twice_is_up_when_it_is_up) {
   const PlanRun run(
       {flat(), rover("A", "SEV", 0),
@@ -194,7 +195,7 @@ TEST(Pairs, a_mast_links_while_it_is_up_and_takes_power) {
   EXPECT_NEAR(seconds(links[0].end), 150, 0.5);
   EXPECT_NEAR(links[0].light_time_s, 1.28, 0.1);
   const std::vector<SampleRow> rows = run.samples();
-  const double before_w = rows[170].load_w - 150;  // on its way down
+  const double before_w = rows[170].load_w - 150;  // while it is lowered
   EXPECT_NEAR(rows[50].load_w, before_w + 150, 1e-9);
   EXPECT_NEAR(rows[120].load_w, before_w + 60, 1e-9);
   EXPECT_EQ(run.log().phases()[0].phase, "start");

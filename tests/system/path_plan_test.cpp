@@ -1,4 +1,4 @@
-// PathPlanRoute: what check says of its ways, what a run makes of them, and what is kept.
+// PathPlanRoute: its routes in check and in runs, and the routes that are kept.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// 150 m to the north of the start over the synthetic craters, with a bend.
+// A route to a place 150 m north of the start across the synthetic craters, with a bend.
 std::vector<Mark> crossing(const Fields& more = {}) {
   return {mission({{"Terrain", "Craters"}, {"Seed", "3"}, {"LogInterval", "1"}}),
           sev("SEV1", "0,0"),
           event("PathPlanRoute", "SEV1", 1, more, line("0,0 0.0012,0.0025 0,0.005"))};
 }
 
-// `mission` gives a Terrain already: that one goes.
+// Removes the Terrain that mission() gives.
 std::vector<Mark> on_craters(std::vector<Mark> plan) {
   std::erase_if(plan[0].fields, [](const auto& field) {
     return field.first == "Terrain" && field.second == "Flat";
@@ -66,7 +66,7 @@ TEST(PathPlan, is_driven_as_it_was_planned) {
   for (const SampleRow& row : samples) EXPECT_LT(off_m(paths, row.place), 0.5) << seconds(row.time);
   const SampleRow& last = samples.back();
   EXPECT_NEAR(last.distance_m, length_m, 0.02 * length_m);
-  // Corners at waypoints and wheels that carry unlike loads are not planned.
+  // The plan neglects corners at waypoints and unequal wheel loads.
   EXPECT_NEAR(last.drive_j, energy_j, 0.05 * energy_j);
   EXPECT_GT(seconds(last.time), duration_s);
   const std::string overlay = read_text(run.folder / "run" / "overlay.kml");
@@ -90,7 +90,7 @@ TEST(PathPlan, is_told_by_check_and_kept_beside_the_plan) {
   EXPECT_GT(json["planned_paths"][0]["length_m"], 80);
   EXPECT_LT(json["planned_paths"][0]["slope_max_deg"], 40);
   EXPECT_EQ(std::filesystem::last_write_time(kept), written) << "it was planned again";
-  // Another limit is another way.
+  // Another limit gives another route.
   folder.write("plan.kml", kml(on_craters(crossing({{"MaxSlope", "9"}}))));
   EXPECT_EQ(run({"check", plan}).exit_code, 0);
   EXPECT_NE(std::filesystem::last_write_time(kept), written);
@@ -107,7 +107,7 @@ TEST(PathPlan, is_the_same_kept_or_planned_again) {
   EXPECT_EQ(first, again);
 }
 
-// Across a slope of loose sand a rover slides off its line after a sharp corner.
+// A rover on a slope of loose sand slips off its path after a sharp corner.
 TEST(PathPlan, is_made_anew_when_the_rover_strays) {
   const auto plan = [](const std::string& replans) {
     return std::vector<Mark>{
@@ -139,7 +139,7 @@ TEST(PathPlan, is_made_anew_when_the_rover_strays) {
   EXPECT_EQ(paths[3].leg, 4);
   EXPECT_EQ(paths[3].attempt, 1);
   EXPECT_GT(paths[3].time, SimTime{});
-  // As in the paper, where nothing reacts to change.
+  // Without replanning, as in the paper, the event fails.
   EXPECT_EQ(go("0").exit_code, 1);
   EXPECT_THAT(std::string(summary(folder / "run")["events"][0]["reason"]),
               HasSubstr("strayed 0.5 m from its path"));

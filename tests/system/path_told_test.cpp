@@ -1,5 +1,5 @@
-// What check tells of planned ways, and keeps of them: times as driven, legs without a way, lines
-// over the meridian of 180 degrees.
+// Planned routes as check reports and keeps them: durations as driven, legs without a route, lines
+// across the meridian of 180 degrees.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Of a rover from a place to others, so many metres east and north of it.
+// A plan in which a rover drives from a place to others, given in metres east and north of it.
 std::vector<Mark> way(const std::string& rover, const std::string& terrain,
                       const std::vector<std::pair<double, double>>& to_m, double lon_deg = 20,
                       double lat_deg = 10, const Fields& more = {}) {
@@ -42,7 +42,7 @@ std::vector<Mark> way(const std::string& rover, const std::string& terrain,
 struct Told {
   const char *rover, *terrain;
   std::vector<std::pair<double, double>> to_m;
-  double within;  // of the time driven
+  double within;  // relative tolerance on the driven time
 };
 
 class PathPlanTime : public testing::TestWithParam<Told> {};
@@ -60,7 +60,7 @@ TEST_P(PathPlanTime, is_what_the_drive_takes) {
   EXPECT_NEAR(planned_s, driven_s, told.within * driven_s);
 }
 
-// On the level, with a corner that is turned at, and without; up, down and across 10 degrees.
+// Drives on level ground with a sharp corner and without, and up, down and across 10 degrees.
 INSTANTIATE_TEST_SUITE_P(
     Rovers, PathPlanTime,
     testing::Values(Told{"SEV", "Flat", {{80, 0}, {80, 60}}, 0.05},
@@ -92,8 +92,8 @@ TEST(PathPlanTold, no_way_is_kept_and_told_at_once_the_second_time) {
   EXPECT_EQ(std::filesystem::last_write_time(kept), written) << "it was planned again";
 }
 
-// A goal on the far wall of a bowl that cannot be crossed: what is nearest to it lies on the way
-// around, outside the corridor that is looked through first.
+// The goal is on the far wall of a bowl that cannot be crossed. The nearest reachable place lies on
+// the route around it, outside the corridor that is searched first.
 TEST(PathPlanTold, the_nearest_place_is_offered_also_where_the_way_there_is_round) {
   const TempFolder folder;
   folder.write(
@@ -113,7 +113,7 @@ TEST(PathPlanTold, the_nearest_place_is_offered_also_where_the_way_there_is_roun
   EXPECT_LT(std::stod(away), 15) << said;
 }
 
-// A small rover, a way of 300 m to the floor of a pit.
+// A small rover is to drive 300 m to the floor of a pit.
 TEST(PathPlanTold, no_way_is_found_out_in_seconds) {
   const TempFolder folder;
   folder.write("terrain/Pit.lua",
@@ -152,7 +152,7 @@ TEST(PathPlanTold, a_waypoint_that_it_stands_on_is_told_too) {
 TEST(PathPlanTold, lines_go_on_over_the_meridian) {
   const PlanRun run(way("SEV", "Craters", {{0, 0}, {100, 30}}, 179.999, 10, {}));
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
-  // No point of a line is told as if it lay on the other side of the body.
+  // No point of a line is written with a longitude on the other side of the antimeridian.
   const std::string overlay = read_text(run.folder / "run" / "overlay.kml");
   EXPECT_TRUE(overlay.find(" 180.00") != std::string::npos);
   EXPECT_TRUE(overlay.find(" -179.99") == std::string::npos);

@@ -1,4 +1,4 @@
-// `lsos-host picture` and `lsos-host light`: what the Sun sees, as files.
+// `lsos-host picture` and `lsos-host light`: files of the view from the Sun.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 
 class SunPicture : public ::testing::Test {
  protected:
-  // MER with its mast and antenna before the Sun, 30 degrees high.
+  // MER's mast and antenna stand in front of the Sun, which is 30 degrees high.
   SunPicture() {
     const std::string plan = folder.write(
         "plan.kml",
@@ -68,7 +68,7 @@ TEST(LightMap, is_lit_by_day_and_dark_by_night) {
   EXPECT_EQ(day["mean_sun_fraction"], 1);
   EXPECT_EQ(night["mean_sun_fraction"], 0);
   EXPECT_EQ(day["columns"], 12);
-  // The Sun 78.38 degrees high (lsos-host sun).
+  // The Sun is 78.38 degrees high (lsos-host sun).
   const Outcome place =
       run_command({"gdallocationinfo", "-valonly", folder / "light.tif", "6", "6"});
   EXPECT_THAT(place.out, StartsWith("1\n"));

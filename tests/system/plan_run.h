@@ -1,4 +1,4 @@
-// A plan, run by the program, and what it left.
+// Runs a plan with the program and reads its results.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace lsos::test {
 
-// A run of a plan; keeps its folder.
+// A run of a plan; owns the folder of its results.
 struct PlanRun {
   explicit PlanRun(const std::vector<Mark>& plan, const Words& options = {}) {
     Words words{"run",        folder.write("plan.kml", kml(plan)), "-o", folder / "run", "--quiet",

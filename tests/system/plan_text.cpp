@@ -37,7 +37,7 @@ std::string line(const std::string& coordinates) {
   return "<LineString><coordinates>" + coordinates + "</coordinates></LineString>";
 }
 
-// Short missions, logged at full rate also where the rover stands.
+// Short missions log at full rate also while the rover is parked.
 Mark mission(const Fields& more) {
   Fields fields = {{"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "Flat"}};
   std::string interval = "2";

@@ -1,4 +1,4 @@
-// Small plans, written as a mission planner's map tool would.
+// Small plans, written as a mission planner's map tool writes them.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@ namespace lsos::test {
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
-// One Placemark of ours.
+// One Placemark of a plan.
 struct Mark {
-  std::string type;  // the name in its schemaUrl
+  std::string type;  // name in its schemaUrl
   Fields fields;
   std::string geometry;  // KML, or ""
 };
 
 std::string kml(const std::vector<Mark>& marks);
 
-// "<Point>..." and "<LineString>..." of "lon,lat lon,lat ..." in degrees.
+// "<Point>..." and "<LineString>..." with coordinates "lon,lat lon,lat ..." in degrees.
 std::string point(const std::string& coordinates);
 std::string line(const std::string& coordinates);
 
-// On the Moon's `Flat` terrain from 2026-01-01; `more` fields are added.
+// A mission on the Moon's `Flat` terrain from 2026-01-01; `more` fields are added.
 Mark mission(const Fields& more = {});
 Mark sev(const std::string& id, const std::string& coordinates);
 Mark event(const std::string& type, const std::string& rover, int sequence, const Fields& more = {},
@@ -30,9 +30,9 @@ Mark event(const std::string& type, const std::string& rover, int sequence, cons
 
 // One SEV that drives 30 m eastwards, pauses for 60 s and waits until 5 minutes have passed.
 std::vector<Mark> short_drive();
-// Two of them that cross each other's way, with events that wait for each other.
+// Two SEVs whose routes cross, with events that wait for each other.
 std::vector<Mark> two_rovers();
-// Hours of driving, for who wants to disturb it.
+// Hours of driving, for tests that interrupt a run.
 std::vector<Mark> long_drive();
 
 }  // namespace lsos::test

@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-// 30 degrees east at the equator: the Sun stands high on 2026-01-01 (79 deg).
+// Place at 30 degrees east, 10 north, where the Sun stands 78.38 degrees high on 2026-01-01.
 constexpr const char* in_sunshine = "30,10";
 
 Mark rover(const std::string& type, const Fields& more = {}, const std::string& at = in_sunshine) {
@@ -33,7 +33,7 @@ Mark asset(const std::string& id, const std::string& type, const std::string& at
   return {"Asset", {{"AssetId", id}, {"AssetType", type}}, point(at)};
 }
 
-// What the contract promises of every row.
+// Checks that every row closes the energy balance that the contract promises.
 void expect_closed(const std::vector<SampleRow>& rows) {
   ASSERT_FALSE(rows.empty());
   const double start_j = rows.front().energy_j;
@@ -49,8 +49,8 @@ void expect_closed(const std::vector<SampleRow>& rows) {
   }
 }
 
-// Nothing will charge it before the end of time; until then it is logged. What waits for charge
-// says so, and the run warns of it.
+// A rover that nothing will charge is logged until the end of the mission. The event that waits for
+// charge says so, and the run warns of it.
 TEST(Power, that_never_comes_is_waited_for_in_rows_until_the_end) {
   const Mark on_earth{"MissionInfo",
                       {{"Planet", "Earth"},
@@ -68,7 +68,7 @@ TEST(Power, that_never_comes_is_waited_for_in_rows_until_the_end) {
   for (const SampleRow& row : run.samples()) rows += row.time % SimTime{60'000'000} == SimTime{};
   EXPECT_EQ(rows, 61u);
   const json summary = run.summary();
-  // The other one is of lunar soil on Earth.
+  // The other warning is about lunar soil on Earth.
   ASSERT_EQ(summary["warnings"].size(), 2u) << summary["warnings"];
   EXPECT_THAT(summary["warnings"][1].get<std::string>(), HasSubstr("R: the battery is empty at "));
   bool is_said = false;
@@ -90,7 +90,8 @@ TEST(Power, closes_in_every_row_driving_and_parked) {
   EXPECT_GT(run.samples().back().solar_j, 1e5);
 }
 
-// Power of the panel against the sky's own numbers: all of it in sunshine, flat on the roof.
+// The panel's power against the sky's own numbers; the panel lies flat on the roof, all in
+// sunshine.
 TEST(Power, of_a_panel_in_the_open_is_area_cosine_efficiency_and_sunshine) {
   const PlanRun run({mission(), rover("SEV"), event("Pause", "R", 1, {{"Duration", "10"}})});
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
@@ -102,7 +103,7 @@ TEST(Power, of_a_panel_in_the_open_is_area_cosine_efficiency_and_sunshine) {
           .out)[0];
   const double cosine = std::sin(sun["elevation_deg"].get<double>() * 3.14159265358979 / 180);
   const double au = sun["distance_m"].get<double>() / 149597870700;
-  EXPECT_NEAR(row.incidence, cosine, 1e-3);  // the springs of the rover give a little
+  EXPECT_NEAR(row.incidence, cosine, 1e-3);  // the rover's springs deflect a little
   EXPECT_NEAR(row.solar_available_w, 8 * 0.29 * 0.9 * 1361 / au / au * cosine, 3);
   EXPECT_LT(row.solar_w, row.solar_available_w);  // the battery is full
 }
@@ -142,7 +143,7 @@ TEST(Recharge, sets_a_level_at_once) {
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
   expect_closed(run.samples());
   const std::vector<SampleRow> rows = run.samples();
-  EXPECT_EQ(rows.front().charge, 1);  // what the mission starts with
+  EXPECT_EQ(rows.front().charge, 1);  // initial charge
   EXPECT_NEAR(rows[1].charge, 0.25, 1e-4);
   EXPECT_NEAR(rows[1].external_j, -0.75 * 242 * 36 * 3600, 1);
 }
@@ -158,7 +159,7 @@ TEST(Recharge, flows_at_a_rate_until_the_charge_is_reached) {
   EXPECT_NEAR(run.samples().back().charge, 0.6, 1e-5);
 }
 
-// 0.01 of 242 A h x 36 V at 50 kW is 6 s: it ends then, whatever flowed before.
+// 0.01 of 242 A h x 36 V at 50 kW takes 6 s, whatever flowed before.
 TEST(Recharge, ends_at_the_charge_that_was_asked) {
   const PlanRun run(
       {mission(), rover("LRV", {{"InitialCharge", "0.5"}}),
@@ -203,14 +204,14 @@ TEST(Recharge, from_too_far_or_from_nothing_says_so) {
               HasSubstr("From = 'Mast': the plan has no asset with power to give"));
 }
 
-// The array's power by the second way: its area, efficiency and the Sun's irradiance, as nothing
-// stands in its way and it faces the Sun.
+// The array faces the Sun unobstructed, so that its power also follows from its area, its
+// efficiency and the Sun's irradiance.
 TEST(Recharge, from_a_solar_array_is_sunshine) {
   const PlanRun run({mission(), rover("LRV", {{"InitialCharge", "0.5"}}),
                      asset("Array", "SolarArray", "30.0005,10"),
                      event("Recharge", "R", 1, {{"From", "Array"}, {"Duration", "100"}})});
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
-  const double au = 0.98333;  // at perihelion, 2026-01-03, less the Moon's way
+  const double au = 0.98333;  // perihelion of 2026-01-03, without the Moon's orbit
   EXPECT_NEAR(run.samples().back().external_j / 100, 30 * 0.29 * 0.9 * 1361 / au / au, 60);
 }
 
@@ -235,10 +236,10 @@ TEST(Panels, that_are_stowed_give_nothing_and_cannot_be_steered) {
   EXPECT_NEAR(events[3]["end_s"].get<double>() - events[3]["start_s"].get<double>(), 300, 0.11);
   const auto rows = run.samples();
   EXPECT_GT(rows.front().load_w, 0);
-  EXPECT_EQ(rows[18].solar_available_w, 0);  // 36 s
+  EXPECT_EQ(rows[18].solar_available_w, 0);  // at 36 s
   EXPECT_GT(rows.back().solar_available_w, 2000);
   EXPECT_TRUE(std::isnan(run.log().panels()[18].azimuth_rad));
-  // What it followed before it was folded away is over.
+  // The panel no longer follows the target that it had before it was stowed.
   EXPECT_NEAR(run.log().panels().back().elevation_rad, 3.14159265 / 2, 0.01);
 }
 
@@ -253,7 +254,7 @@ TEST(Panels, that_track_face_the_sun_as_the_rover_drives) {
     ++count;
   }
   ASSERT_GT(count, 20);
-  EXPECT_GT(mean / count, 0.95);  // in the bend it comes after, at a degree a second
+  EXPECT_GT(mean / count, 0.95);  // in the bend it lags, at one degree per second
 }
 
 TEST(Panels, that_point_look_where_they_are_told) {
@@ -280,7 +281,7 @@ TEST(Consume, uses_energy_and_resources_until_they_are_gone) {
   EXPECT_NEAR(run.samples()[0].load_w, 550 + 2000, 1e-9);
 }
 
-// A night of the Moon: the battery runs down, loads are shed, and in the morning it comes back.
+// In a lunar night the battery runs down and loads are shed; in the morning the rover recovers.
 TEST(Power, comes_back_after_a_lunar_night) {
   const PlanRun run({mission({{"ParkedLogInterval", "1 h"}}), rover("SEV", {}, "120,0"),
                      event("Pause", "R", 1, {{"Duration", "18 d"}})});
@@ -296,7 +297,7 @@ TEST(Power, comes_back_after_a_lunar_night) {
   EXPECT_THAT(notes, ::testing::ElementsAre("battery_empty", "loads_shed", "loads_restored"));
 }
 
-// A machine without any driver that draws: the run does not begin.
+// On a machine without any driver that renders, the run does not begin.
 TEST(Power, without_anything_that_draws_says_what_to_install) {
   const TempFolder folder;
   const std::string plan = folder.write(
@@ -310,7 +311,7 @@ TEST(Power, without_anything_that_draws_says_what_to_install) {
   EXPECT_FALSE(std::filesystem::exists(folder / "run"));
 }
 
-// What draws is said and logged, and the air's assumptions among the others.
+// The renderer is reported and logged, and so are the assumptions about the air.
 TEST(Power, says_what_drew_and_what_was_assumed) {
   const TempFolder folder;
   const std::string plan = folder.write(
@@ -327,8 +328,8 @@ TEST(Power, says_what_drew_and_what_was_assumed) {
               HasSubstr("dust with an optical depth of 0.5 is assumed"));
 }
 
-// Two rovers in line with the Sun, 5 degrees high in the east: the low one behind stands in the
-// other's shadow.
+// Two rovers stand in line with the Sun, 5 degrees high in the east, the low one in the shadow of
+// the other.
 TEST(Power, is_taken_by_another_rovers_shadow) {
   const auto fraction = [](const std::string& other) {
     std::vector<Mark> plan{mission(), rover("MER", {{"Heading", "0"}}, "-52.5,0"),
@@ -350,8 +351,9 @@ TEST(Power, is_taken_by_another_rovers_shadow) {
   EXPECT_EQ(fraction("-52.5,0.0006"), alone);  // to the north
 }
 
-// The Sun stands 3 degrees high at an azimuth of 16.3; 10 m towards it another rover puts its panel
-// up, and down again. Looks at the Sun are six minutes apart: what a neighbour does counts at once.
+// The Sun stands 3 degrees high at an azimuth of 16.3 degrees. Another rover, 10 m towards it,
+// raises and lowers its panel. The Sun is sampled every six minutes, but a neighbour's move counts
+// at once.
 TEST(Light, a_neighbours_panel_shades_as_soon_as_it_moves) {
   const double azimuth = 16.28 * std::numbers::pi / 180, latitude = -86 * std::numbers::pi / 180;
   const double deg_a_m = 180 / std::numbers::pi / 1737400;

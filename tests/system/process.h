@@ -1,5 +1,4 @@
-// Other programs, started as a user's shell starts them: lsos-host itself, and the tools that read
-// what it leaves.
+// Starts programs as a user's shell does: lsos-host itself, and the tools that read its results.
 #pragma once
 
 #include <sys/types.h>
@@ -23,13 +22,13 @@ struct Outcome {
 
 struct Surroundings {
   std::filesystem::path folder = ".";
-  Words environment = {};  // "NAME=value", in addition to ours
+  Words environment = {};  // "NAME=value", in addition to this process's
 };
 
-// A program that runs; killed when this ends before it does, or when this process does.
+// A running program. It is killed when this object is destroyed or this process ends.
 class Process {
  public:
-  // words[0] is looked for in PATH. Standard input is empty.
+  // words[0] is searched in PATH. Standard input is empty.
   explicit Process(const Words& words, const Surroundings& where = {});
   ~Process();
   Process(const Process&) = delete;
@@ -37,7 +36,7 @@ class Process {
 
   bool is_running();
   void signal(int number);
-  // Until it has ended.
+  // Waits until the program has ended.
   Outcome wait();
 
  private:
@@ -57,7 +56,7 @@ class Process {
 // Runs any program to its end.
 Outcome run_command(const Words& words, const Surroundings& where = {});
 
-// The words that start lsos-host with these arguments, and running it so to its end.
+// The words that start lsos-host with these arguments, and a function that runs it to its end.
 Words program(const Words& arguments);
 Outcome run(const Words& arguments, const Surroundings& where = {});
 

@@ -1,4 +1,4 @@
-// The commands that the READMEs show, run as they stand there, and the scripts that they name.
+// Runs the commands that the READMEs show, and checks the scripts and links that they name.
 
 #include <gtest/gtest.h>
 
@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 
 const std::string program_folder = fs::path(LSOS_PROGRAM).parent_path();
 
-// script/run builds in the folder that these tests were built in, where all is up to date.
+// script/run builds in the folder of these tests, where everything is up to date.
 Words environment() {
   return {"LSOS_BUILD=" LSOS_BUILD_DIR, "PATH=" + program_folder + ":" + std::getenv("PATH")};
 }
 
-// The commands in fenced sh blocks that start the program; a trailing backslash goes on.
+// The commands in fenced sh blocks that start the program; a trailing backslash joins lines.
 Words shown_commands(const fs::path& file) {
   Words commands;
   bool is_in_block = false;
@@ -48,7 +48,7 @@ Words shown_commands(const fs::path& file) {
   return commands;
 }
 
-// All of ours that are written in Markdown.
+// All Markdown files of the repository.
 std::vector<fs::path> documents() {
   std::vector<fs::path> files;
   for (const auto& folder : fs::directory_iterator(repository())) {
@@ -66,7 +66,7 @@ std::vector<fs::path> documents() {
   return files;
 }
 
-// Those that show commands.
+// The Markdown files that show commands.
 std::vector<std::string> readmes() {
   std::vector<std::string> files;
   for (const fs::path& file : documents()) {
@@ -84,7 +84,7 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 
 class Readme : public ::testing::TestWithParam<std::string> {};
 
-// In a folder that looks like the repository, so that what the commands write is not left there.
+// Commands run in a folder that mirrors the repository, so that their results are not left in it.
 TEST_P(Readme, shows_commands_that_work) {
   const fs::path file = repository() / GetParam();
   ASSERT_TRUE(fs::exists(file)) << GetParam() << " is not there";
@@ -103,7 +103,7 @@ TEST_P(Readme, shows_commands_that_work) {
 
 INSTANTIATE_TEST_SUITE_P(Documents, Readme, ::testing::ValuesIn(readmes()), test_name);
 
-// Links to files of ours, "](docs/picture.png)" and the like.
+// Links to files of the repository, such as "](docs/picture.png)".
 TEST(Documents, link_to_what_is_there) {
   const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
   int count = 0;
@@ -158,7 +158,7 @@ TEST(TerrainCommand, of_the_readme_shows_the_floor_and_the_rim_of_a_crater) {
   EXPECT_GT(points[1]["height_m"].get<double>(), 0.3);
 }
 
-// What plans/README.md says was driven.
+// Distance driven in a plan according to plans/README.md.
 double shown_distance_m(const std::string& plan) {
   const std::regex row("\\| `" + plan + "` \\| [^|]+ \\| ([0-9]+) m \\|");
   std::smatch found;
@@ -195,7 +195,7 @@ TEST(TerrainReadme, shows_a_terrain_of_rasters_that_works) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto points = nlohmann::json::parse(outcome.out);
   for (const auto& point : points) {
-    // The detail adds some decimetres to what the rasters know.
+    // Detail adds some decimetres to the rasters' heights.
     EXPECT_NEAR(point["height_m"].get<double>(), point["raster_height_m"].get<double>(), 2);
     EXPECT_NE(point["height_m"], point["raster_height_m"]);
   }

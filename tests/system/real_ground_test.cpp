@@ -1,5 +1,5 @@
-// A rover on real ground of the Moon's south polar region: where it went and how high that is,
-// against the raster read and projected by other means.
+// A rover on real ground of the Moon's south polar region: its places and heights, compared with
+// the raster, which the test reads and projects by other means.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ class Raster {
     if (dataset_) dataset_->GetGeoTransform(transform_);
   }
 
-  // Bilinear between cell centres.
+  // Height by bilinear interpolation between cell centres.
   double height_m(const Geodetic& place) const {
     const double rho_m = 2 * moon_radius_m * std::tan((std::numbers::pi / 2 + place.lat_rad) / 2);
     const double column = (rho_m * std::sin(place.lon_rad) - transform_[0]) / transform_[1] - 0.5;
@@ -79,13 +79,13 @@ TEST(RealGround, is_driven_for_half_a_kilometre_at_the_height_of_the_raster) {
     worst_m = std::max(worst_m, std::abs(row.elevation_m - raster.height_m(row.place)));
     lowest_m = std::min(lowest_m, row.elevation_m);
     highest_m = std::max(highest_m, row.elevation_m);
-    // The rover stands on it: its reference point is a spring's travel away at most.
+    // The rover's reference point is within the springs' travel of the ground.
     EXPECT_NEAR(row.place.height_m, row.elevation_m, 0.3);
   }
   RecordProperty("worst_elevation_difference_m", std::to_string(worst_m));
   // Between cell centres a smooth surface differs from the bilinear one by curvature x 1 m^2 / 8.
   EXPECT_LT(worst_m, 0.05);
-  EXPECT_GT(highest_m - lowest_m, 5);  // it is no plain
+  EXPECT_GT(highest_m - lowest_m, 5);  // the ground is not flat
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The words of a shell that becomes the prompt, with its input from the file.
+// Words of a shell that executes the prompt with its input from a file.
 Words prompt(const std::string& arguments, const std::string& input) {
   return {"sh", "-c", "exec " + program({}).front() + " repl " + arguments + " < " + input};
 }

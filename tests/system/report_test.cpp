@@ -1,4 +1,4 @@
-// report.html as a browser shows it, its figure, and `lsos-host compare`.
+// report.html in a browser, its figure, and `lsos-host compare`.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -20,27 +20,27 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-// The data that stands in a page.
+// The data embedded in a page.
 json data_of(const std::string& page) {
   const std::string key = "<script type=\"application/json\" id=\"data\">";
   const std::size_t begin = page.find(key) + key.size();
   return json::parse(page.substr(begin, page.find("</script>", begin) - begin), nullptr, false);
 }
 
-// As the page writes numbers.
+// Parses a number as the page writes it, with a Unicode minus sign.
 double number(std::string text) {
   const std::size_t minus = text.find("\u2212");
   if (minus != std::string::npos) text.replace(minus, std::string("\u2212").size(), "-");
   return std::stod(text);
 }
 
-// Of "00:01:05".
+// Seconds of a time such as "00:01:05".
 double clock_s(const std::string& text) {
   return 3600 * std::stod(text.substr(0, 2)) + 60 * std::stod(text.substr(3, 2)) +
          std::stod(text.substr(6, 2));
 }
 
-// One run for all: two rovers, one of whose labels would end a script.
+// All tests share one run of two rovers, in which one label has text that would end a <script>.
 class Report : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -67,7 +67,7 @@ class Report : public ::testing::Test {
     delete page_;
   }
   static std::string log() { return *folder_ / "run/log.gpkg"; }
-  // What the log has of a rover at the sample nearest to a time.
+  // Logged value of a rover at the sample nearest to a time.
   static double logged(const std::string& column, const std::string& rover, double time_s) {
     return std::stod(query(log(), "SELECT " + column + " FROM samples WHERE rover_id = '" + rover +
                                       "' ORDER BY abs(time_s - " + std::to_string(time_s) +
@@ -130,7 +130,7 @@ TEST_F(Report, shows_values_of_the_log_under_the_cursor) {
   EXPECT_THAT(seen["unit"].get<std::string>(), HasSubstr("kWh"));
   EXPECT_NEAR(number(seen["early"]["energy"][0]), logged("energy_j", "A", time_s) / 3.6e6, 6e-4);
   EXPECT_NEAR(number(seen["early"]["energy"][1]), logged("energy_j", "B", time_s) / 3.6e6, 6e-4);
-  // East and north of A.
+  // The position shown is the one of A, east and north.
   EXPECT_NEAR(number(seen["position"][0]), logged("x_m", "A", time_s), 0.06);
   EXPECT_NEAR(number(seen["position"][1]), logged("y_m", "A", time_s), 0.06);
   EXPECT_NE(seen["before"], seen["early"]["arrow"]);
@@ -153,7 +153,7 @@ TEST_F(Report, names_the_place_under_the_cursor) {
   std::smatch found;
   ASSERT_TRUE(std::regex_search(place, found, std::regex("^([0-9.]+)° N, ([0-9.]+)° W; ")))
       << place;
-  // An arrow stands to half a pixel of 0.3 m, which is 1e-5 degrees.
+  // An arrow is placed to half a pixel of 0.3 m, which is 1e-5 degrees.
   const double end_s = std::stod(query(log(), "SELECT max(time_s) FROM samples"));
   EXPECT_NEAR(std::stod(found[1]), logged("lat_deg", "A", end_s), 2e-5);
   EXPECT_NEAR(-std::stod(found[2]), logged("lon_deg", "A", end_s), 2e-5);
@@ -265,7 +265,7 @@ TEST_F(Report, shows_what_events_noted_and_goes_to_its_time) {
   EXPECT_THAT(seen["title"].get<std::string>(), HasSubstr("hole depth_m 2"));
   EXPECT_EQ(seen["hidden"], "hidden");
   EXPECT_THAT(seen["legend"].get<std::string>(), HasSubstr("note"));
-  // No two of an axis read the same.
+  // No two labels of an axis are equal.
   const auto ticks = seen["ticks"].get<std::vector<std::string>>();
   EXPECT_GT(ticks.size(), 2u);
   EXPECT_EQ(std::set(ticks.begin(), ticks.end()).size(), ticks.size());

@@ -1,4 +1,4 @@
-// The single-wheel test bed as an engineer calls it.
+// The single-wheel test bed on the command line, as an engineer uses it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(Rig, grousers_pull_more_and_lower_gravity_bears_less) {
   const auto sinkage = [&](const char* gravity) {
     return rig({"--soil", sand, "--slip", "0", "--gravity", gravity})[0]["sinkage_m"].get<double>();
   };
-  // Terzaghi's law: soil that weighs less bears less.
+  // Soil of less weight has less bearing capacity (Terzaghi's law).
   EXPECT_GT(sinkage("1.62"), 2 * sinkage("9.80665"));
 }
 

@@ -35,7 +35,7 @@ bool wait_for_samples(Process& process, const fs::path& run_folder) {
   const fs::path log = run_folder / "log.gpkg";
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   while (process.is_running() && std::chrono::steady_clock::now() < deadline) {
-    // Until the layers are there sqlite3 fails, and says so on standard error.
+    // Before the layers exist sqlite3 fails with a message on standard error.
     const Outcome outcome =
         run_command({"sqlite3", "-readonly", log.string(), "select count(*) > 0 from samples"});
     if (outcome.exit_code == 0 && outcome.out == "1\n") return process.is_running();

@@ -1,4 +1,4 @@
-// A small mission from plan to the files of the contract.
+// A small mission, from its plan to the files that the contract requires.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -55,12 +55,12 @@ TEST_F(ShortDrive, leaves_the_files_of_the_contract_and_no_journal) {
 }
 
 TEST_F(ShortDrive, drives_as_far_and_as_long_as_the_plan_says) {
-  // 0.000989 degrees of the Moon's 1737400 m.
+  // 0.000989 degrees on the Moon's radius of 1737400 m.
   const double route_m = 0.000989 * std::acos(-1.0) / 180 * 1737400;
   const double distance_m = summary_["rovers"]["SEV1"]["distance_m"];
   EXPECT_NEAR(distance_m, route_m, 2.5);  // it may stop short by the arrival radius
   const double drive_s = number("select end_s - start_s from events where type = 'Route'");
-  EXPECT_GT(drive_s, (route_m - 2.5) / 2);  // never faster than the 2 m/s that were asked
+  EXPECT_GT(drive_s, (route_m - 2.5) / 2);  // not faster than the requested 2 m/s
   EXPECT_LT(drive_s, 60);
 
   const double pause_s = number("select end_s - start_s from events where type = 'Pause'");
@@ -200,7 +200,6 @@ return lsos.event {
   EXPECT_NEAR(summary(folder / "run")["sim_s"].get<double>(), 120, 0.2);
 }
 
-// What the contract lets any command be given.
 TEST(RunFolder, of_two_plans_of_one_name_is_not_shared_unasked) {
   const TempFolder folder;
   const Surroundings there{folder.path()};
@@ -222,6 +221,7 @@ TEST(RunFolder, of_two_plans_of_one_name_is_not_shared_unasked) {
   EXPECT_THAT(asked.err, ::testing::HasSubstr("mars/plan.kml that it held is replaced"));
 }
 
+// Options that the contract allows for every command.
 TEST(CommonOptions, are_taken_where_there_is_no_use_for_them) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(two_rovers()));

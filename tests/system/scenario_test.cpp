@@ -1,4 +1,4 @@
-// `lsos-host test`: the shipped scenarios, and what a failing one says and leaves.
+// `lsos-host test`: the shipped scenarios, and the output and files of a failing one.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ lsos.scenario('late', function() lsos.scenario('x', made) end)
   EXPECT_EQ(read.out, "8\n") << read.err;
 }
 
-// Each mistake that a table of lsos.sim or a call of a simulation can have.
+// Each mistake that is possible in a table of lsos.sim or in a call of a simulation.
 TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
   const auto plan = [](const std::string& events) {
     return "lsos.sim { rovers = { A = { type = 'SEV', events = " + events + " } } }";
@@ -204,8 +204,7 @@ TEST(Scenarios, say_what_is_wrong_with_a_table_or_a_call) {
   }
 }
 
-// Deeper than a C function's share of Lua's stack.
-// Side by side, though one is called what a second of another name would be.
+// Three scenarios run in parallel; one file has the name that the second file of another name gets.
 TEST(Scenarios, of_files_of_one_name_keep_their_logs_apart) {
   const TempFolder folder;
   const std::string text =
@@ -225,6 +224,7 @@ TEST(Scenarios, of_files_of_one_name_keep_their_logs_apart) {
   }
 }
 
+// The tables are deeper than a C function's share of Lua's stack.
 TEST(Scenarios, compare_and_show_tables_in_tables) {
   const TempFolder folder;
   folder.write("tests/scenarios/deep.lua", R"(local lsos = require 'lsos'
@@ -238,7 +238,7 @@ lsos.scenario('another', function(t) t:equal(deep(15, 1), deep(15, 2)) end)
   EXPECT_THAT(outcome.out, HasSubstr("expected { { { {"));
 }
 
-// The same plan by table and by file, and the events of the working folder.
+// The same plan given by a table and by a file, with events of the working folder.
 TEST(Scenarios, find_events_beside_them_and_read_plans) {
   const TempFolder folder;
   folder.write("events/Nap.lua", R"(local lsos = require 'lsos'
@@ -321,7 +321,8 @@ TEST(Schema, is_a_plan_that_reads) {
   EXPECT_THAT(broken.err, HasSubstr("events/Nap.lua:2: "));
 }
 
-// The likeliest slip in a script, which is no fault of its own: a phase may answer nothing.
+// A forgotten return is the likeliest slip in a script. It is no fault, because a phase may return
+// nothing.
 TEST(ForgottenReturn, is_warned_of_after_an_hour_and_ends_with_the_scenario_s_day) {
   const TempFolder folder;
   folder.write(

@@ -1,4 +1,4 @@
-// Slips of one's own event scripts that would otherwise do nothing without a word.
+// Slips in a user's event scripts that would otherwise have no effect and no message.
 #include <gmock/gmock.h>
 
 #include "system/run_folder.h"
@@ -9,7 +9,7 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-// What becomes of an event whose only phase has that body.
+// Runs an event whose only phase has that body.
 struct Slip {
   explicit Slip(const std::string& body, const std::vector<Mark>& more = {}) {
     folder.write("events/Slip.lua",

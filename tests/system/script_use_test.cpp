@@ -1,5 +1,5 @@
-// Scripts beside a plan: those that it uses are warned of where they hide others; the rest is no
-// matter.
+// Scripts beside a plan: check warns of those that the plan uses and that hide others, and ignores
+// the rest.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(ScriptUse, counts_the_events_that_an_event_is_made_of) {
   EXPECT_THAT(check(folder, event("Rest", "A", 1)), HasSubstr("Wait.lua: warning: is used in"));
 }
 
-// What is broken is listed where all scripts are.
+// Broken scripts are reported by `list`.
 TEST(ScriptUse, leaves_the_others_to_list) {
   const TempFolder folder;
   folder.write("events/Junk.lua", "return 5 +");

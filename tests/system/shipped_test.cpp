@@ -1,4 +1,4 @@
-// All that is shipped works: every plan, every terrain, every rover and every soil.
+// Everything that is shipped works: every plan, terrain, rover and soil.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct Start {
   std::string planet = "Mars", from = "30,-40", to = "30.0003,-40.0001";
 };
 
-// A rover drives a short way.
+// Runs a plan in which a rover drives a short distance.
 Outcome drive(const TempFolder& folder, const std::string& terrain, const std::string& rover,
               const Start& start = {}) {
   const std::string plan = folder.write(
@@ -53,7 +53,7 @@ Outcome drive(const TempFolder& folder, const std::string& terrain, const std::s
 }
 
 TEST(ShippedTerrain, carries_a_rover) {
-  // Terrains of a place are driven on there, the others anywhere.
+  // Terrains of a certain place are driven on there, the others anywhere.
   const std::map<std::string, Start> places{
       {"BlackPoint", {"Earth", "-111.47,35.67", "-111.4697,35.6701"}},
       {"LunarSouthPole", {"Moon", "0,-89.5", "0,-89.4990"}}};
@@ -159,8 +159,8 @@ TEST(FirstDrive, holds_its_line_within_half_a_metre) {
   ASSERT_EQ(
       run({repository() / "plans" / "first_drive.kml", "-o", folder / "run", "--quiet"}).exit_code,
       0);
-  // The drawn line in metres east and north of its start; the plan's degrees on a sphere of
-  // 1737.4 km are these within a decimetre.
+  // The drawn line in metres east and north of its start, equal within a decimetre to the plan's
+  // degrees on a sphere of radius 1737.4 km.
   const std::vector<std::pair<double, double>> line{{0, 0},     {60, 35},   {150, 40}, {220, 90},
                                                     {215, 170}, {150, 230}, {60, 240}};
   const std::string rows =
@@ -189,7 +189,7 @@ TEST(FirstDrive, holds_its_line_within_half_a_metre) {
 TEST(FullDisk, stops_the_run_and_leaves_what_was_committed) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(long_drive()));
-  // No file may grow beyond 1 MiB: the log's insert fails as on a full disk.
+  // No file may grow beyond 1 MiB, so that an insert into the log fails as on a full disk.
   const Words words = program({plan, "-o", folder / "run", "--quiet"});
   std::string command = "ulimit -f 1024; exec";
   for (const std::string& word : words) command += " '" + word + "'";

@@ -1,4 +1,4 @@
-// Asking `lsos-host sight`, and rasters cell by cell.
+// Calls `lsos-host sight` and reads rasters cell by cell.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ using Dataset = GDALDatasetUniquePtr;
 
 inline Dataset opened(const std::string& file) {
   GDALAllRegister();
-  CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");  // nothing is written beside the data
+  CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");  // writes no .aux.xml beside the data
   return Dataset(GDALDataset::FromHandle(GDALOpen(file.c_str(), GA_ReadOnly)));
 }
 
@@ -42,7 +42,7 @@ inline std::vector<double> samples(GDALDataset& dataset) {
   return values;
 }
 
-// The middle of a cell, and where that is.
+// The centre of a cell in map coordinates, and as "lon,lat" in degrees.
 struct CellPlace {
   double x = 0, y = 0;
   std::string lon_lat;

@@ -1,4 +1,4 @@
-// `lsos-host sight` as a user runs it; its maps against GDAL's own viewshed.
+// `lsos-host sight` as a user runs it, and its maps compared with GDAL's viewshed.
 #include <fmt/format.h>
 #include <gdal_alg.h>
 #include <gdal_priv.h>
@@ -24,11 +24,11 @@ constexpr double pi = 3.14159265358979323846;
 
 struct Cut {
   const char* file;
-  int column, row, columns, rows;  // of its window; 0 columns: all
+  int column, row, columns, rows;  // window; 0 columns: the whole raster
   unsigned observers = 4;
 };
 
-// Some who give a place with its height have the map's own in mind.
+// Some users give a place with its elevation in the map instead of its height above the ground.
 TEST(SightHeight, that_is_the_ground_s_own_elevation_is_asked_about) {
   const auto asked = [](const std::string& height) {
     const std::filesystem::path raster = repository() / "tests/messages/mission/high.asc";
@@ -41,7 +41,7 @@ TEST(SightHeight, that_is_the_ground_s_own_elevation_is_asked_about) {
   EXPECT_EQ(asked("2"), "");
 }
 
-// A part of a raster as a file of its own.
+// Writes a part of a raster as a file.
 std::string cut(const Cut& from, const TempFolder& folder) {
   const Dataset whole = opened(reference_file(from.file));
   const std::string file = folder / "cut.tif";
@@ -56,7 +56,7 @@ std::string cut(const Cut& from, const TempFolder& folder) {
   return file;
 }
 
-// Share of cells that GDAL and we say the same of.
+// Share of cells for which GDAL and the program agree.
 double agreement(const std::string& file, std::mt19937& random, bool is_flat,
                  const TempFolder& folder) {
   const Dataset dataset = opened(file);
@@ -120,10 +120,10 @@ double agreement(const std::string& file, std::mt19937& random, bool is_flat,
 
 class Viewshed : public ::testing::TestWithParam<Cut> {};
 
-// GDAL's viewshed carries horizons from cell to cell (Wang et al. 2000), ours goes along rays, on
-// small maps along the line to each cell: they differ at the edges of what is hidden. The worst are
-// 97.2 % (33 x 33 rough cells, of 120 observers) and 99.3 % of all others. Cells without samples
-// are left out: GDAL takes them for heights.
+// GDAL's viewshed propagates horizons from cell to cell (Wang et al. 2000); the program's follows
+// rays, and on small maps the line to each cell. They differ at the edges of hidden areas: the
+// least agreement is 97.2 % (33 x 33 rough cells, 120 observers), and 99.3 % for all others. Cells
+// without samples are left out, because GDAL takes them for heights.
 TEST_P(Viewshed, is_that_of_gdal) {
   LSOS_NEEDS_REFERENCE(GetParam().file);
   const TempFolder folder;
@@ -154,11 +154,11 @@ TEST(Sight, answers_with_the_fields_of_the_contract) {
   EXPECT_EQ(lines[0]["visible"], 1);
   EXPECT_NEAR(lines[0]["distance_m"].get<double>(), 0.05 * degree_m, 0.01);
   EXPECT_NEAR(lines[0]["azimuth_deg"].get<double>(), 0, 1e-6);
-  // Half of the angle between both verticals below the horizontal.
+  // The line points below the horizontal by half of the angle between both verticals.
   EXPECT_NEAR(lines[0]["elevation_deg"].get<double>(), -0.025, 1e-6);
   EXPECT_NEAR(lines[1]["azimuth_deg"].get<double>(), 90 - 0.05 * std::sin(10 * pi / 180), 1e-3);
   EXPECT_EQ(lines[1]["visible"], 1);
-  EXPECT_EQ(lines[2]["visible"], 0);  // 6.06 km; the horizons of 2 m meet at 5.27
+  EXPECT_EQ(lines[2]["visible"], 0);  // 6.06 km; horizons of 2 m meet at 5.27 km
   EXPECT_NEAR(lines[2]["azimuth_deg"].get<double>(), 180, 1e-6);
   EXPECT_EQ(lines[3]["visible"], 1);
   EXPECT_EQ(lines[3]["distance_m"], 0);
@@ -183,7 +183,7 @@ TEST(Sight, is_the_same_for_any_number_of_threads) {
   EXPECT_EQ(map("1"), map("3"));
 }
 
-// A map beside the observer has what the map around the observer has there.
+// A map of a window beside the observer equals that part of the map around the observer.
 TEST(Sight, of_a_window_aside_is_that_of_the_whole_map) {
   constexpr char raster[] = "dem/moon/nobile_rim2_ldem_6_cut_1m.tif";
   LSOS_NEEDS_REFERENCE(raster);

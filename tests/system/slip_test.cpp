@@ -1,4 +1,4 @@
-// Slip of driving in summary.json and in conditions, against the rows of the log.
+// Slip while driving in summary.json and in conditions, compared with the rows of the log.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 namespace lsos::test {
 namespace {
 
-constexpr double cruise_mps = 2;  // SEV's
+constexpr double cruise_mps = 2;  // of SEV
 
 struct Slips {
-  double greatest_mean = -1;  // over ten rows, 0.1 s apart
+  double greatest_mean = -1;  // greatest mean over ten rows, 0.1 s apart
   std::vector<double> all;    // ascending
 };
 
-// Of rows in which the rover drives; a row tells of the period before it.
+// Slips of the rows in which the rover drives; a row describes the period before it.
 Slips slips_of(const std::vector<SampleRow>& rows, double requested_mps) {
   Slips slips;
   std::vector<double> last;
@@ -44,7 +44,7 @@ TEST(Slip, of_a_straight_drive_on_the_level_is_what_its_rows_say) {
        event("Route", "R1", 10, {{"StopWhen", "slip &gt; 0.12"}}, line("31,12 31.0033715,12"))});
   EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.out;
   const std::vector<SampleRow> rows = run.samples();
-  // Conditions are asked at whole seconds.
+  // Conditions are evaluated at whole seconds.
   const auto after_a_second = std::ranges::find(rows, SimTime{1'000'000}, &SampleRow::time);
   ASSERT_NE(after_a_second, rows.end());
   EXPECT_GT(after_a_second->slip, 0.12) << "it sets off";
@@ -55,7 +55,7 @@ TEST(Slip, of_a_straight_drive_on_the_level_is_what_its_rows_say) {
       static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(slips.all.size())));
   EXPECT_NEAR(rover["p95_slip"].get<double>(), slips.all[rank - 1], 1e-4);
   EXPECT_GT(slips.all.size(), 300u);
-  // The wheels carry a drawbar pull of nearly nothing.
+  // The drawbar pull of the wheels is nearly zero.
   EXPECT_NEAR(slips.all[slips.all.size() / 2], 0.02, 0.01);
   EXPECT_LT(rover["max_slip"].get<double>(), 0.15) << "it speeds up from half its speed on";
   EXPECT_NEAR(run.summary()["events"][0]["distance_m"].get<double>(), 100, 2)
@@ -70,7 +70,8 @@ TEST(Slip, is_null_of_a_rover_that_never_drives) {
   EXPECT_TRUE(rover["p95_slip"].is_null());
 }
 
-// On 28 degrees of loose soil it spins in its place: a second of it ends the event.
+// On a slope of 28 degrees in loose soil the wheels spin in place; one second of that ends the
+// event.
 TEST(Slip, of_wheels_that_spin_in_their_place_is_what_a_condition_stops_on) {
   TempFolder folder;
   folder.write("terrain/Hill.lua",

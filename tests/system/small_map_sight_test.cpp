@@ -1,5 +1,5 @@
-// `lsos-host sight` over maps small enough for a line to each cell, against lines in the plane of
-// their cells.
+// `lsos-host sight` on maps small enough for a line to each cell, compared with lines in the plane
+// of their cells.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,8 +35,8 @@ struct Look {
   double eye_m, target_m;
 };
 
-// Whether the line to a cell stands above the ground wherever it crosses from cell to cell. What is
-// missing hides nothing.
+// Whether the line to a cell is above the ground wherever it crosses a row or column of cell
+// centres. Missing cells hide nothing.
 bool is_above(const CellHeights& ground, const Look& look, const Cell& target) {
   const Cell& eye = look.eye;
   const double from_m = ground.at(eye.column, eye.row) + look.eye_m;
@@ -46,7 +46,7 @@ bool is_above(const CellHeights& ground, const Look& look, const Cell& target) {
     for (int k = 1; k < count; ++k) {
       const double share = static_cast<double>(k) / count;
       const double u = eye.column + share * across, v = eye.row + share * down;
-      // Between two cells of a column, or of a row.
+      // The ground is interpolated between two neighbouring cells of a column or a row.
       const double left = std::floor(u + 1e-9), above = std::floor(v + 1e-9);
       const double to_right = std::max(0.0, u - left), below = std::max(0.0, v - above);
       const double beside_m =
@@ -115,7 +115,7 @@ TEST(SmallMapSight, is_along_the_line_to_each_cell) {
   EXPECT_LT(all.seen, all.cells);
 }
 
-// Of 60 x 60 cells. `height_m`: in cell sides, so that all are equally steep.
+// A generated map of 60 x 60 cells. Heights are in cell sides, so that all maps are equally steep.
 struct MadeMap {
   const char* name;
   const char* crs;
@@ -178,7 +178,7 @@ constexpr double degree_m = 1737400 * 3.14159265358979323846 / 180;
 INSTANTIATE_TEST_SUITE_P(
     of, MadeMapSight,
     ::testing::Values(
-        // Each cell stands over all others on the way to it: its own height must not count.
+        // Each cell is higher than all others on the line to it: its own height must not count.
         MadeMap{"a_bowl", moon_pole, 5000, 7000, 1, 1, bowl, {{30, 30}, 1, 0}},
         MadeMap{"a_bowl_of_small_cells", moon_pole, 5000, 7000, 0.25, 0.25, bowl, {{30, 30}, 1, 0}},
         MadeMap{"the_seam_of_longitudes",

@@ -1,4 +1,4 @@
-// Plans that are sound, and near to what check warns of.
+// Sound plans that are close to what check warns of, and must cause no warning.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -36,7 +36,7 @@ TEST(SoundPlan, may_ask_for_more_than_a_quantity_can_be) {
                         "pitch_rad &gt; -1.5708 and lon_deg &lt; 180.5 and energy_j &lt;= 1"}})});
 }
 
-// StopWhen is what ends it.
+// The pause is ended by StopWhen.
 TEST(SoundPlan, may_pause_longer_than_a_mission_lasts_until_a_condition_ends_it) {
   expect_sound({mission(), sev("A", "31,12"),
                 event("Pause", "A", 1, {{"Duration", "400 d"}, {"StopWhen", "charge &lt; 0.9"}})});

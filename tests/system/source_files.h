@@ -12,12 +12,12 @@ struct SourceFile {
   std::vector<std::string> lines;
 };
 
-// Files with one of the extensions (".h", ...) below the folders of the repository that hold
-// source code, in order of path.
+// Files with one of the extensions (".h", ...) in the repository's folders of source code, in order
+// of path.
 std::vector<SourceFile> source_files(const std::vector<std::string>& extensions);
 
 std::filesystem::path repository();
-// Without its line ends; throws std::runtime_error when it cannot be read.
+// Lines without their line ends. Throws std::runtime_error when the file cannot be read.
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
 }  // namespace lsos::test

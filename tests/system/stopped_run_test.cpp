@@ -1,4 +1,4 @@
-// Runs that are stopped from outside, and the folder that they were writing.
+// Runs that are stopped from outside, and their folders.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ TEST(OutputFolder, is_named_after_the_plan_by_default) {
   EXPECT_TRUE(fs::exists(folder / "out" / "short" / "summary.json"));
 }
 
-// A named pipe that nobody writes holds `check` in the middle of its reading.
+// A named pipe that nobody writes to blocks `check` while it reads.
 TEST(StoppedCheck, ends_at_once) {
   const TempFolder folder;
   for (const int signal : {SIGINT, SIGTERM}) {

@@ -1,4 +1,4 @@
-// `lsos-host sun`: the fields of the contract, with the right values in them.
+// `lsos-host sun`: the fields of the contract and their values.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ json sun(const Words& arguments) {
   return outcome.exit_code == 0 ? json::parse(outcome.out) : json::array({json::object()});
 }
 
-// Rows of shared/data/ephemeris, made with another library.
+// Expected values are rows of shared/data/ephemeris, computed with another library.
 TEST(Sun, at_the_moons_pole_stands_where_the_table_says) {
   const json rows = sun({"--planet", "Moon", "--site", "0,-89.5", "--at",
                          "2009-06-23T10:00:00Z,2009-06-23T12:00:00+02:00"});
@@ -40,8 +40,8 @@ TEST(Sun, at_the_moons_pole_stands_where_the_table_says) {
   EXPECT_EQ(rows[1]["azimuth_deg"], row["azimuth_deg"]);
 }
 
-// The total lunar eclipse of 2025-03-14, in umbra totally from 06:26 to 07:31 UTC (NASA's catalogue
-// of lunar eclipses): all of the Sun is behind Earth, which is air to the eye and not to this.
+// The lunar eclipse of 2025-03-14 is total from 06:26 to 07:31 UTC (NASA's catalogue of lunar
+// eclipses): the whole Sun is behind Earth. Light refracted by Earth's air is not modelled.
 TEST(Sun, goes_behind_earth_in_an_eclipse) {
   const json rows = sun({"--planet", "Moon", "--site", "0,0", "--at",
                          "2025-03-14T02:00Z,2025-03-14T05:00Z,2025-03-14T07:00Z"});

@@ -16,7 +16,7 @@ TempFolder::TempFolder() {
 }
 
 TempFolder::~TempFolder() {
-  std::error_code ignored;  // a test that failed may have left it read-only
+  std::error_code ignored;  // a failed test may have left the folder read-only
   std::filesystem::remove_all(path_, ignored);
 }
 

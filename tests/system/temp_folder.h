@@ -1,4 +1,4 @@
-// A folder for one test, removed with all that is in it at the end.
+// A folder for one test, removed with its contents at the end.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@ class TempFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  // Writes a file, with the folders above it, and returns its path.
+  // Writes a file, creating the folders above it, and returns its path.
   std::string write(const std::string& name, const std::string& text) const;
 
  private:
   std::filesystem::path path_;
 };
 
-// "" when there is no such file.
+// Text of a file; "" when there is none.
 std::string read_text(const std::filesystem::path& file);
 
 }  // namespace lsos::test

@@ -1,4 +1,4 @@
-// The ground as an engineer asks for it, and the maps that come of it, against GDAL.
+// `lsos-host terrain` as an engineer uses it, and its exported maps compared with GDAL.
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ json terrain(const Words& arguments, const Surroundings& where = {}) {
   return outcome.exit_code == 0 ? json::parse(outcome.out) : json::array({json::object()});
 }
 
-// A map as GDAL reads it.
+// A map, read by GDAL.
 class Map {
  public:
   explicit Map(const fs::path& file) {
@@ -67,7 +67,8 @@ class Map {
   double transform_[6] = {};
 };
 
-// Asks for the cells' places and compares: 32-bit samples hold 1e-7 of a height.
+// Compares heights at 12 cells with those of the program at the same places. Samples have 32 bits
+// and so hold a height to 1e-7 of its value.
 void expect_agreement(Map& map, Words question, double tolerance_m) {
   std::vector<double> expected_m;
   const int columns = map.dataset().GetRasterXSize(), rows = map.dataset().GetRasterYSize();
@@ -102,7 +103,7 @@ TEST(Terrain, answers_with_the_fields_of_the_contract) {
   EXPECT_EQ(points[0]["lon_deg"], 30);
   EXPECT_EQ(points[0]["lat_deg"], 60);
   EXPECT_NEAR(points[0]["x"].get<double>(), 0, 1e-6);
-  // The site is the first point; it rises to the south by 10 degrees.
+  // The site is the first point, where the ground rises to the south by 10 degrees.
   EXPECT_NEAR(points[0]["surface_slope_deg"].get<double>(), 10, 1e-6);
   EXPECT_NEAR(points[0]["normal"][1].get<double>(), std::sin(10 * pi / 180), 1e-9);
   EXPECT_NEAR(points[1]["x"].get<double>(), 0.01 * pi / 180 * 1737400 * std::cos(60.01 * pi / 180),
@@ -114,7 +115,7 @@ TEST(Terrain, answers_with_the_fields_of_the_contract) {
 TEST(Terrain, of_a_raster_is_what_stands_in_it) {
   LSOS_NEEDS_REFERENCE("dem/moon/nobile_rim2_ldem_6_cut_1m.tif");
   const std::string file = reference_file("dem/moon/nobile_rim2_ldem_6_cut_1m.tif");
-  // A row of gdal_truth_points.csv, at a cell's centre.
+  // The values are a row of gdal_truth_points.csv, at a cell's centre.
   const json point = terrain({file, "--at", "58.962023979,-83.897678800"})[0];
   EXPECT_NEAR(point["raster_height_m"].get<double>(), 1008.5296, 1e-3);
   EXPECT_NEAR(point["height_m"].get<double>(), 1008.5296, 1e-3);
@@ -187,7 +188,7 @@ TEST(Terrain, exports_a_cloud_optimised_file_and_nothing_beside_it) {
   expect_agreement(map, {"Craters", "--seed", "7", "--site", "10.01,20.01"}, 1e-3);
 }
 
-// Detail much smaller than a cell is left out.
+// Detail much smaller than a cell is not exported.
 TEST(Terrain, exports_coarsely_what_is_large) {
   const TempFolder folder;
   terrain({"LunarSouthPole", "--window", "0,-88.05,5,-88", "--resolution", "20", "--export",
@@ -210,11 +211,11 @@ TEST(Terrain, exports_windows_through_the_pole_and_across_the_antimeridian) {
     EXPECT_LT(map.dataset().GetRasterXSize(), 400);
     expect_agreement(map, {file}, 2e-3);
   }
-  // All around on the raster's own grid, cut across its seam at longitude 0.
+  // A window on the raster's own grid, across its seam at longitude 0.
   const std::string own = folder / "own.tif";
   terrain({file, "--window", "-10,-5,10,5", "--export", own});
   Map map(own);
-  // Cells of a quarter of a degree; those that the window's borders touch count.
+  // The cells measure a quarter of a degree; cells that the window's borders touch count too.
   EXPECT_NEAR(map.dataset().GetRasterXSize(), 80, 2);
   EXPECT_NEAR(map.dataset().GetRasterYSize(), 40, 2);
   expect_agreement(map, {file}, 2e-3);
@@ -256,7 +257,7 @@ TEST(Terrain, exports_a_hillshade_that_gdaldem_would_make) {
       high = std::max(high, ours.value(column, row));
     }
   }
-  EXPECT_GT(high - low, 50);  // craters show
+  EXPECT_GT(high - low, 50);  // craters are visible
 }
 
 TEST(Terrain, that_cannot_be_written_leaves_nothing) {
@@ -273,7 +274,7 @@ TEST(Terrain, that_cannot_be_written_leaves_nothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator{}), 1);
 }
 
-// Level ground lies within 60 degrees of its site.
+// Level ground exists only within 60 degrees of its site.
 TEST(Terrain, tells_how_many_exported_cells_have_no_ground) {
   const TempFolder folder;
   const auto exported = [&](const char* window) {
@@ -310,7 +311,7 @@ TEST(Terrain, of_a_script_reads_its_raster_as_the_script_says) {
   EXPECT_NEAR(point["raster_height_m"].get<double>(), -1357.8892 * 0.3048, 1e-3);
   EXPECT_NEAR(point["x"].get<double>(), 0, 1e-6);
   EXPECT_EQ(point["body"], "Moon");
-  // Without a window: the raster's grid.
+  // Without a window, the raster's own grid is exported.
   const json exported = terrain({"Plateau", "--export", folder / "out.tif"}, where)[0];
   EXPECT_EQ(exported["columns"], 256);
   EXPECT_EQ(exported["rows"], 237);

@@ -1,4 +1,4 @@
-// The tutorials of events/README.md and rovers/README.md, done as they say, in an empty folder.
+// Follows the tutorials of events/README.md and rovers/README.md in an empty folder.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// What the text has between two of these, from `at` on; moves behind.
+// The text between `begin` and `end`, searched from `at` on; moves `at` behind `end`.
 std::string between(const std::string& text, std::size_t& at, const std::string& begin,
                     const std::string& end) {
   const std::size_t from = text.find(begin, at) + begin.size(), to = text.find(end, from);
@@ -26,7 +26,7 @@ std::string between(const std::string& text, std::size_t& at, const std::string&
 class Reader {
  public:
   Reader() {
-    // The program by its name, as the tutorial calls it.
+    // The tutorial calls the program by its name.
     fs::create_directories(folder_ / "bin");
     fs::create_symlink(program({}).front(), folder_ / "bin/lsos-host");
     fs::create_directories(folder_ / "work");
@@ -37,7 +37,7 @@ class Reader {
     return run_command({"bash", "-o", "pipefail", "-c", command},
                        {folder_ / "work", {"PATH=" + path}});
   }
-  // Writes each Lua block to the file that was named last before it, runs each command.
+  // Writes each Lua block to the file named last before it, and runs each command.
   void follow(const std::string& text) const {
     static const std::regex block("```(lua|console)\n([^`]*(?:`[^`]+)*?)```");
     static const std::regex named("`((?:events|rovers|tests/scenarios)/[A-Za-z0-9]+\\.lua)`");

@@ -1,5 +1,5 @@
-// Plans, logs, projects and overlays in viewers that are not ours: QGIS and CesiumJS. Skipped
-// where `script/bootstrap long` has not installed them.
+// Plans, logs, projects and overlays in other programs' viewers, QGIS and CesiumJS. The tests are
+// skipped when `script/bootstrap long` has not installed them.
 #include <gmock/gmock.h>
 
 #include "system/browser.h"
@@ -15,7 +15,7 @@ using nlohmann::json;
 const Surroundings screenless{.environment = {"QT_QPA_PLATFORM=offscreen"}};
 
 TEST(Qgis, draws_plans_and_opens_the_project_of_a_run) {
-  // Debian's, whatever Python comes first in the path.
+  // Debian's Python has QGIS; another one may come first in PATH.
   const std::string python = "/usr/bin/python3";
   if (run_command({python, "-c", "import qgis.core"}, screenless).exit_code != 0) {
     GTEST_SKIP() << "QGIS is not installed: script/bootstrap long";
@@ -79,7 +79,7 @@ TEST(Cesium, reads_an_overlay_without_a_warning) {
             balloons: all.filter(e => (e.description?.getValue(end) || '').includes('<table')).length};
   )js");
   ASSERT_FALSE(seen.contains("error")) << seen;
-  // Balloons have what stands there; Cesium takes values from Data alone.
+  // Balloons show their own HTML; Cesium reads values from Data only, not from SchemaData.
   EXPECT_EQ(seen["told"], json({"KML - SchemaData is unsupported"}));
   EXPECT_THAT(seen["name"].get<std::string>(), ::testing::HasSubstr("two_rovers"));
   EXPECT_GE(seen["lines"], 6);

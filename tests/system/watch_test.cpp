@@ -1,4 +1,4 @@
-// `lsos-host run --watch`: runs again when the plan or a script of it changes.
+// `lsos-host run --watch`: runs again when the plan or one of its scripts changes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(Watch, runs_again_when_plan_or_script_changes_and_ends_at_a_signal) {
   EXPECT_TRUE(comes(overlay, "22.0"));
   ASSERT_TRUE(comes(summary, "completed"));
 
-  folder.write("say.kml", "<kml>");  // said, and waited on
+  folder.write("say.kml", "<kml>");  // a fault: it is reported, and the watch goes on
   std::this_thread::sleep_for(std::chrono::milliseconds(3000));
   EXPECT_TRUE(watched.is_running());
   folder.write("events/Say.lua", event_of(33));
@@ -63,7 +63,8 @@ TEST(Watch, runs_again_when_plan_or_script_changes_and_ends_at_a_signal) {
   EXPECT_THAT(outcome.err, HasSubstr("say.kml:1: "));
 }
 
-// Though the plan is mended: the folder holds what somebody may want to resume.
+// The folder of another run stays as it is, even when the plan is changed: somebody may want to
+// resume that run.
 TEST(Watch, leaves_another_s_unfinished_run_alone) {
   const TempFolder folder;
   const Outcome form = run({"schema", "Pause"}, {folder.path()});

@@ -9,7 +9,7 @@ namespace lsos::validation {
 
 namespace {
 
-// The points whose sinkage is off by more than the aim, as a remark.
+// A remark that lists the points whose sinkage misses the aim.
 std::string worst_sinkages(const Case& c) {
   const std::vector<SingleWheelPoint> answers = compute(c.fit.soil, c.tests.wheel, c.straight);
   std::string list;
@@ -78,7 +78,8 @@ std::vector<Aim> aims(const Cases& cases) {
   at_most("CMU sand: slip angles 15 to 45 deg, RMS error of the side force", e.side,
           turned_side_aim);
 
-  // The rim is followed by its grousers from low to high: each must pull more than the one before.
+  // The smooth rim is compared with grousers from low to high: each must pull more than the one
+  // before.
   const Wheel &cmu = cases.cmu.tests.wheel, &ding = cases.ding.tests.wheel;
   bool is_more = true;
   for (int percent = 0; percent <= 90; percent += 10) {

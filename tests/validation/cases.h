@@ -1,5 +1,5 @@
-// The sets of measurements, each with the published soil that it was made in, what of that soil
-// may be fitted, and the fit.
+// The sets of measurements, each with the published parameters of its soil, which of them may be
+// fitted, and the fit.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace lsos::validation {
 
-// What of a soil or rig is not fitted.
+// A parameter of a soil or rig that is not fitted.
 struct Constant {
   std::string name, value, why;
 };
@@ -20,7 +20,7 @@ struct Case {
   std::vector<FitParameter> parameters;
   std::vector<Constant> constants;
   WheelTests tests;
-  std::vector<MeasuredPoint> straight;  // of tests: rolling straight, not locked; these are fitted
+  std::vector<MeasuredPoint> straight;  // straight rolling, not locked; these are fitted
   Fit fit;
 };
 
@@ -31,12 +31,12 @@ Case kls_case(const std::string& folder);
 
 // Points of one slip angle, the locked wheel (slip -1) left out.
 std::vector<MeasuredPoint> rolling_at(const WheelTests& tests, double slip_angle_deg);
-// Those of several slip angles.
+// The same for several slip angles.
 std::vector<MeasuredPoint> rolling_at(const WheelTests& tests,
                                       const std::vector<double>& slip_angles_deg);
 std::vector<MeasuredPoint> locked(const WheelTests& tests);
 
-// How the computed sinkage goes with slip, under the mean load of the straight points.
+// Growth of the computed sinkage with slip, under the mean load of the straight points.
 struct SinkageGrowth {
   double least_at_slip = 0;
   double at_least_m = 0, at_zero_m = 0;

@@ -13,7 +13,7 @@ namespace {
 
 enum Colour { blue, orange, green, pink, grey };
 
-// One quantity of a panel, the same of what was measured and what was computed.
+// A quantity plotted in a panel, from measured and from computed points.
 struct Quantity {
   std::string label;
   std::function<double(const MeasuredPoint&)> measured;
@@ -44,7 +44,7 @@ Series measured(const Quantity& q, const std::vector<MeasuredPoint>& points,
   return series;
 }
 
-// A computed curve, from the least slip of the points to the greatest.
+// A computed curve from the least to the greatest slip of the points.
 struct CurvePoint {
   double load_n = 0;
   SingleWheelPoint answer;
@@ -53,7 +53,7 @@ using Curve = std::vector<CurvePoint>;
 
 constexpr int curve_parts = 60;
 
-// Between two points the load of the curve goes straight from the one to the other.
+// Between two points the load of the curve is interpolated linearly.
 Curve curve(const Soil& soil, const Wheel& wheel, const std::vector<MeasuredPoint>& points) {
   Curve answer;
   const WheelSoil wheel_soil(soil, wheel, gravity_mps2);
@@ -116,7 +116,8 @@ std::string slip_angle_figure(const Case& c, const std::string& title,
   return svg_chart(title, panels);
 }
 
-// Against the slip angle; computed at the measured angles and loads, joined by straight lines.
+// The locked wheel against the slip angle; computed at the measured angles and loads, joined by
+// straight lines.
 std::string locked_figure(const Case& c) {
   const std::vector<MeasuredPoint> points = locked(c.tests);
   const std::vector<SingleWheelPoint> answers = compute(c.fit.soil, c.tests.wheel, points);

@@ -14,7 +14,7 @@ namespace {
 
 double squared(double x) { return x * x; }
 
-// A point of the grid: steps from `low`, one number a parameter.
+// A grid point: steps from `low`, one number for each parameter.
 using GridPoint = std::vector<int>;
 
 class GridSearch {
@@ -36,8 +36,8 @@ class GridSearch {
     return fit;
   }
 
-  // From `at` downhill: along one parameter or two at a time, in strides that halve when none
-  // helps.
+  // Descends from `at` along one parameter or two at a time, in strides that halve when none
+  // improves the cost.
   GridPoint descend(GridPoint at) {
     for (int part = 4; part <= 1024; part *= 2) {
       while (step_downhill(at, part)) {
@@ -69,7 +69,7 @@ class GridSearch {
   }
 
  private:
-  // Takes each step that helps at once.
+  // Accepts every improving step at once.
   bool step_downhill(GridPoint& at, int part) {
     bool is_better = false;
     const auto offer = [&](const GridPoint& next) {
@@ -164,7 +164,7 @@ std::vector<SingleWheelPoint> compute(const Soil& soil, const Wheel& wheel,
 Fit fit_soil(const Soil& published, const Wheel& wheel, std::span<const MeasuredPoint> points,
              std::span<const FitParameter> parameters) {
   GridSearch search(published, wheel, points, parameters);
-  // The valley has more than one bottom: start at the published values and half-way to the bounds.
+  // The cost has several local minima: start at the published values and half-way to the bounds.
   GridPoint best;
   for (const double way : {0.0, -0.5, 0.5}) {
     const GridPoint end = search.descend(search.start(way));

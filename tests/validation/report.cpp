@@ -121,7 +121,7 @@ void cmu(Text& t, const Case& c) {
   turned_table(t, c, locked(c.tests));
 }
 
-// "0.11 to 0.14": least and greatest of a quantity over the straight points of a case.
+// Least and greatest value of a quantity over the straight points of a case: "0.11 to 0.14".
 template <class Quantity>
 std::string range(const Case& c, const Soil& soil, int decimals, const Quantity& quantity) {
   const std::vector<SingleWheelPoint> answers = compute(soil, c.tests.wheel, c.straight);
@@ -133,7 +133,7 @@ std::string range(const Case& c, const Soil& soil, int decimals, const Quantity&
   return fmt::format("{:.{}f} to {:.{}f}", low, decimals, high, decimals);
 }
 
-// Torque over radius less pull: all that the wheel spends on its rut, as a share of the load.
+// Torque over radius minus pull, as a share of the load: all that the wheel spends on its rut.
 std::string resistances(const Case& c) {
   const double R = c.tests.wheel.radius_m;
   const auto measured = [&](const MeasuredPoint& m, const SingleWheelPoint&) {

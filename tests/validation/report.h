@@ -1,4 +1,4 @@
-// core/vehicle/VALIDATION.md and its figures, as the text of files.
+// Contents of core/vehicle/VALIDATION.md and its figures.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ struct Cases {
 };
 Cases fit_all(const std::string& data_folder);
 
-// The rims of the predicted wheels with grousers, on the wheel of the measurements.
+// Grousers of the predicted wheels, which otherwise are the measured wheels.
 struct GrouserSet {
   double height_m = 0;
   int count = 0;
@@ -22,9 +22,9 @@ struct GrouserSet {
 inline constexpr GrouserSet cmu_grousers{0.006, 15};
 inline constexpr GrouserSet ding_grousers[] = {{0.005, 24}, {0.010, 24}, {0.015, 24}};
 Wheel with_grousers(Wheel wheel, const GrouserSet& grousers);
-double mean_load_n(const Case& c);  // of its straight rolling
+double mean_load_n(const Case& c);  // mean over its straight rolling
 
-// One aim of the model, and what came of it.
+// One aim of the model, and the result.
 struct Aim {
   std::string what, aim, found;
   bool is_reached = false;
@@ -33,9 +33,9 @@ std::vector<Aim> aims(const Cases& cases);
 
 Errors errors_of(const Case& c, const Soil& soil, const std::vector<MeasuredPoint>& points);
 
-// Where the files go, relative to the root of the sources, with their text.
+// Text of each file, by its path relative to the root of the sources.
 using Files = std::map<std::string, std::string>;
 Files figures(const Cases& cases);
-Files report(const Cases& cases);  // with the figures
+Files report(const Cases& cases);  // including the figures
 
 }  // namespace lsos::validation

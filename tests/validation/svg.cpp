@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 5> palette = {"#0072b2", "#d55e00", "#009
 constexpr int grey = 4;
 static_assert(grey == palette.size() - 1);
 
-// All in pixels.
+// All lengths are in pixels.
 constexpr double plot_width = 250, plot_height = 220;
 constexpr double left = 58, right = 14, below = 46, title_height = 26, legend_row = 20;
 constexpr double legend_mark = 30, letter = 6.6, legend_gap = 20;
@@ -28,10 +28,10 @@ struct Axis {
   int decimals = 0;
 };
 
-// Round ends and ticks around the values, with a margin.
+// Round limits and ticks around the values, with a margin.
 Axis axis_over(double low, double high) {
   if (high <= low) high = low + 1;
-  // So that no marker lies on the frame.
+  // The margin keeps markers off the frame.
   const double margin = 0.03 * (high - low);
   low -= margin;
   high += margin;
@@ -77,7 +77,7 @@ std::string_view dashes(Draw draw) {
 }
 
 void draw_panel(Drawing& d, const Panel& panel, double x0, double y0) {
-  double x_low = 1e300, x_high = -1e300, y_low = 0, y_high = 0;  // y = 0 is always in sight
+  double x_low = 1e300, x_high = -1e300, y_low = 0, y_high = 0;  // y = 0 is always visible
   for (const Series& s : panel.series) {
     for (const ChartPoint& p : s.points) {
       x_low = std::min(x_low, p.x);

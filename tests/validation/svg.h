@@ -10,13 +10,13 @@ enum class Draw { line, dashed, markers };
 
 struct ChartPoint {
   double x = 0, y = 0;
-  double spread = 0;  // height of a bar through the marker; 0: none
+  double spread = 0;  // length of the error bar through the marker; 0: none
 };
 
 struct Series {
   std::string label;
   Draw draw = Draw::line;
-  int colour = 0;  // of the palette
+  int colour = 0;  // index into the palette
   std::vector<ChartPoint> points;
 };
 
@@ -25,7 +25,7 @@ struct Panel {
   std::vector<Series> series;
 };
 
-// Series of one label in several panels have one entry in the legend.
+// Series with the same label in several panels share one entry in the legend.
 std::string svg_chart(const std::string& title, const std::vector<Panel>& panels);
 
 }  // namespace lsos::validation

@@ -14,7 +14,7 @@ std::string percent(double share) {
   return std::isnan(share) ? "-" : fmt::format("{:.1f}", 100 * share);
 }
 
-// Without the minus of a rounded zero.
+// Fixed-point text in which a rounded zero has no minus sign.
 std::string fixed(double value, int decimals) {
   const std::string text = fmt::format("{:.{}f}", value, decimals);
   return text.find_first_of("123456789") == std::string::npos && text.starts_with('-')

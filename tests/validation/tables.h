@@ -1,4 +1,4 @@
-// Text of the report as it grows, and its tables.
+// Builder of the report's text, and its tables.
 #pragma once
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ class Text {
     text += '\n';
   }
 
-  // Lines of at most 100 letters, after an empty one.
+  // A paragraph in lines of at most 100 characters, after an empty line.
   template <class... Args>
   void paragraph(fmt::format_string<Args...> format, Args&&... args) {
     std::istringstream words(fmt::format(format, std::forward<Args>(args)...));
@@ -38,17 +38,17 @@ class Text {
   }
 };
 
-// Errors of a set of points, a row each.
+// Errors of a set of points, one row each.
 void summary_head(Text& t);
 void summary_row(Text& t, const Case& c, const std::string& what, const std::string& soil_name,
                  const Soil& soil, const std::vector<MeasuredPoint>& points);
 
 bool is_at_bound(const FitParameter& p, double value);
 
-// What is published, what was allowed, what was fitted.
+// Published values, allowed ranges and fitted values.
 void parameters(Text& t, const Case& c);
 
-// Measured and computed, a row a point: of straight rolling, and at slip angles.
+// Measured and computed values, one row for each point: straight rolling, and at slip angles.
 void straight_table(Text& t, const Case& c, const std::vector<MeasuredPoint>& points);
 void turned_table(Text& t, const Case& c, const std::vector<MeasuredPoint>& points);
 

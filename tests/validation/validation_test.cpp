@@ -1,5 +1,5 @@
-// The report in the tree is what the program would write today, and the aims that the model has
-// reached stay reached.
+// The report in the tree must equal what the program writes today, and the aims that the model has
+// reached must stay reached.
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST_F(Validation, pull_of_a_straight_wheel_is_within_a_tenth_of_its_load) {
 TEST_F(Validation, sinkage_of_a_straight_wheel_is_within_half_again) {
   EXPECT_LE(straight(cases_->cmu).sinkage_worst, sinkage_aim);
   EXPECT_LE(straight(cases_->ding).sinkage_worst, sinkage_aim);
-  // KLS-1 misses it where 1 mm was measured, at slip 0.1; see the report.
+  // KLS-1 misses the aim at slip 0.1, where 1 mm was measured; see the report.
   const std::vector<MeasuredPoint> deeper(cases_->kls.straight.begin() + 1,
                                           cases_->kls.straight.end());
   EXPECT_LE(errors_of(cases_->kls, cases_->kls.fit.soil, deeper).sinkage_worst, sinkage_aim);
@@ -110,7 +110,7 @@ TEST_F(Validation, sinkage_grows_with_slip_either_way) {
 }
 
 TEST_F(Validation, every_aim_is_reached_but_one) {
-  const std::string missed = "KLS-1: straight, sinkage at each point";  // see above
+  const std::string missed = "KLS-1: straight, sinkage at each point";  // see the test above
   for (const Aim& aim : aims(*cases_)) {
     if (aim.what == missed) continue;
     EXPECT_TRUE(aim.is_reached) << aim.what << ": " << aim.found;

@@ -15,8 +15,8 @@ namespace {
 
 using Row = std::map<std::string, std::string>;
 
-// Fields may stand in double quotes, as those with commas do; none of these files has a quote or
-// an end of line inside a field.
+// Fields may be in double quotes, as those with commas are; no field of these files contains a
+// quote or a line break.
 std::vector<std::string> fields(const std::string& line) {
   std::vector<std::string> answer(1);
   bool is_quoted = false;
@@ -49,7 +49,7 @@ std::vector<Row> read_rows(const std::string& path) {
   return rows;
 }
 
-// All of these are metal wheels on a rigid axle: flattened by less than a micrometre.
+// All of these are metal wheels on a rigid axle, flattened by less than a micrometre.
 constexpr double rigid_npm = 1e9;
 
 double number(const Row& row, const std::string& name) { return std::stod(row.at(name)); }
@@ -62,7 +62,7 @@ void sort(std::vector<MeasuredPoint>& points) {
 MeasuredPoint mean(const std::vector<MeasuredPoint>& repeats) {
   MeasuredPoint answer = repeats.front();
   answer.repeats = static_cast<int>(repeats.size());
-  // The mean of a member; answers greatest less least.
+  // Sets the member to its mean; returns greatest minus least.
   const auto average = [&](double MeasuredPoint::*member) {
     const auto [least, greatest] = std::ranges::minmax(repeats, {}, member);
     double sum = 0;
@@ -91,7 +91,7 @@ WheelTests read_cmu_tests(const std::string& folder) {
   std::map<std::pair<double, double>, std::vector<MeasuredPoint>> by_setting;
   for (const Row& row : read_rows(folder + "/cmu_single_wheel_smooth.csv")) {
     const double slip_angle_deg = number(row, "beta_deg");
-    // The sensor's axes are turned against those of the wheel.
+    // The sensor's axes are rotated against those of the wheel.
     by_setting[{slip_angle_deg, number(row, "rim_speed_cmd_mm_s")}].push_back(
         {.slip = number(row, "slip_reported"),
          .slip_angle_rad = radians(slip_angle_deg),

@@ -1,5 +1,5 @@
-// Measurements of single wheels in a soil bin, read from the reference data. Load is held, slip
-// and slip angle are set, forces and sinkage are measured.
+// Measurements of single wheels in a soil bin, read from the reference data. Load, slip and slip
+// angle are prescribed; forces and sinkage are measured.
 #pragma once
 
 #include <limits>
@@ -19,16 +19,16 @@ struct MeasuredPoint {
   int repeats = 1;
   double load_n = 0;
   double drawbar_pull_n = 0;
-  double side_force_n = not_measured;  // to the left positive, travel to the left of the heading
+  double side_force_n = not_measured;  // left positive, travel to the left of the heading
   double torque_n_m = not_measured;
   double sinkage_m = 0;
-  // Greatest less least of the repeats.
+  // Range (greatest minus least) of the repeats.
   double pull_spread_n = 0, side_spread_n = 0, sinkage_spread_m = 0;
 };
 
 struct WheelTests {
   Wheel wheel;
-  std::vector<MeasuredPoint> points;  // by slip angle, then slip
+  std::vector<MeasuredPoint> points;  // sorted by slip angle, then slip
 };
 
 // Folder of the data (LSOS_REFERENCE_DATA or ../shared/data, then terramech); may not exist.

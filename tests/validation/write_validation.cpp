@@ -1,5 +1,5 @@
-// Writes core/vehicle/VALIDATION.md and its figures: what the wheel-soil model makes of measured
-// single wheels.
+// Writes core/vehicle/VALIDATION.md and its figures, which compare the wheel-soil model with
+// measured single wheels.
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Before a mission runs: whether the ground around its stops reaches as far as counts for what they
-// see of the Sun and of Earth.
+// Check before a mission runs: whether the known ground around its stops reaches far enough for
+// what they see of the Sun and of Earth.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,12 @@
 
 namespace lsos {
 
-// How long the plan's events take in all, about: the rover's that takes longest, by the durations
-// and times that the plan gives and its drives at the speeds asked for, else at 1 m/s; MaxDuration
-// at most.
+// Estimated duration of the plan's events: that of the rover that takes longest, from the durations
+// and times in the plan and its drives at the requested speeds, else at 1 m/s; at most MaxDuration.
 SimTime rough_duration(const MissionMachine& machine, const SiteFrame& site);
 
-// At most a warning for the Sun and one for Earth, each with the stop and time at which the
-// farthest ground counts. `watches_sun`: something in the mission takes its light.
+// At most one warning for the Sun and one for Earth, each for the stop and time at which ground
+// farthest away matters. `watches_sun`: something in the mission uses sunlight.
 std::vector<Fault> end_ahead(const MissionMachine& machine, const Ground& ground, bool watches_sun);
 
 }  // namespace lsos

@@ -15,7 +15,8 @@ namespace lsos {
 
 namespace {
 
-// The Sun's radius, and what a site some 40 km wide on the Moon sees less or more of it.
+// Elevation below which the Sun is surely not visible: its radius, and the difference in its
+// elevation across a site some 40 km wide on the Moon.
 constexpr double surely_below_rad = -1.5 * std::numbers::pi / 180;
 
 enum class Position { up, down, unknown };
@@ -107,7 +108,7 @@ class Ahead {
     if (!event.geometry.points.empty()) at_ = event.geometry.points.back();
   }
 
-  // The time at which it ends whenever it begins, if one of its fields says that.
+  // End time that one of its fields gives, whenever it begins; absent: none does.
   std::optional<SimTime> until(const EventMachine& machine) const {
     for (const FieldDeclaration& field : machine.declaration.fields) {
       if (field.kind != FieldKind::utc) continue;
@@ -117,7 +118,8 @@ class Ahead {
     return {};
   }
 
-  // Of what a key of an event names; its text left out names all that can be stowed.
+  // Visits the equipment that the field `key` of an event names; a field left out names all that
+  // can be stowed.
   template <class Visit>
   void for_each_named(const EventMachine& machine, const std::string& key, const Visit& visit) {
     if (key.empty()) return;
@@ -165,7 +167,7 @@ class Ahead {
       since.push_back(equipment.since);
     });
     if (names.empty() || is_any_left) return;
-    // A text left out names what cannot be stowed besides.
+    // A field left out also names panels that turn and cannot be stowed.
     const bool is_named = find_value<std::string>(machine.event.params, key) != nullptr;
     const auto turns_always = [](const auto& entry) {
       return entry.second.turns && !entry.second.is_stowable;
@@ -183,7 +185,7 @@ class Ahead {
       if (equipment.position != Position::down) return;
       stowed = &equipment;
     }
-    if (stowed == nullptr) return;  // it has none: the event's own check says that
+    if (stowed == nullptr) return;  // no panels: the event's own check reports that
     warn(machine.event,
          fmt::format("it waits for the Sun, and no panel is up: stowed {}", stowed->since));
   }

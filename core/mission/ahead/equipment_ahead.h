@@ -1,5 +1,5 @@
-// Going through a rover's events before the mission starts, as far as it is known which of its
-// panels and antennas are then deployed, and where the Sun then stands.
+// Goes through a rover's events before the mission starts, as far as it is known which of its
+// panels and antennas are deployed and where the Sun stands.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@
 
 namespace lsos {
 
-// Warnings of events that deploy what is up, stow what is down, need what is stowed, or wait for
+// Warnings about events that deploy what is up, stow what is down, need what is stowed, or wait for
 // sunlight while no panel is up or the Sun is below the horizon for as long as they wait (a day
-// where they have no Duration). Nothing is warned of that a condition, another rover or a script of
-// the user's own leaves open. Errors of scripts that fail when asked.
+// when they have no Duration). What a condition, another rover or a user's own script leaves open
+// is not warned about. Also errors of scripts that fail when queried.
 std::vector<Fault> equipment_ahead(const RoverMachine& machine, const MissionInfo& mission,
                                    const RoverModel& model, ScriptHost& host,
                                    const SiteFrame& site);

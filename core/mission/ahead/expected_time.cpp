@@ -8,7 +8,7 @@ namespace {
 
 constexpr double usual_speed_mps = 1;
 
-// From where the rover is expected through all points; at the last it is then expected.
+// Length from the expected place of the rover through all points. `at` becomes the last point.
 double length_m(const std::vector<Geodetic>& points, const SiteFrame& site, Geodetic& at) {
   double length = 0;
   for (const Geodetic& point : points) {

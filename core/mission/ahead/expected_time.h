@@ -1,4 +1,4 @@
-// About when the events of a plan end, before it runs.
+// Estimates when the events of a plan end, before it runs.
 #pragma once
 
 #include "mission/model/machine.h"
@@ -6,9 +6,9 @@
 
 namespace lsos {
 
-// By the durations and times that the plan gives and the length of what is drawn, at the Speed
-// asked for, else at 1 m/s. Counted from the mission's start. `begins`: when its turn comes; `at`:
-// where the rover then is; at the end where it then is.
+// Expected end of an event, counted from the start of the mission, from the durations and times in
+// the plan and the drawn length at the requested Speed, else at 1 m/s. `begins`: when its turn
+// comes. `at`: place of the rover, updated to that at the end.
 SimTime expected_end(const EventMachine& machine, SimTime begins, Instant mission_start,
                      const SiteFrame& site, Geodetic& at);
 

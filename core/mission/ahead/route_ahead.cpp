@@ -17,13 +17,13 @@ namespace lsos {
 
 namespace {
 
-// At the end: near a pole north turns on the way.
+// Heading at the end of the line; near a pole the direction of north changes along it.
 double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 way_S_m = to_S_m - from_S_m;
   return std::atan2(way_S_m.dot(site.east_S(to_S_m)), way_S_m.dot(site.north_S(to_S_m)));
 }
 
-// "" for an area that has ground throughout, as far as a grid of places shows.
+// Warning about an area without ground; "" when a grid of samples finds ground throughout.
 std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
                          const Ground& ground) {
   constexpr int places_a_side = 40;
@@ -58,7 +58,7 @@ std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
                      std::ceil(100.0 * missing / places), lon_deg(first), lat_deg(first));
 }
 
-// Goes through a rover's events and knows where it is, as far as the plan says that.
+// Goes through a rover's events and tracks its position, as far as the plan determines it.
 class Ahead {
  public:
   Ahead(const Ground& ground, RoverRoutes& routes, const LegStart& start,
@@ -69,7 +69,7 @@ class Ahead {
         place_S_m_(start.p_S_m),
         heading_rad_(start.heading_rad) {}
 
-  // An event that drives as drawn, or nobody knows where to.
+  // Handles an event that drives as drawn, or to an unknown place.
   void pass(const PlanEvent& event) {
     const Path3 waypoints_S_m = on_ground_S_m(event.geometry.points, ground_);
     const bool is_anywhere = waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon;
@@ -94,7 +94,7 @@ class Ahead {
     for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
   }
 
-  // An event that takes power from an asset.
+  // Warns about an event that takes power from an asset beyond the reach of the cable.
   void find_cable(const PlanEvent& event, const EventDeclaration& declaration,
                   std::span<const PowerSource> sources) {
     if (declaration.drives) near_.reset();
@@ -123,7 +123,7 @@ class Ahead {
     }
   }
 
-  // An event that drives until it is near something that it names.
+  // Records what an event drives towards until it is near.
   void find_near(const PlanEvent& event, const EventDeclaration& declaration) {
     if (!declaration.drives || !event.geometry.points.empty()) return;
     const std::string* id = nullptr;
@@ -136,7 +136,8 @@ class Ahead {
     if (id != nullptr && distance_m != nullptr) near_ = {*id, event.label, *distance_m};
   }
 
-  // One that plans its way; false where there is none: it fails before it drives.
+  // Plans the route of an event; returns false when there is none: the event fails before it
+  // drives.
   bool plan(const PlanEvent& event, const RouteSettings& settings) {
     const std::optional<Vec3> start_S_m = place_S_m_;
     const std::optional<double> start_heading_rad = heading_rad_;
@@ -176,7 +177,7 @@ class Ahead {
     return true;
   }
 
-  // The script's key for KML's Speed.
+  // The script's key for KML's Speed is "speed_mps".
   void warn_of_speed(const PlanEvent& event) {
     const double* speed_mps = find_value<double>(event.params, "speed_mps");
     if (speed_mps == nullptr || *speed_mps <= routes_.speed_max_mps()) return;
@@ -199,7 +200,7 @@ class Ahead {
     result_.drawn.push_back(line);
   }
 
-  // Straight.
+  // Moves the expected position straight to a place.
   void go_to(const Vec3& to_S_m) {
     if (!place_S_m_) {
       heading_rad_.reset();
@@ -222,7 +223,7 @@ class Ahead {
   const std::function<void(const std::string&)>& on_planning_;
   std::optional<Vec3> place_S_m_;
   std::optional<double> heading_rad_;
-  // What the last drive ended near to, where it named that.
+  // The rover or asset that the last drive ended near, if the event named one.
   struct Near {
     std::string id, label;
     double distance_m = 0;
@@ -241,7 +242,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
   Ahead ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
-  std::optional<std::int64_t> gone_to;  // a failure leads there
+  std::optional<std::int64_t> gone_to;  // sequence at which the rover goes on after a failure
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;

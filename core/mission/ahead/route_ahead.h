@@ -1,5 +1,5 @@
-// Going through a rover's events before the mission starts, as far as it is known where it will be:
-// ways are planned, and what stands in the way of others is found.
+// Goes through a rover's events before the mission starts, as far as its position is known: plans
+// routes, and finds obstacles on lines that are driven as drawn.
 #pragma once
 
 #include <functional>
@@ -21,11 +21,11 @@ struct PassedWaypoint {
   std::int64_t sequence = 0, waypoint = 0;
 };
 
-// What an event drives as it is drawn: from where the rover is expected to its first waypoint, and
-// through the others; straight lines.
+// Lengths of a line that an event drives as drawn: straight from the expected position of the rover
+// to the first waypoint, and on through the others.
 struct DrawnLine {
   std::int64_t sequence = 0;
-  std::optional<double> to_first_m;  // absent: nobody knows where the rover then is
+  std::optional<double> to_first_m;  // absent: the rover's position is not known
   double along_m = 0;
 };
 
@@ -33,14 +33,14 @@ struct RouteAhead {
   std::vector<LegAhead> legs;
   std::vector<PassedWaypoint> passed;
   std::vector<DrawnLine> drawn;
-  // A leg without a way, as foreseen_failure(). Warnings of what lies on legs that are driven as
-  // drawn, of waypoints inside the turning circle, of speeds that the rover does not reach, and of
-  // assets beyond the cable.
+  // Legs without a route, as foreseen_failure(). Warnings about what lies on legs driven as drawn,
+  // waypoints inside the turning circle, areas without ground, speeds that the rover does not
+  // reach, and assets beyond the cable.
   std::vector<Fault> faults;
 };
 
 // Each event begins where those before it leave the rover. `sources`: assets with power to give.
-// `on_planning` may be empty; it is told what is planned, "" at its end.
+// `on_planning` may be empty; it is called with what is being planned, and with "" when that ends.
 RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
                       double start_heading_rad, ScriptHost& host, const Ground& ground,
                       RoverRoutes& routes, std::span<const PowerSource> sources,

@@ -13,9 +13,10 @@ namespace lsos {
 
 namespace {
 
-constexpr int phase_changes_max = 100;  // at one exchange; more is a loop
+constexpr int phase_changes_max = 100;  // at one exchange; more means an endless loop
 constexpr SimTime condition_period{1'000'000};
-constexpr double far_from_point_m = 50;  // a stationary event's Point farther than this is odd
+// A stationary event whose Point is farther from the rover than this gets a warning.
+constexpr double far_from_point_m = 50;
 
 bool has_ended(const EventRecord& record) {
   switch (record.status) {
@@ -83,7 +84,7 @@ void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const 
       hindered = to_string(fault);
     }
     const bool is_due = running_->is_due(now, agent);
-    // What ends at the very moment of its timeout has not taken longer.
+    // An event that ends exactly at its timeout has not exceeded it.
     if (hindered.empty() && !is_due && is_timed_out(now)) {
       hindered = fmt::format("timed out after {} s", seconds(*event().timeout));
     }
@@ -128,7 +129,7 @@ bool EventSequence::is_timed_out(SimTime now) const {
 
 // Gives the next enabled event its turn; false when there is none.
 bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
-  // What will not start any more has an end.
+  // Events that will not start any more have an end.
   while (index_ < records_.size() &&
          (current().status != EventStatus::not_started || current().end)) {
     ++index_;
@@ -146,7 +147,7 @@ bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
   return true;
 }
 
-// Waiting and recharging go on without charge.
+// Events such as waiting and recharging go on with an empty battery.
 bool EventSequence::is_powerless(const RoverAgent& agent) const {
   return agent.power().waits_for_reserve() &&
          !machine_.events[index_].declaration.goes_on_without_power;
@@ -154,7 +155,8 @@ bool EventSequence::is_powerless(const RoverAgent& agent) const {
 
 bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
                               const Others& others, std::string& impossible) {
-  // The order of rovers within one exchange must not matter: an end counts from the next one.
+  // An end counts from the next exchange on, so that the order of rovers within one exchange does
+  // not matter.
   waits_for_others_ = false;
   bool is_late = false;
   for (const PlanEvent::Reference& awaited : event().start_after) {
@@ -170,7 +172,8 @@ bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
     }
   }
   if (waits_for_others_ || is_late) {
-    // Something that has ended now may decide at the next exchange, whatever else it waits for.
+    // An awaited event that has ended now is examined at the next exchange, whatever else is
+    // awaited.
     waits_for_others_ = !is_late;
     return false;
   }
@@ -265,13 +268,13 @@ std::string EventSequence::abort(SimTime now, RoverAgent& agent, ScriptHost& hos
 
 void EventSequence::end(EventStatus status, const std::string& reason, SimTime now,
                         RoverAgent& agent) {
-  agent.release();  // whatever its script left under way
+  agent.release();  // stops whatever its script left under way
   EventRecord& record = current();
   if (running_) {
     for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));
   }
   record.status = status;
-  // A script's traceback is for the warnings; the reason is its first line.
+  // The reason is the first line; a script's traceback goes to the warnings.
   record.reason = reason.substr(0, reason.find('\n'));
   if (record.reason != reason) warnings_.push_back(reason);
   record.end = now;
@@ -308,7 +311,8 @@ void EventSequence::after_failure(SimTime now) {
   }
 }
 
-// No more events run here. An end without having started says so to those who wait for them.
+// Starts no more events. Those that have not started get an end, which events waiting for them read
+// as never to run.
 void EventSequence::finish(SimTime now, const std::string& reason, bool is_failure) {
   is_finished_ = true;
   for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -346,7 +350,7 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
   }
   if (!has_turn_) return next;
   if (waits_for_condition_) return next_look;
-  // What StartAfter names wakes it when it ends; its StartTime is known.
+  // Events in StartAfter wake it when they end; its StartTime is known.
   std::optional<SimTime> wake;
   if (!waits_for_others_ && !waits_for_charge_) {
     wake = next;

@@ -1,4 +1,4 @@
-// What a rover's events tell the log.
+// Log rows of a rover's events.
 #include <utility>
 
 #include "mission/events/event_sequence.h"
@@ -16,7 +16,7 @@ EventRow EventSequence::row(std::size_t index) const {
   row.sequence = event.sequence;
   row.type = event.type;
   row.label = event.label;
-  // The file knows how an event ends; until then it is what a kill would leave it as.
+  // Until an event ends, its row holds the state in which a killed program would leave it.
   row.is_prevented = record.is_prevented;
   row.status = record.status == EventStatus::running   ? EventStatus::incomplete
                : record.status == EventStatus::waiting ? EventStatus::not_started
@@ -24,7 +24,7 @@ EventRow EventSequence::row(std::size_t index) const {
   row.reason = record.reason;
   row.ready = record.ready;
   row.start = record.start;
-  // An end without a start or a reason to have ended stands only inside (see after_failure).
+  // The end that finish() gives to an event without a start is internal and not logged.
   if (record.status != EventStatus::not_started) row.end = record.end;
   row.distance_m = record.distance_m;
   row.energy_used_j = record.energy_used_j;

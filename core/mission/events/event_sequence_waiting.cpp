@@ -1,4 +1,4 @@
-// What a rover's events say when the mission ends before they do: what each waited for.
+// Reasons of events that the mission's end cuts short: what each waited for.
 #include <fmt/format.h>
 
 #include "mission/events/event_sequence.h"
@@ -7,8 +7,8 @@ namespace lsos {
 
 namespace {
 
-// What keeps an event that another waits for; "" when it is over. Those of rovers that come first
-// may have been stopped at this very moment.
+// Why an awaited event is not over; "" when it is. An event of an earlier rover may have been
+// stopped at this very exchange.
 std::string hold_up(const EventRecord& record) {
   switch (record.status) {
     case EventStatus::completed:

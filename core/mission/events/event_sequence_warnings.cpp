@@ -1,4 +1,4 @@
-// What an event sequence says of an event that runs otherwise than its plan or script means.
+// Warnings about events that run otherwise than their plan or script intends.
 #include <fmt/format.h>
 
 #include "mission/events/event_sequence.h"
@@ -14,7 +14,7 @@ void EventSequence::warn_of_unfinished_drive(const RoverAgent& agent) {
       event().label, event().rover_id, drive.remaining_m));
 }
 
-// A StartTime alone says when; beside what else is waited for it only says not before.
+// A StartTime alone sets the start; beside StartWhen or StartAfter it is a lower bound.
 void EventSequence::warn_of_late_start(SimTime now) {
   constexpr double late_s = 1;
   if (!event().start_time || !event().start_when.text.empty() || !event().start_after.empty()) {

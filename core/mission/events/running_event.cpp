@@ -10,7 +10,7 @@ namespace lsos {
 namespace {
 
 constexpr SimTime long_stay{3'600'000'000};
-constexpr std::size_t frames_max = 8;  // events within events
+constexpr std::size_t frames_max = 8;  // greatest depth of events within events
 
 }  // namespace
 
@@ -69,7 +69,7 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
                                           const RoverAgent& agent) {
   wake_ = Wake::at_time;
   wake_at_ = now + exchange_period;
-  // Once, at the exchange at which it is over.
+  // The advice is given once, at the exchange at which the hour is over.
   const SimTime stayed = now - frames_.back().phase_start;
   if (std::holds_alternative<Stay>(answer) && stayed >= long_stay &&
       stayed - exchange_period < long_stay && agent.drive().status != DriveState::Status::driving) {
@@ -81,7 +81,7 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
   if (const auto* sleep = std::get_if<SleepUntil>(&answer)) {
     wake_at_ = std::max(wake_at_, round_up_to_exchange(sleep->time));
   }
-  // With nothing under way it is asked again at the next exchange rather than never.
+  // When nothing drives, the phase is called again at the next exchange rather than never.
   if (std::holds_alternative<Arrival>(answer) &&
       agent.drive().status == DriveState::Status::driving) {
     wake_ = Wake::arrival;
@@ -101,7 +101,7 @@ RunningEvent::Progress RunningEvent::go_on(const PhaseAnswer& answer, SimTime no
     frames_.back().outer = agent.power().claims();
     return Progress::goes_on;
   }
-  // Done: and with it every event whose last phase this was.
+  // Done ends this event and every outer event whose last phase it was.
   std::string next;
   while (!frames_.empty() && next.empty()) {
     next = frames_.back().next;

@@ -1,5 +1,5 @@
-// One event of the plan while its scripts run: the phases it goes through, the events that its
-// phases are, and when it must be called again.
+// One event of the plan while its scripts run: its phases, the inner events that phases run, and
+// when it must be called again.
 #pragma once
 
 #include <optional>
@@ -21,32 +21,32 @@ class RunningEvent {
   RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
                ScriptHost& host);
 
-  // Whether the script asked to be called by now.
+  // Whether the script is due at `now`.
   bool is_due(SimTime now, const RoverAgent& agent) const;
   // Calls the present phase once. `goes_on`: another call is due at this exchange. After
   // `completed` and `failed` (with the reason) no script runs any more.
   Progress call(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
-  // Ends it from outside: innermost first, each script may clean up and say how far it had come.
+  // Ends the event from outside, innermost first: each script may clean up and report its progress.
   struct Ending {
-    std::vector<std::string> faults;  // what went wrong there
-    std::string state;                // "charge was 0.42, UntilCharge is 0.8"; "": nothing is said
+    std::vector<std::string> faults;  // errors of scripts while cleaning up
+    std::string state;                // "charge was 0.42, UntilCharge is 0.8"; "": not reported
   };
   Ending abort(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
 
-  // When it is due though nothing else happens; nullopt: at an arrival.
+  // When it is due even if nothing else happens; nullopt: at an arrival.
   std::optional<SimTime> wake(SimTime now) const;
   const std::string& reason() const { return reason_; }
-  // Of the plan's event, not of those within it.
+  // Phase of the plan's event, not of inner events.
   const std::string& phase() const { return frames_.front().phase; }
   SimTime phase_start() const { return frames_.front().phase_start; }
-  // Of the phase that is called next, of the innermost event: where its script has it.
+  // Where the script declares the phase that is called next, of the innermost event.
   Place phase_place(const ScriptHost& host) const;
-  // A warning since the last call: what is most likely forgotten in its script; else "".
+  // Warning since the last call about a likely omission in the script; else "".
   std::string take_advice() { return std::exchange(advice_, ""); }
   // The phases that have ended since the last call.
   std::vector<PhaseRow> take_phases();
 
-  // Scripts are saved through `host`, and begun again in it when reading.
+  // Scripts are saved through `host`; when reading, they are begun again in it.
   void archive(Archive& a, ScriptHost& host);
 
  private:
@@ -54,10 +54,10 @@ class RunningEvent {
     std::string type;
     EventArguments arguments;
     std::string phase;
-    std::string next;  // the phase of the frame below when this one is done
+    std::string next;  // phase of the frame below, entered when this one is done
     SimTime start{}, phase_start{};
-    std::int64_t number = 0;  // which of the plan event's scripts, in order of beginning
-    PowerClaims outer;        // of the frame below, while this one runs
+    std::int64_t number = 0;  // index of the script in the plan event, in order of beginning
+    PowerClaims outer;        // claims of the frame below, kept while this one runs
 
     ScriptInstance instance = 0;  // not saved: begun again
   };
@@ -77,7 +77,7 @@ class RunningEvent {
   std::string rover_id_, label_;
   std::int64_t sequence_ = 0;
   Place place_;                // in the plan
-  std::int64_t begun_ = 0;     // scripts so far
+  std::int64_t begun_ = 0;     // number of scripts begun so far
   std::vector<Frame> frames_;  // the plan's event first
   Wake wake_ = Wake::next_exchange;
   SimTime wake_at_{};

@@ -11,7 +11,7 @@ namespace lsos {
 
 namespace {
 
-// The Sun is so low that even from a mountain over the deepest ground none of it is seen.
+// Whether the Sun is so low that none of it is seen even from a mountain over the deepest ground.
 bool is_deep_night(const SiteFrame& site, const Vec3& eye_S_m, const Sunlight& light) {
   return light.seen.elevation_rad + light.disc_rad <
          -horizon_dip_rad(site.body(), site.height_m(eye_S_m));

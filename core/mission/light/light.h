@@ -1,4 +1,4 @@
-// How much of the Sun panels see: what may stand in its way is gathered and drawn.
+// Share of the Sun that panels see: what may stand in between is gathered and rendered.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace lsos {
 
-// What is lit, and what stands about it: vectors about `eye_S_m`, site axes.
+// Lit faces and the solids around them; vectors relative to `eye_S_m`, site axes.
 struct LitScene {
   Vec3 eye_S_m = Vec3::Zero();   // near all of the faces
   std::vector<PanelFace> faces;  // each may shade the others
   Mesh near;                     // solids that may shade them
 };
 
-// What it answers is a pure function of what it is asked.
+// Results are pure functions of the arguments.
 class Light {
  public:
   static constexpr int disc_samples_count = 16;
@@ -27,8 +27,8 @@ class Light {
   // Both must outlive it.
   Light(const Ground& ground, Renderer& renderer) : ground_(&ground), renderer_(&renderer) {}
 
-  // Of each face, the share 0..1 that is seen from the Sun, averaged over its disc. Ground far and
-  // near counts.
+  // Share 0..1 of each face that is seen from the Sun, averaged over its disc. Near and far ground
+  // counts.
   std::vector<double> sun_fractions(const LitScene& scene, const Sunlight& light);
 
  private:

@@ -1,5 +1,5 @@
-// Looks at the Sun, at Earth or at other antennas that pass over the end of the ground: what was
-// seen may in truth be hidden by ground that is not known.
+// Lines of sight to the Sun, Earth or other antennas that pass over the end of the known ground:
+// ground that is not known may hide what counts as visible.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,16 @@ namespace lsos {
 
 class LooksOverEnd {
  public:
-  // `ground` must outlive it. `seen`: "the Sun", as messages name it.
+  // `ground` must outlive it. `seen`: name of the target in messages, as "the Sun".
   LooksOverEnd(const Ground& ground, std::string seen) : probe_(ground), seen_(std::move(seen)) {}
 
-  // A disc about a direction (unit, site axes) was seen from there, by the one with that id.
+  // Counts a disc about a direction (unit, site axes) that is visible from `eye_S_m`; `id`: the
+  // observer.
   void add_towards(const Vec3& eye_S_m, const Vec3& direction_S, double disc_rad,
                    const std::string& id, SimTime now);
-  // One antenna saw another.
+  // Counts an antenna that is visible from another.
   void add_between(const Vec3& from_S_m, const Vec3& to_S_m, const std::string& id, SimTime now);
-  // Names the look at which the farthest ground counts; absent: none passed over the end.
+  // Names the line of sight that ground farthest away could hide; absent: none passed over the end.
   std::optional<std::string> warning(Instant start) const;
 
   void archive(Archive& a) {
@@ -38,10 +39,11 @@ class LooksOverEnd {
   std::string id_;
   SimTime time_{};
   double reaches_m_ = 0, matters_m_ = 0;
-  std::optional<double> elevation_rad_;  // of a disc
+  std::optional<double> elevation_rad_;  // elevation of a disc; absent for antennas
 };
 
-// "the ground ends 480 m towards the Sun, 5.2 deg high, which ground up to 94 km away may hide"
+// "the ground ends 480 m away towards the Sun, 5.2 deg high, which ground up to 94 km away may
+// hide"
 std::string end_text(const GroundEnd& end, const std::string& seen, double elevation_rad);
 
 }  // namespace lsos

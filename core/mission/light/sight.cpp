@@ -11,9 +11,9 @@ namespace lsos {
 namespace {
 
 constexpr ViewMargins antenna_margins{0.3, 0.3};
-constexpr double centre_share = 0.5;  // of the ornament, seen from the disc's centre
+constexpr double centre_share = 0.5;  // share of the target that the centre of the disc sees
 
-// Facing `towards`, about the viewer.
+// The target, facing `towards`, relative to the viewer.
 PanelFace ornament(const Vec3& centre_m, const Vec3& towards) {
   const Vec3 u = towards.unitOrthogonal() * Sight::ornament_half_m;
   return {centre_m, u, towards.cross(u)};

@@ -1,5 +1,5 @@
-// Line of sight: a view from one antenna to another, in which an ornament is looked for; and the
-// same to the disc of Earth.
+// Line of sight between antennas: the share of a small target at one antenna that is visible from
+// the other; likewise the visible share of the disc of Earth.
 #pragma once
 
 #include "terrain/ground.h"
@@ -8,13 +8,14 @@
 
 namespace lsos {
 
-// What it answers is a pure function of what it is asked. `solids`: what may stand between, about
-// `from_S_m`, site axes; what lies within 0.3 m of an antenna is the antenna's own.
+// Results are pure functions of the arguments. `solids`: what may stand in between, relative to
+// `from_S_m`, site axes; what lies within 0.3 m of an antenna belongs to the antenna.
 class Sight {
  public:
-  // The ornament: a square that faces the viewer, its half side.
+  // Half side of the target, a square that faces the viewer.
   static constexpr double ornament_half_m = 0.05;
-  // So much of it must be seen: of one that lies on level ground half can be.
+  // Share of the target that must be visible. At most half of a target on level ground is visible,
+  // so a share above 0.5 is never met there.
   static constexpr double seen_share = 0.25;
   static constexpr int disc_samples_count = 16;
 
@@ -22,7 +23,7 @@ class Sight {
   Sight(const Ground& ground, Renderer& renderer)
       : site_(ground.site()), ground_(&ground), renderer_(&renderer), between_(ground) {}
 
-  // Share 0..1 of the ornament at `to_S_m` that is seen from `from_S_m`.
+  // Share 0..1 of the target at `to_S_m` that is visible from `from_S_m`.
   double ornament_share(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids);
   bool sees(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids) {
     return ornament_share(from_S_m, to_S_m, solids) >= seen_share;
@@ -30,9 +31,10 @@ class Sight {
 
   struct Disc {
     bool is_centre_seen = false;
-    double fraction = 0;  // of the disc
+    double fraction = 0;  // visible share of the disc, 0..1
   };
-  // Of a disc of that angular radius about a direction (unit), infinitely far away.
+  // Visibility of a disc of angular radius `disc_rad` about `direction_S` (unit), infinitely far
+  // away.
   Disc disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad, const Mesh& solids);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double light_mps = 299792458;
 
-// A body that moves so near to a line, beside its own reach, may come between.
+// A moving body may block a line when it is nearer to it than its own reach plus this.
 constexpr double near_line_m = 10;
 
 double distance_to_line_m(const Vec3& p, const Vec3& from, const Vec3& to) {
@@ -52,7 +52,7 @@ bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
          near_line_m + other.reach_m;
 }
 
-// How long a look at parked ends holds.
+// How long a result between parked ends holds.
 SimTime SightWatch::interval(const Pair& pair) const {
   const Body& body = ground_->site().body();
   if (pair.to == earth_) return earth_interval(body);
@@ -179,8 +179,8 @@ std::vector<PairRow> SightWatch::rows(SimTime now, Instant utc, const std::vecto
   return rows;
 }
 
-// The way over the fewest links, of those the first in the order of ends: breadth first from the
-// end that is sought, so that each end knows its next.
+// Route over the fewest links; of several, the first in the order of ends. The search is breadth
+// first from the destination, so that each end knows its next hop.
 std::string SightWatch::relay(const Pair& pair, const std::vector<SightEnd>& ends) const {
   std::vector<std::optional<std::size_t>> next(earth_ + 1);
   next[pair.to] = pair.to;
@@ -190,7 +190,7 @@ std::string SightWatch::relay(const Pair& pair, const std::vector<SightEnd>& end
     for (const Pair& link : pairs_) {
       if (!link.is_linked || (link.from != reached[i] && link.to != reached[i])) continue;
       const std::size_t other = link.from == reached[i] ? link.to : link.from;
-      // Earth is an end, no station between others.
+      // Earth is a destination, not a relay.
       if (next[other] || other == earth_) continue;
       next[other] = reached[i];
       found.push_back(other);

@@ -1,5 +1,5 @@
-// Who sees whom: when each pair of rovers, assets and Earth is looked at, what was seen, and who
-// can talk to whom, directly or through others.
+// Lines of sight over time: when each pair of rovers, assets and Earth is evaluated, what was
+// visible, and who is linked to whom, directly or through relays.
 #pragma once
 
 #include <functional>
@@ -18,13 +18,13 @@
 
 namespace lsos {
 
-// So long does Earth take for 0.05 degrees of its way in the Moon's sky, where it only librates
-// (1.8 degrees a day at most), and for 0.5 degrees in that of Mars.
+// Time in which Earth moves 0.05 degrees in the sky of the Moon, where it only librates (1.8
+// degrees a day at most), or 0.5 degrees in that of Mars.
 SimTime earth_interval(const Body& body);
 
 inline constexpr const char* earth_id = "Earth";
 
-// That one end has seen another, or was linked to it, since then.
+// An open interval in which one end sees another or is linked to it.
 struct OpenInterval {
   SimTime start{};
   double light_time_s = 0;
@@ -32,7 +32,7 @@ struct OpenInterval {
   void archive(Archive& a) { a(start)(light_time_s); }
 };
 
-// One end of a line of sight, as it is at an exchange.
+// One end of a line of sight at an exchange.
 struct SightEnd {
   std::string id;
   Vec3 p_S_m = Vec3::Zero();  // reference point
@@ -41,46 +41,46 @@ struct SightEnd {
   double range_max_m = std::numeric_limits<double>::infinity();
   bool reaches_earth = true;
   Motion motion = Motion::none;
-  double reach_m = 0;           // all of its body lies so near to the reference point
-  bool turns_with_sun = false;  // its panels do, though it stands
+  double reach_m = 0;           // radius about the reference point that holds its body
+  bool turns_with_sun = false;  // its panels follow the Sun, though it stands still
 };
 
 class SightWatch {
  public:
-  // What may stand between two places, about the first, site axes.
+  // Returns the solids that may stand between two places, relative to the first, site axes.
   using SolidsBetween = std::function<Mesh(const Vec3& from_S_m, const Vec3& to_S_m)>;
 
-  // Both must outlive it. Ends always come in the same order; Earth follows them, where it is not
-  // the planet.
+  // `ground` and `renderer` must outlive it. Ends are always passed in the same order; Earth
+  // follows them unless it is the planet.
   SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends);
 
-  // Looks at the pairs that are due. Answers the intervals that end now.
+  // Evaluates the pairs that are due. Returns the intervals that end now.
   std::vector<SightIntervalRow> look(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                                      const SolidsBetween& solids);
-  // What was seen last between two ends, by number, Earth behind the others; absent: nothing yet.
+  // Last result between two ends, by number, Earth after the others; absent: none yet.
   std::optional<PairSight> last(std::size_t one, std::size_t other) const;
-  // What was seen last from that end to those that follow it.
+  // Rows of the last results from one end to those after it.
   std::vector<PairRow> rows(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                             std::size_t from) const;
-  // Ends all that are under way.
+  // Ends all open intervals and returns them.
   std::vector<SightIntervalRow> finish(SimTime now, const std::vector<SightEnd>& ends);
-  // When something is to be looked at though nothing moves; absent: never.
+  // When a pair is next due if nothing moves; absent: never.
   std::optional<SimTime> wake() const;
 
-  // What was seen over the end of the ground.
+  // Lines of sight over the end of the known ground.
   const LooksOverEnd& earth_over_end() const { return earth_over_end_; }
   const LooksOverEnd& pairs_over_end() const { return pairs_over_end_; }
 
   void archive(Archive& a) { a.tag("sight")(pairs_)(earth_over_end_)(pairs_over_end_); }
 
  private:
-  // Ends by number; Earth is the last. State, held until the next look.
+  // Ends by number, Earth last. The results hold until the next evaluation.
   struct Pair {
     std::size_t from = 0, to = 0;
     std::optional<SimTime> time;
     bool is_visible = false, is_linked = false;
     double fraction = not_modelled;
-    bool is_near_turning = false;  // what turns with the Sun may stand between
+    bool is_near_turning = false;  // panels that follow the Sun may stand in between
     std::optional<OpenInterval> visible, linked;
 
     void archive(Archive& a) {
@@ -88,7 +88,7 @@ class SightWatch {
     }
   };
 
-  // What moves there may come between.
+  // Whether `other`, when it moves, may come in between.
   bool is_near(const Pair& pair, const SightEnd& other, const std::vector<SightEnd>& ends) const;
   SimTime interval(const Pair& pair) const;
   bool is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const;
@@ -101,7 +101,7 @@ class SightWatch {
   const Ground* ground_;
   Sight sight_;
   LooksOverEnd earth_over_end_, pairs_over_end_;
-  std::size_t earth_;  // its number
+  std::size_t earth_;  // number of Earth as an end
   std::vector<Pair> pairs_;
 };
 

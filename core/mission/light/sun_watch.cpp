@@ -7,10 +7,11 @@ namespace lsos {
 
 namespace {
 
-// A square that looks at the Sun from over a rover tells whether any sunlight falls on it.
+// When no panel faces the Sun, a square above the rover that does shows whether any sunlight falls
+// on the rover.
 constexpr double probe_side_m = 0.5, probe_above_m = 0.1;
 
-// From frame B into site axes, about the rover's reference point.
+// Converts from frame B to site axes, relative to the rover's reference point.
 PanelFace face_of(const PanelPose& pose, const Mat3& R_SB) {
   return {R_SB * pose.p_B_m, R_SB * pose.half_u_B_m, R_SB * pose.half_v_B_m};
 }

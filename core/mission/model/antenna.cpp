@@ -13,7 +13,8 @@ namespace lsos {
 
 namespace {
 
-// Nobody says how thick a mast is. Its head lies within what is looked from (`ViewMargins`).
+// Assumed thickness of masts, which no script gives. The head lies within the margin of viewers at
+// it (`ViewMargins`).
 constexpr double mast_m = 0.08, head_m = 0.25;
 const Vec3 mast_colour(0.6, 0.6, 0.6), head_colour(0.9, 0.9, 0.9);
 
@@ -110,7 +111,7 @@ Deployment AntennaArray::deploy(const std::string& name, bool up, std::optional<
       const double takes_s = duration_s.value_or(specs_[i].deploy_s);
       state = {up, state.share_up(now), now, round_up_to_exchange(now + from_seconds(takes_s))};
     }
-    // One that is there, or on its way, takes what is left.
+    // An antenna that is on its way takes the time that is left.
     if (state.end && *state.end > now) {
       deployment.moves = true;
       deployment.takes_s = std::max(deployment.takes_s, seconds(*state.end - now));

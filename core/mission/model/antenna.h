@@ -1,4 +1,4 @@
-// A rover's antennas: what a script says of them, and which are up.
+// A rover's antennas: their specifications in a script, and which are up.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,7 @@ struct AntennaSpec {
   std::string name;
   Vec3 p_B_m = Vec3::Zero();         // chassis axes, when up
   std::optional<Vec3> stowed_p_B_m;  // absent: it is always up
-  double deploy_s = 0;               // how long raising or lowering takes, and what it uses
+  double deploy_s = 0;               // time and power of raising or lowering it
   double deploy_w = 0;
   double power_w = 0;  // while it is up
   double range_max_m = std::numeric_limits<double>::infinity();
@@ -26,14 +26,13 @@ struct AntennaSpec {
   bool is_stowable() const { return stowed_p_B_m.has_value(); }
 };
 
-// The name of its mast in the log's layer `joints`, where it can be stowed.
+// Name of a stowable antenna's mast in the log's layer `joints`.
 std::string mast_joint(const AntennaSpec& antenna);
-// What one that can be stowed looks like when it has come so far on its way up, frame B: a mast and
-// a head.
+// Shapes of a stowable antenna that is raised by `extension_m`, frame B: a mast and a head.
 std::vector<Shape> mast_shapes(const AntennaSpec& antenna, double extension_m);
 
-// Those that can be stowed are so at the start. One on its way up is not up yet; one that is stowed
-// is down at once.
+// Stowable antennas are stowed at the start. An antenna on its way up is not up yet; one that is
+// being stowed is down at once.
 class AntennaArray {
  public:
   AntennaArray() = default;
@@ -42,28 +41,29 @@ class AntennaArray {
 
   const std::vector<AntennaSpec>& specs() const { return specs_; }
   bool is_up(std::size_t i, SimTime now) const;
-  // It is up, and so is its radio.
+  // Whether it is up and its radio works.
   bool has_link(std::size_t i, SimTime now) const { return !is_silent_ && is_up(i, now); }
-  // The radio of all has failed, or works again; masts stay where they are.
+  // Makes the radio of all antennas fail, or work again; masts stay where they are.
   void set_silent(bool is_silent, SimTime now);
-  // The first that is up; while none is, the first. There is at least one.
+  // Index of the first antenna that is up; while none is, of the first. There is at least one.
   std::size_t in_use(SimTime now) const;
-  // Of the one in use, chassis axes.
+  // Position of the antenna in use, chassis axes.
   Vec3 p_B_m(SimTime now) const;
-  // How far an antenna has come from where it is stowed to where it is up, m; 0 where it is fixed.
+  // How far an antenna is raised from its stowed position, m; 0 for a fixed one.
   double extension_m(std::size_t i, SimTime now) const;
-  // Of all that can be stowed.
+  // Shapes of all stowable antennas.
   std::vector<Shape> masts(SimTime now) const;
-  // What all use, W.
+  // Power that all use, W.
   double power_w(SimTime now) const;
 
-  // The antenna with that name, "" for all that can be stowed. Throws std::runtime_error: no such
-  // antenna; EquipmentFault: it cannot be stowed.
+  // Raises or stows the antenna with that name, "" for all stowable ones. Throws std::runtime_error
+  // when there is no such antenna, EquipmentFault when it cannot be stowed.
   Deployment deploy(const std::string& name, bool up, std::optional<double> duration_s,
                     SimTime now);
-  // When the next that moves arrives, after now.
+  // Next time after `now` at which a moving antenna arrives or the radio fails or recovers.
   std::optional<SimTime> next_end(SimTime now) const;
-  // Which one is in use, or whether it is up, may differ from before this exchange.
+  // Whether the choice of the antenna in use, or its being up, may differ from before this
+  // exchange.
   bool has_changed(SimTime now) const;
 
   void archive(Archive& a);
@@ -71,8 +71,8 @@ class AntennaArray {
  private:
   struct State {
     bool goes_up = false;
-    double from = 0;                   // where it was when it was told, 1: up
-    std::optional<SimTime> told, end;  // of its last motion
+    double from = 0;                   // share raised when its last motion began, 1: up
+    std::optional<SimTime> told, end;  // start and end of its last motion
 
     double share_up(SimTime now) const;
     void archive(Archive& a) { a(goes_up)(from)(told)(end); }

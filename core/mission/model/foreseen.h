@@ -1,4 +1,4 @@
-// What is known before the run to go wrong in it.
+// Failures that are certain before the run.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace lsos {
 
-// An event that can only fail: an error, or a warning where the plan says what shall happen then
-// (OnFailure other than stop). `line`: of the plan; 0: the event's own.
+// Fault for an event that can only fail: an error, or a warning when the plan handles the failure
+// (OnFailure other than stop). `line`: line of the plan; 0: that of the event.
 Fault foreseen_failure(const PlanEvent& event, const std::string& what, int line = 0);
 
 }  // namespace lsos

@@ -1,5 +1,5 @@
-// The machine that a plan's unordered Placemarks are synthesised into: mission (initialise, run,
-// terminate) > one machine a rover > its events in sequence > their phases.
+// The state machine that a plan's unordered Placemarks are synthesised into: mission (initialise,
+// run, terminate) > one machine per rover > its events in sequence > their phases.
 #pragma once
 
 #include <string>
@@ -26,8 +26,8 @@ struct MissionMachine {
 
 MissionMachine synthesise(const Plan& plan, const Declarations& declarations);
 
-// As a Graphviz digraph: clusters of rovers between `initialise` and `terminate`, an event a node
-// with its phases, dashed edges for StartAfter and dotted ones for OnFailure = goto.
+// Graphviz digraph: clusters of rovers between `initialise` and `terminate`, a node with its phases
+// for each event, dashed edges for StartAfter and dotted ones for OnFailure = goto.
 std::string to_dot(const MissionMachine& machine);
 
 }  // namespace lsos

@@ -9,10 +9,11 @@ namespace lsos {
 
 namespace {
 
-// A rover with more events has them in several rows, one below the other.
+// Events in one row; a rover with more has several rows, one below the other.
 constexpr std::size_t columns = 6;
 
-// Inside a quoted DOT string; record labels also give meaning to braces, bars and angles.
+// Escapes text for a quoted DOT string; braces, bars and angle brackets have a meaning in record
+// labels.
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
@@ -47,8 +48,7 @@ std::string event_node(const EventMachine& machine) {
                      event.is_enabled ? "" : ", style=dashed, fontcolor=gray");
 }
 
-// Puts events that stand below each other into one rank; a later row leads back to the first
-// column.
+// Puts the events of one column into one rank; each further row begins at the first column.
 std::string ranks(const RoverMachine& rover) {
   std::string dot;
   for (std::size_t column = 0; column < columns; ++column) {
@@ -61,14 +61,14 @@ std::string ranks(const RoverMachine& rover) {
   return dot;
 }
 
-// What leads from `initialise` over the events that are enabled to `terminate`.
+// Edges from `initialise` through the enabled events to `terminate`.
 std::string chain(const RoverMachine& rover) {
   const bool is_wrapped = rover.events.size() > columns;
   const auto node_of = [&](std::size_t i) {
     return node(rover.rover.id, rover.events[i].event.sequence);
   };
   std::string dot, row = "initialise", last = row;
-  std::size_t next_column = 0;  // that lies farther along the row
+  std::size_t next_column = 0;  // first column that lies farther along the row
   for (std::size_t i = 0; i < rover.events.size(); ++i) {
     if (!rover.events[i].event.is_enabled) continue;
     const bool goes_back = is_wrapped && i % columns < next_column;
@@ -82,7 +82,7 @@ std::string chain(const RoverMachine& rover) {
     next_column = i % columns + 1;
   }
   if (!is_wrapped) return dot + fmt::format("  {} -> terminate;\n", row);
-  // To the right of all rows, at half their height.
+  // An invisible edge puts `terminate` to the right of all rows, at half their height.
   const std::size_t middle = rover.events.size() / columns / 2 * columns + columns - 1;
   return dot + fmt::format(
                    "  {};\n  {} -> terminate [constraint=false];\n"
@@ -90,7 +90,7 @@ std::string chain(const RoverMachine& rover) {
                    row, last, node_of(std::min(middle, rover.events.size() - 1)));
 }
 
-// What leads across: dashed to the events that wait, dotted to those gone to.
+// Cross edges: dashed to events that wait, dotted to the event that a failure leads to.
 std::string references(const RoverMachine& rover) {
   const std::string free = rover.events.size() > columns ? ", constraint=false" : "";
   std::string dot;

@@ -10,15 +10,16 @@ namespace lsos {
 namespace {
 
 constexpr double hour_s = 3600, day_s = 24 * hour_s;
-constexpr double detour = 3;  // of what is driven against what is drawn
+constexpr double detour = 3;  // driven length over drawn length
 
-// How fast the event drives, m/s: as its field asks, at most as the rover can.
+// Speed of the drive, m/s: as its field requests, at most what the rover can do.
 double speed_mps(const PlanEvent& event, const VehicleConfig& rover) {
   const double* asked_mps = find_value<double>(event.params, "speed_mps");
   return std::min(asked_mps == nullptr ? rover.cruise_speed_mps : *asked_mps, rover.speed_max_mps);
 }
 
-// From where the rover is expected through the drawn points; at the last it is then expected.
+// Length from the expected place of the rover through the drawn points. `at` becomes the last
+// point.
 double drawn_m(const Body& body, const PlanGeometry& geometry, Geodetic& at) {
   double length_m = 0;
   for (const Geodetic& point : geometry.points) {
@@ -37,7 +38,7 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
   const auto count_time = [&](Instant time) {
     latest_s = std::max(latest_s, seconds(time - plan.mission.start_time));
   };
-  std::map<std::string, Geodetic> at;  // by rover
+  std::map<std::string, Geodetic> at;  // key: rover
   for (const PlanRover& rover : plan.rovers) at[rover.id] = rover.start;
   for (const PlanEvent& event : plan.events) {
     if (!event.is_enabled) continue;

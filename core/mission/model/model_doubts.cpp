@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-// Nothing that a rover carries is so many times as long as its body.
+// Greatest length of carried equipment, in lengths of the body.
 constexpr double longest_share = 10;
 
 void doubt_panel(const PanelSpec& panel, double size_m, std::vector<std::string>& doubts) {
@@ -33,7 +33,8 @@ void doubt_panel(const PanelSpec& panel, double size_m, std::vector<std::string>
 
 void doubt_battery(const BatterySpec& battery, double mass_kg, double always_w,
                    std::vector<std::string>& doubts) {
-  // What good cells hold for their own mass, 278 Wh/kg: more even were the whole rover a battery.
+  // Specific energy of good cells, 278 Wh/kg; more is impossible even if the whole rover were a
+  // battery.
   constexpr double densest_jpkg = 1e6, shortest_s = 600;
   const double kwh = battery.capacity_j / 3.6e6;
   if (battery.capacity_j > densest_jpkg * mass_kg) {
@@ -77,7 +78,7 @@ void doubt_antenna(const AntennaSpec& antenna, std::vector<std::string>& doubts)
   }
 }
 
-// A vehicle that sways so slowly rests on its stops.
+// Flags springs so soft that the vehicle would rest on its stops.
 void doubt_springs(const Suspension& suspension, double mass_kg, std::vector<std::string>& doubts) {
   constexpr double longest_period_s = 6;
   const auto* wishbone = std::get_if<Wishbone>(&suspension);
@@ -106,8 +107,8 @@ void doubt_loads(const std::vector<LoadSpec>& loads, double mass_kg,
   }
 }
 
-// What its motors must give on level ground, whatever the body it is on: the resistance of a
-// thirtieth of its weight on the Moon, which wheels on regolith have at least.
+// Flags motors too weak for level ground on any body: less than against the resistance of a
+// thirtieth of the rover's weight on the Moon, which wheels on regolith have at least.
 void doubt_motors(const VehicleConfig& vehicle, double mass_kg, std::vector<std::string>& doubts) {
   constexpr double lunar_gravity_mps2 = 1.62, least_resistance = 1.0 / 30;
   double power_w = 0;

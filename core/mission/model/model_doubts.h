@@ -1,5 +1,5 @@
-// Numbers of rovers, assets and soils that can be simulated, and yet are likely to be slips: in
-// another unit, or of another thing. One sentence each; empty when all is well.
+// Numbers of rovers, assets and soils that can be simulated and are yet likely to be mistakes, such
+// as another unit. One sentence each; empty when there are none.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace lsos {
 
-// Each is judged by the rover's own size, mass, speed and loads.
+// Numbers are judged by the rover's own size, mass, speed and loads.
 std::vector<std::string> rover_doubts(const RoverModel& rover);
 std::vector<std::string> asset_doubts(const AssetModel& asset);
-// The bounds hold all soils of the literature in terrain/soils, with room on both sides.
+// The bounds include all soils of the literature in terrain/soils, with room on both sides.
 std::vector<std::string> soil_doubts(const Soil& soil);
 
-// No mast that can be brought along holds an antenna higher above the ground.
+// Greatest height above the ground at which a mast that can be brought along holds an antenna, m.
 inline constexpr double highest_mast_m = 100;
 
 }  // namespace lsos

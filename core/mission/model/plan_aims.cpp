@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-// Time between two moments for messages: "1.5 h", "45 s".
+// Length of time for messages: "1.5 h", "45 s".
 std::string span_text(SimTime span) {
   const double whole_s = std::abs(seconds(span));
   if (whole_s >= 86400) return fmt::format("{:.4g} d", whole_s / 86400);
@@ -50,7 +50,7 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
   }
 }
 
-// Sum over its fields that are durations.
+// Sum of the durations among its fields.
 double durations_s(const PlanEvent& event, const EventDeclaration& declaration) {
   double sum_s = 0;
   for (const FieldDeclaration& field : declaration.fields) {
@@ -61,8 +61,9 @@ double durations_s(const PlanEvent& event, const EventDeclaration& declaration) 
   return sum_s;
 }
 
-// Straight from place to place, from where the rover comes from, at the event's Speed or the
-// rover's cruise speed; 0 where neither is known. `at`: where it then is; absent: not known.
+// Lower bound of an event's driving time: straight from `at` through its points, at the event's
+// Speed or the rover's cruise speed; 0 when neither is known. `at`: place of the rover, updated to
+// that at the end; absent: not known.
 double least_drive_s(const PlanEvent& event, const Body& body,
                      std::optional<double> cruise_speed_mps, std::optional<Geodetic>& at) {
   double length_m = 0;
@@ -70,7 +71,7 @@ double least_drive_s(const PlanEvent& event, const Body& body,
     if (at) length_m += surface_distance_m(body, *at, point);
     at = point;
   }
-  // Within a polygon it may come to stand anywhere; without a place it follows what moves.
+  // Within a polygon the rover may stop anywhere; without a geometry it follows what moves.
   const bool is_known =
       event.geometry.kind == GeometryKind::point || event.geometry.kind == GeometryKind::line;
   if (!is_known) {
@@ -100,7 +101,7 @@ void check_timeouts(const Plan& plan, const Declarations& declarations,
     std::optional<double> cruise_speed_mps;
     if (model != rovers.end()) cruise_speed_mps = model->second.spec.vehicle.cruise_speed_mps;
     const bool has_speed = find_value<double>(event.params, "speed_mps") != nullptr;
-    std::optional<Geodetic> at;  // the line alone
+    std::optional<Geodetic> at;  // absent: only the line counts
     const double line_s =
         declaration.drives ? least_drive_s(event, *plan.mission.planet, cruise_speed_mps, at) : 0;
     warn(line_s, has_speed ? "that its line takes at its Speed"
@@ -108,7 +109,7 @@ void check_timeouts(const Plan& plan, const Declarations& declarations,
   }
 }
 
-// Times of a rover's events that come earlier than those of what is before it.
+// Warns about StartTimes earlier than that of an event before it of the same rover.
 void check_order_of_times(const Plan& plan, Faults& faults) {
   const PlanEvent* latest = nullptr;
   for (const PlanEvent& event : plan.events) {
@@ -126,7 +127,7 @@ void check_order_of_times(const Plan& plan, Faults& faults) {
   }
 }
 
-// Between two rows of the log tracks, pictures and overlay are straight.
+// Tracks, pictures and overlay are straight between two rows of the log.
 void check_log_interval(const Plan& plan, const Declarations& declarations,
                         const std::map<std::string, RoverModel>& rovers, Faults& faults) {
   constexpr double longest_m = 100;
@@ -179,7 +180,7 @@ void check_masts(const Plan& plan, Faults& faults) {
   }
 }
 
-// What is asked of an asset whose power is known: one without panels.
+// Checks what is requested from an asset whose power is known: one without panels.
 void check_supplies(const Plan& plan, const Declarations& declarations,
                     const std::map<std::string, AssetModel>& assets, Faults& faults) {
   for (const PlanEvent& event : plan.events) {
@@ -217,7 +218,7 @@ void check_plan_spans(const Plan& plan, const Declarations& declarations,
       if (event.rover_id != rover.id || !event.is_enabled) continue;
       const EventDeclaration& declaration = declarations.events.at(event.type);
       if (!event.stop_when.text.empty() || !event.skip_when.text.empty()) {
-        if (declaration.drives) at.reset();  // it may have come there, or not
+        if (declaration.drives) at.reset();  // it may have arrived, or not
         continue;
       }
       sum_s += durations_s(event, declaration);

@@ -1,5 +1,5 @@
-// What a plan asks for in vain, as far as that is known before it runs: times that are over or
-// never come, powers that nothing gives, levels of what is not there.
+// Requests of a plan that cannot be met, as far as that is known before it runs: times that are
+// over or never come, power that nothing gives, charge without a battery.
 #pragma once
 
 #include <map>
@@ -15,11 +15,12 @@ void check_plan_aims(const Plan& plan, const Declarations& declarations,
                      const std::map<std::string, RoverModel>& rovers,
                      const std::map<std::string, AssetModel>& assets, Faults& faults);
 
-// The same of what takes longer than the mission may, once its MaxDuration is known.
+// Adds warnings about rovers whose events take longer than the mission may, once its MaxDuration is
+// known.
 void check_plan_spans(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers, Faults& faults);
 
-// A warning where nothing is to happen, of a plan without errors.
+// Adds a warning when nothing is to happen, for a plan without errors.
 void check_for_events(const Plan& plan, Faults& faults);
 
 }  // namespace lsos

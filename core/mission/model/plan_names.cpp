@@ -27,13 +27,13 @@ std::vector<std::string> names_if(const Things& things, Is is) {
   return names_of(chosen);
 }
 
-// What a field may name, and whose that is, as messages say it.
+// Names that a field may have, and whose they are, as messages say it.
 struct Known {
   std::string owner = {}, what = {};
   std::vector<std::string> names = {};
   bool are_all = false;                 // false: faults of the plan keep others from being read
-  bool means_all = false;               // without the field: all of them
-  std::vector<std::string> unfit = {};  // there, but not fit for what the field is for
+  bool means_all = false;               // a field left out means all of them
+  std::vector<std::string> unfit = {};  // exist, but do not suit the field
   std::string fitness = {};             // " that can be stowed"
 };
 
@@ -42,7 +42,7 @@ std::string no_text(const Known& known) {
                      known.unfit.empty() ? "" : known.fitness);
 }
 
-// "" too when it may be there without being known.
+// Fault of a name; "" also when it may exist without being known.
 std::string fault_of(const Known& known, const std::string& name) {
   if (std::ranges::find(known.names, name) != known.names.end()) return "";
   if (!known.are_all) return "";
@@ -54,14 +54,14 @@ std::string fault_of(const Known& known, const std::string& name) {
                      is_unfit ? known.fitness : "", hint);
 }
 
-// Which of the plan's assets have power to give; all of them are known but for those that the
-// plan's faults keep from being read.
+// Assets of the plan that have power to give. All are known but those that the plan's faults keep
+// from being read.
 Known power_sources(const Plan& plan, const std::map<std::string, AssetModel>& assets) {
   Known known{"the plan", "asset with power to give"};
   known.are_all = plan.gaps.unread_ids.empty() && !plan.gaps.asset_ids;
   for (const PlanAsset& asset : plan.assets) {
     const auto model = assets.find(asset.type);
-    // One whose type or script has a fault may have power to give.
+    // An asset whose type or script has a fault may have power to give.
     if (model == assets.end()) {
       known.are_all = false;
       continue;
@@ -84,7 +84,7 @@ Known others(const Plan& plan, const std::string& rover_id) {
   return known;
 }
 
-// Of what a rover of that type has.
+// Equipment of one kind that a rover of that type has.
 Known equipment(const RoverModel& model, const std::string& type, NameOf names) {
   const std::vector<PanelSpec>& panels = model.power.panels;
   Known known{type, "", {}, true};
@@ -144,7 +144,7 @@ void check_names(const PlanEvent& event, const EventDeclaration& declaration,
   }
 }
 
-// What is left of a rover's resources when the events so far have been carried out.
+// Amounts left of a rover's resources after the events so far.
 class Stores {
  public:
   explicit Stores(const std::vector<ResourceSpec>& resources) {
@@ -204,7 +204,7 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers,
                       const std::map<std::string, AssetModel>& assets, Faults& faults) {
   const Known sources = power_sources(plan, assets);
-  std::map<std::string, Stores> stores;  // by RoverId
+  std::map<std::string, Stores> stores;  // key: RoverId
   for (const PlanEvent& event : plan.events) {
     const PlanRover* rover = rover_of(plan, event.rover_id);
     const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());

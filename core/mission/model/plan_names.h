@@ -1,5 +1,5 @@
-// What a plan's events name or use of what its rovers and assets have: panels, antennas, resources,
-// power to give.
+// Checks what a plan's events name or use of the equipment of rovers and assets: panels, antennas,
+// resources, power sources.
 #pragma once
 
 #include <map>
@@ -12,10 +12,10 @@
 
 namespace lsos {
 
-// An error for each field that names what is not there (FieldDeclaration::names). Where a field
-// that is absent means all, or more of a resource is used than is aboard
-// (FieldDeclaration::amount_of): a fault as foreseen_failure(). The models are by type; events of a
-// rover whose model is missing are left alone.
+// Adds an error for each field that names what does not exist (FieldDeclaration::names). When a
+// field left out means all and there are none, or when more of a resource is used than is aboard
+// (FieldDeclaration::amount_of), it adds a fault as foreseen_failure(). `rovers` are by
+// PlanRover::model(), `assets` by type; events of a rover whose model is missing are not checked.
 void check_plan_names(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers,
                       const std::map<std::string, AssetModel>& assets, Faults& faults);

@@ -1,4 +1,5 @@
-// All that a script in rovers/ says: of a rover, or of a thing that stands on the ground.
+// Everything that a script in rovers/ declares of a rover, or of an asset that stands on the
+// ground.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +22,9 @@ struct RoverModel {
   std::vector<Shape> shapes;          // wheels and struts are drawn besides; none: the chassis' box
   std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
   GroundLimits limits;
-  std::optional<std::int64_t> crew = {};  // that it carries; absent: nobody said
+  std::optional<std::int64_t> crew = {};  // number carried; absent: not given
 
-  // Aboard in one of its configurations; absent: nobody said.
+  // Crew aboard in one of its configurations; absent: not given.
   std::optional<std::int64_t> crew_of(const std::string& configuration) const {
     for (const RoverConfiguration& each : spec.configurations) {
       if (each.name == configuration && each.crew) return each.crew;
@@ -32,7 +33,7 @@ struct RoverModel {
   }
 };
 
-// A habitat, a comm station.
+// An asset, such as a habitat or a comm station.
 struct AssetModel {
   std::string name = {};
   std::string doc = {};

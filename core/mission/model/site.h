@@ -1,5 +1,4 @@
-// Where a plan's things stand on the ground: the site frame, default headings, and waypoints that
-// lie where there is no terrain.
+// The ground and site frame of a plan, default headings, and checks for places without terrain.
 #pragma once
 
 #include <functional>
@@ -17,7 +16,8 @@ namespace lsos {
 std::unique_ptr<Ground> ground_at(const TerrainSpec& terrain, const Body& body,
                                   const Geodetic& start, std::uint64_t seed);
 
-// The same; throws InputError too where the raster's cells are slivers that no rover drives on.
+// The same; also throws InputError when the cells of the raster at `start` are slivers that no
+// rover drives on.
 std::unique_ptr<Ground> drivable_ground_at(const TerrainSpec& terrain, const Body& body,
                                            const Geodetic& start, std::uint64_t seed);
 
@@ -27,16 +27,16 @@ Path3 on_ground_S_m(const std::vector<Geodetic>& points, const Ground& ground);
 // Clockwise from true north: from the rover's start to its first waypoint elsewhere, else 0.
 double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
 
-// An error for a start, and for each event that would drive to a place, without ground; but for
-// events that plan their ways, whose plans say so.
+// Errors for a start without ground and for waypoints without ground, or on slivers, that an event
+// would drive to. For events that plan their routes, planning reports missing ground.
 std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground,
                                const std::function<bool(const PlanEvent&)>& plans_its_way);
 // "waypoint 2 (10.000000,20.000000) is where the terrain is not known"
 std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point);
 
-// A warning where a rover starts outside its terrain, on the one beyond, or starts or drives to
-// ground that is known by large cells alone (see Ground::coarseness): the first such place; empty
-// for one that does not drive.
+// A warning when a rover starts outside its terrain, on the terrain beyond, or starts on or drives
+// to ground known only in large cells (see Ground::coarseness): at the first such place. Empty for
+// a rover that does not drive.
 std::vector<Fault> coarse_ground(const RoverMachine& machine, const Ground& ground);
 
 }  // namespace lsos

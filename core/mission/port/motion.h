@@ -1,4 +1,5 @@
-// What goes on with a rover, or near one, at an exchange: when light and sight are looked at again.
+// Motion of a rover, or near one, at an exchange: it decides when light and sight are evaluated
+// again.
 #pragma once
 
 #include "base/sim_time.h"
@@ -7,7 +8,7 @@ namespace lsos {
 
 enum class Motion { none, goes_on, has_ended };
 
-// While something moves, looks are this far apart, at whole multiples.
+// Period between evaluations while something moves, at whole multiples.
 inline constexpr SimTime moving_look_period{2'000'000};
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// Numbers and texts in the fields of a note.
+// JSON of numbers and texts in the fields of a note.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ inline std::size_t utf8_bytes(std::string_view text, std::size_t at) {
   return is_overlong || is_no_character ? 0 : count;
 }
 
-// Bytes that are no UTF-8 become U+FFFD, so that the note stays JSON.
+// Bytes that are not UTF-8 become U+FFFD, so that the note is valid JSON.
 inline std::string note_json(const std::string& text) {
   std::string quoted = "\"";
   for (std::size_t at = 0; at < text.size(); ++at) {

@@ -4,7 +4,7 @@ namespace lsos {
 
 namespace {
 
-// A FieldValue through an archive: which alternative, then the value.
+// Serialises a FieldValue: the index of its alternative, then the value.
 struct ArchivedValue {
   FieldValue value;
 

@@ -1,5 +1,5 @@
-// The seam between the engine and the scripts. The engine knows events by type name and phase
-// name only; it never sees Lua, and tests put a scripted mock here.
+// The interface between the engine and the scripts. The engine knows events by type and phase name
+// only; it never sees Lua, and tests put a scripted mock here.
 #pragma once
 
 #include <cstdint>
@@ -18,43 +18,43 @@
 
 namespace lsos {
 
-// What an event is given: parameters in SI by script key, and its waypoints on the ground (site
-// frame). An absent optional parameter is absent.
+// Arguments of an event: parameters in SI by script key, and its waypoints on the ground (site
+// frame). An optional parameter that the plan leaves out is absent.
 struct EventArguments {
   std::map<std::string, FieldValue> params;
   Path3 geometry_S_m;
-  std::vector<Path3> holes_S_m = {};  // of a polygon
+  std::vector<Path3> holes_S_m = {};  // holes of a polygon
 
   void archive(Archive& a);
 };
 
-// What a phase answers.
-struct Stay {};  // call me again at the next exchange
+// Results that a phase returns.
+struct Stay {};  // the phase is called again at the next exchange
 struct GoTo {
   std::string phase;
-};               // go on in that phase, at this exchange
+};               // the event goes on in that phase, at this exchange
 struct Done {};  // the event is completed
 struct Fail {
   std::string reason;
 };  // the event has failed
 struct SleepUntil {
   SimTime time;
-};                  // nothing polls until then
-struct Arrival {};  // call me when the native activity has ended
-struct RunEvent {   // this phase is another event; then `next` ("" = done)
+};                  // the phase is not called before then
+struct Arrival {};  // the phase is called when the drive has ended
+struct RunEvent {   // this phase is another event; then `next` ("": done)
   std::string type;
   EventArguments arguments;
   std::string next;
 };
 using PhaseAnswer = std::variant<Stay, GoTo, Done, Fail, SleepUntil, Arrival, RunEvent>;
 
-// A script broke (not: an event failed): a line with script and cause, one with the plan's line and
-// the rover's state, then the traceback. Fails the event.
+// Error in a script, as opposed to an event that fails: a line with script and cause, one with the
+// plan's line and the rover's state, then the traceback. It fails the event.
 class ScriptError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// What a phase call may see and do beside its own state.
+// What a phase call may read and command beside its own state.
 struct PhaseContext {
   RoverPort& rover;
   SimTime now{};
@@ -66,7 +66,7 @@ struct PhaseContext {
   std::int64_t sequence = 0;
   std::string label;
   std::int64_t script_number = 0;  // which of the plan event's scripts; keys its random numbers
-  Place place = {};                // of the event, in the plan
+  Place place = {};                // place of the event in the plan
 };
 
 using ScriptInstance = std::int64_t;  // an event that runs; ids are never used twice
@@ -77,8 +77,8 @@ class ScriptHost {
 
   virtual const Declarations& declarations() const = 0;
 
-  // What the ways of an event with these arguments keep to, when it plans them ahead; absent: it
-  // does not. Throws ScriptError.
+  // Settings of the routes of an event with these arguments, when it plans them ahead; absent: it
+  // plans none. Throws ScriptError.
   virtual std::optional<RouteSettings> route_settings(const std::string& type,
                                                       const EventArguments& arguments,
                                                       Instant mission_start) {
@@ -97,14 +97,14 @@ class ScriptHost {
     (void)type, (void)arguments, (void)mission_start;
     return false;
   }
-  // Whether a condition of the plan holds for a rover. Quantities are those of its row, NaN where
-  // one is not modelled. Throws ScriptError.
+  // Whether a condition of the plan holds for a rover. Its quantities are those of the row, NaN for
+  // one that is not modelled. Throws ScriptError.
   virtual bool holds(const std::string& condition, const SampleRow& row, const RoverPort& rover) {
     (void)condition, (void)row, (void)rover;
     return false;
   }
-  // What the quantities that a condition names are: "charge was 0.93, distance_to('B') was 210";
-  // "" where it names none.
+  // Values of the quantities that a condition names: "charge was 0.93, distance_to('B') was 210";
+  // "" when it names none.
   virtual std::string values_in(const std::string& condition, const SampleRow& row,
                                 const RoverPort& rover) {
     (void)condition, (void)row, (void)rover;
@@ -115,13 +115,13 @@ class ScriptHost {
   // Throws ScriptError.
   virtual PhaseAnswer run_phase(ScriptInstance instance, const std::string& phase,
                                 PhaseContext& context) = 0;
-  // Calls on_abort, if the script has one: the event ends from outside. Answers what the script
-  // says of how far it had come, "" when it says nothing.
+  // Calls on_abort, if the script has one: the event ends from outside. Returns the progress that
+  // the script reports, "" when it reports none.
   virtual std::string run_abort(ScriptInstance instance, PhaseContext& context) = 0;
   virtual void end(ScriptInstance instance) = 0;
 
-  // ev.state, as bytes, and back into an event that has just begun. Throws ScriptError for what
-  // cannot be saved, naming the key.
+  // Serialises ev.state, and restores it into an event that has just begun. Throws ScriptError,
+  // naming the key, for what cannot be saved.
   virtual std::string save(ScriptInstance instance) = 0;
   virtual void restore(ScriptInstance instance, const std::string& bytes) = 0;
 };

@@ -1,4 +1,4 @@
-// What a rover knows of all that is not it: others as they were at the last exchange.
+// What a rover may query about other rovers, assets and the sky, as of the last exchange.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@ class Surroundings {
  public:
   virtual ~Surroundings() = default;
 
-  // Of a rover or an asset; absent: there is none with that id.
+  // Position of a rover or an asset; absent: nothing has that id.
   virtual std::optional<Vec3> place_S_m(const std::string& id) const = 0;
   virtual SkyView sky(const Geodetic& place) const = 0;
-  // Between two of rovers, assets and Earth, when they were last looked at.
+  // Line of sight between two of rovers, assets and Earth, as last evaluated.
   virtual std::optional<PairSight> sight(const std::string& id, const std::string& other) const = 0;
 };
 

@@ -15,16 +15,16 @@ namespace lsos {
 namespace {
 
 constexpr double longest_m = 100e3;
-// The ground is looked at in maps of so long a piece each.
+// Length of a leg covered by one map of the ground.
 constexpr double piece_m = 64;
-// A wheel that steps over an edge is no slope.
+// Shortest stretch that counts as steep: a wheel that steps over an edge is no slope.
 constexpr double steep_least_m = 1;
 
 bool is_too_steep(Hazard hazard) {
   return hazard == Hazard::slope || hazard == Hazard::climb || hazard == Hazard::slide;
 }
 
-// How far a slope is beyond what the rover may or can climb.
+// Slope in excess of what the rover may or can climb.
 double slope_beyond_rad(const Stance& stance, const DriveCost& cost) {
   const double climb_rad = climbs_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
   return stance.slope_rad - std::min(cost.limits.slope_max_rad, climb_rad);
@@ -83,7 +83,7 @@ class DrawnLeg {
     stretch_ = {"leads " + say(found, stance, finder_.cost()), along_m, p_S_m, beyond_rad};
   }
 
-  // A stretch of steep ground ends here.
+  // Ends a stretch of steep ground.
   void end_steep(double along_m) {
     if (!steep_begin_m_) return;
     const bool counts = along_m - *steep_begin_m_ >= steep_least_m;
@@ -110,7 +110,7 @@ class DrawnLeg {
   StanceFinder finder_;
   const Obstacles& obstacles_;
   DrawnLegFindings found_;
-  std::optional<DrawnFinding> stretch_;  // of steep ground, and where it began
+  std::optional<DrawnFinding> stretch_;  // present stretch of steep ground, and where it began
   std::optional<double> steep_begin_m_;
 };
 

@@ -16,7 +16,7 @@ namespace lsos {
 
 namespace {
 
-// The script's keys for KML's Speed and ArrivalRadius.
+// Reads the script's keys for KML's Speed and ArrivalRadius.
 RouteSettings settings_of(const PlanEvent& event) {
   RouteSettings settings;
   if (const double* speed_mps = find_value<double>(event.params, "speed_mps")) {
@@ -66,10 +66,11 @@ class DrawnRoute {
  private:
   struct Found {
     std::optional<DrawnFinding> finding;
-    std::size_t waypoint = 0;  // that the leg leads to, the first is 1
+    std::size_t waypoint = 0;  // number of the waypoint that the leg leads to, from 1
   };
 
-  // What keeps a rover that turns on the spot from turning to the first waypoint that it is not at.
+  // Finds the obstacle that keeps a rover which turns on the spot from turning to the first
+  // waypoint that it does not stand on.
   void find_turn(const Vec3& from_S_m, double heading_rad, const Path3& waypoints_S_m) {
     if (!cost_.can_turn_on_spot) return;
     const MapFrame frame(ground_.site(), from_S_m);
@@ -98,7 +99,7 @@ class DrawnRoute {
     }
   }
 
-  // The first waypoint that a rover which cannot turn on the spot passes beside, by more than its
+  // Finds the first waypoint that a rover which cannot turn on the spot misses by more than its
   // arrival radius.
   void find_missed(const Path3& waypoints_S_m, const ExpectedPose& start) {
     const MapFrame frame(ground_.site(), *start.p_S_m);
@@ -107,7 +108,7 @@ class DrawnRoute {
     if (start.heading_rad) {
       ahead = Vec2(std::sin(*start.heading_rad), std::cos(*start.heading_rad));
     }
-    double before_m = 0;  // length of the leg before; it is at rest at the first
+    double before_m = 0;  // length of the previous leg; the first begins at rest
     for (std::size_t k = 0; k < waypoints_S_m.size(); ++k) {
       const Vec2 leg_m = frame.at(waypoints_S_m[k]) - at_m;
       if (leg_m.norm() <= settings_.arrival_radius_m) continue;
@@ -125,7 +126,7 @@ class DrawnRoute {
     }
   }
 
-  // Whether the corner has room for an arc that begins before it (driving_line.h).
+  // Whether the corner has room for a fillet that begins before it (driving_line.h).
   bool is_rounded(const Vec2& ahead, const Vec2& leg_m, double before_m) const {
     const Vec2 out = leg_m.normalized();
     const double bend_rad =

@@ -1,4 +1,4 @@
-// What is foreseen of an event that drives through its waypoints as they are drawn.
+// Checks before the run of an event that drives through its waypoints as drawn.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace lsos {
 
-// Where a rover is expected to be.
+// Expected pose of a rover; absent: not known.
 struct ExpectedPose {
   std::optional<Vec3> p_S_m;
   std::optional<double> heading_rad;  // clockwise from north
 };
 
-// Warnings: of the first leg without ground, of the first through something that stands there, of
-// the steepest ground beyond the rover, and of the first waypoint inside its turning circle.
+// Warnings about the first leg without ground, the first through an obstacle, the steepest ground
+// beyond the rover's limits, a lack of room to turn, the first waypoint inside the turning circle,
+// and a line that leads nowhere.
 std::vector<Fault> drawn_route_warnings(const PlanEvent& event, const Path3& waypoints_S_m,
                                         const ExpectedPose& start, RoverRoutes& routes,
                                         const Ground& ground);

@@ -12,24 +12,26 @@ namespace lsos {
 
 namespace {
 
-// Rows of the table.
+// Slopes of the table: -40 to 40 degrees in steps of 1.25 degrees.
 const double first_rad = radians(-40), step_rad = radians(1.25);
 constexpr int rows_max = 65;
-// Slips that wheels are tried at; a climb takes the least that pulls enough.
+// The slip of a driven wheel is searched in this many steps from `slip_least` to the limit; the
+// least that pulls enough is taken.
 constexpr int slips = 24;
 constexpr double slip_least = -0.5;
 
-// Limits that no script gives. Slopes: this share of what tips it over, at rest.
+// Limits for rovers whose script gives none: `tip_share` of the slope that tips the rover over at
+// rest, `clearance_share` of its clearance, `uneven_radii` of its smallest wheel.
 constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 1;
 
-// Share of its weight that rough ground holds a rover back with, for each metre of roughness, slow
-// and with its speed squared: fitted to simulated drives of SEV and LRV on LunarSouthPole (the test
-// RoughGround says how well).
+// Resistance of rough ground as a share of the weight, for each metre of roughness: a constant
+// part, and a part that grows with the square of speed. Fitted to simulated drives of SEV and LRV
+// on LunarSouthPole (the test RoughGround says how well).
 constexpr double rough_share_1pm = 0.8, rough_share_s2pm3 = 0.12;
-// Rough ground tilts a rover by its height over half the track, and the more suddenly the shorter
-// the wheelbase is; drifting to and fro it is driven as slowly as across a slope of so many times
-// both. Fitted to the time that LRV and SEV, driven straight over LunarSouthPole, take (6 and 2 a
-// metre of roughness; RoughGround).
+// Rough ground tilts a rover by its height over half the track, the more suddenly the shorter the
+// wheelbase. The rover slides to and fro, which slows it like a cross slope whose sine is
+// `rough_tilt_m` times roughness / (wheelbase * track / 2). Fitted to the times of LRV and SEV,
+// driven straight over LunarSouthPole (6 and 2 per metre of roughness; RoughGround).
 constexpr double rough_tilt_m = 12, least_base_m = 0.1;
 
 struct DrivenWheel {
@@ -49,7 +51,7 @@ std::vector<DrivenWheel> wheels_of(const VehicleConfig& vehicle) {
   return wheels;
 }
 
-// Between rows of a table that rises with `by`.
+// Linear interpolation between two states of a wheel.
 SingleWheelPoint between(const SingleWheelPoint& low, const SingleWheelPoint& high, double share) {
   SingleWheelPoint point;
   point.slip = low.slip + share * (high.slip - low.slip);
@@ -57,15 +59,14 @@ SingleWheelPoint between(const SingleWheelPoint& low, const SingleWheelPoint& hi
   return point;
 }
 
-// What a wheel without a motor holds the rover back with.
+// Resistance of a wheel without a motor, which rolls freely or is locked (slip -1).
 double drag_n(const DrivenWheel& wheel, const Soil& soil, double load_n, double gravity_mps2) {
   const double slip = wheel.is_locked ? -1 : 0;
   const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
   return std::max(0.0, -single_wheel(on_soil, load_n, slip, 0).drawbar_pull_n);
 }
 
-// Of one driven wheel: the state at which it pulls that much with the least slip; absent where none
-// does.
+// State at which one driven wheel pulls `pull_n` with the least slip; absent when it cannot.
 std::optional<SingleWheelPoint> pulling(const WheelSoil& wheel, double load_n, double pull_n,
                                         double slip_max) {
   SingleWheelPoint before = single_wheel(wheel, load_n, slip_least, 0);
@@ -82,7 +83,7 @@ std::optional<SingleWheelPoint> pulling(const WheelSoil& wheel, double load_n, d
   return std::nullopt;
 }
 
-// Absent where the motor cannot: travel that its torque leaves, m/s.
+// Travel speed at which the motor still gives the torque of `point`, m/s; absent when it cannot.
 std::optional<double> speed_left_mps(const DriveMotor& motor, const SingleWheelPoint& point,
                                      double radius_m) {
   if (point.torque_n_m <= 0) return std::numeric_limits<double>::infinity();
@@ -111,7 +112,7 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
   }
   const double pull_n = held_n / driven;
   SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity(), 0};
-  // Wheels that are alike are worked out once.
+  // Successive wheels that are alike are computed once.
   std::optional<SingleWheelPoint> point;
   const DrivenWheel* of = nullptr;
   for (const DrivenWheel& wheel : wheels) {
@@ -125,8 +126,8 @@ std::optional<SlopeDrive> drive_up(const VehicleConfig& vehicle,
     if (!left_mps) return std::nullopt;
     const double slip = std::max(0.0, point->slip);
     drive.slip = std::max(drive.slip, slip);
-    // Rim metres for a metre of travel: 1 / (1 - slip) driving, 1 + slip braking. Rims go at the
-    // speed that is asked for.
+    // Rim travel per metre of ground: 1 / (1 - slip) driving, 1 + slip braking. The rims turn at
+    // the requested speed.
     const double turned = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
     drive.speed_mps = std::min({drive.speed_mps, *left_mps, speed_mps / turned});
     const double energy_jpm = point->torque_n_m / radius_m * turned / wheel.motor->efficiency;
@@ -150,7 +151,8 @@ SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<DrivenWheel
   return drive;
 }
 
-// A rock lies under a wheel or two of a rover; the others are in the soil about it.
+// A rock lies under one or two wheels while the others stand in the soil around it, so driving on
+// rock costs no less than on the soil.
 void be_no_easier(SoilDrive& rock, const SoilDrive& soil) {
   const std::size_t rows = std::min(rock.by_slope.size(), soil.by_slope.size());
   rock.by_slope.resize(rows);
@@ -162,7 +164,8 @@ void be_no_easier(SoilDrive& rock, const SoilDrive& soil) {
   }
 }
 
-// The rectangle of the wheels tips over when its centre of mass stands over a side.
+// Static tipping angle: the slope at which the centre of mass stands above a side of the rectangle
+// of the wheels.
 double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels_B_m) {
   Vec2 low_m = wheels_B_m.front(), high_m = low_m;
   for (const Vec2& wheel : wheels_B_m) {
@@ -180,7 +183,7 @@ double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels
   return std::atan2(nearest_m, centre_B_m.z());
 }
 
-// Side force of all wheels for each radian that they roll at an angle to their way.
+// Side force of all wheels per radian of slip angle, at least 1 N/rad.
 double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
                           const Soil& soil, double gravity_mps2) {
   constexpr double angle_rad = 0.05;
@@ -193,8 +196,9 @@ double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<Driven
   return std::max(1.0, side_n / angle_rad);
 }
 
-// What speeding up from rest loses of a drive at full speed: wheels speed up as they are told or as
-// their motors' power lets them, the rover slips behind them.
+// Time that speeding up from rest to speed V loses against driving at V: the integral of (1 - v /
+// V) / a(v) dv. The rims accelerate as commanded or as the motors' power allows; the rover lags
+// behind them by its slip.
 double speeding_up_s(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
                      double drag_n, double slip, double speed_mps) {
   constexpr int steps = 50;
@@ -215,8 +219,8 @@ double speeding_up_s(const VehicleConfig& vehicle, const std::vector<DrivenWheel
   return lost_s + slip * speed_mps / vehicle.acceleration_mps2 / 2;
 }
 
-// To where wheels point round the middle, and back. They begin to turn before they point there and
-// lose about this angle's time less, see wheel_targets().
+// Time to steer the wheels for a turn on the spot, and back. Driving begins before they point
+// there, which saves about the time for `driven_rad`, see wheel_targets().
 double steer_s(const VehicleConfig& vehicle) {
   constexpr double driven_rad = 0.5;
   const WheelLayout layout = wheel_layout(vehicle);
@@ -230,8 +234,9 @@ double steer_s(const VehicleConfig& vehicle) {
   return 2 * longest_s;
 }
 
-// What stopping and turning on the spot add to driving: the speed that is lost, and wheels that
-// roll round the middle. Wheels that cannot steer are dragged there, which is not counted.
+// Adds what corners, arcs and rough ground cost beyond steady straight driving: the speed lost by
+// stopping, and wheels that roll round the centre in a turn on the spot. Wheels that cannot steer
+// are dragged there, which is not counted.
 void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& wheels,
                  const Soil& soil, double gravity_mps2, DriveCost& cost) {
   double efficiency = 1;
@@ -241,11 +246,12 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<DrivenWheel>& w
   double reach_m = 0;
   for (const Vec2& wheel : cost.wheels_B_m) reach_m += wheel.norm();
   reach_m /= static_cast<double>(cost.wheels_B_m.size());
-  // Electrical for mechanical.
+  // Electrical energy per mechanical energy.
   const double price = vehicle.drive_calibration / efficiency;
   const double mass_kg = vehicle.mass_kg(), speed2 = cost.speed_mps * cost.speed_mps;
   const double braking_n = mass_kg * vehicle.acceleration_mps2;
-  double drag_n = 0;  // of the soil: what it slows the rover down by is not lost to brakes
+  // Drag of the soil: the speed that it takes is not lost in the brakes.
+  double drag_n = 0;
   if (!cost.soils.front().by_slope.empty()) {
     drag_n = cost.soils.front().at(0).energy_jpm / price;
   }
@@ -325,7 +331,9 @@ double wheel_reach_m(const VehicleConfig& vehicle) {
 }
 
 double turn_rate_radps(const VehicleConfig& vehicle) {
-  constexpr double wheels_share = 0.4, speed_max_mps = 1;  // of the wheels' usual speed
+  // In a turn on the spot the farthest wheel runs at this share of the cruise speed, of which at
+  // most `speed_max_mps` counts.
+  constexpr double wheels_share = 0.4, speed_max_mps = 1;
   return wheels_share * std::min(vehicle.cruise_speed_mps, speed_max_mps) / wheel_reach_m(vehicle);
 }
 

@@ -1,5 +1,5 @@
-// What planning knows of a rover (route/cost/drive_cost.h), worked out with the wheels of the
-// simulation.
+// The drive cost model of a rover that route planning uses (route/cost/drive_cost.h), computed with
+// the wheel model of the simulation.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,16 @@
 
 namespace lsos {
 
-// Steady driving with the load shared evenly by the wheels, each as on a single-wheel test bed.
-// Slips at which all wheels pull as much as the slope wants; electrical power by torque, speed,
-// efficiency and the rover's drive calibration. `speed_mps`: that the rover is asked to drive.
+// Steady driving with the load shared evenly by the wheels, each as on a single-wheel test bed. The
+// slip is the one at which the driven wheels pull as much as the slope requires; electrical power
+// follows from torque, speed, efficiency and the rover's drive calibration. `speed_mps`: requested
+// speed.
 DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soils,
                      double gravity_mps2, double speed_mps, const GroundLimits& limits = {});
 
-// Of the wheel farthest from the reference point, 0.3 m at least.
+// Distance of the farthest wheel from the reference point, at least 0.3 m.
 double wheel_reach_m(const VehicleConfig& vehicle);
-// How fast it turns on the spot.
+// Yaw rate of a turn on the spot.
 double turn_rate_radps(const VehicleConfig& vehicle);
 
 }  // namespace lsos

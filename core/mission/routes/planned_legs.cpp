@@ -49,7 +49,7 @@ void PlannedLegs::recall(const std::string& bytes) {
     a.tag(tag)(legs);
     legs_.merge(legs);
   } catch (const Archive::Mismatch&) {
-    // Planned again.
+    // The legs are planned again.
   }
 }
 

@@ -1,5 +1,5 @@
-// The legs that a mission's rovers have planned. What was planned once, in this run or an earlier
-// one, is not planned again.
+// Cache of planned legs: a leg that was planned once, in this run or an earlier one, is not planned
+// again.
 #pragma once
 
 #include <map>
@@ -18,18 +18,20 @@ class PlannedLegs {
   // `ground` must outlive it. `seed`: the mission's.
   PlannedLegs(const Ground& ground, std::uint64_t seed);
 
-  // What stands on the ground for the whole mission, for all legs to go round. Before the first.
+  // Sets the obstacles that stand for the whole mission, which all legs avoid. Call it before the
+  // first leg.
   void set_standing(std::vector<Obstacle> standing) { standing_ = std::move(standing); }
   const std::vector<Obstacle>& standing() const { return standing_; }
 
-  // Plans, with a seed of the leg's own in place of the request's.
+  // Returns the planned leg; plans it when it is not known. The seed of the request is replaced by
+  // one of the leg's own.
   const PlannedLeg& leg(const DriveCost& cost, LegRequest request);
 
   // Takes up legs of an earlier run of the same program. A leg is used only for the same ground,
-  // rover, settings and places, to the last bit; what is damaged is left out.
+  // rover, settings and places, to the last bit; damaged bytes are ignored.
   void recall(const std::string& bytes);
-  // What the next run may recall: all legs that were asked for, and of the others as many as are
-  // worth keeping. "" when nothing was planned.
+  // Legs for the next run to recall: all that were requested, and others up to 2000 legs in all. ""
+  // when nothing was planned.
   std::string kept() const;
 
  private:
@@ -37,7 +39,7 @@ class PlannedLegs {
   std::uint64_t seed_;
   std::string ground_key_;
   std::vector<Obstacle> standing_;
-  std::map<std::string, PlannedLeg> legs_;  // by a hash of all that they depend on
+  std::map<std::string, PlannedLeg> legs_;  // key: hash of all that the leg depends on
   std::set<std::string> asked_;
   bool has_planned_ = false;
 };

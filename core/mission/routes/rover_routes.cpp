@@ -17,13 +17,13 @@ namespace lsos {
 
 namespace {
 
-// A leg planned ahead is for a rover that is this near to where it was expected, and heads that
-// much otherwise at most where it cannot turn on the spot.
+// A leg planned ahead fits a rover this near to its expected start and, if the rover cannot turn on
+// the spot, with at most this difference in heading.
 constexpr double expected_within_m = 5, expected_heading_rad = 0.35;
-// Nearer to a leg's start than this the rover is on it.
+// A rover nearer than this to a leg's start stands on it.
 constexpr double on_start_m = 0.5;
-constexpr double passed_max_m = 1;  // as for following, see PathFollower
-// Among the attempts at an event's waypoints: how often a way through them was asked for.
+constexpr double passed_max_m = 1;  // the same as in PathFollower
+// Key among an event's attempts that counts how often it has requested a route.
 constexpr std::int64_t whole_way = 0;
 
 }  // namespace
@@ -61,7 +61,7 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
 }
 
 Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const {
-  // Beyond the widest map that a leg is planned on.
+  // The reach goes beyond the widest map that a leg is planned on.
   constexpr double lengths = 4, least_m = 200;
   const double reach_m = least_m + lengths * (goal_S_m - start_S_m).norm();
   Obstacles obstacles;
@@ -80,7 +80,7 @@ bool RoverRoutes::is_passed(const RouteSettings& settings, const Vec3& p_S_m,
 std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint,
                                      const Vec3& start_S_m, const Vec3& goal_S_m,
                                      const PlannedLeg& leg) {
-  // Along the body's surface, as maps have it.
+  // Distances are along the body's surface, as on maps.
   const auto off_m = [&](const Vec3& p_S_m) {
     return surface_distance_m(ground.site().body(), ground.site().geodetic(p_S_m),
                               ground.site().geodetic(goal_S_m));
@@ -92,7 +92,7 @@ std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint
         waypoint, leg.reason, off_m(start_S_m));
   }
   const Geodetic nearest = ground.site().geodetic(leg.nearest_S_m);
-  // Adding 0 makes -0 a 0; so does rounding first.
+  // Rounding first turns tiny negative angles into -0, and adding 0 turns -0 into 0.
   const auto told_deg = [](double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; };
   return fmt::format(
       "the leg to waypoint {}: {}; the nearest place that can be reached is {:.6f},{:.6f}, "
@@ -135,7 +135,7 @@ PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int6
   PlannedWay way;
   LegStart at = start;
   const auto count = static_cast<std::int64_t>(waypoints_S_m.size());
-  // One that is stuck or has strayed wants a way from where it is.
+  // A second request means that the rover is stuck or off its line: the route begins where it is.
   const bool is_replanning = attempts_[sequence][whole_way]++ > 0;
   for (std::int64_t waypoint = first; waypoint <= count; ++waypoint) {
     const Vec3& goal_S_m = waypoints_S_m[static_cast<std::size_t>(waypoint - 1)];
@@ -155,14 +155,14 @@ PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int6
               no_way_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
               planned.nearest_S_m};
     }
-    // The next begins where the last ends.
+    // Each leg begins at the last point of the one before.
     way.path_S_m.insert(way.path_S_m.end(), planned.path_S_m.begin() + (way.legs.empty() ? 0 : 1),
                         planned.path_S_m.end());
     way.legs.push_back({waypoint, way.path_S_m.size() - 1, planned.length_m, planned.duration_s,
                         planned.energy_j, planned.slope_max_rad});
     at = {goal_S_m, planned.end_heading_rad, false};
   }
-  // It stands where it is to go.
+  // The rover already stands at its goal.
   if (way.legs.empty()) way.path_S_m = {waypoints_S_m.back()};
   return way;
 }

@@ -1,5 +1,5 @@
-// The planned ways of one rover: legs planned ahead when the mission is made are taken up by the
-// events that they are for; what does not fit is planned anew.
+// The planned routes of one rover: events take up the legs planned for them before the start; where
+// these do not fit, legs are planned anew.
 #pragma once
 
 #include <map>
@@ -23,8 +23,8 @@ struct LegStart {
 
 // A leg planned before its event starts.
 struct LegAhead {
-  std::int64_t sequence = 0;  // of the event
-  std::int64_t waypoint = 0;  // that it leads to, the first is 1
+  std::int64_t sequence = 0;  // sequence of the event it is for
+  std::int64_t waypoint = 0;  // number of the waypoint it leads to, from 1
   LegStart start;
   Vec3 goal_S_m = Vec3::Zero();
   RouteSettings settings;
@@ -33,31 +33,31 @@ struct LegAhead {
 
 class RoverRoutes {
  public:
-  // `vehicle`, `ground` and `legs` must outlive it. `load_w`: what the rover takes while it drives,
-  // besides its drives.
+  // `vehicle`, `ground` and `legs` must outlive it. `load_w`: power of the loads while the rover
+  // drives, without its wheel motors.
   RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, double load_w,
               const Ground& ground, PlannedLegs& legs);
 
   bool can_turn_on_spot() const { return vehicle_->can_turn_on_spot; }
   double speed_max_mps() const { return vehicle_->speed_max_mps; }
   const std::string& rover_type() const { return vehicle_->type; }
-  // What planning knows of the rover; kept as long as this.
+  // Drive cost model of the rover; the reference is valid as long as this object.
   const DriveCost& cost(const RouteSettings& settings);
-  // What stands so near that a leg between these places has to do with it.
+  // Obstacles near enough to affect a leg between these places.
   Obstacles obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const;
   PlannedLeg leg(const RouteSettings& settings, const LegStart& start, const Vec3& goal_S_m);
   void set_ahead(const std::vector<LegAhead>& ahead) { ahead_ = &ahead; }
-  // Rows of what was planned ahead.
+  // Adds rows for the legs planned ahead.
   void log_ahead(const std::string& rover_id);
 
-  // See RoverPort. `sequence`: the event that asks.
+  // See RoverPort::plan_path(). `sequence`: of the calling event.
   PlannedWay plan(const std::string& rover_id, SimTime now, std::int64_t sequence,
                   const LegStart& start, const Path3& waypoints_S_m, std::int64_t first,
                   const RouteSettings& settings);
 
-  // Whether a rover that is to go through this waypoint next need not drive to it.
+  // Whether a rover is so near to its next waypoint that it need not drive to it.
   static bool is_passed(const RouteSettings& settings, const Vec3& p_S_m, const Vec3& waypoint_S_m);
-  // "the leg to waypoint 2: the goal is on ...; the nearest place that it can reach is ..."
+  // "the leg to waypoint 2: the goal is on ...; the nearest place that can be reached is ..."
   static std::string no_way_text(const Ground& ground, std::int64_t waypoint, const Vec3& start_S_m,
                                  const Vec3& goal_S_m, const PlannedLeg& leg);
 
@@ -77,10 +77,10 @@ class RoverRoutes {
   double load_w_;
   const Ground* ground_;
   PlannedLegs* legs_;
-  std::map<std::pair<double, double>, DriveCost> costs_;  // by speed and slope allowed
+  std::map<std::pair<double, double>, DriveCost> costs_;  // key: speed and greatest slope
   const std::vector<LegAhead>* ahead_ = nullptr;
   // How often each leg was planned, by sequence and waypoint; at waypoint 0 how often the event has
-  // asked for a way.
+  // requested a route.
   std::map<std::int64_t, std::map<std::int64_t, std::int64_t>> attempts_;
   std::vector<PlannedPathRow> rows_;
   std::vector<std::string> warnings_;

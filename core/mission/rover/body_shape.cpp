@@ -11,7 +11,7 @@ namespace {
 
 constexpr int wheel_sides = 16;
 const Vec3 wheel_colour(0.35, 0.35, 0.37), strut_colour(0.55, 0.55, 0.56);
-// As thick as they are drawn, in radii of the wheels that they carry.
+// Drawn thickness of struts, in radii of the smallest wheel.
 constexpr double strut_radii = 0.22;
 
 double smallest_wheel_m(const VehicleConfig& vehicle) {
@@ -57,8 +57,8 @@ BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehi
   add_struts(vehicle);
 }
 
-// From the joint of each part to the joints of those that hang on it; across the chassis to those
-// that hang on that.
+// Adds struts from the joint of each part to the joints of its children; for children of the
+// chassis, across the chassis.
 void BodyShape::add_struts(const VehicleConfig& vehicle) {
   const double thick_m = strut_radii * smallest_wheel_m(vehicle);
   const std::vector<Vec3> joints_B_m = joints_at_rest_B_m(vehicle);

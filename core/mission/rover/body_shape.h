@@ -1,4 +1,4 @@
-// Rovers and assets as triangles, where they are now.
+// Triangle meshes of rovers and assets in their present poses.
 #pragma once
 
 #include <string>
@@ -10,17 +10,18 @@
 
 namespace lsos {
 
-// What one rover or asset is drawn of. Made once; placed as often as it moves.
+// Shape of one rover or asset. Built once, posed as often as it moves.
 class BodyShape {
  public:
   BodyShape() = default;
-  // Shapes of a script, the wheels, and what they hang on as plain bars; without shapes the
-  // chassis' box.
+  // Shapes of a script, the wheels, and their struts as plain bars; without shapes the box of the
+  // chassis.
   BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehicle);
-  // Of what has no parts that move.
+  // Shape of something without moving parts.
   explicit BodyShape(const std::vector<Shape>& shapes);
 
-  // About `eye_S_m`, in site axes. `poses`: the chassis, then each link.
+  // Appends the triangles relative to `eye_S_m`, in site axes. `poses`: the chassis, then each
+  // link.
   void append_to(Mesh& mesh, const std::vector<PartPose>& poses, const Vec3& eye_S_m) const;
   // The same, each shape with its colour.
   struct Solid {
@@ -28,13 +29,13 @@ class BodyShape {
     Vec3 colour;
   };
   std::vector<Solid> solids(const std::vector<PartPose>& poses, const Vec3& eye_S_m) const;
-  // Everything lies so near to the reference point, whatever the joints do.
+  // Radius about the reference point that holds all shapes, at rest.
   double reach_m() const { return reach_m_; }
   double top_m() const { return top_m_; }  // above the reference point, at rest
 
  private:
   struct Piece {
-    std::size_t part;  // of PartPose
+    std::size_t part;  // index into the poses
     Mesh mesh;         // frame B at rest
     Vec3 colour;
   };

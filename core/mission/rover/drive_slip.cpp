@@ -10,9 +10,10 @@ namespace lsos {
 
 namespace {
 
-// Slower than this, or than so much of the cruise speed, slip is not told from creeping.
+// Below this speed, or this share of the cruise speed, slip cannot be distinguished from creeping.
 constexpr double creeping_mps = 0.05, creeping_share = 0.1;
-constexpr double requested_share = 0.5;  // of the requested speed; below, it sets off or stops
+// Below this share of the requested speed the rover sets off or stops.
+constexpr double requested_share = 0.5;
 
 }  // namespace
 

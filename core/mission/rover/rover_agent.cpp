@@ -13,12 +13,12 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_rest_mps = 0.005;        // below this for ...
-constexpr int exchanges_until_parked = 5;    // ... so many exchanges, a braked rover is parked
+constexpr double at_rest_mps = 0.005;        // speed below which a braked rover is at rest
+constexpr int exchanges_until_parked = 5;    // exchanges at rest after which it is parked
 constexpr double rolled_over_rad = 1.2;      // tilt of the chassis (69 deg)
 constexpr double driving_mps = 1e-3;         // faster than this counts as driving
-constexpr double gain_hysteresis_m = 0.5;    // smaller rises than this are noise
-constexpr double own_antenna_above_m = 0.3;  // of a rover whose script names none
+constexpr double gain_hysteresis_m = 0.5;    // smaller rises are noise
+constexpr double own_antenna_above_m = 0.3;  // default antenna above the top of the shapes
 
 }  // namespace
 
@@ -86,7 +86,7 @@ void RoverAgent::observe() {
   drive_on();
 }
 
-// What ends its mission.
+// Finds faults after which the rover can no longer drive.
 void RoverAgent::find_faults() {
   if (!report_.is_finite) {
     is_broken_ = true;
@@ -129,7 +129,7 @@ void RoverAgent::control() {
 void RoverAgent::look() {
   const VehicleReport report = vehicle_.report();
   if (!report.is_finite) {
-    report_.is_finite = false;  // keep the last good numbers for the log
+    report_.is_finite = false;  // keep the last finite numbers for the log
     return;
   }
   report_ = report;
@@ -160,7 +160,8 @@ void RoverAgent::count_extremes() {
   const double slope_rad = report_.slope_rad;
   if (!(slope_max_rad_ >= slope_rad) && !std::isnan(slope_rad)) slope_max_rad_ = slope_rad;
   if (report_.speed_mps > driving_mps) drive_time_ += exchange_period;
-  // Rises from turning point to turning point; what is smaller than the hysteresis is no turn.
+  // Rises are summed from a low to the next high; a reversal smaller than the hysteresis is
+  // ignored.
   const double elevation_m = report_.elevation_m;
   if (std::isnan(elevation_low_m_)) elevation_low_m_ = elevation_high_m_ = elevation_m;
   if (is_rising_) {

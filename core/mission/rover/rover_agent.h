@@ -1,5 +1,5 @@
-// One rover in the simulation: its vehicle, what it is following, and whether it is parked. This
-// is what scripts command through RoverPort.
+// One rover in the simulation: its vehicle, the path it follows, its power and antennas, and
+// whether it is parked. Scripts command it through RoverPort.
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ namespace lsos {
 class RoverAgent : public RoverPort {
  public:
   struct Note {
-    std::int64_t sequence = 0;  // of the event that wrote it
+    std::int64_t sequence = 0;  // sequence of the event that wrote it
     std::string name, fields_json;
   };
 
@@ -35,18 +35,21 @@ class RoverAgent : public RoverPort {
              const Ground& ground, std::span<const PowerSource> sources, PlannedLegs& legs,
              const Surroundings& surroundings);
 
-  // Stands the rover at its start. Throws InputError when the terrain is not known there.
+  // Places the rover at its start. Throws InputError when the terrain there is not known or too
+  // steep to stand on.
   void place(double default_heading_rad);
 
   const std::string& id() const { return rover_.id; }
   bool is_parked() const { return is_parked_; }
-  // Why the vehicle can drive no more: rolled over, left the terrain, broken numbers; else "".
+  // Why the vehicle can no longer drive: rolled over, left the terrain, numbers not finite; else
+  // "".
   const std::string& fault() const { return fault_; }
   bool is_broken() const { return is_broken_; }  // numbers are not finite: it stays where it is
 
-  // Between exchanges; touches nothing but this rover and the ground.
+  // Between exchanges: steps the physics. It touches nothing but this rover and the ground.
   void advance();
-  // At an exchange, before scripts run: looks at the vehicle and at the line it follows.
+  // At an exchange, before scripts run: reads the state of the vehicle and updates the path
+  // follower.
   void observe();
   // At an exchange, after observe(): brings the energy balance up to `now`. A rover whose battery
   // is empty stops.
@@ -54,30 +57,33 @@ class RoverAgent : public RoverPort {
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
 
-  // What it covers after so much more of its present motion.
+  // Footprint after another `ahead_s` of the present motion.
   Footprint footprint(double ahead_s = 0) const;
-  // What it covers, one after the other, before it could come to rest if it braked: on its line
-  // where it follows one, else straight on; while it turns on the spot, within a second.
+  // Footprints, in order, up to where the rover would rest if it braked now: on its line when it
+  // follows one, else straight ahead; while it turns on the spot, within a second.
   std::vector<Footprint> footprints_ahead() const;
-  // It would touch another: the drive ends.
+  // Ends the drive because the rover would touch another, whose centre is `distance_m` away.
   void end_drive_before(const std::string& other_id, double distance_m);
 
-  // The Sun is to be looked at again: it has moved so far; or the rover or something near it moves,
-  // at whole multiples of two seconds; or motion has just ended.
+  // Whether sunlight must be evaluated again: the Sun has moved far enough; the rover or something
+  // near it moves, at whole multiples of two seconds; or motion has just ended.
   bool is_sun_due(SimTime now, Motion near) const;
-  // When, though nothing else happens; absent: never.
+  // When sunlight is next due if nothing else happens; absent: never.
   std::optional<SimTime> sun_wake(SimTime now) const;
-  // What the look was of; it holds until the next.
+  // Sets the result of an evaluation, which holds until the next.
   void set_sun(const SunValue& value);
   const BodyShape& shape() const { return shape_; }
-  // With broken dynamics: where its parts were last.
+  // Poses of the chassis and each link; with broken dynamics the last finite ones.
   std::vector<PartPose> part_poses() const;
-  // At an exchange, after scripts ran: of what the asset that it is plugged into offers, W.
+  // At an exchange, after scripts ran: power taken of what the asset that it is plugged into
+  // offers, W.
   double taken_w(double offered_w);
-  // What flows as long as scripts ask for nothing else; conditions look at it.
+  // Warns once when the charge falls below the reserve.
   void tell_low(SimTime now);
+  // Updates the power flows for the present claims of scripts; conditions read them.
   void find_flows();
-  // What flows from now on.
+  // At the end of an exchange: fixes what flows from now on, and reports short supply and shed
+  // loads.
   void settle_energy();
 
   const RoverView& view() const override { return view_; }
@@ -85,18 +91,19 @@ class RoverAgent : public RoverPort {
   Deployment deploy_antenna(const std::string& antenna, bool up,
                             std::optional<double> duration_s) override;
   const AntennaArray& antennas() const { return antennas_; }
-  // Failures that a scenario makes; they are seen at the next exchange. Wheels by the names of
-  // their links; throws std::runtime_error where there is none.
+  // Failures injected by a scenario; they take effect at the next exchange. `name`: the link of a
+  // wheel; throws std::runtime_error when there is none of that name.
   void set_wheel(const std::string& name, WheelMode mode);
   void set_silent(bool is_silent) { antennas_.set_silent(is_silent, now_ + exchange_period); }
-  // Of the antenna in use.
+  // Position of the antenna in use.
   Vec3 antenna_S_m() const;
   const RoverPower& power() const { return power_; }
-  // Load, drive and loss since the start, and what panels gave; NaN without a battery.
+  // Energy of loads, drives and losses since the start, and energy from panels; NaN without a
+  // battery.
   double energy_used_j() const;
   double solar_j() const;
   DriveState drive() const override;
-  // How much of the line that it follows lies behind, 0..1; 0 when it follows none.
+  // Share 0..1 of the followed line that lies behind; 0 when it follows none.
   double drive_share() const;
   void follow(const Path3& path_S_m, const FollowSettings& settings) override;
   PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
@@ -112,20 +119,20 @@ class RoverAgent : public RoverPort {
   }
   RoverRoutes& routes() { return routes_; }
   void brake() override;
-  // The event has ended: stops whatever it left under way.
+  // Called at the end of an event: stops whatever it left under way.
   void release();
   void note(const std::string& name, const std::string& fields_json) override;
   void warn(const std::string& text) override { warnings_.push_back(text); }
 
-  // Notes that follow are of this event.
+  // Sets the event that the following notes belong to.
   void set_noting_sequence(std::int64_t sequence) { noting_sequence_ = sequence; }
-  // What scripts have noted since the last call.
+  // Notes since the last call.
   std::vector<Note> take_notes();
-  // What the user should know, since the last call.
+  // Warnings for the user since the last call.
   std::vector<std::string> take_warnings();
   Geodetic place_now() const;
   SampleRow sample(SimTime now, const std::string& event, const std::string& phase) const;
-  // The same with the slip that conditions look at: of driving, over the last second.
+  // The same with the slip that conditions use: the mean over the last second of driving.
   SampleRow condition_sample(SimTime now, const std::string& event, const std::string& phase) const;
   std::vector<JointRow> joints(SimTime now) const;
   std::vector<PanelRow> panels(SimTime now) const;
@@ -135,7 +142,7 @@ class RoverAgent : public RoverPort {
   // Extremes over all exchanges.
   double slope_max_rad() const { return slope_max_rad_; }
   double elevation_gain_m() const;
-  // Faster than 1 mm/s, until an event last ended: what sways on after it is no driving.
+  // Time at more than 1 mm/s, up to the end of the last event: swaying after it is not driving.
   double drive_s() const { return seconds(drive_time_in_events_); }
 
   void archive(Archive& a);
@@ -163,15 +170,15 @@ class RoverAgent : public RoverPort {
   RoverPower power_;
   AntennaArray antennas_;
   RoverRoutes routes_;
-  SimTime now_{};                  // of the last exchange
-  bool has_motion_ended_ = false;  // since the last look at the Sun
+  SimTime now_{};                  // time of the last exchange
+  bool has_motion_ended_ = false;  // since sunlight was last evaluated
   bool is_shedding_ = false;
-  bool has_told_empty_ = false;  // that its battery was
-  bool has_told_low_ = false;    // that its charge was below the reserve
-  bool has_told_shed_ = false;   // that its battery, though not empty, gives less than is asked
+  bool has_told_empty_ = false;  // warned that the battery is empty
+  bool has_told_low_ = false;    // warned that the charge is below the reserve
+  bool has_told_shed_ = false;   // warned that the battery, not empty, gives too little
   RoverView view_;
   VehicleReport report_;
-  std::vector<double> joints_;  // m or rad, as report_ of the last good exchange
+  std::vector<double> joints_;  // m or rad, at the last exchange with finite numbers
   std::optional<PathFollower> follower_;
   DriveCommand command_;
   bool has_new_command_ = false;
@@ -180,7 +187,7 @@ class RoverAgent : public RoverPort {
   int exchanges_at_rest_ = 0;
   std::string fault_;
   std::string drive_failure_;            // why the present drive ended early, "" when it did not
-  bool may_touch_with_chassis_ = false;  // high-centred when this drive began: let it get free
+  bool may_touch_with_chassis_ = false;  // high-centred when this drive began; may drive free
   std::vector<Note> notes_;
   std::vector<std::string> warnings_;
   std::int64_t noting_sequence_ = 0;

@@ -1,4 +1,4 @@
-// The part of a rover that drives: planning a way, following it, and what ends a drive.
+// Driving of a rover: planning a route, following it, and what ends a drive.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double lookahead_least_m = 0.6;  // of path following, for small rovers
+constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follower, for small rovers
 
 FollowerPose pose_of(const VehicleReport& report) {
   const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
@@ -26,7 +26,7 @@ FollowerPose pose_of(const VehicleReport& report) {
 
 std::vector<Footprint> RoverAgent::footprints_ahead() const {
   constexpr double step_m = 0.25, turning_s = 1;
-  constexpr double turning_mps = 0.1;  // slower than this a rover that turns does so on the spot
+  constexpr double turning_mps = 0.1;  // below this speed a rover that turns does so on the spot
   const Vec2 p_m = report_.p_S_m.head<2>(), v_mps = report_.v_S_mps.head<2>();
   const double braking_s =
       v_mps.norm() / (2 * vehicle_.config().acceleration_mps2) + seconds(exchange_period);
@@ -65,7 +65,7 @@ void RoverAgent::drive_on() {
   }
 }
 
-// In the period that has just gone by, under the command that was given before it.
+// Counts the slip of the period just ended, under the command given before it.
 void RoverAgent::count_slip() {
   DriveSlip::Motion motion;
   motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
@@ -83,7 +83,7 @@ bool RoverAgent::is_driving() const {
          drive_failure_.empty();
 }
 
-// What ends its drive: the rover can be told to try again, another way.
+// Finds failures that end the drive alone: a script may try again on another route.
 void RoverAgent::find_hindrances() {
   if (!report_.is_chassis_on_ground) {
     may_touch_with_chassis_ = false;

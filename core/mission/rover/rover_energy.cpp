@@ -1,4 +1,4 @@
-// The part of a rover that has to do with energy and light.
+// Energy and sunlight of a rover.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ void RoverAgent::count_energy(SimTime now) {
   }
 }
 
-// The reserve is what a planner counts on, long before the battery is empty.
+// Planners count on the reserve, so a charge below it is reported long before the battery is empty.
 void RoverAgent::tell_low(SimTime now) {
   if (has_told_low_ || !power_.has_battery()) return;
   const double charge = power_.account().energy_j / power_.capacity_j();
@@ -53,7 +53,7 @@ double RoverAgent::taken_w(double offered_w) {
   return power_.taken_w(offered_w, is_parked_);
 }
 
-// A battery that is empty is told of elsewhere.
+// count_energy() reports an empty battery.
 void RoverAgent::tell_shed(double shed_w) {
   if (has_told_shed_ || !(power_.account().energy_j > 0)) return;
   has_told_shed_ = true;
@@ -110,7 +110,7 @@ bool RoverAgent::is_sun_due(SimTime now, Motion near) const {
 std::optional<SimTime> RoverAgent::sun_wake(SimTime now) const {
   const std::optional<SunValue>& sun = power_.sun();
   if (!power_.needs_sun() || !sun) return {};
-  // Panels on their way are looked at when they arrive, which is among the power's wakes.
+  // Turning panels are also evaluated when they arrive, which RoverPower::wake() covers.
   if (power_.is_panel_turning()) return (now / moving_look_period + 1) * moving_look_period;
   return round_up_to_exchange(sun->time + sun_interval(ground_->site().body()));
 }

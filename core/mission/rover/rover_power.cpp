@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // a share of what is compared
+constexpr double rounding = 1e-9;  // relative tolerance of comparisons
 
 std::string stuck_text(const PanelSpec& panel) {
   return fmt::format("the panel '{}' is stuck", panel.name);
@@ -46,7 +46,7 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
     begin_segment();
   }
   const double energy_j = account().energy_j;
-  // At the start nothing has been asked of it yet.
+  // At the start nothing has been requested yet.
   const bool is_empty = now > SimTime{} && energy_j <= 0 && flows().shed_w > 0;
   const bool is_above = energy_j > spec_.battery->reserve * spec_.battery->capacity_j;
   const bool waits = waits_for_reserve_ ? !is_above : is_empty;
@@ -99,7 +99,8 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
 void RoverPower::settle(bool is_parked) {
   if (!has_battery()) return;
   const PowerDemand demand = demand_now(is_parked);
-  // A rover that drives begins one at each exchange: what its motors took is told afterwards.
+  // A rover that drives begins a segment at each exchange: its motors' power is known only
+  // afterwards.
   if (is_parked && demand == demand_) return;
   begin_segment();
   demand_ = demand;
@@ -120,8 +121,8 @@ double RoverPower::taken_w(double offered_w, bool is_parked) const {
   PowerDemand demand = demand_now(is_parked);
   demand.external_w = claims_.supply_w + offered_w;
   const double used_w = power_flows(*spec_.battery, account().energy_j, demand).external_w;
-  // A little more, so that rounding, which goes by the largest, does not take a full battery's
-  // charge.
+  // The margin keeps rounding errors, which scale with the largest power, from draining a full
+  // battery.
   const double rounding_w = 1e-12 * demand.external_w;
   return std::clamp(used_w + rounding_w - claims_.supply_w, 0.0, offered_w);
 }
@@ -262,7 +263,7 @@ bool RoverPower::take_short() {
   const bool is_plugged = !claims_.plugged_into.empty();
   const double asked_w = claims_.supply_w + (is_plugged ? claims_.asked_w : 0);
   const double got_w = flows().external_w;
-  // One that asked for all that there is has got it, unless that is nothing.
+  // A request for all that there is is met unless it gets nothing.
   const bool is_short = std::isfinite(asked_w) ? got_w < asked_w * (1 - rounding) : got_w <= 0;
   claims_.is_short_told = is_short;
   return is_short;
@@ -291,7 +292,7 @@ std::optional<double> RoverPower::resource(const std::string& name) const {
 bool RoverPower::use(const std::string& name, double amount) {
   const auto found = resources_.find(name);
   if (found == resources_.end()) return false;
-  // What equal parts leave over by rounding is nothing.
+  // A remainder from rounding, as after taking equal parts, counts as none.
   const double at_first = std::ranges::find(spec_.resources, name, &ResourceSpec::name)->amount;
   const double nothing = rounding * at_first, left = found->second - amount;
   if (left < -nothing) return false;

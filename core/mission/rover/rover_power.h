@@ -1,8 +1,8 @@
-// One rover's energy over time: its battery, what flows, and the sunlight that its panels were last
-// seen to get.
+// Energy of one rover over time: its battery, the power flows, and the sunlight last evaluated for
+// its panels.
 //
-// Powers are constant between changes, so that what the battery holds at any time follows in closed
-// form from the last change. A rover that drives changes at each exchange.
+// Powers are constant between changes, so the energy of the battery at any time follows in closed
+// form from the last change. For a rover that drives, powers change at each exchange.
 #pragma once
 
 #include <map>
@@ -17,14 +17,14 @@
 
 namespace lsos {
 
+inline constexpr double plug_reach_m = 20;  // length of the cable
 // An asset that has power to give, as rovers know it.
-inline constexpr double plug_reach_m = 20;  // of the cable
 struct PowerSource {
   std::string asset_id;
   Vec3 p_S_m = Vec3::Zero();
 };
 
-// What the Sun did for the panels when it was last looked at; held until it is looked at again.
+// Sunlight on the panels when it was last evaluated; it holds until the next evaluation.
 struct SunValue {
   struct Panel {
     double sun_fraction = 0, cosine = 0, power_w = 0;
@@ -38,13 +38,13 @@ struct SunValue {
   void archive(Archive& a) { a(time)(is_dark)(panels); }
 };
 
-// What an event has asked for until it ends.
+// What the running event has requested; it holds until the event ends.
 struct PowerClaims {
   double supply_w = 0, work_w = 0;
-  std::string plugged_into;  // of an asset
-  double asked_w = 0;        // of that
+  std::string plugged_into;  // id of an asset, "": none
+  double asked_w = 0;        // requested from that asset
   std::optional<double> charge_awaited;
-  bool is_short_told = false;  // that less comes from outside than was asked for
+  bool is_short_told = false;  // whether short supply has been reported
 
   void archive(Archive& a) {
     a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited)(is_short_told);
@@ -57,44 +57,48 @@ class RoverPower : public PowerPort {
   RoverPower(const PowerSpec& spec, double initial_charge, std::span<const PowerSource> sources);
 
   bool has_battery() const { return spec_.battery.has_value(); }
-  // Where there is a battery.
+  // Requires a battery.
   double capacity_j() const { return spec_.battery->capacity_j; }
   double reserve() const { return spec_.battery->reserve; }  // charge, 0..1
-  // Something of it depends on the Sun.
+  // Whether a panel or a load depends on sunlight.
   bool needs_sun() const;
   PanelArray& panels() { return panels_; }
   const PanelArray& panels() const { return panels_; }
   const std::optional<SunValue>& sun() const { return sun_; }
   void set_sun(const SunValue& value);
-  // So much of the sunlight reaches its panels, 0..1, from the next exchange on: dust, a cover.
+  // Sets the share 0..1 of sunlight that reaches the panels from the next exchange on: dust, a
+  // cover.
   void set_shade(double share);
   void set_panel_stuck(const std::string& panel, bool is_stuck);
 
-  // At the beginning of an exchange: time has come so far, and wheel motors have used so much since
-  // the last one (a rover that is parked: 0). Finds whether the battery is empty.
+  // At the beginning of an exchange: brings the energy up to `now`. `drive_w`: mean power of the
+  // wheel motors since the last exchange, 0 for a parked rover. Finds whether the battery is empty.
   void begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked);
-  // At its end: what flows from now on.
+  // At the end of an exchange: sets what flows from now on.
   void settle(bool is_parked);
-  // What the antennas use.
+  // Sets the power that the antennas use.
   void set_antennas(double power_w) { antennas_w_ = power_w; }
-  // What the asset gives of what was asked of it.
+  // Id of the asset that the rover is plugged into; "": none.
   const std::string& plugged_into() const { return claims_.plugged_into; }
-  // Of what an asset offers: as much as was asked for, is used and finds room in the battery.
+  // Power that the rover takes of an offer: what was requested, as far as it is used or fits into
+  // the battery.
   double taken_w(double offered_w, bool is_parked) const;
+  // Sets the power that the asset gives.
   void set_given(double power_w) { given_w_ = power_w; }
-  // The battery takes no more than it does of what is offered to it.
+  // Whether the battery is full.
   bool is_full() const;
-  // Less comes from outside than the event asked for, though there is room for it in the battery.
-  // True once an event.
+  // Whether less external power comes than the event requested, though the battery has room for it.
+  // Returns true once an event.
   bool take_short();
 
-  // The battery was empty, and its charge has not risen above the reserve since.
+  // Whether the battery was empty and its charge has not risen above the reserve since.
   bool waits_for_reserve() const { return waits_for_reserve_; }
-  // That has changed at this exchange.
+  // Whether waits_for_reserve() has changed at this exchange.
   bool has_reserve_changed() const { return has_reserve_changed_; }
-  double shed_w() const;  // asked for, and not given
-  // When a parked rover's battery gets empty, full from an asset, or reaches its reserve, a panel's
-  // motion ends, or what a scenario did to it is seen.
+  double shed_w() const;  // requested but not supplied
+  // Earliest time at which a parked rover's battery becomes empty, becomes full from an asset, or
+  // reaches its reserve or the awaited charge, a panel's motion ends, or a failure of a scenario
+  // takes effect.
   std::optional<SimTime> wake() const;
 
   double energy_at_start_j() const { return energy_at_start_j_; }
@@ -103,11 +107,11 @@ class RoverPower : public PowerPort {
   double solar_available_w() const { return demand_.solar_available_w; }
   const std::map<std::string, double>& resources() const { return resources_; }
   const PowerClaims& claims() const { return claims_; }
-  // An event has ended: those of the one that it was part of, or none.
+  // Restores the claims of the enclosing event when an event has ended; none after the outermost.
   void set_claims(const PowerClaims& claims);
-  // The numbers of a row.
+  // Fills in the columns of power and energy.
   void fill(SampleRow& row) const;
-  // Of the row at time 0: nothing has flowed, nor any script set a level.
+  // The same for the row at time 0: nothing has flowed, and no script has set a level.
   void fill_start(SampleRow& row) const;
 
   PowerView view() const override;
@@ -124,10 +128,10 @@ class RoverPower : public PowerPort {
   double panel_turn_left_s() const override;
   std::vector<PanelMiss> panel_misses() const override { return panels_.misses(now_); }
   void await_charge(double charge) override { claims_.charge_awaited = charge; }
-  // That has been reached at this exchange.
+  // Whether the awaited charge has been reached at this exchange.
   bool has_reached_charge() const { return has_reached_charge_; }
   bool is_panel_turning() const { return panels_.is_turning(now_); }
-  // Panels were told something since the last look at the Sun.
+  // Whether panels were commanded since sunlight was last evaluated.
   bool has_panel_command() const { return has_panel_command_; }
   void clear_panel_command() { has_panel_command_ = false; }
 
@@ -144,18 +148,18 @@ class RoverPower : public PowerPort {
   PanelArray panels_;
   SimTime now_{};
   Vec3 p_S_m_ = Vec3::Zero();
-  // The present segment.
+  // Present segment of constant powers.
   SimTime start_{};
   EnergyAccount at_start_;
   PowerDemand demand_;
-  double energy_at_start_j_ = 0;  // of the mission; not saved, the plan says it
+  double energy_at_start_j_ = 0;  // not saved: the plan gives it
 
   std::optional<SunValue> sun_;
   PowerClaims claims_;
-  double antennas_w_ = 0;  // not saved: told at each exchange
+  double antennas_w_ = 0;  // not saved: set at each exchange
   double given_w_ = 0;
   double sun_share_ = 1;
-  std::optional<SimTime> tampered_;  // what was done to panels is seen then
+  std::optional<SimTime> tampered_;  // when a failure of a scenario takes effect
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
   bool has_panel_command_ = false;
   bool has_reached_charge_ = false;

@@ -16,25 +16,25 @@ struct StandingAsset {
   PlanAsset plan;
   AssetModel model;
   BodyShape shape;
-  std::vector<Footprint> footprints;  // of obstacles(), in the horizontal plane of the site frame
-  PartPose pose;                      // upright, looking north
-  std::optional<SunValue> sun;        // of its panels, while a rover takes power
+  std::vector<Footprint> footprints;  // obstacles() in the horizontal plane of the site frame
+  PartPose pose;                      // upright, x axis to the north
+  std::optional<SunValue> sun;        // on its panels, while a rover takes power
 
-  // Its panels about `eye_S_m`, site axes: those that turn face the Sun.
+  // Its panels relative to `eye_S_m`, site axes; those that turn face the Sun.
   std::vector<PanelFace> panel_faces(const Vec3& eye_S_m, const Vec3& sun_S) const;
-  // W, to be had now.
+  // Power available now, W.
   double supply_w() const;
-  // The ground that it covers: each of its shapes that a rover would run into. What begins higher
-  // above the ground than rovers are tall, and panels on their masts, are driven under.
+  // Ground covered by each of its shapes that a rover would run into. Rovers drive under shapes
+  // that begin higher above the ground than rovers are tall, and under panels on their masts.
   std::vector<Obstacle> obstacles() const;
   bool gives_power() const { return model.supply_w > 0 || !model.panels.empty(); }
 };
 
-// Between what a rover covers (site frame) and the nearest of the asset's obstacles, as gap_m() of
-// footprints; infinite where it has none.
+// Gap between a rover's footprint (site frame) and the nearest of the asset's obstacles, as gap_m()
+// of footprints; infinite when it has none.
 double gap_m(const StandingAsset& asset, const Footprint& rover);
 
-// Throws InputError: the terrain is not known there.
+// Places an asset on the ground. Throws InputError when the terrain there is not known.
 StandingAsset stand(const PlanAsset& asset, const AssetModel& model, const Ground& ground);
 
 }  // namespace lsos

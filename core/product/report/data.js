@@ -1,4 +1,4 @@
-// What the page holds, unpacked; and how numbers and times are written.
+// The page's data, unpacked, and the formats of numbers and times.
 const page = JSON.parse(document.getElementById('data').textContent);
 
 function unpack(text, Type) {
@@ -27,7 +27,7 @@ const rovers = page.rovers.map(packed => {
 });
 const roverOf = id => rovers.find(rover => rover.id === id);
 
-// A rover's colour, darker where it could not be told from white (contrast 3 : 1).
+// A rover's colour, darkened until its contrast with white is at least 3 : 1.
 function legible(colour) {
   let rgb = [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16) / 255);
   const light = c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4);
@@ -36,7 +36,7 @@ function legible(colour) {
   return '#' + rgb.map(c => Math.round(c * 255).toString(16).padStart(2, '0')).join('');
 }
 
-// The place of the sample nearest to a time.
+// The index of the sample nearest to a time.
 function nearest(times, time) {
   let low = 0, high = times.length - 1;
   while (low < high) {
@@ -57,7 +57,7 @@ function elapsedText(time) {
   const s = Math.round(time), d = Math.floor(s / 86400);
   return `${d > 0 ? d + ' d ' : ''}${two(Math.floor(s / 3600) % 24)}:${two(Math.floor(s / 60) % 60)}:${two(s % 60)}`;
 }
-// Clocks stand still for each second of `leap_ends_s`, which ends then.
+// UTC stands still during each leap second; `leap_ends_s` has the times at which they end.
 function leapsBefore(time) {
   return page.leap_ends_s.filter(end => time >= end - 1e-6).length;
 }
@@ -76,7 +76,7 @@ function durationText(time) {
   return `${d} d ${two(h % 24)} h`;
 }
 
-// Four digits or so that count, and a true minus.
+// About four significant digits, with a true minus sign.
 function numberText(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';
   const size = Math.abs(value);
@@ -111,7 +111,7 @@ function draw(tag, attributes = {}, ...children) {
   return element;
 }
 
-// Of events in the bars: what they are. The last is of all other types.
+// Kinds of events in the bars; the last holds all other types.
 const kinds = page.kinds;
 const kindOf = event => kinds.find(kind => kind.types.includes(event.type)) || kinds[kinds.length - 1];
 const statusMarks = {

@@ -2,7 +2,7 @@
 const site = (() => {
   const {lon_deg, lat_deg, height_m, equatorial_radius_m, flattening} = page.site;
   const lon = (lon_deg * Math.PI) / 180, lat = (lat_deg * Math.PI) / 180;
-  // Ground as high as the site's is nearly that of an ellipsoid so much larger.
+  // Ground at the site's height is nearly an ellipsoid whose semi-axes are larger by that height.
   const a = equatorial_radius_m + height_m, b = equatorial_radius_m * (1 - flattening) + height_m;
   const up = [Math.cos(lat) * Math.cos(lon), Math.cos(lat) * Math.sin(lon), Math.sin(lat)];
   const east = [-Math.sin(lon), Math.cos(lon), 0];
@@ -16,13 +16,14 @@ const site = (() => {
 })();
 const dot3 = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 
-// Degrees [east, north] of a point of the map, on ground as high as the site's; null where the
-// plane has left the body.
+// Degrees [east, north] of a point of the map, on ground at the site's height; null where the
+// vertical through the point misses the body.
 function degreesOf(x, y) {
   const ratio = (site.a / site.b) ** 2;
   const from = [0, 1, 2].map(k => site.origin[k] + x * site.east[k] + y * site.north[k]);
   const times = (u, v) => u[0] * v[0] + u[1] * v[1] + ratio * u[2] * v[2];
-  // Where from + t up meets the ellipsoid: the root near 0, written without a difference of two large numbers.
+  // Solves for t at which from + t up meets the ellipsoid: the root near 0, in a form without
+  // cancellation.
   const half = times(from, site.up), rest = times(from, from) - site.a ** 2, square = times(site.up, site.up);
   const under = half * half - square * rest;
   if (under < 0) return null;
@@ -30,7 +31,7 @@ function degreesOf(x, y) {
   const p = from.map((value, k) => value + t * site.up[k]);
   return [Math.atan2(p[1], p[0]), Math.atan2(ratio * p[2], Math.hypot(p[0], p[1]))].map(rad => (rad * 180) / Math.PI);
 }
-// And back.
+// The point of the map at a longitude and latitude.
 function pointOf(lonDeg, latDeg) {
   const p = site.fixed((lonDeg * Math.PI) / 180, (latDeg * Math.PI) / 180).map((value, k) => value - site.origin[k]);
   return [dot3(p, site.east), dot3(p, site.north)];
@@ -38,7 +39,7 @@ function pointOf(lonDeg, latDeg) {
 
 const metresPerDegree = (site.a * Math.PI) / 180;
 const sideText = (degrees, places, plus, minus) => `${Math.abs(degrees).toFixed(places)}° ${degrees < 0 ? minus : plus}`;
-// Under the cursor: degrees to half a metre or so, and how far from the start.
+// Text of the place under the cursor: degrees to about half a metre, and distances from the start.
 function placeText(x, y) {
   const side = (value, plus, minus) => `${distanceText(Math.abs(value))} ${value < 0 ? minus : plus}`;
   const away = `${side(x, 'east', 'west')}, ${side(y, 'north', 'south')} of the start`;
@@ -49,7 +50,7 @@ function placeText(x, y) {
 
 const degreeSteps = [1, 2, 5].flatMap(digit => [-5, -4, -3, -2, -1, 0].map(power => digit * 10 ** power))
   .concat([15, 30, 45, 90]).sort((a, b) => a - b);
-// Lines over a part of the map, about four each way: {points, text, isMeridian}.
+// Meridians and parallels over a part of the map, about four of each: {points, text, isMeridian}.
 function graticule(box) {
   const seen = [];
   for (let i = 0; i <= 8; ++i) {
@@ -59,7 +60,7 @@ function graticule(box) {
       seen.push(place);
     }
   }
-  // Longitudes are counted from that of the middle, so that 180 is no edge.
+  // Longitudes are counted from that of the centre, so that there is no edge at 180.
   const middle = seen[40][0];
   const lons = seen.map(([lon]) => middle + (((lon - middle + 540) % 360) - 180)), lats = seen.map(place => place[1]);
   const hasPole = sign => {
@@ -91,7 +92,7 @@ function graticule(box) {
   ];
 }
 
-// Where a line on the screen crosses x = at (axis 0) or y = at (axis 1): its other coordinate; or null.
+// The other coordinate where a line on the screen crosses x = at (axis 0) or y = at (axis 1); or null.
 function crossing(places, axis, at) {
   for (let k = 1; k < places.length; ++k) {
     const a = places[k - 1], b = places[k];

@@ -23,7 +23,7 @@ class MissionMap {
     this.listen();
     viewers.push(this);
   }
-  // As many units as pixels, so that letters are as large as all others.
+  // One unit per pixel, so that text is as large as elsewhere on the page.
   resized() {
     const aspect = (this.box.top - this.box.bottom) / (this.box.right - this.box.left), was = this.width;
     this.width = Math.max(200, this.place.clientWidth);
@@ -80,7 +80,7 @@ class MissionMap {
     });
   }
   drawMarks() {
-    // Beneath the events: where something was noted, a diamond of its rover's colour.
+    // Notes, as diamonds in their rover's colour, beneath the events.
     this.notes = placedNotes().map(note => {
       const rover = roverOf(note.rover_id);
       const mark = draw('g', {class: 'note-mark', style: 'cursor:pointer'},
@@ -91,7 +91,7 @@ class MissionMap {
       return {rover, x: note.x_m, y: note.y_m, mark};
     });
     this.events = [];
-    // What failed lies on top; names of stops come before those of drives.
+    // Failed events are drawn on top.
     const started = page.events.filter(event => event.x_m !== undefined && event.start_s !== null);
     started.sort((a, b) => (a.status === 'failed') - (b.status === 'failed'));
     started.forEach(event => {
@@ -105,7 +105,8 @@ class MissionMap {
       this.marks.append(mark, label);
       this.events.push({rover, x: event.x_m, y: event.y_m, mark, label, text: event.label, event});
     });
-    // The longest of what was done at one place gives it its name.
+    // Labels are placed in this order: events at a stop before drives, the longest first, so that a
+    // place is named after the longest event there.
     const isDrive = ({event}) => event.distance_m > 1, took = ({event}) => (event.end_s ?? endS) - event.start_s;
     this.named = [...this.events].sort((a, b) => isDrive(a) - isDrive(b) || took(b) - took(a));
     this.assets = page.assets.map(asset => {
@@ -151,7 +152,7 @@ class MissionMap {
     if (page.map) legend.append(make('span', {}, `ground ${placesText(page.map.lowest_m, 0)} to ${placesText(page.map.highest_m, 0)} m`));
     return legend;
   }
-  // Shadows of what stands beyond the ground that is known are missing.
+  // Text of how far the known ground reaches: shadows of anything beyond it are missing.
   groundEnd() {
     const {ground_reaches_m: reaches, ground_matters_m: matters} = page.map;
     return reaches === undefined ? '' : `; towards it the ground ends ${distanceText(reaches)} from the middle, what stands up to ${distanceText(matters)} away could shade it`;
@@ -205,7 +206,7 @@ class MissionMap {
     this.drawScale();
     this.cursorChanged();
   }
-  // Lines of longitude and latitude over what is shown, with their degrees at the edges.
+  // Meridians and parallels over the part that is shown, with their degrees at the edges.
   drawGraticule() {
     const lines = graticule(
       {left: this.centre.x - this.width / 2 / this.scale, right: this.centre.x + this.width / 2 / this.scale,
@@ -216,7 +217,7 @@ class MissionMap {
       const at = isMeridian ? crossing(places, 1, 12) : crossing(places, 0, 0);
       if (at === null) return [line];
       const [x, y] = isMeridian ? [at, 12] : [4, at - 3];
-      // The corners are taken: north, buttons, what lies under the cursor, scale.
+      // The corners are occupied by north, buttons, the place under the cursor, and the scale.
       if (isMeridian ? x < 60 || x > this.width - 90 : y < 70 || y > this.height - 30) return [line];
       return [line, draw('text', {x: x.toFixed(1), y: y.toFixed(1), 'text-anchor': isMeridian ? 'middle' : 'start'}, text)];
     }));
@@ -262,12 +263,12 @@ class MissionMap {
     this.svg.addEventListener('pointerleave', () => { this.readout.textContent = ''; });
     this.svg.addEventListener('dblclick', () => this.fit());
     this.svg.addEventListener('wheel', event => {
-      if (!event.ctrlKey && !event.metaKey) return;  // the page scrolls
+      if (!event.ctrlKey && !event.metaKey) return;  // leave scrolling to the page
       event.preventDefault();
       this.zoom(Math.exp(-event.deltaY / 300), this.ground(event));
     }, {passive: false});
   }
-  // Over a driven line the cursor goes to when the rover was there.
+  // Over a driven line the time cursor moves to the time at which the rover was there.
   follow(at) {
     let nearestM = 10 / this.scale, time = null;
     for (const rover of rovers) {

@@ -1,4 +1,4 @@
-// Which plots there are, and when they are drawn: those on the screen at once, others when they come.
+// The list of plots. They are drawn when they come onto the screen.
 function linesOf(name, change = v => v) {
   return rovers.filter(rover => rover[name]).map(rover => ({
     t: rover[name].t, v: change(rover[name].v), name: rover.id, colour: rover.ink, rovers: [rover],
@@ -15,12 +15,13 @@ const relative = v => {
 };
 const metres = lines => (greatest(lines) >= 10000 ? {unit: 'km', scale: 1e-3} : {unit: 'm', scale: 1});
 
-// What a battery holds: from empty to full, where all rovers have one, with lines at full and reserve.
+// Energy in the batteries, with lines at full and reserve. The axis runs from empty to full if all
+// rovers have a battery.
 function energyPlot() {
   const lines = linesOf('energy_j').map(line => ({...line, full: line.rovers[0].battery?.capacity_j}));
   const most = greatest(lines), fulls = lines.map(line => line.full || 0), fullest = Math.max(...fulls, 0);
   const unit = Math.max(most, fullest) >= 3.6e6 ? {unit: 'kWh', scale: 1 / 3.6e6} : {unit: 'Wh', scale: 1 / 3600};
-  // One line for rovers whose level is the same.
+  // Rovers with the same level share one line.
   const levels = new Map();
   for (const {rovers: [rover]} of lines) {
     const {capacity_j: full, reserve_j: reserve} = rover.battery || {};
@@ -42,7 +43,7 @@ function energyPlot() {
   };
 }
 
-// What panels gave; and, dashed, what they would have given, where a full battery left much of it.
+// Solar power in use and, dashed, the power available where a full battery left much of it unused.
 function solarPlot() {
   const given = linesOf('solar_w').filter(({rovers: [rover]}) => rover.sun_fraction);
   const offered = given.flatMap(line => {
@@ -102,7 +103,7 @@ function showPlots() {
     clearTimeout(timer);
     timer = setTimeout(() => [map, ...plots].forEach(part => part.resized()), 120);
   });
-  // Paper is narrower than most screens, and finer.
+  // Plots are drawn anew for paper, which is narrower than most screens and of finer resolution.
   const drawAll = scale => {
     printScale = scale;
     map.resized();

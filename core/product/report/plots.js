@@ -1,6 +1,6 @@
 // The plots over time: a quantity of each rover, with the record of events as bars beneath.
 const gutter = 64, rightGap = 10, barHeight = 13, axisHeight = 17;
-// Remembered until it is drawn anew: asking for it costs a layout of the page.
+// Widths are cached until the plot is redrawn: reading clientWidth costs a layout of the page.
 const plotWidths = new WeakMap();
 function measure(surface) {
   plotWidths.set(surface, Math.max(10, surface.clientWidth - gutter - rightGap));
@@ -13,7 +13,7 @@ const timeX = (time, width) => gutter + ((time - view.from) / (view.to - view.fr
 let printScale = 1;
 const pixelRatio = () => Math.max(printScale, window.devicePixelRatio || 1);
 
-// A canvas as wide as its place, in CSS pixels.
+// Sizes a canvas to the width of its parent and returns a context in CSS pixels.
 function paper(canvas, height) {
   const ratio = pixelRatio(), width = plotWidth(canvas.parentElement) + gutter + rightGap;
   canvas.width = Math.round(width * ratio);
@@ -56,7 +56,7 @@ function hatch(pen, x, y, w, h) {
   pen.restore();
 }
 const strip = '9.5px system-ui, "Segoe UI", Roboto, "DejaVu Sans", sans-serif';
-// A label in its bar, where at least its beginning has room.
+// Draws a label in its bar if there is room for at least its beginning.
 function drawName(pen, label, x, y, w) {
   const room = w - 6, least = 26;
   if (room < least) return;
@@ -72,7 +72,8 @@ function drawName(pen, label, x, y, w) {
   pen.textBaseline = 'middle';
   pen.fillText(text, x + 3, y + barHeight / 2 + 0.5);
 }
-// One row a rover: what it did, by kind, named where there is room; red lines across what failed.
+// One row of bars per rover: its events, coloured by kind and labelled where there is room; red
+// hatching marks failed and incomplete ones.
 function drawEvents(pen, top, width) {
   rovers.forEach((rover, row) => {
     const y = top + row * (barHeight + 1);
@@ -94,8 +95,8 @@ function drawEvents(pen, top, width) {
   });
 }
 
-// Rows for dygraphs of lines {t, v} that need not share their times: null where a line has no
-// sample, NaN where it has one without a value.
+// Merges lines {t, v}, which need not share their times, into rows for dygraphs: null where a line
+// has no sample, NaN where it has one without a value.
 function merged(lines, scale) {
   const rows = [], at = lines.map(() => 0);
   for (;;) {
@@ -113,7 +114,7 @@ function merged(lines, scale) {
   }
 }
 
-// With as many places as tell one from the next.
+// Ticks with as many decimal places as distinguish each from the next.
 function valueTicks(from, to, pixels, options, graph) {
   const ticks = Dygraph.numericTicks(from, to, pixels, options, graph);
   const step = ticks.length > 1 ? Math.abs(ticks[1].v - ticks[0].v) : 1;
@@ -123,14 +124,14 @@ function valueTicks(from, to, pixels, options, graph) {
 }
 
 class Plot {
-  // `lines`: {t, v, name, colour, dash, rovers: [...]}, and `full`, of whose value its own is told in
-  // per cent. `levels`: {value, text, colour, rovers}, lines across; `range` of the axis, none: that
-  // of the values.
+  // `lines`: {t, v, name, colour, dash, rovers: [...]}; with `full` values are also shown in per cent
+  // of it. `levels`: {value, text, colour, rovers}, horizontal lines. `range`: of the axis; by default
+  // that of the values.
   constructor(spec) {
     Object.assign(this, spec);
     this.isDirty = true;
     this.isSeen = false;
-    // As many places for all values of a plot: no digit comes and goes.
+    // The same number of decimal places for all values of a plot, so that no digit comes and goes.
     const most = this.scale * greatest(this.lines), digits = this.digits || 4;
     this.places = most > 0 ? Math.max(0, Math.min(6, digits - 1 - Math.floor(Math.log10(most)))) : 1;
     this.outputs = this.lines.map(() => make('output', {}, '–'));
@@ -240,7 +241,7 @@ class Plot {
   }
 }
 
-// Who saw and could talk to whom: a pale bar is seen, a dark one in it linked.
+// Lines of sight and links between pairs: a pale bar means visible, a dark one in it linked.
 class SightPlot {
   constructor() {
     this.key = 'sight';

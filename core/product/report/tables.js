@@ -1,4 +1,4 @@
-// Words and numbers: what was found, what each rover and each event came to, pictures, origins.
+// Text and tables: findings, results of rovers and events, notes, pictures, inputs of the run.
 const summary = page.summary;
 
 function fillHead() {
@@ -19,7 +19,7 @@ function fillHead() {
     make('div', {}, make('dt', {}, term), make('dd', kind ? {class: kind} : {}, text))));
 }
 
-// What the whole ground or sky is made of, not one vehicle's part.
+// Whether an assumption concerns the terrain or the body as a whole, not one vehicle's part.
 const isBasic = assumption => [page.terrain, page.body].some(name => assumption.startsWith(`${name}:`));
 
 function fillFindings() {
@@ -36,11 +36,12 @@ function fillFindings() {
       list(bad.map(event => `${event.rover_id}, ${event.label}: ${statusText(event.status)}${event.reason ? ', ' + event.reason : ''}`))));
   }
   const warnings = summary?.warnings || [], assumptions = summary?.assumptions || [];
-  // Without a summary nobody knows.
+  // Without a summary the warnings are unknown.
   if (summary) place.append(warnings.length > 0
     ? box('warn', `${warnings.length} warning${warnings.length > 1 ? 's' : ''}`, list(warnings))
     : box('good', 'No warnings', make('p', {}, 'Neither the plan’s checks nor the run had any.')));
-  // Folded: they are many, and the same from run to run. Paper has no folds, and has them at its end.
+  // Assumptions are folded, as they are many and the same from run to run. On paper they are unfolded
+  // and come last.
   if (summary && assumptions.length > 0) {
     const basic = assumptions.filter(isBasic);
     const folded = make('details', {class: 'finding'},
@@ -62,7 +63,7 @@ function fillFindings() {
   if (page.left_out.length > 0) place.append(box('warn', 'Not in this page', list(page.left_out)));
 }
 
-// `columns`: [heading, cell of a row, is it a number].
+// `columns`: [heading, function from row to cell, whether it is a number].
 function table(columns, rows, dress = () => {}) {
   return make('table', {}, make('thead', {}, make('tr', {}, ...columns.map(([name, , isNumber]) => make('th', isNumber ? {class: 'number'} : {}, name)))),
     make('tbody', {}, ...rows.map(row => {
@@ -121,7 +122,7 @@ function fillTables() {
 const noteText = note => Object.entries(note.fields || {}).map(([name, value]) =>
   `${name} ${typeof value === 'number' ? numberText(value) : typeof value === 'object' ? JSON.stringify(value) : value}`).join(', ');
 
-// What events logged, what was found and decided.
+// The table of notes: messages of events, findings, decisions.
 function fillNotes() {
   if (page.notes.length === 0) return document.getElementById('notes').remove();
   document.getElementById('notes-about').textContent = page.notes.length < page.notes_in_log
@@ -146,7 +147,7 @@ function showTime(time) {
   document.getElementById('course').scrollIntoView({block: 'start'});
 }
 
-// The plots go to an event, with as much again around it.
+// Zooms the plots to an event, with a margin of half its duration on either side.
 function showEvent(event) {
   if (event.start_s === null) return;
   const end = event.end_s ?? endS, around = Math.max((end - event.start_s) / 2, endS / 200);
@@ -155,7 +156,7 @@ function showEvent(event) {
   document.getElementById('course').scrollIntoView({block: 'start'});
 }
 
-// A picture that fills the window when it is clicked, until the next click or Escape.
+// A picture that fills the window on a click, until the next click or Escape.
 function enlarging(image) {
   const button = make('button', {type: 'button', class: 'enlarge'}, image);
   button.addEventListener('click', () => {

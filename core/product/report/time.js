@@ -1,4 +1,4 @@
-// The one window of time that all plots show, and the one cursor over them and the map.
+// The time window that all plots share, and the time cursor that they share with the map.
 const view = {from: 0, to: endS, cursor: endS, isPinned: false, isUtc: false};
 const viewers = [];  // objects with windowChanged(), cursorChanged(), roversChanged()
 const shortestS = Math.min(endS, 1);
@@ -27,7 +27,7 @@ const steps = [
   1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 10800, 21600, 43200,
   86400, 172800, 604800, 1209600, 2592000,
 ];
-// Times to be labelled between two others, at least `apart` pixels from each other.
+// Times to label between `from` and `to`, at least `apart` pixels apart.
 function timeTicks(from, to, width, apart = 84) {
   const least = (to - from) / Math.max(2, width / apart);
   const step = steps.find(s => s >= least) || steps[steps.length - 1];
@@ -54,15 +54,16 @@ function tickText(time, step) {
   return `${clock}:${two(s % 60)}`;
 }
 
-// A drag goes on outside of what it began in; a pointer that has gone is no matter.
+// Captures the pointer, so that a drag continues outside of the element where it began.
 function hold(element, event) {
   try {
     element.setPointerCapture(event.pointerId);
   } catch {
-    // It has gone.
+    // The pointer has gone, which does not matter.
   }
 }
-// Moving over, dragging, clicking in anything whose left edge is `left()` and that is `width()` wide.
+// Handles hovering, dragging and clicking over an element with a time axis: `left()` is its left edge
+// in the element, `width()` its width.
 function followPointer(element, left, width, chosen) {
   const timeAt = event => {
     const x = event.clientX - element.getBoundingClientRect().left - left();

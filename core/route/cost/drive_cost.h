@@ -1,5 +1,5 @@
-// What driving costs a rover, and where it can stand: all that planning knows of it. Plain values;
-// mission/routes/drive_table.h makes them with the wheel code of the simulation.
+// What driving costs a rover, and where it can stand: all that planning knows of it. Plain values,
+// which mission/routes/drive_table.h computes with the wheel code of the simulation.
 #pragma once
 
 #include <vector>
@@ -12,35 +12,37 @@ namespace lsos {
 // Steady driving on an even slope.
 struct SlopeDrive {
   double slip = 0;        // 0..1
-  double energy_jpm = 0;  // electrical, for each metre along the ground
-  double speed_mps = 0;   // that the rover asks for and its motors can keep
-  // What gravity gives downhill beyond what rolling takes, as the electrical energy that it stands
-  // for: brakes take it, unless something else holds the rover back.
+  double energy_jpm = 0;  // electrical energy per metre along the ground
+  double speed_mps = 0;   // over ground, at the requested rim speed or what motors sustain
+  // What gravity supplies per metre downhill beyond the rolling resistance, as equivalent
+  // electrical energy. Brakes dissipate it, unless something else holds the rover back.
   double spare_jpm = 0;
 
   void archive(Archive& a) { a(slip)(energy_jpm)(speed_mps)(spare_jpm); }
 };
 
-// On one soil, straight up slopes from `first_rad` (negative: down) in even steps; the last is the
-// steepest that it climbs; none where its wheels do not drive it at all.
+// Driving on one soil, straight up slopes from `first_rad` (negative: down) in equal steps. The
+// last slope is the steepest that the rover climbs; the table is empty where its wheels cannot
+// drive on the soil at all.
 struct SoilDrive {
   double first_rad = 0, step_rad = 0;
   std::vector<SlopeDrive> by_slope;
 
-  // Below `first_rad` where there is none.
+  // Steepest slope of the table; below `first_rad` where the table is empty.
   double last_rad() const {
     return first_rad + step_rad * (static_cast<double>(by_slope.size()) - 1);
   }
-  // Linear between. Above last_rad() nothing climbs: ask first. Below the first slope as on it.
+  // Linear interpolation. Slopes beyond the table have the values of its ends, although nothing
+  // climbs above last_rad(): check that first.
   SlopeDrive at(double slope_rad) const;
 
   void archive(Archive& a) { a(first_rad)(step_rad)(by_slope); }
 };
 
-// Limits of where it may stand, and what it may demand of itself.
+// Limits on where the rover may stand and on how hard it may work.
 struct DriveLimits {
   double slope_max_rad = 0.35;    // of the plane under its wheels, in any direction
-  double slip_max = 0.6;          // steady, climbing
+  double slip_max = 0.6;          // steady slip while climbing
   double clearance_min_m = 0.05;  // between its underside and the ground
   double unevenness_max_m = 0.1;  // of the ground at a wheel from the plane under the others
 
@@ -48,38 +50,41 @@ struct DriveLimits {
 };
 
 struct DriveCost {
-  std::vector<SoilDrive> soils;     // as Ground::soils()
-  std::vector<Vec2> wheels_B_m;     // where they touch level ground: ahead, left
-  std::vector<Vec3> underside_B_m;  // of the chassis, over the plane of the wheels' contacts
+  std::vector<SoilDrive> soils;     // in the order of Ground::soils()
+  std::vector<Vec2> wheels_B_m;     // contact points on level ground: ahead, left
+  std::vector<Vec3> underside_B_m;  // points of the chassis; z above the plane of the contacts
   DriveLimits limits;
   double turning_radius_min_m = 0;
   bool can_turn_on_spot = true;
   double speed_mps = 1;
-  // That it stops from on the level as it does downhill from less, see driving/downhill.h.
+  // Speed from which the rover can stop on level ground; on a descent it is lowered so that the
+  // stopping distance stays the same, see driving/downhill.h.
   double full_speed_mps = 1;
-  // For each metre of way and of `Stance::roughness_m`: wheels that climb one bump while others
-  // come down from theirs give back less than they take. At a crawl, and with the square of speed.
+  // Energy on rough ground at a speed v, per metre of route and per metre of `Stance::roughness_m`:
+  // rough_jpm2 + rough_js2pm4 v^2. Wheels that roll down from a bump give back less than those that
+  // climb one take.
   double rough_jpm2 = 0, rough_js2pm4 = 0;
-  // Of stopping at a corner and driving off again, and of turning there on the spot.
+  // Energy and time of stopping at a corner and setting off again.
   double stop_j = 0, stop_s = 0;
-  // Of slowing down for an arc and speeding up again, from full speed to next to none: what the
-  // soil's drag does not take.
+  // Energy of slowing down for an arc and speeding up again, from full speed to almost zero: the
+  // part that brakes take, without that of the soil's drag.
   double slow_j = 0;
+  // Energy and time per radian of turning on the spot.
   double turn_jprad = 0, turn_sprad = 0;
-  // Of steering wheels to where they turn the rover on the spot, and back.
+  // Time of steering the wheels to where they turn the rover on the spot, and back.
   double steer_s = 0;
-  // Greatest acceleration, along the way as across it in an arc. Of a radian of one at full speed,
-  // times its radius: wheels that hold the rover in it roll at an angle.
+  // Greatest acceleration, along the route and, in an arc, across it. At full speed a radian of an
+  // arc costs arc_drag_jmprad / radius: wheels that hold the rover in it roll at a slip angle.
   double acceleration_mps2 = 0.2, arc_drag_jmprad = 0;
-  // Taken besides by its drives: what it takes longer in an arc costs that. Without it a rover that
-  // has slowed down once would wind on slowly for nothing. Where a slope slows it down it is not
-  // counted.
+  // Power of all loads but the drives, charged for the time that an arc takes longer. Without it a
+  // rover that has slowed down once would wind on slowly at no cost. Time lost on slopes is not
+  // charged.
   double load_w = 0;
-  // Angle of its travel to its heading for each m/s2 across, which a slope takes of gravity and an
-  // arc of speed.
+  // Side slip angle per m/s2 of lateral acceleration, which comes from gravity on a cross slope and
+  // from speed in an arc.
   double drift_s2pm = 0, gravity_mps2 = 9.81;
-  // Of rough ground, for each metre of `Stance::roughness_m`: the sine of a slope across that slows
-  // the rover down as much, for it drifts to and fro.
+  // Sine of the cross slope that slows the rover down as much as rough ground does, per metre of
+  // `Stance::roughness_m`: on rough ground the side slip angle keeps changing its sign.
   double rough_tilt_1pm = 0;
 
   void archive(Archive& a) {

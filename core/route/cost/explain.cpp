@@ -13,7 +13,7 @@ namespace {
 
 constexpr int directions = 16;
 
-// Two numbers that differ with so many decimals that they are not told as one.
+// Two different numbers with as many decimals as make them look different.
 std::string told_apart(std::string_view text, double found, double allowed, int decimals) {
   constexpr int decimals_max = 3;
   const auto told = [&](double value) { return fmt::format("{:.{}f}", value, decimals); };
@@ -32,7 +32,7 @@ Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m)
     if (!stance.is_on_ground) continue;
     const Hazard found = hazard(stance, finder.cost());
     if (found == Hazard::none) return stance;
-    // That it does not climb there says little of a place.
+    // A climb that is too steep says little of a place: other hazards come first.
     const double now = demand(stance, finder.cost()) + (found == Hazard::climb ? 1e3 : 0);
     if (now >= least) continue;
     least = now;

@@ -1,4 +1,4 @@
-// Why a rover cannot be at a place, in words: what was found there, what is allowed.
+// Explains in words why a rover cannot be at a place: what was found there and what is allowed.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace lsos {
 
-// Of all directions that a rover can stand in at a place the one without a hazard, or the least
-// demanding.
+// Stance at a place in a direction without a hazard; where there is none, the one that uses the
+// least of its limits.
 Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);
 
 std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost);
 
-// "" where the rover can stand in some direction.
+// Why the rover cannot stand at a place; "" where it can in some direction.
 std::string fault_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);
-// "" where it can also stop.
+// The same, or why it cannot stop there; "" where it can.
 std::string fault_to_stop_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);
-// Driving ahead (unit).
+// Why the rover cannot be there driving along `ahead` (unit vector); "" where it can.
 std::string fault_ahead(GroundMap& map, const StanceFinder& finder, const Vec2& at_m,
                         const Vec2& ahead);
 

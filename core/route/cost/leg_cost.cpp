@@ -14,15 +14,16 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Longest step of the midpoint rule, in spacings: a diagonal is one. And of a closer look.
+// Longest step of the midpoint rule, in map spacings: a diagonal of the lattice is one step. And
+// the step of a denser check.
 constexpr double step_spacings = 1.5, close_spacings = 0.5;
-// Where a rover is farther from its limits than this the ground within `stray_m` beside it is as
-// good.
+// Used share of a limit above which the ground `stray_m` to either side is checked too; below it
+// that ground is taken to be as good.
 constexpr double near_limit = StanceFinder::calm_share;
-// Nearer to a limit than this a metre of risk costs no more.
+// Least share left of a limit in the cost of risk: nearer to the limit a metre costs no more.
 constexpr double share_left_min = 0.05;
 
-// Calls what(stance, at, step) along a straight piece until it answers false.
+// Calls what(stance, at, step) along a straight piece until it returns false.
 template <class What>
 bool walk(GroundMap& map, const StanceFinder& finder, const Vec2& from_m, const Vec2& to_m,
           const What& what, double longest_spacings = step_spacings) {
@@ -72,7 +73,8 @@ LegCosts::LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
     : map_(map), finder_(finder), aim_(aim), avoided_(std::move(avoided)) {
   find_least();
   border_m_ = finder.reach_m() + 2 * map.spacing_m();
-  // A corner's energy is worth as many metres as it would drive on the level.
+  // For RouteAim::risk the energy of a corner counts as the distance that it would drive on the
+  // level.
   const SoilDrive& soil = finder_.cost().soils.front();
   if (aim_ == RouteAim::risk && !soil.by_slope.empty()) {
     cost_per_j_ = 1 / std::max(1e-9, soil.at(0).energy_jpm);
@@ -107,9 +109,10 @@ Hazard LegCosts::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& a
   return Hazard::none;
 }
 
-// Energy on slopes is that of the level and of lifting: E(slope) >= least + per_rise sin(slope). So
-// much is certain to be needed for a leg of a length and a rise; with the climb's own share in it
-// what is left for a metre is a good bound although going down costs next to nothing.
+// Finds a linear lower bound of the energy per metre over all slopes and soils:
+//  E(slope) >= least + per_rise sin(slope).
+// A route of some length and rise needs at least so much. With the share of the climb in it,
+// `least` is a tight bound although going down costs next to nothing.
 void LegCosts::find_least() {
   if (aim_ == RouteAim::risk) return;
   const auto least_with = [&](double per_rise) {
@@ -142,15 +145,15 @@ void LegCosts::find_least() {
                      per_rise_ * std::sin(finder_.cost().limits.slope_max_rad);
 }
 
-// The soil holds a rover up a slope by slipping downhill, whichever way it heads: across its way
-// that takes a share of what it takes along it (`across`: of MER, Husky and SEV, driven across 10
-// degrees). Else going up in zigzags would slip less and cost less, which it does not.
+// Soil holds a rover up a slope by slipping downhill, whatever the heading. Slip across the route
+// costs a share `across` of what slip along it costs (from MER, Husky and SEV, driven across 10
+// degrees). Without it climbing in zigzags would slip less and cost less, which it does not.
 SlopeDrive LegCosts::drive_at(const Stance& stance) const {
   constexpr double across = 0.35, none_rad = 0.01;
   const DriveCost& cost = finder_.cost();
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
   SlopeDrive drive = soil.at(stance.pitch_rad);
-  double more_jpm = 0;  // that gravity's spare pays first
+  double more_jpm = 0;  // what gravity's spare energy covers first
   const bool is_up = stance.pitch_rad > 0;
   const double held_rad = is_up ? stance.slope_rad : std::abs(stance.bank_rad);
   if (held_rad > std::max(0.0, stance.pitch_rad) + none_rad) {
@@ -158,26 +161,27 @@ SlopeDrive LegCosts::drive_at(const Stance& stance) const {
     const double uphill = is_up ? stance.pitch_rad / held_rad : 0;
     const double share = uphill * uphill + across * (1 - uphill * uphill);
     more_jpm = share * std::max(0.0, held.energy_jpm * held.slip - level.energy_jpm * level.slip);
-    // Rims go along the way and up the slope.
+    // Rims move along the route and up the slope.
     const double slid = held.slip / std::max(0.05, 1 - held.slip);
     const double along = std::max(cost.speed_mps / drive.speed_mps, 1 + slid * uphill);
     const double aside = across * slid;
     drive.speed_mps =
         cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
-  // Rough ground tilts it to either side, the slope across only to one.
+  // Rough ground tilts the rover to either side, a cross slope to one only: they add as squares.
   const double tilted =
       std::hypot(std::sin(stance.bank_rad), cost.rough_tilt_1pm * stance.roughness_m);
   const double drift_rad = cost.drift_s2pm * cost.gravity_mps2 * tilted;
-  // Of its rims; it is as much faster than they as the table says.
+  // `braked_mps` limits the rim speed; the rover moves faster than its rims by the slip in the
+  // table.
   const double braked_mps =
       downhill_speed_mps({stance.pitch_rad, stance.bank_rad}, cost.full_speed_mps,
                          cost.acceleration_mps2, cost.gravity_mps2);
   drive.speed_mps *= std::min(1.0, braked_mps / cost.speed_mps);
   drive.speed_mps = std::min(drive.speed_mps, drift_speed_mps(drift_rad));
   const double speed2 = drive.speed_mps * drive.speed_mps;
-  // Bumps hold it back by fits: of holds that are spread exponentially about their mean, this is
-  // what goes beyond gravity's spare.
+  // The resistance X of bumps comes in bursts. Distributed exponentially about its mean m =
+  // more_jpm, it exceeds gravity's spare energy s by E[max(0, X - s)] = m exp(-s / m) in the mean.
   more_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
   if (more_jpm > 0) drive.energy_jpm += more_jpm * std::exp(-drive.spare_jpm / more_jpm);
   return drive;
@@ -224,14 +228,14 @@ LegCosts::Cornering LegCosts::cornering(const Vec2& before_m, const Vec2& at_m,
           cost.stop_s * left * left + radius_m * bend_rad * (1 / arc_mps - 1 / cost.speed_mps)};
 }
 
-// By an arc that begins so far before the corner.
+// Cost of rounding a corner by an arc that begins `room_m` before it.
 LegCosts::Cornering LegCosts::rounding(double bend_rad, double room_m) const {
   const DriveCost& cost = finder_.cost();
   const double radius_m = room_m / std::tan(bend_rad / 2);
   const double arc_j = arc_cost_j(cost, radius_m).of(bend_rad);
   if (radius_m >= cost.turning_radius_min_m) return {arc_j, 0};
-  // Where the tightest has no room, more than any arc costs, the more the less room there is; also
-  // where the soil's drag slows the rover down for nothing.
+  // Where the tightest arc has no room, more than any arc costs, growing as the room shrinks; also
+  // where slowing down is free because the soil's drag does it.
   const SoilDrive& soil = cost.soils.front();
   const double radius_j =
       soil.by_slope.empty() ? 0 : soil.at(0).energy_jpm * cost.turning_radius_min_m;
@@ -239,7 +243,7 @@ LegCosts::Cornering LegCosts::rounding(double bend_rad, double room_m) const {
 }
 
 LegCosts::Cornering LegCosts::turning(double by_rad) const {
-  constexpr double straight_rad = 0.03;  // as for following, see PathFollower
+  constexpr double straight_rad = 0.03;  // as in PathFollower
   const DriveCost& cost = finder_.cost();
   if (by_rad < straight_rad) return {};
   return {cost.turn_jprad * by_rad, cost.steer_s + cost.turn_sprad * by_rad};
@@ -271,7 +275,7 @@ double LegCosts::price(const Cornering& arcs) const {
 LegCosts::Cornering LegCosts::arc_driven(Speeds& speeds, double radius_m, double bend_rad) const {
   const DriveCost& cost = finder_.cost();
   const double was = speeds.share, now = arc_speed_mps(cost, radius_m) / cost.speed_mps;
-  // Between two arcs it speeds up for half of the way and slows down again.
+  // Between two arcs the rover speeds up to a peak and slows down again.
   const double gained = speeds.free_m / (cost.stop_s * cost.speed_mps);
   const double reached = std::sqrt((was * was + now * now) / 2 + gained);
   const double peak = std::max({was, now, std::min(1.0, reached)});
@@ -297,7 +301,7 @@ LegCosts::Cornering LegCosts::arcs_driven(Speeds& speeds, const Line2& line) con
     speeds.free_m += in_m.norm();
     const double bend_rad =
         std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
-    constexpr double straight_rad = 0.01;  // no arc is driven there, see driving_line()
+    constexpr double straight_rad = 0.01;  // driving_line() lays no arc there
     if (bend_rad < straight_rad) continue;
     const double length_m = std::min(in_m.norm(), out_m.norm());
     speeds.free_m = std::max(0.0, speeds.free_m - length_m / 2);

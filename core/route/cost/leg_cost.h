@@ -1,4 +1,4 @@
-// What a piece of a route costs: the one function that searching, refining and tests share.
+// Cost of a piece of a route: the one cost function that searches, refinement and tests share.
 #pragma once
 
 #include <algorithm>
@@ -14,9 +14,9 @@
 
 namespace lsos {
 
-using Line2 = std::vector<Vec2>;  // on a map, m
+using Line2 = std::vector<Vec2>;  // points on a map, m
 
-// On a map; yaw counter-clockwise from east.
+// Pose on a map; yaw is counter-clockwise from east.
 struct Pose2 {
   Vec2 at_m = Vec2::Zero();
   double yaw_rad = 0;
@@ -24,7 +24,7 @@ struct Pose2 {
   Vec2 ahead() const { return {std::cos(yaw_rad), std::sin(yaw_rad)}; }
 };
 
-// Ground that a route keeps off, whatever it looks like.
+// Disc on a map, such as ground that a route avoids whatever its shape.
 struct Disc2 {
   Vec2 center_m = Vec2::Zero();
   double radius_m = 0;
@@ -38,18 +38,19 @@ struct LegCost {
   double slope_max_rad = 0;
   Vec2 steepest_m = Vec2::Zero();
   Hazard hazard = Hazard::none;
-  Vec2 hazard_m = Vec2::Zero();  // the first
+  Vec2 hazard_m = Vec2::Zero();  // place of the first hazard
 };
 
-// How fast the rover drives an arc.
+// Speed at which the rover drives an arc.
 double arc_speed_mps(const DriveCost& cost, double radius_m);
-// Of an arc: of slowing down for it from full speed and up again after it, and of each radian.
+// Cost of an arc: slowing down for it from full speed and speeding up after it, and each radian.
 struct ArcCost {
   double slowing = 0, per_rad = 0;
 
   double of(double bend_rad) const;
 };
-// Its energy with that of all else meanwhile, and that as metres on the level.
+// Energy of an arc, including that of the other loads meanwhile, and the same as metres of driving
+// on the level.
 ArcCost arc_cost_j(const DriveCost& cost, double radius_m);
 ArcCost arc_price_m(const DriveCost& cost, double radius_m);
 
@@ -59,86 +60,89 @@ class LegCosts {
 
   LegCosts(GroundMap& map, const StanceFinder& finder, RouteAim aim,
            std::vector<Disc2> avoided = {});
-  // The same on another map of the ground.
+  // The same costs on another map of the ground.
   LegCosts over(GroundMap& map) const;
-  // Ground within which the rover may come as near to a hazard as it likes: where it stands, where
-  // it is to stand. Elsewhere it keeps off by as much as it may stray to either side.
+  // Discs around start and goal within which the rover may come as near to a hazard as it likes.
+  // Elsewhere, where the rover is near a limit, the ground `stray_m` to either side must be free
+  // too.
   void set_tight(std::vector<Disc2> tight) { tight_ = std::move(tight); }
-  // Things that stand on the map, and the ground that the rover covers (LegRequest::obstacles). A
-  // route keeps off them by half the rover's diagonal, so that the rover can turn. On tight ground
-  // the rover, heading along the route, only keeps `clearance_m` off them, and on the first of the
-  // tight discs, where it stands, it need not touch them.
+  // Objects that stand on the map, and the rover's footprint (LegRequest::obstacles). A route stays
+  // half the rover's diagonal and `stray_m` away from them, so that the rover can turn. In tight
+  // discs the rover, heading along the route, stays `clearance_m` away; in the first of them, where
+  // it starts, it must only not touch them.
   void set_standing(std::vector<Footprint> standing, const Footprint& rover_at_rest) {
     standing_ = std::move(standing);
     rover_at_rest_ = rover_at_rest;
   }
   static constexpr double clearance_m = 0.4;
-  // A rover that follows a line may be so far beside it.
+  // Greatest cross-track error assumed of a rover that follows a line.
   static constexpr double stray_m = 0.4;
-  // How far the rover may turn on the spot where it stands; it sets off no other way.
+  // How far the rover may turn on the spot at the start; it sets off in no other direction.
   void set_turn_room(const TurnRoom& room) { turn_room_ = room; }
-  // Where the rover stands beyond a limit it may leave over ground that is no worse.
+  // Limits that apply within `disc`: a rover that stands beyond a limit may leave over ground that
+  // is hardly worse.
   void set_leaving(const Disc2& disc, const DriveLimits& limits) {
     leaving_ = disc;
     leaving_limits_ = limits;
   }
 
-  // Of a straight piece, by the midpoint rule in steps of 1.5 spacings of the map at most; infinite
-  // where a hazard lies on it. What costs more than `most` is infinite too, here and in along(),
-  // and not looked at to its end.
+  // Cost of a straight piece, summed by the midpoint rule in steps of at most 1.5 map spacings;
+  // infinite where a hazard lies on it. Here and in along(), a cost above `most` is infinite too,
+  // and the piece is not evaluated to its end.
   double straight(const Vec2& from_m, const Vec2& to_m, double most = unlimited);
   bool is_free(const Vec2& from_m, const Vec2& to_m) {
     return std::isfinite(straight(from_m, to_m));
   }
-  // Of the corner `at_m` of a line: of slowing down for the arc that rounds it, and of the arc;
-  // where there is no room for one, of stopping there and turning on the spot. Rovers that cannot
-  // are planned in arcs: nothing.
+  // Cost of the corner `at_m` of a line: slowing down for its fillet, and the fillet; where there
+  // is no room for one, stopping there and turning on the spot. It is 0 for rovers that cannot turn
+  // on the spot, whose lines consist of arcs, unless set_rounding() is in force.
   double corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
-  // What a corner adds, and what turning so far on the spot does, from rest to rest.
+  // Energy and time that a corner adds; turning(): of turning on the spot, from rest to rest.
   struct Cornering {
     double energy_j = 0, duration_s = 0;
   };
   Cornering cornering(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   Cornering turning(double by_rad) const;
-  // Of a line: the sum of its pieces and corners.
+  // Cost of a line: the sum of its pieces and corners.
   double along(const Line2& line, double most = unlimited);
-  // The same with slowing down for the arcs of a rover that cannot turn on the spot.
+  // The same, with slowing down for arcs where the rover cannot turn on the spot.
   double driven(const Line2& line);
-  // An arc of a way over which `speeds` is carried: of slowing down for it, from what was reached
-  // since the last, and of the arc; what search and driven() add for such a rover.
+  // Cost of an arc of a route along which `speeds` is carried: slowing down for it from the speed
+  // reached since the last arc, and the arc. Searches and driven() add it for such a rover.
   struct Speeds {
-    double share = 1;          // of full speed, in the last arc
-    double free_m = 0;         // driven since it ended
-    Vec2 in_m = Vec2::Zero();  // the last piece of the line, where one is driven on
+    double share = 1;          // speed in the last arc, as a share of full speed
+    double free_m = 0;         // distance driven since it ended; negative within it
+    Vec2 in_m = Vec2::Zero();  // last piece of the line driven so far; zero before it
   };
   double arc(Speeds& speeds, double radius_m, double bend_rad) const {
     return price(arc_driven(speeds, radius_m, bend_rad));
   }
-  // Of all arcs of a line that is driven on over: at each of its bends, the one to it too, an arc
-  // that begins and ends half a piece away.
+  // Cost of all arcs of a line that continues what `speeds` stands for: at each of its bends, also
+  // that at its beginning, an arc that begins and ends half a piece away.
   double arcs(Speeds& speeds, const Line2& line) const { return price(arcs_driven(speeds, line)); }
-  // For lines of such a rover whose corners are rounded later, by arcs as wide as there is room
-  // for: corner() tells what those cost.
+  // For lines of such a rover whose corners are rounded later, by the widest arcs that have room:
+  // while set, corner() returns what those arcs cost.
   void set_rounding(bool is_rounding) { is_rounding_ = is_rounding; }
-  // driven() with all that is told of a line.
+  // driven(), with length, duration, energy, steepest slope and first hazard.
   LegCost of(const Line2& line);
-  // Places of a line where a limit is passed, so far apart, looked at three times as closely as
-  // costs are and without room to stray.
+  // Places of a line where a limit is exceeded, more than `apart_m` apart. The line is sampled
+  // three times as densely as for costs, without the margin of `stray_m` to either side.
   std::vector<Vec2> hazards(const Line2& line, double apart_m);
-  // Whether the rover can stop there, driving ahead (unit): what it does not climb it does not
-  // stand on safely either, nor leave again.
+  // Whether the rover can stop there while driving along `ahead` (unit vector). On what it does not
+  // climb it neither stands safely nor sets off again.
   bool can_stand(const Vec2& at_m, const Vec2& ahead);
-  // Of a metre at least, after `per_rise` for each metre of climb: what guides the search.
+  // Lower bound of the cost of a metre, on top of `per_rise` for each metre of climb: the heuristic
+  // of the searches.
   double least_per_metre() const { return least_per_metre_; }
   double per_rise() const { return per_rise_; }
-  // Of so long a way with so much climb; but for what the wheels feel of rough ground otherwise
-  // than its height tells.
+  // Lower bound of the cost of a route of this length and climb. On rough ground it may be slightly
+  // too high, since wheels meet other slopes than heights of single nodes show.
   double least(double length_m, double rise_m) const {
     return std::max(0.0, least_per_metre_ * length_m + per_rise_ * rise_m);
   }
-  // Of a metre on good ground up the steepest slope that the rover may drive.
+  // Cost of a metre on even ground up the steepest slope that the rover may drive.
   double steep_per_metre() const { return steep_per_metre_; }
-  // A rover there would stand partly off the map, or next to that.
+  // Whether a rover there would stand partly off the map, or almost so.
   bool is_at_border(const Vec2& at_m) const { return map_.inside_m(at_m) < border_m_; }
   GroundMap& map() { return map_; }
   const GroundMap& map() const { return map_; }
@@ -161,12 +165,12 @@ class LegCosts {
   std::vector<Footprint> standing_;
   Footprint rover_at_rest_;
   TurnRoom turn_room_;
-  Disc2 leaving_;  // nothing, without a radius
+  Disc2 leaving_;  // none while its radius is 0
   DriveLimits leaving_limits_;
   bool is_rounding_ = false;
   double least_per_metre_ = 1, per_rise_ = 0, steep_per_metre_ = 1;
   double border_m_ = 0;
-  double cost_per_j_ = 1;  // of corners
+  double cost_per_j_ = 1;  // of corners and arcs
 };
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// Where a rover would come too near to what stands beside a route.
+// Where a rover would come too near to the objects that stand beside a route.
 #include <algorithm>
 #include <cmath>
 
@@ -8,9 +8,10 @@ namespace lsos {
 
 namespace {
 
-// From a start without room to turn the rover may drive so far along what stands beside it.
+// Distance over which a rover may drive along objects after a start without room to turn.
 constexpr double leaving_room_m = 25;
-// Before a corner the rover begins to turn, and its tail swings out.
+// Extra distance from objects meanwhile: before a corner the rover begins to turn, and its tail
+// swings out.
 constexpr double corner_room_m = 2;
 
 }  // namespace
@@ -23,7 +24,7 @@ bool LegCosts::is_occupied(const Vec2& at_m, const Vec2& ahead) const {
       std::ranges::any_of(tight_, [&](const Disc2& disc) { return disc.holds(at_m); });
   const Vec2 from_start_m = at_m - (tight_.empty() ? at_m : tight_.front().center_m);
   const bool is_at_start = is_tight && tight_.front().holds(at_m);
-  // A rover that has no room to turn drives on as it heads until it has.
+  // A rover without room to turn drives straight on until it has room.
   const bool is_confined = !turn_room_.is_all_round() && from_start_m.norm() < leaving_room_m;
   const bool leaves = is_at_start || is_confined;
   const bool has_turned = !turn_room_.allows(std::atan2(ahead.y(), ahead.x()));

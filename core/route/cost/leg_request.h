@@ -1,4 +1,4 @@
-// What is asked of the planner, and what it answers: plain values.
+// Request to the route planner, and its result: plain values.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace lsos {
 
-// What a plan makes as small as can be.
+// Quantity that planning minimises.
 enum class RouteAim {
-  energy,  // electrical, of driving
-  risk,    // metres, each divided by the share that is left of the limit it comes nearest to
+  energy,  // electrical energy of driving
+  risk,    // length, each metre divided by the share left of the limit it comes nearest to
 };
 
-// Ground about a place that a leg keeps off.
+// Disc of ground that a leg avoids.
 struct AvoidedDisc {
   Vec3 center_S_m = Vec3::Zero();
   double radius_m = 0;
@@ -26,23 +26,24 @@ struct AvoidedDisc {
   void archive(Archive& a) { a(center_S_m)(radius_m); }
 };
 
-// A thing that stands on the ground, as a rectangle seen from above.
+// An object that stands on the ground, as a rectangle seen from above.
 struct Obstacle {
   std::string id;
   Vec3 center_S_m = Vec3::Zero();
-  Vec3 ahead_S = Vec3::UnitX();  // unit, horizontal there
-  Vec2 half_m = Vec2::Zero();    // along `ahead_S` and across
+  Vec3 ahead_S = Vec3::UnitX();  // unit vector, horizontal there
+  Vec2 half_m = Vec2::Zero();    // half sizes along `ahead_S` and across it
 
   void archive(Archive& a) { a(id)(center_S_m)(ahead_S)(half_m); }
 };
 
-// What a leg goes round, and the ground that the rover covers: reference point at the origin,
+// Objects that a leg goes round, and the footprint of the rover: reference point at the origin,
 // heading along x.
 struct Obstacles {
   std::vector<Obstacle> standing;
   Footprint rover_at_rest;
 
-  // Nothing where nothing stands, so that a leg's key then is what it is without.
+  // Writes nothing where no object stands, so that the key of a leg is then the same as without
+  // obstacles.
   void archive(Archive& a) {
     if (standing.empty()) return;
     a(standing)(rover_at_rest.center_S_m)(rover_at_rest.half_m);
@@ -53,10 +54,10 @@ struct LegRequest {
   Vec3 start_S_m = Vec3::Zero(), goal_S_m = Vec3::Zero();
   RouteAim aim = RouteAim::energy;
   std::uint64_t seed = 0;
-  // Of the rover at the start, clockwise from north. The way of one that turns on the spot is the
-  // same; what turning takes is told with it.
+  // Heading of the rover at the start, clockwise from north. For a rover that turns on the spot it
+  // matters only to the turn at the start, whose time and energy the result includes.
   double start_heading_rad = 0;
-  // Then what setting off and stopping at the end of the drive take is told with it.
+  // If true, the result includes the time and energy of setting off and of stopping at the end.
   bool starts_at_rest = false;
   std::vector<AvoidedDisc> avoided = {};
   Obstacles obstacles = {};
@@ -67,14 +68,14 @@ struct LegRequest {
 };
 
 struct PlannedLeg {
-  Path3 path_S_m;  // from start to goal, on the ground; empty when there is none
+  Path3 path_S_m;  // from start to goal, on the ground; empty when there is no route
   double cost = 0, length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
   Vec3 steepest_S_m = Vec3::Zero();
   double end_heading_rad = 0;  // clockwise from north at the goal
   std::vector<std::string> messages;
 
-  // Why there is none ("the goal is too steep: 31 degrees"), and the place nearest to the goal that
-  // can be reached.
+  // Why there is no route ("the goal is on a slope of 31 degrees, 20 are allowed"), and the
+  // reachable place that is nearest to the goal.
   std::string reason;
   Vec3 nearest_S_m = Vec3::Zero();
 

@@ -10,22 +10,25 @@ namespace lsos {
 
 namespace {
 
-// Across a slope a rover slides about as much as it slips more up one that is as steep than on the
-// level. What follows a line heads uphill of it by so much; up to this it holds the line within
-// some centimetres (MER across 10 degrees: 0.1 m), beyond it that is not to be relied on.
+// Greatest lateral slip across a slope, taken as the slip up an equally steep slope less that on
+// the level. The path follower heads uphill of its line by as much; up to this limit it holds the
+// line within some centimetres (MER across 10 degrees: 0.1 m), beyond it that is not reliable.
 constexpr double side_slip_max = 0.4;
-// Down a slope where brakes hold it only with more than this a rover slides (Husky down 28 degrees,
-// 0.2 on the mean, comes down).
+// Greatest slip with which brakes hold the rover on a descent; with more it slides (Husky, which
+// gets down 28 degrees, has 0.2 in the mean).
 constexpr double braking_slip_max = 0.4;
 
-// A map has so many nodes over the shortest side of the rectangle of its wheels, within bounds.
+// Number of map spacings along the shorter side of the rectangle of the wheels, and the bounds of
+// the spacing.
 constexpr double nodes_a_side = 4, spacing_min_m = 0.2, spacing_max_m = 1;
 
-// How much more than a node over its neighbours ground may rise between points of the underside a
-// few nodes apart.
+// Greatest rise assumed of the ground between points of the underside, in units of
+// GroundMap::Window::bump_m(). Larger: more stances need the slow check of every node; smaller:
+// that check may miss a rock.
 constexpr double bumps_between = 2;
 
-// Of the underside over the plane, and what of it may be taken up.
+// Height of the lowest point of the underside above the plane of the wheels, and the part of it
+// that may be used up.
 double underside_level_m(const DriveCost& cost) {
   const auto by_height = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
   return std::ranges::min_element(cost.underside_B_m, by_height)->z();
@@ -38,13 +41,14 @@ double side_slip(const SoilDrive& soil, double bank_rad) {
   return std::max(0.0, soil.at(std::abs(bank_rad)).slip - soil.at(0).slip);
 }
 
-// Of wheels that hold the rover back: by so much it is faster than their rims.
+// Slip of wheels that brake: the rover is faster than their rims by this share of its speed.
 double braking_slip(const SoilDrive& soil, double pitch_rad, const DriveCost& cost) {
   if (pitch_rad >= 0) return 0;
   return std::max(0.0, 1 - cost.speed_mps / soil.at(pitch_rad).speed_mps);
 }
 
-// The least slope, along or across, that takes up so much of a limit on any soil.
+// Greatest slope, along or across, that uses less than `calm_share` of every limit on every soil;
+// to 0.001 rad.
 double calm_rad(const DriveCost& cost) {
   constexpr double step_rad = 0.001;
   const double most_rad = StanceFinder::calm_share * cost.limits.slope_max_rad;
@@ -59,15 +63,16 @@ double calm_rad(const DriveCost& cost) {
   return slope_rad - step_rad;
 }
 
-// Where on a row of nodes places are no farther than so much along a direction, either way.
+// Range of columns in each row whose nodes lie within a distance along a direction, either way.
 struct Slab {
-  double shift, half;  // of its middle by row, in columns
+  double shift, half;  // shift of its middle per row, and half width, in columns
 
   double low(double row) const { return shift * row - half; }
   double high(double row) const { return shift * row + half; }
 };
 
-// `along_m`: how far a column and a row are along it. Where columns are not, all of the row is.
+// `along_m`: components along the direction of one column and one row, m. The range is the whole
+// row where a column has none.
 Slab slab(const Vec2& along_m, double most_m) {
   constexpr double none_m = 1e-12;
   if (std::abs(along_m.x()) < none_m) return {0, std::numeric_limits<double>::infinity()};
@@ -115,7 +120,7 @@ StanceFinder::StanceFinder(const DriveCost& cost)
   const Eigen::Matrix<double, 3, Eigen::Dynamic> plane_by_heights =
       (places.transpose() * places).inverse() * places.transpose();
   for (Eigen::Index k = 0; k < places.rows(); ++k) {
-    // 1 where the others alone make no plane.
+    // The leverage is 1 where the others alone define no plane.
     const double own_share = places.row(k).dot(plane_by_heights.col(k));
     supports_.push_back({at_B_m[static_cast<std::size_t>(k)], plane_by_heights.col(k),
                          own_share < 1 - 1e-9 ? 1 / (1 - own_share) : 1});
@@ -142,11 +147,11 @@ double StanceFinder::least_clearance_m(const GroundMap::Window& ground, const Fo
   const Vec2 middle = footing.nodes(middle_B_m.x(), middle_B_m.y());
   const Vec2 half = footing.half(half_B_m);
   const int row_last = static_cast<int>(middle.y() + half.y());
-  // Of a node for each column and row.
+  // Distances ahead and to the left per column and row.
   const double per_m2 = footing.ahead.squaredNorm();
   const Vec2 ahead_m = footing.ahead / per_m2, left_m = footing.left / per_m2;
   const Slab along = slab(ahead_m, half_B_m.x()), across = slab(left_m, half_B_m.y());
-  // Of the underside, by column and row.
+  // Rise of the underside per column and row.
   const Vec2 rise_m = plane.y() * ahead_m + plane.z() * left_m;
   const double level_m =
       plane.x() + plane.y() * middle_B_m.x() + plane.z() * middle_B_m.y() + underside_m_;
@@ -175,7 +180,7 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
   Stance stance;
   const auto ground = map.window(middle - half, middle + half);
   if (!ground) return stance;
-  // Asked for thousands of times: without allocation, but for a train of wheels.
+  // This runs thousands of times per metre: no allocation, except for rovers with very many wheels.
   std::array<double, 32> few_m;
   std::vector<double> many_m;
   if (supports_.size() > few_m.size()) many_m.resize(supports_.size());
@@ -207,7 +212,7 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
                           ground->height_m(footing.nodes(point.x(), point.y()));
     if (over_m < stance.clearance_m) stance.clearance_m = over_m;  // not where there is no ground
   }
-  // Between those points stands what they do not show: a rock.
+  // A rock may stand between those points, so all nodes are checked where the margin is small.
   if (stance.clearance_m - bumps_between * ground->bump_m() < calm_clearance_m_) {
     stance.clearance_m = std::min(stance.clearance_m, least_clearance_m(*ground, footing, plane));
   }
@@ -225,8 +230,8 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
   if (stance.unevenness_m > limits.unevenness_max_m) return Hazard::uneven;
   if (stance.clearance_m < limits.clearance_min_m) return Hazard::clearance;
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
-  // Down a slope it goes that it does not climb. What the soil does not hold the rover against up
-  // the slope it does not hold across it.
+  // The rover may descend what it cannot climb. Where the soil cannot hold it up a slope, it cannot
+  // hold it across that slope either.
   if (soil.last_rad() < 0) return Hazard::climb;
   if (stance.pitch_rad > 0 && stance.slope_rad > climbs_rad(soil)) return Hazard::climb;
   if (std::abs(stance.bank_rad) > soil.last_rad() ||

@@ -1,4 +1,4 @@
-// How a rover stands on the ground of a map, and what stands in its way.
+// How a rover stands on the ground of a map, and what is a hazard to it there.
 #pragma once
 
 #include <vector>
@@ -9,40 +9,40 @@
 namespace lsos {
 
 struct Stance {
-  bool is_on_ground = false;  // all wheels have ground; the rest holds only then
-  // Of the plane through the ground under the wheels: along the heading, up positive, and to the
-  // left of it, up positive.
+  bool is_on_ground = false;  // there is ground under all wheels; else the rest is not set
+  // Inclination of the plane through the ground under the wheels: along the heading, up positive,
+  // and to the left of it, up positive.
   double pitch_rad = 0, bank_rad = 0;
-  double slope_rad = 0;     // of that plane, steepest
-  double unevenness_m = 0;  // of the wheel farthest from the plane of the others
-  double roughness_m = 0;   // mean over the wheels of their distance from the plane of all
-  double clearance_m = 0;   // least, between underside and ground
-  int soil = 0;             // in the middle
+  double slope_rad = 0;     // steepest inclination of that plane
+  double unevenness_m = 0;  // distance of the worst wheel from the plane of the others
+  double roughness_m = 0;   // mean distance of the wheels from the plane of all
+  double clearance_m = 0;   // least distance between underside and ground
+  int soil = 0;             // at the reference point
 };
 
-// What a rover would come to at a place.
+// Reason why a rover may not be at a place.
 enum class Hazard { none, no_ground, slope, uneven, clearance, climb, slide, avoided };
 
-// Places of the wheels. Those nearer to each other than half a spacing of the map, as twins are,
-// stand on the same ground of it: one support, in their middle.
+// Points on which the rover stands. Wheels nearer to each other than half the map's spacing, such
+// as twin wheels, share one support at their mean position.
 std::vector<Vec2> supports_m(const std::vector<Vec2>& wheels_m, double map_spacing_m);
 
-// Distance of a map's nodes that shows a rover's wheels what they will meet.
+// Spacing at which a map shows the ground that the rover's wheels meet, m.
 double map_spacing_m(const DriveCost& cost);
 
-// Works out stances of one rover.
+// Computes stances of one rover.
 class StanceFinder {
  public:
   explicit StanceFinder(const DriveCost& cost);
 
-  // `ahead`: unit. Not on ground where it would not be wholly on the map, or not with a margin of
-  // as much as a rectangle about it that lies as the map does is wider.
+  // `ahead` is a unit vector. The stance is not on ground where the bounding box of the rover,
+  // along the axes of the map, is not wholly on the map.
   Stance at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) const;
   const DriveCost& cost() const { return cost_; }
-  // Of what at() looks at from the middle, at most.
+  // Greatest distance from the reference point at which at() samples the ground.
   double reach_m() const { return middle_B_m_.norm() + half_B_m_.norm(); }
-  // Far from all limits, by half of what each leaves, whatever the soil: known without asking for
-  // its slips.
+  // Whether the stance uses less than `calm_share` of every limit on any soil: a fast test that
+  // needs no slips.
   bool is_calm(const Stance& stance) const {
     return stance.is_on_ground && stance.slope_rad < calm_rad_ &&
            stance.unevenness_m < calm_share * cost_.limits.unevenness_max_m &&
@@ -52,16 +52,16 @@ class StanceFinder {
   static constexpr double calm_share = 0.5;
 
  private:
-  // Where it stands on a map: its middle, ahead and to its left, all in nodes.
+  // Pose on a map: reference point, and vectors of 1 m ahead and to the left, all in nodes.
   struct Footing {
     Vec2 at, ahead, left;
     Vec2 nodes(double x_m, double y_m) const { return at + x_m * ahead + y_m * left; }
-    // Of the rectangle of columns and rows about one so far ahead and aside.
+    // Half size, in columns and rows, of the bounding box of a rectangle with these half sizes.
     Vec2 half(const Vec2& half_m) const {
       return half_m.x() * ahead.cwiseAbs() + half_m.y() * left.cwiseAbs();
     }
   };
-  // Over each node under the chassis; `plane` as plane_by_height.
+  // Least clearance over all nodes under the chassis; `plane` as in plane_by_height.
   double least_clearance_m(const GroundMap::Window& ground, const Footing& footing,
                            const Vec3& plane) const;
 
@@ -69,32 +69,32 @@ class StanceFinder {
   double calm_rad_, calm_clearance_m_;
   struct Support {
     Vec2 at_B_m;
-    // What its height adds to the plane's height at the middle, to its rise ahead and to that to
-    // the left.
+    // Contribution per metre of its height to the plane: height at the reference point, rise ahead,
+    // rise to the left.
     Vec3 plane_by_height;
-    // By how much farther it is from the plane of the others than from that of all.
+    // Ratio of its distance from the plane of the others to that from the plane of all.
     double leverage = 1;
   };
   std::vector<Support> supports_;
-  Vec2 underside_low_B_m_, underside_high_B_m_;  // the rectangle of the chassis
-  double underside_m_;                           // over the plane
-  Vec2 middle_B_m_, half_B_m_;                   // of the rectangle of chassis and wheels
+  Vec2 underside_low_B_m_, underside_high_B_m_;  // rectangle of the chassis
+  double underside_m_;                           // above the plane of the wheels
+  Vec2 middle_B_m_, half_B_m_;                   // rectangle of chassis and wheels
 };
 
-// At a stance that drives ahead. A descent is held to the limit of slopes as a climb is; what its
-// wheels climb matters only uphill.
+// Hazard of a stance while the rover drives ahead. A descent obeys the slope limit as a climb does;
+// what the wheels climb matters uphill only.
 Hazard hazard(const Stance& stance, const DriveCost& cost);
 // The same with other limits.
 Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& limits);
 
-// The steepest slope that it is planned to climb there: less than its wheels just pull up, for
-// loads are never even.
+// Steepest slope that planning lets the rover climb on this soil. It is less than what the wheels
+// can just pull up, since loads are never even.
 double climbs_rad(const SoilDrive& soil);
 
-// Whether it can stop there, whatever its direction, and set off again.
+// Whether the rover can stop there, whatever its heading, and set off again.
 bool is_held(const Stance& stance, const DriveCost& cost);
 
-// Share of the limit that it comes nearest to, 0..1; where there is no hazard.
+// Used share of the limit that the stance comes nearest to, 0..1 where there is no hazard.
 double demand(const Stance& stance, const DriveCost& cost);
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// The things that stand on the map of a leg, such as assets, and where a rover would touch them.
+// The objects that stand on the map of a leg, such as assets, and where a rover would touch them.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ class StandingThings {
   const std::vector<Footprint>& footprints() const { return footprints_; }
   const std::string& id(std::size_t thing) const { return obstacles_.standing[thing].id; }
 
-  // "where 'Hab' stands": the rover would come too near to it there, whatever its heading; else "".
+  // "where 'Hab' stands" if the rover would come too near to that object at any heading, else "".
   std::string fault_at(const Vec2& at_m) const;
-  // The thing that the rover, turning at a place, would come nearer to than `clearance_m`.
+  // The first object that would come nearer than `clearance_m` to a rover turning at a place.
   std::optional<std::size_t> near(const Vec2& at_m, double clearance_m) const;
 
  private:

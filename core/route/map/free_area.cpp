@@ -12,13 +12,14 @@ namespace lsos {
 
 namespace {
 
-constexpr double touch_m = 1e-3;         // what is this near to a side lies on it
-constexpr double rounding_m = 1e-6;      // of a margin that is kept exactly
-constexpr double margin_least_m = 0.01;  // a path along a side itself could not be told from one in
-constexpr int margins_count = 5;         // the margin, a half, ... a sixteenth
-constexpr double tests_max = 1e8;        // of sides against lines; more takes some seconds
+constexpr double touch_m = 1e-3;     // a point this near to a side lies on it
+constexpr double rounding_m = 1e-6;  // tolerance of a margin that is kept exactly
+// Least margin: a path along a side itself could not be told from one inside the hole.
+constexpr double margin_least_m = 0.01;
+constexpr int margins_count = 5;   // the margin, a half, ... a sixteenth
+constexpr double tests_max = 1e8;  // of sides against lines; more take some seconds
 constexpr std::size_t corners_few = 1000;
-constexpr double tests_per_line = 20;  // that keeping a line in mind takes as long as
+constexpr double tests_per_line = 20;  // cost of queueing a line, in such tests
 
 Ring turned_to(Ring ring, bool is_counter_clockwise) {
   if ((doubled_area_m2(ring) > 0) != is_counter_clockwise) std::ranges::reverse(ring);
@@ -40,7 +41,7 @@ void sort_and_join(Shares& shares) {
   shares = std::move(joined);
 }
 
-// Whether the place is so near to a side.
+// Whether the place is within `radius_m` of a side.
 bool is_within(const Ring& ring, const Vec2& p_m, double radius_m) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 &c = ring[i], &d = after(ring, i);
@@ -53,11 +54,11 @@ bool is_within(const Ring& ring, const Vec2& p_m, double radius_m) {
   return false;
 }
 
-// Shares of the line from a to b at which it crosses the ring, from 0 to 1 and both among them.
+// Shares of the line from a to b at which it crosses the ring, ascending, with 0 and 1.
 std::vector<double> crossings(const Ring& ring, const Vec2& a_m, const Vec2& b_m) {
   std::vector<double> shares{0, 1};
   const Vec2 along_m = b_m - a_m;
-  double left = cross(along_m, ring.front() - a_m);  // of the line; both ends of most sides are
+  double left = cross(along_m, ring.front() - a_m);  // > 0 left of the line; few sides cross it
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vec2 &c = ring[i], &d = after(ring, i);
     const double left_c = left;
@@ -70,8 +71,8 @@ std::vector<double> crossings(const Ring& ring, const Vec2& a_m, const Vec2& b_m
   return shares;
 }
 
-// Whether the test holds all along the line, of places that are inside the ring or outside: between
-// two crossings it is one of them.
+// Whether the test holds all along the line. Between two crossings the line lies either inside or
+// outside the ring; three places of each part are tested.
 template <typename Test>
 bool holds_along(const Ring& ring, const Vec2& a_m, const Vec2& b_m, const Test& test) {
   const std::vector<double> shares = crossings(ring, a_m, b_m);
@@ -84,12 +85,12 @@ bool holds_along(const Ring& ring, const Vec2& a_m, const Vec2& b_m, const Test&
   return true;
 }
 
-// How far from the hole a place is, m; 0 inside it.
+// Distance of a place from the hole, m; 0 inside it.
 double away_m(const Ring& hole, const Vec2& p_m) {
   return contains(hole, p_m) ? 0 : (nearest_on_ring(hole, p_m) - p_m).norm();
 }
 
-// Where the line a + t (b - a) lies within the ring, by the sides that it crosses.
+// Ranges of t in which the line a + t (b - a) lies within the ring, from the sides that it crosses.
 Shares shares_inside(const Ring& ring, const Vec2& a_m, const Vec2& b_m) {
   const Vec2 along_m = b_m - a_m;
   std::vector<double> crossings;
@@ -108,7 +109,8 @@ Shares shares_inside(const Ring& ring, const Vec2& a_m, const Vec2& b_m) {
   return shares;
 }
 
-// Where the line comes nearer than the radius to a side: a round-ended strip, which is convex.
+// Range of the line that is nearer than the radius to a side: its part in a strip with rounded
+// ends, which is convex.
 std::optional<std::pair<double, double>> share_near(const Vec2& a_m, const Vec2& b_m,
                                                     const Vec2& c_m, const Vec2& d_m,
                                                     double radius_m) {
@@ -119,7 +121,7 @@ std::optional<std::pair<double, double>> share_near(const Vec2& a_m, const Vec2&
     least_m = std::min(least_m, from_m);
     most_m = std::max(most_m, to_m);
   };
-  // The discs about its ends.
+  // The discs around the ends of the side.
   for (const Vec2& end_m : {c_m, d_m}) {
     const double off_m = up.dot(end_m - a_m), at_m = along.dot(end_m - a_m);
     if (std::abs(off_m) >= radius_m) continue;
@@ -146,8 +148,8 @@ using Box = Eigen::AlignedBox2d;
 
 Box box_of(const Vec2& a_m, const Vec2& b_m) { return Box(a_m).extend(b_m); }
 
-// Whether the line stays outside the hole and so far from it. One from its very edge may be in it
-// by rounding.
+// Whether the line stays outside the hole and `margin_m` away from it. A line that begins at the
+// very edge may lie inside by rounding.
 bool is_off(const Ring& hole, const Vec2& a_m, const Vec2& b_m, double margin_m) {
   if (margin_m <= rounding_m) {
     return holds_along(hole, a_m, b_m, [&](const Vec2& p_m) {
@@ -248,7 +250,7 @@ bool FreeArea::can_turn_at(const Vec2& p_m, const Limits& limits) const {
   return is_inside(p_m, touch_m);
 }
 
-// The nearest place outside the hole that the point lies in; absent where it lies in none.
+// Nearest place `margin_m` outside the hole that contains the point; absent where none does.
 std::optional<Vec2> FreeArea::exit(const Vec2& p_m, double margin_m) const {
   for (const Ring& hole : holes_) {
     if (!contains(hole, p_m)) continue;
@@ -259,16 +261,16 @@ std::optional<Vec2> FreeArea::exit(const Vec2& p_m, double margin_m) const {
   return {};
 }
 
-// Whether a line so directed, or against that, goes past what is gone round at the place and not
-// into it.
+// Whether a line in this direction, or the opposite one, passes the obstacle at a turn without
+// entering it.
 bool FreeArea::is_tangent(const Turn& turn, const Vec2& way_m) {
   const double slack_m = 1e-9 * way_m.norm();
   const double in_m = cross(way_m, turn.in), out_m = cross(way_m, turn.out);
   return (in_m >= -slack_m && out_m <= slack_m) || (in_m <= slack_m && out_m >= -slack_m);
 }
 
-// Places to turn at: round each corner that sticks out into the free ground, outside a circle of
-// the margin, at most a right angle at each.
+// Places where a path may turn: around each corner that protrudes into the free ground, outside the
+// circle of the margin, with at most a right angle at each.
 std::vector<FreeArea::Turn> FreeArea::corners(const Limits& limits) const {
   std::vector<Turn> turns;
   const auto add_ring = [&](const Ring& ring, double off_m) {
@@ -276,7 +278,7 @@ std::vector<FreeArea::Turn> FreeArea::corners(const Limits& limits) const {
       const Vec2 &corner = ring[i], &before = ring[(i + ring.size() - 1) % ring.size()];
       const Vec2 in = corner - before, out = after(ring, i) - corner;
       if (in.norm() == 0 || out.norm() == 0) continue;
-      // Free ground lies to the left of a side: the line turns right at what sticks out.
+      // Free ground lies to the left of a side, so the ring turns right at a protruding corner.
       const double turn_rad = -std::atan2(cross(in, out), in.dot(out));
       if (turn_rad <= 0) continue;
       const int count =
@@ -297,13 +299,13 @@ std::vector<FreeArea::Turn> FreeArea::corners(const Limits& limits) const {
   return turns;
 }
 
-// A*: the straight distance to the end is a lower bound of the path to it. A line is looked at when
-// it is the next that may belong to the shortest path, which most are never.
+// Lazy A*: the straight distance to the end is a lower bound of the path to it. A line is tested
+// when it comes first in the queue, which most never do.
 std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& to_m,
                                                const Limits& limits) const {
   if (is_free(from_m, to_m, limits)) return Path{{to_m}, limits.margin_m};
   struct Line {
-    double total_m;  // of the path by it
+    double total_m;  // lower bound of the path through it
     std::uint32_t from, to;
     bool operator>(const Line& other) const { return total_m > other.total_m; }
   };
@@ -314,8 +316,8 @@ std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& t
   std::vector<double> cost_m(places.size(), 0);
   std::vector<std::size_t> previous(places.size(), 0);
   std::priority_queue<Line, std::vector<Line>, std::greater<>> lines;
-  // A shortest path touches what it turns at. It may also cut between a circle and the places that
-  // stand off it, which is worth looking for where the corners are few.
+  // A shortest path is tangent to what it turns at. It may also cut between a circle and the turns
+  // outside it; such lines are tried where the corners are few.
   const bool tangents_only = limits.are_full && size() > corners_few;
   const auto is_worth_a_look = [&](std::size_t from, std::size_t to, const Vec2& way_m) {
     if (!tangents_only || from < 2 || to < 2) return true;
@@ -367,7 +369,7 @@ std::optional<FreeArea::Path> FreeArea::path(const Vec2& from_m, const Vec2& to_
   const int count = holes_.empty() ? 1 : margins_count;
   for (int i = 0; i < count; ++i, margin_m /= 2) {
     Limits limits = this->limits(begin_m, to_m, margin_m);
-    // Off the outline's corners too where there is room, else as near as can be.
+    // The margin applies to the outline's corners too where there is room, else the least margin.
     for (const double outline_margin_m : {margin_m, margin_least_m}) {
       limits.outline_margin_m = outline_margin_m;
       auto found = search(begin_m, to_m, limits);

@@ -1,9 +1,10 @@
 // The ground within a polygon and outside its holes, on the plane: which parts of a straight line
 // lie in it, and the shortest path within it that keeps a distance from the holes.
 //
-// The path goes along a visibility graph (Lozano-Perez and Wesley 1979, An algorithm for planning
+// The path follows a visibility graph (Lozano-Perez and Wesley 1979, An algorithm for planning
 // collision-free paths among polyhedral obstacles): straight lines between corners that see each
-// other. A corner stands off what it goes round, two lines tangent to the circle of the margin.
+// other. It turns where two tangents meet that touch a circle around the corner, whose radius is
+// the margin.
 #pragma once
 
 #include <optional>
@@ -18,32 +19,33 @@ class FreeArea {
  public:
   FreeArea(Ring outline, std::vector<Ring> holes);
 
-  // Where the straight line lies inside the outline and at least `margin_m` from each hole: from
-  // and to as shares of its length, ascending.
+  // Parts of a straight line that lie inside the outline and at least `margin_m` from each hole:
+  // begin and end as shares of its length, ascending.
   std::vector<std::pair<double, double>> parts(const Vec2& from_m, const Vec2& to_m,
                                                double margin_m) const;
 
   struct Path {
-    std::vector<Vec2> points_m;  // after `from`, the last is `to`
-    double margin_m = 0;         // that it keeps from the holes where neither end is nearer
-    bool is_given_up = false;    // too many corners to find one: no points
+    std::vector<Vec2> points_m;  // after `from_m`; the last is `to_m`
+    double margin_m = 0;         // kept from the holes where neither end is nearer
+    bool is_given_up = false;    // too many corners to search: no points
   };
-  // The shortest path that stays inside the outline and keeps `margin_m` from the holes. Where
-  // there is none it keeps half of that, and so on down to a sixteenth. It goes round corners of
-  // the outline by as much, or right at them where that leads nowhere. From a hole that an end is
-  // nearer to it keeps what that end does. A path that begins outside the outline may stay as far
-  // outside; one that begins in a hole leaves it where that is nearest. Absent: there is none.
+  // Shortest path that stays inside the outline and keeps `margin_m` from the holes. Where there is
+  // none it keeps half of that, and so on down to a sixteenth. It keeps as much from corners of the
+  // outline, or next to nothing where that leads nowhere. Where an end is nearer to a hole than the
+  // margin, the path keeps that end's distance from the hole. A path that begins outside the
+  // outline may stay as far outside; one that begins in a hole leaves it at the nearest place.
+  // Absent where there is none.
   std::optional<Path> path(const Vec2& from_m, const Vec2& to_m, double margin_m) const;
 
-  // Sides of the outline and the holes.
+  // Number of sides of the outline and the holes.
   std::size_t size() const;
 
  private:
   struct Limits {
-    double margin_m = 0;            // that is wanted from holes
-    double outline_margin_m = 0;    // at its corners, not along its sides
+    double margin_m = 0;            // wanted from holes
+    double outline_margin_m = 0;    // from its corners, not from its sides
     std::vector<double> margins_m;  // from each hole
-    double slack_m = 0;             // outside the outline
+    double slack_m = 0;             // allowed outside the outline
     bool are_full = true;           // both ends lie inside and keep the margin
   };
   Limits limits(const Vec2& from_m, const Vec2& to_m, double margin_m) const;

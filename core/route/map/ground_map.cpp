@@ -44,7 +44,8 @@ GroundMap GroundMap::coarser(int times) const {
   return map;
 }
 
-// The same to the last bit: powers of two leave places as they are.
+// A copy is bit-identical to a new sample: scaling by a power of two is exact, so that both maps
+// have the node at the same place.
 bool GroundMap::take_from_finer(int column, int row) {
   if (finer_ == nullptr) return false;
   const int x = finer_times_ * column, y = finer_times_ * row;
@@ -72,7 +73,8 @@ float GroundMap::sample(int tile_column, int tile_row) {
   for (int row = row_first; row <= row_last; ++row) {
     for (int column = column_first; column <= column_last; ++column) sample_node(column, row);
   }
-  // Along its edges only the neighbours on them: a rock stands out over any two.
+  // Nodes on an edge of the tile are compared with their neighbours along that edge only; a rock
+  // stands above any two neighbours.
   const auto over = [&](std::size_t at, std::size_t apart) {
     return heights_m_[at] - (heights_m_[at - apart] + heights_m_[at + apart]) / 2;
   };

@@ -1,5 +1,6 @@
-// The ground about a leg on a square lattice: what planning looks at, thousands of times a metre.
-// Heights at full resolution, sampled as they are first asked for.
+// Elevation map of the ground around a leg on a square lattice, which planning reads thousands of
+// times for each metre of route. Heights have the full resolution of the terrain and are sampled at
+// first access.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +14,17 @@
 
 namespace lsos {
 
-// Horizontal plane at a place: x to the east, y to the north. Height is above the reference
-// surface, so that level ground is level however far it reaches; over 10 km on the Moon places
-// differ from those along the ground by 0.1 m.
+// Horizontal plane through a place: x east, y north, m. Heights are above the reference surface, so
+// that level ground has the same height however far it extends. At 10 km on the Moon, positions on
+// the plane differ from distances along the ground by 0.1 m.
 class MapFrame {
  public:
   // `site` must outlive it.
   MapFrame(const SiteFrame& site, const Vec3& origin_S_m);
 
-  // Where the local vertical through a point meets the plane.
+  // Point at which the local vertical through `p_S_m` meets the plane.
   Vec2 at(const Vec3& p_S_m) const;
-  // On the plane.
+  // Point of the plane in the site frame.
   Vec3 p_S_m(const Vec2& at_m) const;
 
  private:
@@ -31,15 +32,15 @@ class MapFrame {
   Vec3 origin_S_m_, east_S_, north_S_, up_S_;
 };
 
-// One a thread.
+// Each thread needs a map of its own, since reading samples the ground.
 class GroundMap {
  public:
   // Covers low_m..high_m. `spacing_m` > 0.
   GroundMap(const Ground& ground, const MapFrame& frame, const Vec2& low_m, const Vec2& high_m,
             double spacing_m);
-  // Of the same ground, at so many times the spacing, a power of two: every so many of its columns
-  // and rows, and one more where they do not come out even. What this map has sampled it takes from
-  // here, so this must outlive it.
+  // Map of the same ground at `times` the spacing; `times` is a power of two. It has one in `times`
+  // of the columns and rows of this map, and one more where the division leaves a remainder. Nodes
+  // that this map has sampled are copied, so this map must outlive the new one.
   GroundMap coarser(int times) const;
 
   double spacing_m() const { return spacing_m_; }
@@ -50,13 +51,13 @@ class GroundMap {
     return low_m_ + spacing_m_ * Vec2(static_cast<double>(column), static_cast<double>(row));
   }
   const Vec2& low_m() const { return low_m_; }
-  // How far a place is from the map's edge; negative outside.
+  // Distance of a place from the map's edge, m; negative outside.
   double inside_m(const Vec2& at_m) const {
     const Vec2 high_m = place_m(columns_ - 1, rows_ - 1);
     return std::min((at_m - low_m_).minCoeff(), (high_m - at_m).minCoeff());
   }
 
-  // A place by its column and row, with what it is past them.
+  // Position in units of columns and rows, with fractions.
   Vec2 nodes(const Vec2& at_m) const { return (at_m - low_m_) * nodes_per_m_; }
 
   // Height of a node, 0 <= column < columns(), the same for rows; NaN where there is no ground.
@@ -64,7 +65,7 @@ class GroundMap {
     look_at(column >> tile_bits, row >> tile_bits);
     return heights_m_[index(column, row)];
   }
-  // Between nodes bilinear; NaN outside and where there is no ground.
+  // Height by bilinear interpolation; NaN outside the map and where there is no ground.
   double height_m(const Vec2& at_m) {
     const double u = (at_m.x() - low_m_.x()) * nodes_per_m_;
     const double v = (at_m.y() - low_m_.y()) * nodes_per_m_;
@@ -74,19 +75,19 @@ class GroundMap {
     look_at(static_cast<int>(u) >> tile_bits, static_cast<int>(v) >> tile_bits);
     return between(u, v);
   }
-  // Of the nearest node, which must be on the map.
+  // Soil of the nearest node, which must be on the map.
   int soil(const Vec2& at_m);
 
-  // A piece of the map whose heights are sampled, for many looks at once.
+  // Part of the map whose heights are all sampled, for many look-ups without further checks.
   class Window {
    public:
-    // At a place in nodes, see nodes(), within the window or off it by rounding: as
-    // GroundMap::height_m().
+    // Height as GroundMap::height_m(), at a position in nodes (see nodes()) that lies within the
+    // window, or outside it by rounding only.
     double height_m(const Vec2& at) const { return map_->between(at.x(), at.y()); }
-    // Of a node of it.
+    // Height of a node of the window.
     double node_m(int column, int row) const { return map_->heights_m_[map_->index(column, row)]; }
-    // How far a node about it stands out over the mean of its neighbours, at most; nothing less
-    // than that stands between places a few nodes apart.
+    // Greatest height of a node in or near the window above the mean of its two neighbours in its
+    // row or column, 0 at least. No rock much higher stands between places a few nodes apart.
     double bump_m() const { return bump_m_; }
 
    private:
@@ -95,8 +96,9 @@ class GroundMap {
     const GroundMap* map_;
     double bump_m_;
   };
-  // Of the cells about first..last, in nodes; nothing where some are not on the map. A place on its
-  // edge may be worked out otherwise, to the last digits.
+  // Window over the cells around first..last, in nodes; absent where some of them are not on the
+  // map. It is `rounding` wider, since callers may compute a place on its edge with other last
+  // digits.
   std::optional<Window> window(const Vec2& first, const Vec2& last) {
     const Vec2 low = first - Vec2::Constant(rounding), high = last + Vec2::Constant(rounding);
     const bool is_within =
@@ -116,10 +118,11 @@ class GroundMap {
   std::size_t sampled_nodes() const { return sampled_; }
 
  private:
-  // Cells of a tile; its nodes are those about them: the last are the first of the next tile's.
+  // Number of cells along a side of a tile. Its nodes surround them: the last nodes of a tile are
+  // the first of the next one.
   static constexpr int tile_bits = 3, tile_cells = 1 << tile_bits;
   static constexpr float not_sampled = -1;
-  static constexpr double rounding = 1e-6;  // of places, in nodes
+  static constexpr double rounding = 1e-6;  // tolerance of positions, in nodes
 
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
@@ -132,7 +135,7 @@ class GroundMap {
     const float* high = low + columns_;
     return (1 - y) * ((1 - x) * low[0] + x * low[1]) + y * ((1 - x) * high[0] + x * high[1]);
   }
-  // The bumps of a tile, which is sampled then.
+  // Bump of a tile (see Window::bump_m()), which is sampled first where it is not yet.
   float look_at(int tile_column, int tile_row) {
     float& bump_m = bumps_m_[static_cast<std::size_t>(tile_row) * tile_columns_ +
                              static_cast<std::size_t>(tile_column)];
@@ -150,10 +153,11 @@ class GroundMap {
   double spacing_m_, nodes_per_m_;
   int columns_, rows_;
   std::size_t tile_columns_;
-  // Of nodes, row by row; only what is sampled has a value, and is ever touched.
+  // Values of the nodes, row by row. Only sampled nodes have a value; the other memory is never
+  // touched.
   std::unique_ptr<float[]> heights_m_;
   std::unique_ptr<std::uint16_t[]> soils_;
-  std::vector<float> bumps_m_;  // of tiles, or not_sampled
+  std::vector<float> bumps_m_;  // by tile; not_sampled where it is not yet
   std::size_t sampled_ = 0;
   const GroundMap* finer_ = nullptr;
   int finer_times_ = 1;

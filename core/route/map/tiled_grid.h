@@ -1,4 +1,4 @@
-// Values of the nodes of a large lattice of which few are ever looked at.
+// Sparse storage for values of the nodes of a large lattice, of which a search visits only a few.
 #pragma once
 
 #include <array>
@@ -8,7 +8,8 @@
 
 namespace lsos {
 
-// Each has T's default until it is set; memory is taken tile by tile where it is looked at.
+// Every node holds T's default value until it is set. Memory is allocated at first access, in tiles
+// of 16 x 16 nodes.
 template <class T>
 class TiledGrid {
  public:

@@ -1,4 +1,4 @@
-// A line with the points left out that it does not bend at.
+// Simplification of lines: removes points at which a line bends hardly or not at all.
 #pragma once
 
 #include "route/cost/leg_cost.h"

@@ -9,10 +9,10 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// A piece is as long as so many distances of the poses, and passes over no more than so many.
+// Greatest length of a piece, in distances between poses, and how many poses it advances at most.
 constexpr double reach_aparts = 5;
 constexpr std::size_t reach = 5;
-// Distance of the poses at first, in spacings of the map, and from one look to the next.
+// Distance between poses in the first pass, in map spacings, and its growth from pass to pass.
 constexpr double first_apart_spacings = 2, growth = 4;
 constexpr double gain_worth = 0.002;
 
@@ -33,21 +33,21 @@ std::vector<Pose2> with_poses_between(const RouteSteering& steering,
 
 struct Fewer {
   std::vector<Pose2> poses;
-  bool was_limited = false;  // longer pieces could be other ones
+  bool was_limited = false;  // longer pieces might change the result
 };
 
-// Never between neighbours: there is no shorter piece.
+// Always false for neighbours, between which there is no shorter piece.
 bool is_longer(const std::vector<Pose2>& poses, std::size_t from, std::size_t to, double most_m) {
   return to - from > 1 && (poses[to].at_m - poses[from].at_m).norm() > most_m;
 }
 
-// A way to a pose by a piece over so many of them.
+// Cheapest route to a pose whose last piece advances a given number of poses.
 struct Arrival {
   double cost = infinite;
-  std::size_t over_before = 0;  // of the piece before it
+  std::size_t over_before = 0;  // advance of the piece before it
 };
 
-// The cheapest route over `poses` whose pieces are no longer than that, corners counted.
+// Cheapest route over `poses` with pieces up to `longest_m`, corners included.
 Fewer cheapest_by_corners(LegCosts& costs, const RouteSteering& steering,
                           const std::vector<Pose2>& poses, double longest_m) {
   Fewer fewer{{poses.back()}};
@@ -85,8 +85,9 @@ Fewer cheapest_by_corners(LegCosts& costs, const RouteSteering& steering,
   return fewer;
 }
 
-// The same in turns: by the cheapest way to each pose and the speeds that the rover has there. Each
-// piece by itself would cost as if it were come to at full speed, and the more the more there are.
+// The same for Dubins paths: keeps the cheapest route to each pose and the speeds of the rover
+// there. Pieces priced one by one would each begin at full speed, so that routes of many pieces
+// would seem too costly.
 Fewer cheapest_in_turns(LegCosts& costs, const RouteSteering& steering,
                         const std::vector<Pose2>& poses, double longest_m) {
   struct Reached {
@@ -129,7 +130,8 @@ std::vector<Pose2> with_fewer_poses(LegCosts& costs, const RouteSteering& steeri
   }
   double least = costs.driven(steering.line(poses));
   bool gains = true;
-  // At the end without poses between, as long as that is worth the work.
+  // When `apart_m` exceeds the length no poses are inserted, and passes go on while they gain
+  // enough.
   for (double apart_m = first_apart_spacings * costs.map().spacing_m(); apart_m < length_m || gains;
        apart_m *= growth) {
     const std::vector<Pose2> dense = with_poses_between(steering, poses, apart_m);
@@ -141,7 +143,7 @@ std::vector<Pose2> with_fewer_poses(LegCosts& costs, const RouteSteering& steeri
       least = cost;
       poses = std::move(fewer.poses);
     } else if (dense.size() == poses.size() && !fewer.was_limited) {
-      break;  // all that comes would be the same
+      break;  // further passes would be the same
     }
   }
   const std::vector<Pose2> direct{poses.front(), poses.back()};

@@ -26,15 +26,15 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-// So many cuts from anywhere to anywhere are tried first.
+// Number of random shortcuts that are tried first.
 constexpr unsigned int shortcuts = 32;
-// Poses are moved by up to so many spacings, coarse first. Not in turns: pose by pose there is
-// hardly a move that turns allow, and 18 ways of a kilometre cost no less for them.
+// Greatest perturbations of poses, in map spacings, coarse first. Dubins paths are not perturbed:
+// they allow hardly any move of a single pose, and 18 routes of a kilometre got no cheaper by it.
 constexpr double moves_spacings[] = {8, 4, 2, 1};
-// So often for each length of a move along the route; twice as often gains nothing.
+// Perturbations tried per length of a move along the route; twice as many gain nothing.
 constexpr double tries_a_move = 0.5;
 
-// Poses joined as the rover steers. OMPL's own space of arcs and straight pieces stops the program
+// State space whose motions are those of RouteSteering. OMPL's own Dubins space stops the program
 // where rounding leaves one of its equations off by a millionth.
 class PoseSpace : public ob::SE2StateSpace {
  public:
@@ -80,7 +80,8 @@ class Objective : public ob::OptimizationObjective {
   LegCosts& costs_;
 };
 
-// What crosses a hazard costs without limit, so that no motion need be looked at twice.
+// Accepts every motion: a motion across a hazard has infinite cost, so that none need be evaluated
+// twice.
 class AnyMotion : public ob::MotionValidator {
  public:
   using MotionValidator::MotionValidator;
@@ -93,7 +94,7 @@ class AnyMotion : public ob::MotionValidator {
 
 std::mutex one_at_a_time;
 
-// Keeps OMPL's messages from standard output while it lives.
+// Collects OMPL's messages while it lives, which else go to standard output.
 class Messages : public ompl::msg::OutputHandler {
  public:
   Messages() { ompl::msg::useOutputHandler(this); }
@@ -123,7 +124,7 @@ ob::SpaceInformationPtr information_on(const RouteSteering& steering, const Grou
   return information;
 }
 
-// Corners cut and poses moved at random as long as that makes the route cheaper.
+// Shortcuts and random perturbations of poses, as long as they make the route cheaper.
 std::vector<Pose2> moved_at_random(LegCosts& costs, const RouteSteering& steering,
                                    const std::vector<Pose2>& poses) {
   const ob::SpaceInformationPtr information = information_on(steering, costs.map());
@@ -155,7 +156,7 @@ std::vector<Pose2> moved_at_random(LegCosts& costs, const RouteSteering& steerin
 
 std::string refining_stamp() {
   std::string stamp = fmt::format("ompl {} libc {}", OMPL_VERSION, gnu_get_libc_version());
-  // The C library's functions round otherwise with these.
+  // With these instructions the C library's functions round differently.
   if (__builtin_cpu_supports("fma")) stamp += " fma";
   if (__builtin_cpu_supports("avx2")) stamp += " avx2";
   return stamp;
@@ -170,7 +171,7 @@ Refined moved(LegCosts& costs, const RouteSteering& steering, const std::vector<
               std::uint64_t seed) {
   const std::lock_guard lock(one_at_a_time);
   {
-    // It warns of a seed that is not the process' first, which is what is wanted here.
+    // OMPL warns of any seed that is not the first of the process, which is intended here.
     const Messages unwanted;
     ompl::RNG::setSeed(static_cast<std::uint_fast32_t>(seed % 0x7fffffff + 1));
   }

@@ -1,7 +1,7 @@
-// A route made better off the lattice, by OMPL's PathSimplifier: corners cut and poses moved while
-// its cost falls. In turns corners alone are cut, by what pieces cost that are come to at full
-// speed, and only what is cheaper as a whole is kept. Of its planners none is used: README.md says
-// why.
+// Optimisation of a route off the lattice, by OMPL's PathSimplifier: shortcuts and perturbed poses
+// while the cost falls. Dubins paths are only shortcut, by the cost of pieces begun at full speed,
+// and the result is kept only if it is cheaper as a whole. None of OMPL's planners is used;
+// README.md says why.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,15 @@ struct Refined {
   std::vector<std::string> messages;  // OMPL's warnings
 };
 
-// What its results depend on beside its arguments: the libraries that are loaded, the processor.
+// What results depend on besides the arguments: loaded libraries and the processor.
 std::string refining_stamp();
 
-// A route over `poses`, two at least, that is free of hazards made cheaper; never costlier. The
-// same seed gives the same bits: one call at a time runs in a process, for OMPL's random numbers
-// are the process' own.
+// Optimises a route over `poses`, two at least, that is free of hazards; it never gets costlier.
+// The same seed gives the same bits: one call at a time runs in a process, since OMPL's random
+// numbers are global to it.
 Refined refined(LegCosts& costs, const RouteSteering& steering, std::vector<Pose2> poses,
                 std::uint64_t seed);
-// The same of poses of which none need be left out before they are moved.
+// The same for poses that with_fewer_poses() need not simplify first.
 Refined moved(LegCosts& costs, const RouteSteering& steering, const std::vector<Pose2>& poses,
               std::uint64_t seed);
 

@@ -7,8 +7,8 @@ namespace lsos {
 
 namespace {
 
-// Arcs are tried this much wider than the tightest: that first, whose way is the shortest and
-// mostly rules out others before they are worked out.
+// Radii that are tried, in units of the tightest. The tightest comes first: its path is the
+// shortest and mostly rules out others before they are computed.
 constexpr std::array<double, 5> wider{1, 2, 4, 8, 16};
 
 }  // namespace
@@ -54,7 +54,7 @@ Pose2 RouteSteering::between(const Pose2& from, const Pose2& to, double share) c
 Line2 RouteSteering::way(const Pose2& from, const Pose2& to) const {
   if (is_straight()) return {from.at_m, to.at_m};
   Line2 line = turns_line(from, turns(from, to), step_m_);
-  line.back() = to.at_m;  // without rounding
+  line.back() = to.at_m;  // exactly, without rounding errors
   return line;
 }
 

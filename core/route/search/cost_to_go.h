@@ -1,4 +1,5 @@
-// What it costs from anywhere on a map to the goal of a leg: what guides a search over poses.
+// Cost to go: cost from any place on a map to the goal of a leg, the heuristic of a search over
+// poses.
 #pragma once
 
 #include <cstdint>
@@ -10,31 +11,34 @@
 
 namespace lsos {
 
-// Over the map's lattice, each node to its eight neighbours: at most some 8 % more than the
-// cheapest line in any direction. Looked for backwards from the goal, towards the start first, and
-// no farther than what is asked for (Silver 2005, reverse resumable A*), edges when they come first
-// as in search_grid().
+// Costs over the map's lattice, each node connected to its eight neighbours: at most some 8 % above
+// those of the cheapest line in any direction. A reverse resumable A* (Silver 2005) expands
+// backwards from the goal, towards the start first, and only as far as places are queried. Edges
+// are evaluated when they are first in the queue, as in search_grid().
 class CostToGo {
  public:
-  // Start and goal must be on the map of `costs`. `within`: over its nodes only.
+  // Start and goal must be on the map of `costs`. `within`: corridor whose nodes alone are used;
+  // null: all nodes.
   CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within = nullptr);
 
-  // The least known of the nodes about a place, one at least; infinite where none has a way, or
-  // only one that makes the way from the start by this place cost more than the limit.
+  // Least known cost of the four nodes around a place, at least one of which is expanded. Infinite
+  // where they have no route to the goal, or only routes with which the whole route from the start
+  // by this place costs more than the limit.
   double at(const Vec2& at_m);
-  // Of the way from the start to the goal by a place; infinite at first.
+  // Limit of the cost of a route from the start to the goal by a place; infinite at first.
   void set_limit(double cost) { limit_ = cost; }
-  // Whether the limit ever was the reason.
+  // Whether the limit was ever the reason for an infinite cost.
   bool was_limited() const { return was_limited_; }
 
  private:
   struct Candidate {
     double total = 0;
-    double cost = 0;  // a bound until the edge is known
+    double cost = 0;  // lower bound until the edge is evaluated
     std::int32_t node = 0, to = 0;
     bool is_known = false;
 
-    // std::priority_queue takes the greatest: the least total, then the one nearest to the goal.
+    // std::priority_queue returns the greatest element: here the least total, then the node nearest
+    // to the goal.
     bool operator<(const Candidate& other) const {
       if (total != other.total) return total > other.total;
       if (cost != other.cost) return cost > other.cost;
@@ -57,10 +61,10 @@ class CostToGo {
     return cost_[static_cast<std::size_t>(node)] < std::numeric_limits<double>::infinity();
   }
   void look_on();
-  // Of the way from the start.
+  // Lower bound of the cost from the start to a node.
   double come(std::int32_t node);
   void offer(std::int32_t node, const Candidate& to);
-  // Works out the edge of a candidate.
+  // Evaluates the edge of a candidate.
   void look(Candidate& candidate);
   void expand(const Candidate& to);
 
@@ -71,7 +75,7 @@ class CostToGo {
   double start_height_m_;
   double limit_ = std::numeric_limits<double>::infinity();
   bool was_limited_ = false;
-  std::vector<double> cost_;  // infinite where it is not known yet, or there is no way
+  std::vector<double> cost_;  // infinite where not yet known, or without a route
   std::priority_queue<Candidate> queue_;
 };
 

@@ -19,26 +19,28 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
-constexpr double grain_share = 1e-9;  // of what a way costs at the least
-// A way over more nodes is looked for near that over a lattice so many times as coarse, so many of
-// its own spacings to either side: of SEV's over 800 m of LunarSouthPole (the test RoughSearch)
-// that looks at a fortieth of the nodes, for 2 % more than the cheapest costs at most.
+// Cost quantum, as a share of the lower bound of the cost of the whole route.
+constexpr double grain_share = 1e-9;
+// A route over more than `near_nodes` nodes is searched in a corridor around the route over a
+// lattice `coarser_times` as coarse, `near_spacings` of the finer spacing to either side. For SEV
+// over 800 m of LunarSouthPole (the test RoughSearch) that expands a fortieth of the nodes, for a
+// route that costs at most 2 % more than the cheapest.
 constexpr double near_nodes = 150;
 constexpr int coarser_times = 4;
 constexpr double near_spacings = 10;
-// Where it costs so many times what it does over the coarser one, that does not show what matters:
-// it is looked for everywhere.
+// Where the route in the corridor costs more than this many times the coarser one, the coarser map
+// does not show what matters, and the whole map is searched.
 constexpr double trusted_times = 1.25;
 
 struct Candidate {
-  double total = 0;  // estimate of a whole way through it
-  double cost = 0;   // to the node; a bound until the edge is known
-  float favour = 0;  // of those of one total the greatest comes first
+  double total = 0;  // estimated cost of a whole route through it
+  double cost = 0;   // to the node; a lower bound until the edge is evaluated
+  float favour = 0;  // tie-break: of equal totals the greatest comes first
   std::int32_t node = 0;
-  std::uint8_t direction = no_direction;  // that it is come to by
+  std::uint8_t direction = no_direction;  // of the edge to it
   bool is_known = false;
 
-  // std::priority_queue takes the greatest: the least total.
+  // std::priority_queue returns the greatest element: here the least total.
   bool operator<(const Candidate& other) const {
     if (total != other.total) return total > other.total;
     if (favour != other.favour) return favour < other.favour;
@@ -49,7 +51,7 @@ struct Candidate {
 
 class Search {
  public:
-  // `within`: over its nodes only.
+  // `within`: corridor whose nodes alone are used; null: all nodes.
   Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within = nullptr)
       : costs_(costs),
         map_(costs.map()),
@@ -101,7 +103,7 @@ class Search {
 
  private:
   struct Node {
-    double cost = infinite;  // the least of those looked at
+    double cost = infinite;  // least of the evaluated edges
     double left = std::numeric_limits<double>::quiet_NaN();
     bool is_closed = false;
     std::uint8_t come_by = no_direction;
@@ -110,7 +112,7 @@ class Search {
     return node == goal_node_ ? goal_ : nodes_(node % map_.columns(), node / map_.columns());
   }
 
-  // Of the nearest node.
+  // Column and row of the nearest node.
   int column(const Vec2& at_m) const {
     return std::clamp(static_cast<int>(std::lround(map_.nodes(at_m).x())), 0, map_.columns() - 1);
   }
@@ -131,7 +133,7 @@ class Search {
     const auto& way = neighbours[c.direction];
     return c.node - number(way[0], way[1]);
   }
-  // A goal that is a node but for rounding is come to from all its neighbours.
+  // A goal at a node, but for rounding, is reached from all neighbours of that node.
   bool is_closing(const Vec2& at_m) const {
     return (at_m - goal_m_).cwiseAbs().maxCoeff() <= 1.01 * map_.spacing_m();
   }
@@ -144,8 +146,9 @@ class Search {
       }
     }
   }
-  // The shortest way to the goal: along the lattice to a node from which the goal is come to. Any
-  // less would be a reason to look at all ways over level ground that are as short as each other.
+  // Length of the shortest path to the goal: along the lattice to a node from which the goal is
+  // reached. A weaker bound would make the search expand all of the equally short routes over level
+  // ground.
   double far_m(std::int32_t node) const {
     if (node == goal_node_) return 0;
     double least_m = infinite;
@@ -154,7 +157,7 @@ class Search {
     }
     return least_m;
   }
-  // At least what is left to the goal.
+  // Lower bound of the cost to go.
   double left(std::int32_t node) {
     double& left = this->node(node).left;
     if (std::isnan(left)) left = left_at(node);
@@ -166,15 +169,15 @@ class Search {
     return std::isnan(rise_m) ? costs_.least_per_metre() * far_m : costs_.least(far_m, rise_m);
   }
 
-  // In whole grains: ways of the same cost shall not differ by the last digits of it, which go by
-  // the order of their steps.
+  // Rounded to the cost quantum: routes of the same cost must not differ by rounding errors, which
+  // depend on the order of their steps.
   double total(double cost, std::int32_t node) {
     const double total = cost + left(node);
     return grain_ > 0 ? grain_ * std::round(total / grain_) : total;
   }
 
-  // Ways that have come far, and keep to the straight line: over level ground they need the least
-  // mending.
+  // Tie-break that prefers nodes far along and close to the straight line: over level ground such
+  // routes need the least refinement.
   float favour(double cost, std::int32_t node) const {
     const Vec2 way_m = place(node) - start_m_, whole_m = goal_m_ - start_m_;
     const double aside_m = std::abs(way_m.x() * whole_m.y() - way_m.y() * whole_m.x());
@@ -215,7 +218,7 @@ class Search {
         {total(cost, goal_node_), cost, favour(cost, goal_node_), goal_node_, to_goal, true});
   }
 
-  // Works out the edge of a candidate.
+  // Evaluates the edge of a candidate.
   void look(Candidate& candidate) {
     const std::int32_t from = before(candidate);
     candidate.cost = node(from).cost + costs_.straight(place(from), place(candidate.node));
@@ -250,8 +253,8 @@ class Search {
     Vec2 at_m;
     double to_goal_m;
   };
-  std::vector<ClosingNode> closing_;  // from which the goal is come to
-  double grain_ = 0;                  // of totals
+  std::vector<ClosingNode> closing_;  // nodes from which the goal is reached
+  double grain_ = 0;                  // cost quantum of totals
   std::int32_t start_ = 0, goal_node_, last_ = 0;
   TiledGrid<Node> nodes_;
   Node goal_;

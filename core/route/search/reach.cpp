@@ -11,16 +11,17 @@ namespace lsos {
 
 namespace {
 
-// A square kilometre of a small rover's map takes some seconds.
+// Greatest number of expanded nodes: a square kilometre of a small rover's map, which takes some
+// seconds.
 constexpr std::size_t looked_at_max = 6'000'000;
-// What is nearest to the goal is looked for on so long after the last that was nearer: so many
-// nodes, and so much of what was looked at before.
+// The search for the place nearest to the goal ends when this many nodes, plus as many as were
+// expanded before it, have brought nothing nearer.
 constexpr std::size_t nearest_nodes = 50'000;
 
 class Flood {
  public:
-  // `mark`: of its nodes in `marks`; `to_m`: what it makes for. Backward: from where its first
-  // nodes can be reached.
+  // `mark` marks its nodes in `marks`; `to_m` is the place that it makes for. Backward: it expands
+  // to nodes from which its first nodes can be reached.
   Flood(LegCosts& costs, std::vector<std::uint8_t>& marks, std::uint8_t mark, const Vec2& to_m,
         bool is_backward)
       : costs_(costs),
@@ -37,11 +38,11 @@ class Flood {
   double nearest_off_m() const { return nearest_off_m_; }
   const Vec2& nearest_m() const { return nearest_m_; }
 
-  // A node that it begins with.
+  // Adds a node to begin with.
   void add(int column, int row) { come_to(number(column, row)); }
 
-  // Comes to the next node, or to none. Pieces are looked at when their nodes come first: mostly
-  // one of eight.
+  // Expands the next candidate, if its edge is free. An edge is evaluated when its node first comes
+  // up: mostly one of eight.
   void look_on() {
     const auto [off_m, node, from] = queue_.top();
     queue_.pop();
@@ -115,7 +116,7 @@ Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, b
   from_start.set_nearest(start_m);
   from_start.add(static_cast<int>(std::lround(start.x())),
                  static_cast<int>(std::lround(start.y())));
-  // Nodes that search_grid() closes its ways from.
+  // Nodes from which search_grid() reaches the goal.
   const Vec2 goal = (goal_m - map.low_m()) / map.spacing_m();
   const int column = static_cast<int>(std::lround(goal.x()));
   const int row = static_cast<int>(std::lround(goal.y()));
@@ -140,7 +141,7 @@ Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, b
   reach.answer = is_start              ? Reach::Answer::start_closed
                  : to_goal.is_closed() ? Reach::Answer::goal_closed
                                        : Reach::Answer::given_up;
-  // What is nearest to the goal is looked at first.
+  // Nodes nearest to the goal are expanded first.
   const std::size_t more = nearest_nodes + from_start.size();
   std::size_t last = from_start.size();
   for (double off_m = from_start.nearest_off_m(); !from_start.is_closed();) {

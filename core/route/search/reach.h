@@ -1,5 +1,5 @@
-// Whether any way over the lattice joins start and goal, found long before the cheapest is looked
-// for: a goal in a pit is shut in by little ground.
+// Reachability: whether any route over the lattice joins start and goal. It is known long before
+// the cheapest route: a goal in a pit is enclosed by little ground.
 #pragma once
 
 #include "route/cost/leg_cost.h"
@@ -8,22 +8,22 @@ namespace lsos {
 
 struct Reach {
   enum class Answer {
-    joined,        // there is a way
-    start_closed,  // all that can be reached from the start was looked at
-    goal_closed,   // all from where the goal can be reached
-    given_up,      // neither, and more nodes were looked at than is worth it
+    joined,        // there is a route
+    start_closed,  // all that can be reached from the start was expanded
+    goal_closed,   // all from which the goal can be reached was expanded
+    given_up,      // neither, within the greatest number of expanded nodes
   };
   Answer answer = Answer::joined;
-  bool is_at_border = false;  // of what is closed: a wider map may open it
-  std::size_t looked_at = 0;  // nodes
-  Vec2 nearest_m =
-      Vec2::Zero();  // where it is not joined: the nearest to the goal that can be reached
+  bool is_at_border = false;  // the closed side touches the border: a wider map may open it
+  std::size_t looked_at = 0;  // nodes expanded
+  // Where not joined: the reachable place that is nearest to the goal.
+  Vec2 nearest_m = Vec2::Zero();
 };
 
-// Looks from both ends in turn, at what is nearest to the other end first, over the pieces that
-// search_grid() may take: each side stops where it is shut in, or has met the other. Start and goal
-// must be on the map; the start is taken at the nearest node.
-// `only_nearest`: the goal is no place to go to; only what is nearest to it is looked for.
+// Expands from both ends, always the smaller side, nodes nearest to the other end first, along the
+// edges that search_grid() may use: until a side is enclosed or has met the other. Start and goal
+// must be on the map; the start is taken at the nearest node. With `only_nearest` the goal is no
+// place to drive to, and only the place nearest to it is searched.
 Reach look_for_reach(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m,
                      bool only_nearest = false);
 

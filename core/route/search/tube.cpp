@@ -19,8 +19,8 @@ Tube::Tube(const GroundMap& map, const Line2& line, double off_m)
   columns_ = static_cast<std::size_t>(squares.x()) + 1;
   rows_ = static_cast<std::size_t>(squares.y()) + 1;
   is_in_.resize(columns_ * rows_, false);
-  // From points of the line a square apart at most; a middle within reach of one, half a square
-  // and its own half diagonal farther than `off_m`.
+  // Points of the line are at most a square apart. A square belongs to the corridor if its middle
+  // is within `reach_m` of one: half a square and half its diagonal more than `off_m`.
   const double reach_m = off_m + square_m_ / 2 + square_m_ / std::numbers::sqrt2;
   const auto mark = [&](const Vec2& about_m) {
     const Vec2 low = (about_m - low_m_ - Vec2::Constant(reach_m)) / square_m_;

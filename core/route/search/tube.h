@@ -1,4 +1,4 @@
-// The ground about a line: where a search that is to make it better need look.
+// Corridor around a line, to which a search that is to improve the line is restricted.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace lsos {
 
-// All places within `off_m` of the line and some that are up to half as far again, for it is kept
-// in squares.
+// All places within `off_m` of the line, and some up to half as far again, since the corridor is
+// stored in squares.
 class Tube {
  public:
   Tube(const GroundMap& map, const Line2& line, double off_m);
 
-  // Of places on the map; past its edge as at it.
+  // Whether a place on the map lies in the corridor; beyond the far edges of the map as at them.
   bool holds(const Vec2& at_m) const { return is_in_[index(at_m)]; }
 
  private:

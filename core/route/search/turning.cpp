@@ -12,7 +12,7 @@ namespace {
 
 Vec2 left_of(const Vec2& ahead) { return {-ahead.y(), ahead.x()}; }
 
-// 0 .. 2 pi; what is all but a full turn by rounding is none.
+// Angle in 0 .. 2 pi; a full turn but for rounding is 0.
 double full_turn(double angle_rad) {
   constexpr double rounding_rad = 1e-7;
   const double turned =
@@ -20,13 +20,13 @@ double full_turn(double angle_rad) {
   return turned > 2 * std::numbers::pi - rounding_rad ? 0 : turned;
 }
 
-// A word of Dubins: turns to the left 1, to the right -1, straight 0; lengths in radii.
+// Dubins word: left turn 1, right turn -1, straight 0; lengths in radii.
 struct Word {
   double turns[3];
   double t, p, q;
 };
 
-// The shortest of the words that are offered.
+// Keeps the shortest of the words offered.
 struct Shortest {
   double least;  // in radii
   std::optional<Word> word;
@@ -39,15 +39,16 @@ struct Shortest {
   }
 };
 
-// Of all words; d: apart, in radii. Nothing where none is shorter than `most`. What a word takes at
-// least is asked first: most need no arc tangent.
+// Shortest of all words; d: distance in radii. Absent where none is shorter than `most`. A lower
+// bound of each word is tested first: most need no arc tangent.
 std::optional<Word> shortest_word(const PosePair& poses, double d, double most) {
   const double alpha = poses.from_rad, beta = poses.to_rad;
   const double sa = poses.sin_from, sb = poses.sin_to, ca = poses.cos_from, cb = poses.cos_to,
                cab = poses.cos_between;
   Shortest shortest{most, {}};
-  // On one circle the straight piece, nought but for rounding, has no direction: then it is so
-  // long, and may make its word as much longer.
+  // Where both poses are on one circle, the straight piece is 0 but for rounding and has no
+  // direction. If shorter than `same` it is left out, and the lower bound of its word is `same`
+  // less.
   constexpr double rounding = 1e-9, same = 1e-6;
   const auto straight = [&](double first, double last, double p_squared, auto&& ends) {
     if (p_squared < -rounding) return;
@@ -79,7 +80,7 @@ std::optional<Word> shortest_word(const PosePair& poses, double d, double most) 
     return Ends(alpha - turn, beta - turn);
   });
   const auto three_arcs = [&](double first) {
-    // To the right, left, right with first = -1; the other way round mirrored.
+    // Right, left, right with first = -1; its mirror image with first = 1.
     const double cosine = (6 - d * d + 2 * cab - first * 2 * d * (sa - sb)) / 8;
     if (std::abs(cosine) > 1 || shortest.least <= std::numbers::pi) return;
     const double p = 2 * std::numbers::pi - std::acos(cosine);
@@ -107,7 +108,7 @@ Pose2 along_arc(const Pose2& from, double curvature_1pm, double length_m) {
 }
 
 int arc_pieces(double curvature_1pm, double length_m, double step_m) {
-  // On the straight the ends do.
+  // A straight line needs its ends only.
   const double chord_m = std::sqrt(8 * chord_off_m / std::max(std::abs(curvature_1pm), 1e-12));
   return std::max(1, static_cast<int>(std::ceil(length_m / std::max(step_m, chord_m) - 1e-9)));
 }
@@ -128,7 +129,8 @@ std::optional<Line2> arc_and_straight(const Pose2& from, const Vec2& to_m, doubl
   const Vec2 way_m = to_m - center_m;
   const double away_m = way_m.norm();
   if (away_m < radius_m) return std::nullopt;
-  // The tangent to the place leaves the circle where its radius makes this angle with `way_m`.
+  // The tangent through the place touches the circle where the radius makes this angle with
+  // `way_m`.
   const double opening_rad = std::acos(radius_m / away_m);
   const double leave_rad = std::atan2(way_m.y(), way_m.x()) - side * opening_rad;
   const double begin_rad = std::atan2(from.at_m.y() - center_m.y(), from.at_m.x() - center_m.x());

@@ -1,4 +1,4 @@
-// Ways of a rover that cannot turn on the spot: arcs and straight pieces, ahead only.
+// Dubins paths, for rovers that cannot turn on the spot: arcs and straight pieces, forwards only.
 #pragma once
 
 #include <array>
@@ -8,30 +8,30 @@
 
 namespace lsos {
 
-// Such a rover is planned with turns this much wider than its tightest, so that what follows the
-// line can still steer back to it.
+// Planned turning radius, in units of the rover's tightest, so that the path follower can still
+// steer back to its line.
 inline constexpr double turning_margin = 1.1;
 
-// An arc of `length_m`, to the left with a positive curvature; the pose that it ends in.
+// Pose at the end of an arc of `length_m`; a positive curvature is to the left.
 Pose2 along_arc(const Pose2& from, double curvature_1pm, double length_m);
 
-// Points of arcs lie so near to each other that the chords between them are no farther off it.
-// With more of them a rover that follows the line would slow down for corners that rounding makes.
+// Accepted distance between an arc and the chords between its points. Smaller: more points, and a
+// rover that follows the line slows down for corners that are rounding errors.
 inline constexpr double chord_off_m = 0.03;
 
-// Of so many straight pieces.
+// Number of straight pieces of an arc.
 int arc_pieces(double curvature_1pm, double length_m, double step_m);
-// Its points, evenly, with both ends: `step_m` apart at most, or as far as chord_off_m lets them
-// be.
+// Points of an arc, evenly spaced, with both ends: `step_m` apart at most, or as far as chord_off_m
+// allows where that is farther.
 Line2 arc_line(const Pose2& from, double curvature_1pm, double length_m, double step_m);
 
-// An arc of `radius_m` to one side and then straight to a place. Absent where the place lies within
-// the circle.
+// An arc of `radius_m` to one side and then a straight line to a place. Absent where the place lies
+// within the circle.
 std::optional<Line2> arc_and_straight(const Pose2& from, const Vec2& to_m, double radius_m,
                                       bool to_left, double step_m);
 
-// The shortest way from pose to pose (Dubins 1957): three pieces, arcs of `radius_m` but for a
-// straight one in the middle. By the formulas of Shkel and Lumelsky (2001).
+// Shortest path from pose to pose (Dubins 1957): three pieces, each an arc of `radius_m` or, in the
+// middle, a straight line. Formulas of Shkel and Lumelsky (2001).
 struct TurningPiece {
   double curvature_1pm = 0;
   double length_m = 0;
@@ -39,21 +39,21 @@ struct TurningPiece {
 using TurningWay = std::array<TurningPiece, 3>;
 TurningWay shortest_turns(const Pose2& from, const Pose2& to, double radius_m);
 
-// Two poses as those formulas take them, for several radii: how far apart, and yaws to the line
-// from one to the other.
+// Two poses in the form that those formulas use, for several radii: their distance, and yaws
+// relative to the line from one to the other.
 struct PosePair {
   PosePair(const Pose2& from, const Pose2& to);
 
   double away_m, from_rad, to_rad;
   double sin_from, cos_from, sin_to, cos_to, cos_between;
 };
-// Absent where it is not shorter than that.
+// Absent where the path is not shorter than `most_m`.
 std::optional<TurningWay> shortest_turns(const PosePair& poses, double radius_m, double most_m);
 
 double length_m(const TurningWay& way);
-// The pose so far along it.
+// Pose `so_far_m` along a path.
 Pose2 along_turns(const Pose2& from, const TurningWay& way, double so_far_m);
-// Its points as those of its arcs.
+// Points of a path, as arc_line() spaces them.
 Line2 turns_line(const Pose2& from, const TurningWay& way, double step_m);
 
 }  // namespace lsos

@@ -17,36 +17,36 @@ namespace lsos {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Curvatures of the edges, in tightest turns; the straight one first. A fast rover slows down much
-// for the sharp ones, and hardly for the last.
+// Curvatures of the edges, in units of the tightest; the straight one first. A fast rover slows
+// down much for the sharp ones, and hardly for the last.
 constexpr double turns[] = {0, 1, -1, 0.5, -0.5, 0.25, -0.25, 0.125, -0.125};
-// From this one on it is slow.
+// Curvature from which an edge counts as sharp: the rover is slow on it.
 constexpr double slow_turn = 0.5;
-// The way to the goal is closed from poses that are nearer to it than so many radii.
+// Distance from the goal, in radii, below which analytic expansion is tried.
 constexpr double closing_radii = 4;
-// What is left to the goal counts so much more than it must: far fewer poses are looked at for a
-// route that is no more than about this share costlier. Refining makes up for it. Where so many
-// poses do not lead to the goal they are looked at anew, in more haste.
+// Weighted A*: the heuristic is multiplied by `haste`, so the route costs at most about that much
+// more and far fewer poses are expanded; refinement makes up for it. A stage that expands `poses`
+// without reaching the goal is followed by one with a greater weight.
 struct Pace {
   double haste;
   std::size_t poses;
 };
 constexpr Pace fine_paces[] = {{1.04, 60'000}, {1.1, 40'000}, {1.2, 60'000}, {1.4, 360'000}};
-// Coarsely there are an eighth of the poses; less haste leads nowhere over rough ground, and
-// refining makes the ways as good.
+// Coarse resolution has an eighth of the poses. Lower weights find no route over rough ground, and
+// refinement makes the routes as good.
 constexpr Pace coarse_paces[] = {{1.2, 15'000}, {1.5, 15'000}, {2, 60'000}};
 
-// How closely poses are looked at: each stands for all that lie in its cell.
+// Resolution of the search: each pose stands for all that lie in its cell.
 struct Grain {
-  int spacings;  // of a cell in each direction, and of the lattice that tells what is left
+  int spacings;  // side of a cell, and spacing for the cost to go, in map spacings
   int headings;
   std::span<const Pace> paces;
 };
 constexpr Grain fine{1, 36, fine_paces}, coarse{2, 18, coarse_paces};
 
-// Ways that cost so much more over the lattice than the cheapest are not looked at, with room for
-// so many full turns: where the rover does not come on, all ground would be. Where nothing else is
-// left, longer ones are.
+// Detour bounds: a pose is not expanded where the route over the lattice by it costs more than
+// `detours` times the cheapest, plus `loops` full turns. Without a bound a rover that cannot get on
+// would have the whole map expanded. The larger bound applies where nothing else is left.
 constexpr double detours[] = {1.5, 4}, loops = 1.5;
 
 struct Reached {
@@ -57,17 +57,18 @@ struct Reached {
   LegCosts::Speeds speeds;
 };
 
-// A pose; or what an edge from it leads to, whose cost is a bound until it is looked at; or all of
-// a way, closed from it.
+// Entry of the queue: a pose; an edge from a pose, whose cost is a lower bound until it is
+// evaluated; or a complete route, by analytic expansion from a pose.
 struct Candidate {
   enum class Kind : std::uint8_t { pose, edge, closing };
   double total = 0;
   double cost = 0;
   std::int32_t node = 0;
   Kind kind = Kind::pose;
-  double turn = 0;  // of an edge or a closing arc, in tightest turns
+  double turn = 0;  // curvature of an edge or of the arc to the goal, in units of the tightest
 
-  // std::priority_queue takes the greatest: the least total, then the farthest come.
+  // std::priority_queue returns the greatest element: here the least total, then the greatest cost
+  // so far.
   bool operator<(const Candidate& other) const {
     if (total != other.total) return total > other.total;
     if (cost != other.cost) return cost < other.cost;
@@ -95,7 +96,8 @@ class Search {
     TurningRoute route;
     route.nearest_m = start_.at_m;
     route.cost = infinite;
-    // There are too many poses to look at them all for nothing.
+    // Without a route over the lattice there is none over poses, and those are too many to expand
+    // in vain.
     const double least = to_go_.at(start_.at_m);
     if (!std::isfinite(least)) return route;
     const double far_m = std::max(step_m_, (goal_m_ - start_.at_m).norm());
@@ -113,7 +115,8 @@ class Search {
   }
 
  private:
-  // Whether all poses that can be reached were looked at, to no end. Takes those of `left`.
+  // Whether all poses that can be reached were expanded without reaching the goal. Subtracts the
+  // number of expanded poses from `left`.
   bool run_out(std::size_t& left, TurningRoute& route) {
     for (const Pace& pace : grain_.paces) {
       begin(pace.haste);
@@ -136,7 +139,7 @@ class Search {
     queue_.push({left(start_.at_m), 0, 0});
   }
 
-  // Whether it does, by so many poses.
+  // Whether the goal is reached within `poses` expansions.
   bool come_to_goal(std::size_t poses, TurningRoute& route) {
     while (!queue_.empty() && closed_.size() < poses) {
       const Candidate best = queue_.top();
@@ -160,20 +163,21 @@ class Search {
     return false;
   }
 
-  // Over open ground a line costs as much less than the way over the lattice as it is shorter.
+  // Heuristic. Over open ground a straight line is shorter than the route over the lattice, and
+  // cheaper in the same ratio.
   double left(const Vec2& at_m) {
     const Vec2 way_m = goal_m_ - at_m;
     const double straighter = way_m.norm() / std::max(1e-9, octile_m(way_m));
     return haste_ * straighter * to_go_.at(at_m);
   }
 
-  // Gentle arcs are longer: each turns by as much as the gentlest of the slow ones.
+  // Gentle arcs are longer: each turns by the angle of the gentlest sharp one.
   double edge_m(double curvature_1pm) const {
     const double turn = std::abs(curvature_1pm) * radius_m_;
     return turn == 0 || turn >= slow_turn ? step_m_ : step_m_ * slow_turn / turn;
   }
-  // What a pose costs later depends on the arc that it is come to by: the rover slows down for
-  // another one.
+  // Poses reached by sharp and by gentle arcs have separate cells: what a pose costs later depends
+  // on the arc to it, since the rover slows down for another one.
   std::size_t cell_of(const Pose2& pose, double curvature_1pm) const {
     const Vec2 cells = (pose.at_m - map_.low_m()) / cell_m_;
     const auto column = std::clamp(std::lround(cells.x()), 0L, map_.columns() - 1L);
@@ -185,7 +189,7 @@ class Search {
         ((row * map_.columns() + column) * grain_.headings + heading) * 2 + kind);
   }
 
-  // Edges come first by what they cost at least: most are never looked at.
+  // Edges are queued by a lower bound of their cost; most are never evaluated.
   void expand(const Candidate& from, const Pose2& pose) {
     const double height_m = map_.height_m(pose.at_m);
     for (const double turn : turns) {
@@ -203,7 +207,7 @@ class Search {
     }
   }
 
-  // Of slowing down for an edge, and the speeds after it.
+  // Cost of slowing down for an edge, and the speeds after it.
   struct EdgeArc {
     double cost = 0;
     LegCosts::Speeds speeds;
@@ -216,7 +220,7 @@ class Search {
       arc.speeds.free_m += length_m;
       return arc;
     }
-    // From one side to the other the points of the line go straight on.
+    // Between arcs to opposite sides, one piece of the line is straight.
     if (turn * node.curvature_1pm < 0) {
       arc.speeds.free_m += length_m / arc_pieces(curvature_1pm, length_m, map_.spacing_m());
     }
@@ -301,10 +305,10 @@ class Search {
   CostToGo to_go_;
   double radius_m_, cell_m_, step_m_;
   double haste_ = 1;
-  double least_ = infinite;  // of the ways that are closed
+  double least_ = infinite;  // least cost of the complete routes
   bool is_at_border_ = false;
-  bool was_cut_ = false;                    // from poses with nothing left to the goal
-  std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never gone through
+  bool was_cut_ = false;  // an edge was dropped, as the cost to go at its end is infinite
+  std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never iterated
   std::vector<Reached> reached_;
   std::priority_queue<Candidate> queue_;
 };

@@ -1,4 +1,4 @@
-// The cheapest way over poses for a rover that cannot turn on the spot.
+// Search over poses for the cheapest route of a rover that cannot turn on the spot.
 #pragma once
 
 #include "route/search/tube.h"
@@ -8,29 +8,29 @@ namespace lsos {
 
 struct TurningRoute {
   std::vector<Pose2> poses;  // from the start to the goal, joined by arcs
-  Line2 line;                // all of it, with its arcs drawn out; empty: there is none
+  Line2 line;                // all of it, with points along its arcs; empty: there is none
   double cost = 0;           // infinite where there is none
-  double haste = 1;          // it costs about so many times the cheapest at most, by a fine guide
-  Vec2 nearest_m;            // of all places that were reached the one nearest to the goal
-  // There is none, with all poses looked at: whatever they were guided by, there are no others; and
-  // a wider map may hold one.
+  double haste = 1;          // heuristic weight: `cost` is at most about this many times the least
+  Vec2 nearest_m;            // the place nearest to the goal that was reached
+  // Without a route: whether all poses that can be reached were expanded, so that no other guide
+  // would find one; and whether a wider map may hold one.
   bool is_shut_in = false, is_at_border = false;
 };
 
 struct TurningGuide {
-  const Tube* within = nullptr;  // by its places only
-  // By steps and cells twice as long and what is left to the goal over a lattice twice as coarse,
-  // in haste from the first: in a fraction of the time, for ways that refining makes as good, but
-  // not where those pass over what there is.
+  const Tube* within = nullptr;  // corridor whose places alone are used; null: all
+  // Coarse resolution: steps and cells twice as long, cost to go over a lattice twice as coarse,
+  // and a high heuristic weight from the first. It takes a fraction of the time for routes that
+  // refinement makes as good, but its steps may pass over narrow gaps.
   bool is_coarse = false;
 };
 
-// A* over (x, y, heading) whose edges are arcs of `radius_m`, wider ones and straight pieces, each
-// beginning in the very pose that the last one ended in (hybrid A*, Dolgov et al. 2010), and whose
-// last piece is an arc and a straight line to the goal. Of poses in one cell only the first that
-// comes by a sharp arc is followed and the first that does not, and no more than `poses_max` in
-// all: the more of them it takes, the costlier a way may be, up to `haste`; half a million is the
-// most that are ever looked at. Start and goal must be on the map.
+// Hybrid A* (Dolgov et al. 2010) over (x, y, heading). Edges are arcs of `radius_m`, wider arcs and
+// straight lines, each beginning in the exact pose in which the last one ended; the last piece is
+// an analytic expansion, an arc and a straight line to the goal. In each cell two poses at most are
+// expanded: the first reached by a sharp arc, and the first reached otherwise. The heuristic weight
+// rises as more poses are expanded, `poses_max` in all; half a million are the most that the stages
+// of one detour bound expand. Start and goal must be on the map.
 TurningRoute search_turning(LegCosts& costs, const Pose2& start, const Vec2& goal_m,
                             double radius_m, std::size_t poses_max, const TurningGuide& guide = {});
 

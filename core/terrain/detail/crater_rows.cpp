@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-// Four points at a time where the processor can. Without contraction to fused operations each point
-// gets the same bits on any.
+// Loops handle four points at a time where the processor can. Without contraction to fused
+// operations each point gets the same bits on any processor.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LSOS_WIDE __attribute__((target_clones("avx2", "default")))
@@ -41,7 +41,7 @@ void add_crater(double* heights_m, int low, int high, const CraterLine& line, do
   if (high < low) return;
   const double growth = line.x_step * line.x_step + line.y_step * line.y_step;
   const double across = line.x_step * line.y - line.y_step * line.x;
-  const double left = 1 - across * across / growth;  // of the unit circle, on this line
+  const double left = 1 - across * across / growth;  // squared half chord of the rim's circle
   if (left <= 0) return add_blanket(heights_m, low, high, line, rim_m);
   const double nearest = -(line.x_step * line.x + line.y_step * line.y) / growth;
   const double half = std::sqrt(left / growth);

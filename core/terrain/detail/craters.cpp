@@ -9,13 +9,13 @@ namespace lsos {
 
 namespace {
 
-// Diameters are drawn octave by octave, each on its own grid of cells of this many diameters, so
-// that a look at one place meets few cells, whatever the range of diameters.
+// Diameters are drawn octave by octave, each on its own grid with cells of this many diameters, so
+// that a query at one place meets few cells, whatever the range of diameters.
 constexpr double cell_to_diameter = 4;
 
-// A crater has lived when its depth is down to 0.04 of its diameter, a fifth of a fresh one's, and
-// it counts no more (Fassett and Thomson 2014). Diffusion lowers a smooth hollow by 1/(1 + t) in
-// its time; the narrower rim goes faster, here with the square: an assumption.
+// A crater's life ends when its depth is down to 0.04 of its diameter, a fifth of a fresh one's
+// (Fassett and Thomson 2014). Diffusion lowers a smooth hollow by 1 / (1 + 4 lived), with `lived`
+// in 0..1; the narrower rim goes down with the square of that, an assumption.
 constexpr double depth_lost_at_end = 4;
 
 struct Octave {
@@ -24,11 +24,11 @@ struct Octave {
   double diameter_high_m;
   double cumulative_low_pm2;
   double cumulative_high_pm2;
-  double exponent = 0;   // of D by N, of the power law through the octave's ends
-  bool is_full = false;  // craters of all its sizes wear out
+  double exponent = 0;   // of the power law D(N) through the octave's ends
+  bool is_full = false;  // all its sizes have reached equilibrium
 };
 
-// How much of its life a crater of this size has behind it at most.
+// Greatest share of its life that a crater of this size has lived.
 double life_max(const CraterPopulation& p, double diameter_m) {
   if (!p.age_gyr) return p.degradation.value_or(0);
   const double filled =
@@ -36,7 +36,7 @@ double life_max(const CraterPopulation& p, double diameter_m) {
   return p.degradation.value_or(1) * std::min(1.0, filled);
 }
 
-// Those that have craters.
+// Octaves of diameter that have craters.
 std::vector<Octave> octaves(const CraterPopulation& p) {
   std::vector<Octave> result;
   int number = 0;
@@ -46,7 +46,7 @@ std::vector<Octave> octaves(const CraterPopulation& p) {
     if (!(octave.cumulative_high_pm2 < octave.cumulative_low_pm2)) continue;
     const double ratio = octave.cumulative_high_pm2 / octave.cumulative_low_pm2;
     octave.exponent = std::log(high / low) / std::log(ratio);
-    // Within an octave the share of equilibrium that is reached rises or falls throughout.
+    // Within an octave the ratio of production to equilibrium is monotonic: its ends decide.
     const auto is_full = [&](double diameter_m) {
       return p.age_gyr &&
              crater_production_pm2(*p.age_gyr, diameter_m) >= crater_equilibrium_pm2(diameter_m);
@@ -57,13 +57,13 @@ std::vector<Octave> octaves(const CraterPopulation& p) {
   return result;
 }
 
-// The inverse of the power law through the octave's ends.
+// Diameter below which that share of the octave's craters lies: the inverse of share_below().
 double drawn_diameter_m(const Octave& o, double share) {
   const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
   return o.diameter_low_m * std::pow(1 + share * (ratio - 1), o.exponent);
 }
 
-// The share of the octave's craters that are not larger.
+// Share of the octave's craters that are not larger, by the power law through the octave's ends.
 double share_below(const Octave& o, double diameter_m) {
   const double ratio = o.cumulative_high_pm2 / o.cumulative_low_pm2;
   return (std::pow(diameter_m / o.diameter_low_m, 1 / o.exponent) - 1) / (ratio - 1);
@@ -73,7 +73,7 @@ double life_max(const CraterPopulation& p, const Octave& o, double diameter_m) {
   return o.is_full ? p.degradation.value_or(1) : life_max(p, diameter_m);
 }
 
-// A crater that has lived that share of a life.
+// Crater that has lived that share of its life.
 Crater worn_crater(const CraterPopulation& p, const PlanePoint& at, double diameter_m,
                    double lived) {
   const double left = 1 / (1 + depth_lost_at_end * lived);
@@ -106,7 +106,7 @@ double cumulative_pm2(const CraterPopulation& p, double diameter_m) {
                   crater_equilibrium_pm2(diameter_m));
 }
 
-// Midpoints of even parts of the craters drawn, by size and by age.
+// Midpoint rule over equal parts of the craters drawn, by size and by age.
 double crater_volume_pm2(const CraterPopulation& p, double low_m, double high_m) {
   constexpr int parts = 16;
   double sum_pm2 = 0;

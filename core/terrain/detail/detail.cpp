@@ -15,18 +15,19 @@ constexpr int cells = HeightTile::cells;
 constexpr int nodes = HeightTile::nodes;
 constexpr int first_node = HeightTile::first_node;
 
-// Waves of roughness over a raster are at most that long, for the same reason.
+// Longest wave of roughness over a raster, in cells, for the reason given at largest_over_raster().
 constexpr double longest_wave_cells = 0.5;
-// Craters and rocks smaller than this are so many that their mean stands for what they add to the
+// Craters and rocks smaller than this are so many that their mean stands for what they add at the
 // raster's scale.
 constexpr double smallest_counted_cells = 1.0 / 8;
 
-// Smaller craters would look like what the nodes make of them: they are shapes of their own. From
-// afar nodes will do.
+// Craters of fewer nodes are kept as exact shapes: nodes would make squares of them. On levels
+// above 0 nodes serve all craters.
 constexpr double nodes_across_crater = 8;
 
-// A power of two, so that cells and tiles end together; eight at least, for the lattice of half a
-// cell has waves of a quarter upon it; 512 at most: beyond, a cell takes too long to look through.
+// Nodes per cell: a power of two, so that cells and tiles end together; at least 8, so that nodes
+// hold the waves of a quarter cell that count on the lattice of half a cell; at most 512: beyond, a
+// cell takes too long to compute.
 int subdivision_for(double cell_m, double spacing_m) {
   const double wanted = std::round(std::log2(cell_m / spacing_m));
   return 1 << static_cast<int>(std::clamp(wanted, 3.0, 9.0));
@@ -73,8 +74,8 @@ DetailField::DetailField(const Detail& detail, const HeightGrid& grid, const Ste
   if (setting.is_over_raster) set_lattice();
 }
 
-// Half a cell, as square on the ground as powers of two allow; where the grid goes around, so does
-// the lattice.
+// Sets the lattice's spacing to half a cell, as square on the ground as powers of two allow; where
+// the grid goes around the body, so does the lattice.
 void DetailField::set_lattice() {
   const int half_cell_log2 = std::countr_zero(static_cast<unsigned>(subdivision_)) - 1;
   const double stretch_log2 = std::log2(setting_.height_to_width);
@@ -101,13 +102,13 @@ void DetailField::set_lattice() {
   }
 }
 
-// Of a point of the finer grid, on the map of landforms.
+// Point (U, V) of the finer grid, on the map of landforms.
 std::optional<PlanePoint> DetailField::map_point(double U, double V) const {
   const auto place = grid_.place({U / subdivision_ - 0.5, V / subdivision_ - 0.5});
   return place ? std::optional(map_.at(*place)) : std::nullopt;
 }
 
-// That holds the piece of the finer grid, on the map of landforms.
+// Rectangle on the map of landforms that holds the piece of the finer grid.
 PlaneRectangle DetailField::map_rectangle(const NodeRectangle& on_grid) const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   PlaneRectangle box{{infinite, infinite}, {-infinite, -infinite}};
@@ -124,7 +125,7 @@ PlaneRectangle DetailField::map_rectangle(const NodeRectangle& on_grid) const {
     }
   }
   if (box.low.x_m > box.high.x_m) return {};
-  // Between the points looked at, the edge may bulge; at the map's end one more may just miss it.
+  // The edge may bulge between sampled points; at the map's end the next point may just miss it.
   double margin_m = 0.05 * std::max(box.high.x_m - box.low.x_m, box.high.y_m - box.low.y_m);
   if (is_cut) {
     const double stretch = std::max(setting_.height_to_width, 1 / setting_.height_to_width);
@@ -140,7 +141,7 @@ std::optional<GridPoint> DetailField::grid_point(const PlanePoint& at) const {
   return patch->is_good() ? std::optional(patch->at(at)) : exact_grid_point(exact_, at);
 }
 
-// The same column, counted next to the tile where the grid goes around.
+// Returns the same column, counted next to the tile where the grid goes around the body.
 double DetailField::near_tile(double U, const NodeLattice& at) const {
   if (period_ == 0) return U;
   const std::int64_t middle = nodes / 2;
@@ -149,7 +150,7 @@ double DetailField::near_tile(double U, const NodeLattice& at) const {
   return U - period * std::round((U - centre) / period);
 }
 
-// A crater of less than two nodes is a stray node or none.
+// A crater of less than two nodes would be a stray node or none.
 double DetailField::smallest_crater_m(int level) const {
   return 2 * std::ldexp(spacing_m(), level);
 }
@@ -198,19 +199,19 @@ void DetailField::add_to_nodes(HeightTile& tile, const Crater& crater, const Gri
                                const NodeLattice& at) const {
   const auto stride = static_cast<double>(at.stride);
   const double N = subdivision_;
-  // Nodes of the tile, from its first.
+  // Centre in nodes of the tile, from its first.
   const double U = (near_tile(fine(centre.u), at) - static_cast<double>(at.column)) / stride;
   const double V = (fine(centre.v) - static_cast<double>(at.row)) / stride;
   const double radius_m = crater.diameter_m / 2, reach_m = crater_reach * radius_m;
   const double half_V = reach_m * N / stride * std::hypot(centre.v_by_x, centre.v_by_y);
   const int j_low = static_cast<int>(std::max(0.0, std::ceil(V - half_V)));
   const int j_high = static_cast<int>(std::min(nodes - 1.0, std::floor(V + half_V)));
-  // From nodes to radii.
+  // Jacobian from nodes to crater radii.
   const double det = centre.u_by_x * centre.v_by_y - centre.u_by_y * centre.v_by_x;
   const double k = stride / (det * N * radius_m);
   const double x_by_U = k * centre.v_by_y, x_by_V = -k * centre.u_by_y;
   const double y_by_U = -k * centre.v_by_x, y_by_V = k * centre.u_by_x;
-  // The part of a row within reach, about the point of the row that is nearest to the centre.
+  // Each row changes within reach of the centre: a chord about the row's point nearest to it.
   const double growth = x_by_U * x_by_U + y_by_U * y_by_U;
   for (int j = j_low; j <= j_high; ++j) {
     double* row_m = &tile.height_m(first_node, j + first_node);
@@ -237,7 +238,7 @@ void DetailField::add_rocks(DetailTile& tile, const NodeLattice& at) const {
   tile.rocks.finish();
 }
 
-// Of a crater or rock there.
+// Adds the volume of a crater or rock at that place.
 void DetailField::add_volume(VolumeLattice& lattice, const NodeLattice& at,
                              const PlanePoint& centre, double volume_m3) const {
   const auto on_grid = grid_point(centre);

@@ -1,5 +1,5 @@
-// What lies below the resolution of a height grid: craters, rocks and roughness on a finer grid
-// of its own, `subdivision` nodes a cell. The finer grid's node (U, V) is the grid's point
+// Detail below the resolution of a height grid: craters, rocks and roughness on a finer grid of its
+// own, `subdivision` nodes per cell. The finer grid's node (U, V) is the grid's point
 // u = U / subdivision - 1/2, so that cells' centres are nodes and cells' edges too.
 #pragma once
 
@@ -29,12 +29,12 @@ struct DetailTile {
   std::size_t bytes() const { return sizeof(*this) + craters.bytes() + rocks.bytes(); }
 };
 
-// How the detail goes with the grid below it.
+// Relation of the detail to the grid below it.
 struct DetailSetting {
   double cell_m = 1;            // mean side of the grid's cells
-  double height_to_width = 1;   // of those
+  double height_to_width = 1;   // aspect of those cells
   bool is_over_raster = false;  // nothing is added at the scale of cells, which a raster knows
-  double crater_max_m = 1e9;    // larger ones are the grid's own
+  double crater_max_m = 1e9;    // larger ones belong to the grid itself
 };
 
 class DetailField {
@@ -45,19 +45,19 @@ class DetailField {
 
   int subdivision() const { return subdivision_; }
   double spacing_m() const { return setting_.cell_m / subdivision_; }
-  // A pure function of the key. Any thread. On a level above 0 every 2^level-th node, without what
-  // is too small for those: for looks from afar.
+  // Tile of detail, a pure function of the key; may be called from any thread. A level above 0 has
+  // every 2^level-th node, without what is too small for those.
   DetailTile tile(const TileKey& key) const;
   static constexpr int coarsest_level = 20;
-  // Craters and rocks over a raster are smaller than this. Wider ones could not be kept out of the
-  // mean over two cells without losing their shape: of craters of 1.25 cells a tenth of their
+  // Greatest diameter of craters and rocks over a raster, m. Wider ones could not be kept out of
+  // the mean over two cells without losing their shape: of craters of 1.25 cells a tenth of their
   // relief would stay there.
   static double largest_over_raster(double cell_m) { return cell_m; }
-  // Of what it holds: a look at what is larger finds nothing.
+  // Size of the largest feature, m: with a coarser resolution there is nothing to find.
   double largest_m() const;
 
  private:
-  // The finer grid's coordinates of a point of the grid.
+  // Converts a coordinate of the grid to the finer grid.
   double fine(double u) const { return (u + 0.5) * subdivision_; }
   std::optional<PlanePoint> map_point(double U, double V) const;
   PlaneRectangle map_rectangle(const NodeRectangle& on_grid) const;
@@ -82,11 +82,11 @@ class DetailField {
   DetailSetting setting_;
   std::uint64_t seed_;
   int subdivision_;
-  std::int64_t period_ = 0;  // of the finer grid, nodes; 0: does not go around
+  std::int64_t period_ = 0;  // nodes of the finer grid around the body; 0: does not go around
   std::optional<RoughnessField> roughness_;
   int lattice_column_log2_ = 0, lattice_row_log2_ = 0;
   double largest_crater_m_ = 0, largest_rock_m_ = 0;
-  std::vector<double> mean_of_small_m_;  // by level
+  std::vector<double> mean_of_small_m_;  // mean height of what is not counted one by one, by level
   ExactMap exact_;
   mutable PatchMap patches_;
 };

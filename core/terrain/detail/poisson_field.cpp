@@ -4,8 +4,8 @@
 
 namespace lsos {
 
-// Knuth's method multiplies uniforms until they pass exp(-mean); in portions, so that the
-// exponential does not underflow.
+// Knuth's method multiplies uniforms until they pass exp(-mean). The mean is taken in portions, so
+// that the exponential does not underflow.
 int poisson_count(double mean, RandomStream& random) {
   int count = 0;
   for (double rest = mean; rest > 0; rest -= 16) {

@@ -1,4 +1,4 @@
-// Points at random places of a plane: the same for the same key, whichever part is looked at.
+// Points at random places of a plane: the same for the same key, whichever part is computed.
 #pragma once
 
 #include <cmath>
@@ -14,10 +14,10 @@ struct PlaneRectangle {
   PlanePoint high;
 };
 
-// How many points of a Poisson process with this mean; any mean that is not negative.
+// Random number of points of a Poisson process with this mean; any mean that is not negative.
 int poisson_count(double mean, RandomStream& random);
 
-// Calls `visit(point, random)` for each point of the Poisson process with `mean_pm2` points a m2
+// Calls `visit(point, random)` for each point of the Poisson process with `mean_pm2` points per m2
 // that may lie in the rectangle, in a fixed order. Each square of `cell_m` has a stream of its own,
 // keyed by its place; `visit` draws its marks from it.
 template <class Visit>

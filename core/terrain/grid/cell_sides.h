@@ -1,4 +1,4 @@
-// How large the cells of a grid are on the ground.
+// Size of a grid's cells on the ground.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ struct CellSides {
   double mean_m() const { return std::sqrt(along_row_m * along_column_m); }
 };
 
-// Of the cell about a point; infinite where the grid is not mapped. Beyond a pole there is no next
-// row; the one before is as high.
+// Sides of the cell about a point; infinite where the grid is not mapped. Beyond a pole there is no
+// next row; the one before is as high.
 inline CellSides cell_sides(const HeightGrid& grid, const Body& body, const GridCoordinates& at) {
   const auto here = grid.place(at), right = grid.place({at.u + 1, at.v});
   auto below = grid.place({at.u, at.v + 1});

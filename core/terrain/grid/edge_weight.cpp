@@ -12,14 +12,14 @@ namespace {
 
 constexpr int cells = HeightTile::cells;
 
-// The spline looks two nodes away, and a node belongs to the cells on both sides.
+// The spline reaches two nodes away, and a node belongs to the cells on both sides.
 constexpr int margin_cells = 3;
 
 }  // namespace
 
 WeightTile edge_weights(const TileKey& key, int fade_cells, const GridExtent& extent,
                         const std::function<std::shared_ptr<const HeightTile>(TileKey)>& tile) {
-  // Cells without ground in the window that can matter; `fade_cells` is below a tile's width.
+  // Marks cells without ground in the window that matters; `fade_cells` is below a tile's width.
   const int halo = fade_cells + margin_cells;
   const auto is_inside = [&](int i, int j) {
     const auto u = static_cast<double>(key.column * cells + i);
@@ -45,7 +45,7 @@ WeightTile edge_weights(const TileKey& key, int fade_cells, const GridExtent& ex
   }
   WeightTile weights(key);
   weights.is_whole = is_whole;
-  // Distance to the next hole along each row, then over rows: exact, in cells.
+  // Distance to the nearest hole along each row, then over rows: exact, in cells.
   std::vector<int> along(hole.size());
   for (int j = 0; j < side; ++j) {
     int since = side;

@@ -7,7 +7,7 @@
 
 namespace lsos {
 
-// Places all along the edge, so many cells outside of it; inside where that is negative.
+// Places all along the edge, that many cells outside it; inside where the number is negative.
 std::vector<Geodetic> places_along_edge(const HeightGrid& grid, double outside_cells);
 
 }  // namespace lsos

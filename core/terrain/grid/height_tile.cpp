@@ -8,12 +8,12 @@ namespace lsos {
 
 namespace {
 
-// Weight of a node in the value and in the slope, side by side: the processor does both at once.
+// Weights of nodes in the value and in the slope, side by side: the processor does both at once.
 struct Weights {
   Vec2 of[4];
 };
 
-// Of the nodes at -1, 0, 1, 2 for a point at t in [0, 1).
+// Catmull-Rom weights of the nodes at -1, 0, 1, 2 for a point at t in [0, 1).
 inline Weights catmull_rom(double t) {
   const double t2 = t * t;
   const double t3 = t2 * t;

@@ -9,8 +9,8 @@
 
 namespace lsos {
 
-// Which tile of a grid: cells [64 column, 64 column + 64) x [64 row, 64 row + 64). On a level above
-// 0 these are cells of 2^level of the grid's own a side, for looks from afar.
+// Key of a tile: cells [64 column, 64 column + 64) x [64 row, 64 row + 64). On a level above 0 a
+// cell is 2^level cells of the grid a side: a coarser level of detail.
 struct TileKey {
   std::int64_t column = 0;
   std::int64_t row = 0;
@@ -33,7 +33,7 @@ class HeightTile {
 
   // Node and cell numbers count from the tile's own first cell.
   double& height_m(int column, int row) { return height_m_[index(column, row)]; }
-  // Four nodes of a row from this one on.
+  // Pointer to four nodes of a row, from this one on.
   const double* row_m(int column, int row) const { return &height_m_[index(column, row)]; }
   double height_m(int column, int row) const { return height_m_[index(column, row)]; }
   void set_ground(int column, int row) { ground_.set(cell(column, row)); }
@@ -62,7 +62,7 @@ struct SurfaceHeight {
   double by_v_m = 0;
 };
 
-// A point of the grid: its cell and the place within it, each in [0, 1).
+// A point of the grid: its cell and the position within it, each in [0, 1).
 struct CellPoint {
   CellPoint(double u, double v) : column(floor_of(u)), row(floor_of(v)) {
     along_u = u - static_cast<double>(column);

@@ -1,4 +1,4 @@
-// Values that are pure functions of their key, made once and shared by threads.
+// Cache of values that are pure functions of their key, made once and shared by threads.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace lsos {
 
 constexpr std::size_t megabytes(std::size_t count) { return count << 20; }
 
-// Of a square of a grid; of any other key its standard hash.
+// Hash of a square of a grid; any other key uses its standard hash.
 template <class Key>
 struct KeyHash {
   std::size_t operator()(const Key& key) const {
@@ -27,16 +27,16 @@ struct KeyHash {
   }
 };
 
-// Keeps between `capacity_bytes` and twice that of the values last asked for. Shared pointers: a
-// value may be dropped here while a reader on another thread still works with it. A value that owns
-// memory says how much with bytes().
+// Keeps between `capacity_bytes` and twice that of the values last requested. Values are shared
+// pointers: one may be dropped here while another thread still reads it. A value that owns memory
+// reports its size with bytes().
 template <class Key, class Value>
 class KeyCache {
  public:
   explicit KeyCache(std::size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
   // `make(key)` is called under the cache's lock, so it may use what is not thread-safe; it must
-  // give the same value for the same key at any time.
+  // return the same value for the same key at any time.
   template <class Make>
   std::shared_ptr<const Value> get(const Key& key, const Make& make) {
     const std::lock_guard lock(mutex_);
@@ -59,7 +59,7 @@ class KeyCache {
 
  private:
   static std::size_t bytes(const Value& value) {
-    constexpr std::size_t node = 64;  // of the map, and the pointer's counts
+    constexpr std::size_t node = 64;  // bytes of the map's node and of the pointer's counts
     if constexpr (requires { value.bytes(); }) {
       return node + value.bytes();
     } else {

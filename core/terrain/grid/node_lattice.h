@@ -5,8 +5,8 @@
 
 namespace lsos {
 
-// Every `stride`-th node of the grid from (column, row) on. What is smaller than 2^level nodes does
-// not count.
+// Every `stride`-th node of the grid from (column, row) on. What is smaller than 2^level nodes is
+// left out.
 struct NodeLattice {
   std::int64_t column = 0;
   std::int64_t row = 0;
@@ -14,7 +14,7 @@ struct NodeLattice {
   int level = 0;
 };
 
-// Columns U and rows V of the grid, also between nodes.
+// Rectangle of columns U and rows V of the grid, also between nodes.
 struct NodeRectangle {
   double U_low = 0;
   double V_low = 0;

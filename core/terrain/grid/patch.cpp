@@ -23,11 +23,11 @@ Terms monomials(double s, double t) {
   return terms;
 }
 
-// Chebyshev's points for the samples; the checks lie between them and on the edge.
+// Samples lie at Chebyshev points; the checks lie between them and on the edge.
 double sample_at(int i) { return -std::cos((i + 0.5) * 3.14159265358979323846 / samples_a_side); }
 double check_at(int i) { return -1 + 2.0 * i / (checks_a_side - 1); }
 
-// Least squares of values at the samples: coefficients = solver * values.
+// Least-squares fit to values at the samples: coefficients = solver * values.
 const Solver& solver() {
   static const Solver made = [] {
     Eigen::Matrix<double, sample_count, term_count> design;
@@ -39,7 +39,7 @@ const Solver& solver() {
   return made;
 }
 
-// `at` moved by whole turns next to `near`.
+// Returns `at` moved by whole turns next to `near`.
 GridCoordinates unwrapped(GridCoordinates at, const GridCoordinates& near, double period) {
   if (period > 0) at.u -= period * std::round((at.u - near.u) / period);
   return at;
@@ -49,7 +49,7 @@ GridCoordinates unwrapped(GridCoordinates at, const GridCoordinates& near, doubl
 
 Patch::Patch(const PatchKey& key, const ExactMap& map) : Patch() {
   const double size = std::ldexp(coarsest_size_m, -key.level);
-  // Exact in binary, so that every point lies in exactly one patch of a level.
+  // Sizes are exact in binary, so that every point lies in exactly one patch of a level.
   x_low_m_ = static_cast<double>(key.column) * size;
   y_low_m_ = static_cast<double>(key.row) * size;
   x_high_m_ = x_low_m_ + size;
@@ -110,7 +110,7 @@ GridPoint Patch::at(const PlanePoint& at) const {
   const double s2 = s * s;
   const double t2 = t * t;
   const auto& c = uv_;
-  const Vec2 linear_s = c[1] + s * c[3] + t * c[4];  // what s multiplies, but for the cubics
+  const Vec2 linear_s = c[1] + s * c[3] + t * c[4];  // factor of s without the cubic terms
   const Vec2 cubic_s = s2 * c[6] + (s * t) * c[7] + t2 * c[8];
   const Vec2 uv = c[0] + s * (linear_s + cubic_s) + t * (c[2] + t * c[5] + t2 * c[9]);
   const Vec2 by_s = (linear_s + s * c[3] + cubic_s + (2 * s2) * c[6] + (s * t) * c[7]);

@@ -28,8 +28,8 @@ struct GridPoint {
   double v_by_y = 0;
 };
 
-// Exact and slow; nullopt where the projection knows no such place. Where the grid goes around the
-// body, u is right up to a whole number of `period` columns; 0 where it does not.
+// Exact, slow map to grid coordinates; nullopt where the projection knows no such place. Where the
+// grid goes around the body, u is right up to a whole number of `period` columns; else that is 0.
 struct ExactMap {
   std::function<std::optional<GridCoordinates>(const PlanePoint&)> at;
   double period = 0;
@@ -48,8 +48,8 @@ class Patch {
  public:
   static constexpr double coarsest_size_m = 2048;
   static constexpr int finest_level = 12;  // 0.5 m
-  // A fit is good when it meets the exact map within this at points it was not made from. Far
-  // below what a height can show: it bounds the steps between patches.
+  // A fit is good when it meets the exact map within this at points it was not made from. The
+  // tolerance bounds the steps between patches, and is far below what a height can show.
   static constexpr double tolerance_px = 1e-6;
 
   // Fits a polynomial to the map on that square.
@@ -62,7 +62,7 @@ class Patch {
     return at.x_m >= x_low_m_ && at.x_m < x_high_m_ && at.y_m >= y_low_m_ && at.y_m < y_high_m_;
   }
 
-  // One polynomial describes all samples within the tolerance.
+  // Whether the polynomial meets the exact map within the tolerance at all check points.
   bool is_good() const { return residual_px_ <= tolerance_px; }
   // Largest distance between polynomial and exact map at the check points; infinite where the map
   // knows no such place.
@@ -85,7 +85,7 @@ class Patch {
   std::array<Vec2, terms> uv_;  // coefficients of u and v, evaluated side by side
 };
 
-// By differences of the exact map, for places where no polynomial is good enough.
+// Grid point by differences of the exact map, for places where no polynomial is good enough.
 std::optional<GridPoint> exact_grid_point(const ExactMap& map, const PlanePoint& at);
 
 }  // namespace lsos

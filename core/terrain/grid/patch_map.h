@@ -1,4 +1,4 @@
-// A smooth map from a plane to grid coordinates, as patches made on demand. For any thread.
+// A smooth map from a plane to grid coordinates, as patches made on demand. Safe on any thread.
 #pragma once
 
 #include <functional>

@@ -16,7 +16,7 @@ class PlaneGrid : public HeightGrid {
  public:
   PlaneGrid(const PlaneSurface& surface, const SitePlane& plane)
       : surface_(surface), plane_(plane) {
-    // Metres of the site plane are true metres at its own distance from the centre only.
+    // Metres of the site plane are true metres only at its own distance from the centre.
     const double true_per_plane_m =
         (plane.site().body().equatorial_radius_m + surface.height_m) / plane.distance_m();
     const double rise = std::tan(surface.slope_rad) * true_per_plane_m * spacing_m;

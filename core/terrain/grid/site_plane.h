@@ -36,13 +36,13 @@ class SitePlane {
   // lie within 60 degrees of the site.
   Geodetic place(const PlanePoint& at) const;
   PlanePoint at(const Geodetic& place) const;
-  // Of the tangent plane from the body's centre: plane metres are true metres there.
+  // Distance of the tangent plane from the body's centre: plane metres are true metres there.
   double distance_m() const { return distance_m_; }
 
  private:
   SiteFrame site_;
   double distance_m_;
-  // Of the site itself; zero on a sphere, where it lies straight above the centre.
+  // Offset of the site itself; zero on a sphere, where it lies straight above the centre.
   double x_per_z_ = 0;
   double y_per_z_ = 0;
 };

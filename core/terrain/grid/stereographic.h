@@ -10,7 +10,7 @@ namespace lsos {
 
 class Stereographic {
  public:
-  // Of the sphere with the body's equatorial radius; on Earth latitudes are taken as they are.
+  // Projection of the sphere with the body's equatorial radius; on Earth latitudes are taken as they are.
   Stereographic(const Body& body, double lon_rad, double lat_rad);
 
   // x east, y north at the centre, m.

@@ -1,4 +1,4 @@
-// Calls into GDAL that stay silent; what went wrong becomes text for our own messages.
+// Silent calls into GDAL, whose errors become text for this program's messages.
 #pragma once
 
 #include <cpl_conv.h>
@@ -9,7 +9,7 @@
 
 namespace lsos {
 
-// While it lives, GDAL prints nothing on this thread.
+// Scope in which GDAL prints nothing on this thread.
 class GdalSilence {
  public:
   GdalSilence() {
@@ -24,9 +24,9 @@ class GdalSilence {
   static std::string message() { return CPLGetLastErrorMsg(); }
 };
 
-// Blocks of rasters that GDAL keeps, for the whole program; by default it takes a twentieth of the
-// machine's memory. Called once, after its drivers are registered. A row of tiles of a raster
-// 100,000 cells wide, stored as strips, is 29 MB. A user's own GDAL_CACHEMAX stays.
+// Bounds GDAL's cache of raster blocks for the whole program; by default it takes a twentieth of
+// the machine's memory. Called once, after GDAL's drivers are registered. A row of tiles of a
+// raster 100,000 cells wide, stored as strips, is 29 MB. A user's own GDAL_CACHEMAX stays.
 inline void bound_block_cache() {
   constexpr GIntBig budget_bytes = GIntBig{128} << 20;
   if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr) GDALSetCacheMax64(budget_bytes);

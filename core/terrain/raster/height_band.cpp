@@ -19,8 +19,8 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-// The lowest ground of the Moon is 9.1 km below its sphere (Smith et al. 2017); nothing lower is
-// ever written as -32767 or -32768 by chance.
+// A sample of -32768 or -32767 that would lie lower than this marks a missing one: the lowest
+// ground of the Moon is 9.1 km below its sphere (Smith et al. 2017).
 constexpr double lowest_ground_m = -9500;
 
 // Marks of missing samples in 16-bit formats (SRTM, DTED, PDS).
@@ -30,7 +30,8 @@ bool is_mark_of_16_bits(double sample) {
   return std::ranges::find(marks_of_16_bits, sample) != std::end(marks_of_16_bits);
 }
 
-// What is averaged with these lies below any ground, so that a pit of them is a hole.
+// Samples from here down mark missing ones. An average with one lies below any ground, so that
+// heights_m() makes a hole of it too.
 constexpr double far_below = -3e38;
 
 void fetch(GDALRasterBand& from, const RasterBlock& at, void* to, GDALDataType type) {
@@ -49,7 +50,7 @@ bool is_equal(GDALRasterBand& band, double sample, double mark) {
   return sample == mark || (is_float && sample == double{static_cast<float>(mark)});
 }
 
-// One of each square of 2^level samples. GDAL's own choice would depend on the window.
+// Returns one of each square of 2^level samples. GDAL's own choice would depend on the window.
 template <class Sample>
 std::vector<Sample> thinned(GDALRasterBand& from, const RasterBlock& window, int level,
                             GDALDataType type) {
@@ -73,12 +74,12 @@ std::vector<Sample> thinned(GDALRasterBand& from, const RasterBlock& window, int
 
 }  // namespace
 
-// Marks of missing samples that files often do not declare: -3.4e38 (also ISIS's special values,
-// all of them below -3.4e38), and -32768 and -32767. As 16-bit samples these are always marks; as
-// wider ones only where they would be impossible heights.
+// Tests the marks of missing samples that files declare and those that they often do not: -3.4e38
+// (also ISIS's special values, all of them below -3.4e38), and -32768 and -32767. As 16-bit samples
+// the latter are always marks; as wider ones only where they would be impossible heights.
 bool HeightBand::is_missing(double sample) const {
   if (!std::isfinite(sample) || sample <= far_below) return true;
-  // Of ISIS's five special values in 16 bits GDAL declares one.
+  // ISIS has five special values in 16 bits, of which GDAL declares one.
   if (is_isis_ && band_->GetRasterDataType() == GDT_Int16 && sample <= -32764) return true;
   if (nodata_ ? is_equal(*band_, sample, *nodata_) : is_declared(sample)) return true;
   if (nodata_ || !is_mark_of_16_bits(sample)) return false;
@@ -101,8 +102,8 @@ HeightBand::HeightBand(GDALRasterBand& band, const HeightScale& scale, std::opti
   find_masks();
 }
 
-// GDAL has one mask of a band: the file's; else of the nodata value; else an alpha band, and that
-// only of whole numbers beside one other band or three.
+// GDAL has one mask for a band: the file's; else that of the nodata value; else an alpha band, and
+// that only of whole numbers beside one other band or three.
 void HeightBand::find_masks() {
   const int flags = band_->GetMaskFlags();
   const bool is_of_nodata = (flags & GMF_NODATA) != 0;
@@ -119,8 +120,7 @@ void HeightBand::find_masks() {
   }
 }
 
-// GDAL averages without the samples that its one mask leaves out: the file's, else that of the
-// declared value.
+// GDAL averages without the samples of its one mask: the file's, else that of the declared value.
 bool HeightBand::is_averaged_right() const {
   const std::size_t left_out = is_first_mask_gdals_ ? 1 : 0;
   if (masks_.size() > left_out || seen_.has_loose_marks) return false;
@@ -129,7 +129,7 @@ bool HeightBand::is_averaged_right() const {
   if (is_isis_ && band_->GetRasterDataType() == GDT_Int16) return false;
   if (is_first_mask_gdals_ && (nodata_ || declared_)) return false;
   if (nodata_) return declared_.has_value();
-  // A file that declares one of the two has marked with that one.
+  // A file that declares one of the two marks missing samples with that one.
   if (declared_ && is_mark_of_16_bits(*declared_)) return true;
   return !may_hold_16_bit_marks();
 }
@@ -206,8 +206,8 @@ std::vector<double> HeightBand::heights_m(const RasterBlock& window, double limi
 }
 
 SampleRange HeightBand::range() const {
-  // As long as one reading of a megabyte takes; what a spread of blocks does not show is seen by
-  // heights_m().
+  // Bounds the time to that of reading a megabyte; heights_m() detects what the spread of blocks
+  // does not show.
   constexpr std::int64_t most_cells = std::int64_t{1} << 20;
   SampleRange range;
   range.low = range.second_low = std::numeric_limits<double>::infinity();

@@ -8,11 +8,11 @@
 
 namespace lsos {
 
-// Metres a unit: "m", "Metre", "us-ft", ...; nullopt for anything that is no unit of length.
+// Metres per unit: "m", "Metre", "us-ft", ...; nullopt for anything that is no unit of length.
 std::optional<double> length_unit_m(std::string_view name);
-// Says nothing: "", "unknown", "none", ...
+// Whether the name states no unit: "", "unknown", "none", ...
 bool is_no_unit(std::string_view name);
-// One name of each, for messages.
+// One name of each unit, for messages.
 std::vector<std::string> length_unit_names();
 
 }  // namespace lsos

@@ -14,7 +14,7 @@ namespace lsos {
 
 namespace {
 
-// Values of this number take a gigabyte while they are made.
+// Greatest number of values of one map, which take a gigabyte while they are made.
 constexpr double most_values = double{1 << 28};
 
 std::string wkt_of(const OGRSpatialReference& crs) {
@@ -59,7 +59,7 @@ std::string crs_about(const Body& body, const MapWindow& window) {
   return wkt_of(crs);
 }
 
-// Of a window on a map.
+// Bounds of a window on a map, in its grid coordinates.
 struct Bounds {
   double u_low = std::numeric_limits<double>::infinity();
   double v_low = u_low;
@@ -69,7 +69,7 @@ struct Bounds {
   // `period`: columns once around, or 0.
   Bounds(const RasterMap& map, const MapWindow& window, double period) {
     constexpr int steps = 360;
-    // Short of half a turn from the centre, where the map may be cut.
+    // The window stays short of half a turn from the centre, where the map may be cut.
     const double width_deg = std::min(window.width_deg(), 360 - 1e-9);
     const double centre_deg = window.west_deg + window.width_deg() / 2;
     const auto centre = map.coordinates(window.centre());
@@ -109,7 +109,7 @@ MapGrid grid_of_window(const Body& body, const MapWindow& window, double resolut
   const double most_cells = most_values / values;
   MapGrid grid;
   grid.crs = crs_about(body, window);
-  // A column and a row a metre: grid coordinates are those of the map, less half a metre.
+  // One column and one row per metre: grid coordinates are those of the map, less half a metre.
   grid.geotransform = {0, 1, 0, 0, 0, 1};
   const Bounds bounds(grid.map(body), window, 0);
   const auto cells = [&](double length_m) {

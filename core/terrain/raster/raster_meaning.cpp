@@ -15,7 +15,7 @@ namespace lsos {
 
 namespace {
 
-// Of the vertical part of the file's CRS; "" where it has none.
+// Unit of the vertical part of the file's CRS; "" where it has none.
 std::string vertical_unit(GDALDataset& dataset) {
   const OGRSpatialReference* crs = dataset.GetSpatialRef();
   if (crs == nullptr || !crs->IsCompound()) return "";

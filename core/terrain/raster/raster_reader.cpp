@@ -175,7 +175,7 @@ std::optional<RasterReader::CellSize> RasterReader::cell_size(const GridCoordina
   return CellSize{column_east_m, row_east_m, column_north_m, row_north_m};
 }
 
-// Of the map's y axis, clockwise from true north.
+// Azimuth of the map's y axis, clockwise from true north.
 std::optional<double> RasterReader::north_azimuth_rad(const GridCoordinates& cell) const {
   const RasterMap& map = raster_.map();
   if (map.crs().IsGeographic()) return 0;

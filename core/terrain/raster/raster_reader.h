@@ -13,7 +13,7 @@ struct RasterPoint {
   MapPoint map;  // in the raster's CRS
   // Absent beyond the raster and where a sample that counts is missing.
   std::optional<double> height_m;  // bilinear between cell centres, those outermost going on level
-  // By Horn's formula at the nearest cell, as gdaldem has them: on the map, without its
+  // Slope and aspect by Horn's formula at the nearest cell, as gdaldem has them: on the map, without its
   // distortion. Aspect is where it falls to, clockwise from the map's y axis and from true north;
   // absent on level ground.
   std::optional<double> slope_rad;

@@ -4,7 +4,7 @@ namespace lsos {
 
 namespace {
 
-// What a mass of 1 kg at p adds to the moments about the axes through the origin.
+// Moments about the axes through the origin of a mass of 1 kg at p.
 Vec3 arms_squared(const Vec3& p) {
   const Vec3 square = p.cwiseProduct(p);
   return {square.y() + square.z(), square.x() + square.z(), square.x() + square.y()};

@@ -57,7 +57,7 @@ RestInertia::Matrix RestInertia::velocity(int link, const Vec3& p_B_m) const {
   return v;
 }
 
-// A force along `direction` accelerates by M^-1 direction, of which direction . that is along it.
+// A force along d accelerates the vehicle by M^-1 d, whose part along d is d . M^-1 d.
 double RestInertia::seen_along(const Vector& direction) const {
   return 1 / direction.dot(mass_.solve(direction));
 }

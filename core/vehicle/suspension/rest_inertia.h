@@ -1,5 +1,5 @@
-// How heavy a vehicle at rest is to the forces that act in its joints and at its wheels, with all
-// its other joints free.
+// Effective inertia of a vehicle at rest, as seen by forces in its joints and at its wheels, with
+// all its other joints free.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,11 +12,13 @@ class RestInertia {
  public:
   explicit RestInertia(const VehicleConfig& vehicle);
 
-  // kg or kg m2: force a unit of relative acceleration in a joint.
+  // Inertia of a joint, kg or kg m2: force for each unit of relative acceleration in it.
   double of_joint(int link) const;
-  // kg m2: torque on both joints a unit of acceleration of their angles' sum.
+  // Inertia of a coupling, kg m2: torque on both joints for each unit of acceleration of their
+  // angles' sum.
   double of_coupling(const JointCoupling& coupling) const;
-  // kg: force along a unit vector a unit of acceleration of a link's material at a point.
+  // Inertia of a point of a link, kg: force along a unit vector for each unit of acceleration
+  // there.
   double of_point(int link, const Vec3& p_B_m, const Vec3& direction_B) const;
 
  private:
@@ -24,7 +26,7 @@ class RestInertia {
   using Vector = Eigen::VectorXd;
 
   // Velocity of a link's material at a point, and its angular velocity, as linear functions (3 x n)
-  // of the chassis' velocity at the origin, its angular velocity, and the joints' rates.
+  // of the chassis' velocity at the origin, its angular velocity, and the joint rates.
   Matrix velocity(int link, const Vec3& p_B_m) const;
   Matrix angular_velocity(int link) const;
   double seen_along(const Vector& direction) const;

@@ -11,15 +11,16 @@ namespace lsos {
 
 namespace {
 
-// Of an arm's box; see SwingArm::moments_kgm2.
+// Least edges of the box that an arm's default moments are computed from; see
+// SwingArm::moments_kgm2.
 constexpr double edge_share_min = 0.2, edge_min_m = 0.05;
 
-// The left side is mirrored at y = 0.
+// The point on its side: the right side is the left one mirrored at y = 0.
 Vec3 on_side(const Vec3& p_left_m, bool is_left) {
   return {p_left_m.x(), is_left ? p_left_m.y() : -p_left_m.y(), p_left_m.z()};
 }
 
-// What an arm joins, on the left.
+// Points that an arm joins, on the left.
 std::vector<Vec3> joined_B_m(const RockerBogie& s, Arm arm) {
   const bool is_rocker = arm == Arm::rocker;
   std::vector<Vec3> points{is_rocker ? s.rocker.p_B_pivot_m : s.bogie->p_B_pivot_m};
@@ -59,7 +60,7 @@ int add_arm(VehicleConfig& vehicle, const SwingArm& arm, const std::string& name
   return static_cast<int>(vehicle.links.size()) - 1;
 }
 
-// The links of one side; answers the rocker's.
+// Adds the links of one side; returns the rocker's index.
 int add_side(VehicleConfig& vehicle, const RockerBogie& s, bool is_left) {
   const std::string side = is_left ? "left" : "right";
   const Vec3 p_B_rocker_m = on_side(s.rocker.p_B_pivot_m, is_left);
@@ -133,7 +134,7 @@ std::vector<std::string> station_faults(const std::vector<WheelStation>& station
 std::vector<std::string> rocker_bogie_faults(const RockerBogie& suspension) {
   std::vector<std::string> faults = station_faults(suspension.stations, suspension.wheel.width_m);
   int on_rocker = 0, on_bogie = 0;
-  double front_m = -1e9, rear_m = 1e9;  // of the bogie's stations
+  double front_m = -1e9, rear_m = 1e9;  // extent of the bogie's stations
   for (const WheelStation& station : suspension.stations) {
     if (station.arm == Arm::rocker) {
       ++on_rocker;

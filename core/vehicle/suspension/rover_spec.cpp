@@ -30,7 +30,8 @@ const RoverConfiguration* find_configuration(const RoverSpec& spec, const std::s
   return found == spec.configurations.end() ? nullptr : &*found;
 }
 
-// Names that the vehicle does not have are passed over: configuration_faults tells of them.
+// Applies joint positions and wheel modes. Unknown names are ignored here; configuration_faults
+// reports them.
 void apply(VehicleConfig& vehicle, const RoverConfiguration& configuration) {
   for (LinkConfig& link : vehicle.links) {
     const auto joint = configuration.joints.find(link.name);
@@ -47,7 +48,7 @@ void apply(VehicleConfig& vehicle, const RoverConfiguration& configuration) {
 VehicleConfig make_with(const RoverSpec& spec, const RoverConfiguration* configuration,
                         double gravity_mps2) {
   VehicleConfig vehicle = spec.vehicle;
-  // Before the template, so that springs are set for it.
+  // The payload is added before the template, which sets the springs for it.
   if (configuration != nullptr && configuration->payload_mass_kg != 0) {
     add_point_mass(vehicle.chassis, vehicle.p_BC_m, configuration->payload_mass_kg,
                    configuration->p_BP_m);
@@ -65,7 +66,7 @@ VehicleConfig make_with(const RoverSpec& spec, const RoverConfiguration* configu
   return vehicle;
 }
 
-// A bogie holds its rocker up at its pivot, whatever wheels stand beyond.
+// A bogie supports its rocker only at its pivot, whatever wheels are beyond it.
 std::vector<std::string> tipping_faults(const RoverSpec& spec, const VehicleConfig& whole) {
   std::vector<std::string> faults = balance_faults(whole);
   const auto* suspension = std::get_if<RockerBogie>(&spec.suspension);
@@ -85,7 +86,7 @@ std::vector<std::string> tipping_faults(const RoverSpec& spec, const VehicleConf
                   center_m, rear_m, front_m)};
 }
 
-// How far a joint may stand from 0 at the start; nothing where there is no limit.
+// Range of a joint's initial position; absent where it is unlimited.
 std::optional<std::pair<double, double>> limits(const LinkConfig& link) {
   if (link.spring) return std::pair(link.spring->lower_stop, link.spring->upper_stop);
   if (link.steering) return std::pair(-link.steering->angle_max_rad, link.steering->angle_max_rad);
@@ -169,7 +170,7 @@ std::vector<std::string> vehicle_faults(const RoverSpec& spec) {
     faults.push_back(fmt::format("drive_calibration = {}: needs a drive_calibration_source",
                                  spec.vehicle.drive_calibration));
   }
-  if (!faults.empty()) return faults;  // what follows needs a vehicle that can be built
+  if (!faults.empty()) return faults;  // the checks below need a vehicle that can be built
 
   const VehicleConfig whole = make_with(spec, nullptr, 1);
   if (!std::holds_alternative<SkidSteer>(spec.suspension) &&

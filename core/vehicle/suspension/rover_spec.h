@@ -1,4 +1,4 @@
-// What a rover script says.
+// The contents of a rover script.
 #pragma once
 
 #include <cstdint>
@@ -17,33 +17,33 @@ namespace lsos {
 
 using Suspension = std::variant<Wishbone, RockerBogie, SkidSteer>;
 
-// What a plan's RoverConfig may name: how the vehicle stands and is loaded when it starts.
+// A configuration that a plan's RoverConfig may name: state and load of the vehicle at the start.
 struct RoverConfiguration {
   std::string name = {};
   std::string doc = {};
-  std::map<std::string, double> joints = {};  // m or rad, by joint; the others stand at 0
+  std::map<std::string, double> joints = {};  // m or rad, by joint; the others are at 0
   std::vector<std::string> free_wheels = {};  // by wheel: turns without motor and brake
   std::vector<std::string> locked_wheels = {};
-  double payload_mass_kg = 0;  // on the chassis, besides its own; negative takes load off
-  Vec3 p_BP_m = Vec3::Zero();  // of the payload's centre of mass
-  std::optional<std::int64_t> crew = {};  // aboard; absent: as many as the rover carries
+  double payload_mass_kg = 0;  // on the chassis, in addition to its mass; negative removes mass
+  Vec3 p_BP_m = Vec3::Zero();  // centre of mass of the payload
+  std::optional<std::int64_t> crew = {};  // people on board; absent: as many as the rover carries
 };
 
 struct RoverSpec {
   std::string name = {};
   std::string doc = {};
   Place place = {};
-  VehicleConfig vehicle;  // without links: the template adds them at the site's gravity
+  VehicleConfig vehicle;  // without links, which the template adds for the site's gravity
   Suspension suspension;
   std::vector<RoverConfiguration> configurations = {};
 };
 
-// The whole vehicle in one of its configurations ("": as the template makes it).
+// The whole vehicle in one of its configurations ("": as the template builds it).
 VehicleConfig make_vehicle(const RoverSpec& spec, const std::string& configuration,
                            double gravity_mps2);
 
-// What does not fit together in a script ("wheel_offsets_m is empty"), one sentence each; empty
-// when all is well.
+// Inconsistencies in a script ("wheel_offsets_m is empty"), one sentence each; empty if there are
+// none.
 std::vector<std::string> vehicle_faults(const RoverSpec& spec);
 
 }  // namespace lsos

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double height_tolerance_m = 1e-6;
 
-// A wheel of the vehicle at rest.
+// A wheel of the vehicle at rest with all joints at 0.
 struct StandingWheel {
   const LinkConfig* link;
   Vec3 hub_B_m;
@@ -32,13 +32,13 @@ std::vector<StandingWheel> standing_wheels(const VehicleConfig& vehicle) {
   return wheels;
 }
 
-// How far `p` is to the left of the line from a to b, times their distance.
+// Distance of `p` to the left of the line from a to b, times the length |b - a|.
 double left_of(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a, to = p - a;
   return along.x() * to.y() - along.y() * to.x();
 }
 
-// Whether p is within the convex hull of the points: on the same side of each line through two of
+// Whether p lies in the convex hull of the points: on the inner side of each line through two of
 // them that has all others on one side.
 bool is_within_hull(const Vec2& p, const std::vector<Vec2>& points) {
   for (const Vec2& a : points) {
@@ -51,7 +51,7 @@ bool is_within_hull(const Vec2& p, const std::vector<Vec2>& points) {
   return true;
 }
 
-// The wheels' place on the ground goes first so that it names the wheel.
+// The height check runs before others since its message names the wheel.
 void check_height(const StandingWheel& wheel, std::vector<std::string>& faults) {
   const double radius_m = wheel.link->wheel->radius_m;
   const double gap_m = wheel.hub_B_m.z() - radius_m;
@@ -81,8 +81,8 @@ void check_overlap(const StandingWheel& a, const StandingWheel& b,
   }
 }
 
-// The angle at which a wheel at `p_B_m` rolls when the vehicle turns about `center_B_m`, either
-// way along its heading.
+// Steering angle at which a wheel at `p_B_m` rolls while the vehicle turns about `center_B_m`; a
+// wheel may roll in either direction along its heading.
 double rolling_angle_rad(const Vec2& p_B_m, const Vec2& center_B_m) {
   const Vec2 arm = p_B_m - center_B_m;
   return arm.norm() == 0 ? 0 : std::atan2(std::abs(arm.x()), std::abs(arm.y()));

@@ -1,4 +1,4 @@
-// What makes a vehicle unfit to be simulated. One sentence each, empty when all is well.
+// Checks for what makes a vehicle unfit for simulation. One sentence each; empty if all is well.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace lsos {
 
-// Springs and dampers too stiff for the step: explicit integration of a mode of angular frequency
-// omega is stable for omega dt < 2, of a damper that halts its inertia in a time T for dt < 2 T;
-// more than 1 of either is refused. Each is looked at alone, with the inertia that it moves; a
-// wheel's normal spring with the wheel's mass alone, as its carrier may give way.
+// Springs and dampers that are too stiff for the step. Explicit integration is stable for omega dt
+// < 2 with a mode of angular frequency omega, and for dt < 2 T with a damper that halts its inertia
+// in a time T; omega dt > 1 or dt > T is refused. Each is checked alone, with the inertia that it
+// moves; a wheel's normal spring with the mass of the wheel alone, since its carrier may give way.
 std::vector<std::string> stability_faults(const VehicleConfig& vehicle);
 
-// How it stands at rest on level ground with all joints at 0: wheels on the ground and clear of
-// each other, chassis above the ground.
+// Faults at rest on level ground with all joints at 0: wheels must be on the ground and clear of
+// each other, the chassis above the ground.
 std::vector<std::string> rest_faults(const VehicleConfig& vehicle);
-// The same: centre of mass over the wheels.
+// The centre of mass must be over the wheels, in the same state.
 std::vector<std::string> balance_faults(const VehicleConfig& vehicle);
 
-// Whether the vehicle can move as it says it can: turning, crabbing, speed of its motors.
+// Whether the vehicle can do what it declares: turn, crab, and reach its speed with its motors.
 std::vector<std::string> ability_faults(const VehicleConfig& vehicle);
 
-// Grousers that are no grousers.
+// Grousers with inconsistent height and number, or higher than the wheel's radius.
 std::vector<std::string> grouser_faults(const Wheel& wheel);
 
 }  // namespace lsos

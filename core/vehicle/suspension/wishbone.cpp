@@ -11,8 +11,8 @@ namespace lsos {
 
 namespace {
 
-// Shares of a load at `p_B_m` that keep modules in balance: of all such shares those nearest to
-// equal ones, which are linear in x and y. Equal ones where no balance can be had.
+// Shares of a load at `p_B_m` that keep the modules in balance. Of all such shares those nearest to
+// equal ones are taken; they are linear in x and y. Without a solution the shares are equal.
 std::vector<double> shares_in_balance(const std::vector<WishboneModule>& modules,
                                       const Vec2& p_B_m) {
   Mat3 sums = Mat3::Zero();

@@ -1,6 +1,5 @@
 // Suspension template: independently sprung wheel modules (SEV, LRV). Each module travels
-// vertically, steers about a vertical axis or not at all, and carries one or more wheels on one
-// axle line.
+// vertically, may steer about a vertical axis, and carries one or more wheels on one axle line.
 #pragma once
 
 #include <optional>
@@ -13,13 +12,14 @@ namespace lsos {
 
 struct WishboneModule {
   std::string name;        // "front_left"
-  Vec2 p_B_m;              // of the steering axis: x forward, y left
-  bool is_steered = true;  // has a knuckle and its mass
+  Vec2 p_B_m;              // steering axis: x forward, y left
+  bool is_steered = true;  // steered modules have a knuckle and its mass
 };
 
 struct Wishbone {
   std::vector<WishboneModule> modules;
-  // Unsprung, not steered, of one module: arms. Then what steers: knuckle and motors.
+  // Unsprung masses of one module: the arms, which are not steered, and the knuckle with its
+  // motors.
   double arm_mass_kg = 0;
   double knuckle_mass_kg = 0;
   double stiffness_npm = 0;  // at the wheel
@@ -29,17 +29,17 @@ struct Wishbone {
   SteeringMotor steering;
   std::vector<double> wheel_offsets_m;  // along the axle from the steering axis, left positive
   double wheel_mass_kg = 0;
-  std::optional<Vec3> wheel_moments_kgm2;  // forward, axle, up; by default of a disc
+  std::optional<Vec3> wheel_moments_kgm2;  // forward, axle, up; default: those of a disc
   Wheel wheel;
   DriveMotor drive;
 };
 
 // Adds the modules' links to `vehicle`: front_left_arm, front_left_steering, front_left_wheel_1.
-// The springs' preload carries the chassis level in `gravity_mps2`: the ride height is set at the
-// site, as with an adjustable suspension, and that is added to the assumptions.
+// The preload of the springs holds the chassis level in `gravity_mps2`. The ride height is
+// therefore set at the site, as with an adjustable suspension; this is added to the assumptions.
 void add_wishbone(VehicleConfig& vehicle, const Wishbone& wishbone, double gravity_mps2);
 
-// What does not fit together ("wheel_offsets_m is empty"), one sentence each; empty when fine.
+// Inconsistencies ("wheel_offsets_m is empty"), one sentence each; empty if there are none.
 std::vector<std::string> wishbone_faults(const Wishbone& wishbone);
 
 }  // namespace lsos

@@ -11,14 +11,14 @@ namespace lsos {
 
 namespace {
 
-// The disc is cut into upright strips of equal area; the horizon is level across each. Their
-// middles and half heights in radii: five of them err by less than 1 % of the disc.
+// The disc is cut into vertical strips of equal area, and the horizon is taken as level across
+// each. Five strips err by less than 1 % of the disc.
 constexpr int strips = 5;
 
-constexpr int steps_refined = 8;  // about the highest ground
-constexpr double eye_m = 1e-3;    // above the ground, against its own rounding
+constexpr int steps_refined = 8;  // per step on either side of the highest ground
+constexpr double eye_m = 1e-3;    // above the ground, so that rounding does not hide the eye
 
-// Where a disc of radius 1 is cut so that the part to the left has that share of its area.
+// x of the vertical cut through a unit disc that leaves that share of its area to the left.
 double cut_at(double share) {
   double low = -1, high = 1;
   for (int k = 0; k < 50; ++k) {
@@ -97,7 +97,7 @@ std::optional<GroundLight> GroundLightProbe::at(const Geodetic& place, const Vec
     const double from = cut_at(static_cast<double>(k) / strips);
     const double to = cut_at((k + 1.0) / strips);
     const double middle = (from + to) / 2;
-    // A strip as high as its area says.
+    // Half height of the rectangle that has the strip's width and area.
     const double half_rad = disc_rad * std::numbers::pi / strips / (2 * (to - from));
     const double aside_rad = disc_rad * middle / std::max(0.05, std::cos(sun_rad));
     const Vec3 way_S = std::cos(aside_rad) * along_S + std::sin(aside_rad) * across_S;

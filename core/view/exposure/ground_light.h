@@ -1,5 +1,6 @@
-// The Sun on the ground itself: how much of its disc a place sees over the terrain around it. By
-// marching over the height field, for maps; panels are looked at by rendering (panel_view.h).
+// Exposure of the ground to the Sun: how much of its disc a place sees over the surrounding
+// terrain, found by marching over the height field. Used for maps; panels are evaluated by
+// rendering (panel_view.h).
 #pragma once
 
 #include <optional>
@@ -10,37 +11,38 @@
 namespace lsos {
 
 struct GroundLight {
-  double sun_fraction = 0;  // of the disc, 0..1
-  double incidence = 0;  // cosine between the ground's normal and the disc's middle; below 0: away
-  // Some of the disc is seen over the end of the ground that is known: less of it may be.
+  double sun_fraction = 0;  // visible share of the disc, 0..1
+  double incidence = 0;  // cosine between the ground's normal and the disc's centre; negative: away
+  // Present where part of the disc is seen over the end of the known ground: the true share may be
+  // less.
   std::optional<GroundEnd> end;
 };
 
-// One a thread; results never depend on what was asked before.
+// Use one per thread; results do not depend on earlier calls.
 class GroundLightProbe {
  public:
-  // `resolution_m`: of the map that is made; what is much smaller is left out.
+  // `resolution_m`: resolution of the map; much smaller detail is left out.
   GroundLightProbe(const Ground& ground, double resolution_m);
 
-  // `sun_S`: unit, to the middle of the disc of that angular radius. Absent where there is no
-  // ground. `height_m`: of the eye above it.
+  // `sun_S`: unit vector to the centre of the disc, whose angular radius is `disc_rad`. `height_m`:
+  // height of the eye above the ground. Absent where there is no ground.
   std::optional<GroundLight> at(const Geodetic& place, const Vec3& sun_S, double disc_rad,
                                 double height_m = 0);
 
  private:
   static constexpr double step_share = 0.01;    // of the distance marched
-  static constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
+  static constexpr double coarse_share = 0.25;  // of a step: finer detail is left out
 
   struct Eye {
     Vec3 p_S_m, up_S;
     double height_m;         // above the reference surface
-    double ground_height_m;  // of the ground last found on the way from it
+    double ground_height_m;  // of the last ground found along the ray
   };
-  // The highest elevation of ground in a direction along the surface, rad. Beyond its end the
-  // ground is taken to go on level. `matters_m`: where it ends is looked for so far.
+  // Elevation angle of the horizon in a direction along the surface. Beyond its end the ground is
+  // assumed to continue level. `matters_m`: distance up to which its end is searched for.
   double horizon_rad(Eye eye, const Vec3& along_S, double lowest_rad, double highest_rad,
                      double matters_m, GroundEndTracker& tracker);
-  // The elevation under which the ground at that distance is seen.
+  // Elevation angle at which the ground at that distance is seen.
   struct Elevation {
     double elevation_rad;
     bool is_known;

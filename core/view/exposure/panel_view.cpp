@@ -12,18 +12,19 @@ namespace lsos {
 
 namespace {
 
-// A tile of the picture a direction.
+// The picture has one tile per direction.
 constexpr int tile_px = 64;
 constexpr int tiles_across = 8;
 static_assert(tiles_across * tiles_across == PanelView::directions_max);
 constexpr int size_px = tile_px * tiles_across;
 
-// In radii of the light's cosine: below, the panel is seen from its edge.
+// Least cosine between normal and direction; below it the panel is seen edge-on.
 constexpr double cosine_min = 1e-4;
 constexpr int clip_planes = 6;
 
-// Column k of a viewpoint's matrix: panel coordinates (-1..1 across it; metres towards the viewer).
-// A line from a point at c to a viewer at distance d meets the panel's plane at c.xy / (1 - c.z/d).
+// to_panel maps a point to panel coordinates c: x and y are -1..1 across the panel, z is in metres
+// towards the viewer. A line from c to a viewer at distance d meets the panel's plane at
+// c.xy / (1 - c.z/d).
 constexpr const char* vertex_shader = R"(#version 330 core
 uniform mat3 to_panel[64];
 uniform float per_distance[64];
@@ -49,7 +50,7 @@ out vec4 colour;
 void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
 
-// Sides of the view that a point lies beyond, seen from each viewpoint.
+// Sides of the view, as flags: those that a point lies beyond from every viewpoint.
 enum Beyond : unsigned { right = 1, left = 2, over = 4, under = 8, near = 16, behind = 32 };
 
 struct View {
@@ -57,12 +58,12 @@ struct View {
   double per_distance = 0;  // 1/m
 };
 
-// Without triangles that lie beyond one side of the view wherever they are seen from.
-// Most of a rover lies so; what is left is drawn, and decides.
+// Culls triangles that lie beyond one side of the view from every viewpoint, as most of a rover
+// does. The rest is drawn, and decides.
 std::vector<std::array<std::uint32_t, 3>> triangles_in_view(const PanelFace& panel,
                                                             const Mesh& mesh,
                                                             const std::vector<View>& views) {
-  constexpr double side = 1.001;  // more than single precision rounds
+  constexpr double side = 1.001;  // exceeds 1 by more than single precision rounds
   const Vec3 normal = panel.normal();
   std::vector<unsigned> beyond;
   for (const auto& vertex : mesh.vertices) {
@@ -163,7 +164,7 @@ std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh
   LSOS_ASSERT(viewpoints.size() <= directions_max);
   std::vector<double> shares(viewpoints.size(), 0.0);
   const Vec3 normal = panel.normal();
-  // Only viewpoints before the front get a tile.
+  // Only viewpoints in front of the panel get a tile.
   std::vector<float> matrices, per_distance;
   std::vector<View> views;
   std::vector<std::size_t> drawn;
@@ -207,7 +208,7 @@ std::vector<double> PanelView::visible_shares(const PanelFace& panel, const Mesh
                static_cast<GLsizeiptr>(triangles.size() * sizeof triangles[0]), triangles.data(),
                GL_STREAM_DRAW);
 
-  // The panel is all of each tile.
+  // The panel fills each tile.
   glClearColor(0, 1, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * triangles.size()), GL_UNSIGNED_INT,

@@ -1,6 +1,6 @@
-// How much of a panel is seen from somewhere: the panel drawn green as it is seen from there,
-// everything else black in front of it, and the green pixels counted. A panel that the Sun sees; an
-// ornament that another rover sees.
+// The visible share of a panel: the panel is drawn green as seen from a viewpoint, everything in
+// front of it black, and the green pixels are counted. Used for panels that the Sun sees and for
+// targets that another rover sees.
 #pragma once
 
 #include <limits>
@@ -24,16 +24,16 @@ struct PanelFace {
   double area_m2() const { return 4 * half_u_m.cross(half_v_m).norm(); }
 };
 
-// It as what shades others: two triangles.
+// The panel as an occluder of others: two triangles.
 Mesh face_mesh(const PanelFace& face);
 
-// Where it is looked at from: infinitely far away the picture is orthographic.
+// Where a panel is seen from. At infinite distance the projection is orthographic.
 struct Viewpoint {
   Vec3 direction = Vec3::UnitZ();  // unit, from the middle of the panel
   double distance_m = std::numeric_limits<double>::infinity();
 };
 
-// What lies so near to the panel's plane or to the viewer does not count.
+// Occluders nearer than this to the panel's plane or to the viewer are ignored.
 struct ViewMargins {
   double panel_m = 1e-3, viewer_m = 0;
 };
@@ -46,13 +46,13 @@ class PanelView {
   explicit PanelView(const Gpu& gpu);
   ~PanelView();
 
-  // Share 0..1 of the panel that is seen from each viewpoint: the picture is stretched so that the
-  // panel fills it. 0 from behind the panel. Of the occluders what lies beyond the panel's plane or
-  // behind the viewer does not count. At most directions_max.
+  // Share 0..1 of the panel that is seen from each viewpoint; 0 from behind the panel. The picture
+  // is stretched so that the panel fills it. Occluders beyond the panel's plane or behind the
+  // viewer are ignored. At most directions_max viewpoints.
   std::vector<double> visible_shares(const PanelFace& panel, const Mesh& occluders,
                                      std::span<const Viewpoint> viewpoints,
                                      const ViewMargins& margins = {});
-  // From infinitely far away, in directions that point from the panel to the viewer.
+  // The same from infinite distance; directions point from the panel to the viewer.
   std::vector<double> visible_shares(const PanelFace& panel, const Mesh& occluders,
                                      std::span<const Vec3> directions);
 

@@ -1,4 +1,4 @@
-// What light and sight are drawn with.
+// The renderer for light and lines of sight.
 #pragma once
 
 #include "view/exposure/panel_view.h"
@@ -6,7 +6,7 @@
 
 namespace lsos {
 
-// Made, used and destroyed on one thread.
+// Constructed, used and destroyed on one thread.
 struct Renderer {
   explicit Renderer(GpuChoice choice = GpuChoice::any) : gpu(choice), panels(gpu) {}
 

@@ -13,14 +13,14 @@ namespace lsos {
 
 namespace {
 
-// Rows that are looked at first, in the middle of the strip.
+// Spacing of the coarse rows that are sampled first, in the middle of the strip.
 constexpr double first_rows_m = 0.5, first_share = 0.01;
-constexpr int nodes_across = 13;  // of rows that are drawn
-// Between the rows first looked at the ground may rise by so much of their distance.
+constexpr int nodes_across = 13;  // of the rows in the mesh
+// Greatest slope (tangent) of the ground between coarse rows.
 constexpr double rise_max = 1.2;
 constexpr double farthest_m = 400e3;
 
-// Heights of the strip in its own axes: x towards the Sun, y across, z up at the eye.
+// The strip in its own axes: x towards the Sun, y across, z up at the eye.
 class Strip {
  public:
   Strip(const Ground& ground, const SunColumn& column)
@@ -39,7 +39,8 @@ class Strip {
   double half_width_m(double x_m) const {
     return column_.reach_m + 1.1 * x_m * std::tan(column_.disc_rad);
   }
-  // How steeply a point is seen from all that is lit: at most, and at least; x above the reach.
+  // Greatest and least slope at which a point is seen from any part of the lit object; its x must
+  // exceed the reach.
   double steepest(const Vec3& at) const {
     return (at.z() + column_.reach_m) /
            (at.z() + column_.reach_m > 0 ? at.x() - column_.reach_m : at.x() + column_.reach_m);
@@ -49,26 +50,26 @@ class Strip {
            (at.z() - column_.reach_m > 0 ? at.x() + column_.reach_m : at.x() - column_.reach_m);
   }
   bool is_past_reach(double x_m) const { return x_m > 2 * column_.reach_m; }
-  // Ground that is seen more steeply than this hides all of the disc.
+  // Ground that is seen at a steeper slope than this hides the whole disc.
   double top_ray() const {
     return std::tan(std::clamp(elevation_rad_ + column_.disc_rad, -1.5, 1.5));
   }
-  // The lowest ray to the Sun from anything that is lit.
+  // Height of the lowest ray to the Sun from any part of the lit object.
   double lowest_ray_m(double x_m) const {
     const double lowest_rad = elevation_rad_ - column_.disc_rad;
     return x_m * std::tan(std::clamp(lowest_rad, -1.5, 1.5)) - column_.reach_m;
   }
-  // Where even the highest ground of the body lies under all rays.
+  // Whether even the highest ground of the body would lie below all rays at that distance.
   bool is_beyond(double x_m) const {
     const Body& body = ground_.site().body();
     const double drop_m = x_m * x_m / (2 * body.equatorial_radius_m);
     const double eye_m = ground_.site().height_m(column_.eye_S_m);
     return lowest_ray_m(x_m) + drop_m > body.highest_ground_m - eye_m;
   }
-  // The ground there, in the strip's axes. Beyond its end the last height that was found.
+  // The ground at that position, in the strip's axes; beyond its end at the last height found.
   Vec3 point(double x_m, double y_m) { return point(probes_.at(x_m), x_m, y_m); }
-  // The same without detail of less than two nodes; they are as far apart as the rows first looked
-  // at. What is missing is at most twice as high, rocks as high as wide.
+  // The same without detail narrower than two nodes, which are as far apart as the coarse rows. The
+  // missing detail is at most twice that spacing high; rocks are as high as they are wide.
   Vec3 first_point(double x_m) { return point(first_probe(x_m), x_m, 0); }
 
  private:
@@ -89,7 +90,7 @@ class Strip {
     if (!sample.is_ground()) return {};
     return axes_S_.transpose() * (p_S_m - sample.gap_m * sample.up_S - column_.eye_S_m);
   }
-  // One for each octave of distance.
+  // The probe for coarse rows at that distance, one per octave.
   Ground::Probe& first_probe(double x_m) {
     const int octave = std::ilogb(std::max(1.0, first_share * x_m / first_rows_m));
     const auto found = first_probes_.find(octave);
@@ -107,7 +108,7 @@ class Strip {
   std::map<int, Ground::Probe> first_probes_;
 };
 
-// Adds a row of nodes across the strip; joined to the last row when that is the one before.
+// The mesh, built row by row across the strip; a row may be joined to the one before it.
 class StripMesh {
  public:
   explicit StripMesh(Strip& strip) : strip_(strip) {}
@@ -131,14 +132,14 @@ class StripMesh {
       add_triangle({k, k + 1, k + nodes_across});
       add_triangle({k + 1, k + nodes_across + 1, k + nodes_across});
     }
-    // Drawn between two rows, the ground hides at least what the lower one does.
+    // Ground drawn between two rows hides at least what the lower row hides.
     ridge_ = std::max(ridge_, lowest);
   }
   double ridge() const { return ridge_; }
   Mesh take() { return std::move(mesh_); }
 
  private:
-  // The lowest rays lie in a plane: what has all corners under it meets none.
+  // The lowest rays lie in a plane: a triangle with all corners below it meets none of them.
   void add_triangle(const std::array<std::uint32_t, 3>& corners) {
     if (is_low_[corners[0]] && is_low_[corners[1]] && is_low_[corners[2]]) return;
     mesh_.triangles.push_back(corners);
@@ -146,9 +147,9 @@ class StripMesh {
 
   Strip& strip_;
   Mesh mesh_;
-  std::vector<bool> is_low_;  // of each vertex: below all rays, or behind the ridge
-  // How steeply, at the least, ground that is drawn is seen all across the strip; it hides what is
-  // lower behind it.
+  std::vector<bool> is_low_;  // by vertex: below all rays, or behind the ridge
+  // Least slope at which ground already in the mesh is seen across the whole strip; it hides lower
+  // ground behind it.
   double ridge_ = -std::numeric_limits<double>::infinity();
 };
 
@@ -157,7 +158,7 @@ class StripMesh {
 Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   Strip strip(ground, column);
   StripMesh mesh(strip);
-  bool is_open = false;  // the last row drawn is where this stretch begins
+  bool is_open = false;  // the last row added is where this stretch begins
   double x_m = 0, z_m = strip.first_point(0).z();  // of the middle line
   while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
     const double next_m = x_m + std::max(first_rows_m, first_share * x_m);

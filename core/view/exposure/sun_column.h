@@ -1,4 +1,4 @@
-// The ground that may stand between a place and the Sun: a strip of it, from under the place to
+// A mesh of the ground that may stand between a place and the Sun: a strip from below the place to
 // beyond the horizon.
 #pragma once
 
@@ -8,16 +8,16 @@
 namespace lsos {
 
 struct SunColumn {
-  Vec3 eye_S_m = Vec3::Zero();  // the middle of what is lit
-  double reach_m = 1;           // all of which lies so near to it
-  Vec3 sun_S = Vec3::UnitZ();   // unit, to the middle of the disc
+  Vec3 eye_S_m = Vec3::Zero();  // the centre of the lit object
+  double reach_m = 1;           // radius around it that holds the whole object
+  Vec3 sun_S = Vec3::UnitZ();   // unit, to the centre of the disc
   double disc_rad = 0;          // its angular radius
 };
 
-// Its surface about `eye_S_m` in site axes, in pieces that may hide some of the Sun from some of
-// what is lit; parts that are surely too low are left out. Rows lie as close as 0.4 % of the
-// distance, or 0.2 m; detail is drawn that is as wide. Beyond the ground's end it goes on at its
-// last height, over the curved body. A pure function of its arguments.
+// The surface relative to `eye_S_m` in site axes: the pieces that may hide part of the Sun from
+// part of the lit object. Parts that are certainly too low are left out. Row spacing is 0.4 % of
+// the distance, at least 0.2 m, with detail as wide as that. Beyond its end the ground continues at
+// its last height over the curved body. A pure function of its arguments.
 Mesh ground_mesh(const Ground& ground, const SunColumn& column);
 
 }  // namespace lsos

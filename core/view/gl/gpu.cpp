@@ -25,7 +25,7 @@ Function egl_function(const char* name) {
   return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-// GPUs first, as their drivers list them; Mesa without a device last.
+// Displays to try: GPUs in the order in which their drivers list them, then Mesa without a device.
 std::vector<EGLDisplay> displays(GpuChoice choice) {
   std::vector<EGLDisplay> found;
   const auto get = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -44,7 +44,7 @@ std::vector<EGLDisplay> displays(GpuChoice choice) {
 }
 
 EGLContext context_on(EGLDisplay display) {
-  // The default, a window, finds none.
+  // The default surface type, a window, matches no configuration.
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
                            EGL_NONE};
   EGLConfig config = nullptr;

@@ -1,5 +1,5 @@
-// A place to draw without a screen: an EGL context, on a GPU where there is one, else on Mesa's
-// software renderer.
+// Off-screen rendering: an EGL context on a GPU if there is one, otherwise on Mesa's software
+// renderer.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,20 @@ namespace lsos {
 
 enum class GpuChoice { any, software };
 
-// Made, used and destroyed by one thread, on which it is current all the while. Those of one thread
-// that live at a time share one context, so that simulations side by side may draw in turn.
+// A Gpu is constructed, used and destroyed on one thread, where its context is current throughout.
+// Objects of the same choice that are alive on one thread share one context, so that several
+// simulations may draw alternately.
 class Gpu {
  public:
-  // `LSOS_GPU=software` in the environment chooses that too. Throws InputError: there is no EGL, or
-  // none of its devices draws with OpenGL 3.3; says what to install.
+  // The environment variable `LSOS_GPU=software` also selects the software renderer. Throws
+  // InputError when there is no EGL or no device supports OpenGL 3.3; the message says what to
+  // install.
   explicit Gpu(GpuChoice choice = GpuChoice::any);
   ~Gpu();
   Gpu(const Gpu&) = delete;
   Gpu& operator=(const Gpu&) = delete;
 
-  // "llvmpipe (LLVM 15.0.6, 256 bits)", for logs.
+  // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)", for logs.
   const std::string& name() const;
 
  private:

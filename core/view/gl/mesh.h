@@ -18,7 +18,7 @@ struct Mesh {
 // `more` placed in the mesh's frame: p = p_m + R * vertex.
 void append(Mesh& mesh, const Mesh& more, const Mat3& R, const Vec3& p_m);
 
-// Boxes, cylinders about z and spheres, centred on the origin; closed.
+// Closed boxes, and cylinders about z, centred on the origin.
 Mesh box_mesh(const Vec3& size_m);
 Mesh cylinder_mesh(double radius_m, double height_m, int sides = 24);
 

@@ -10,8 +10,8 @@ namespace lsos {
 namespace {
 
 constexpr double step_least_m = 1, step_share = 0.02;  // of the distance
-constexpr double hole_steps = 3;  // shorter holes between two places are let be
-constexpr int halvings = 8;       // of the step in which the ground ends
+constexpr double hole_steps = 3;  // shorter holes between two places are ignored
+constexpr int halvings = 8;       // bisections of the step in which the ground ends
 
 double step_m(double distance_m) { return std::max(step_least_m, step_share * distance_m); }
 
@@ -71,9 +71,9 @@ std::optional<GroundEnd> GroundEndProbe::between(const Vec3& from_S_m, const Vec
     return below.is_ground() ? below.elevation_m : site.height_m(end_S_m);
   };
   const double from_m = ground_height_m(from_S_m), to_m = ground_height_m(to_S_m);
-  // Over the ground.
+  // Horizontal share of the line's length.
   const double share = std::sqrt(std::max(0.0, 1 - std::pow(along_S.dot(site.up_S(from_S_m)), 2)));
-  // Whether ground may rise into the line from the ground under both ends.
+  // Whether ground that rises from that under both ends may reach the line.
   const auto is_low = [&](double x_m) {
     const double highest_m = std::min(from_m + greatest_rise_m(share * x_m),
                                       to_m + greatest_rise_m(share * (length_m - x_m)));
@@ -85,7 +85,7 @@ std::optional<GroundEnd> GroundEndProbe::between(const Vec3& from_S_m, const Vec
     const bool is_known =
         near_m < margin_m || sample(from_S_m + x_m * along_S, step).is_ground() || !is_low(x_m);
     if (is_known) last_ground_m = x_m;
-    // A step may be a tenth of a short way.
+    // Holes are measured in steps here, as one step may be a tenth of a short line.
     if (x_m - last_ground_m > hole_steps * step) return GroundEnd{last_ground_m, length_m};
     x_m += step;
   }

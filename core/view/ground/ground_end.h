@@ -1,6 +1,6 @@
-// Where the ground that is known ends before the horizon that counts: beyond it nothing hides the
-// Sun, Earth or another rover, whatever may stand there. Where a way leaves the reach of the site,
-// the ground does not end.
+// Finds where the known ground ends before the distance up to which ground can matter. Beyond that
+// end nothing hides the Sun, Earth or another rover in a simulation, whatever may stand there. A
+// ray that leaves the reach of the site (Ground::reaches) does not count as an end.
 #pragma once
 
 #include <map>
@@ -11,11 +11,11 @@
 namespace lsos {
 
 struct GroundEnd {
-  double reaches_m = 0;  // to where the ground ends, or a hole of it begins
-  double matters_m = 0;  // ground up to there may hide what is seen
+  double reaches_m = 0;  // distance to the end of the ground, or to a hole in it
+  double matters_m = 0;  // ground up to this distance may hide what is seen
 };
 
-// Follows samples of the ground along a way, from near to far.
+// Finds the end of the ground among samples along a ray, from near to far.
 class GroundEndTracker {
  public:
   void add(double distance_m, bool is_ground) {
@@ -25,7 +25,8 @@ class GroundEndTracker {
       end_m_ = last_ground_m_;
     }
   }
-  // The last ground before its end, or before the first hole longer than a tenth of its distance.
+  // Distance of the last ground before its end, or before the first hole longer than a tenth of its
+  // distance; absent if there is neither.
   std::optional<double> end_m() const { return end_m_; }
 
  private:
@@ -34,7 +35,7 @@ class GroundEndTracker {
   std::optional<double> end_m_;
 };
 
-// One a thread; results never depend on what was asked before.
+// Use one per thread; results do not depend on earlier calls.
 class GroundEndProbe {
  public:
   // `ground` must outlive it.
@@ -42,15 +43,16 @@ class GroundEndProbe {
 
   const SiteFrame& site() const { return ground_->site(); }
 
-  // Towards a disc of that angular radius, infinitely far away, about a direction (unit, site
-  // axes). Absent where the ground reaches as far as counts, and where it hides all of the disc.
+  // Examines the ground towards a disc of angular radius `disc_rad` at infinite distance, centred
+  // on a direction (unit, site axes). Absent where the ground reaches as far as it matters, and
+  // where it hides the whole disc.
   std::optional<GroundEnd> towards(const Vec3& eye_S_m, const Vec3& direction_S, double disc_rad);
-  // Along the straight line between two places near the ground, counted from the first. Within
-  // `margin_m` of either the ground need not be known.
+  // Examines the straight line between two places near the ground; distances count from the first.
+  // Within `margin_m` of either place the ground need not be known.
   std::optional<GroundEnd> between(const Vec3& from_S_m, const Vec3& to_S_m, double margin_m = 0);
 
  private:
-  // For a step of that length.
+  // The probe for a step of that length.
   Ground::Probe& probe(double step_m);
   GroundSample sample(const Vec3& p_S_m, double step_m) { return probe(step_m).sample(p_S_m); }
 

@@ -1,4 +1,4 @@
-// Looks at the ground, each as coarse as it may be: a probe for each octave of resolution.
+// Ground samples at the level of detail requested: one probe per octave of resolution.
 #pragma once
 
 #include <cmath>
@@ -8,18 +8,18 @@
 
 namespace lsos {
 
-// One a thread; results never depend on what was asked before.
+// Use one per thread; results do not depend on earlier calls.
 class GroundLadder {
  public:
   explicit GroundLadder(const Ground& ground) : ground_(&ground) {}
 
-  // At the octave below the resolution.
+  // Samples at the octave below the resolution.
   GroundSample at_octave(const Vec3& p_S_m, double resolution_m) {
     return probe(static_cast<int>(std::floor(std::log2(resolution_m)))).sample(p_S_m);
   }
 
-  // Between the octaves below and above it, so that what one of them leaves out fades with the
-  // resolution, instead of ending at an edge.
+  // Interpolates between the octaves below and above the resolution, so that detail that one of
+  // them leaves out fades with the resolution instead of ending at an edge.
   GroundSample sample(const Vec3& p_S_m, double resolution_m) {
     const double exact = std::log2(resolution_m), octave = std::floor(exact);
     GroundSample fine = probe(static_cast<int>(octave)).sample(p_S_m);

@@ -1,4 +1,4 @@
-// The ground around a place, as pictures show it.
+// A mesh of the ground around a place, for pictures.
 #pragma once
 
 #include "terrain/ground.h"
@@ -6,8 +6,8 @@
 
 namespace lsos {
 
-// A square of ground about `eye_S_m` in site axes, `half_m` to each side, of nodes x nodes places;
-// triangles without ground are left out.
+// A square of nodes x nodes vertices relative to `eye_S_m` in site axes, extending `half_m` to each
+// side; triangles without ground are left out.
 Mesh ground_patch(const Ground& ground, const Vec3& eye_S_m, double half_m, int nodes);
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// Looks at the ground that grow coarser with distance, kept for the next look.
+// Ground probes that get coarser with distance, cached by octave of resolution.
 #pragma once
 
 #include <cmath>
@@ -8,13 +8,14 @@
 
 namespace lsos {
 
-// One a thread; results never depend on what was asked before.
+// Use one per thread; results do not depend on earlier calls.
 class GroundProbes {
  public:
-  // Nothing is looked at more finely than that.
+  // `finest_m`: the finest resolution that is ever used.
   GroundProbes(const Ground& ground, double finest_m) : ground_(&ground), finest_m_(finest_m) {}
 
-  // For that resolution, or up to twice as coarse. By octaves: a few probes serve all distances.
+  // The probe for that resolution, or up to twice as coarse: with one probe per octave, a few serve
+  // all distances.
   Ground::Probe& at(double wanted_m) {
     const int octave =
         wanted_m <= finest_m_ ? 0 : 1 + static_cast<int>(std::log2(wanted_m / finest_m_));

@@ -1,4 +1,4 @@
-// How high and how deep ground may be: rays above it meet none, and from it no lower ray leaves.
+// Bounds on the height of ground, and what follows from them for rays.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace lsos {
 // No ground of Moon, Mars or Earth lies as low, above the reference surface, m.
 inline constexpr double lowest_ground_m = -12e3;
 
-// How far below level the horizon may lie: even from so high over the deepest ground of the body
-// (12 km below its reference surface) nothing lower is seen. `height_m`: above the reference
+// Upper bound on the dip of the horizon below level: its dip seen from that height over the
+// deepest ground of the body (12 km below its reference surface). `height_m`: above the reference
 // surface.
 inline double horizon_dip_rad(const Body& body, double height_m) {
   constexpr double deepest_m = -lowest_ground_m;
@@ -20,7 +20,8 @@ inline double horizon_dip_rad(const Body& body, double height_m) {
   return std::acos(radius_m / (radius_m + std::max(0.0, height_m + deepest_m)));
 }
 
-// Whether a line passes under all ground that there may be: the body itself stands between.
+// Whether the straight line between two points passes below all possible ground: the body itself
+// stands between them.
 inline bool passes_under_ground(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
   const Vec3 from_F_m = site.p_F_m(from_S_m), way_m = site.p_F_m(to_S_m) - from_F_m;
   const double length2 = way_m.squaredNorm();

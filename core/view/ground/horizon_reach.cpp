@@ -12,8 +12,8 @@ namespace {
 constexpr double steepest = 0.8390996;  // tangent of 40 degrees
 constexpr double rise_length_m = 4000;
 
-// Where sqrt(L d) = d t + d^2/D: with s = sqrt(d) the only positive zero of s t + s^3/D - sqrt(L),
-// which is convex there, so that Newton's steps from above it never pass it.
+// Solves sqrt(L d) = d t + d^2/D for d. With s = sqrt(d), s is the only positive zero of
+// s t + s^3/D - sqrt(L), which is convex there, so that Newton's steps from above never pass it.
 double root_reach_m(double slope, double diameter_m) {
   const double rise = std::sqrt(rise_length_m);
   double s = std::cbrt(diameter_m * rise) + std::sqrt(std::max(0.0, -slope) * diameter_m);
@@ -39,7 +39,7 @@ double horizon_reach_m(const Body& body, double eye_height_m, double elevation_r
   if (slope >= steepest) return 0;
   const double diameter_m = 2 * body.equatorial_radius_m;
   const double over_eye_m = body.highest_ground_m - eye_height_m;
-  // Each bound alone, where its parabola or line meets the ray's.
+  // Each bound alone gives the distance at which its line or parabola meets that of the ray.
   const double root = slope * slope + 4 * over_eye_m / diameter_m;
   if (root < 0) return 0;
   const double highest_reach_m = diameter_m * (std::sqrt(root) - slope) / 2;

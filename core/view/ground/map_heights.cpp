@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double rounding_px = 1e-5;  // of projections
+constexpr double rounding_px = 1e-5;  // rounding error of projections
 
 double on_line(double px) {
   const double line = std::round(px);
@@ -24,7 +24,7 @@ MapHeights::MapHeights(const MapGrid& grid, const Body& body)
       goes_around_(map_.period_px() == grid.columns),
       heights_m_(columns_ * rows_, std::numeric_limits<float>::quiet_NaN()) {}
 
-// Into the columns once around the body, where the map has such.
+// Wraps a column into one revolution, on maps whose columns go around the body.
 double MapHeights::in_period(double u) const {
   const double period = map_.period_px();
   return period > 0 ? u - period * std::floor((u + 1) / period) : u;
@@ -49,7 +49,7 @@ std::optional<double> MapHeights::height_m(const GridCoordinates& at) const {
   const std::size_t below = std::min(above + 1, rows_ - 1);
   const double to_right = u - static_cast<double>(left);
   const double down = at.v - static_cast<double>(above);
-  // What does not count may be missing.
+  // A cell of weight 0 may be missing.
   const auto mixed = [](double share, double from, double to) {
     return share == 0 ? from : (1 - share) * from + share * to;
   };

@@ -1,4 +1,4 @@
-// Heights of a map's cells, linear between their centres: ground as programs of maps know it.
+// Heights of a map's cells, linear between their centres, as GIS programs model the ground.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ class MapHeights {
  public:
   MapHeights(const MapGrid& grid, const Body& body);
 
-  // Of a row, NaN where there is no ground.
+  // Heights of the cells of a row; NaN where there is no ground.
   std::span<float> row(int row) {
     return {&heights_m_[static_cast<std::size_t>(row) * columns_], columns_};
   }
@@ -21,13 +21,14 @@ class MapHeights {
   int rows() const { return static_cast<int>(rows_); }
   const RasterMap& map() const { return map_; }
 
-  // A cell's centre lies on the lines between cells, not next to them: beside cells without ground
-  // rounding would take its height away.
+  // Coordinates within rounding of a cell's centre are snapped to it: otherwise a cell beside cells
+  // without ground could lose its height.
   std::optional<GridCoordinates> coordinates(const Geodetic& place) const;
 
-  // Within half a cell, and a little more.
+  // Whether the coordinates lie on the map, or within half a cell of its edge.
   bool holds(const std::optional<GridCoordinates>& at) const;
-  // Absent beyond the centres of the outermost cells and where one of the four is missing.
+  // Absent beyond the centres of the outermost cells, and where one of the four cells around the
+  // place has no ground.
   std::optional<double> height_m(const GridCoordinates& at) const;
   std::optional<double> height_m(const Geodetic& place) const;
 

@@ -10,9 +10,9 @@ namespace lsos {
 
 namespace {
 
-constexpr double level_factor = 4;      // each grid is so much larger and coarser than the last
-constexpr double farthest_m = 250'000;  // a rise of 10 km is seen so far on the Moon
-constexpr double level_share = 0.45;    // of a grid's shorter side, marched over before the next
+constexpr double level_factor = 4;      // size and cell of each grid over those of the previous one
+constexpr double farthest_m = 250'000;  // visibility of a rise of 10 km on the Moon
+constexpr double level_share = 0.45;    // share of a grid's shorter side marched before the next
 
 constexpr double far_cells = 8;  // resolution of the larger grids, in their cells
 
@@ -21,7 +21,7 @@ struct Level {
   std::vector<double> heights_m;
   double reach_m = 0;
 
-  // Between the middles of cells; NaN outside.
+  // Interpolated between cell centres; NaN outside.
   double height_m(double x_m, double y_m) const {
     const double u = (x_m - cells.left_m) / cells.cell_m - 0.5;
     const double v = (cells.top_m - y_m) / cells.cell_m - 0.5;
@@ -42,10 +42,10 @@ std::vector<Level> levels_of(const Ground& ground, const MapCells& cells, int th
   for (;;) {
     Level& level = levels.emplace_back();
     level.cells = now;
-    // Small craters far away throw no shadow on the map.
+    // Small craters far away cast no shadow on the map.
     const double resolution_m = levels.size() == 1 ? now.cell_m : far_cells * now.cell_m;
     level.heights_m = elevations_m(ground, now, resolution_m, threads);
-    // From any cell of the map, along any way, there is so much of the grid.
+    // From any cell of the map the grid reaches at least this far in any direction.
     level.reach_m = level_share * std::min(now.columns, now.rows) * now.cell_m;
     if (levels.size() == 1) level.reach_m = 2 * now.cell_m * std::max(now.columns, now.rows);
     if (level.reach_m > farthest_m) return levels;
@@ -57,15 +57,16 @@ std::vector<Level> levels_of(const Ground& ground, const MapCells& cells, int th
   }
 }
 
-// The share of a disc above a straight horizon; `t`: its middle's height over it, in its radii.
+// Share of a disc above a straight horizon. `t`: height of its centre above the horizon, in radii.
 double share_above(double t) {
   if (t >= 1) return 1;
   if (t <= -1) return 0;
   return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / std::numbers::pi;
 }
 
-// Tangent of the highest ground's elevation along a way, and of what lies beyond the map's edge.
-// Beyond its end the ground is taken to go on level.
+// Tangent of the elevation of the highest ground in direction (way_x, way_y), beyond the map's edge
+// too. Past its end the ground is taken to continue level. Ground at distance d that is higher by h
+// counts as h / d - d / (2 R), R = radius_m.
 double horizon(const std::vector<Level>& levels, const Vec3& from_S_m, double height_m,
                double way_x, double way_y, double radius_m) {
   double highest = -1;

@@ -1,6 +1,6 @@
-// How much of the Sun's disc the ground of a map sees: for a look at a whole mission, in a second.
-// GroundLightProbe (view/) looks in all directions of the disc at the ground's full detail; this
-// goes along the Sun's azimuth over grids that get coarser with distance.
+// Share of the Sun's disc that the ground of a map sees, for a whole mission in about a second.
+// GroundLightProbe (view/) samples all directions of the disc at the ground's full detail; this
+// marches along the Sun's azimuth over grids that get coarser with distance.
 #pragma once
 
 #include <vector>
@@ -19,13 +19,14 @@ struct MapCells {
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * columns + column;
   }
-  // Its middle.
+  // Centre of a cell.
   Vec3 p_S_m(int column, int row) const {
     return {left_m + (column + 0.5) * cell_m, top_m - (row + 0.5) * cell_m, 0};
   }
 };
 
-// Of each cell; NaN: no ground. `resolution_m`: of the look at the ground, as Ground has it.
+// Elevation of each cell; NaN where there is no ground. `resolution_m`: resolution at which the
+// ground is sampled, as Ground has it.
 std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, double resolution_m,
                                  int threads);
 

@@ -1,4 +1,4 @@
-// Looks at the ground for rows of nodes that are drawn, about as finely as the rows lie.
+// Ground probes for rows of mesh nodes, at about the resolution of the row spacing.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,16 @@
 
 namespace lsos {
 
-// One a thread; results never depend on what was asked before.
+// Use one per thread; results do not depend on earlier calls.
 class RowProbes {
  public:
   explicit RowProbes(const Ground& ground) : ground_(&ground) {}
 
-  // From a row at that distance to the next.
+  // Spacing of rows at that distance.
   static double step_m(double distance_m) { return std::max(least_m, share * distance_m); }
 
-  // For rows at that distance: as far as they are closest all of the ground; beyond, what is as
-  // wide as from one row to the next: detail on nodes at most half as far apart. One for each
-  // octave.
+  // The probe for rows at that distance, one per octave. Where rows are closest it samples the
+  // ground in full; beyond, detail as wide as the row spacing, on nodes at most half as far apart.
   Ground::Probe& at(double distance_m) {
     const double share_m = share * distance_m;
     const int octave = share_m < least_m ? 0 : 1 + std::ilogb(share_m / least_m);

@@ -1,4 +1,5 @@
-// Rows of a picture's ground, shared among threads. Which thread does which row must not matter.
+// Distributes rows of a picture's ground over threads. The result must not depend on which thread
+// does which row.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 
 namespace lsos {
 
-// `start()` makes what one thread works with, `row(work, k)` does one row. What one throws is
-// thrown here, after all have ended.
+// `start()` creates the state of one thread, `row(state, k)` computes row k with it. An exception
+// in a thread is rethrown here after all threads have ended.
 template <class Start, class Row>
 void share_rows(int rows, const Start& start, const Row& row) {
   const unsigned threads = std::clamp(std::thread::hardware_concurrency(), 1u, 8u);

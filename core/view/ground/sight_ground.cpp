@@ -9,15 +9,15 @@ namespace lsos {
 
 namespace {
 
-// Rows that are looked at first, in the middle of the strip.
+// Spacing of the coarse rows that are sampled first, in the middle of the strip.
 constexpr double first_rows_m = 0.5, first_share = 0.01;
-constexpr int nodes_across = 3;  // of rows that are drawn
-// Ground may rise by so much of its length between the rows first looked at.
+constexpr int nodes_across = 3;  // of the rows in the mesh
+// Greatest slope (tangent) of the ground between coarse rows.
 constexpr double rise_max = 1.2;
 
 }  // namespace
 
-// Places are counted along the line and across it, level at the first end.
+// Positions count along the line and across it, level at the first end.
 class SightGround::Strip {
  public:
   Strip(SightGround& sight, const Vec3& from_S_m, const Vec3& to_S_m, double half_m)
@@ -33,13 +33,13 @@ class SightGround::Strip {
 
   Mesh mesh() {
     double at_m = 0, gap_m = middle_gap_m(0);
-    bool is_open = false;  // the last row drawn is where this stretch begins
+    bool is_open = false;  // the last row added is where this stretch begins
     while (at_m < length_m_ && !is_hidden_) {
       const double step_m = std::max(first_rows_m, first_share * to_nearer_end_m(at_m));
       const double free_m = std::isfinite(gap_m) ? (gap_m - margin_m()) / rise_max_ : 0;
       const double next_m = std::min(length_m_, at_m + std::max(step_m, free_m));
       const double next_gap_m = middle_gap_m(next_m);
-      // As high as ground that is known at both ends may come between them.
+      // Least gap below the line, from the gaps at both ends and the greatest slope.
       const double least_m = (gap_m + next_gap_m - rise_max_ * (next_m - at_m)) / 2;
       if (least_m > margin_m()) {
         is_open = false;
@@ -58,10 +58,11 @@ class SightGround::Strip {
   }
 
  private:
-  // Below the line by this, ground hides nothing though it rises across the strip.
+  // Ground that lies lower than this below the line hides nothing, even if it rises across the
+  // strip.
   double margin_m() const { return half_m_ * (1 + rise_max_); }
   double to_nearer_end_m(double at_m) const { return std::min(at_m, length_m_ - at_m); }
-  // Of the line over the ground; infinite where there is none.
+  // Height of the line above the ground; infinite where there is no ground.
   double middle_gap_m(double at_m) {
     const GroundSample sample =
         sight_.probes_.at(to_nearer_end_m(at_m)).sample(from_S_m_ + at_m * along_S_);

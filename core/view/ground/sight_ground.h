@@ -1,5 +1,5 @@
-// The ground that may stand between two places: of a narrow strip along the line that joins them,
-// the parts that come near to it.
+// A mesh of the ground that may stand between two places: those parts of a narrow strip along the
+// line that joins them that come near the line.
 #pragma once
 
 #include "terrain/ground.h"
@@ -8,15 +8,15 @@
 
 namespace lsos {
 
-// One a thread; results never depend on what was asked before.
+// Use one per thread; results do not depend on earlier calls.
 class SightGround {
  public:
   // `ground` must outlive it.
   explicit SightGround(const Ground& ground) : ground_(&ground), probes_(ground) {}
 
-  // About `from_S_m`, in site axes. What is looked at lies within `half_m` of the line. Rows lie as
-  // close as 0.4 % of the distance to the nearer end, or 0.2 m; detail is drawn that is as wide.
-  // Behind ground that stands over all of the line nothing more is looked for.
+  // The mesh is relative to `from_S_m`, in site axes. The target lies within `half_m` of the line.
+  // Row spacing is 0.4 % of the distance to the nearer end, at least 0.2 m, with detail as wide as
+  // that. The mesh ends behind ground that stands above the whole width of the line.
   Mesh between(const Vec3& from_S_m, const Vec3& to_S_m, double half_m);
 
  private:

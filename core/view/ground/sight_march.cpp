@@ -11,12 +11,12 @@ namespace {
 
 constexpr double step_least_m = 0.1;
 constexpr double step_share = 0.005;   // of the distance to the nearer end
-constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
-// Where the line is lower than slopes of 60 degrees rise within a step, steps are cut.
+constexpr double coarse_share = 0.25;  // of a step: finer detail is left out
+// Steps are cut where the line is lower than a slope of 60 degrees rises within a step.
 constexpr double low_steps = 1.75;
 constexpr int cut = 4;
 
-// What two ways of asking for the same ground differ by.
+// Difference between samples of the same ground by different probes.
 constexpr double rounding_m = 1e-3;
 
 }  // namespace

@@ -12,22 +12,22 @@ namespace lsos {
 
 namespace {
 
-constexpr int nodes = 225;  // a side; one more than a multiple of four, so that squares nest
+constexpr int nodes = 225;  // a side: one more than a multiple of four, so that squares nest
 constexpr double finest_half_m = 24;
 constexpr double farthest_half_m = 7e3;
-constexpr double resolution_cells = 16;  // detail is then drawn on nodes not much closer than ours
-// Beyond the squares the Sun's way is marched, from some places of their edge.
+constexpr double resolution_cells = 16;  // detail is then drawn on nodes not much closer than these
+// Beyond the squares rays towards the Sun are marched, from this many places of their edge.
 constexpr int marches = 33;
 constexpr double march_share = 0.01, march_resolution_share = 0.01;  // of the distance
-constexpr double steepest = 30;      // a higher Sun throws no shadow worth a picture
-constexpr double soft_cells = 0.02;  // shadows' edges are no sharper than the nodes allow
+constexpr double steepest = 30;      // slope of rays; a higher Sun casts negligible shadows
+constexpr double soft_cells = 0.02;  // shadow edges are no sharper than the nodes resolve
 constexpr double sector_margin_cells = 4;
 constexpr double faded_from = 0.6;  // of a square's half width
 constexpr float none = -1e30f;
 
 std::size_t node_at(int row, int column) { return static_cast<std::size_t>(row * nodes + column); }
 
-// Each row is swept on its own: without this their shadows' ends would be a comb.
+// Rows are swept independently: without smoothing the ends of their shadows would form a comb.
 void smooth(std::vector<float>& share) {
   std::vector<float> before = share;
   const auto pass = [&](int rows, int columns) {
@@ -50,7 +50,7 @@ double slope_of(double elevation_rad) {
   return std::tan(std::clamp(elevation_rad, -highest_rad, highest_rad));
 }
 
-// Of a disc of radius 1 under a level line, -1..1.
+// Share of a unit disc's area below a horizontal line at `level`, -1..1.
 double area_under(double level) {
   return 0.5 + (std::asin(level) + level * std::sqrt(1 - level * level)) / std::numbers::pi;
 }
@@ -110,7 +110,7 @@ TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& ey
   const auto row = [&](GroundLadder& look, int j) {
     for (int i = first_seen(level, j); i < nodes; ++i) {
       float& height_m = level.ground_m[node_at(j, i)];
-      // The finer square's nodes are these ones' places too.
+      // The finer square has nodes at the same places.
       const int fine_i = 2 * i - (nodes - 1) / 2, fine_j = 2 * j - (nodes - 1) / 2;
       if (finer && fine_i >= 0 && fine_i < nodes && fine_j >= 0 && fine_j < nodes) {
         height_m = finer->ground_m[node_at(fine_j, fine_i)];
@@ -131,7 +131,7 @@ TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& ey
 
 int TerrainShadow::first_seen(const Level& level, int row) const {
   if (sector_.half_rad >= std::numbers::pi / 2) return 0;
-  // Widened by some nodes: its tip drawn back.
+  // The sector is widened by some nodes by moving its apex back.
   const double ahead_x = sector_.ahead_S.dot(along_S_), ahead_y = sector_.ahead_S.dot(across_S_);
   const double back_m = sector_margin_cells * level.cell_m / std::sin(sector_.half_rad);
   for (int i = 0; i < nodes; ++i) {
@@ -208,7 +208,7 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
       const std::size_t k = node_at(j, i);
       const double ground_m = level.ground_m[k];
       if (ground_m <= none) {
-        // Where no ground is known it is taken to lie as under the eye, and throws no shadow.
+        // Unknown ground is taken to lie as high as that below the eye, and casts no shadow.
         const double along_m = i * level.cell_m - level.half_m;
         const double drop_m = (along_m * along_m + across_m * across_m) / (2 * radius_m_);
         level.limits_m[k] = kept(limits_m);
@@ -262,7 +262,7 @@ double TerrainShadow::on_ground(const Vec3& p_m) const {
   const double along_m = p_m.dot(along_S_), across_m = p_m.dot(across_S_);
   const Spot at = spot(along_m, across_m);
   if (!at.level) return slopes_.front() > 0 ? 1 : 0;
-  // A coarser square, in which small things throw no shadow, takes over step by step.
+  // Blends into the coarser square, in which small features cast no shadow.
   const double out = std::max(std::abs(along_m), std::abs(across_m)) / at.level->half_m;
   const double coarse = (out - faded_from) / (1 - faded_from);
   const auto next = static_cast<std::size_t>(at.level - levels_.data()) + 1;

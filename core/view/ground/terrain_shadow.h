@@ -1,5 +1,5 @@
-// The shadow that terrain throws, on ground and on what stands on it: for nested squares of places,
-// finest about an eye, how high one has to be to see how much of the Sun.
+// The shadow that terrain casts on the ground and on what stands on it. Nested square grids, finest
+// around an eye, hold the heights from which given shares of the Sun are seen.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace lsos {
 
-// What a camera sees of the ground, as directions over it from under its eye.
+// The sector of ground that a camera sees, as horizontal directions from below its eye.
 struct GroundSector {
   Vec3 ahead_S = Vec3::UnitX();
   double half_rad = 4;  // to each side; from pi on: all around
@@ -17,31 +17,31 @@ struct GroundSector {
 
 class TerrainShadow {
  public:
-  // `sun_S`: unit, to the middle of a disc of that angular radius, as seen from the eye. Reaches as
-  // far as ground may stand before it. Only of what lies in the sector.
+  // `sun_S`: unit vector from the eye to the centre of a disc of angular radius `disc_rad`. Covers
+  // all distances at which ground may stand before the disc, for places in the sector alone.
   TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Vec3& sun_S, double disc_rad,
                 const GroundSector& sector = {});
 
-  // Share 0..1 of the disc over terrain that the ground at or under a point sees, without what the
-  // ground's own slope there hides. Points are from the eye, site axes.
+  // Share 0..1 of the disc that the ground at or below a point sees over the terrain; what the
+  // ground's own slope there hides is not deducted. Points are relative to the eye, in site axes.
   double on_ground(const Vec3& p_m) const;
-  // The same of the point itself.
+  // The same for the point itself.
   double at(const Vec3& p_m) const;
 
  private:
-  // The disc lies in slices one over the other: what stands near may hide the lower ones from a
-  // height at which ground far away hides none, or the other way round.
+  // The disc is cut into horizontal slices, each with its own limit: near ground may hide the lower
+  // ones from a height at which distant ground hides none, or vice versa.
   static constexpr int slices = 16;
-  // Heights at one place, over the eye's plane: from there on one sees past all terrain along a ray
-  // to the lower edge of the slice with that number; the last is the top of the disc.
+  // Heights at one place above the eye's plane. From limit k upwards a ray to the lower edge of
+  // slice k clears all terrain; the last limit is that of the top of the disc.
   using Limits = std::array<double, slices + 1>;
   using KeptLimits = std::array<float, slices + 1>;
-  // Nodes in rows towards the Sun.
+  // A square grid whose rows run towards the Sun.
   struct Level {
     double half_m = 0, cell_m = 0;
-    std::vector<float> ground_m;  // over the eye's plane
+    std::vector<float> ground_m;  // above the eye's plane
     std::vector<KeptLimits> limits_m;
-    std::vector<float> share;  // seen by the ground
+    std::vector<float> share;  // of the disc, seen by the ground
   };
   struct Spot {
     const Level* level;
@@ -49,17 +49,19 @@ class TerrainShadow {
     double right, up;  // shares of a cell
   };
   Level sampled(const Ground& ground, const Vec3& eye_S_m, double half_m) const;
-  // The first column of a row that lies in the sector, or as many as there are.
+  // The first column of a row that lies in the sector, or the number of columns if none does.
   int first_seen(const Level& level, int row) const;
   void march(const Ground& ground, const Vec3& eye_S_m);
-  // Ground of that height stands there; and one goes on by so much away from the Sun.
+  // raise() applies ground of that height at a place; lower() carries the limits on by that
+  // distance away from the Sun.
   void raise(Limits& limits_m, double ground_m) const;
   void lower(Limits& limits_m, double by_m) const;
-  // Seen from that height.
+  // Share of the disc that is seen from that height.
   double share_of(double height_m, const Limits& limits_m, double cell_m) const;
   Limits at_edge(double across_m) const;
   void sweep(Level& level, const Level* coarser) const;
-  // In the finest level that holds it, from a given one on; level is nullptr beyond all.
+  // The position in the finest level that holds it, from level `from` on; `level` is nullptr beyond
+  // all levels.
   Spot spot(double along_m, double across_m, std::size_t from = 0) const;
   static Limits unobstructed();
   static Limits limits_at(const Spot& spot);
@@ -70,7 +72,7 @@ class TerrainShadow {
   std::array<double, slices> areas_;       // of the slices, as shares of the disc
   double radius_m_;                        // of the body
   GroundSector sector_;
-  std::vector<Limits> edge_;   // of the last level, towards the Sun
+  std::vector<Limits> edge_;   // of the coarsest level, towards the Sun
   std::vector<Level> levels_;  // from fine to coarse
 };
 

@@ -11,24 +11,24 @@ namespace {
 
 constexpr double turn_rad = 2 * std::numbers::pi;
 
-// Steps: about the eye a share of the distance, from a cell's part to a cell; on the way to a map
-// far away a share of the distance to the nearer end.
+// Sample spacing: near the eye a share of the distance, from a fraction of a cell to a cell; before
+// a distant map a share of the distance to the nearer end.
 constexpr double near_share = 0.05, near_cells = 0.02;
-// On small maps an edge that is missed counts: each cell has a line of its own, where their
-// crossings are no more than this.
+// On small maps a missed edge matters, so each cell gets its own line as long as the crossings of
+// all lines are no more than this.
 constexpr double crossings_max = 4e6;
 constexpr double straight_px = 0.02;
 
-// Cells between samples, and between rays at the far end: no more than the time for large maps
-// allows.
+// Cells between samples, and between rays at the far end: from `finest_cells` up to a whole cell at
+// a distance of `cells_to_whole` cells, which limits the time that large maps take.
 constexpr double finest_cells = 0.25, cells_to_whole = 1000;
 constexpr double far_share = 0.005;
-constexpr double coarse_share = 0.25;  // of a step: what is left out of the ground
+constexpr double coarse_share = 0.25;  // of a step: finer detail is left out
 
 // Ground next to a place does not hide it: that is its own slope.
 constexpr double own_cells = 0.75;
 
-// The ground can be asked for within 60 degrees of the site, which is at the observer or near it.
+// Ground can be sampled within 60 degrees of the site, which is at the observer or near it.
 constexpr double reach_rad = 0.9;
 
 constexpr float none = -std::numeric_limits<float>::infinity();
@@ -48,7 +48,7 @@ bool holds(const MapGrid& grid, const RasterMap& map, const Geodetic& place) {
   return u >= -0.5 && u <= grid.columns - 0.5 && at->v >= -0.5 && at->v <= grid.rows - 0.5;
 }
 
-// Cells once round the map's edge.
+// Cells along the map's edge, once around.
 std::vector<GridCoordinates> edge_of(int columns, int rows) {
   const double right = columns - 1, bottom = rows - 1;
   std::vector<GridCoordinates> edge;
@@ -89,7 +89,7 @@ ViewSector sector_of(const MapGrid& grid, const SiteFrame& site, const Geodetic&
     low_rad = std::min(low_rad, turned_rad);
     high_rad = std::max(high_rad, turned_rad);
   }
-  // The edge of a map of a whole globe lies within it.
+  // A map of the whole globe holds places farther away than its edge.
   if (map.period_px() > 0 && grid.columns >= map.period_px()) sector.farthest_m = half_turn_m;
   if (is_all_round) sector.nearest_m = 0;
   if (!is_all_round && high_rad - low_rad < turn_rad) {
@@ -108,7 +108,7 @@ Viewshed::Viewshed(const Ground& ground, const MapHeights* heights, const Observ
   north_S_ = site.north_S(eye_S_m_);
   east_S_ = site.east_S(eye_S_m_);
   radius_m_ = site.body().equatorial_radius_m + observer.place.height_m;
-  // A cell's diagonal more than the cells' centres, and no nearer.
+  // Distances of cell centres are widened by more than a cell's diagonal.
   sector_.farthest_m = std::min(sector_.farthest_m + 2 * observer.cell_m, reach_m());
   sector_.nearest_m = std::max(0.0, sector_.nearest_m - 4 * observer.cell_m);
   eye_px_ = eye_of_lines();
@@ -219,8 +219,8 @@ double Viewshed::steepest_before(const Polar& target, const GridCoordinates& tar
   return steepest;
 }
 
-// A ray is nearly straight on a map: projections are asked for its ends, and its middle shows
-// whether that is so. Where it is not, each half is taken for itself.
+// A ray is nearly straight on a map: only its ends are projected, and its middle, which shows
+// whether that holds. Where it does not, each half is treated the same.
 void Viewshed::add_between(std::size_t first, std::size_t last, double azimuth_rad,
                            Track& track) const {
   if (last - first < 2) return;
@@ -268,7 +268,7 @@ Viewshed::Track Viewshed::track(double azimuth_rad) const {
 void Viewshed::march(std::size_t ray, GroundProbes& probes) {
   const double azimuth_rad = sector_.azimuth_low_rad + spacing_rad_ * static_cast<double>(ray);
   const Track track = this->track(azimuth_rad);
-  // What lies beyond the map hides nothing on it.
+  // Ground beyond the map hides nothing on it.
   std::size_t count = track.size();
   while (heights_ != nullptr && count > 0 && !heights_->holds(track[count - 1])) --count;
   std::vector<float>& highest = highest_[ray];
@@ -297,7 +297,7 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
   if (target.distance_m > sector_.farthest_m) return false;
   if (eye_px_) {
     const auto at = place_px(ground_->site().geodetic(target_S_m), eye_px_->u);
-    // Where the eye itself is there is no slope.
+    // At the eye itself the slope is undefined; the comparison lets it count as seen.
     return at && !(target.slope < steepest_before(target, *at));
   }
   const double before_m = target.distance_m - own_cells * observer_.cell_m;
@@ -311,7 +311,7 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
     return highest.empty() ? none : highest[std::min(sample, highest.size() - 1)];
   };
   const float left = highest_of(highest_[ray]), right = highest_of(highest_[ray + 1]);
-  // No ground on one side: the other has it.
+  // Without ground on one side the other side decides.
   if (left == none || right == none) return target.slope >= std::max(left, right);
   return target.slope >= (1 - share) * left + share * right;
 }

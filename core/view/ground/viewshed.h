@@ -1,7 +1,7 @@
-// Which places of a map an observer sees. On the map the ground is linear between its cells. Small
-// maps: along the line to each place, over all that it crosses between cells. Others: rays over the
-// ground, outwards from the observer, each with the highest elevation met so far; a place is seen
-// where it stands above that of the rays on either side, just before it.
+// Viewshed: which places of a map an observer sees. On the map the ground is linear between cells.
+// On small maps the line to each place is examined wherever it crosses from cell to cell. On others
+// rays run outwards from the observer over the ground, each with the highest elevation met so far;
+// a place is seen where it stands above that of the rays on either side, just before it.
 #pragma once
 
 #include <optional>
@@ -13,39 +13,41 @@
 
 namespace lsos {
 
-// What of the surroundings is looked at.
+// The part of the surroundings that is examined.
 struct ViewSector {
   double azimuth_low_rad = 0;  // clockwise from north
   double width_rad = 0;
-  double nearest_m = 0;  // along the surface, of what is asked for
+  double nearest_m = 0;  // along the surface, of the places requested
   double farthest_m = 0;
 };
-// All that the cells of the map lie in.
+// The sector that holds all cells of the map.
 ViewSector sector_of(const MapGrid& grid, const SiteFrame& site, const Geodetic& observer);
 
 struct Observer {
   Geodetic place;     // its height is that of the eye, above the reference surface
-  double cell_m = 1;  // of the map: what is much smaller is left out of the ground
-  // Heights above a plane, distances as along the surface. Else lines are straight and the body is
-  // round.
+  double cell_m = 1;  // of the map; much smaller detail of the ground is left out
+  // Heights are above a plane, and distances are those along the surface. Otherwise lines are
+  // straight and the body is round.
   bool is_flat = false;
 };
 
 class Viewshed {
  public:
-  // `heights`: of the map; null: all is as the ground has it.
+  // `heights`: those of the map's cells; null: the ground itself is sampled everywhere.
   Viewshed(const Ground& ground, const MapHeights* heights, const Observer& observer,
            const ViewSector& sector);
 
-  // Rays may be marched side by side, each thread with probes of its own; all of them first. Small
-  // maps need none.
+  // Rays may be marched in parallel, each thread with its own probes; all must be marched before
+  // sees() is called. Small maps need none.
   std::size_t ray_count() const { return ray_count_; }
   GroundProbes probes() const { return {*ground_, observer_.cell_m}; }
   void march(std::size_t ray, GroundProbes& probes);
 
-  // In the sector; of a map that is given, on it. Nothing beyond reach_m() is seen.
+  // The target must lie in the sector, and on the map if one is given. Nothing beyond reach_m() is
+  // seen.
   bool sees(const Vec3& target_S_m) const;
-  // Beyond, the body itself hides all ground and what stands on it; flat maps end there.
+  // Distance beyond which the body itself hides all ground and what stands on it; flat maps end
+  // there.
   double reach_m() const;
 
  private:
@@ -58,18 +60,18 @@ class Viewshed {
   Vec3 p_S_m(double azimuth_rad, double distance_m) const;
   void spread_rays();
   void add_distances();
-  // Where a ray's samples lie on the map; absent where it has no such place.
+  // Coordinates of a ray's samples on the map; absent where the map has no such place.
   using Track = std::vector<std::optional<GridCoordinates>>;
   Track track(double azimuth_rad) const;
   void add_between(std::size_t first, std::size_t last, double azimuth_rad, Track& track) const;
   std::optional<GridCoordinates> on_map(double azimuth_rad, double distance_m) const;
   double ground_slope(const Vec3& over_S_m, double height_m) const;
 
-  // On the map, where it goes around the body next to the column `near_u`.
+  // Coordinates on the map; if it goes around the body, those next to the column `near_u`.
   std::optional<GridCoordinates> place_px(const Geodetic& place, double near_u) const;
-  // The eye, where lines over the map are few and straight.
+  // Coordinates of the eye where lines over the map are few and straight; else absent.
   std::optional<GridCoordinates> eye_of_lines() const;
-  // The ground's, on the way to a target.
+  // The steepest slope of the ground between the eye and a target.
   double steepest_before(const Polar& target, const GridCoordinates& target_px) const;
 
   const Ground* ground_;
@@ -83,7 +85,7 @@ class Viewshed {
   double spacing_rad_ = 0;
   double fineness_ = 1;                      // cells between samples
   std::vector<double> distances_m_;          // of a ray's samples
-  std::vector<std::vector<float>> highest_;  // slope met so far, ray by ray, as far as the map goes
+  std::vector<std::vector<float>> highest_;  // slope so far, by ray, as far as the map goes
 };
 
 }  // namespace lsos

@@ -1,4 +1,4 @@
-// A camera without lens errors, level with the ground.
+// A pinhole camera without roll.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace lsos {
 
-// Axes unit and square to each other, site frame.
+// `ahead_S` and `up_S` are unit vectors at right angles in the site frame.
 struct Camera {
   Vec3 eye_S_m = Vec3::Zero();
   Vec3 ahead_S = Vec3::UnitX();
-  Vec3 up_S = Vec3::UnitZ();  // of the picture
+  Vec3 up_S = Vec3::UnitZ();  // up in the picture
   int width_px = 1280, height_px = 720;
   double focal_px = 1000;
 
@@ -24,7 +24,8 @@ inline double focal_of(int width_px, double width_rad) {
   return width_px / 2.0 / std::tan(width_rad / 2);
 }
 
-// From `eye` to `target`; `up_S` is about the picture's upright. Not straight along it.
+// A camera at the eye that points at the target. `up_S` is the approximate up direction of the
+// picture and must not be parallel to the line of sight.
 inline Camera look(const Vec3& eye_S_m, const Vec3& target_S_m, const Vec3& up_S) {
   Camera camera;
   camera.eye_S_m = eye_S_m;

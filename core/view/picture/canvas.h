@@ -1,4 +1,4 @@
-// Colour and depth to draw to, in pixels.
+// An off-screen framebuffer with a colour and a depth buffer.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -10,7 +10,7 @@
 
 namespace lsos {
 
-// Bound when it is made; gone with the object.
+// The constructor binds the framebuffer, the destructor deletes it.
 struct Canvas {
   GLuint framebuffer = 0;
   std::array<GLuint, 2> layers{};
@@ -36,8 +36,8 @@ struct Canvas {
   Canvas& operator=(const Canvas&) = delete;
 };
 
-// Another user of the context may have left them on; shaders that do not write them would cut at
-// random.
+// Disables all clip planes. Another user of the context may have left some enabled, and a shader
+// that does not write clip distances would then clip at random.
 inline void disable_clip_planes() {
   GLint most = 0;
   glGetIntegerv(GL_MAX_CLIP_DISTANCES, &most);

@@ -11,10 +11,11 @@ namespace lsos {
 namespace {
 
 constexpr int map_px = 1024;
-constexpr int blocks = 64;  // of a map, a side
+constexpr int blocks = 64;  // along each side of a map
 static_assert(map_px % blocks == 0);
 
-// How many blocks of the map just drawn hold anything, of those below and left of each corner.
+// Summed-area table of the map just drawn: for each corner of the blocks, the number of blocks
+// below and left of it that hold anything.
 std::vector<int> filled_blocks() {
   std::vector<float> depths(static_cast<std::size_t>(map_px * map_px));
   glReadPixels(0, 0, map_px, map_px, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
@@ -34,7 +35,7 @@ std::vector<int> filled_blocks() {
   return sums;
 }
 
-// Its cube, -1..1 in all axes; depths grow away from the Sun.
+// Maps the cube around the body to -1..1 in all axes; depth grows away from the Sun.
 Eigen::Matrix4f to_map(const SceneBody& body, const Vec3& sun_S) {
   const Vec3 aside = std::abs(sun_S.z()) < 0.9 ? Vec3::UnitZ() : Vec3::UnitX();
   Mat3 R;

@@ -1,4 +1,5 @@
-// The Sun's depth pictures of rovers and assets, for the shadows they throw in a camera's picture.
+// Shadow maps: depth images of rovers and assets as seen from the Sun, for the shadows that they
+// cast in a camera's picture.
 #pragma once
 
 #include <span>
@@ -12,16 +13,17 @@ namespace lsos {
 
 class DepthMaps {
  public:
-  static constexpr std::size_t bodies_max = 8;  // that throw shadows, as in the shader
+  static constexpr std::size_t bodies_max = 8;  // that cast shadows; the same as in the shader
 
-  // Draws the first few of the scene's bodies, each to a layer of its own.
+  // Renders the first `bodies_max` bodies of the scene, each to its own layer of the texture.
   DepthMaps(const Scene& scene, std::span<const Drawable* const> bodies);
   ~DepthMaps() { glDeleteTextures(1, &texture_); }
   DepthMaps(const DepthMaps&) = delete;
   DepthMaps& operator=(const DepthMaps&) = delete;
 
   void bind(const Program& program) const;
-  // Anything so near to a point; false only where it is sure that nothing does.
+  // Whether a body may shade any point within `near_m` of p. Conservative: false only where none
+  // does.
   bool may_shade(const Vec3& p_m, double near_m, double disc_rad) const;
 
  private:
@@ -29,7 +31,7 @@ class DepthMaps {
   GLuint texture_ = 0;
   std::vector<Eigen::Matrix4f> matrices_;
   std::vector<float> reaches_m_;
-  std::vector<std::vector<int>> blocks_;  // that hold anything: sums from the lower left corner
+  std::vector<std::vector<int>> blocks_;  // summed-area tables, by body
 };
 
 }  // namespace lsos

@@ -29,7 +29,7 @@ class Drawable {
     for (GLuint k = 0; k < parts.size(); ++k) {
       glEnableVertexAttribArray(k);
       glVertexAttribPointer(k, parts[k].first, GL_FLOAT, GL_FALSE, sizeof(SceneVertex),
-                            // OpenGL takes the place in the buffer as a pointer.
+                            // OpenGL takes the offset in the buffer as a pointer.
                             // NOLINTNEXTLINE(performance-no-int-to-ptr)
                             reinterpret_cast<const void*>(parts[k].second));
     }
@@ -45,7 +45,7 @@ class Drawable {
     glBindVertexArray(arrays_);
     glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr);
   }
-  // Other triangles of its vertices.
+  // Draws other triangles of the same vertices; their indices replace the mesh's in the buffer.
   void draw(const std::vector<std::array<std::uint32_t, 3>>& triangles) const {
     glBindVertexArray(arrays_);
     fill(GL_ELEMENT_ARRAY_BUFFER, buffers_[1], std::as_bytes(std::span(triangles)));

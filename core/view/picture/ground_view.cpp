@@ -12,26 +12,27 @@ namespace {
 
 constexpr double across_px = 3, along_px = 2;  // between nodes
 constexpr double along_share_max = 0.014;      // of the distance
-// Detail is then drawn on nodes somewhat closer than ours.
+// Resolution of ground samples in node spacings: detail is then drawn on nodes somewhat closer than
+// those of the mesh.
 constexpr double resolution_steps = 14;
 constexpr double far_m = 2500, far_share = 0.02;  // from there on rows are wider apart
 constexpr double nearest_m = 0.3;
-constexpr double steep = 0.8;  // a camera that looks down by more than its sine sees no horizon
+constexpr double steep = 0.8;  // sine of the pitch downwards beyond which a camera sees no horizon
 
-// Places in rows and columns, from the eye, about at the ground's height there.
+// Sample positions in rows and columns, relative to the eye, at about the height of the ground.
 struct Lattice {
   std::vector<std::vector<Vec3>> rows;  // from near to far where there is such an order
-  std::vector<double> step_m;           // between neighbours, by row
+  std::vector<double> step_m;           // spacing of neighbours, by row
 };
 
-// As far as anything may rise over the horizon.
+// Greatest distance at which anything may rise above the horizon.
 double sight_m(const Body& body, double eye_height_m) {
   const double around_m = 2 * body.equatorial_radius_m;
   return std::sqrt(around_m * std::max(10.0, eye_height_m + 100)) +
          std::sqrt(around_m * body.highest_ground_m);
 }
 
-// Rings about the foot of a camera that sees the horizon, or may.
+// Rings around the point below a camera that sees, or may see, the horizon.
 Lattice fan(const SiteFrame& site, const Camera& camera, double eye_gap_m) {
   const Vec3 up_S = site.up_S(camera.eye_S_m);
   const auto [along_S, half_rad] = sector_of(site, camera);
@@ -43,7 +44,7 @@ Lattice fan(const SiteFrame& site, const Camera& camera, double eye_gap_m) {
   const double down_rad = std::min(half_up_rad - pitch_rad + 0.05, 1.5);
   const double radius_m = site.body().equatorial_radius_m;
   const double end_m = sight_m(site.body(), site.height_m(camera.eye_S_m));
-  // Relief may lift the ground towards the eye by a quarter of its height.
+  // Relief may lift the ground towards the eye by a quarter of the eye's height.
   double r_m = std::max(nearest_m, 0.75 * eye_gap_m / std::tan(std::max(down_rad, 0.05)));
   Lattice lattice;
   while (r_m < end_m) {
@@ -83,7 +84,7 @@ Lattice square(const Camera& camera, double eye_gap_m) {
   return lattice;
 }
 
-// Rows of nodes as triangles, but where a corner has no ground.
+// Adds rows of nodes as triangles; those with a corner without ground are left out.
 void add_triangles(SceneMesh& mesh, std::size_t rows, std::size_t columns,
                    const std::vector<std::uint8_t>& is_ground) {
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
@@ -107,7 +108,7 @@ GroundSector sector_of(const SiteFrame& site, const Camera& camera) {
   const double sine = camera.ahead_S.dot(up_S);
   if (sine < -steep) return {};
   const double pitch_rad = std::asin(sine);
-  // Of the picture's corners, as directions over the ground.
+  // Widest azimuth of the picture's corners and of the middles of its sides.
   const double side = camera.width_px / 2.0 / camera.focal_px;
   const double end = camera.height_px / 2.0 / camera.focal_px;
   double half_rad = 0;

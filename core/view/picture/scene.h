@@ -1,4 +1,4 @@
-// What a picture shows: ground and bodies in sunlight, under a sky.
+// A camera's picture: ground and solids in sunlight, with cast shadows, under a sky.
 #pragma once
 
 #include <string_view>
@@ -8,30 +8,30 @@
 
 namespace lsos {
 
-// What throws one shadow: all of it lies so near to its centre.
+// A body that casts one shadow; it lies within `reach_m` of its centre.
 struct SceneBody {
   SceneMesh mesh;
   Vec3 centre_m = Vec3::Zero();
   double reach_m = 1;
 };
 
-// Colours of sky and ground, red, green, blue, 0..1; as a body has them.
+// Colours of a body's sky and ground: red, green, blue, 0..1.
 struct SceneAir {
   Vec3 ground, horizon, zenith;
-  double sight_m = 0;    // of which the air leaves 1/e; 0: no air
-  double sky_light = 0;  // share of light that comes from the sky and from ground around
-  double moonlike = 0;   // share of light that ground throws back as the Moon's does, not Lambert's
+  double sight_m = 0;    // distance over which the air leaves 1/e of the light; 0: no air
+  double sky_light = 0;  // share of light that comes from the sky and the surrounding ground
+  double moonlike = 0;   // share of light that ground reflects as on the Moon; rest: Lambertian
 };
 SceneAir air_of(std::string_view body, double sun_elevation_rad);
 
-// Lengths from the camera's eye, axes of the site.
+// Positions are relative to the camera's eye, in site axes.
 struct Scene {
   SceneMesh ground;
   std::vector<SceneBody> bodies;
-  SceneMesh marks;  // lines on the ground, in their colours as they are
+  SceneMesh marks;  // lines on the ground, in unshaded colours
   Vec3 sun_S = Vec3::UnitZ();
   Vec3 up_S = Vec3::UnitZ();
-  double disc_rad = 0;  // the Sun's
+  double disc_rad = 0;  // angular radius of the Sun
   SceneAir air;
 };
 

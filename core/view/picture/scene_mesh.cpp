@@ -4,7 +4,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double smooth_cosine = 0.766;  // of 40 degrees
+constexpr double smooth_cosine = 0.766;  // cosine of 40 degrees
 
 Vec3 vector(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -15,7 +15,7 @@ std::array<float, 3> single(const Vec3& v) {
 }
 
 void append(SceneMesh& scene, const Mesh& mesh, const Vec3& colour, const TerrainShadow* shadow) {
-  std::vector<Vec3> areas;  // of faces, along their normals
+  std::vector<Vec3> areas;  // twice the area of each face, along its normal
   std::vector<std::vector<std::size_t>> faces_at(mesh.vertices.size());
   for (const auto& face : mesh.triangles) {
     const Vec3 a = vector(mesh.vertices[face[0]]);

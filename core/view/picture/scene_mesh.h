@@ -1,5 +1,5 @@
-// Surfaces as a camera sees them: with colour, normals, and the share of the Sun that terrain lets
-// through. Single precision: the camera's eye is their frame's origin.
+// Surfaces for a camera's picture, with colour, normals, and the share of the Sun that terrain lets
+// through. Single precision suffices because the camera's eye is the origin.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ struct SceneMesh {
 
 std::array<float, 3> single(const Vec3& v);
 
-// A solid's surface, smooth where its faces meet at less than 40 degrees. In terrain's shadow where
-// `shadow` says so; nullptr: nowhere.
+// Adds a solid's surface, shaded smoothly where its faces meet at less than 40 degrees. `shadow`:
+// the terrain's shadow on it; nullptr: none.
 void append(SceneMesh& scene, const Mesh& mesh, const Vec3& colour, const TerrainShadow* shadow);
 
 }  // namespace lsos

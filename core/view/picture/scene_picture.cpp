@@ -14,13 +14,13 @@ namespace lsos {
 
 namespace {
 
-// The picture is drawn so many times as wide and high, so that edges are smooth: on small triangles
-// far quicker in software than several samples a pixel.
+// Supersampling factor in width and height, for smooth edges. On small triangles this is far
+// quicker in software than several samples per pixel.
 constexpr int finer = 2;
 constexpr double nearest_m = 0.2, farthest_m = 500e3;
-constexpr double level_ground = 0.30;  // as bright as that is in the picture, before its tone
+constexpr double level_ground = 0.30;  // its brightness in the picture before tone mapping
 constexpr double exposure_max = 6;
-constexpr double margin_share = 0.02;  // of the distance, between vertices of ground
+constexpr double margin_share = 0.02;  // of the distance: allows for the spacing of ground vertices
 
 using Matrix = Eigen::Matrix4f;
 
@@ -42,7 +42,7 @@ Matrix to_picture(const Camera& camera) {
   return m.cast<float>();
 }
 
-// So that level ground in the Sun, seen somewhat from above, is as bright as level_ground says.
+// Exposure at which sunlit level ground, seen somewhat from above, is as bright as `level_ground`.
 double exposure(const Scene& scene) {
   constexpr double seen = 0.3;
   const double facing = std::max(1e-3, scene.sun_S.dot(scene.up_S));
@@ -107,14 +107,15 @@ void set_all(const Program& program, const Scene& scene, const Camera& camera) {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-// Those that a body may shade, and the others: most of the ground, which costs far less so.
+// Splits the ground into triangles that a body may shade and the rest. Most of the ground is in the
+// rest, which is far cheaper to draw.
 std::pair<Triangles, Triangles> split(const Scene& scene, const DepthMaps& maps) {
   const SceneMesh& ground = scene.ground;
   std::vector<std::uint8_t> is_near(ground.vertices.size(), 0);
   for (std::size_t k = 0; k < ground.vertices.size(); ++k) {
     const SceneVertex& vertex = ground.vertices[k];
     const Vec3 p_m(vertex.p_m[0], vertex.p_m[1], vertex.p_m[2]);
-    if (vertex.sun_share <= 0) continue;  // dark as it is
+    if (vertex.sun_share <= 0) continue;  // in the dark already
     is_near[k] = maps.may_shade(p_m, margin_share * p_m.norm(), scene.disc_rad) ? 1 : 0;
   }
   std::pair<Triangles, Triangles> parts;
@@ -139,7 +140,7 @@ SceneAir by_day(std::string_view body) {
 
 SceneAir air_of(std::string_view body, double sun_elevation_rad) {
   SceneAir air = by_day(body);
-  // Dusk, to the light that one still sees by.
+  // Dusk dims the sky, down to light that one can still see by.
   const double day = std::clamp(0.75 + sun_elevation_rad / radians(16), 0.12, 1.0);
   air.horizon *= day;
   air.zenith *= day;
@@ -172,7 +173,7 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
   set_all(with_shadows, scene, camera);
   maps.bind(with_shadows);
   glUniform1i(with_shadows.uniform("kind"), 1);
-  for (const Drawable* body : bodies) body->draw();  // first: what they hide costs less
+  for (const Drawable* body : bodies) body->draw();  // first, as ground that they hide costs less
   glUniform1i(with_shadows.uniform("kind"), 0);
   ground.draw(shaded);
   const Program without(vertex.c_str(), scene_shaders::plain_fragment);
@@ -183,7 +184,7 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
   marks.draw();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.framebuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, flat.framebuffer);
-  // Each pixel is the mean of its two by two.
+  // Each pixel becomes the mean of 2 x 2.
   glBlitFramebuffer(0, 0, finer * camera.width_px, finer * camera.height_px, 0, 0, camera.width_px,
                     camera.height_px, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, flat.framebuffer);

@@ -3,7 +3,7 @@
 
 namespace lsos::scene_shaders {
 
-// Depths of a body as the Sun sees it.
+// Depth of a body as seen from the Sun.
 inline constexpr const char* depth_vertex = R"(#version 330 core
 uniform mat4 to_map;
 layout(location = 0) in vec3 p_m;
@@ -13,7 +13,8 @@ inline constexpr const char* depth_fragment = R"(#version 330 core
 void main() {}
 )";
 
-// From light to what a screen shows: highlights are kept, air adds its own with distance.
+// Tone mapping from light to screen colours: highlights are compressed, not clipped, and air adds
+// its own light with distance.
 inline constexpr const char* tone = R"(
 vec3 toned(vec3 bright, float distance_m, vec3 horizon, float sight_m) {
   bright = 1.12 * bright / (bright + 0.6);
@@ -22,10 +23,10 @@ vec3 toned(vec3 bright, float distance_m, vec3 horizon, float sight_m) {
 }
 )";
 
-// Light is reckoned where surfaces have vertices; on ground these are some pixels apart. The eye is
-// the origin. kind 0: ground, 1: a solid, 2: a mark. Ground throws light back half as the Moon does
-// (Lommel and Seeliger), half by Lambert's law. Exposure is fitted to level ground; solids get the
-// square root of it, else low sunlight would bleach them.
+// Light is computed at vertices, which are a few pixels apart on the ground. The eye is the origin.
+// kind 0: ground, 1: a solid, 2: a mark. Ground reflects light half as the Moon does (Lommel and
+// Seeliger), half by Lambert's law. Exposure is fitted to level ground; solids get its square root,
+// otherwise low sunlight would bleach them.
 inline constexpr const char* surface_vertex = R"(
 uniform int kind;
 uniform mat4 to_picture;
@@ -69,14 +70,14 @@ void main() {
 }
 )";
 
-// What no body shades.
+// Fragments that no body shades.
 inline constexpr const char* plain_fragment = R"(#version 330 core
 in vec3 plain;
 out vec4 drawn;
 void main() { drawn = vec4(plain, 1.0); }
 )";
 
-// What bodies may shade.
+// Fragments that bodies may shade.
 inline constexpr const char* shaded_fragment = R"(
 const int bodies_max = 8, taps = 16, few_taps = 5;
 uniform int bodies;
@@ -125,7 +126,7 @@ void main() {
 }
 )";
 
-// One triangle over all of the picture.
+// One triangle that covers the picture.
 inline constexpr const char* sky_vertex = R"(#version 330 core
 uniform vec3 ahead, right, above;  // as long as the picture is deep, wide and high
 out vec3 way;

@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double depth_half_m = 500;  // beyond, what is nearest is no longer told
+constexpr double depth_half_m = 500;  // beyond it depth is clamped, and the nearest is not found
 
 constexpr const char* vertex_shader = R"(#version 330 core
 uniform mat4 to_picture;
@@ -59,7 +59,7 @@ void draw_mesh(const Mesh& mesh) {
   glDeleteVertexArrays(1, &arrays);
 }
 
-// Column by column.
+// Column-major.
 std::array<float, 16> to_picture(const PictureFrame& frame) {
   const Vec3 right = frame.up.cross(frame.towards);
   std::array<float, 16> m{};
@@ -84,7 +84,7 @@ Picture draw(const Gpu&, std::span<const PictureSolid> solids, const PictureFram
   glViewport(0, 0, frame.size_px, frame.size_px);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  glEnable(GL_DEPTH_CLAMP);  // a ridge far away hides too
+  glEnable(GL_DEPTH_CLAMP);  // a distant ridge hides too
   glDisable(GL_CULL_FACE);
   disable_clip_planes();
   glClearColor(0, 0, 0, 1);

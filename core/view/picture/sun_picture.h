@@ -1,4 +1,4 @@
-// A picture without perspective, as from the Sun: solids in their colours, panels in pure green.
+// An orthographic picture as seen from the Sun: solids in their colours, panels in pure green.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,11 @@ namespace lsos {
 struct PictureSolid {
   Mesh mesh;
   Vec3 colour = Vec3::Zero();  // red, green, blue, 0..1
-  bool is_emissive = false;    // its colour as it is; else shaded by how it faces the viewer
+  bool is_emissive = false;    // drawn unshaded; else shaded by its angle to the viewer
 };
 
-// A square picture: `towards` the viewer, `up` in the picture, both unit and square to each other.
+// A square picture. `towards` points to the viewer, `up` is up in the picture; both are unit
+// vectors, at right angles.
 struct PictureFrame {
   Vec3 centre_m = Vec3::Zero();
   Vec3 towards = Vec3::UnitZ(), up = Vec3::UnitY();
@@ -30,7 +31,7 @@ struct Picture {
 };
 Picture draw(const Gpu& gpu, std::span<const PictureSolid> solids, const PictureFrame& frame);
 
-// Pixels that are pure green.
+// Number of pure green pixels.
 int green_pixels(const Picture& picture);
 
 }  // namespace lsos

@@ -22,7 +22,7 @@ struct Wheel {
   bool operator==(const Wheel&) const = default;
 };
 
-// One of everything that an archive knows.
+// One member of every type that Archive supports.
 struct State {
   bool parked = false;
   Gear gear = Gear::low;
@@ -131,7 +131,7 @@ TEST(Archive, names_both_words_when_another_part_stands_there) {
   }
 }
 
-// A damaged count must be refused before memory is asked for: these would take exabytes.
+// A damaged count must be refused before memory is requested: these would take exabytes.
 TEST(Archive, refuses_absurd_sizes_without_allocating) {
   for (const std::uint64_t absurd : {UINT64_MAX, UINT64_C(1) << 60}) {
     Archive writer = Archive::writer();

@@ -7,7 +7,7 @@
 namespace lsos::test {
 namespace {
 
-// Its corners cut in: an L of three unit squares.
+// An L of three unit squares, with one corner cut in.
 const Ring l_shape{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
 
 TEST(Polygon, holds_what_lies_in_it_and_not_in_what_is_cut_out_of_it) {
@@ -49,7 +49,7 @@ TEST(Rings, that_cross_themselves_are_found) {
   EXPECT_TRUE(crosses_itself({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
   EXPECT_FALSE(crosses_itself(l_shape));
   EXPECT_FALSE(touches_itself(l_shape));
-  // Its last corner lies on its first side.
+  // The fourth vertex lies on the first side.
   const Ring pinched{{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}};
   EXPECT_FALSE(crosses_itself(pinched));
   EXPECT_TRUE(touches_itself(pinched));

@@ -122,7 +122,7 @@ TEST(Units, blanks_of_tables_and_web_pages_are_blanks) {
   EXPECT_DOUBLE_EQ(quantity("5\u202fkm", "m"), 5000);
 }
 
-// What is suggested stands in quotes; "" where nothing is.
+// The suggestions, in quotes; "" where there is none.
 std::string suggested(std::string_view text, std::string_view symbol) {
   const std::string all = why(text, symbol);
   const std::string_view question = "; did you mean ";

@@ -28,7 +28,7 @@ TEST(Downhill, stops_on_as_short_a_way_as_on_the_level) {
   }
 }
 
-// A block that friction only just holds stands still on the slope whose tangent is its coefficient.
+// At the slope whose tangent is the friction coefficient, friction only just holds a block.
 TEST(Downhill, creeps_where_nothing_is_left_to_brake_with) {
   const double steepest_rad = -std::atan(braking_grip);
   EXPECT_EQ(braking_mps2({steepest_rad, 0}, acceleration_mps2, moon_mps2),
@@ -37,8 +37,8 @@ TEST(Downhill, creeps_where_nothing_is_left_to_brake_with) {
   EXPECT_GT(downhill_mps(2 * steepest_rad), 0.4 * speed_mps);
 }
 
-// It slides in the direction of the steepest slope, whichever way its wheels are held: on a slope
-// that friction only just holds, brakes are left nothing in any direction that is not up.
+// A block slides down the steepest slope whatever its heading: where friction only just holds it,
+// nothing is left for braking in any direction that does not lead up.
 TEST(Downhill, has_its_grip_for_the_slope_across_too) {
   const double slope_rad = std::atan(braking_grip);
   for (const double aside_rad : {0.3, 0.8, 1.2, -0.8}) {

@@ -1,4 +1,4 @@
-// Which scripts there are, and what happens with broken, hidden and unknown ones.
+// Which scripts are found, and how broken, hidden and unknown ones are treated.
 #include "base/sha256.h"
 #include "script_fixture.h"
 
@@ -147,7 +147,7 @@ TEST_F(ShippedScripts, terrains_have_their_soil_and_shape) {
 
 TEST(Inertia, flat_discs_and_geared_wheels_are_allowed) {
   ScriptDirectory directory;
-  directory.write("rovers/Disc.lua",  // at the limit but for rounding
+  directory.write("rovers/Disc.lua",  // at the limit, except for rounding
                   "local lsos = require 'lsos' "
                   "return lsos.bogie { inertia_kgm2 = lsos.vec3(0.21, 0.47, 0.68) }");
   directory.write("rovers/Geared.lua",

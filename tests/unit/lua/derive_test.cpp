@@ -1,4 +1,4 @@
-// lsos.derive: a rover of another one's numbers with some changed.
+// lsos.derive: a rover with the numbers of another one, some of them changed.
 #include <algorithm>
 
 #include "lua/host/variant.h"
@@ -10,7 +10,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-// The shipped scripts behind a folder with scripts of its own.
+// Searches a folder of the test before the shipped scripts.
 class Derive : public ::testing::Test {
  protected:
   Catalog catalog() const {
@@ -23,7 +23,7 @@ class Derive : public ::testing::Test {
                      "return lsos.derive('" +
                          base + "', " + changes + ")\n");
   }
-  // What is wrong with the script.
+  // Message of the error that loading the script throws.
   std::string fault(const std::string& name) const {
     try {
       catalog().load_rover(name);

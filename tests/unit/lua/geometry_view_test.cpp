@@ -1,4 +1,4 @@
-// ev.geometry of a polygon: its holes, and paths within it.
+// ev.geometry of a polygon: its holes, and paths within the polygon.
 #include <fmt/format.h>
 
 #include "script_fixture.h"
@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// 40 m by 20 m with a hole of 10 m by 10 m in its middle.
+// A polygon of 40 m by 20 m with a hole of 10 m by 10 m in its middle.
 EventArguments area() {
   EventArguments arguments;
   arguments.geometry_S_m = {Vec3(0, 0, 0), Vec3(40, 0, 0), Vec3(40, 20, 0), Vec3(0, 20, 0)};
@@ -16,7 +16,7 @@ EventArguments area() {
   return arguments;
 }
 
-// What lsos.fail says.
+// The reason that a phase with this text gives to lsos.fail.
 std::string said(const std::string& text, const EventArguments& arguments = area()) {
   return std::get<Fail>(EventRun::of_phase(text, arguments)->run()).reason;
 }

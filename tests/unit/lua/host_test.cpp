@@ -1,4 +1,4 @@
-// Phases of event scripts as the engine calls them.
+// Phases of event scripts, called as the engine calls them.
 #include "script_fixture.h"
 
 namespace lsos {
@@ -114,7 +114,8 @@ TEST(Host, waypoints_cannot_be_changed) {
           ->run()));
 }
 
-// What functions share would differ between a mission that goes on and one that was loaded.
+// Variables that functions share would differ between a mission that continues and one that was
+// loaded.
 TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
   EventRun run(R"(
     local limit, count, text, unknown = 3, 0, nil, 0 / 0
@@ -177,8 +178,8 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_table_of_the_file) {
   EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
 }
 
-// What earlier calls left as garbage makes no later one dearer: a mission that was resumed does not
-// have it.
+// Garbage of earlier calls must not count against a later call's budget, because a resumed mission
+// does not have it.
 TEST(Host, budgets_forget_earlier_calls) {
   EventRun run(R"(
     local defaults = { step = 1 }

@@ -1,9 +1,9 @@
-// Scripts that want to hang the program or to eat its memory, each as the body of a phase.
+// Scripts that try to hang the program or exhaust its memory, each as the body of a phase.
 #pragma once
 
 namespace lsos {
 
-// Long texts and tables to work with are made in the script itself.
+// The scripts build long texts and tables themselves.
 inline constexpr const char* hostile_scripts[] = {
     // Patterns.
     "string.find(('a'):rep(40), ('a?'):rep(40) .. ('a'):rep(40) .. 'b')",
@@ -141,7 +141,7 @@ inline constexpr const char* hostile_scripts[] = {
     "local t = {} for i = 1, 1e6 do t['key' .. i] = i end",
     "error(('x'):rep(1e6))",
     "error(setmetatable({}, { __tostring = function() while true do end end }))",
-    // What the host offers.
+    // Functions that the host offers.
     "while true do ev:log('x') end",
     "local s = ('x'):rep(1e6) while true do ev:log('x', { s = s }) end",
     "while true do pcall(ev.log, ev, 'x', { s = 1 }) end",
@@ -167,7 +167,7 @@ inline constexpr const char* hostile_scripts[] = {
     "while true do local x = rover.position end",
     "while true do local x = rover.drive.status end",
     "while true do pcall(lsos.fail, '%d', 'x') end",
-    // What an event remembers.
+    // State that an event keeps.
     "local t = ev.state for i = 1, 15e5 do t[i] = i end",
     "for i = 1, 3e5 do ev.state['k' .. i] = i end",
     "ev.state.s = ('x'):rep(1e6) .. ('x'):rep(1e6)",

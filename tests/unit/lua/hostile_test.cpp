@@ -1,5 +1,5 @@
-// That no script can hang the program: each of hostile_scripts.h ends soon, in an error that names
-// its line. The time is the processor's; the bound is a promise to whoever runs a foreign script.
+// No script can hang the program: each one of hostile_scripts.h ends soon, with an error that names
+// its line. Times are processor times; the bound is a promise to users who run foreign scripts.
 #include <algorithm>
 
 #include "hostile_scripts.h"
@@ -16,9 +16,8 @@ using ::testing::StartsWith;
 
 constexpr double cpu_max_s = test::is_sanitized ? test::slowness : 1;
 
-// Least time of the processor that `work` takes. A virtual machine counts what its host gives to
-// others as time of whoever runs just then, so one measurement above the bound proves nothing yet;
-// three do.
+// Least processor time of `work`, s, in up to three measurements. A virtual machine also counts
+// time that its host gives to others, so one measurement above the bound proves nothing; three do.
 template <typename Work>
 double least_cpu_s(double bound_s, const Work& work) {
   double least_s = 1e9;
@@ -48,14 +47,14 @@ TEST_P(Hostile, phase_ends_soon_with_its_line) {
 
 TEST_P(Hostile, fails_at_the_same_place_again) {
   Limits limits;
-  limits.cpu_s = 1e9;  // that stop alone depends on the machine
+  limits.cpu_s = 1e9;  // only this limit depends on the machine
   const std::string error = EventRun::of_phase(GetParam(), {}, limits)->error();
   EXPECT_EQ(EventRun::of_phase(GetParam(), {}, limits)->error(), error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sandbox, Hostile, ::testing::ValuesIn(all_scripts()));
 
-// While a script loads there is no ev and no rover.
+// Scripts as they load, when there is no ev and no rover.
 class HostileLoad : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(HostileLoad, of_a_rover_ends_soon_with_its_line) {
@@ -90,7 +89,7 @@ TEST_P(HostileCondition, is_refused_and_would_end_soon) {
     try {
       run->host->holds(GetParam(), {}, run->rover);
     } catch (const ScriptError&) {
-      // As it may; here only that it ends counts.
+      // An error is allowed; only the time counts here.
     }
   });
   EXPECT_LT(cpu_s, bound_s);

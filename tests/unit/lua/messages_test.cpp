@@ -1,4 +1,4 @@
-// Each file of tests/messages/script is a script with a mistake; tests/README.md says how it looks.
+// Each file of tests/messages/script is a script with a mistake; tests/README.md gives its format.
 #include <algorithm>
 #include <sstream>
 
@@ -39,7 +39,7 @@ ScriptKind kind_of(const std::string& folder) {
   return folder == "terrain" ? ScriptKind::terrain : ScriptKind::soil;
 }
 
-// What the scripts' reader says of this text as the file FOLDER/NAME.lua.
+// The errors of reading this text as the file FOLDER/NAME.lua.
 std::string errors_of_script(const std::string& folder, const std::string& name,
                              const std::string& text) {
   ScriptDirectory directory;
@@ -68,7 +68,7 @@ TEST_P(Message, is_as_expected) {
 INSTANTIATE_TEST_SUITE_P(Script, Message, ::testing::ValuesIn(script_names(cases_folder)),
                          [](const auto& test) { return test.param; });
 
-// So that a case after it fails for its own mistake only.
+// A part must be free of faults, so that a case that includes it fails for its own mistake only.
 class MessagePart : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MessagePart, is_right_by_itself) {

@@ -1,4 +1,4 @@
-// Numbers of rovers, assets and soils that are likely to be slips; those that are shipped are none.
+// Numbers of rovers, assets and soils that are likely to be slips; no shipped number is one.
 #include "mission/model/model_doubts.h"
 
 #include "script_fixture.h"

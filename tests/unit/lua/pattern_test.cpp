@@ -1,4 +1,4 @@
-// Text patterns against Lua's own: the same results, the same errors.
+// Text patterns compared with Lua's own: the same results, the same errors.
 #include "lua/runtime/pattern.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ std::string quoted(const std::string& text) {
   return literal + "'";
 }
 
-// A chunk that calls every pattern function on a subject and answers all they give as one text.
+// A chunk that calls every pattern function on a subject and returns all results as one text.
 std::string chunk(const std::string& subject, const std::string& pattern,
                   const std::string& replacement, int begin, int count) {
   return fmt::format(
@@ -75,7 +75,7 @@ class Pattern : public ::testing::Test {
   void expect_equal(const std::string& subject, const std::string& pattern,
                     const std::string& replacement = "<%0%1>", int begin = 2, int count = 2) {
     const std::string text = chunk(subject, pattern, replacement, begin, count);
-    // Only the place differs: "chunk:12: " and the like.
+    // Errors differ only in their place, "chunk:12: " and the like.
     ASSERT_EQ(of_ours(text), of_stock(text))
         << "subject '" << subject << "' pattern '" << pattern << "' replacement '" << replacement
         << "' begin " << begin << " count " << count;

@@ -1,4 +1,4 @@
-// What the prompt says, without a simulation.
+// Lines that the prompt prints, without a simulation.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -31,7 +31,7 @@ class PromptLines : public ::testing::Test {
   }
   std::vector<std::string> completions(const std::string& text) { return repl_.completions(text); }
   Repl::Outcome outcome(const std::string& line) { return repl_.run(line); }
-  // Ctrl-C, while the line runs.
+  // The lines printed when Ctrl-C is pressed while the line runs.
   std::vector<std::string> said_when_interrupted(const std::string& line) {
     std::thread user([] {
       std::this_thread::sleep_for(std::chrono::milliseconds(300));
@@ -120,7 +120,7 @@ TEST_F(PromptLines, show_the_unit_of_each_value_and_of_no_other) {
               ElementsAre("16", "true", "256"));
 }
 
-// What a new field is called says its unit, unless it has none.
+// The name of a field of an object must say its unit, unless it has none.
 TEST_F(PromptLines, know_the_unit_of_all_that_objects_have) {
   const std::set<std::string> ratios{"slip", "charge", "sun_fraction", "incidence"};
   for (const HandleType* type : scripted_objects()) {
@@ -151,7 +151,7 @@ TEST_F(PromptLines, show_tables_within_tables_on_their_line) {
       ElementsAre("table\n  1 = { fields = { n = 3 }, name = 'drop' }\n  2 = { (1, 2, 3) }"));
   EXPECT_THAT(said("{ { [true] = 1 } }"), ElementsAre("table\n  1 = { with a boolean as a key }"));
   EXPECT_THAT(said("{ { string.rep('x', 300) } }").front(), EndsWith("xxx..."));
-  // No half of a letter.
+  // The cut must not split a UTF-8 character.
   for (const int before : {195, 196, 197, 198}) {
     const std::string line =
         "{ { string.rep('x', " + std::to_string(before) + ") .. string.rep('ä', 50) } }";

@@ -1,4 +1,4 @@
-// lua/README.md says what is bound to Lua, and its example works.
+// lua/README.md lists what is bound to Lua, and its example works.
 #include <cstdlib>
 #include <map>
 #include <sstream>
@@ -28,7 +28,7 @@ TEST(Reference, is_the_library_of_editors) {
       << "lua/library.d.lua is out of date: LSOS_UPDATE_REFERENCE=1 with this test writes it anew";
 }
 
-// A script that asks the module and the objects of a phase for all that the library says they have.
+// Looks up, in a script, every member that the library lists for the module and a phase's objects.
 TEST(Reference, is_what_scripts_find) {
   const std::map<std::string, std::string> classes{{"lsos", "lsos"},
                                                    {"lsos.rover", "rover"},

@@ -1,4 +1,4 @@
-// What scripts can reach, and that they can neither hang nor fill the program.
+// Scripts reach only what they may, and can neither hang the program nor exhaust its memory.
 #include <chrono>
 
 #include "script_fixture.h"
@@ -12,7 +12,7 @@ using ::testing::Not;
 
 std::string error_of(const std::string& text) { return EventRun::of_phase(text)->error(); }
 
-// The text that a phase makes by its last expression.
+// The value of an expression in a phase, as text.
 std::string text_of(const std::string& expression) {
   return std::get<Fail>(EventRun::of_phase("return lsos.fail('%s', " + expression + ")")->run())
       .reason;
@@ -114,7 +114,7 @@ TEST(Sandbox, sort_is_stable_and_survives_a_contradicting_order) {
             "100");
 }
 
-// Everything here would run for minutes or for ever.
+// Scripts that would run for minutes or for ever.
 class Runaway : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Runaway, is_stopped_with_its_line) {

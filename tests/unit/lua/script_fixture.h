@@ -1,4 +1,4 @@
-// Scripts given as text, in a folder of their own, and a rover that only remembers commands.
+// Scripts given as text, in a temporary folder, and a rover that only records commands.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ class RecordingRover : public RoverPort {
   RouteSettings route;
   PlannedWay way;
   RoverPower energy{{}, 1, {}};
-  bool moves = true;  // what it is told to deploy
+  bool moves = true;  // whether deploying an antenna has an effect
 
   const RoverView& view() const override { return rover; }
   DriveState drive() const override { return drive_state; }
@@ -107,11 +107,11 @@ inline std::string errors_of(const Catalog& catalog, ScriptKind kind, const std:
   return text;
 }
 
-// One event with the phases that a test gives as text, and what runs it.
+// One event with phases given as text, and the host that runs it.
 class EventRun {
  public:
-  // `body` is the Lua text before `return lsos.event {...}`; `event` what stands in its braces
-  // beside api, doc and start = 'go'.
+  // `body` is the Lua text before `return lsos.event {...}`; `event` is the text in its braces,
+  // besides api, doc and start = 'go'.
   EventRun(const std::string& body, const std::string& event, const EventArguments& arguments = {},
            const Limits& limits = {}) {
     directory.write("events/Probe.lua", "local lsos = require 'lsos'\n" + body +
@@ -130,7 +130,7 @@ class EventRun {
     context.seed = 7;
   }
 
-  // A phase `go` with this text as its body.
+  // Makes an event whose phase `go` has this text as its body.
   static std::unique_ptr<EventRun> of_phase(const std::string& text,
                                             const EventArguments& arguments = {},
                                             const Limits& limits = {}) {
@@ -143,7 +143,7 @@ class EventRun {
   PhaseAnswer run(const std::string& phase = "go") {
     return host->run_phase(instance, phase, context);
   }
-  // The message of the ScriptError that the phase must give.
+  // Message of the ScriptError that the phase must throw.
   std::string error(const std::string& phase = "go") {
     try {
       run(phase);
@@ -152,7 +152,7 @@ class EventRun {
     }
     return "no error";
   }
-  // As torture mode does: everything thrown away and read back.
+  // Saves the event, discards its host and restores it in a new one, as torture mode does.
   void recreate(const EventArguments& arguments = {}) {
     const std::string bytes = host->save(instance);
     host = std::make_unique<LuaHost>(*catalog);

@@ -1,4 +1,4 @@
-// events/Route.lua, Wait.lua and Pause.lua against a rover that only remembers commands.
+// events/Route.lua, Wait.lua and Pause.lua with a rover that only records commands.
 #include "script_fixture.h"
 
 namespace lsos {
@@ -75,7 +75,7 @@ class PathPlanRoute : public ShippedEvents {
     instance = host.begin("PathPlanRoute", arguments);
   }
 
-  // The drive has failed on its way to a point of the path, the first is 0.
+  // Lets the drive fail on the leg to a point of the path; the first point is 0.
   void fail_drive(bool is_blocked, std::size_t next_point) {
     rover.drive_state.status = DriveState::Status::failed;
     rover.drive_state.reason = "stuck";
@@ -100,7 +100,7 @@ TEST_F(PathPlanRoute, follows_the_way_that_is_planned) {
   EXPECT_THAT(rover.calls, ElementsAre("plan from 1 of 3", "follow 4 points"));
 }
 
-// What is planned ahead is what will be asked for, so that it is taken up.
+// The route planned ahead is used only if its settings equal those that the event later requests.
 TEST_F(PathPlanRoute, asks_for_the_same_before_the_run) {
   run("plan");
   EXPECT_EQ(host.route_settings("PathPlanRoute", arguments, {}), rover.route);
@@ -124,7 +124,7 @@ TEST_F(PathPlanRoute, plans_anew_from_the_next_waypoint_around_what_blocks) {
   ASSERT_EQ(rover.route.avoided.size(), 1u);
   EXPECT_EQ(rover.route.avoided[0].center_S_m, Vec3(0, 5, 0));
   EXPECT_EQ(rover.route.avoided[0].radius_m, 4);
-  // As often as the plan says.
+  // The route is planned again only as often as the plan allows.
   EXPECT_EQ(std::get<Fail>(run("drive")).reason, "stuck");
 }
 

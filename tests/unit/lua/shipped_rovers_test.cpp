@@ -26,7 +26,7 @@ const Geodetic start{0.1, 0.2, 0};
 
 class ShippedRover : public ::testing::TestWithParam<Shipped> {
  protected:
-  // Falls to the south.
+  // A plane that falls to the south by `slope_rad`.
   std::unique_ptr<Ground> ground(double slope_rad) const {
     TerrainSpec spec;
     spec.layers = {PlaneSurface{0, slope_rad, radians(180)}};
@@ -44,7 +44,8 @@ class ShippedRover : public ::testing::TestWithParam<Shipped> {
   Catalog catalog_{std::vector<std::string>{LSOS_SOURCE_DIR}};
 };
 
-// North, as far as this or as long as it takes at a fifth of the cruise speed; answers how far.
+// Drives north until `distance_m` is reached, or until the time is over that this takes at a fifth
+// of the cruise speed (plus 5 s); returns the distance driven, m.
 double drive(Vehicle& vehicle, double distance_m) {
   DriveCommand ahead;
   ahead.speed_mps = vehicle.config().cruise_speed_mps;
@@ -85,7 +86,7 @@ TEST_P(ShippedRover, stands_level_on_level_ground_with_its_weight_on_its_wheels)
   const double mean_n = weight_n / static_cast<double>(loads_n.size());
   for (const auto& [name, load_n] : loads_n) {
     EXPECT_NEAR(load_n, mean_n, 0.1 * mean_n) << name;
-    // Stiff, but not so stiff that steps would have to be short.
+    // The contact is stiff, but soft enough for the usual time steps.
     const double depth_m = load_n / rover.config().links.back().wheel->normal_stiffness_npm;
     EXPECT_LT(depth_m, 0.01) << name;
   }
@@ -125,7 +126,7 @@ TEST_P(ShippedRover, stands_and_drives_in_every_configuration) {
     test::settle(rover);
     const double weight_n = rover.config().mass_kg() * g_mps2();
     EXPECT_NEAR(test::sum(test::wheel_loads_n(rover)), weight_n, 1e-3 * weight_n);
-    // With seized wheels a short way in much time, as Spirit found.
+    // Rovers with seized wheels drive a short distance in a long time, as Spirit found.
     EXPECT_GT(drive(rover, 1), 0.02) << configuration;
   }
 }

@@ -1,4 +1,4 @@
-// ev.state through save and restore.
+// ev.state survives save and restore.
 #include "script_fixture.h"
 
 namespace lsos {

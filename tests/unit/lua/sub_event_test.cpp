@@ -1,4 +1,4 @@
-// A phase that is another event.
+// Phases that are another event.
 #include "script_fixture.h"
 
 namespace lsos {
@@ -7,7 +7,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-// A child with a field of every kind.
+// A child event with a field of every kind.
 constexpr const char* child = R"(
 local lsos = require 'lsos'
 return lsos.event {
@@ -24,7 +24,7 @@ return lsos.event {
   phases = { go = function() end },
 })";
 
-// The parent's phase `go` is the child with these parameters.
+// A parent event whose phase `go` is the child with these parameters.
 class Parent {
  public:
   explicit Parent(const std::string& sub_event, const EventArguments& arguments = {}) {

@@ -1,4 +1,4 @@
-// Slip of driving, against sums over the whole series.
+// Slip of driving, compared with sums over the whole series.
 #include "mission/rover/drive_slip.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(DriveSlip, knows_nothing_of_a_rover_that_creeps) {
   EXPECT_NEAR(slip.now(), 0.3, 1e-15) << "what conditions look at";
 }
 
-// Its wheels turn as they are told; the rover loses its speed.
+// The wheels turn as commanded while the rover loses its speed.
 TEST(DriveSlip, shows_conditions_a_rover_that_digs_itself_in) {
   DriveSlip slip;
   DriveSlip::Motion stuck = driving(0.95);
@@ -102,7 +102,7 @@ TEST(DriveSlip, is_saved_and_read_back) {
   EXPECT_EQ(slip.p95(), 0.012);
 }
 
-// A rover whose cruise speed is 0.05 m/s never is above that.
+// A rover whose cruise speed is 0.05 m/s is never faster than that.
 TEST(DriveSlip, of_a_slow_rover_is_counted_from_a_tenth_of_its_cruise_speed) {
   DriveSlip::Motion slow = driving(0.3);
   slow.cruise_mps = slow.requested_mps = slow.command_mps = 0.05;

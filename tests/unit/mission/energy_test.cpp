@@ -1,4 +1,4 @@
-// A rover's energy over a mission, without light: what it holds follows from what flowed.
+// A rover's energy over a mission without light: the stored energy follows from the flows.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,11 +36,11 @@ TEST_F(Energy, of_a_parked_rover_falls_as_its_loads_say) {
   mission.event("Hold", 3600);
   const auto events = mission.run();
   EXPECT_EQ(events[0].status, EventStatus::completed);
-  // 100 W at the bus for an hour, and the loss in giving it.
+  // 100 W at the bus for an hour, with the discharge loss.
   EXPECT_NEAR(result().energy_start_j - result().energy_end_j, 100 * 3600 / 0.8, 1e-6);
   EXPECT_NEAR(result().energy_used_j, 100 * 3600 / 0.8, 1e-6);
   EXPECT_NEAR(events[0].energy_used_j, 100 * 3600 / 0.8, 1e-6);
-  EXPECT_LT(mission.exchanges, 20);  // it leapt
+  EXPECT_LT(mission.exchanges, 20);  // the clock leapt
 }
 
 TEST_F(Energy, of_work_is_added_while_its_event_runs) {
@@ -61,7 +61,7 @@ TEST_F(Energy, of_a_drive_is_what_its_motors_took) {
   EXPECT_NEAR(result().energy_start_j - result().energy_end_j, result().energy_used_j, 1e-6);
 }
 
-// A long stand before a drive: its first period is a period long, not as long as the stand.
+// The first period of a drive after a long stand lasts one period, not as long as the stand.
 TEST_F(Energy, of_a_drive_after_a_stand_is_no_other) {
   power().loads.clear();
   mission.drive(20);
@@ -76,7 +76,7 @@ TEST_F(Energy, of_a_drive_after_a_stand_is_no_other) {
   EXPECT_NEAR(again.simulation_->results()[0].energy_used_j, at_once_j, 1e-3 * at_once_j);
 }
 
-// The last exchange before MaxDuration, though nothing happens there.
+// Energy is counted to the last exchange before MaxDuration, though nothing happens there.
 TEST_F(Energy, at_the_end_of_time_is_of_that_time) {
   mission.event("Hold", 1e6);
   mission.setup_.plan.mission.max_duration = SimTime{1'000'000'000};

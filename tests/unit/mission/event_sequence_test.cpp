@@ -1,4 +1,4 @@
-// What follows what: turns, conditions, failures, timeouts.
+// The order of events: turns, conditions, failures, timeouts.
 #include <gmock/gmock.h>
 
 #include "test_mission.h"
@@ -79,7 +79,7 @@ TEST(EventSequence, a_timeout_fails_the_event_and_lets_its_script_clean_up) {
 }
 
 TEST(EventSequence, waits_for_the_events_of_another_rover_until_the_next_exchange) {
-  // In either order of ids.
+  // The result is the same in either order of ids.
   for (const bool first : {true, false}) {
     Mission mission;
     mission.rover("A");

@@ -61,7 +61,7 @@ TEST(Machine, is_drawn_from_initialise_through_every_rover_to_terminate) {
   EXPECT_THAT(dot, HasSubstr("leg \\\"A\\\""));
 }
 
-// Graphviz lays the columns of ranks beside each other.
+// Graphviz lays the ranks, which are the columns, side by side.
 TEST(Machine, of_many_events_is_drawn_in_rows) {
   Plan plan = two_rovers();
   plan.events.clear();

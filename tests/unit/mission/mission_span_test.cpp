@@ -11,7 +11,7 @@ using test::Mission;
 
 constexpr double hour_s = 3600;
 
-// Hours, of mock events that Hold for a duration and Drive with a speed.
+// Default MaxDuration in hours, for mock events: Hold with a duration, Drive with a speed.
 double hours_of(Mission& mission, bool is_open_ended = false) {
   Declarations declarations;
   const auto duration = [] {

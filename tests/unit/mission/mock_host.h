@@ -16,7 +16,7 @@ struct MockInstance {
   double state = 0;
 };
 
-// Of all ways that mock events plan.
+// Settings of all routes that mock events plan.
 inline RouteSettings mock_route_settings() {
   RouteSettings settings;
   settings.slope_max_rad = 0.35;

@@ -39,7 +39,7 @@ TEST(PlannedLegs, of_a_way_that_does_not_exist_are_kept_too) {
   EXPECT_EQ(second.kept(), "");
 }
 
-// Whatever a leg depends on: seed, ground, rover, places, aim, what is avoided.
+// A leg depends on seed, ground, rover, places, aim, and what is avoided.
 TEST(PlannedLegs, are_not_taken_for_another) {
   const Site site(crater()), other_site({{30, 4.01, 24, 5, 0.5}});
   PlannedLegs first(site.ground(), 7);

@@ -1,4 +1,4 @@
-// Ways that are planned before the mission starts, and what becomes of them when it runs.
+// Routes planned before the mission starts, and their use when it runs.
 #include <gmock/gmock.h>
 
 #include "mission/model/site.h"
@@ -9,7 +9,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// Level ground with a crater 24 m wide whose walls are too steep, so far east of 0.1, 0.2 rad.
+// Makes level ground with a crater 24 m wide whose walls are too steep, `east_m` east of 0.1, 0.2
+// rad.
 void dig(Mission& mission, double east_m) {
   ReliefSurface relief;
   relief.lon_rad = 0.1;
@@ -72,7 +73,7 @@ TEST(RouteAhead, without_a_way_is_a_fault_of_the_plan) {
   };
   EXPECT_THAT(message(), HasSubstr("Plan 'Plan 1': the leg to waypoint 1: the goal is on a slope"));
   EXPECT_THAT(message(), HasSubstr("the nearest place that can be reached is "));
-  // Where the plan says what then shall happen, it is its business.
+  // When the plan handles the failure, it is a warning.
   mission.setup_.plan.events[0].on_failure = OnFailure::skip;
   EXPECT_EQ(message(), "");
   const EventRow event = mission.simulation_->events()[0];
@@ -82,7 +83,7 @@ TEST(RouteAhead, without_a_way_is_a_fault_of_the_plan) {
   EXPECT_EQ(mission.simulation_->advice()[0].severity, Severity::warning);
 }
 
-// It fails before it drives: what follows begins where it stood.
+// The event fails before it drives, so the next begins where the rover stood.
 TEST(RouteAhead, goes_on_from_where_an_event_without_a_way_leaves_the_rover) {
   Mission mission;
   dig(mission, 50);
@@ -98,7 +99,7 @@ TEST(RouteAhead, goes_on_from_where_an_event_without_a_way_leaves_the_rover) {
   EXPECT_EQ(mission.simulation_->advice().size(), 1u);
 }
 
-// Five metres: less, and the way is driven as planned; more, and it is planned anew.
+// Within 5 m of the expected start the route is driven as planned; farther away it is planned anew.
 TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
   const VehicleConfig vehicle = test::rover(1.6);
@@ -122,7 +123,7 @@ TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   RouteSettings careful;
   careful.aim = RouteAim::risk;
   EXPECT_TRUE(plans_anew(0, 3, careful));
-  // A second time the event asks because something went wrong: the way begins where the rover is.
+  // A second request means that something went wrong: the route begins where the rover is.
   routes.set_ahead(ahead);
   for (const std::size_t planned_anew : {0, 1}) {
     routes.plan("A", SimTime{}, 3, {{0, 1, 0}, 0}, {goal_m}, 1, {});

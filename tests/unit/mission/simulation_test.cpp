@@ -123,7 +123,7 @@ TEST(Simulation, warns_of_a_speed_that_the_rover_does_not_reach) {
   EXPECT_THAT(mission.simulation_->warnings()[0], HasSubstr("asked to drive at 50 m/s"));
 }
 
-// Two rovers, driving and waiting for each other; a fingerprint of where everything ended.
+// Final state, as a fingerprint, of two rovers that drive and wait for each other.
 std::string fingerprint(int threads, bool save_every_exchange) {
   Mission mission;
   mission.setup_.threads = threads;

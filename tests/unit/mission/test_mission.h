@@ -13,9 +13,9 @@ inline double number(const MockInstance& instance, const std::string& key) {
   return std::get<double>(instance.arguments.params.at(key));
 }
 
-// Hold: sleeps `duration_s`. Drive: follows its line. Twice: two Holds, one after the other.
-// Break: fails after `duration_s`. Leave: drives off and ends. Poll: stays for three calls. Spin:
-// goes round for ever. Work: uses power for `duration_s`. Plan: follows a planned way.
+// Hold: sleeps `duration_s`. Drive: follows its line. Twice: two Holds, one after the other. Break:
+// fails after `duration_s`. Leave: drives off and ends. Poll: stays for three calls. Spin: loops
+// for ever. Work: uses power for `duration_s`. Plan: follows a planned route.
 inline std::unique_ptr<ScriptHost> make_host() {
   auto host = std::make_unique<MockHost>();
   host->add("Hold", "begin", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
@@ -120,7 +120,7 @@ class Mission {
     setup_.plan.events.push_back(event);
     return setup_.plan.events.back();
   }
-  // `east_m` of the last rover's start.
+  // The goal is `east_m` east of the last rover's start.
   PlanEvent& drive(double east_m) { return drive("Drive", east_m); }
   PlanEvent& drive(const std::string& type, double east_m) {
     PlanEvent& driven = event(type);

@@ -1,4 +1,4 @@
-// Which moments of a run its film shows.
+// The moments of a run that its film shows.
 #include "picture/film_times.h"
 
 #include <gtest/gtest.h>

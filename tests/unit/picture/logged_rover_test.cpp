@@ -1,4 +1,4 @@
-// Rovers between two samples of a log.
+// Interpolation of rovers between two samples of a log.
 #include "picture/logged_rover.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ TEST(LoggedRover, between_two_samples_is_on_the_way_and_turns_the_short_way) {
   EXPECT_NEAR(mid.sample.roll_rad, -2 * deg, 0.2 * deg);
   EXPECT_NEAR(mid.joints[0].angle_rad, 11, 1e-12);
   EXPECT_NEAR(mid.joints[1].extension_m, 0.2, 1e-12);
-  // 4 m to the east, 30 degrees east, 10 north.
+  // The place is 4 m east of 30 degrees east, 10 degrees north.
   EXPECT_NEAR(mid.sample.place.lon_rad / deg, 30 + 4 / (1737400 * std::cos(10 * deg)) / deg, 1e-9);
 }
 
@@ -74,7 +74,7 @@ TEST(LoggedRover, a_flat_panel_lies_flat_between_samples_too) {
   const LoggedRover mid = between(moon.site, from, to, 0.5);
   const PanelFace face = panel_faces(moon.site, panels, mid).at(0).value();
   EXPECT_NEAR(face.normal().z(), 1, 1e-9);
-  // Its sides lie as they did about the rover: not turned.
+  // Its sides keep their directions about the rover.
   EXPECT_NEAR(face.half_u_m.normalized().dot(level.half_u_m.normalized()), 1, 0.002);
 }
 

@@ -24,7 +24,7 @@ TEST(FarPlaces, whole_numbers_may_be_meant_with_decimal_commas) {
   constexpr double rounding = 1e-9;
   EXPECT_THAT(degrees_of("31,5 12,25"),
               ElementsAre(DoubleNear(31.5, rounding), DoubleNear(12.25, rounding)));
-  // Zeros behind the comma count.
+  // Leading zeros after the decimal comma count.
   EXPECT_THAT(degrees_of("-31,0001\n12,0002"),
               ElementsAre(DoubleNear(-31.0001, rounding), DoubleNear(12.0002, rounding)));
   EXPECT_THAT(degrees_of("31.5,12"), IsEmpty());
@@ -40,7 +40,7 @@ TEST(FarPlaces, distances_are_told_with_as_many_digits_as_matter) {
   EXPECT_EQ(distance_text(912345), "912 km");
 }
 
-// What is said of a plan with one rover at 31,20 and these events.
+// The faults of a plan with one rover at 31,20 and these events.
 std::string said_of(const std::string& events) {
   const std::string file =
       test::write_file(test::document(test::mission() + test::rover() + events));
@@ -60,7 +60,7 @@ TEST(FarPlaces, long_legs_are_no_slip_where_all_are_long) {
               ::testing::HasSubstr("waypoint 3 (31.000000,20.400000) is 12 km from waypoint 2"));
 }
 
-// What is said of a plan whose rover starts there and drives so.
+// The faults of a plan whose rover begins at `start` and drives along `coordinates`.
 std::string said_of_drive(const std::string& start, const std::string& coordinates) {
   const test::Fields rover{{"RoverId", "A"}, {"RoverType", "SEV"}};
   const std::string file = test::write_file(
@@ -73,7 +73,7 @@ std::string said_of_drive(const std::string& start, const std::string& coordinat
 
 TEST(FarPlaces, one_long_leg_is_no_slip_where_there_is_little_to_compare_it_with) {
   EXPECT_EQ(said_of_drive("31,20", "31,20 31,20.4"), "");
-  // 400 m and 10.6 km, from beside the rover.
+  // The legs are 400 m and 10.6 km long and begin beside the rover.
   EXPECT_EQ(said_of_drive("31,20", "31,20.0005 31,20.0137 31,20.3633"), "");
   EXPECT_THAT(said_of_drive("31,20", "31,20 31,24"),
               ::testing::HasSubstr("waypoint 2 (31.000000,24.000000) is 121 km from waypoint 1"));
@@ -98,7 +98,7 @@ TEST(FarPlaces, an_altitude_that_is_no_number_is_none) {
   EXPECT_EQ(said_of(drive(1, "31,20,nan 31.001,20,NaN")), "");
   EXPECT_EQ(said_of(drive(1, "31,20,\n31.001,20,\n31.002,20,")), "");
   EXPECT_EQ(said_of(drive(1, "31 , 20 , 31.001 , 20 , 31.002 , 20 ,")), "");
-  // An altitude behind a blank is one.
+  // A number after a comma and a blank is an altitude.
   EXPECT_EQ(said_of(drive(1, "31, 20, 0\n31.001, 20, 5")), "");
 }
 

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// What refusing these bytes says; "" when they are read.
+// The message with which these bytes are refused; "" when they are read.
 std::string refusal(const std::string& bytes) {
   try {
     parse_kml(bytes, "a.kml");
@@ -34,7 +34,7 @@ std::string utf16(const std::string& ascii, bool is_big_endian) {
   return wide;
 }
 
-// A KMZ of these files: name, bytes.
+// Writes a KMZ of these files (name, bytes) and returns its path.
 std::string kmz(const std::vector<std::pair<std::string, std::string>>& files) {
   const std::string path = test::write_file("", "archive.kmz");
   fs::remove(path);
@@ -126,7 +126,7 @@ TEST(KmlReader, kinds_of_geometry_are_told) {
   EXPECT_THAT(kinds, ::testing::ElementsAre("Polygon", "LineString", "MultiGeometry"));
 }
 
-// Map tools write it round any geometry that could have had more than one part.
+// Map tools write a MultiGeometry around any feature that could have several parts.
 TEST(KmlReader, a_multi_geometry_of_one_is_that_one) {
   const KmlSource source = parse_kml(
       test::document("<Placemark><MultiGeometry>\n<LineString><coordinates>1,2 3,4</coordinates>"
@@ -178,7 +178,7 @@ TEST(KmlReader, encodings_are_converted) {
   std::string latin = "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + text;
   latin.replace(latin.find("here"), 4, name);
   std::string windows = "<?xml version='1.0' encoding='windows-1252'?>" + text;
-  windows.replace(windows.find("here"), 4, "\x80");  // the euro sign there
+  windows.replace(windows.find("here"), 4, "\x80");  // euro sign in windows-1252
   const auto read_name = [](const std::string& bytes) {
     return parse_kml(bytes, "a.kml").placemarks.at(0).name;
   };
@@ -213,7 +213,7 @@ TEST(KmlReader, a_kmz_is_read_from_doc_kml_or_its_first_kml) {
   EXPECT_TRUE(main.file.ends_with("archive.kmz/doc.kml")) << main.file;
   const KmlSource first = read_kml(kmz({{"x.png", "?"}, {"in/b.KML", other}, {"c.kml", small}}));
   EXPECT_EQ(first.placemarks.at(0).name, "other");
-  // What macOS packs beside the user's files.
+  // Files that macOS adds to archives are skipped.
   const KmlSource mac =
       read_kml(kmz({{"__MACOSX/._plan.kml", "?"}, {"in/._plan.kml", "?"}, {"plan.kml", small}}));
   EXPECT_EQ(mac.placemarks.at(0).name, "here");

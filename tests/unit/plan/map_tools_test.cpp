@@ -1,4 +1,4 @@
-// Plans as map tools write them again: fields in Data, Type and folders in place of a schemaUrl.
+// Plans as map tools rewrite them: fields in Data, and a Type or a folder in place of a schemaUrl.
 #include <gmock/gmock.h>
 
 #include "plan_fixture.h"
@@ -68,7 +68,7 @@ TEST(MapTools, a_folder_says_what_its_placemarks_are) {
   EXPECT_EQ(folders.plan.hash(), read(plain()).plan.hash());
 }
 
-// As GIS tools save a layer of many kinds: one Schema for all, with the layer's name.
+// GIS tools save a layer of many kinds with one Schema for all, which has the layer's name.
 TEST(MapTools, a_type_counts_where_the_schema_is_named_after_a_layer) {
   const auto stamped = [](const std::string& name, const Fields& fields,
                           const std::string& geometry) {

@@ -1,4 +1,4 @@
-// Every file of tests/messages/plan is a bad plan that says at its top what must be said of it.
+// Every file of tests/messages/plan is a wrong plan with the expected messages in its first lines.
 #include <gmock/gmock.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ inline FieldDeclaration required_field(const char* name, const char* key, FieldK
   return field;
 }
 
-// Route, Wait and Pause; rover type SEV; terrains Craters, Flat, Slope.
+// Declares the events Route, Wait and Pause, rover type SEV, and terrains Craters, Flat, Slope.
 inline Declarations declarations() {
   Declarations known;
   EventDeclaration route;
@@ -110,7 +110,7 @@ inline std::string document(const std::string& placemarks) {
          "</Document></kml>\n";
 }
 
-// A new file with these bytes, named after the running test.
+// Writes a file with these bytes, named after the running test, and returns its path.
 inline std::string write_file(const std::string& bytes, const std::string& ending = "plan.kml") {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
   std::string file =
@@ -122,7 +122,7 @@ inline std::string write_file(const std::string& bytes, const std::string& endin
   return file;
 }
 
-// What reading the plan says, one fault a line, without the folder of the file.
+// The faults of reading a plan, one per line, without the folder of the file.
 inline std::string said(const Faults& faults) {
   std::string text;
   for (Fault fault : faults.sorted()) {

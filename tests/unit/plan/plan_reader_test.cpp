@@ -355,7 +355,7 @@ TEST(PlanHash, depends_on_every_value) {
   EXPECT_EQ(std::ranges::adjacent_find(hashes), hashes.end());
 }
 
-// Processor time of reading a plan, s; wall time depends on what else the machine does.
+// Processor time of reading a plan, s; wall time also depends on other processes.
 double reading_s(const std::string& placemarks, std::size_t fault_count) {
   const std::string file = test::write_file(document(placemarks));
   Faults faults;
@@ -366,7 +366,7 @@ double reading_s(const std::string& placemarks, std::size_t fault_count) {
   return static_cast<double>(after - before) / CLOCKS_PER_SEC;
 }
 
-// Ten times the events may take thirty times as long (linear: 10, quadratic: 100).
+// Greatest ratio of reading times for ten times the events (linear: 10, quadratic: 100).
 constexpr double growth = 30;
 
 TEST(PlanReader, reading_time_grows_with_the_number_of_events_and_not_with_its_square) {

@@ -1,4 +1,4 @@
-// Polygons as outlines and holes, and where a rover is after driving within one.
+// Outlines and holes of polygons, and where a rover is after driving within one.
 #include <gmock/gmock.h>
 
 #include "plan_fixture.h"
@@ -8,8 +8,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// Those of the fixture, Survey, which drives within a polygon, and Meet, which drives to who knows
-// where.
+// Adds to the fixture's declarations Survey, which drives within a polygon, and Meet, whose goal is
+// not known.
 Declarations declarations() {
   Declarations known = test::declarations();
   EventDeclaration survey, meet;
@@ -22,7 +22,7 @@ Declarations declarations() {
   return known;
 }
 
-// What is said of a plan with one rover at 31,20 and these events.
+// The faults of a plan with one rover at 31,20 and these events.
 std::string said_of(const std::string& events) {
   const std::string file =
       test::write_file(test::document(test::mission() + test::rover() + events));
@@ -45,7 +45,7 @@ std::string rest_at(int sequence, const std::string& coordinates) {
                      test::point(coordinates));
 }
 
-// 300 m a side.
+// A square with sides of 300 m.
 constexpr const char* area = "31,20 31.0105,20 31.0105,20.01 31,20.01 31,20";
 
 TEST(Polygon, that_crosses_or_touches_itself_is_refused) {
@@ -72,7 +72,7 @@ TEST(Polygon, leaves_a_rover_anywhere_within) {
   EXPECT_EQ(said_of(survey(1, area) + rest_at(2, "31.005,20.005")), "");
   EXPECT_THAT(said_of(survey(1, area) + rest_at(2, "31.005,20.02")),
               HasSubstr("its Point is 303 m from where rover 'A' then is expected"));
-  // The way on is still measured.
+  // The leg to the next waypoint is still measured.
   EXPECT_THAT(
       said_of(survey(1, area) + test::event("Route", "leg", "A", 2, {}, test::line("0,0 31,20"))),
       HasSubstr("waypoint 1 (0.000000,0.000000) is"));

@@ -7,7 +7,7 @@
 namespace lsos {
 namespace {
 
-// Between the nodes that are kept, against the series itself.
+// Between the cached nodes, against the series itself.
 TEST(Ephemeris, is_within_metres_of_its_series_at_any_time) {
   Instant at = *parse_utc("2026-03-03T05:17:31Z").value;
   for (int k = 0; k < 40; ++k) {

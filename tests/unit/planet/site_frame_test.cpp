@@ -119,14 +119,14 @@ TEST(VerticalCells, are_the_vertical_to_a_nanometre) {
     VerticalCells cells(site);
     double worst_m = 0, worst_rad = 0;
     for (int k = 0; k < 20000; ++k) {
-      // All over 40 km, and back to where it was.
+      // The points lie all over 40 km, and return to cells used before.
       const double x = 20e3 * std::sin(0.7 * k), y = 20e3 * std::cos(1.3 * k);
       const Vec3 p(x, y, -(x * x + y * y) / 4e6 + 50 * std::sin(0.1 * k));
       const Vertical here = cells.at(p), exact = site.vertical(p);
       worst_m = std::max(worst_m, std::abs(here.height_m - exact.height_m));
       worst_rad = std::max(worst_rad, (here.up_S - exact.up_S).norm());
     }
-    // Where no cell has a number.
+    // No cell has a number here.
     const Vec3 away = Vec3(-1e300, 3, 4);
     EXPECT_EQ(std::isnan(cells.at(away).height_m), std::isnan(site.vertical(away).height_m));
     EXPECT_TRUE(std::isnan(cells.at(Vec3::Constant(NAN)).height_m));

@@ -65,7 +65,7 @@ class Epochs {
   std::map<std::string, double> days_;
 };
 
-// Between two directions given as angles.
+// Angle between two directions.
 double apart_deg(double lon_a_deg, double lat_a_deg, double lon_b_deg, double lat_b_deg) {
   const auto direction = [](double lon_deg, double lat_deg) {
     return Vec3(std::cos(lat_deg * deg) * std::cos(lon_deg * deg),
@@ -75,7 +75,7 @@ double apart_deg(double lon_a_deg, double lat_a_deg, double lon_b_deg, double la
   return std::atan2(a.cross(b).norm(), a.dot(b)) / deg;
 }
 
-// Of direction; the limits that the tables are asked to hold within.
+// Limits of the error in direction that the tables must hold.
 double limit_deg(const std::string& body) { return body == "Mars" ? 0.02 : 0.01; }
 
 TEST(Sky, has_sun_and_earth_over_the_places_of_the_table) {
@@ -172,7 +172,7 @@ TEST(Rotation, of_moon_and_mars_has_the_poles_and_meridians_of_the_table) {
     EXPECT_LT(apart_deg(std::atan2(pole_I.y(), pole_I.x()) / deg, std::asin(pole_I.z()) / deg,
                         number(row, "pole_ra_deg"), number(row, "pole_dec_deg")),
               name == "Mars" ? 1e-3 : 1e-5);
-    // From the ascending node of the equator on ICRF's to the prime meridian.
+    // Angle from the ascending node of the equator on ICRF's to the prime meridian.
     const Vec3 node_F = R * Vec3::UnitZ().cross(pole_I).normalized();
     const double meridian_deg = -std::atan2(node_F.y(), node_F.x()) / deg;
     EXPECT_NEAR(std::remainder(meridian_deg - number(row, "W_deg"), 360), 0,
@@ -180,18 +180,18 @@ TEST(Rotation, of_moon_and_mars_has_the_poles_and_meridians_of_the_table) {
   }
 }
 
-// UTC waits for a second; the Sun does not.
+// UTC stops for a second; the Sun does not.
 TEST(Sky, goes_on_through_a_leap_second) {
   const Body& earth = *find_body("Earth");
   const auto turned_rad = [&](const char* from, const char* to) {
     const Mat3 turn = R_FI(earth, instant(to)) * R_FI(earth, instant(from)).transpose();
     return Eigen::AngleAxisd(turn).angle();
   };
-  // Earth's turn follows UT1, which is UTC here: it waits while UTC counts its sixtieth second.
+  // Earth's turn follows UT1, which is UTC here: it stops while UTC counts its sixtieth second.
   EXPECT_NEAR(turned_rad("2016-12-31T23:59:58Z", "2016-12-31T23:59:59Z"), 7.292e-5, 1e-8);
   EXPECT_NEAR(turned_rad("2017-01-01T00:00:00Z", "2017-01-01T00:00:01Z"), 7.292e-5, 1e-8);
   EXPECT_NEAR(turned_rad("2016-12-31T23:59:59Z", "2017-01-01T00:00:01Z"), 2 * 7.292e-5, 1e-8);
-  // The Moon goes by TT: three seconds between.
+  // The Moon moves by TT: three seconds pass.
   const auto moon_at = [](const char* utc) {
     return barycentric_state(CelestialBody::moon, instant(utc)).p_I_m;
   };
@@ -209,7 +209,7 @@ TEST(Sky, at_a_pole_and_at_180_degrees_has_no_jump) {
   EXPECT_NEAR(std::remainder(east.sun.azimuth_rad - west.sun.azimuth_rad, 2 * std::numbers::pi), 0,
               1e-9);
   EXPECT_NEAR(east.sun.elevation_rad, west.sun.elevation_rad, 1e-9);
-  // At the pole azimuths count from the meridian that was named; the Sun is one and the same.
+  // At the pole azimuths count from the meridian of the given longitude; the Sun stays in place.
   const Sky pole = sky(moon, geodetic_from_degrees(0, -90), at);
   const Sky turned = sky(moon, geodetic_from_degrees(90, -90), at);
   EXPECT_NEAR(pole.sun.elevation_rad, turned.sun.elevation_rad, 1e-9);
@@ -224,12 +224,12 @@ TEST(CoveredShare, of_circles_is_that_of_elementary_geometry) {
   EXPECT_EQ(covered_share(2, 1, 0.5), 0.25);
   // Two equal circles through each other's centres: 2/3 - sqrt(3)/(2 pi).
   EXPECT_NEAR(covered_share(1, 1, 1), 2.0 / 3 - std::sqrt(3.0) / (2 * std::numbers::pi), 1e-12);
-  // A straight edge through the middle.
+  // A straight edge runs through the middle of the disc.
   EXPECT_NEAR(covered_share(1, 1e5, 1e5), 0.5, 1e-4);
   EXPECT_NEAR(covered_share(1, 2, 1), 1, 1e-7);
 }
 
-// Bennett 1982 as the Explanatory Supplement has it at 1010 hPa and 10 deg C: 34.5' at the visible
+// Bennett 1982 in the Explanatory Supplement at 1010 hPa and 10 deg C: 34.5' at the visible
 // horizon, 9.9' at 5, 5.3' at 10, 1.0' at 45 degrees.
 TEST(Refraction, raises_by_what_is_seen) {
   const auto seen_arcmin = [](double apparent_deg) {

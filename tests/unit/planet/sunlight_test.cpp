@@ -12,8 +12,8 @@ namespace {
 
 double rad(double deg) { return deg * std::numbers::pi / 180; }
 
-// Of an atmosphere that thins out evenly over a round Earth, by summing along the ray: a second
-// method, for another model of the air than the formula's.
+// Air mass of an atmosphere that thins out exponentially over a round Earth, summed along the ray:
+// a second method, with another model of the air than the formula's.
 double air_mass_by_summing(double elevation_rad) {
   constexpr double radius_m = 6371e3, scale_m = 8434, step_m = 20;
   double sum_m = 0;
@@ -75,7 +75,7 @@ TEST(Sunlight, says_what_the_sky_says) {
   EXPECT_GT(sunlight(moon, {}, eclipse, 0).eclipsed, 0);
 }
 
-// Both ways of coming to a direction: angles in the sky of a place, and axes fixed to the body.
+// A direction is found in two ways: by angles in the sky of a place, and in axes fixed to the body.
 TEST(Sunlight, comes_from_where_it_is_seen) {
   const Body& moon = *find_body("Moon");
   const Instant at = *parse_utc("2026-05-01T07:00:00Z").value;

@@ -60,8 +60,8 @@ TEST(Utc, reads_the_forms_of_iso_8601) {
   EXPECT_EQ((utc("2026-07-01T12:00:00.123456Z") - noon).count(), 123'456);
 }
 
-// What mission operations write; days counted by the calendar of Meeus (1998), chapter 7: day 246
-// of a common year is 3 September, of a leap year 2 September.
+// Mission operations write days of the year; they are counted by the calendar of Meeus (1998),
+// chapter 7: day 246 of a common year is 3 September, of a leap year 2 September.
 TEST(Utc, reads_days_of_the_year) {
   const Instant time = utc("2026-09-03T06:00:00Z");
   for (const char* text : {"2026-246T06:00:00Z", "2026-246T06:00", "2026-246 06:00:00.000",

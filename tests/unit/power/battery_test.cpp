@@ -75,7 +75,7 @@ TEST(PowerFlows, close_whatever_is_asked) {
   }
 }
 
-// A second method: steps of a second, each without a look ahead.
+// Second method: steps of one second, each with the flows at its beginning.
 TEST(EnergyAccount, in_closed_form_is_that_of_small_steps) {
   const PowerDemand demands[] = {{.solar_available_w = 900, .load_w = 150},
                                  {.load_w = 150, .drive_w = 600},
@@ -109,7 +109,7 @@ TEST(EnergyAccount, may_be_evaluated_in_any_parts) {
   EXPECT_EQ(once.energy_j, spec.capacity_j);
 }
 
-// Four weeks of driving, a row each 0.1 s of it.
+// 2.3 days of driving in steps of 0.1 s.
 TEST(EnergyAccount, closes_to_a_billionth_of_what_flowed) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> power(0, 1500);

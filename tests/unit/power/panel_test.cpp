@@ -52,7 +52,7 @@ TEST(Panel, faces_the_sun_with_two_free_axes) {
   }
 }
 
-// No other angles within the limits do better: tried all of them, a degree apart.
+// No other angles within the limits do better: all of them are tried, a degree apart.
 TEST(Panel, with_one_axis_or_narrow_limits_comes_as_near_as_it_can) {
   PanelSpec one_axis = panel();
   one_axis.azimuth = {pi / 2, pi / 2};
@@ -86,7 +86,7 @@ TEST(Panel, turns_the_shorter_way_round_at_its_rate) {
   EXPECT_NEAR(half.elevation_rad, 0.6, 1e-12);
   EXPECT_NEAR(turned(panel(), from, to, 100).azimuth_rad, -3, 1e-12);
   PanelSpec stopped = panel();
-  stopped.azimuth = {-3.1, 3.1};  // it may not pass behind
+  stopped.azimuth = {-3.1, 3.1};  // the azimuth must not pass behind
   EXPECT_NEAR(turn_s(stopped, from, to), 60, 1e-9);
 }
 
@@ -101,18 +101,18 @@ TEST(PanelArray, follows_the_sun_when_told_so) {
   around.sun_B = direction(0.5, 0.2);
   around.is_sun_up = true;
   array.aim(around, SimTime{});
-  EXPECT_FALSE(array.is_turning(SimTime{}));  // nothing was said
+  EXPECT_FALSE(array.is_turning(SimTime{}));  // no command yet
   array.steer(0, {SteerMode::track, {}});
   array.aim(around, SimTime{});
   EXPECT_TRUE(array.is_turning(SimTime{}));
   EXPECT_EQ(array.motors_w(SimTime{}), 50);
-  // pi/2 - 0.2 of elevation at 0.1 rad/s, to the next exchange.
+  // pi/2 - 0.2 of elevation at 0.1 rad/s, rounded up to the next exchange.
   const SimTime end = *array.next_end(SimTime{});
   EXPECT_EQ(end, SimTime{13'800'000});
   EXPECT_FALSE(array.is_turning(end));
   EXPECT_EQ(array.motors_w(end), 0);
   EXPECT_NEAR(array.pose_at(0, end).normal_B().dot(around.sun_B), 1, 1e-12);
-  around.is_sun_up = false;  // by night it stays
+  around.is_sun_up = false;  // it does not move at night
   around.sun_B = direction(0.5, -0.2);
   array.aim(around, end);
   EXPECT_FALSE(array.is_turning(end));
@@ -122,7 +122,7 @@ TEST(PanelArray, points_about_the_ground_whichever_way_the_rover_stands) {
   PanelArray array({panel()});
   array.steer(0, {SteerMode::point, {pi / 2, 0.3}});  // east
   PanelSurroundings around;
-  around.north_B = Vec3::UnitY();  // the rover looks east
+  around.north_B = Vec3::UnitY();  // the rover heads east
   array.aim(around, SimTime{});
   const SimTime end = *array.next_end(SimTime{});
   EXPECT_TRUE(array.pose_at(0, end).normal_B().isApprox(direction(0, 0.3), 1e-9));
@@ -140,19 +140,19 @@ TEST(PanelArray, is_of_no_use_until_it_is_up) {
   EXPECT_EQ(array.motors_w(SimTime{29'900'000}), 7);
   EXPECT_TRUE(array.is_up(0, SimTime{30'000'000}));
   EXPECT_EQ(array.motors_w(SimTime{30'000'000}), 0);
-  EXPECT_EQ(array.deploy(0, true, {}, SimTime{40'000'000}), 0);  // it is
+  EXPECT_EQ(array.deploy(0, true, {}, SimTime{40'000'000}), 0);  // it is deployed already
   EXPECT_EQ(array.deploy(0, false, 5, SimTime{40'000'000}), 5);
   EXPECT_FALSE(array.is_up(0, SimTime{40'000'000}));
 }
 
-// The upper half of the sky is all that it can face.
+// This panel can face only the upper half of the sky.
 TEST(PanelArray, tells_of_a_panel_that_stopped_at_its_limit) {
   PanelArray panels({panel()});
-  const PanelSurroundings level;  // the nose to the north
+  const PanelSurroundings level;  // the nose points north
   panels.steer(0, {SteerMode::point, {pi / 2, -pi / 3}});
   panels.aim(level, SimTime{});
   const SimTime later = from_seconds(1000);
-  EXPECT_TRUE(panels.misses(SimTime{1}).empty());  // it turns yet
+  EXPECT_TRUE(panels.misses(SimTime{1}).empty());  // it is still turning
   const std::vector<PanelMiss> misses = panels.misses(later);
   ASSERT_EQ(misses.size(), 1u);
   EXPECT_EQ(misses[0].panel, "Roof");

@@ -1,4 +1,4 @@
-// What differs between two runs.
+// Differences between two runs.
 #include "product/compare.h"
 
 #include <gmock/gmock.h>
@@ -40,7 +40,7 @@ TEST(Compare, finds_nothing_in_equal_runs) {
   EXPECT_THAT(found.made_of, IsEmpty());
 }
 
-// As many of them, but others.
+// The runs have the same number of warnings, but different ones.
 TEST(Compare, tells_warnings_that_one_run_has_alone_in_full) {
   RunSummary one = test_summary(), other = test_summary();
   const std::string begin = "the way of SEV1 to its first waypoint is longer than ";
@@ -53,7 +53,7 @@ TEST(Compare, tells_warnings_that_one_run_has_alone_in_full) {
   EXPECT_THAT(to_text(found, {"a", "b"}), HasSubstr("5973 m"));
 }
 
-// A plan is named as it was typed, and its lines may have moved.
+// Warnings name a plan as it was typed, and its lines may have moved.
 TEST(Compare, takes_warnings_of_other_places_for_the_same) {
   RunSummary one = test_summary(), other = test_summary();
   one.warnings = {"plan.kml:12: Pause 10 is far away"};
@@ -132,7 +132,7 @@ TEST(Compare, tells_what_runs_were_made_of_apart_from_what_they_came_to) {
   ASSERT_THAT(found.made_of, ElementsAre(Field(&Difference::quantity, "seed")));
 }
 
-// The summary is then of a log that is there no more.
+// Such a summary belongs to a log that no longer exists.
 TEST(Compare, believes_no_summary_whose_log_has_changed) {
   const ComparedRun run{to_json(test_summary()), {}, "1"};
   const ComparedRun changed{to_json(test_summary()), {}, "2"};
@@ -147,7 +147,7 @@ TEST(Compare, believes_no_summary_whose_log_has_changed) {
 
 class ExactCompare : public ::testing::Test {
  protected:
-  // Ten samples; of number `changed` the slip is another.
+  // A log of `count` samples; number `changed` has a different slip.
   std::string log(const std::string& name, int changed, int count = 10) const {
     LogWriter writer(folder / name, moon_crs, test_start());
     for (int i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Which samples show a rover's mission on a map.
+// The choice of samples that show a rover's mission on a map.
 #include "product/drive_marks.h"
 
 #include <gmock/gmock.h>
@@ -106,7 +106,7 @@ TEST(DriveMarks, have_the_first_and_last_row_of_each_event) {
   EXPECT_LE(times_s.size(), 502u);
 }
 
-// Each of these alone would take more than there is.
+// Stops or events alone would take up more rows than are allowed.
 TEST(DriveMarks, keep_to_their_number_among_thousands_of_stops_and_events) {
   std::vector<SampleRow> rows;
   std::vector<EventRow> events;

@@ -29,7 +29,7 @@ int count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-// Two rovers, one of which drives `count` samples along a line; "B" stands still.
+// Writes a log of two rovers: one drives along a line for `count` samples, "B" stands still.
 void write_log(const std::string& file, int count) {
   LogWriter log(file, moon_crs, test_start());
   for (int i = 0; i < count; ++i) {
@@ -182,7 +182,7 @@ TEST(Overlay, is_packed_on_request_the_same_each_time) {
   EXPECT_LT(packed.size(), read_file(folder / "overlay.kml").value_or("").size() / 5);
   KmzArchive archive(packed, "overlay.kmz");
   std::string kml = archive.unpacked("doc.kml");
-  // Its icons are in it.
+  // The archive contains the icons.
   for (const OverlayIcon icon : {OverlayIcon::arrow, OverlayIcon::disc, OverlayIcon::cross,
                                  OverlayIcon::square, OverlayIcon::diamond}) {
     EXPECT_TRUE(archive.unpacked(packed_icon(icon)).starts_with(png_mark)) << packed_icon(icon);
@@ -206,7 +206,7 @@ TEST(Overlay, is_valid_against_the_schema_of_kml) {
   if (!has_program("xmllint")) FAIL() << "no xmllint here";
   const TestFolder folder;
   overlay_of(folder, 5);
-  // The catalog beside the schema names local copies of what it includes.
+  // The catalog beside the schema names local copies of the schemas that it includes.
   const std::string catalog = schema.substr(0, schema.rfind('/')) + "/catalog.xml";
   const std::string command = "XML_CATALOG_FILES='" + catalog +
                               "' xmllint --nonet --noout --schema '" + schema + "' '" +
@@ -247,7 +247,7 @@ TEST(SampleInterval, is_as_short_as_the_count_allows) {
 
 TEST(SampleInterval, falls_on_the_rows_of_parked_rovers) {
   const SimTime s{1'000'000};
-  // Four weeks: 1210.2 s would do; 1260 s are 21 rows of a parked rover.
+  // For four weeks 1210.2 s would suffice; 1260 s are 21 parked intervals.
   EXPECT_EQ(sample_interval(28 * 86'400 * s, 2000, 2 * s, 60 * s), 1260 * s);
   // A parked interval of an hour would leave two samples of two hours.
   EXPECT_EQ(sample_interval(7200 * s, 2000, 2 * s, 3600 * s), 4 * s);
@@ -258,13 +258,13 @@ TEST(RoverTrack, has_a_line_that_ends_where_the_rover_stands) {
   RoverTrack track(*find_body("Moon"), marks, marks, SimTime{2'000'000});
   for (int i = 0; i <= 10; ++i) {
     SampleRow row = test_sample(i);
-    // 0.2 m a sample northward on a sphere of the Moon's radius.
+    // 0.2 m per sample northwards on a sphere of the Moon's radius.
     const double step_rad = 0.2 / find_body("Moon")->equatorial_radius_m;
     row.place = {0.1, 0.2 + step_rad * i, 0};
     track.add(row);
   }
   const std::vector<Geodetic> line = track.line();
-  // At 0, 0.6, 1.2, 1.8 and 2.0 m.
+  // The points lie at 0, 0.6, 1.2, 1.8 and 2.0 m.
   ASSERT_EQ(line.size(), 5u);
   EXPECT_NEAR(surface_distance_m(*find_body("Moon"), line.front(), line.back()), 2.0, 1e-6);
 }

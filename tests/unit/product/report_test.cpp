@@ -126,7 +126,7 @@ TEST_F(ReportTest, holds_the_numbers_of_the_log) {
   EXPECT_TRUE(page["summary"].is_null());
 }
 
-// The last second of 2016 was a leap second, that of 2017 none.
+// The last second of 2016 was a leap second, that of 2017 was not.
 TEST_F(ReportTest, knows_when_clocks_stood_still) {
   const auto leaps = [&](const char* start, double end_s) {
     ReportData of = data();
@@ -180,7 +180,7 @@ TEST_F(ReportTest, is_one_page_that_loads_nothing) {
 TEST_F(ReportTest, has_a_figure_of_its_plots) {
   const std::string png = figure_png(data(), 100);
   EXPECT_THAT(png, StartsWith("\x89PNG"));
-  // 18 cm.
+  // 18 cm at 100 dpi.
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(png[at]); };
   EXPECT_EQ(byte(18) << 8 | byte(19), 709);
 }
@@ -195,7 +195,7 @@ TEST_F(ReportTest, a_figure_too_large_for_a_picture_says_how_large_it_may_be) {
   }
 }
 
-// Intervals are logged when they end: of a run that was killed the last ones are not.
+// Intervals are logged when they end, so the log of a killed run lacks the last ones.
 TEST_F(ReportTest, shows_sight_that_was_not_over_when_the_log_ended) {
   LogWriter log(folder / "cut.gpkg", moon_crs, test_start());
   log.write(test_sample(0));
@@ -209,7 +209,7 @@ TEST_F(ReportTest, shows_sight_that_was_not_over_when_the_log_ended) {
     return row;
   };
   log.write(pair(0, "Base", true, true));
-  log.write(pair(0, "Mast", true, false));  // parked: its next row is far off
+  log.write(pair(0, "Mast", true, false));  // parked: its next row comes much later
   log.write(SightIntervalRow{"SEV1", "Mast", "visible", from_seconds(0), from_seconds(10), 0});
   log.write(SightIntervalRow{"SEV1", "Base", "link", from_seconds(0), from_seconds(12), 0});
   log.write(pair(20, "Base", true, false));

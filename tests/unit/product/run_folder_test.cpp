@@ -1,4 +1,4 @@
-// The rules for touching a folder: each with its message.
+// The rules for changing a folder, each with its message.
 #include "product/run_folder.h"
 
 #include <gmock/gmock.h>

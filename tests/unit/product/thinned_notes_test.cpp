@@ -1,4 +1,4 @@
-// Which notes of a log are shown.
+// The choice of a log's notes that are shown.
 #include "product/thinned_notes.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ NoteRow note(int second, const std::string& name, const std::string& fields = "{
   return {SimTime{second * 1'000'000LL}, "SEV1", 10, name, fields, test_sample(0).place};
 }
 
-// A note named `often` each second, and now and then one that is rare.
+// Writes a log with a note named `often` each second, and occasional rare ones.
 std::string log_of(const TestFolder& folder, int seconds) {
   LogWriter log(folder / "log.gpkg", moon_crs, test_start());
   for (int i = 0; i < seconds; ++i) {

@@ -49,7 +49,7 @@ TEST(ThinnedRows, keep_least_and_greatest_of_each_stretch) {
   }
 }
 
-// As in a log of a short drive and a long wait.
+// The rows are those of a short drive and a long wait.
 TEST(ThinnedRows, keep_what_happens_in_little_of_the_time) {
   ThinnedRows rows({700, 0}, 1000, 1, 1);
   for (int k = 0; k < 700; ++k) rows.add(k < 200 ? 2 * k : 3600 * k, std::array{std::sin(0.1 * k)});

@@ -1,4 +1,4 @@
-// The layers against the words of the contract.
+// Tests the layers against the text of the contract.
 #include "record/columns.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ struct ContractLayer {
   const char* columns;
 };
 
-// As the contract lists them, which layers have at least; what stands behind a bar is ours.
+// The columns that the contract requires at least; those after a bar are additional.
 const ContractLayer contract[] = {
     {"samples", LayerGeometry::point,
      "time_s utc rover_id lon_deg lat_deg elevation_m x_m y_m z_m roll_rad pitch_rad heading_rad "

@@ -1,4 +1,4 @@
-// Logs of made-up rows for the tests of the record.
+// Logs of invented rows for the tests of the record.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ inline const std::string moon_crs = "IAU_2015:30100";
 // 2026-07-01T12:00:00Z.
 inline Instant test_start() { return *parse_utc("2026-07-01T12:00:00Z").value; }
 
-// A folder of its own for one test, removed when the test ends.
+// A separate folder for one test, removed when the test ends.
 class TestFolder {
  public:
   TestFolder() {

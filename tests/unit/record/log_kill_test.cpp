@@ -15,7 +15,7 @@
 namespace lsos {
 namespace {
 
-// Runs `work` in a process of its own; its exit code is the child's. The child never returns.
+// Runs `work` in a child process, which exits with its result and never returns.
 pid_t in_child(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child != 0) return child;
@@ -55,7 +55,7 @@ TEST(LogKill, keeps_what_was_committed) {
     for (int i = 0; i < 50'000; ++i) log.write(test_sample(i));
     log.write(test_event());
     log.commit();
-    // More than SQLite's cache holds, so that uncommitted pages reach the disk as well.
+    // More rows than SQLite's cache holds, so that uncommitted pages reach the disk as well.
     for (int i = 0; i < 50'000; ++i) log.write(test_sample(50'000 + i));
     return ::raise(SIGKILL);
   });
@@ -74,7 +74,7 @@ TEST(LogKill, is_read_by_another_process_while_it_is_written) {
   for (int i = 0; i < 10; ++i) log.write(test_sample(i));
   log.commit();
   log.write(test_sample(10));
-  // exec: a process that shares nothing with the writer, as a map viewer would be.
+  // A process that shares nothing with the writer, as a map viewer does.
   const std::string command =
       "ogrinfo -ro -al -so '" + file + "' samples > '" + file + ".txt' 2>&1";
   if (std::system("command -v ogrinfo > /dev/null") != 0) FAIL() << "no ogrinfo here";
@@ -107,7 +107,7 @@ TEST(LogKill, says_that_the_disk_is_full_and_keeps_the_last_commit) {
     LogWriter log(file, moon_crs, test_start());
     for (int i = 0; i < 1000; ++i) log.write(test_sample(i));
     log.commit();
-    // A limit on the size of files stands for a full disk.
+    // A limit on file size stands in for a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{4'000'000, 4'000'000};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return 2;

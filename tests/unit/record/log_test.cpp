@@ -1,4 +1,4 @@
-// The log as its readers find it: rows in, rows out, one file, and the digest.
+// The log as its readers find it: rows written and read back, one file, and the digest.
 #include "record/log.h"
 
 #include <gmock/gmock.h>
@@ -159,7 +159,7 @@ TEST(Log, is_one_file_when_finished) {
     ++files;
   }
   EXPECT_EQ(files, 1);
-  // Bytes 18 and 19 of an SQLite file: 1 for a journal that is deleted, 2 for WAL.
+  // Bytes 18 and 19 of an SQLite file are 1 for a journal that is deleted, 2 for WAL.
   std::ifstream bytes(folder / "log.gpkg", std::ios::binary);
   char header[20] = {};
   bytes.read(header, sizeof header);
@@ -179,7 +179,7 @@ TEST(Log, is_whole_when_it_finishes_before_the_eyes_of_a_reader) {
     log.finish();
     EXPECT_EQ(reader.samples().size(), 2u);
   }
-  // What the log file holds by itself.
+  // The content of the log file without its journal.
   std::filesystem::copy_file(folder / "log.gpkg", folder / "copy.gpkg");
   EXPECT_EQ(LogReader(folder / "copy.gpkg").samples().size(), 2u);
   EXPECT_FALSE(std::filesystem::exists(folder / "log.gpkg-wal"));
@@ -241,7 +241,7 @@ void write_some(LogWriter& log) {
 TEST(LogDigest, is_equal_for_equal_rows) {
   const TestFolder folder;
   const std::string once = digest_of(folder, "a.gpkg", write_some);
-  // Where commits fall, and that an event was written twice, is no part of what the log says.
+  // The digest depends neither on when commits fell nor on an event having been written twice.
   const std::string again = digest_of(folder, "b.gpkg", [](LogWriter& log) {
     EventRow event = test_event();
     event.status = EventStatus::waiting;

@@ -1,4 +1,4 @@
-// What is left to the goal, against the search that goes the other way.
+// The cost to go, against the search that goes forwards.
 #include "route/search/cost_to_go.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ class Plain {
   const StanceFinder& finder() const { return finder_; }
 
  private:
-  Site site_{{{60, 0, 40, 14, 2}}};  // a crater that is gone round
+  Site site_{{{60, 0, 40, 14, 2}}};  // a crater that routes go round
   StanceFinder finder_{simple_rover()};
 };
 
@@ -28,7 +28,7 @@ TEST(CostToGo, is_what_the_way_there_costs) {
   LegCosts costs(map, plain.finder(), RouteAim::energy);
   const Vec2 start_m(0, 0), goal_m(100, 0);
   CostToGo to_go(costs, start_m, goal_m);
-  // The least of four nodes is nearer by a cell's diagonal at most, on the level.
+  // The least of four nodes is nearer by at most the diagonal of a cell, on the level.
   constexpr double cell_j = 1.5 * 1000;
   for (const Vec2& at_m : {start_m, Vec2(30, 20), Vec2(-20, -40), Vec2(80, 60), Vec2(99, 1)}) {
     const double whole = search_grid(costs, at_m, goal_m).cost;

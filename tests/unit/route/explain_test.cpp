@@ -1,4 +1,4 @@
-// What is said of places where a rover cannot stand or drive.
+// Explanations of places where a rover cannot stand or drive.
 #include "route/cost/explain.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// As a rover would be told that stands there.
+// The explanation for a rover with this stance.
 std::string told(const Stance& stance, Hazard expected) {
   const DriveCost cost = simple_rover();
   const Hazard found = hazard(stance, cost);

@@ -1,4 +1,4 @@
-// Ways in turns made cheaper by leaving out poses, on level ground.
+// Dubins paths made cheaper by leaving out poses, on level ground.
 #include "route/refine/fewer_poses.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(FewerPoses, of_an_arc_in_many_pieces_cost_no_more_than_the_arc) {
   EXPECT_LT(rover.of(fewer), 1.01 * rover.of(arc));
 }
 
-// From side to side, where the straight way is free.
+// Poses wind from side to side where the straight line is free.
 TEST(FewerPoses, of_a_winding_way_are_nearly_the_straight_one) {
   InTurns rover;
   std::vector<Pose2> poses{{{0, 0}, 0}};

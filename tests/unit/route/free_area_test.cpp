@@ -24,7 +24,7 @@ double length_m(const Vec2& from, const std::vector<Vec2>& points) {
   return sum_m;
 }
 
-// Looks at places a centimetre apart, not at the sums of the code.
+// Clearance of a path from places a centimetre apart, without the code under test.
 double least_clearance_m(const Ring& ring, const Vec2& from, const std::vector<Vec2>& points) {
   double least_m = std::numeric_limits<double>::infinity();
   Vec2 at = from;
@@ -47,7 +47,7 @@ TEST(FreeArea, cuts_a_line_at_the_margin_of_a_hole) {
   EXPECT_NEAR(through[0].second, 17.0 / 40, 1e-12);
   EXPECT_NEAR(through[1].first, 23.0 / 40, 1e-12);
   EXPECT_NEAR(through[1].second, 0.75, 1e-12);
-  // Half a metre above the hole the corners' circles alone reach the line: sqrt(1 - 0.25).
+  // Half a metre above the hole only the circles around its corners reach the line: sqrt(1 - 0.25).
   const auto above = area.parts({-20, 2.5}, {20, 2.5}, 1);
   ASSERT_EQ(above.size(), 2u);
   EXPECT_NEAR(above[0].second * 40 - 20, -2 - std::sqrt(0.75), 1e-9);
@@ -63,7 +63,8 @@ TEST(FreeArea, goes_straight_where_nothing_is_in_the_way) {
   EXPECT_EQ(path->points_m[0], Vec2(9, 8));
 }
 
-// Round a square, by two corners that stand off it: two slanting lines and a straight one.
+// The path goes round a square by two corners that stand off it: two slanting lines and a straight
+// one.
 TEST(FreeArea, goes_round_a_hole_by_the_shortest_path_that_keeps_the_margin) {
   const Ring hole = square(0, 0, 2);
   const FreeArea area(square(0, 0, 20), {hole});
@@ -81,7 +82,7 @@ TEST(FreeArea, stays_within_an_outline_that_cuts_in) {
   const Vec2 from(5, 30), to(25, 30);
   const auto path = area.path(from, to, 2);
   ASSERT_TRUE(path);
-  // Below both corners of the bay, each passed two metres off at a right angle.
+  // The path passes below both corners of the bay, two metres off each at a right angle.
   EXPECT_NEAR(length_m(from, path->points_m), 2 * std::hypot(3, 22) + 14, 1e-9);
   Vec2 at = from;
   for (const Vec2& point : path->points_m) {
@@ -96,7 +97,7 @@ TEST(FreeArea, keeps_less_where_there_is_no_room_for_more) {
   const Vec2 from(-9, 0), to(9, 0);
   const auto path = area.path(from, to, 4);
   ASSERT_TRUE(path);
-  // Along the very outline.
+  // The path follows the outline itself.
   EXPECT_EQ(path->margin_m, 2);
   EXPECT_NEAR(least_clearance_m(hole, from, path->points_m), 1, 1e-6);  // as at both ends
 }
@@ -143,7 +144,7 @@ TEST(FreeArea, leads_through_a_neck_narrower_than_the_margin) {
   EXPECT_EQ(path->margin_m, 5);
 }
 
-// Bays and headlands all round; the paths lead from one bay to others.
+// A coast of bays and headlands; the paths lead from one bay to others.
 Ring coast(int corners) {
   Ring ring;
   for (int i = 0; i < corners; ++i) {

@@ -1,4 +1,4 @@
-// What slowing down for arcs costs, against the motion itself.
+// Cost of slowing down for arcs, against the motion itself.
 #include "route/cost/leg_cost.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 namespace lsos::test {
 namespace {
 
-// Of a rover whose speed, as a share of full, changes by 1 / stop_s a second: how much longer than
-// at full speed it takes from the end of an arc at `was`, over `free_m` and an arc of `length_m` at
-// `now`, speeding up between as long as it still gets slow in time.
+// Time beyond that at full speed of a rover whose speed, as a share of full speed, changes by 1 /
+// stop_s a second: from the end of an arc at `was`, over `free_m` and an arc of `length_m` at
+// `now`, speeding up between as long as it can still slow down in time.
 double longer_s(double was, double now, double free_m, double length_m, double speed_mps,
                 double stop_s) {
   constexpr double step_s = 1e-5;
@@ -28,7 +28,7 @@ double longer_s(double was, double now, double free_m, double length_m, double s
   return time_s - (free_m + length_m) / speed_mps;
 }
 
-// That cannot turn on the spot, on level ground.
+// A rover that cannot turn on the spot, on level ground.
 struct OnLevel {
   explicit OnLevel(const DriveCost& of) : cost(of) {}
 
@@ -76,7 +76,7 @@ TEST(LegCosts, tells_how_long_arcs_take_that_follow_each_other) {
   }
 }
 
-// With a bound a piece is left before its end, which must not change what stays below it.
+// With a bound the evaluation of a piece stops early, which must not change costs below the bound.
 TEST(LegCosts, are_told_in_full_up_to_what_they_may_be) {
   DriveCost cost = turning_rover();
   cost.slow_j = 30;
@@ -84,12 +84,12 @@ TEST(LegCosts, are_told_in_full_up_to_what_they_may_be) {
   LegCosts& costs = rover.costs;
   const Line2 bent{{0, 0}, {5, 0}, {9, 3}, {9, 8}};
   const double pieces = costs.along(bent);
-  ASSERT_GT(costs.driven(bent), pieces);  // by what the arcs cost
+  ASSERT_GT(costs.driven(bent), pieces);  // by the cost of the arcs
   EXPECT_EQ(costs.along(bent, 1.001 * pieces), pieces);
   EXPECT_EQ(costs.along(bent, 0.999 * pieces), LegCosts::unlimited);
 }
 
-// Piece by piece an arc costs what it costs in one, but not where each is come to at full speed.
+// An arc costs the same in pieces as in one, but not if each piece begins at full speed.
 TEST(LegCosts, count_arcs_across_the_pieces_of_a_line) {
   DriveCost cost = turning_rover();
   cost.speed_mps = 2;

@@ -1,4 +1,4 @@
-// Whether a way exists, told before it is looked for.
+// Whether a route exists, known before it is searched.
 #include "route/search/reach.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace lsos::test {
 namespace {
 
-// A ring of too steep a wall around a level floor, 60 m to the east.
+// A ring-shaped wall, too steep to drive, around a level floor 60 m to the east.
 class Ring {
  public:
   Reach reach(const Vec2& start_m, const Vec2& goal_m, double aside_m = 40) {
@@ -36,7 +36,8 @@ TEST(Reach, tells_that_the_goal_is_shut_in_by_looking_at_little) {
   const Reach reach = ring.reach({0, 0}, {60, 0});
   EXPECT_EQ(reach.answer, Reach::Answer::goal_closed);
   EXPECT_FALSE(reach.is_at_border);
-  // The floor and as much about the start, then what is nearest; not the whole map, 240 x 160.
+  // The floor and as many nodes around the start are expanded, then those nearest to the goal; not
+  // the whole map, 240 x 160.
   const Reach wider = ring.reach({0, 0}, {60, 0}, 200);
   EXPECT_EQ(wider.answer, Reach::Answer::goal_closed);
   EXPECT_LT(wider.looked_at, 200'000u) << "of 800 x 400 x 4 nodes";
@@ -55,7 +56,7 @@ TEST(Reach, tells_that_the_start_is_shut_in) {
 
 TEST(Reach, tells_that_a_wider_map_may_open_what_is_shut_in) {
   Ring ring;
-  // Of the ring's rim, 20 m from its middle, the map has what is nearer than 8 m.
+  // The map holds what is nearer than 8 m; the ring's rim is 20 m from its middle.
   const Reach reach = ring.reach({0, 0}, {100, 0}, 8);
   EXPECT_NE(reach.answer, Reach::Answer::joined);
   EXPECT_TRUE(reach.is_at_border);

@@ -1,4 +1,5 @@
-// Planned legs: against another search with the same costs, around what is in the way, or why not.
+// Planned legs: against another search with the same costs, around obstacles, and reasons for
+// failure.
 #include "route/route_planner.h"
 
 #include <gmock/gmock.h>
@@ -16,12 +17,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A crater that is too steep, a hill that is not, and smaller ones.
+// A crater that is too steep, a hill that is not, and smaller craters.
 std::vector<Form> rough() {
   return {{30, 4, 24, 5, 0.5}, {62, -12, 40, 0, 5}, {50, 18, 12, 2.5, 0.3}, {80, 6, 16, 3, 0.4}};
 }
 
-// Dijkstra's search over all edges, without a bound and without laziness.
+// Dijkstra's search over all edges, without a heuristic and without lazy evaluation.
 double dijkstra_cost(LegCosts& costs, const Vec2& goal_m) {
   GroundMap& map = costs.map();
   const auto number = [&](int x, int y) { return static_cast<std::size_t>(y * map.columns() + x); };
@@ -62,7 +63,7 @@ TEST(GridSearch, finds_what_dijkstra_finds) {
   const Site site(rough());
   const StanceFinder finder(simple_rover());
   for (const RouteAim aim : {RouteAim::energy, RouteAim::risk}) {
-    // The last two near enough to be searched on this map alone.
+    // The last two are short enough to be searched on this map alone.
     for (const Vec2& goal_m : {Vec2(100, 0), Vec2(90.3, 20.7), Vec2(60, 25), Vec2(70.2, 0)}) {
       GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -40}, {120, 40},
                     0.5);
@@ -70,8 +71,8 @@ TEST(GridSearch, finds_what_dijkstra_finds) {
       const GridRoute route = search_grid(costs, {0, 0}, goal_m);
       const double other = dijkstra_cost(costs, goal_m);
       ASSERT_TRUE(std::isfinite(other));
-      // The bound knows heights only as their nodes have them; a long way is looked for near that
-      // over a coarser map.
+      // The lower bound uses heights of nodes only; a long route is searched in a corridor around
+      // that over a coarser map.
       EXPECT_GT(route.cost, (1 - 2e-3) * other);
       EXPECT_LT(route.cost, (octile_m(goal_m) < 75 ? 1 + 2e-3 : 1.02) * other)
           << goal_m.transpose();
@@ -80,7 +81,8 @@ TEST(GridSearch, finds_what_dijkstra_finds) {
   }
 }
 
-// A wall too thin for the steps of a coarser map: all that lies near the way over that is shut.
+// A wall too thin for the steps of a coarser map closes the corridor around the route over that
+// map.
 TEST(GridSearch, goes_around_what_a_coarser_map_does_not_show) {
   const Site site({});
   const StanceFinder finder(simple_rover());
@@ -110,7 +112,7 @@ TEST(PlanLeg, goes_around_what_is_too_steep_and_costs_less_than_the_grid) {
     EXPECT_LT(leg.length_m, 125);
     EXPECT_NEAR(leg.path_S_m.front().norm(), 0, 0.1);
     EXPECT_NEAR((leg.path_S_m.back() - Vec3(100, 0, 0)).norm(), 0, 0.1);
-    // The walls of the first crater, 24 m wide at 30, 4.
+    // The walls of the first crater, 24 m wide at (30, 4), are avoided.
     for (std::size_t k = 0; k + 1 < leg.path_S_m.size(); ++k) {
       for (double share = 0; share <= 1; share += 0.01) {
         const Vec3 p_m = leg.path_S_m[k] + share * (leg.path_S_m[k + 1] - leg.path_S_m[k]);
@@ -125,7 +127,7 @@ TEST(PlanLeg, goes_around_what_is_too_steep_and_costs_less_than_the_grid) {
   }
 }
 
-// On the level there is nothing better than the straight line: 1000 J/m.
+// On level ground the straight line is the best route, at 1000 J/m.
 TEST(PlanLeg, over_level_ground_is_straight) {
   const Site site({});
   LegRequest request{{0, 0, 0}, {60, 35, 0}, RouteAim::energy, 1};
@@ -137,7 +139,7 @@ TEST(PlanLeg, over_level_ground_is_straight) {
   EXPECT_NEAR(leg.duration_s, leg.length_m, 1e-6);
 }
 
-// 1 t at 1 m/s, half of what it moves with lost to brakes.
+// A rover of 1 t at 1 m/s loses half of its kinetic energy to the brakes.
 TEST(PlanLeg, from_rest_tells_what_setting_off_takes) {
   const Site site({});
   DriveCost cost = simple_rover();
@@ -151,7 +153,8 @@ TEST(PlanLeg, from_rest_tells_what_setting_off_takes) {
   EXPECT_EQ(leg.path_S_m, rolling.path_S_m);
   EXPECT_DOUBLE_EQ(leg.energy_j, rolling.energy_j + 250);
   EXPECT_DOUBLE_EQ(leg.duration_s, rolling.duration_s + 4);
-  // Turning right round first, at half a radian a second, with wheels that steer there and back.
+  // It turns by 180 degrees first, at half a radian a second, with wheels that steer there and
+  // back.
   cost.turn_sprad = 2;
   cost.steer_s = 3;
   request.start_heading_rad -= 180 * deg;
@@ -161,7 +164,7 @@ TEST(PlanLeg, from_rest_tells_what_setting_off_takes) {
 }
 
 TEST(PlanLeg, ends_at_its_goal_however_far_and_deep) {
-  // A slope of 10 degrees down: far places lie deep below the plane of the map.
+  // On a descent of 10 degrees, distant places lie far below the plane of the map.
   const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(30, 10));
   TerrainSpec spec;
   spec.layers = {PlaneSurface{0, 10 * deg, std::numbers::pi / 2}};
@@ -201,7 +204,7 @@ TEST(PlanLeg, that_is_too_long_or_for_wheels_that_do_not_drive_says_so) {
                         &longest_km, &spacing_m),
             2)
       << far.reason;
-  // Eastwards the map is 1.5 by 0.5 lengths, and may have 60 million cells.
+  // To the east the map measures 1.5 by 0.5 leg lengths, and may have 60 million cells.
   EXPECT_NEAR(longest_km, spacing_m * std::sqrt(6e7 / 0.75) / 1000, 0.1);
   DriveCost dead = simple_rover();
   for (SoilDrive& soil : dead.soils) soil.by_slope.clear();
@@ -225,7 +228,7 @@ TEST(PlanLeg, is_the_same_whatever_was_planned_before) {
 }
 
 TEST(PlanLeg, says_why_there_is_no_way_and_how_near_one_comes) {
-  // A ring of too steep a wall around a level floor.
+  // A ring-shaped wall, too steep to drive, around a level floor.
   const Site site({{60, 0, 40, 14, 2}});
   const DriveCost cost = simple_rover();
   const auto plan = [&](const Vec3& from_m, const Vec3& to_m) {
@@ -240,7 +243,7 @@ TEST(PlanLeg, says_why_there_is_no_way_and_how_near_one_comes) {
   EXPECT_THAT(plan({0, 0, 0}, {46, 0, 0}).reason, HasSubstr("the goal is on a slope of "));
 }
 
-// Craters too steep to drive through, side by side across all of the first corridor.
+// Craters too steep to drive through stand side by side across all of the first corridor.
 TEST(PlanLeg, goes_around_a_wall_that_is_wider_than_its_corridor) {
   std::vector<Form> wall;
   for (double y_m = -27; y_m <= 27; y_m += 6) wall.push_back({20, y_m, 10, 4, 0.5});
@@ -266,11 +269,11 @@ TEST(PlanLeg, leaves_a_start_that_is_steeper_than_its_limit) {
   };
   const PlannedLeg down = plan({53, 0, 0}, {60, 0, 0});
   EXPECT_TRUE(down.is_found()) << down.reason;
-  // Up it gets steeper.
+  // Uphill it gets steeper.
   EXPECT_FALSE(plan({53, 0, 0}, {0, 0, 0}).is_found());
 }
 
-// What lies close ahead of a rover that cannot turn on the spot is passed beside, not run into.
+// A place close ahead of a rover that cannot turn on the spot is passed beside, not driven over.
 TEST(PlanLeg, passes_what_it_was_stuck_at_in_its_tightest_turn) {
   const Site site({});
   DriveCost cost = simple_rover();

@@ -1,4 +1,4 @@
-// How a rover stands on ground of a known slope.
+// Stances of a rover on ground of a known slope.
 #include "route/cost/stance.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double slope_rad = 12 * deg;
 
-// Falling to the south.
+// Ground that falls to the south.
 struct Slope {
   SiteFrame site{*find_body("Moon"), geodetic_from_degrees(30, 10)};
   Ground ground{[] {
@@ -37,8 +37,8 @@ TEST(Stance, on_a_slope_is_the_slope_by_its_heading) {
   }
 }
 
-// Against all nodes of the map in turn. Forms stand between the corners of the chassis, the only
-// points of it that are always looked at.
+// Compares with all nodes of the map. Forms stand between the corners of the chassis, the only
+// points of it that are always sampled.
 TEST(Stance, has_the_least_clearance_of_all_nodes_under_the_chassis) {
   const Site site({{0.5, 0.3, 0.7, 0.05, 0.25}, {-0.6, -0.5, 0.5, 0.02, 0.2}});
   DriveCost cost = simple_rover();
@@ -49,7 +49,7 @@ TEST(Stance, has_the_least_clearance_of_all_nodes_under_the_chassis) {
       cost.underside_B_m.push_back({x * half_m.x(), y * half_m.y(), 0.4});
     }
   }
-  cost.limits.clearance_min_m = 0.39;  // never calm: all nodes count
+  cost.limits.clearance_min_m = 0.39;  // too near to the limit: all nodes are checked
   const StanceFinder finder(cost);
   GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-10, -10}, {10, 10},
                 0.2);
@@ -60,7 +60,7 @@ TEST(Stance, has_the_least_clearance_of_all_nodes_under_the_chassis) {
           left(-ahead.y(), ahead.x());
       const Stance stance = finder.at(map, at_m, ahead);
       ASSERT_TRUE(stance.is_on_ground);
-      // The plane under the wheels, by heights worked out here.
+      // Plane under the wheels, computed independently.
       Eigen::Matrix<double, 4, 3> places;
       Eigen::Vector4d heights_m;
       for (Eigen::Index k = 0; k < 4; ++k) {
@@ -121,7 +121,8 @@ TEST(Stance, is_a_hazard_beyond_each_limit) {
   stance.slope_rad = 12 * deg;
   cost = simple_rover();
   EXPECT_EQ(hazard(stance, cost), Hazard::none);
-  // Down a slope and across it goes that it does not climb; not across one that is much steeper.
+  // The rover drives down and across a slope that it does not climb, but not across one that is
+  // much steeper.
   cost.soils[0].by_slope.resize(8);
   stance.pitch_rad = -12 * deg;
   EXPECT_EQ(hazard(stance, cost), Hazard::none);
@@ -131,7 +132,7 @@ TEST(Stance, is_a_hazard_beyond_each_limit) {
   cost = simple_rover();
   cost.limits.slope_max_rad = 40 * deg;
   EXPECT_EQ(hazard(stance, cost), Hazard::none);
-  stance.slope_rad = stance.bank_rad = 24 * deg;  // it slips by 0.42 up so steep a slope
+  stance.slope_rad = stance.bank_rad = 24 * deg;  // it slips by 0.42 up such a slope
   EXPECT_EQ(hazard(stance, cost), Hazard::slide);
 }
 
@@ -141,7 +142,7 @@ TEST(Stance, of_a_hole_between_the_wheels_is_uneven_or_on_its_belly) {
   GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
                 0.25);
   EXPECT_EQ(hazard(finder.at(map, {10, 0}, {1, 0}), finder.cost()), Hazard::none);
-  // One wheel in the middle of the hole.
+  // One wheel stands in the middle of the hole.
   EXPECT_NE(hazard(finder.at(map, {-1, -0.8}, {1, 0}), finder.cost()), Hazard::none);
 }
 
@@ -149,7 +150,7 @@ TEST(GroundMap, has_sampled_what_lies_off_a_window_by_rounding) {
   const Site site({});
   GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -20}, {20, 20},
                 0.5);
-  // From the border of a tile on: the place on it may be worked out before it.
+  // The window begins at the border of a tile: a place on it may be computed to lie before it.
   const auto window = map.window({16, 20}, {18, 22});
   ASSERT_TRUE(window);
   EXPECT_EQ(map.sampled_nodes(), 2u * 9 * 9);

@@ -1,5 +1,5 @@
-// A rover to plan for, whose numbers are simple: four wheels, 1000 J/m on the level, 5000 more for
-// each metre of climb.
+// A rover for planning with simple numbers: four wheels, 1000 J/m on the level, 5000 more for each
+// metre of climb.
 #pragma once
 
 #include <cmath>
@@ -27,14 +27,14 @@ inline DriveCost simple_rover() {
   return cost;
 }
 
-// Level ground at 30,10 on the Moon with landforms so far east and north of it.
+// Level ground at 30,10 on the Moon, with landforms at distances east and north of it.
 struct Form {
   double east_m, north_m, diameter_m, depth_m, rim_height_m;
 };
 class Site {
  public:
   explicit Site(const std::vector<Form>& forms) : Site(std::in_place, relief(forms)) {}
-  // Falls to the east.
+  // Ground that falls to the east.
   static Site slope(double slope_rad) {
     return Site(std::in_place, PlaneSurface{0, slope_rad, std::numbers::pi / 2});
   }

@@ -1,4 +1,4 @@
-// What is set of a node is its own, and of no other.
+// Values of the nodes of a sparse lattice are independent of each other.
 #include "route/map/tiled_grid.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ struct Note {
 };
 
 TEST(TiledGrid, keeps_what_is_set_of_each_node) {
-  // Neither a whole number of tiles.
+  // Neither is a whole number of tiles.
   constexpr int columns = 37, rows = 50;
   TiledGrid<Note> notes(columns, rows);
   const auto number = [&](int column, int row) { return row * columns + column; };

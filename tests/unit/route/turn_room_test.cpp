@@ -9,14 +9,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A rover 4 m by 2 m at the origin that looks along x.
+// A rover of 4 m by 2 m at the origin that heads along x.
 Footprint rover() { return {Vec2::Zero(), Vec2::UnitX(), {2, 1}}; }
 
-// A wall along x, as near as that on the left.
+// A wall along x, `near_m` to the left.
 std::vector<Footprint> wall(double near_m) { return {{{0, near_m + 1}, Vec2::UnitX(), {50, 1}}}; }
 
-// The corner at 26.6 degrees and 2.24 m reaches the wall where 2.24 sin(26.6 deg + turn) is its
-// distance.
+// The corner at 26.6 degrees and 2.24 m reaches the wall where 2.24 sin(26.6 deg + turn) equals the
+// distance of the wall.
 TEST(TurnRoom, ends_where_a_corner_reaches_the_wall) {
   const TurnRoom room = turn_room(rover(), Vec2::Zero(), 0, wall(1.5));
   const double expected_rad = std::asin(1.5 / std::hypot(2, 1)) - std::atan2(1, 2);

@@ -1,4 +1,4 @@
-// Arcs against geometry, and ways of a rover that cannot turn on the spot.
+// Arcs against geometry, and routes of a rover that cannot turn on the spot.
 #include "route/search/turning_search.h"
 
 #include <gmock/gmock.h>
@@ -53,7 +53,7 @@ TEST(ShortestTurns, below_a_bound_are_those_without_and_above_it_none) {
   RandomStream random(11);
   for (int k = 0; k < 2000; ++k) {
     const Pose2 from{{random.uniform(-9, 9), random.uniform(-9, 9)}, random.uniform(-pi, pi)};
-    // Half of them on one of its circles.
+    // Half of the poses lie on a circle of the first.
     const Pose2 to =
         k % 2 == 0 ? along_arc(from, k % 4 == 0 ? 0.25 : -0.25, random.uniform(0.1, 25))
                    : Pose2{{random.uniform(-9, 9), random.uniform(-9, 9)}, random.uniform(-pi, pi)};
@@ -65,7 +65,7 @@ TEST(ShortestTurns, below_a_bound_are_those_without_and_above_it_none) {
   }
 }
 
-// Both circles are one then: there is no straight piece whose direction could be asked for.
+// Both circles are the same, and the straight piece has no direction.
 TEST(ShortestTurns, along_one_circle_are_its_arc) {
   RandomStream random(7);
   for (int k = 0; k < 1000; ++k) {
@@ -76,8 +76,8 @@ TEST(ShortestTurns, along_one_circle_are_its_arc) {
   }
 }
 
-// Of arc and tangent: every point of the arc is a radius from its centre, the straight piece leaves
-// at a right angle to that radius.
+// Every point of the arc is a radius from its centre, and the straight piece leaves at a right
+// angle to that radius.
 TEST(ArcAndStraight, is_a_tangent) {
   for (const bool to_left : {true, false}) {
     for (const double yaw_rad : {0.0, 1.0, 3.0, -2.0}) {
@@ -100,8 +100,8 @@ TEST(ArcAndStraight, is_a_tangent) {
   EXPECT_FALSE(arc_and_straight({{0, 0}, 0}, {0, 3}, 4, true, 0.1));
 }
 
-// Ends where it shall, and is not longer than any way of an arc, a straight piece and an arc that
-// is found by trying: a first arc of every angle, then the tangent to either circle at the end.
+// The path ends in the pose and is not longer than any of arc, straight piece and arc found by
+// trial: a first arc of every angle, then the tangent to either circle at the end.
 TEST(ShortestTurns, end_in_the_pose_and_nothing_shorter_is_found) {
   RandomStream random(5);
   constexpr double r = 3;
@@ -119,7 +119,7 @@ TEST(ShortestTurns, end_in_the_pose_and_nothing_shorter_is_found) {
         const Vec2 center_m = to.at_m + last * r * Vec2(-ahead.y(), ahead.x());
         for (double turned = 0; turned < 2 * pi; turned += 1e-3) {
           const Pose2 leaves = along_arc(from, first / r, turned * r);
-          // Straight on, it touches the last circle where its distance is the radius.
+          // Straight on, the line touches the last circle where its distance is the radius.
           const Vec2 to_center_m = center_m - leaves.at_m;
           const double on_m = to_center_m.dot(leaves.ahead());
           const double aside_m =
@@ -135,7 +135,7 @@ TEST(ShortestTurns, end_in_the_pose_and_nothing_shorter_is_found) {
   }
 }
 
-// Straight ahead over a thousand radii it is straight, without a full turn.
+// Over a thousand radii straight ahead the path is straight, without a full turn.
 TEST(ShortestTurns, far_ahead_are_straight) {
   for (double yaw_rad = 0.01; yaw_rad < 6.3; yaw_rad += 0.37) {
     const Pose2 from{{1, 2}, yaw_rad};
@@ -152,8 +152,8 @@ TEST(TurningPlan, ahead_over_level_ground_is_straight_and_behind_is_round) {
   ASSERT_TRUE(ahead.is_found()) << ahead.reason;
   EXPECT_NEAR(ahead.length_m, 40, 0.05);
   EXPECT_NEAR(ahead.end_heading_rad, 0, 0.01);
-  // Dubins' shortest: round an arc whose tangent meets the goal. With a radius r and the goal d
-  // straight behind: see from the centre of the circle to the left, h = hypot(d, r) away.
+  // Shortest path: round an arc whose tangent meets the goal, with a radius r and the goal d
+  // straight behind. The centre of the left circle is h = hypot(d, r) from the goal.
   const double r = turning_margin * 4, d = 40, h = std::hypot(d, r);
   const double shortest_m =
       r * (1.5 * pi + std::atan2(r, d) - std::acos(r / h)) + std::sqrt(h * h - r * r);
@@ -194,7 +194,7 @@ TEST(TurningPlan, says_that_a_ring_of_walls_is_in_the_way) {
   EXPECT_THAT(leg.reason, HasSubstr("no way comes nearer to the goal than "));
 }
 
-// Level ground from -10 to 60 m, so far to either side; discs that no way leads through.
+// Level ground from -10 to 60 m, `aside_m` to either side; discs that no route leads through.
 struct OpenGround {
   OpenGround(double aside_m, std::vector<Disc2> avoided, double slope_east_rad = 0)
       : site(Site::slope(slope_east_rad)),
@@ -230,8 +230,8 @@ TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
   EXPECT_TRUE(none.line.empty());
   EXPECT_FALSE(none.is_at_border) << "no wider map helps";
   EXPECT_TRUE(none.is_shut_in);
-  // Nor does it help to look farther than a tube, where all of that is within it; where it ends
-  // before the ring, more may be outside.
+  // A corridor does not help either where all of the ring is within it; where it ends before the
+  // ring, more may be outside.
   for (const double off_m : {20.0, 3.0}) {
     OpenGround same(30, ring(8, pi));
     const Tube near(same.map, {Vec2::Zero(), {50, 0}}, off_m);
@@ -243,7 +243,7 @@ TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
   EXPECT_LT(none.nearest_m.norm(), 8);
 }
 
-// What is left downhill is nothing, and yet there is room to turn.
+// The cost to go downhill is 0, and yet there is room to turn.
 TEST(SearchTurning, heading_up_a_slope_turns_round) {
   for (const double slope_deg : {5, 10, 11, 12, 15}) {
     OpenGround ground(30, {{{20, 0}, 3}}, slope_deg * deg);
@@ -274,7 +274,7 @@ TEST(SearchTurning, that_had_no_room_to_turn_round_says_that_the_map_was_too_nar
   EXPECT_FALSE(search_turning(wide.costs, away, {0, 0}, turn_m, many_poses).line.empty());
 }
 
-// Walls with gaps far to the left and to the right in turn: whole rooms are looked at in vain.
+// Walls have gaps far to the left and to the right alternately: whole rooms are expanded in vain.
 TEST(SearchTurning, in_more_haste_finds_a_way_through_walls) {
   const auto walls = [](int count) {
     std::vector<Disc2> discs;
@@ -355,7 +355,7 @@ TEST(IsFree, tells_open_ground_from_what_stands_there) {
   };
   EXPECT_FALSE(free_to({4, 0, 0}, {16, 0, 0}));
   EXPECT_FALSE(free_to({4, 3.5, 0}, {16, 3.5, 0}));
-  // Half its diagonal is 1.28 m, and it keeps off by 0.4 m more.
+  // Half the diagonal is 1.28 m, and the rover keeps 0.4 m more.
   EXPECT_TRUE(free_to({4, 4.8, 0}, {16, 4.8, 0}));
 }
 

@@ -87,7 +87,7 @@ struct AddedRelief {
   std::vector<double> heights_m = std::vector<double>(std::size_t{side} * side);
 
   double at(int i, int j) const { return heights_m[static_cast<std::size_t>(j * side + i)]; }
-  // Of the means over squares of so many samples a side, at every place.
+  // Spread of the means over squares of so many samples a side, at every place.
   double rms_m(int across) const {
     std::vector<double> sums(std::size_t{side + 1} * (side + 1), 0);  // of all before i and j
     const auto sum = [&](int i, int j) -> double& {

@@ -36,7 +36,7 @@ TEST(WheelTargets, point_every_axle_at_one_centre_of_turning) {
     const Vec2 heading(std::cos(now[i]), std::sin(now[i]));
     EXPECT_NEAR(heading.dot(to_centre), 0, 1e-12);
   }
-  // Speeds are as distances from the centre.
+  // Rim speeds are proportional to the distances from the centre.
   const WheelTargets targets = wheel_targets(layout, {1, 0.1, false}, now);
   for (std::size_t i = 0; i < 12; ++i) {
     const auto& wheel = layout.wheels[i];
@@ -48,7 +48,7 @@ TEST(WheelTargets, point_every_axle_at_one_centre_of_turning) {
 }
 
 TEST(WheelTargets, take_the_nearer_of_two_directions) {
-  // Turning on the spot: a left wheel rolls back rather than turn right round.
+  // In a turn on the spot a left wheel rolls backwards rather than turning right round.
   const WheelTargets targets = wheel_targets(layout, {0, 0.1, false}, straight);
   for (const double angle : targets.steering_angle_rad) {
     EXPECT_LE(std::abs(angle), std::numbers::pi / 2 + 1e-12);

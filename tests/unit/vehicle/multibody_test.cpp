@@ -28,7 +28,7 @@ TEST(Multibody, falls_freely_as_a_stone_does) {
   }
   const LinkMotion& chassis = bodies.motion(Multibody::chassis);
   EXPECT_NEAR(chassis.v_C_S_mps.z(), -g * 2, 1e-9);
-  // Semi-implicit steps fall g t dt / 2 farther than g t^2 / 2.
+  // Semi-implicit steps fall farther than g t^2 / 2 by g t dt / 2.
   EXPECT_NEAR(chassis.p_C_S_m.z(), 101.2 - g * 2 - g * 2 * step_s / 2, 1e-9);
   for (std::size_t i = 0; i < config.links.size(); ++i) {
     EXPECT_NEAR(bodies.joint_velocity(static_cast<int>(i)), 0, 1e-9);

@@ -26,7 +26,7 @@ double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
 
 struct Drive {
   PathFollower::Status status = PathFollower::Status::driving;
-  double worst_m = 0;  // farthest from the line
+  double worst_m = 0;  // greatest cross-track error
   double to_goal_m = 0;
   double yaw_rad = 0;
   std::string reason;
@@ -75,7 +75,7 @@ TEST(PathFollower, holds_a_line_with_corners_and_stops_at_its_end) {
   EXPECT_LT(result.to_goal_m, 0.3);
 }
 
-// Told where the rover is, not driven: 1 m/s along x at a distance from the line.
+// The rover is placed, not driven: 1 m/s along x at a distance from the line.
 TEST(PathFollower, fails_when_it_strays_farther_than_it_may) {
   FollowerLimits limits;
   limits.stray_max_m = 2;
@@ -95,7 +95,7 @@ TEST(PathFollower, fails_when_it_strays_farther_than_it_may) {
   EXPECT_EQ(follower.next_waypoint(), 1u);
 }
 
-// Waypoints that it stands on at the start are behind it, and counted.
+// Waypoints on which the rover stands at the start are passed, but keep their numbers.
 TEST(PathFollower, counts_waypoints_as_they_were_given) {
   PathFollower follower({{0.5, 0, 0}, {10, 0, 0}, {20, 0, 0}}, {{0, 0}, 0, 0, 0}, {});
   EXPECT_EQ(follower.next_waypoint(), 1u);
@@ -161,17 +161,17 @@ TEST(PathFollower, says_that_it_is_stuck_when_it_gets_nowhere) {
 }
 
 TEST(PathFollower, says_when_the_brakes_do_not_hold) {
-  FollowerPose pose{Vec2::Zero(), 0, 2};  // slides on
+  FollowerPose pose{Vec2::Zero(), 0, 2};  // keeps sliding
   PathFollower follower({{0, 0, 0}}, pose, {});
   for (int i = 0; i < 400; ++i) follower.update(pose, period_s);
   EXPECT_EQ(follower.status(), PathFollower::Status::failed);
   EXPECT_NE(follower.reason().find("still sliding at 2.00 m/s"), std::string::npos);
 }
 
-// A block that slides when it is told to slow down faster than the soil holds it, on the Moon.
+// A block on the Moon that slides when it is commanded to slow down faster than the soil holds it.
 struct Slide {
   double past_m = 0;     // beyond the end
-  double worst_mps = 0;  // faster than its wheels
+  double worst_mps = 0;  // over the speed of its wheels
   double fastest_mps = 0;
 };
 Slide slid(double pitch_rad, double piece_m, bool is_crabbing = false) {
@@ -182,7 +182,7 @@ Slide slid(double pitch_rad, double piece_m, bool is_crabbing = false) {
   limits.is_crabbing = is_crabbing;
   Path3 path;
   for (double x_m = piece_m; x_m < 60 + piece_m / 2; x_m += piece_m) path.push_back({x_m, 0, 0});
-  // One that crabs goes along x as well, with its right side ahead.
+  // A crabbing rover goes along x as well, with its right side ahead.
   FollowerPose pose{Vec2::Zero(), is_crabbing ? radians(90) : 0};
   (is_crabbing ? pose.roll_rad : pose.pitch_rad) = is_crabbing ? -pitch_rad : pitch_rad;
   PathFollower follower(path, pose, limits);
@@ -236,7 +236,8 @@ TEST(PathFollower, a_line_that_ends_where_the_rover_stands_is_done_at_once) {
   EXPECT_EQ(follower.status(), PathFollower::Status::arrived);
 }
 
-// A rover as a point that goes where it points, its turns no tighter than 4 m, 0.1 s at a time.
+// A rover as a point that moves along its heading, with a turning radius of at least 4 m, stepped
+// by 0.1 s.
 struct Car {
   FollowerPose pose;
   PathFollower follower;
@@ -276,19 +277,19 @@ TEST(PathFollower, passes_a_waypoint_that_the_rover_stands_on) {
 
 TEST(PathFollower, a_rover_that_cannot_turn_on_the_spot_takes_every_corner) {
   const std::vector<Path3> paths{
-      {{-30, 0, 0}},                           // it looks the other way
-      {{30, 0, 0}, {0, 0, 0}},                 // and back
-      {{2, 0, 0}, {2, 30, 0}},                 // a corner before it has room for an arc
-      {{30, 0, 0}, {28, 20, 0}, {40, 30, 0}},  // arcs of its least radius
-      {{30, 0, 0}, {30, 3, 0}, {0, 3, 0}},     // sides shorter than its turns
-      {{30, 0, 0}, {15, 1, 0}, {30, 2, 0}},    // to and fro
+      {{-30, 0, 0}},                           // the rover heads the other way
+      {{30, 0, 0}, {0, 0, 0}},                 // there and back
+      {{2, 0, 0}, {2, 30, 0}},                 // a corner without room for an arc
+      {{30, 0, 0}, {28, 20, 0}, {40, 30, 0}},  // arcs of the least radius
+      {{30, 0, 0}, {30, 3, 0}, {0, 3, 0}},     // sides shorter than a turn
+      {{30, 0, 0}, {15, 1, 0}, {30, 2, 0}},    // back and forth
   };
   for (const Path3& path : paths) {
     Car car;
     car.drive(path, {Vec2::Zero(), 0, 0});
     EXPECT_EQ(car.follower.status(), PathFollower::Status::arrived) << car.follower.reason();
-    // An arc of 4 m leaves out 1.9 m of a corner of 94 degrees; two corners within the width of a
-    // turn are passed by less than its radius.
+    // An arc of 4 m radius passes a corner of 94 degrees by 1.9 m; two corners within the width of
+    // a turn are passed by less than its radius.
     for (const double nearest_m : car.nearest_m) EXPECT_LT(nearest_m, 4);
   }
 }

@@ -30,7 +30,7 @@ TEST(BearingFactors, agree_with_terzaghis_table) {
     EXPECT_NEAR(f.N_c, N_c, 0.06) << phi_deg;
     EXPECT_NEAR(f.N_q, N_q, 0.06) << phi_deg;
   }
-  EXPECT_NEAR(bearing_factors(radians(35)).N_gamma, 47.28, 0.01);  // Coduto's formula by hand
+  EXPECT_NEAR(bearing_factors(radians(35)).N_gamma, 47.28, 0.01);  // Coduto's formula, manually
 }
 
 TEST(PressureSinkage, bekkers_law_as_worked_by_hand_for_the_lrv) {

@@ -7,7 +7,7 @@
 namespace lsos {
 namespace {
 
-// A body that carries one link, both free in space.
+// A body that carries one link, both floating free.
 VehicleConfig pair(JointType joint) {
   VehicleConfig vehicle;
   vehicle.chassis = {10, {1, 2, 3}};
@@ -28,7 +28,7 @@ TEST(RestInertia, of_a_hinge_through_both_centres_is_the_reduced_moment) {
 }
 
 TEST(RestInertia, of_a_hinge_beside_the_link_counts_its_arm) {
-  // A heavy body hardly moves: I + m r^2.
+  // A heavy body hardly moves, so the joint sees I + m r^2.
   VehicleConfig vehicle = pair(JointType::revolute);
   vehicle.chassis = {1e9, {1e9, 1e9, 1e9}};
   vehicle.links[0].p_JC_m = {0, 0, 0.3};
@@ -53,7 +53,7 @@ TEST(RestInertia, of_a_differential_moves_both_rockers_against_the_body) {
 TEST(RestInertia, of_a_whole_rover_lifted_at_its_chassis_is_its_mass) {
   VehicleConfig vehicle = test::small_body();
   add_skid_steer(vehicle, test::skid_steer());
-  // Above its centre of mass nothing turns.
+  // A force above the centre of mass turns nothing.
   EXPECT_NEAR(RestInertia(vehicle).of_point(-1, {120 * 0.05 / 128, 0, 1}, Vec3::UnitZ()), 128,
               1e-9);
 }

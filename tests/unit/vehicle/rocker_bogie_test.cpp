@@ -32,7 +32,7 @@ int link_named(const VehicleConfig& vehicle, const std::string& name) {
   return found == vehicle.links.end() ? -1 : static_cast<int>(found - vehicle.links.begin());
 }
 
-// Rocker alone, wheels 0.5 m before and behind its pivot.
+// Rockers without bogies, wheels 0.5 m before and behind the pivot.
 RockerBogie four_wheels() {
   RockerBogie s = test::rocker_bogie();
   s.bogie.reset();
@@ -61,7 +61,8 @@ TEST(RockerBogie, names_its_links_and_mirrors_its_right_side) {
 }
 
 TEST(RockerBogie, weighs_what_its_parts_weigh) {
-  // Chassis 120, differential 5; a side: rocker 6, bogie 4, two knuckles and three wheels of 2.
+  // Chassis 120 kg, differential 5 kg; on each side a rocker of 6 kg, a bogie of 4 kg, two knuckles
+  // and three wheels of 2 kg each.
   const VehicleConfig vehicle = vehicle_of(test::rocker_bogie());
   EXPECT_DOUBLE_EQ(vehicle.mass_kg(), 120 + 5 + 2 * (6 + 4 + 2 * 2 + 3 * 2));
   EXPECT_DOUBLE_EQ(vehicle.chassis.mass_kg, 125);
@@ -74,7 +75,7 @@ TEST(RockerBogie, spreads_an_arm_between_what_it_joins) {
   const VehicleConfig vehicle = vehicle_of(s);
   // Pivot (0, 0.4, 0.4), hubs (0.5, 0.5, 0.15) and (-0.5, 0.5, 0.15).
   EXPECT_LT((vehicle.links[0].p_JC_m - Vec3(0, 0.2 / 3, -0.5 / 3)).norm(), 1e-12);
-  // A box of 1 x 0.2 x 0.25 m, its width at least a fifth of its length.
+  // A box of 1 x 0.2 x 0.25 m: its width is at least a fifth of its length.
   EXPECT_NEAR(vehicle.links[0].inertia.moments_kgm2.y(), 6.0 / 12 * (1 + 0.25 * 0.25), 1e-12);
   EXPECT_NEAR(vehicle.links[0].inertia.moments_kgm2.z(), 6.0 / 12 * (1 + 0.2 * 0.2), 1e-12);
 }
@@ -85,9 +86,10 @@ TEST(RockerBogie, shares_its_weight_by_the_lever_law) {
   Vehicle vehicle(config, *ground);
   ASSERT_EQ(vehicle.place(start, 0), "");
   test::settle(vehicle);
-  // By hand, for one side: forces; moments about x = 0; moments about the bogie's pivot, x = -0.2,
+  // Balance of one side: forces; moments about x = 0; moments about the bogie's pivot, x = -0.2,
   // where its own weight acts. Masses: half of the chassis at 0.05 and of the differential at -0.1,
-  // the rocker at 0.2, the bogie at -0.2; with wheels and knuckles 4 kg front and rear, 2 middle.
+  // the rocker at 0.2, the bogie at -0.2; wheels with knuckles 4 kg front and rear, 2 kg in the
+  // middle.
   const double half_kg = 60 + 2.5 + 6 + 4 + 4 + 2 + 4;
   const double moment_kgm =
       60 * 0.05 + 2.5 * -0.1 + 6 * 0.2 + 4 * -0.2 + 4 * 0.7 + 2 * 0.1 + 4 * -0.6;
@@ -107,7 +109,7 @@ TEST(RockerBogie, shares_its_weight_by_the_lever_law) {
   EXPECT_NEAR(test::sum(found_n), config.mass_kg() * g, 1e-3 * config.mass_kg() * g);
 }
 
-// A wheel with a larger radius stands as one on a block does.
+// A wheel of larger radius replaces a wheel on a block.
 TEST(RockerBogie, chassis_pitches_by_the_mean_of_its_rockers) {
   constexpr double block_m = 0.08;
   VehicleConfig config = vehicle_of(four_wheels());
@@ -119,8 +121,8 @@ TEST(RockerBogie, chassis_pitches_by_the_mean_of_its_rockers) {
   const std::vector<double> joints = vehicle.joint_positions();
   const double left = joints[static_cast<std::size_t>(link_named(config, "rocker_left"))];
   const double right = joints[static_cast<std::size_t>(link_named(config, "rocker_right"))];
-  // The left rocker's hubs differ in height by the block over 1 m, the right one's do not. Joints
-  // are positive with the front end down, pitch with the nose up.
+  // The hubs of the left rocker differ in height by the block over 1 m, those of the right one do
+  // not. Joint angles are positive with the front end down, pitch with the nose up.
   const double pitch_rad = std::asin(block_m) / 2;
   EXPECT_NEAR(vehicle.report().pitch_rad, pitch_rad, 2e-3);
   EXPECT_NEAR(left - right, -std::asin(block_m), 2e-3);
@@ -137,8 +139,8 @@ TEST(RockerBogie, bogie_follows_the_ground_alone) {
   Vehicle vehicle(config, *ground);
   ASSERT_EQ(vehicle.place(start, 0), "");
   const std::vector<double> joints = vehicle.joint_positions();
-  // Middle hubs 5 cm up over 0.7 m to the rear ones: bogies turn back by that angle in all; their
-  // pivots rise by 4/7 of it, over 0.9 m from the front hubs, so that the rover noses down.
+  // The middle hubs are 5 cm up, 0.7 m before the rear ones: bogies tilt by that angle in all.
+  // Their pivots rise by 4/7 of 5 cm, 0.9 m behind the front hubs, so the rover pitches nose down.
   const double rocker_rad = std::asin(0.05 * 4 / 7 / 0.9);
   const double bogie = joints[static_cast<std::size_t>(link_named(config, "bogie_left"))];
   EXPECT_NEAR(vehicle.report().pitch_rad, -rocker_rad, 3e-3);

@@ -81,7 +81,7 @@ TEST(MakeVehicle, adds_a_payload_by_parallel_axes) {
   EXPECT_NEAR(loaded.chassis.moments_kgm2.x(), 4000 + 750 * 0.64, 1e-9);
   EXPECT_NEAR(loaded.chassis.moments_kgm2.y(), 6000 + 750 * 1.64, 1e-9);
   EXPECT_NEAR(loaded.chassis.moments_kgm2.z(), 8000 + 750 * 1.0, 1e-9);
-  // Springs are set for it.
+  // Springs are preset for the payload.
   double preload_n = 0;
   for (const LinkConfig& link : loaded.links) preload_n += link.spring ? link.spring->preload : 0;
   EXPECT_NEAR(preload_n, -4000 * 1.6, 1e-9);
@@ -135,8 +135,8 @@ TEST(VehicleFaults, tell_of_wheels_and_balance) {
                         "narrower than a wheel"));
 }
 
-// What holds a rocker-bogie up in front is its rockers' wheels: behind the bogies' pivots it would
-// fall over though it has wheels there.
+// The wheels of the rockers hold a rocker-bogie up in front: with its centre of mass behind the
+// bogies' pivots it tips over although there are wheels behind.
 TEST(VehicleFaults, tell_of_balance_on_bogies) {
   EXPECT_THAT(
       faults_of(test::rocker_bogie_rover(), [](RoverSpec& s) { s.vehicle.p_BC_m.x() = -0.5; }),
@@ -198,7 +198,7 @@ TEST(VehicleFaults, tell_of_grousers_and_calibration) {
 
 TEST(VehicleFaults, tell_of_a_step_too_long) {
   const RoverSpec spec = test::rocker_bogie_rover();
-  // The wheel of 2 kg alone: 5 ms x sqrt(k / 2 kg) = 1.5.
+  // The normal spring with the wheel's 2 kg alone: 5 ms x sqrt(k / 2 kg) = 1.5.
   EXPECT_THAT(faults_of(spec, [](RoverSpec& s) { rockers(s).wheel.normal_stiffness_npm = 1.8e5; }),
               HasSubstr("step_s = 0.005: too long for the wheel's normal spring of "
                         "front_left_wheel: omega x step is 1.50, at most 1 is stable; a step of "

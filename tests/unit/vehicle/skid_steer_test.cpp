@@ -60,7 +60,7 @@ TEST(SkidSteer, shares_its_weight_by_the_lever_law) {
   ASSERT_EQ(vehicle.place(start, 0), "");
   test::settle(vehicle);
   const std::map<std::string, double> loads_n = test::wheel_loads_n(vehicle);
-  // The body's 120 kg at x = 0.05 between axles at 0.4 and -0.4.
+  // The body's 120 kg are at x = 0.05, between axles at 0.4 and -0.4.
   EXPECT_NEAR(loads_n.at("front_left_wheel"), (60 * 0.45 / 0.8 + 2) * g, 0.5);
   EXPECT_NEAR(loads_n.at("rear_right_wheel"), (60 * 0.35 / 0.8 + 2) * g, 0.5);
   EXPECT_NEAR(test::sum(loads_n), 128 * g, 0.2);
@@ -82,7 +82,7 @@ TEST(SkidSteer, turns_to_the_side_it_is_told) {
       vehicle.command(left);
       vehicle.advance(exchange_period);
     }
-    // Less than told: how much its wheels slide sideways is the soil's.
+    // The turn differs from the command: how much the wheels slide sideways depends on the soil.
     EXPECT_GT(vehicle.report().yaw_rad - before_rad, 0.15);
     EXPECT_LT(vehicle.report().yaw_rad - before_rad, 1);
     EXPECT_LT(vehicle.report().p_S_m.head<2>().norm(), 0.2);

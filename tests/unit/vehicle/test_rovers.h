@@ -34,7 +34,7 @@ inline SwingArm arm(const Vec3& pivot_m, double mass_kg) {
           .damping_n_m_sprad = 3};
 }
 
-// Nothing is in the middle, so that no load is the same by chance.
+// Nothing is placed symmetrically, so no loads agree by chance.
 inline RockerBogie rocker_bogie() {
   RockerBogie s;
   s.stations = {{"front", {0.7, 0.5}, true, true, Arm::rocker},
@@ -71,7 +71,7 @@ inline SkidSteer skid_steer() {
   return s;
 }
 
-// Without links.
+// The chassis alone, without links.
 inline VehicleConfig small_body() {
   VehicleConfig v;
   v.type = "Small";

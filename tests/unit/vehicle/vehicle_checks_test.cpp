@@ -1,4 +1,4 @@
-// Checks that templates cannot fail: vehicles made by hand.
+// Faults that the templates' own checks cannot produce, on vehicles modified link by link.
 #include "vehicle/suspension/vehicle_checks.h"
 
 #include <gmock/gmock.h>
@@ -42,7 +42,8 @@ TEST(RestFaults, wheels_in_one_line_do_not_hold_a_rover_up) {
 }
 
 TEST(BalanceFaults, count_the_whole_vehicle) {
-  // Axles at 0.4 and -0.4; 120 kg of body and 8 kg of wheels: the body may be 128/120 x 0.4 m out.
+  // Axles at 0.4 and -0.4; 120 kg of body and 8 kg of wheels: the body's centre of mass may be up
+  // to 128/120 x 0.4 m from the middle.
   VehicleConfig vehicle = four_wheels();
   vehicle.p_BC_m.x() = 0.42;
   EXPECT_THAT(balance_faults(vehicle), IsEmpty());

@@ -27,12 +27,11 @@ TEST(Vehicle, stands_level_on_level_ground_at_its_ride_height) {
   EXPECT_NEAR(report.pitch_rad, 0, 1e-4);
   EXPECT_NEAR(report.roll_rad, 0, 1e-4);
   EXPECT_EQ(report.speed_mps, 0);
-  // Springs carry the weight, so wheels sit as deep as the weight compresses them:
-  // 3840 kg x g / 12 wheels / 1e5 N/m = 5.2 mm.
+  // The weight compresses the wheels: 3840 kg x g / 12 wheels / 1e5 N/m = 5.2 mm.
   EXPECT_NEAR(report.p_S_m.z(), -3840 * g / 12 / 1e5, 5e-4);
 }
 
-// Down to the north and seen from the side, so that it pitches and rolls at once.
+// The ground falls to the north, oblique to the heading, so the rover pitches and rolls at once.
 TEST(Vehicle, keeps_the_heading_that_was_asked_on_a_slope) {
   const auto ground = test::moon(radians(15), 0);
   Vehicle vehicle(test::rover(g), *ground);
@@ -95,7 +94,8 @@ TEST(Vehicle, climbing_takes_the_work_of_climbing) {
     slip = vehicle.report().slip;
   }
   EXPECT_NEAR(rise, std::sin(radians(8)), 1e-3);
-  // Rims go 1/(1 - slip) as far as the rover; resistance falls a little with the load's cosine.
+  // Rims travel 1/(1 - slip) times as far as the rover; resistance falls a little with the load's
+  // cosine.
   const double climb_jpm = 3840 * g * rise / 0.8 / (1 - slip);
   EXPECT_NEAR(energy_jpm[1] - energy_jpm[0] / (1 - slip), climb_jpm, 0.04 * climb_jpm);
 }
@@ -112,7 +112,7 @@ TEST(Vehicle, holds_on_a_slope_with_its_brakes) {
   EXPECT_NEAR(vehicle.report().pitch_rad, radians(-20), 0.02);
 }
 
-// On ground that is bent more than a wheel, where its lowest point jumps from step to step.
+// Ground of more curvature than a wheel, where the wheel's lowest point would jump in each step.
 TEST(Vehicle, comes_to_rest_among_small_craters) {
   TerrainSpec spec;
   spec.name = "Craters";
@@ -123,7 +123,7 @@ TEST(Vehicle, comes_to_rest_among_small_craters) {
   spec.detail = Detail{};
   spec.detail->craters = craters;
   spec.soil = test::soil();
-  // Six of 600 places that the test rover was once refused at for ever trembling there.
+  // Six of 600 places at which the test rover was once refused because it never stopped trembling.
   constexpr std::pair<int, int> places[] = {{2, 9}, {2, 12}, {8, 8}, {11, 1}, {14, 1}, {26, 14}};
   for (const auto& [seed, east] : places) {
     const Ground ground(spec, SiteFrame(*find_body("Moon"), {0.1, 0.2, 0}), seed);
@@ -143,7 +143,8 @@ TEST(Vehicle, turns_on_the_spot) {
   }
   const VehicleReport report = vehicle.report();
   EXPECT_LT(report.p_S_m.head<2>().norm(), 0.2);
-  // To the left, so the heading falls from north; wheels need seconds to turn into place first.
+  // A left turn, so the heading falls from north; the wheels need seconds to steer into place
+  // first.
   EXPECT_GT(report.heading_rad, 2 * std::numbers::pi - 0.1 * 20);
   EXPECT_LT(report.heading_rad, 2 * std::numbers::pi - 0.1 * 12);
 }
@@ -244,13 +245,14 @@ TEST(Vehicle, a_motor_gives_no_more_than_its_line_from_stall_to_no_load) {
   ASSERT_EQ(vehicle.place(start, 0), "");
   vehicle.command({2.5, 0, false});
   run(vehicle, 60);
-  // What rolling takes leaves it a little under the no-load speed.
+  // Rolling resistance keeps it a little under the no-load speed.
   EXPECT_LT(vehicle.report().speed_mps, 1.5);
   EXPECT_GT(vehicle.report().speed_mps, 1.2);
 }
 
 TEST(Vehicle, starts_on_a_slope_without_rolling_back_and_without_running_away) {
-  // Brakes hold; the motors take over their torque, uphill too much of it, downhill too little.
+  // The motors take over the torque of the brakes, which is too much uphill and too little
+  // downhill.
   for (const double heading : {0.0, 180.0}) {
     const auto ground = test::moon(radians(15), radians(180));
     Vehicle vehicle(test::rover(g), *ground);
@@ -297,7 +299,7 @@ TEST(Vehicle, electrical_energy_is_the_motors_work_over_their_efficiency_on_the_
 }
 
 TEST(Vehicle, lies_on_its_chassis_when_wheels_find_no_hold) {
-  // Soft springs that let the chassis down to the ground.
+  // Soft springs let the chassis down to the ground.
   const auto ground = test::moon();
   VehicleConfig config = test::rover(g);
   config.chassis_clearance_m = 0.05;
@@ -312,7 +314,7 @@ TEST(Vehicle, lies_on_its_chassis_when_wheels_find_no_hold) {
   run(vehicle, 5);
   const VehicleReport report = vehicle.report();
   EXPECT_TRUE(report.is_chassis_on_ground);
-  // It does not sink through: the underside is near the ground.
+  // The chassis does not sink through: its underside stays near the ground.
   EXPECT_NEAR(report.p_S_m.z() + 0.05, 0, 0.06);
 }
 
@@ -345,7 +347,7 @@ TEST(Vehicle, its_energy_changes_by_the_work_done_on_it) {
 TEST(StabilityFaults, refuse_a_step_too_long_for_a_stiff_wheel) {
   VehicleConfig config = test::rover(g);
   EXPECT_TRUE(stability_faults(config).empty());
-  // A MER-like wheel: 1.5 kg on 1e5 N/m at 5 ms is unstable (omega x step = 1.29).
+  // A wheel like MER's, 1.5 kg on 1e5 N/m, is unstable at 5 ms (omega x step = 1.29).
   config.links[2].inertia.mass_kg = 1.5;
   const std::vector<std::string> faults = stability_faults(config);
   ASSERT_EQ(faults.size(), 1u);

@@ -1,5 +1,5 @@
-// What wheels carry at rest on level ground, from the geometry alone: how deep each rim is in the
-// ground, by the joints' positions, times the wheel's stiffness.
+// Wheel loads at rest on level ground, from the geometry alone: the depth of each rim below the
+// ground, from the joint positions, times the wheel's stiffness.
 #pragma once
 
 #include <cmath>
@@ -10,12 +10,12 @@
 
 namespace lsos::test {
 
-// Two more seconds on its brakes, so that nothing swings any more.
+// Lets two more seconds pass with brakes on, until nothing oscillates any more.
 inline void settle(Vehicle& vehicle) {
   for (int i = 0; i < 20; ++i) vehicle.advance(exchange_period);
 }
 
-// From the vehicle's axes to those of a site on level ground, where it stands near the origin.
+// Rotation from the vehicle's axes to those of a site on level ground, near the site's origin.
 inline Mat3 attitude(const VehicleReport& report) {
   const Mat3 yaw = Eigen::AngleAxisd(report.yaw_rad, Vec3::UnitZ()).toRotationMatrix();
   const Mat3 pitch = Eigen::AngleAxisd(-report.pitch_rad, Vec3::UnitY()).toRotationMatrix();
@@ -40,7 +40,7 @@ inline std::map<std::string, double> wheel_loads_n(Vehicle& vehicle) {
     // Spin does not move the rim's lowest point.
     if (turns && !link.wheel) R_SL[i] *= Eigen::AngleAxisd(joints[i], link.axis).toRotationMatrix();
     if (!link.wheel) continue;
-    // The lowest point of a leaning disc.
+    // Height of the lowest point of a leaning disc below its centre: r sqrt(1 - lean^2).
     const double lean = R_SL[i].col(1).z();
     const double depth_m = link.wheel->radius_m * std::sqrt(1 - lean * lean) - p_S_m[i].z();
     loads_n[link.name] = std::max(0.0, depth_m) * link.wheel->normal_stiffness_npm;

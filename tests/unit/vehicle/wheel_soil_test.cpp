@@ -14,8 +14,8 @@ namespace {
 
 constexpr double g_moon_mps2 = 1.62;
 
-// Worked by hand for a wheel of the Apollo LRV (b 0.229 m, D 0.813 m, 283.5 N) on nominal lunar
-// soil, with soil shearing on soil.
+// A wheel of the Apollo LRV (b 0.229 m, D 0.813 m, 283.5 N) on nominal lunar soil, with soil
+// shearing on soil; reference values are computed manually.
 constexpr double lrv_load_n = 283.5;
 Wheel lrv_wheel() {
   return {.radius_m = 0.4065,
@@ -43,7 +43,7 @@ WheelContactInput rolling(double slip) {
 
 TEST(WheelSoil, steady_thrust_is_wong_and_reeces_integral_under_even_pressure) {
   // Second method: shear stress integrated over the contact angle, with the displacement
-  // j(theta) = R ((theta1 - theta) - (1 - s)(sin theta1 - sin theta)) of Wong and Reece (1967).
+  //  j(theta) = R ((theta1 - theta) - (1 - s)(sin theta1 - sin theta)) of Wong and Reece (1967).
   const Soil soil = test::soil();
   const double R = lrv_wheel().radius_m;
   for (const double slip : {0.1, 0.3, 0.6, 0.9}) {
@@ -61,7 +61,7 @@ TEST(WheelSoil, steady_thrust_is_wong_and_reeces_integral_under_even_pressure) {
 }
 
 TEST(WheelSoil, a_towed_wheel_is_pulled_with_its_compaction_resistance) {
-  // Where the axle has no torque the drawbar pull is the work of the rut alone.
+  // With no torque at the axle, the drawbar pull is the work of the rut alone.
   double low = -0.3, high = 0.1;
   for (int i = 0; i < 60; ++i) {
     const double slip = (low + high) / 2;
@@ -70,7 +70,7 @@ TEST(WheelSoil, a_towed_wheel_is_pulled_with_its_compaction_resistance) {
   const SingleWheelPoint towed = single_wheel(lrv(), lrv_load_n, low, 0);
   EXPECT_LT(low, 0);
   EXPECT_GT(low, -0.05);
-  // 31.98 N by hand at the static sinkage.
+  // 31.98 N is the manually computed resistance at the static sinkage.
   EXPECT_NEAR(-towed.drawbar_pull_n, 31.98, 1.5);
 }
 
@@ -150,8 +150,8 @@ TEST(SoilFault, names_what_a_soil_cannot_carry) {
 }
 
 TEST(WheelSoil, ploughing_is_rankines_passive_pressure_on_a_wide_face) {
-  // By hand: Kp = tan^2(45 + 35/2 deg) = 3.690; gamma = 1520 x 1.62 = 2462.4 N/m3; at 0.1 m deep
-  // and 10 m wide 10 (2462.4 x 0.01 x 3.690 / 2 + 2 x 170 x 0.1 x 1.921) = 1107.4 N, and the
+  // Manual computation: Kp = tan^2(45 + 35/2 deg) = 3.690; gamma = 1520 x 1.62 = 2462.4 N/m3; 0.1 m
+  // deep and 10 m wide 10 (2462.4 x 0.01 x 3.690 / 2 + 2 x 170 x 0.1 x 1.921) = 1107.4 N, and the
   // wedge's ends add 0.5 x 1.921 x 0.1 m to the width: 1 %.
   EXPECT_NEAR(lrv().ploughing_n(10, 0.1), 1107.4 * 1.0096, 1);
 }

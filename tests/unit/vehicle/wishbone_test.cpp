@@ -46,7 +46,8 @@ TEST(Wishbone, carries_an_uneven_load_level) {
   const auto ground = test::moon();
   Vehicle vehicle(config, *ground);
   ASSERT_EQ(vehicle.place(start, 0), "");
-  // What is left are the wheels' unequal depths in the ground, millimetres over metres.
+  // The remaining tilt is due to unequal depths of the wheels in the ground, millimetres over
+  // metres.
   EXPECT_NEAR(vehicle.report().pitch_rad, 0, 2e-3);
   EXPECT_NEAR(vehicle.report().roll_rad, 0, 2e-3);
   EXPECT_NEAR(test::sum(test::wheel_loads_n(vehicle)), config.mass_kg() * g, 10);

@@ -1,4 +1,4 @@
-// Where rasters end before the horizon that counts.
+// Tests where rasters end before the distance up to which ground can matter.
 #include "view/ground/ground_end.h"
 
 #include "base/units.h"
@@ -61,7 +61,7 @@ TEST(GroundEnd, is_at_a_hole_too) {
   EXPECT_NEAR(across->reaches_m, 150, 12);
   EXPECT_FALSE(probe.between({0, 0, 2}, {0, -400, 2}));
   EXPECT_FALSE(probe.between({0, 0, 2}, {0, 100, 2}));
-  // Far over all ground that may stand there.
+  // Far above all ground that may stand there.
   EXPECT_FALSE(probe.between({0, 0, 2}, {0, 400, 4000}));
 }
 
@@ -81,7 +81,7 @@ Ground degrees_of_moon(int columns) {
   return ground_of(raster);
 }
 
-// A raster that covers the body goes on there.
+// A raster that covers the body continues beyond the reach of the site.
 TEST(GroundEnd, is_not_where_the_reach_of_the_site_ends) {
   for (const bool has_end : {false, true}) {
     const Ground ground = degrees_of_moon(has_end ? 238 : 360);
@@ -97,7 +97,7 @@ TEST(GroundEnd, is_not_where_the_reach_of_the_site_ends) {
   }
 }
 
-// The body goes on beneath the raster's end: a hill does not see the Sun through it.
+// The body continues beyond the raster's end, so that a hill does not see the Sun through it.
 TEST(GroundEnd, night_falls_on_a_hill_of_a_small_raster) {
   const Ground ground = ground_of(kilometre([](double east_m, double north_m) {
     return std::max(0.0, 200 - 0.6 * std::hypot(east_m, north_m));

@@ -1,4 +1,4 @@
-// Looks at the ground for pictures: coarser with distance, without an edge.
+// Level of detail of ground in pictures: coarser with distance, without an edge.
 #include "view/ground/ground_ladder.h"
 
 #include "unit/terrain/ground_fixture.h"

@@ -13,7 +13,7 @@ TEST(HighestGround, a_line_over_13_degrees_passes_under_all_ground) {
   EXPECT_TRUE(passes_under_ground(site, at(0), at(13.6)));
   EXPECT_TRUE(passes_under_ground(site, at(100), at(-100)));
   EXPECT_FALSE(passes_under_ground(site, at(0), at(0)));
-  // Away from the body it is the nearer end that is lowest.
+  // Beyond the body the nearer end of the line is its lowest point.
   EXPECT_FALSE(passes_under_ground(site, at(0), site.p_S_m(geodetic_from_degrees(0, 0, 1e8))));
 }
 

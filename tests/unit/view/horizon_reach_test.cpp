@@ -1,4 +1,4 @@
-// How far away ground counts, against known relief and against a search.
+// How far away ground can matter, against known relief and against a search.
 #include "view/ground/horizon_reach.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(HorizonReach, no_known_relief_is_greater) {
   }
 }
 
-// The greatest distance at which such ground stands over the ray, looked for metre by metre.
+// The greatest distance at which such ground stands above the ray, by a search in small steps.
 double searched_m(const Body& body, double eye_m, double elevation_rad) {
   double farthest_m = 0;
   for (double d_m = 1; d_m < 700e3; d_m *= 1.0005) {
@@ -56,7 +56,7 @@ TEST(HorizonReach, is_none_for_a_high_sun) {
   EXPECT_EQ(horizon_reach_m(moon, 0, radians(90)), 0);
   // Level rays: 10.8 km of ground sink below the horizon at sqrt(2 R H).
   EXPECT_NEAR(horizon_reach_m(moon, 0, 0), std::sqrt(2 * 1737400.0 * 10800), 1);
-  // From high over all ground nothing hides what is level.
+  // From high above all ground nothing hides a level ray.
   EXPECT_EQ(horizon_reach_m(moon, 20e3, 0), 0);
 }
 

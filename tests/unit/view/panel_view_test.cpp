@@ -1,4 +1,4 @@
-// Panels in shadow, against closed cases and rays through boxes.
+// Panels in shadow, against cases in closed form and rays through boxes.
 #include "view/exposure/panel_view.h"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ Mesh mesh_of(const std::vector<Box>& boxes) {
   return mesh;
 }
 
-// A ray's passage between each pair of faces.
+// Slab test: intersects the ray's intervals between each pair of faces.
 bool hits(const Box& box, const Vec3& from, const Vec3& towards) {
   const Vec3 p = box.R.transpose() * (from - box.p_m), d = box.R.transpose() * towards;
   double low = 1e-3, high = 1e9;
@@ -67,8 +67,8 @@ class PanelInView : public ::testing::Test {
   PanelView view{gpu};
 };
 
-// A wall halfway to the viewer, its edge a quarter from the middle: in perspective it hides what
-// lies beyond a half. Behind the viewer, or within the margins, it hides nothing.
+// A wall halfway to the viewer, whose edge is a quarter from the middle, hides in perspective what
+// lies beyond a half of the panel. Behind the viewer, or within the margins, it hides nothing.
 TEST_F(PanelInView, from_near_by_is_seen_in_perspective) {
   const PanelFace panel{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()};
   const auto seen = [&](double wall_m, const ViewMargins& margins) {
@@ -104,7 +104,7 @@ TEST_F(PanelInView, is_dark_behind_something_large_at_any_distance) {
   for (const double far_m : {1.0, 100.0, 10000.0, 100000.0}) {
     const Box plate{{1, 3, 3}, Mat3::Identity(), {far_m, 0, 2}};
     EXPECT_EQ(share(panel, {plate}, Vec3::UnitX()), 0) << far_m;
-    // Half a panel's width aside.
+    // The plate is moved so that its edge is at the middle of the panel.
     const Box aside{{1, 3, 3}, Mat3::Identity(), {far_m, 1.5, 2}};
     EXPECT_NEAR(share(panel, {aside}, Vec3::UnitX()), 0.5, 0.02) << far_m;
   }
@@ -142,7 +142,8 @@ TEST_F(PanelInView, is_as_dark_as_rays_through_boxes_say) {
   EXPECT_LT(worst, 0.03);
 }
 
-// Of 16 panels each among boxes and over rough ground, under suns down to the horizon.
+// Visible shares of 16 panels, each among boxes and over rough ground, under suns down to the
+// horizon.
 std::vector<double> shares_on(GpuChoice choice, std::string& device) {
   const Gpu gpu(choice);
   device = gpu.name();
@@ -175,7 +176,7 @@ std::vector<double> shares_on(GpuChoice choice, std::string& device) {
   return shares;
 }
 
-// Of two devices where the machine has a GPU; else of Mesa with itself, which is to the bit.
+// Compares two devices if the machine has a GPU; otherwise Mesa with itself, which is exact.
 TEST(PanelOnDevices, is_seen_alike) {
   std::string device, mesa;
   const std::vector<double> here = shares_on(GpuChoice::any, device);
@@ -208,9 +209,9 @@ TEST_F(PanelInView, is_the_same_alone_and_among_many_directions) {
   }
 }
 
-// A straight edge moves across the Sun: the light follows the area of the disc's segment. The panel
-// is small, so that each direction is seen or not: 64 of them miss by 64^(-3/4) of the disc at
-// most.
+// As a straight edge moves across the Sun, the light follows the area of the disc's segment. The
+// panel is so small that each direction is either seen or not: 64 of them err by at most 64^(-3/4)
+// of the disc.
 TEST_F(PanelInView, has_a_penumbra_behind_a_ridge) {
   const double radius_rad = 0.2666 * deg, far_m = 20000, elevation_rad = 1.5 * deg;
   const PanelFace panel{{0, 0, 1}, {0, 0.05, 0}, {0, 0, 0.05}};
@@ -243,8 +244,8 @@ TEST(DiscSamples, are_even_over_the_disc) {
     }
     EXPECT_NEAR(weights, 1, 1e-12);
     EXPECT_LT((mean - Vec3(1, 2, 3).normalized()).norm(), 0.05 * radius_rad);
-    // Mean square distance from the centre of a uniform disc: half its radius squared; of a darker
-    // limb less.
+    // The mean square distance from the centre of a uniform disc is half its radius squared; with a
+    // darker limb it is less.
     if (darkening == LimbDarkening::none) {
       EXPECT_NEAR(square / (radius_rad * radius_rad), 0.5, 0.01);
     } else {

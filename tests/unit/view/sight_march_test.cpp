@@ -17,13 +17,13 @@ Ground level(const char* body) {
   return {spec, SiteFrame(*find_body(body), {10 * deg, 20 * deg, 0}), 0};
 }
 
-// North of the site, as far along the surface.
+// The point at that distance north of the site along the surface.
 Vec3 north_S_m(const Ground& ground, double away_m, double height_m) {
   const double radius_m = ground.site().body().equatorial_radius_m;
   return ground.site().p_S_m({10 * deg, 20 * deg + away_m / radius_m, height_m});
 }
 
-// Where two heights just see each other over a sphere without ground above it, by bisection.
+// Distance at which two heights just see each other over a smooth sphere, by bisection.
 double farthest_m(const Ground& ground, double h1_m, double h2_m) {
   SightMarch march(ground);
   double low_m = 0, high_m = 100e3;
@@ -71,7 +71,7 @@ TEST(SightMarch, is_hidden_by_a_wall_and_free_just_over_it) {
     crest = place;
   }
   ASSERT_GT(crest_m, 100);
-  // Level at the crest: a line from side to side that clears it by a metre, or not.
+  // A line from side to side, level at the crest and `over_m` above it.
   const auto past = [&](double over_m) {
     const Vec3 top_S_m = ground.site().p_S_m({crest.lon_rad, crest.lat_rad, crest_m + over_m});
     const Vec3 north_S = ground.site().north_S(top_S_m);

@@ -1,4 +1,4 @@
-// Ground in front of the Sun, against rays marched over the ground.
+// Ground that hides the Sun, against rays marched over the ground.
 #include "view/exposure/sun_column.h"
 
 #include <gmock/gmock.h>
@@ -45,13 +45,13 @@ double share_by_drawing(PanelView& view, const Ground& ground, const PanelFace& 
   return seen;
 }
 
-// The ground near by as it is, far away without what is small.
+// The ground near by in full detail, farther away without small detail.
 struct Probes {
   explicit Probes(const Ground& ground) : near(ground), middle(ground, 8), far(ground, 100) {}
   Ground::Probe near, middle, far;
 };
 
-// Steps of a 500th of the way, or a part of what the ray is above the ground.
+// Steps are 1/500 of the distance, or 0.3 of the ray's height above the ground if that is more.
 bool is_lit(Probes& probes, const Vec3& from_S_m, const Vec3& towards) {
   for (double way_m = 0.05; way_m < 150e3;) {
     Ground::Probe& probe = way_m < 100 ? probes.near : way_m < 3000 ? probes.middle : probes.far;
@@ -68,7 +68,7 @@ Vec3 direction(double azimuth_rad, double elevation_rad) {
           std::cos(elevation_rad) * std::cos(azimuth_rad), std::sin(elevation_rad)};
 }
 
-// Where the sky begins.
+// Elevation at which the sky begins.
 double horizon_rad(const Ground& ground, const Vec3& from_S_m, double azimuth_rad) {
   Probes probes(ground);
   double low = -0.1, high = 1;
@@ -112,7 +112,7 @@ TEST(SunColumn, hides_what_marched_rays_do_not_reach) {
     const Vec3 place(1500 * (unit(random) - 0.5), 1500 * (unit(random) - 0.5), 0);
     const GroundSample under = probe.sample(place);
     const double azimuth = 2 * std::numbers::pi * unit(random);
-    // Upright, towards the Sun, 2 m above the ground; the disc about the horizon.
+    // An upright panel that faces the Sun, 2 m above the ground, with the disc near the horizon.
     PanelFace panel;
     panel.centre_m = place - (under.gap_m - 2) * under.up_S;
     const double above_rad = (3 * unit(random) - 1.5) * disc_rad;
@@ -132,7 +132,8 @@ TEST(SunColumn, hides_what_marched_rays_do_not_reach) {
   EXPECT_GT(partly, 10);
 }
 
-// On a bare sphere the Sun sets where the horizon is: at a height h, sqrt(2 h / R) under the level.
+// On a smooth sphere the Sun sets at the horizon, which from a height h is sqrt(2 h / R) below
+// level.
 TEST(SunColumn, has_the_horizon_of_a_sphere) {
   TerrainSpec spec;
   spec.layers = {PlaneSurface{}};

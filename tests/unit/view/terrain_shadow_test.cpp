@@ -66,7 +66,7 @@ TEST(TerrainShadow, is_where_marching_has_it) {
   }
 }
 
-// A range on the horizon that hides the disc's lower part, over rough ground near by.
+// A mountain range on the horizon hides the disc's lower part, over rough ground near by.
 TEST(TerrainShadow, of_a_range_far_away_hides_a_part_of_the_disc) {
   TerrainSpec spec = bowl_and_hill();
   std::get<ReliefSurface>(spec.layers[0])
@@ -146,7 +146,7 @@ class SmallRaster {
       std::filesystem::temp_directory_path() / ("lsos-shadow-" + std::to_string(::getpid()));
 };
 
-// A raster's end is no cliff: where no ground is known the Sun shines on what is drawn there.
+// The end of a raster is no cliff: where no ground is known the Sun shines on what is drawn there.
 TEST(TerrainShadow, leaves_light_where_no_ground_is_known) {
   const SmallRaster raster;
   TerrainSpec spec;

@@ -45,7 +45,7 @@ TEST(Viewshed, ends_at_the_horizon_of_a_sphere_and_is_endless_when_flat) {
   }
 }
 
-// A map that lies all to one side of the observer, and one around it.
+// A map that lies entirely to one side of the observer, and a place within it.
 TEST(Viewshed, looks_only_where_the_map_lies) {
   const Body& moon = *find_body("Moon");
   const MapGrid grid = grid_of_window(moon, {10, 20, 11, 21}, 500);
@@ -61,7 +61,7 @@ TEST(Viewshed, looks_only_where_the_map_lies) {
   EXPECT_EQ(within.nearest_m, 0);
 }
 
-// The ground of a map's cells.
+// Sets the heights of a map's cells to those of the ground.
 void find_heights(const Ground& ground, MapHeights& heights) {
   for (int row = 0; row < heights.rows(); ++row) {
     std::span<float> heights_m = heights.row(row);
@@ -78,9 +78,10 @@ struct GlobalCase {
   MapWindow window;
 };
 
-// A global raster in degrees: within it, over its seam, about a pole. Of 400 cells of each map 99.5
-// % were alike or more; of those within 8 degrees of the observer alone 98.0 %, all of them edges:
-// lines know the smooth ground, whose crests are higher than the map's, linear between cells.
+// A global raster in degrees: inside it, across its seam, around a pole. At least 99.5 % of 400
+// cells of each map agreed; within 8 degrees of the observer 98.0 %. All differences are at edges:
+// the marched lines use the smooth ground, whose crests are higher than those of the map, which is
+// linear between cells.
 TEST(Viewshed, of_a_global_raster_is_what_lines_one_by_one_say) {
   LSOS_NEEDS_REFERENCE("dem/moon/LDEM_4.LBL");
   TerrainSpec spec;
