@@ -39,8 +39,8 @@ class StandingRover : public lsos::RoverPort {
   const lsos::RoverView& view() const override { return view_; }
   lsos::DriveState drive() const override { return {}; }
   void follow(const lsos::Path3&, const lsos::FollowSettings&) override {}
-  lsos::PlannedWay plan_path(const lsos::Path3&, std::int64_t,
-                             const lsos::RouteSettings&) override {
+  lsos::PlannedRoute plan_path(const lsos::Path3&, std::int64_t,
+                               const lsos::RouteSettings&) override {
     return {};
   }
   lsos::Vec3 ahead_S_m(double) const override { return lsos::Vec3::Zero(); }

@@ -109,7 +109,7 @@ void sight(benchmark::State& state, double distance_m, bool is_new) {
   };
   double y_m = 0, seen = 0;
   for (auto _ : state) {
-    seen += between.ornament_share(antenna(0, y_m, 4), antenna(distance_m, 0, 10), {});
+    seen += between.target_share(antenna(0, y_m, 4), antenna(distance_m, 0, 10), {});
     if (is_new) y_m += 4;
   }
   state.counters["seen"] = benchmark::Counter(seen, benchmark::Counter::kAvgIterations);
@@ -123,7 +123,7 @@ void picture(benchmark::State& state) {
     const lsos::Ground terrain(cratered(1e4), site, 1);
     const Vec3 under_m(0, 0, -lsos::Ground::Probe(terrain).sample(Vec3::Zero()).gap_m);
     const lsos::Camera camera =
-        lsos::look(under_m + Vec3(-9, -4, 4), under_m + Vec3::UnitZ(), Vec3::UnitZ());
+        lsos::camera_towards(under_m + Vec3(-9, -4, 4), under_m + Vec3::UnitZ(), Vec3::UnitZ());
     const lsos::TerrainShadow shadow(terrain, camera.eye_S_m, sun, disc_rad,
                                      sector_of(site, camera));
     lsos::Scene scene;

@@ -53,11 +53,11 @@ std::vector<Fault> Faults::sorted() const {
   // A fault in a script is found by everything that names the script; it is listed once.
   std::vector<Fault> sorted;
   for (const Fault& fault : faults_) {
-    const bool is_told = std::ranges::any_of(sorted, [&](const Fault& told) {
-      return told.place == fault.place && told.severity == fault.severity &&
-             told.what == fault.what;
+    const bool is_listed = std::ranges::any_of(sorted, [&](const Fault& listed) {
+      return listed.place == fault.place && listed.severity == fault.severity &&
+             listed.what == fault.what;
     });
-    if (!is_told) sorted.push_back(fault);
+    if (!is_listed) sorted.push_back(fault);
   }
   std::ranges::stable_sort(sorted, {}, &Fault::place);
   return sorted;
@@ -106,7 +106,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
   return nearest == nullptr ? "" : fmt::format("; did you mean '{}'?", *nearest);
 }
 
-void broken_promise(const char* condition, const char* file, int line) {
+void assertion_failed(const char* condition, const char* file, int line) {
   throw InternalError(fmt::format("{}:{}: broken promise: {}", file, line, condition));
 }
 

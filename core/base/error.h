@@ -68,7 +68,7 @@ int edit_distance(std::string_view a, std::string_view b);
 // names longer than 64 bytes.
 std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
-[[noreturn]] void broken_promise(const char* condition, const char* file, int line);
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 
 // An assertion of the program failed (checked in every build): exit code 3.
 class InternalError : public std::logic_error {
@@ -78,4 +78,4 @@ class InternalError : public std::logic_error {
 }  // namespace lsos
 
 #define LSOS_ASSERT(condition) \
-  ((condition) ? void() : ::lsos::broken_promise(#condition, __FILE__, __LINE__))
+  ((condition) ? void() : ::lsos::assertion_failed(#condition, __FILE__, __LINE__))

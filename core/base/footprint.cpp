@@ -19,20 +19,20 @@ double reach_m(const Footprint& f, const Vec2& along_S) {
 }  // namespace
 
 Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, const Vec2& ahead_S,
-                const Vec2& reach_S_m) {
+                const Vec2& travel_S_m) {
   Footprint f;
   f.ahead_S = ahead_S;
   f.center_S_m = p_S_m + at_rest.center_S_m.x() * f.ahead_S +
-                 at_rest.center_S_m.y() * left_of(f.ahead_S) + reach_S_m / 2;
+                 at_rest.center_S_m.y() * left_of(f.ahead_S) + travel_S_m / 2;
   f.half_m =
       at_rest.half_m +
-      Vec2(std::abs(reach_S_m.dot(f.ahead_S)), std::abs(reach_S_m.dot(left_of(f.ahead_S)))) / 2;
+      Vec2(std::abs(travel_S_m.dot(f.ahead_S)), std::abs(travel_S_m.dot(left_of(f.ahead_S)))) / 2;
   return f;
 }
 
 Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, double yaw_rad,
-                const Vec2& reach_S_m) {
-  return moved(at_rest, p_S_m, Vec2(std::cos(yaw_rad), std::sin(yaw_rad)), reach_S_m);
+                const Vec2& travel_S_m) {
+  return moved(at_rest, p_S_m, Vec2(std::cos(yaw_rad), std::sin(yaw_rad)), travel_S_m);
 }
 
 double gap_m(const Footprint& a, const Footprint& b) {

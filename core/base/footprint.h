@@ -14,11 +14,11 @@ struct Footprint {
 };
 
 // Moves a footprint, whose reference point is at the origin and which heads along x, to a position
-// and heading (unit vector). `reach_S_m` stretches it to what it covers while it travels that far.
+// and heading (unit vector). `travel_S_m` stretches it to what it covers while it travels that far.
 Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, const Vec2& ahead_S,
-                const Vec2& reach_S_m = Vec2::Zero());
+                const Vec2& travel_S_m = Vec2::Zero());
 Footprint moved(const Footprint& at_rest, const Vec2& p_S_m, double yaw_rad,
-                const Vec2& reach_S_m = Vec2::Zero());
+                const Vec2& travel_S_m = Vec2::Zero());
 
 // Distance along the separating axis with the widest gap, m; negative when they overlap.
 double gap_m(const Footprint& a, const Footprint& b);

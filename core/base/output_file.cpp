@@ -19,21 +19,21 @@ void check_output(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings, const std::vector<std::string>& inputs,
                   Faults& faults) {
   if (file.empty()) return;
-  const std::string asked = fmt::format("{} {}", option, file);
+  const std::string shown = fmt::format("{} {}", option, file);
   if (std::ranges::none_of(endings, [&](const auto& end) { return file.ends_with(end); })) {
-    faults.error({}, fmt::format("{}: the name must end in {}", asked, fmt::join(endings, " or ")));
+    faults.error({}, fmt::format("{}: the name must end in {}", shown, fmt::join(endings, " or ")));
   }
   const fs::path folder = fs::path(file).parent_path();
   if (!folder.empty() && !fs::is_directory(folder)) {
-    faults.error({}, fmt::format("{}: there is no folder {}", asked, folder.string()));
+    faults.error({}, fmt::format("{}: there is no folder {}", shown, folder.string()));
   } else if (::access(folder.empty() ? "." : folder.c_str(), W_OK | X_OK) != 0) {
     faults.error({},
-                 fmt::format("{}: the folder cannot be written: {}", asked, std::strerror(errno)));
+                 fmt::format("{}: the folder cannot be written: {}", shown, std::strerror(errno)));
   }
   for (const std::string& input : inputs) {
     std::error_code is_absent;
     if (!fs::equivalent(file, input, is_absent)) continue;
-    faults.error({}, fmt::format("{}: the command reads this file; another name is wanted", asked));
+    faults.error({}, fmt::format("{}: the command reads this file; another name is wanted", shown));
   }
 }
 

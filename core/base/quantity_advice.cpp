@@ -109,7 +109,7 @@ std::vector<std::string> meanings(std::string_view number) {
   return found;
 }
 
-std::string asked(const std::vector<std::string>& texts) {
+std::string as_question(const std::vector<std::string>& texts) {
   if (texts.empty()) return "";
   std::string all;
   for (const std::string& text : texts) {
@@ -142,7 +142,7 @@ std::string clock_advice(std::string_view text) {
     if (seconds > 0 || duration == "PT") duration += fmt::format("{}S", seconds);
     return duration;
   };
-  if (parts.size() == 3) return asked({iso(parts[0], parts[1], parts[2])});
+  if (parts.size() == 3) return as_question({iso(parts[0], parts[1], parts[2])});
   return fmt::format("; did you mean '{}' (hours and minutes) or '{}' (minutes and seconds)?",
                      iso(parts[0], parts[1], 0), iso(0, parts[0], parts[1]));
 }
@@ -196,7 +196,7 @@ std::string several_parts(std::string_view text, const Unit& wanted) {
     before = unit->symbol;
     text.remove_prefix(next);
   }
-  return asked({whole});
+  return as_question({whole});
 }
 
 // Suggestion for a gradient in percent given as an angle.
@@ -205,7 +205,7 @@ std::string gradient_advice(std::string_view number) {
   for (const std::string& each : meanings(number)) {
     angles.push_back(fmt::format("{:.4g} deg", degrees(std::atan(*plain_number(each) / 100))));
   }
-  return asked(angles);
+  return as_question(angles);
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ std::string quantity_advice(std::string_view text, const Unit& wanted) {
   if (is_duration) {
     std::string iso = plain;
     std::ranges::transform(iso, iso.begin(), [](unsigned char c) { return std::toupper(c); });
-    if (iso != plain && iso.starts_with('P') && parse_iso_duration(iso)) return asked({iso});
+    if (iso != plain && iso.starts_with('P') && parse_iso_duration(iso)) return as_question({iso});
     if (std::string clock = clock_advice(plain); !clock.empty()) return clock;
   }
   const std::size_t end = number_end(plain);
@@ -229,9 +229,10 @@ std::string quantity_advice(std::string_view text, const Unit& wanted) {
   if (!part) return "";
   // Where the number is right and the unit has the size that was meant, its symbol is enough.
   const bool is_number_right = plain_number(std::string(text.substr(0, end))).has_value();
-  if (!is_number_right) return asked(part->texts);
+  if (!is_number_right) return as_question(part->texts);
   if (word.empty() || word == part->symbol) return "";
-  return spelled_unit(word, wanted.kind)->factor == 1 ? asked({part->symbol}) : asked(part->texts);
+  return spelled_unit(word, wanted.kind)->factor == 1 ? as_question({part->symbol})
+                                                      : as_question(part->texts);
 }
 
 std::string unit_advice(std::string_view symbol, std::string_view kind) {
@@ -244,7 +245,7 @@ std::string unit_advice(std::string_view symbol, std::string_view kind) {
       found.emplace_back(unit.symbol);
     }
   }
-  return asked(found);
+  return as_question(found);
 }
 
 std::string whole_number_advice(std::string_view text) {
@@ -258,7 +259,7 @@ std::string whole_number_advice(std::string_view text) {
       whole.push_back(fmt::format("{:.0f}", value));
     }
   }
-  return asked(whole);
+  return as_question(whole);
 }
 
 }  // namespace lsos

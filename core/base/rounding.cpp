@@ -12,7 +12,7 @@ double with_decimals(double value, int decimals) {
   return rounded == 0 ? 0 : rounded;  // no -0
 }
 
-double asked_deg(double angle_deg) { return with_decimals(angle_deg, 12); }
+double entered_deg(double angle_deg) { return with_decimals(angle_deg, 12); }
 
 double computed(double value) { return with_decimals(value, 9); }
 

@@ -228,11 +228,11 @@ std::string in_small_letters(std::string_view text) {
 
 // Removes or unifies what is written in several forms.
 std::string bare(std::string text) {
-  constexpr std::pair<const char*, const char*> ways[] = {
+  constexpr std::pair<const char*, const char*> spellings[] = {
       {"\u00b2", "2"}, {"\u00b3", "3"}, {"\u207b\u00b9", "-1"}, {"^", ""},
       {" per ", "/"},  {" / ", "/"},    {"\u00b7", ""},         {"*", ""},
       {".", ""},       {" ", ""}};
-  for (const auto& [from, to] : ways) text = replaced(std::move(text), from, to);
+  for (const auto& [from, to] : spellings) text = replaced(std::move(text), from, to);
   return text;
 }
 

@@ -15,12 +15,12 @@ void WorkerPool::serve() {
   while (true) {
     begin_.arrive_and_wait();
     if (is_ending_) return;
-    take_all();
+    run_pending();
     end_.arrive_and_wait();
   }
 }
 
-void WorkerPool::take_all() {
+void WorkerPool::run_pending() {
   for (std::size_t i = next_++; i < count_; i = next_++) {
     try {
       (*work_)(i);
@@ -41,7 +41,7 @@ void WorkerPool::for_each(std::size_t count, const std::function<void(std::size_
   next_ = 0;
   errors_.assign(count, nullptr);
   begin_.arrive_and_wait();
-  take_all();
+  run_pending();
   end_.arrive_and_wait();
   for (const std::exception_ptr& error : errors_) {
     if (error) std::rethrow_exception(error);

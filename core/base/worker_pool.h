@@ -23,7 +23,7 @@ class WorkerPool {
 
  private:
   void serve();
-  void take_all();
+  void run_pending();
 
   std::size_t count_ = 0;
   const std::function<void(std::size_t)>* work_ = nullptr;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driving/corner.h"
+#include "driving/fillet.h"
 
 namespace lsos {
 
@@ -22,12 +22,12 @@ class LineBuilder {
   LineBuilder(const DrivingLimits& limits, const Vec2& start) : limits_(limits), at_(start) {}
 
   void go_to(const Vec2& point, double curvature_1pm) {
-    const Vec2 way = point - at_;
-    const double length_m = way.norm();
+    const Vec2 step_m = point - at_;
+    const double length_m = step_m.norm();
     if (length_m < 1e-9) return;
     const double speed_mps =
         curvature_1pm == 0 ? limits_.speed_mps : arc_speed_mps(1 / std::abs(curvature_1pm));
-    legs_.push_back({at_, way / length_m, length_m, along_m_, curvature_1pm, speed_mps,
+    legs_.push_back({at_, step_m / length_m, length_m, along_m_, curvature_1pm, speed_mps,
                      limits_.speed_mps, false});
     along_m_ += length_m;
     at_ = point;
@@ -42,7 +42,7 @@ class LineBuilder {
     // This corner may use half of the next side; the rest belongs to the next corner.
     const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
     double radius_m =
-        corner_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.corner_offset_m);
+        fillet_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.fillet_offset_m);
     if (radius_m < limits_.radius_min_m) {
       const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
       if (limits_.can_turn_on_spot || !has_room) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mission/ahead/equipment_ahead.h"
+#include "mission/ahead/equipment_warnings.h"
 #include "mission/model/site.h"
 #include "planet/ellipsoid.h"
 
@@ -33,11 +33,11 @@ Simulation::Simulation(SimulationSetup setup)
   }
   check_soil();
   legs_ = std::make_unique<PlannedLegs>(*ground_, setup_.plan.mission.seed);
-  legs_->recall(setup_.kept_legs);
-  stand_assets();
+  legs_->recall(setup_.cached_legs);
+  place_assets();
   build();
   place_rovers();
-  plan_ways();
+  plan_routes();
   make_light();
   make_sight();
 }
@@ -79,19 +79,19 @@ void Simulation::build() {
                        SimTime{},
                        {},
                        true});
-    if (ways_ahead_.empty()) continue;
-    rovers_.back().agent->routes().set_ahead(ways_ahead_[rovers_.size() - 1].legs);
+    if (routes_ahead_.empty()) continue;
+    rovers_.back().agent->routes().set_ahead(routes_ahead_[rovers_.size() - 1].legs);
   }
 }
 
 void Simulation::place_rovers() {
   Faults faults;
-  const auto plans_its_way = [&](const PlanEvent& event) {
+  const auto plans_its_route = [&](const PlanEvent& event) {
     try {
       return host_->route_settings(event.type, {event.params, {}}, machine_.mission.start_time)
           .has_value();
     } catch (const ScriptError&) {
-      return false;  // plan_ways() reports it
+      return false;  // plan_routes() reports it
     }
   };
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
@@ -100,9 +100,9 @@ void Simulation::place_rovers() {
     } catch (const InputError& error) {
       faults.add(error.faults());
     }
-    faults.add(site_faults(machine_.rovers[i], *ground_, plans_its_way));
+    faults.add(site_faults(machine_.rovers[i], *ground_, plans_its_route));
   }
-  if (!faults.has_errors()) find_things_in_each_other(faults);
+  if (!faults.has_errors()) check_starts_overlap(faults);
   throw_with_advice(faults);
 }
 
@@ -113,31 +113,31 @@ void Simulation::throw_with_advice(Faults& faults) const {
   throw InputError(faults.sorted());
 }
 
-void Simulation::plan_ways() {
+void Simulation::plan_routes() {
   if (!setup_.plans_ahead) return;
   Faults faults;
-  ways_ahead_.resize(rovers_.size());
+  routes_ahead_.resize(rovers_.size());
   for (std::size_t i = 0; i < rovers_.size(); ++i) {
     RoverAgent& agent = *rovers_[i].agent;
     RouteAhead ahead = plan_ahead(machine_.rovers[i], machine_.mission, agent.view().heading_rad,
                                   *host_, *ground_, agent.routes(), sources_, setup_.on_planning);
     faults.add(ahead.faults);
     const PlanRover& rover = machine_.rovers[i].rover;
-    faults.add(equipment_ahead(machine_.rovers[i], machine_.mission,
-                               setup_.rover_models.at(rover.model()), *host_, ground_->site()));
-    ways_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed),
-                      std::move(ahead.drawn)};
-    agent.routes().set_ahead(ways_ahead_[i].legs);
+    faults.add(equipment_warnings(machine_.rovers[i], machine_.mission,
+                                  setup_.rover_models.at(rover.model()), *host_, ground_->site()));
+    routes_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed),
+                        std::move(ahead.drawn)};
+    agent.routes().set_ahead(routes_ahead_[i].legs);
   }
   // Legs are kept also when one has no route: finding that out takes longest.
-  if (setup_.keep_legs) setup_.keep_legs(legs_->kept());
+  if (setup_.cache_legs) setup_.cache_legs(legs_->kept());
   throw_with_advice(faults);
-  way_faults_ = faults.sorted();
+  route_faults_ = faults.sorted();
 }
 
 std::vector<Fault> Simulation::advice() const {
   std::vector<Fault> advice = ground_->advice();
-  advice.insert(advice.end(), way_faults_.begin(), way_faults_.end());
+  advice.insert(advice.end(), route_faults_.begin(), route_faults_.end());
   for (const RoverMachine& rover : machine_.rovers) {
     const std::vector<Fault> coarse = coarse_ground(rover, *ground_);
     if (coarse.empty()) continue;
@@ -153,9 +153,9 @@ void Simulation::start() {
     rover.agent->observe();
   }
   // Sunlight and sight are evaluated first, so that the first decisions of scripts know them.
-  if (light_) watch_the_sun();
-  if (sight_) watch_sight();
-  for (Rover& rover : rovers_) rover.agent->find_flows();
+  if (light_) update_sunlight();
+  if (sight_) update_sight();
+  for (Rover& rover : rovers_) rover.agent->update_flows();
   exchange();
 }
 
@@ -165,7 +165,7 @@ void Simulation::advance(std::optional<SimTime> until) {
   if (next > setup_.plan.mission.max_duration) {
     // The clock stops at the last exchange within MaxDuration.
     now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
-    for (Rover& rover : rovers_) rover.agent->count_energy(now_);
+    for (Rover& rover : rovers_) rover.agent->update_energy(now_);
     stop(setup_.plan.mission.has_max_duration
              ? "MaxDuration is over"
              : fmt::format("MaxDuration is over, {:.0f} h by default",
@@ -208,14 +208,14 @@ void Simulation::exchange() {
   for (Rover& rover : rovers_) {
     rover.was_parked = rover.agent->is_parked();
     rover.agent->observe();
-    rover.agent->count_energy(now_);
+    rover.agent->update_energy(now_);
     take_warnings(rover);  // also for a rover whose events are over
     const RoverPower& power = rover.agent->power();
     const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
-  keep_apart();
-  keep_off_assets();
+  avoid_rovers();
+  avoid_assets();
   run_scripts();
   for (Rover& rover : rovers_) rover.agent->control();
   for (const Rover& rover : rovers_) {
@@ -227,8 +227,8 @@ void Simulation::exchange() {
   }
   // The motion of all rovers is set before any is evaluated, so that their order does not matter.
   for (Rover& rover : rovers_) rover.motion = motion_of(rover);
-  if (light_) watch_the_sun();
-  if (sight_) watch_sight();
+  if (light_) update_sunlight();
+  if (sight_) update_sight();
   share_power();
   for (Rover& rover : rovers_) rover.agent->settle_energy();
   // Rovers that still roll come to rest first, so that the last rows show where they stop.
@@ -347,9 +347,9 @@ std::vector<std::string> Simulation::assumptions() const {
       }
     }
   }
-  const bool plans_ways =
-      std::ranges::any_of(ways_ahead_, [](const WayAhead& way) { return !way.legs.empty(); });
-  if (plans_ways) {
+  const bool has_routes = std::ranges::any_of(
+      routes_ahead_, [](const RoverRoutesAhead& way) { return !way.legs.empty(); });
+  if (has_routes) {
     assumptions.push_back(
         "planned ways: wheels share the load evenly, and all roll when turning on the spot");
   }

@@ -18,7 +18,7 @@
 #include "mission/ahead/route_ahead.h"
 #include "mission/events/event_sequence.h"
 #include "mission/light/light.h"
-#include "mission/light/looks_over_end.h"
+#include "mission/light/sight_over_end.h"
 #include "mission/light/sight_watch.h"
 #include "mission/model/machine.h"
 #include "mission/model/rover_model.h"
@@ -41,13 +41,13 @@ struct SimulationSetup {
   // Whether lines of sight are evaluated, for the layers `pairs` and `sight_intervals` of the log.
   bool keeps_sight = false;
   // Legs planned by an earlier run, see PlannedLegs.
-  std::string kept_legs = {};
+  std::string cached_legs = {};
   // Whether routes are planned before the start. A simulation that resumes a saved state needs
   // none.
   bool plans_ahead = true;
   // Called once the routes are planned with the legs to keep for later runs, also when a leg has no
   // route.
-  std::function<void(const std::string& bytes)> keep_legs = {};
+  std::function<void(const std::string& bytes)> cache_legs = {};
   // Called with a description as the planning of each leg begins, and with "" when it ends.
   std::function<void(const std::string& what)> on_planning = {};
 };
@@ -68,7 +68,7 @@ struct RoverResult {
   std::map<std::string, double> resources = {};
 };
 
-class Simulation : private EventSequence::Others, private Surroundings {
+class Simulation : private EventSequence::EventLookup, private Surroundings {
  public:
   // Runs the machine's `initialise`: creates the ground and site frame, places the vehicles at
   // their starts, plans routes. Throws InputError when the plan does not fit the terrain.
@@ -109,19 +109,19 @@ class Simulation : private EventSequence::Others, private Surroundings {
   // events need.
   std::vector<Fault> advice() const;
   // The routes of one rover that are planned before the start.
-  struct WayAhead {
+  struct RoverRoutesAhead {
     std::string rover_id;
     std::vector<LegAhead> legs;
     std::vector<PassedWaypoint> passed;
     std::vector<DrawnLine> drawn;
   };
-  const std::vector<WayAhead>& ways_ahead() const { return ways_ahead_; }
+  const std::vector<RoverRoutesAhead>& routes_ahead() const { return routes_ahead_; }
   // Legs for the next run to recall; "" when this run planned no new one.
-  std::string kept_legs() const { return legs_->kept(); }
+  std::string cached_legs() const { return legs_->kept(); }
   std::vector<std::string> assumptions() const;
   // Warnings about stops that see the Sun or Earth over the end of the known ground, at times
   // estimated from the plan.
-  std::vector<Fault> end_ahead() const;
+  std::vector<Fault> ground_end_warnings() const;
   // Progress of the mission, 0..1: events that have ended, plus the driven share of those under
   // way.
   double progress() const;
@@ -136,8 +136,8 @@ class Simulation : private EventSequence::Others, private Surroundings {
   void dispatch(const PlanEvent& event);
   // Writes a row in `notes` about an interactive change to a rover. `fields_json`: a JSON object
   // with sorted keys.
-  void note_by_hand(const std::string& rover_id, const std::string& name,
-                    const std::string& fields_json);
+  void note_interactive(const std::string& rover_id, const std::string& name,
+                        const std::string& fields_json);
 
   // Serialises all state, and restores it into a simulation of the same setup.
   std::string save();
@@ -154,21 +154,21 @@ class Simulation : private EventSequence::Others, private Surroundings {
   };
 
   void check_soil() const;
-  void stand_assets();
+  void place_assets();
   void build();
   void place_rovers();
   void throw_with_advice(Faults& faults) const;
-  void plan_ways();
-  void find_things_in_each_other(Faults& faults) const;
+  void plan_routes();
+  void check_starts_overlap(Faults& faults) const;
   void exchange();
-  void keep_apart();
-  void keep_off_assets();
+  void avoid_rovers();
+  void avoid_assets();
   void run_scripts();
   void take_warnings(Rover& rover);
   // Sunlight, and power from assets to rovers (simulation_light.cpp).
   void make_light();
   void add_light_assumptions(std::vector<std::string>& assumptions) const;
-  void watch_the_sun();
+  void update_sunlight();
   void warn_of_ends();
   void share_power();
   Motion motion_of(const Rover& rover) const;
@@ -179,7 +179,7 @@ class Simulation : private EventSequence::Others, private Surroundings {
   void make_sight();
   std::vector<SightEnd> sight_ends() const;
   Mesh solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const;
-  void watch_sight();
+  void update_sight();
   void log_pairs(std::size_t from);
   void finish_sight();
   void log_rows();
@@ -202,13 +202,13 @@ class Simulation : private EventSequence::Others, private Surroundings {
   std::map<std::pair<std::string, std::string>, VehicleConfig> vehicles_;
   std::unique_ptr<ScriptHost> host_;
   std::unique_ptr<PlannedLegs> legs_;
-  std::vector<WayAhead> ways_ahead_;  // one for each rover
-  std::vector<Fault> way_faults_;
+  std::vector<RoverRoutesAhead> routes_ahead_;  // one for each rover
+  std::vector<Fault> route_faults_;
   std::vector<PowerSource> sources_;
   std::vector<StandingAsset> assets_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<Light> light_;
-  std::unique_ptr<LooksOverEnd> sun_over_end_;  // with light_
+  std::unique_ptr<SightOverEnd> sun_over_end_;  // with light_
   std::unique_ptr<SightWatch> sight_;
   std::optional<SimTime> assets_logged_;  // when pairs of assets were last logged
   double optical_depth_ = 0;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mission/ahead/end_ahead.h"
+#include "mission/ahead/ground_end_warnings.h"
 #include "mission/light/sun_watch.h"
 #include "mission/simulation.h"
 
@@ -17,12 +17,12 @@ constexpr double mars_optical_depth = 0.5;
 
 }  // namespace
 
-void Simulation::stand_assets() {
+void Simulation::place_assets() {
   Faults faults;
   std::vector<Obstacle> standing;
   for (const PlanAsset& asset : setup_.plan.assets) {
     try {
-      assets_.push_back(stand(asset, setup_.asset_models.at(asset.type), *ground_));
+      assets_.push_back(place_asset(asset, setup_.asset_models.at(asset.type), *ground_));
     } catch (const InputError& error) {
       faults.add(error.faults());
       continue;
@@ -42,7 +42,7 @@ void Simulation::make_light() {
   if (!is_wanted) return;
   renderer_ = std::make_unique<Renderer>();
   light_ = std::make_unique<Light>(*ground_, *renderer_);
-  sun_over_end_ = std::make_unique<LooksOverEnd>(*ground_, "the Sun");
+  sun_over_end_ = std::make_unique<SightOverEnd>(*ground_, "the Sun");
   const bool is_dusty = ground_->site().body().air == Air::dusty;
   optical_depth_ = setup_.terrain.optical_depth.value_or(is_dusty ? mars_optical_depth : 0);
 }
@@ -105,9 +105,9 @@ Mesh Simulation::solids_near(const Vec3& eye_S_m, const std::string& except_id,
   return mesh;
 }
 
-void Simulation::watch_the_sun() {
+void Simulation::update_sunlight() {
   const Instant utc = setup_.plan.mission.start_time + now_;
-  const bool is_whole = now_ % moving_look_period == SimTime{};
+  const bool is_whole = now_ % moving_update_period == SimTime{};
   for (Rover& rover : rovers_) {
     RoverAgent& agent = *rover.agent;
     const Vec3& p_S_m = agent.view().p_S_m;
@@ -116,8 +116,8 @@ void Simulation::watch_the_sun() {
     if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now_);
     // Turning panels are evaluated at whole multiples of the period and when they arrive.
     if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
-    const SunValue value =
-        look_at_sun(*light_, *ground_, agent, solids_near(p_S_m, agent.id(), sun), sun, now_);
+    const PanelSunlight value =
+        evaluate_sunlight(*light_, *ground_, agent, solids_near(p_S_m, agent.id(), sun), sun, now_);
     agent.set_sun(value);
     if (value.is_dark) continue;
     const Vec3 eye_S_m = p_S_m + agent.shape().top_m() * ground_->site().up_S(p_S_m);
@@ -126,12 +126,12 @@ void Simulation::watch_the_sun() {
   }
 }
 
-std::vector<Fault> Simulation::end_ahead() const {
-  return lsos::end_ahead(machine_, *ground_, light_ != nullptr);
+std::vector<Fault> Simulation::ground_end_warnings() const {
+  return lsos::ground_end_warnings(machine_, *ground_, light_ != nullptr);
 }
 
 void Simulation::warn_of_ends() {
-  const auto add = [&](const LooksOverEnd& looks) {
+  const auto add = [&](const SightOverEnd& looks) {
     const auto warning = looks.warning(setup_.plan.mission.start_time);
     if (warning) warnings_.push_back(*warning);
   };
@@ -157,12 +157,12 @@ void Simulation::share_power() {
       const bool is_due = !asset.sun ||
                           now_ >= asset.sun->time + sun_interval(ground_->site().body()) ||
                           motion == Motion::has_ended ||
-                          (motion == Motion::goes_on && now_ % moving_look_period == SimTime{});
+                          (motion == Motion::goes_on && now_ % moving_update_period == SimTime{});
       if (is_due) {
         const Sunlight sun =
             sunlight(ground_->site().body(), ground_->site().geodetic(p_S_m), utc, optical_depth_);
-        asset.sun = look_at_sun(*light_, *ground_, asset, solids_near(p_S_m, asset.plan.id, sun),
-                                sun, now_);
+        asset.sun = evaluate_sunlight(*light_, *ground_, asset,
+                                      solids_near(p_S_m, asset.plan.id, sun), sun, now_);
         if (!asset.sun->is_dark) {
           sun_over_end_->add_towards(p_S_m + asset.shape.top_m() * ground_->site().up_S(p_S_m),
                                      direction_S(ground_->site(), p_S_m, sun.seen), sun.disc_rad,
@@ -173,7 +173,7 @@ void Simulation::share_power() {
     double left_w = asset.supply_w();
     for (Rover& rover : rovers_) {
       if (!takes(rover)) continue;
-      const double given_w = rover.agent->taken_w(left_w);
+      const double given_w = rover.agent->accepted_w(left_w);
       rover.agent->power().set_given(given_w);
       left_w = std::max(0.0, left_w - given_w);
     }

@@ -44,13 +44,13 @@ std::vector<SightEnd> Simulation::sight_ends() const {
 
 // Solids that may stand between two places; when the two are equal, all solids near them.
 Mesh Simulation::solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const {
-  const Vec3 way_m = to_S_m - from_S_m;
-  const double length_m = way_m.norm(), aside_m = length_m > 0 ? panels_reach_m : shading_reach_m;
+  const Vec3 line_m = to_S_m - from_S_m;
+  const double length_m = line_m.norm(), aside_m = length_m > 0 ? panels_reach_m : shading_reach_m;
   const auto is_near = [&](const Vec3& p_S_m, double reach_m) {
     const double share =
-        length_m > 0 ? std::clamp((p_S_m - from_S_m).dot(way_m) / (length_m * length_m), 0.0, 1.0)
+        length_m > 0 ? std::clamp((p_S_m - from_S_m).dot(line_m) / (length_m * length_m), 0.0, 1.0)
                      : 0;
-    return (p_S_m - from_S_m - share * way_m).norm() < reach_m + aside_m;
+    return (p_S_m - from_S_m - share * line_m).norm() < reach_m + aside_m;
   };
   Mesh mesh;
   for (const Rover& rover : rovers_) {
@@ -67,7 +67,7 @@ Mesh Simulation::solids_between(const Vec3& from_S_m, const Vec3& to_S_m) const 
   return mesh;
 }
 
-void Simulation::watch_sight() {
+void Simulation::update_sight() {
   const Instant utc = setup_.plan.mission.start_time + now_;
   const auto ended = sight_->look(
       now_, utc, sight_ends(),

@@ -58,7 +58,7 @@ void add_caption(const RgbCanvas& canvas, const Caption& whole, Lettering& lette
   const int size_px = std::max(9, canvas.height_px / 42), margin_px = size_px;
   const int line_px = size_px * 3 / 2;
   Caption caption = whole;
-  const double room = whole.metres_a_pixel > 0 ? text_share : 1;
+  const double room = whole.metres_per_pixel > 0 ? text_share : 1;
   caption.lines = wrapped(whole.lines, letters, size_px,
                           static_cast<int>(room * canvas.width_px) - 2 * margin_px);
   const int lines = 1 + static_cast<int>(caption.lines.size());
@@ -70,9 +70,9 @@ void add_caption(const RgbCanvas& canvas, const Caption& whole, Lettering& lette
     baseline += line_px;
     letters.write(canvas, line, margin_px, baseline, size_px, grey);
   }
-  if (caption.metres_a_pixel <= 0) return;
-  const double length_m = round_length_m(0.22 * canvas.width_px * caption.metres_a_pixel);
-  const int bar_px = static_cast<int>(std::lround(length_m / caption.metres_a_pixel));
+  if (caption.metres_per_pixel <= 0) return;
+  const double length_m = round_length_m(0.22 * canvas.width_px * caption.metres_per_pixel);
+  const int bar_px = static_cast<int>(std::lround(length_m / caption.metres_per_pixel));
   const int right = canvas.width_px - margin_px, left = right - bar_px;
   const int thick_px = std::max(1, size_px / 6), tick_px = size_px / 2;
   const int bar_top = top + margin_px / 2 + size_px - thick_px;

@@ -11,8 +11,8 @@ namespace lsos {
 struct Caption {
   std::string title;
   std::vector<std::string> lines;
-  double metres_a_pixel = 0;  // for the scale bar; 0: none
-  std::string scale_where;    // "at the rover"
+  double metres_per_pixel = 0;  // for the scale bar; 0: none
+  std::string scale_where;      // "at the rover"
 };
 
 // The greatest length of the series 1, 2, 5 times a power of ten, m, that is not above `most_m`.

@@ -36,7 +36,7 @@ std::string ffmpeg() {
 
 // Runs in the child, which reads pictures from its standard input. In its own process group it does
 // not receive a terminal's Ctrl-C; this program handles that.
-[[noreturn]] void become(const std::vector<std::string>& words, int from_parent) {
+[[noreturn]] void exec_child(const std::vector<std::string>& words, int from_parent) {
   setpgid(0, 0);
   std::signal(SIGPIPE, SIG_DFL);
   std::vector<char*> argv;
@@ -55,7 +55,7 @@ Film::Film(const std::string& file, int width_px, int height_px)
                                        "-f",           "rawvideo",
                                        "-pix_fmt",     "rgb24",
                                        "-video_size",  fmt::format("{}x{}", width_px, height_px),
-                                       "-framerate",   std::to_string(film_pictures_a_second),
+                                       "-framerate",   std::to_string(film_frames_per_s),
                                        "-i",           "-",
                                        "-pix_fmt",     "yuv420p",
                                        "-movflags",    "+faststart",
@@ -64,7 +64,7 @@ Film::Film(const std::string& file, int width_px, int height_px)
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
   child_ = fork();
-  if (child_ == 0) become(words, ends[0]);
+  if (child_ == 0) exec_child(words, ends[0]);
   close(ends[0]);
   to_child_ = ends[1];
   if (child_ < 0) throw std::runtime_error(std::strerror(errno));

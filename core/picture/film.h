@@ -10,7 +10,7 @@
 
 namespace lsos {
 
-inline constexpr int film_pictures_a_second = 25;
+inline constexpr int film_frames_per_s = 25;
 
 // Written under another name and renamed when complete; the destructor removes an incomplete film.
 class Film {

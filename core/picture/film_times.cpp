@@ -26,7 +26,7 @@ void add_end(std::vector<FilmTime>& times, SimTime end) {
   times.back().time = end;
 }
 
-double rate_of(SimTime step) { return seconds(step) * film_pictures_a_second; }
+double rate_of(SimTime step) { return seconds(step) * film_frames_per_s; }
 
 }  // namespace
 

@@ -10,11 +10,11 @@ namespace {
 constexpr double apart_m = 0.05, still_mps = 1e-3;
 
 // Two successive samples of a rover with a requested time between them.
-struct Stretch {
+struct SamplePair {
   LoggedRover from;
   std::optional<LoggedRover> to;
 };
-using Stretches = std::vector<Stretch>;  // at one time, one for each rover
+using SamplePairs = std::vector<SamplePair>;  // at one time, one for each rover
 
 // One rover's samples in order of time, as they come.
 struct Follower {
@@ -22,7 +22,7 @@ struct Follower {
   std::size_t next = 0;  // index of the first time not filled in yet
 
   // `coming`: the sample after the last, if there is one.
-  void fill(std::vector<Stretches>& moments, std::span<const SimTime> times,
+  void fill(std::vector<SamplePairs>& moments, std::span<const SimTime> times,
             const SampleRow* coming) {
     for (; next < times.size() && (coming == nullptr || times[next] < coming->time); ++next) {
       if (!last) continue;
@@ -35,11 +35,11 @@ struct Follower {
 };
 
 // Assigns rows of joints or panels to the samples of their time.
-class Joiner {
+class RowAssigner {
  public:
-  explicit Joiner(std::vector<Stretches>& moments) {
-    for (Stretches& moment : moments) {
-      for (Stretch& stretch : moment) {
+  explicit RowAssigner(std::vector<SamplePairs>& moments) {
+    for (SamplePairs& moment : moments) {
+      for (SamplePair& stretch : moment) {
         want(stretch.from);
         if (stretch.to) want(*stretch.to);
       }
@@ -66,7 +66,7 @@ class Joiner {
 
 // Share 0..1 of the motion between two samples that is done. A parked rover has few samples; it
 // moved up to `interval` after the first of them, or before the second.
-double share_at(const Stretch& stretch, SimTime time, SimTime interval) {
+double share_at(const SamplePair& stretch, SimTime time, SimTime interval) {
   SimTime start = stretch.from.sample.time, end = stretch.to->sample.time;
   if (end - start > interval) {
     const bool goes_on = stretch.from.sample.speed_mps > still_mps;
@@ -91,7 +91,7 @@ double gap_m(Ground::Probe& probe, const Vec3& p_S_m) {
 }
 
 // The ground rises and falls between two samples: the height of the rover over it is interpolated.
-LoggedRover at(const Stretch& stretch, SimTime time, const Ground& ground, SimTime interval) {
+LoggedRover at(const SamplePair& stretch, SimTime time, const Ground& ground, SimTime interval) {
   if (!stretch.to) return stretch.from;
   const double share = share_at(stretch, time, interval);
   LoggedRover rover = between(ground.site(), stretch.from, *stretch.to, share);
@@ -109,7 +109,7 @@ LoggedRover at(const Stretch& stretch, SimTime time, const Ground& ground, SimTi
 LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, const Ground& ground,
                       SimTime interval) {
   LoggedRun run;
-  std::vector<Stretches> moments(times.size());
+  std::vector<SamplePairs> moments(times.size());
   std::map<std::string, Follower> followers;
   log.for_each_sample([&](const SampleRow& row) {
     if (times.empty()) return;
@@ -124,14 +124,14 @@ LoggedRun read_logged(const LogReader& log, std::span<const SimTime> times, cons
     }
   });
   for (auto& [id, follower] : followers) follower.fill(moments, times, nullptr);
-  const Joiner joiner(moments);
+  const RowAssigner joiner(moments);
   log.for_each_joint([&](const JointRow& row) { joiner.add(row, &LoggedRover::joints); },
                      joiner.span());
   log.for_each_panel([&](const PanelRow& row) { joiner.add(row, &LoggedRover::panels); },
                      joiner.span());
   for (std::size_t k = 0; k < times.size(); ++k) {
     LoggedMoment& moment = run.moments.emplace_back();
-    for (const Stretch& stretch : moments[k]) {
+    for (const SamplePair& stretch : moments[k]) {
       moment.push_back(at(stretch, times[k], ground, interval));
     }
     std::ranges::sort(moment, {}, [](const LoggedRover& rover) { return rover.sample.rover_id; });

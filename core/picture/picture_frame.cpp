@@ -51,9 +51,9 @@ std::string rate_text(const FilmTime& film) {
                      digits < 0 ? fmt::format("{:g}", rate) : fmt::format("{:.0f}", rate));
 }
 
-// `metres_a_pixel`: scale at the rover; 0 where the rover is not seen.
+// `metres_per_pixel`: scale at the rover; 0 where the rover is not seen.
 Caption caption_of(const PictureMoment& moment, const PictureView& view, const DrawnBody& body,
-                   double metres_a_pixel) {
+                   double metres_per_pixel) {
   const SampleRow& sample = moment.rover->sample;
   const double elevation_deg = degrees(moment.sun.seen.elevation_rad);
   std::string utc = format_utc(moment.utc);
@@ -67,7 +67,7 @@ Caption caption_of(const PictureMoment& moment, const PictureView& view, const D
                   lon_deg(sample.place), lat_deg(sample.place), view_text(view, body.id),
                   std::abs(elevation_deg), elevation_deg < 0 ? "below" : "above",
                   degrees(moment.sun.seen.azimuth_rad))};
-  caption.metres_a_pixel = metres_a_pixel;
+  caption.metres_per_pixel = metres_per_pixel;
   caption.scale_where = "at the rover";
   return caption;
 }
@@ -167,7 +167,7 @@ PictureFrameOut as_a_camera_sees(const PictureRun& run, const PictureMoment& mom
   }
   const double distance_m = (subject.p_S_m - eye_S_m).dot(camera.ahead_S);
   const bool is_seen = distance_m > subject.top_m / 2 && view.rover != subject.id;
-  const double scale = is_seen ? camera.metres_a_pixel(distance_m) : 0;
+  const double scale = is_seen ? camera.metres_per_pixel(distance_m) : 0;
   PictureFrameOut out{draw(gpu, scene, camera), {}};
   add_caption({size.width_px, size.height_px, &out.picture.rgb},
               caption_of(moment, view, subject, scale), letters);
@@ -176,25 +176,25 @@ PictureFrameOut as_a_camera_sees(const PictureRun& run, const PictureMoment& mom
 
 }  // namespace
 
-PictureSize picture_size(const PictureRun& run, const PictureWish& wish) {
-  const bool is_sun = view_of(wish.from, run.rovers).kind == PictureView::Kind::sun;
-  const int width_px = wish.size_px > 0 ? wish.size_px : is_sun ? 800 : 1280;
+PictureSize picture_size(const PictureRun& run, const PictureRequest& request) {
+  const bool is_sun = view_of(request.from, run.rovers).kind == PictureView::Kind::sun;
+  const int width_px = request.size_px > 0 ? request.size_px : is_sun ? 800 : 1280;
   // Even, as films require.
   return {width_px, is_sun ? width_px : std::max(2, width_px * 9 / 32 * 2)};
 }
 
-PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureWish& wish,
+PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureRequest& request,
                            const Gpu& gpu, Lettering& letters) {
-  const PictureView view = view_of(wish.from, run.rovers);
-  const PictureMoment then = moment(run, k, wish.rover);
-  const PictureSize size = picture_size(run, wish);
+  const PictureView view = view_of(request.from, run.rovers);
+  const PictureMoment then = moment(run, k, request.rover);
+  const PictureSize size = picture_size(run, request);
   PictureFrameOut out = view.kind == PictureView::Kind::sun
                             ? as_the_sun_sees(run, then, view, size.width_px, gpu, letters)
                             : as_a_camera_sees(run, then, view, run.times[k], size, gpu, letters);
   nlohmann::ordered_json about{
       {"rover_id", then.rover->sample.rover_id},
       {"utc", format_utc(then.utc)},
-      {"from", wish.from},
+      {"from", request.from},
       {"width_px", out.picture.width_px},
       {"height_px", out.picture.height_px},
       {"sun_azimuth_deg", computed(degrees(then.sun.seen.azimuth_rad))},

@@ -10,7 +10,7 @@
 
 namespace lsos {
 
-struct PictureWish {
+struct PictureRequest {
   std::string from = "sun";  // sun, chase, east, above, or a rover
   std::string rover;         // "": the first
   int size_px = 0;           // width; for the view from the Sun each side; 0: 1280, or 800
@@ -20,7 +20,7 @@ struct PictureSize {
   int width_px = 0, height_px = 0;
 };
 // Throws InputError where there is no such view.
-PictureSize picture_size(const PictureRun& run, const PictureWish& wish);
+PictureSize picture_size(const PictureRun& run, const PictureRequest& request);
 
 struct PictureFrameOut {
   RgbPicture picture;
@@ -28,7 +28,7 @@ struct PictureFrameOut {
 };
 
 // `k`: index into the run's times.
-PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureWish& wish,
+PictureFrameOut picture_of(const PictureRun& run, std::size_t k, const PictureRequest& request,
                            const Gpu& gpu, Lettering& letters);
 
 }  // namespace lsos

@@ -69,7 +69,7 @@ std::vector<DrawnBody> drawn_bodies(const MissionModel& files, const Ground& gro
     bodies.push_back(std::move(body));
   }
   for (const PlanAsset& planned : files.plan.assets) {
-    const StandingAsset asset = stand(planned, files.asset_models.at(planned.type), ground);
+    const StandingAsset asset = place_asset(planned, files.asset_models.at(planned.type), ground);
     DrawnBody body{planned.id, planned.type,       asset.pose.p_S_m, {}, {}, asset.shape.reach_m(),
                    0,          asset.shape.top_m()};
     add_solids(body, asset.shape.solids({asset.pose}, eye_S_m));
@@ -103,11 +103,11 @@ SceneMesh track_ribbon(const Ground& ground, std::vector<TrackPoint> track, cons
   track.push_back(now);
   Ground::Probe probe(ground);
   SceneMesh mesh;
-  const auto add = [&](const Vec3& p_S_m, const Vec3& way_S) {
+  const auto add = [&](const Vec3& p_S_m, const Vec3& along_S) {
     const Vec3 up_S = ground.site().up_S(p_S_m);
-    const double pixel_m = camera.metres_a_pixel((p_S_m - camera.eye_S_m).norm());
+    const double pixel_m = camera.metres_per_pixel((p_S_m - camera.eye_S_m).norm());
     const Vec3 aside_m =
-        std::max(style.half_m, ribbon_half_px * pixel_m) * up_S.cross(way_S).normalized();
+        std::max(style.half_m, ribbon_half_px * pixel_m) * up_S.cross(along_S).normalized();
     for (const double side : {1.0, -1.0}) {
       const Vec3 edge_S_m = p_S_m + side * aside_m;
       const GroundSample sample = probe.sample(edge_S_m);
@@ -118,12 +118,12 @@ SceneMesh track_ribbon(const Ground& ground, std::vector<TrackPoint> track, cons
     }
   };
   for (std::size_t k = 0; k + 1 < track.size(); ++k) {
-    const Vec3 from_S_m = track[k].p_S_m, way_m = track[k + 1].p_S_m - from_S_m;
-    const double pixel_m = camera.metres_a_pixel((from_S_m - camera.eye_S_m).norm());
+    const Vec3 from_S_m = track[k].p_S_m, delta_m = track[k + 1].p_S_m - from_S_m;
+    const double pixel_m = camera.metres_per_pixel((from_S_m - camera.eye_S_m).norm());
     const double step_m = std::max(ribbon_step_m, ribbon_step_px * pixel_m);
-    const int steps = std::max(1, static_cast<int>(way_m.norm() / step_m));
+    const int steps = std::max(1, static_cast<int>(delta_m.norm() / step_m));
     for (int i = k == 0 ? 0 : 1; i <= steps; ++i) {
-      add(from_S_m + way_m * i / steps, way_m);
+      add(from_S_m + delta_m * i / steps, delta_m);
     }
   }
   for (std::uint32_t k = 0; k + 3 < mesh.vertices.size(); k += 2) {

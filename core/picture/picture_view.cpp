@@ -56,7 +56,7 @@ Camera camera_of(const PictureView& view, const Ground& ground, const LoggedRove
   double wide_rad = width_rad;
   const auto look_clear = [&](const Vec3& eye_S_m, const Vec3& target_S_m) {
     const Vec3 clear_S_m = clear_eye_S_m(ground, eye_S_m, target_S_m, 0.25 * reach_m);
-    camera = look(clear_S_m, target_S_m, up_S);
+    camera = camera_towards(clear_S_m, target_S_m, up_S);
   };
   switch (view.kind) {
     case PictureView::Kind::sun:
@@ -72,17 +72,17 @@ Camera camera_of(const PictureView& view, const Ground& ground, const LoggedRove
                  p_S_m + 0.45 * reach_m * up_S);
       break;
     case PictureView::Kind::above:
-      camera = look(p_S_m + 11 * reach_m * up_S, p_S_m, north_S);
+      camera = camera_towards(p_S_m + 11 * reach_m * up_S, p_S_m, north_S);
       break;
     case PictureView::Kind::rover: {
       const DrawnBody& from = body_of(bodies, view.rover);
       const Vec3 eye_S_m = from.p_S_m + (from.top_m + over_top_m) * site.up_S(from.p_S_m);
       if (view.rover == sample.rover_id) {
-        camera = look(eye_S_m, p_S_m + std::max(ahead_m, 3 * reach_m) * heading_S, up_S);
+        camera = camera_towards(eye_S_m, p_S_m + std::max(ahead_m, 3 * reach_m) * heading_S, up_S);
         break;
       }
       const Vec3 target_S_m = p_S_m + 0.3 * reach_m * up_S;
-      camera = look(eye_S_m, target_S_m, site.up_S(eye_S_m));
+      camera = camera_towards(eye_S_m, target_S_m, site.up_S(eye_S_m));
       const double distance_m = (target_S_m - eye_S_m).norm();
       wide_rad = std::clamp(2 * reach_m / distance_m / other_share, narrowest_rad, widest_rad);
       break;

@@ -50,8 +50,9 @@ struct Step {
 
 // "A waits for B, which comes after C, which waits for A". Consecutive "comes after" on one rover
 // are merged into one.
-std::string told(const std::vector<Step>& circle, const std::vector<std::vector<Wait>>& waits,
-                 const std::vector<DraftEvent>& drafts) {
+std::string circle_text(const std::vector<Step>& circle,
+                        const std::vector<std::vector<Wait>>& waits,
+                        const std::vector<DraftEvent>& drafts) {
   std::string text = named(drafts[circle.front().event]);
   for (std::size_t i = 0; i < circle.size(); ++i) {
     const auto wait = [&](const Step& step) { return waits[step.event][step.next_wait - 1]; };
@@ -122,7 +123,7 @@ class CircleFinder {
         draft.start_after == nullptr ? draft.event.place.line : draft.start_after->line;
     faults_.error({draft.event.place.file, line},
                   fmt::format("{}: StartAfter goes in a circle: {}", draft.subject,
-                              told(circle, waits_, drafts_)));
+                              circle_text(circle, waits_, drafts_)));
   }
 
   const std::vector<DraftEvent>& drafts_;

@@ -38,7 +38,7 @@ bool has_marker_field(const SourceData& data) {
 }
 
 // Fields that map tools add to every feature, in any case of letters.
-bool is_stamped(std::string field) {
+bool is_tool_field(std::string field) {
   constexpr std::array<std::string_view, 14> stamped{
       "fid",          "id",         "name",    "description", "timestamp", "begin", "end",
       "altitudemode", "tessellate", "extrude", "visibility",  "draworder", "icon",  "snippet"};
@@ -48,7 +48,7 @@ bool is_stamped(std::string field) {
 }
 
 // Columns that GDAL's driver LIBKML adds to what it reads, in exactly this spelling.
-bool is_of_libkml(std::string_view field) {
+bool is_libkml_column(std::string_view field) {
   return field == "heading" || field == "tilt" || field == "roll" || field == "altitudeMode";
 }
 
@@ -211,7 +211,7 @@ class Classifier {
       if (ours != nullptr && &data != ours) continue;
       for (const SourceField& field : data.fields) {
         const bool is_left_out =
-            field.text.empty() || is_stamped(field.name) || field.name == type_name;
+            field.text.empty() || is_tool_field(field.name) || field.name == type_name;
         if (!is_left_out || has_declared(name, field.name)) joined.fields.push_back(field);
       }
     }
@@ -228,7 +228,7 @@ class Classifier {
                  const std::string& name) {
     if (field.text.empty()) return false;
     if (has_declared(name, field.name)) return true;
-    if (is_stamped(field.name) || field.name == type_name) return false;
+    if (is_tool_field(field.name) || field.name == type_name) return false;
     std::vector<std::string> names;
     for (const auto& list : fields_of(name, declarations_)) {
       for (const FieldDeclaration& each : list) names.push_back(each.name);
@@ -238,7 +238,7 @@ class Classifier {
     const auto is_slip = [&](const std::string& known) {
       return edit_distance(known, field.name) <= 1;
     };
-    if (is_table && is_of_libkml(field.name)) {
+    if (is_table && is_libkml_column(field.name)) {
       if (hint.empty()) return false;
     } else if (!hint.empty() && (!is_table || std::ranges::any_of(names, is_slip))) {
       return true;
@@ -329,7 +329,7 @@ class Classifier {
     return found;
   }
 
-  void add(OurPlacemark ours) {
+  void add(PlanPlacemark ours) {
     const std::string& name = ours.data.schema;
     if (name == mission_name) {
       classified_.missions.push_back(ours);

@@ -10,7 +10,7 @@
 namespace lsos {
 
 // A Placemark of the plan, with its fields. The Placemark lives in the KmlSource.
-struct OurPlacemark {
+struct PlanPlacemark {
   const SourcePlacemark* placemark = nullptr;
   // `schema` is its name: MissionInfo, Rover, Asset or an event type. Fields in plain Data that
   // such a Placemark does not have are left out.
@@ -19,11 +19,11 @@ struct OurPlacemark {
 };
 
 struct Classified {
-  std::vector<OurPlacemark> missions;
-  std::vector<OurPlacemark> rovers;
-  std::vector<OurPlacemark> assets;
-  std::vector<OurPlacemark> events;
-  std::vector<OurPlacemark> unread;  // meant to be ours, but what they are is faulty
+  std::vector<PlanPlacemark> missions;
+  std::vector<PlanPlacemark> rovers;
+  std::vector<PlanPlacemark> assets;
+  std::vector<PlanPlacemark> events;
+  std::vector<PlanPlacemark> unread;  // meant to be ours, but what they are is faulty
   int decoration_count = 0;
 };
 

@@ -20,7 +20,7 @@ struct DraftEvent {
   bool has_default_label = false;  // "TYPE SEQUENCE"
   bool is_drive_known = true;      // false: faults leave open where to it drives, and whether
   // Fields that name other events; nullptr when absent. They live in the
-  // OurPlacemark.
+  // PlanPlacemark.
   const SourceField* start_after = nullptr;
   const SourceField* on_failure = nullptr;
   std::vector<std::string> defaults;

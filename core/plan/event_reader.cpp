@@ -23,7 +23,7 @@ class EventsReader {
         suggestions_(rover_ids),
         rover_ids_(rover_ids.begin(), rover_ids.end()) {}
 
-  DraftEvent read(const OurPlacemark& ours) {
+  DraftEvent read(const PlanPlacemark& ours) {
     const EventDeclaration& declaration = *ours.event;
     FieldReader fields(subject_of(ours, "Sequence", context_), ours.data, context_.faults);
     fields.check_names({event_identity_fields(), common_event_fields(), declaration.fields});
@@ -126,14 +126,14 @@ void check_sequences(std::vector<DraftEvent>& drafts, const ReadContext& context
 
 }  // namespace
 
-std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
+std::vector<DraftEvent> read_events(const std::vector<PlanPlacemark>& events,
                                     const ReadContext& context,
                                     const std::vector<std::string>& rover_ids,
                                     const PlanGaps& gaps) {
   EventsReader reader(context, rover_ids, gaps);
   std::vector<DraftEvent> drafts;
   drafts.reserve(events.size());
-  for (const OurPlacemark& ours : events) drafts.push_back(reader.read(ours));
+  for (const PlanPlacemark& ours : events) drafts.push_back(reader.read(ours));
   std::ranges::stable_sort(drafts, {}, [](const DraftEvent& draft) {
     const PlanEvent& event = draft.event;
     return std::tuple<const std::string&, std::int64_t, const std::string&, int>(
@@ -143,11 +143,11 @@ std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
   return drafts;
 }
 
-std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events) {
+std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& events) {
   std::vector<std::string> defaults;
   for (const FieldDeclaration& declaration : common_event_fields()) {
     if (!declaration.default_value) continue;
-    const auto lacks_it = [&](const OurPlacemark& ours) {
+    const auto lacks_it = [&](const PlanPlacemark& ours) {
       return std::ranges::none_of(ours.data.fields, [&](const SourceField& field) {
         return field.name == declaration.name && !field.text.empty();
       });

@@ -10,15 +10,15 @@
 
 namespace lsos {
 
-// The events by rover id, then sequence, then line. `rover_ids`: what RoverId may name, besides those that
-// may name; no other id is a fault while `gaps` leave a rover's id open.
-std::vector<DraftEvent> read_events(const std::vector<OurPlacemark>& events,
+// The events by rover id, then sequence, then line. `rover_ids`: what RoverId may name, besides
+// those that may name; no other id is a fault while `gaps` leave a rover's id open.
+std::vector<DraftEvent> read_events(const std::vector<PlanPlacemark>& events,
                                     const ReadContext& context,
                                     const std::vector<std::string>& rover_ids,
                                     const PlanGaps& gaps);
 
 // Which of the common event fields were filled in from their defaults, and in how many events:
 // "Enabled = true (12 of 14 events)".
-std::vector<std::string> common_defaults(const std::vector<OurPlacemark>& events);
+std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& events);
 
 }  // namespace lsos

@@ -53,7 +53,7 @@ std::optional<double> explained_m(const Body& body, const Geodetic& from, double
 
 // Whether a place that looks like 0,0 or like exchanged longitude and latitude may be meant as it
 // is: when the distance to it is short, or when it lies near the rover's start.
-bool may_be_meant(const Body& body, const Geodetic& start, const Geodetic& place,
+bool is_plausible(const Body& body, const Geodetic& start, const Geodetic& place,
                   double distance_m) {
   const double away_m = surface_distance_m(body, start, place);
   if (distance_m <= far_m) return true;
@@ -72,7 +72,7 @@ std::string slip_text(const Body& body, const Geodetic& start, const Geodetic& f
         "point here",
         lon_deg(*with_comma), lat_deg(*with_comma), distance_text(*away_m));
   }
-  if (may_be_meant(body, start, place, distance_m)) return "";
+  if (is_plausible(body, start, place, distance_m)) return "";
   std::string text = exchanged_text(body, from, place);
   if (!text.empty() || !is_origin(place)) return text;
   return "; 0,0 is what tools write for a place that they do not know";
@@ -132,16 +132,16 @@ class FarWaypoints {
   // never the leg back from a far place.
   void check(const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
     const std::string& rover = draft.event.rover_id;
-    const bool is_back = strayed_.contains(rover);
-    strayed_.erase(rover);
+    const bool is_back = led_away_.contains(rover);
+    led_away_.erase(rover);
     for (const Leg& leg : legs_of(draft, expected)) {
       if (!leg.from || (is_back && leg.waypoint == 1)) continue;
       if (!warn_if_far(draft, leg)) {
-        warn_if_apart(draft, leg);
+        warn_if_detached(draft, leg);
         continue;
       }
       const Geodetic& last = draft.event.geometry.points.back();
-      if (surface_distance_m(body_, *leg.from, last) > slip_m) strayed_.insert(rover);
+      if (surface_distance_m(body_, *leg.from, last) > slip_m) led_away_.insert(rover);
       return;
     }
   }
@@ -154,7 +154,7 @@ class FarWaypoints {
 
   // Warns of a line that begins far from the rover compared with its length: the rover drives to
   // its beginning first, along a leg that is drawn nowhere.
-  void warn_if_apart(const DraftEvent& draft, const Leg& leg) {
+  void warn_if_detached(const DraftEvent& draft, const Leg& leg) {
     const PlanEvent& event = draft.event;
     if (leg.waypoint != 1 || !leg.next || event.geometry.kind != GeometryKind::line) return;
     double line_m = 0;
@@ -252,7 +252,7 @@ class FarWaypoints {
   std::map<std::string, Geodetic> starts_;                // by rover; only known ones
   std::map<std::string, std::vector<double>> lengths_m_;  // of legs, by rover
   std::map<std::string, std::vector<Geodetic>> ends_;     // of events, by rover
-  std::set<std::string> strayed_;                         // rovers that a far waypoint has led away
+  std::set<std::string> led_away_;                        // rovers that a far waypoint has led away
 };
 
 // Warns of a rover or an asset that is far from the first rover's start.
@@ -334,14 +334,14 @@ void check_far_places(const std::vector<DraftEvent>& drafts, const std::vector<P
     }
   }
   FarWaypoints far(body, rovers, gaps, faults);
-  const auto of_drives = [&](auto member) {
+  const auto visit_drives = [&](auto member) {
     visit_expected_places(drafts, rovers, gaps,
                           [&, member](const DraftEvent& draft, const auto& expected) {
                             if (draft.drives) (far.*member)(draft, expected);
                           });
   };
-  of_drives(&FarWaypoints::measure);
-  of_drives(&FarWaypoints::check);
+  visit_drives(&FarWaypoints::measure);
+  visit_drives(&FarWaypoints::check);
 }
 
 }  // namespace lsos

@@ -142,10 +142,10 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
   for (const SourceField& field : data_.fields) {
     const auto [first, is_new] = lines.emplace(field.name, field.line);
     if (!is_new) {
-      tell(field.line, fmt::format("{} is given twice; the first is at line {}", shown(field.name),
-                                   first->second));
+      report(field.line, fmt::format("{} is given twice; the first is at line {}",
+                                     shown(field.name), first->second));
     } else if (field.name.empty()) {
-      tell(field.line, "a SimpleData has no name");
+      report(field.line, "a SimpleData has no name");
     } else if (!is_known(field.name)) {
       std::vector<std::string> names;
       for (const auto& list : known) {
@@ -153,7 +153,7 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
       }
       std::string hint = field.name.size() > 100 ? "" : did_you_mean(field.name, names);
       if (hint.empty()) hint = fmt::format("; there are {}", listed(names));
-      tell(field.line, fmt::format("there is no field {}{}", shown(field.name), hint));
+      report(field.line, fmt::format("there is no field {}{}", shown(field.name), hint));
       hints_.push_back(std::move(hint));
     }
   }
@@ -169,7 +169,7 @@ FieldValues FieldReader::read(std::span<const FieldDeclaration> declarations,
       // The field is given under a misspelt name, which has been reported.
       const std::string hint = fmt::format("; did you mean '{}'?", declaration.name);
       if (std::ranges::find(hints_, hint) != hints_.end()) continue;
-      tell(subject_.place.line, fmt::format("{} is missing; it is required", declaration.name));
+      report(subject_.place.line, fmt::format("{} is missing; it is required", declaration.name));
     } else if (declaration.default_value) {
       values[declaration.key] = *declaration.default_value;
       if (defaults != nullptr) {
@@ -191,13 +191,13 @@ const SourceField* FieldReader::find(const std::string& name) const {
 void FieldReader::error(const std::string& field_name, const std::string& what) {
   const SourceField* field = find(field_name);
   if (field == nullptr) {
-    tell(subject_.place.line, fmt::format("{}: {}", field_name, what));
+    report(subject_.place.line, fmt::format("{}: {}", field_name, what));
   } else {
-    tell(field->line, fmt::format("{} = {}: {}", field_name, shown(field->text), what));
+    report(field->line, fmt::format("{} = {}: {}", field_name, shown(field->text), what));
   }
 }
 
-void FieldReader::tell(int line, const std::string& what) {
+void FieldReader::report(int line, const std::string& what) {
   ++fault_count_;
   faults_.error({subject_.place.file, line}, fmt::format("{}: {}", subject_.name, what));
 }

@@ -62,7 +62,7 @@ class FieldReader {
   void add(const std::vector<Fault>& faults) { faults_.add(faults); }
 
  private:
-  void tell(int line, const std::string& what);
+  void report(int line, const std::string& what);
   std::optional<FieldValue> parse(const FieldDeclaration& declaration, const SourceField& field);
   Parsed<FieldValue> parsed(const FieldDeclaration& declaration, const std::string& text) const;
 

@@ -172,7 +172,7 @@ class Collector {
   std::vector<Link> links_;
 };
 
-std::string in_plain_words(const tinyxml2::XMLDocument& document) {
+std::string parse_error_text(const tinyxml2::XMLDocument& document) {
   switch (document.ErrorID()) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
       return "is empty; a KML document is wanted";
@@ -224,7 +224,7 @@ std::vector<Collector::Link> add_document(const KmlText& text, std::vector<std::
   tinyxml2::XMLDocument document;
   document.Parse(text.utf8.data(), text.utf8.size());
   if (document.Error()) {
-    throw InputError({text.file, document.ErrorLineNum()}, in_plain_words(document));
+    throw InputError({text.file, document.ErrorLineNum()}, parse_error_text(document));
   }
   Collector collector(source, text.file, std::move(folders));
   collector.collect(root_of(document, text.file));

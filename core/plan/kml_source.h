@@ -26,7 +26,8 @@ struct SourceGeometry {
   // "Point", "LineString" (also a LinearRing or gx:Track), "Polygon", "MultiGeometry" (of several,
   // or none), "Model", ...
   std::string kind;
-  // Coordinates of Point, LineString and a Polygon's outline: text as written, without blanks around it.
+  // Coordinates of Point, LineString and a Polygon's outline: text as written, without blanks
+  // around it.
   std::string coordinates;
   int line = 0;  // of the first coordinate; else of the geometry
   // A Polygon's holes (innerBoundaryIs).

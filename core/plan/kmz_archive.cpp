@@ -31,7 +31,7 @@ ZipHandle open_archive(const std::string& bytes, const std::string& file) {
 }
 
 // Whether macOS added the file to the archive; such files are not the user's.
-bool is_of_finder(std::string_view name) {
+bool is_added_by_macos(std::string_view name) {
   const std::size_t slash = name.rfind('/');
   return name.starts_with("__MACOSX/") ||
          name.substr(slash == std::string_view::npos ? 0 : slash + 1).starts_with("._");
@@ -77,7 +77,7 @@ std::string KmzArchive::document_name() const {
   const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
   for (zip_int64_t i = 0; i < count; ++i) {
     const char* entry = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
-    if (entry == nullptr || is_of_finder(entry)) continue;
+    if (entry == nullptr || is_added_by_macos(entry)) continue;
     const std::string lower = in_lower_case(entry);
     if (lower == "doc.kml") return entry;
     if (first.empty() && lower.ends_with(".kml")) first = entry;

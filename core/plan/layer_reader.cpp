@@ -26,7 +26,7 @@ struct CloseDataset {
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 // Whether QGIS stores data of its own in the table.
-bool is_of_qgis(std::string_view layer) {
+bool is_qgis_table(std::string_view layer) {
   return layer == "layer_styles" || layer == "qgis_projects";
 }
 
@@ -201,7 +201,7 @@ KmlSource read_layers(const std::string& file) {
   for (int i = 0; i < dataset->GetLayerCount(); ++i) {
     OGRLayer& layer = *dataset->GetLayer(i);
     const std::string name = layer.GetName();
-    if (is_of_qgis(name)) continue;
+    if (is_qgis_table(name)) continue;
     const std::string layer_file = fmt::format("{}/{}", file, name);
     const LayerPlaces places(layer.GetSpatialRef(), layer_file);
     if (layer.GetGeomType() != wkbNone) {

@@ -19,7 +19,7 @@ int line_of(std::string_view text, std::size_t at) {
 }
 
 // The position just after `ending`, or the end of the text.
-std::size_t behind(std::string_view text, std::size_t from, std::string_view ending) {
+std::size_t end_after(std::string_view text, std::size_t from, std::string_view ending) {
   const std::size_t found = text.find(ending, from);
   return found == std::string_view::npos ? text.size() : found + ending.size();
 }
@@ -57,9 +57,9 @@ void check_markup(const KmlText& text) {
   while ((at = utf8.find('<', at)) != std::string_view::npos) {
     const std::string_view rest = utf8.substr(at);
     if (rest.starts_with("<!--")) {
-      at = behind(utf8, at + 4, "-->");
+      at = end_after(utf8, at + 4, "-->");
     } else if (rest.starts_with("<![CDATA[")) {
-      at = behind(utf8, at, "]]>");
+      at = end_after(utf8, at, "]]>");
     } else if (rest.starts_with("<!DOCTYPE")) {
       const std::size_t stop = rest.find_first_of("[>");
       if (stop != std::string_view::npos && rest[stop] == '[') {
@@ -67,7 +67,7 @@ void check_markup(const KmlText& text) {
                          "declares entities or elements of its own in <!DOCTYPE ... [ ... ]>; they "
                          "are not read: remove it, and write out what its entities stand for");
       }
-      at = behind(utf8, at, ">");
+      at = end_after(utf8, at, ">");
     } else {
       const Tag tag = tag_at(utf8, at);
       if (tag.attributes > most_attributes) {

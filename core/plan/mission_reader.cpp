@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/path_beside.h"
 #include "base/quantity.h"
+#include "base/resolved_path.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -45,7 +45,7 @@ TerrainName read_terrain(FieldReader& fields, const std::string& field, const st
     fields.error(field, "its script is broken");
     return terrain;
   }
-  const std::string path = path_beside(fs::path(context.plan_file).parent_path().string(), text);
+  const std::string path = resolved_path(fs::path(context.plan_file).parent_path().string(), text);
   std::error_code error;
   // Paths in GDAL's virtual file systems name rasters inside archives; GDAL checks that they exist.
   if (text.starts_with("/vsi") || fs::is_regular_file(path, error)) {
@@ -67,7 +67,7 @@ Place place_of(const SourcePlacemark& placemark, const ReadContext& context) {
   return {placemark.file.empty() ? context.source_file : placemark.file, placemark.line};
 }
 
-Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
+Subject subject_of(const PlanPlacemark& ours, const std::string& id_field,
                    const ReadContext& context) {
   const std::string& type = ours.data.schema;
   Subject subject{place_of(*ours.placemark, context), type};
@@ -80,7 +80,7 @@ Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
   return subject;
 }
 
-MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
+MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadContext& context,
                          PlanGaps& gaps, std::vector<std::string>& defaults) {
   MissionInfo mission;
   gaps.start_time = true;

@@ -20,24 +20,24 @@ struct ReadContext {
 };
 
 // Checks that there is one MissionInfo and reads the first. Defaults go to `defaults`.
-MissionInfo read_mission(const std::vector<OurPlacemark>& missions, const ReadContext& context,
+MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadContext& context,
                          PlanGaps& gaps, std::vector<std::string>& defaults);
 
 // The ids of the plan and where each is given, also by Placemarks with other faults.
 using IdPlaces = std::map<std::string, Place>;
 
 // Read rovers and assets; the results are in byte order of id.
-std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
+std::vector<PlanRover> read_rovers(const std::vector<PlanPlacemark>& rovers,
                                    const ReadContext& context, IdPlaces& ids, PlanGaps& gaps,
                                    std::vector<std::string>& defaults);
-std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
+std::vector<PlanAsset> read_assets(const std::vector<PlanPlacemark>& assets,
                                    const ReadContext& context, IdPlaces& ids, PlanGaps& gaps);
 
 // File and line of the Placemark's element.
 Place place_of(const SourcePlacemark& placemark, const ReadContext& context);
 // Subject "Rover 'NAME'" of messages; when the Placemark has no name, the text of `id_field`
 // replaces it.
-Subject subject_of(const OurPlacemark& ours, const std::string& id_field,
+Subject subject_of(const PlanPlacemark& ours, const std::string& id_field,
                    const ReadContext& context);
 
 }  // namespace lsos

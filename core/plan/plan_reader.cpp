@@ -19,7 +19,7 @@ namespace lsos {
 
 namespace {
 
-bool has_nothing_of_ours(const Classified& found) {
+bool has_no_plan_placemark(const Classified& found) {
   return found.missions.empty() && found.rovers.empty() && found.assets.empty() &&
          found.events.empty();
 }
@@ -29,7 +29,7 @@ constexpr const char* is_not_read =
     "to";
 
 // Whether a link may lead to a part of the plan; base maps and other images are decoration.
-bool may_be_of_the_plan(const std::string& href) {
+bool may_lead_to_plan(const std::string& href) {
   std::string name = href.substr(0, href.find_first_of("#?"));
   std::ranges::transform(name, name.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -38,7 +38,7 @@ bool may_be_of_the_plan(const std::string& href) {
 
 void warn_of_links(const KmlSource& source, Faults& faults) {
   for (const KmlSource::Link& link : source.links) {
-    if (!may_be_of_the_plan(link.href)) continue;
+    if (!may_lead_to_plan(link.href)) continue;
     faults.warning({link.file, link.line}, fmt::format("NetworkLink to {}: what it links to {}",
                                                        quoted(link.href), is_not_read));
   }
@@ -67,7 +67,7 @@ void check_layers(const KmlSource& source, const MissionInfo& mission, Faults& f
 }
 
 // Message for a map that is no plan: one statement replaces a list of all that it lacks.
-std::string no_plan(int count, const KmlSource& source) {
+std::string no_plan_text(int count, const KmlSource& source) {
   if (!source.layers.empty()) {
     return fmt::format(
         "is a GeoPackage but no plan: it has {} features, none of them of a layer MissionInfo, "
@@ -101,8 +101,8 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   plan.file = file;
   const Classified ours = classify(source, declarations, faults);
   plan.decoration_count = ours.decoration_count;
-  if (has_nothing_of_ours(ours) && !faults.has_errors()) {
-    faults.error({source.file, 0}, no_plan(ours.decoration_count, source));
+  if (has_no_plan_placemark(ours) && !faults.has_errors()) {
+    faults.error({source.file, 0}, no_plan_text(ours.decoration_count, source));
     return plan;
   }
   warn_of_links(source, faults);

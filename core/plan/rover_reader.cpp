@@ -71,7 +71,7 @@ void check_configuration(FieldReader& fields, const Declarations::RoverType& typ
   fields.error("RoverConfig", fmt::format("the rover has no such configuration{}", hint));
 }
 
-std::optional<Geodetic> read_position(const OurPlacemark& ours, const FieldReader& fields,
+std::optional<Geodetic> read_position(const PlanPlacemark& ours, const FieldReader& fields,
                                       Faults& faults) {
   constexpr std::array wanted{GeometryKind::point};
   const auto geometry = read_geometry(*ours.placemark, wanted, fields.subject(), faults);
@@ -89,7 +89,7 @@ struct DraftRover {
   std::vector<std::string> defaults;
 };
 
-DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdPlaces& ids,
+DraftRover read_rover(const PlanPlacemark& ours, const ReadContext& context, IdPlaces& ids,
                       PlanGaps& gaps) {
   FieldReader fields(subject_of(ours, "RoverId", context), ours.data, context.faults);
   DraftRover draft;
@@ -136,7 +136,7 @@ DraftRover read_rover(const OurPlacemark& ours, const ReadContext& context, IdPl
   return draft;
 }
 
-PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdPlaces& ids,
+PlanAsset read_asset(const PlanPlacemark& ours, const ReadContext& context, IdPlaces& ids,
                      PlanGaps& gaps) {
   FieldReader fields(subject_of(ours, "AssetId", context), ours.data, context.faults);
   fields.check_names({asset_fields()});
@@ -163,7 +163,7 @@ PlanAsset read_asset(const OurPlacemark& ours, const ReadContext& context, IdPla
 
 }  // namespace
 
-std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
+std::vector<PlanRover> read_rovers(const std::vector<PlanPlacemark>& rovers,
                                    const ReadContext& context, IdPlaces& ids, PlanGaps& gaps,
                                    std::vector<std::string>& defaults) {
   if (rovers.empty()) {
@@ -173,7 +173,7 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
   }
   std::vector<DraftRover> drafts;
   drafts.reserve(rovers.size());
-  for (const OurPlacemark& ours : rovers) drafts.push_back(read_rover(ours, context, ids, gaps));
+  for (const PlanPlacemark& ours : rovers) drafts.push_back(read_rover(ours, context, ids, gaps));
   std::ranges::stable_sort(drafts, {}, [](const DraftRover& d) { return d.rover.id; });
   std::vector<PlanRover> result;
   for (DraftRover& draft : drafts) {
@@ -183,10 +183,10 @@ std::vector<PlanRover> read_rovers(const std::vector<OurPlacemark>& rovers,
   return result;
 }
 
-std::vector<PlanAsset> read_assets(const std::vector<OurPlacemark>& assets,
+std::vector<PlanAsset> read_assets(const std::vector<PlanPlacemark>& assets,
                                    const ReadContext& context, IdPlaces& ids, PlanGaps& gaps) {
   std::vector<PlanAsset> result;
-  for (const OurPlacemark& ours : assets) result.push_back(read_asset(ours, context, ids, gaps));
+  for (const PlanPlacemark& ours : assets) result.push_back(read_asset(ours, context, ids, gaps));
   std::ranges::stable_sort(result, {}, &PlanAsset::id);
   return result;
 }

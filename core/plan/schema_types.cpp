@@ -63,8 +63,8 @@ void check_schema_types(const KmlSource& source, const Classified& classified, F
   for (const SourceSchema& schema : source.schemas) {
     if (!by_file.contains(schema.file)) by_file[schema.file] = number_fields(source, schema.file);
   }
-  std::set<const SourceSchema::Field*> told;
-  const auto check = [&](const OurPlacemark& ours) {
+  std::set<const SourceSchema::Field*> reported;
+  const auto check = [&](const PlanPlacemark& ours) {
     const std::string& file = ours.placemark->file.empty() ? source.file : ours.placemark->file;
     const auto types = by_file.find(file);
     if (types == by_file.end()) return;
@@ -73,7 +73,7 @@ void check_schema_types(const KmlSource& source, const Classified& classified, F
     for (const SourceField& field : ours.data.fields) {
       const auto type = types->second.find({ours.data.schema_url.substr(hash + 1), field.name});
       if (type == types->second.end() || is_number(field.text)) continue;
-      if (!told.insert(type->second).second) continue;
+      if (!reported.insert(type->second).second) continue;
       faults.warning({file, field.line}, warning(field, *type->second));
     }
   };

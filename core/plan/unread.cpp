@@ -14,7 +14,7 @@ std::string text_of(const SourceData& data, const char* name) {
   return field == data.fields.end() ? "" : field->text;
 }
 
-DraftEvent read_event(const OurPlacemark& ours, const ReadContext& context) {
+DraftEvent read_event(const PlanPlacemark& ours, const ReadContext& context) {
   DraftEvent draft;
   draft.is_read = false;
   draft.subject = subject_of(ours, "Sequence", context).name;
@@ -31,10 +31,10 @@ DraftEvent read_event(const OurPlacemark& ours, const ReadContext& context) {
 
 }  // namespace
 
-Unread read_unread(const std::vector<OurPlacemark>& unread, const ReadContext& context,
+Unread read_unread(const std::vector<PlanPlacemark>& unread, const ReadContext& context,
                    PlanGaps& gaps) {
   Unread read;
-  for (const OurPlacemark& ours : unread) {
+  for (const PlanPlacemark& ours : unread) {
     const auto has = [&](const char* name) { return !text_of(ours.data, name).empty(); };
     if (has("RoverType")) {
       read.has_rover = true;

@@ -17,7 +17,7 @@ struct Unread {
 
 // Guesses the kind of each Placemark from its fields. The id of a rover or an asset, or the fact
 // that it has none, is entered into `gaps`.
-Unread read_unread(const std::vector<OurPlacemark>& unread, const ReadContext& context,
+Unread read_unread(const std::vector<PlanPlacemark>& unread, const ReadContext& context,
                    PlanGaps& gaps);
 
 }  // namespace lsos

@@ -64,9 +64,10 @@ struct Node {
 };
 
 const BarycentricState& node(CelestialBody body, std::int64_t number) {
-  constexpr int bodies = 4, kept = 4;
-  thread_local std::array<std::array<Node, kept>, bodies> nodes;
-  Node& node = nodes[static_cast<std::size_t>(body)][static_cast<std::size_t>(number & (kept - 1))];
+  constexpr int bodies = 4, cached = 4;
+  thread_local std::array<std::array<Node, cached>, bodies> nodes;
+  Node& node =
+      nodes[static_cast<std::size_t>(body)][static_cast<std::size_t>(number & (cached - 1))];
   if (node.number != number) {
     node = {number, series(body, static_cast<double>(number) / nodes_a_day)};
   }
@@ -86,9 +87,9 @@ BarycentricState barycentric_state(CelestialBody body, Instant at) {
   const BarycentricState& b = node(body, before + 1);
   const double t = nodes - static_cast<double>(before);
   constexpr double span_s = day_s / nodes_a_day;
-  const Vec3 from_m = a.v_I_mps * span_s, to_m = b.v_I_mps * span_s, way_m = b.p_I_m - a.p_I_m;
+  const Vec3 from_m = a.v_I_mps * span_s, to_m = b.v_I_mps * span_s, delta_m = b.p_I_m - a.p_I_m;
   // p = a + t (from + t (c2 + t c3))
-  const Vec3 c2 = 3 * way_m - 2 * from_m - to_m, c3 = from_m + to_m - 2 * way_m;
+  const Vec3 c2 = 3 * delta_m - 2 * from_m - to_m, c3 = from_m + to_m - 2 * delta_m;
   return {a.p_I_m + t * (from_m + t * (c2 + t * c3)),
           (from_m + t * (2 * c2 + 3 * t * c3)) / span_s};
 }

@@ -86,7 +86,7 @@ Orientation mars_orientation(double days) {
   return o;
 }
 
-Mat3 turned(const Orientation& o) {
+Mat3 rotation_matrix(const Orientation& o) {
   const auto about = [](const Vec3& axis, double angle_deg) -> Mat3 {
     return Eigen::AngleAxisd(-radians(angle_deg), axis).toRotationMatrix();
   };
@@ -110,9 +110,9 @@ Mat3 earth_rotation(Instant at) {
 Mat3 R_FI(const Body& body, Instant at) {
   switch (body.id) {
     case BodyId::moon:
-      return turned(moon_orientation(tt_days(at)));
+      return rotation_matrix(moon_orientation(tt_days(at)));
     case BodyId::mars:
-      return turned(mars_orientation(tt_days(at)));
+      return rotation_matrix(mars_orientation(tt_days(at)));
     case BodyId::earth:
     case BodyId::other:
       break;

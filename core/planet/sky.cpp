@@ -78,9 +78,9 @@ double covered_share(double disc_rad, double cover_rad, double separation_rad) {
 namespace {
 
 double share_covered_by(const Sighting& cover, const Sighting& disc) {
-  const double apart_rad = std::atan2(disc.direction_F.cross(cover.direction_F).norm(),
-                                      disc.direction_F.dot(cover.direction_F));
-  return covered_share(disc.disc_rad, cover.disc_rad, apart_rad);
+  const double separation_rad = std::atan2(disc.direction_F.cross(cover.direction_F).norm(),
+                                           disc.direction_F.dot(cover.direction_F));
+  return covered_share(disc.disc_rad, cover.disc_rad, separation_rad);
 }
 
 }  // namespace

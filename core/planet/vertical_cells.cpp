@@ -2,7 +2,7 @@
 
 namespace lsos {
 
-VerticalCells::Cell VerticalCells::made(const Key& key) const {
+VerticalCells::Cell VerticalCells::make_cell(const Key& key) const {
   // Differences over 10 m lose no digits that count, and the turn is uniform over it to 1e-11.
   constexpr double step_m = 10;
   Cell cell;

@@ -48,7 +48,7 @@ class VerticalCells {
   const Cell& cell_of(const Vec3& p_S_m) {
     const Key key{number(p_S_m.x()), number(p_S_m.y()), number(p_S_m.z())};
     Cell& cell = cells_[static_cast<std::size_t>(4 * (key.x & 1) + 2 * (key.y & 1) + (key.z & 1))];
-    if (cell.key != key) cell = made(key);
+    if (cell.key != key) cell = make_cell(key);
     return cell;
   }
   static std::int64_t number(double at_m) {
@@ -56,7 +56,7 @@ class VerticalCells {
     const auto truncated = static_cast<std::int64_t>(cells);
     return truncated - (static_cast<double>(truncated) > cells);
   }
-  Cell made(const Key& key) const;
+  Cell make_cell(const Key& key) const;
 
   const SiteFrame* site_;
   // One cell for each parity of keys: wheels on both sides of a border keep theirs.

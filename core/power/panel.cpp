@@ -24,14 +24,14 @@ double nearest(const AngleLimits& limits, double wanted_rad) {
 }
 
 // Signed rotation of an axis from one angle to another, rad.
-double way_rad(const AngleLimits& limits, double from_rad, double to_rad) {
+double signed_turn_rad(const AngleLimits& limits, double from_rad, double to_rad) {
   return is_all_round(limits) ? wrapped(to_rad - from_rad) : to_rad - from_rad;
 }
 
 double turned(const AngleLimits& limits, double from_rad, double to_rad, double reach_rad) {
-  const double way = way_rad(limits, from_rad, to_rad);
-  if (std::abs(way) <= reach_rad) return to_rad;
-  const double at_rad = from_rad + std::copysign(reach_rad, way);
+  const double turn_rad = signed_turn_rad(limits, from_rad, to_rad);
+  if (std::abs(turn_rad) <= reach_rad) return to_rad;
+  const double at_rad = from_rad + std::copysign(reach_rad, turn_rad);
   return is_all_round(limits) ? wrapped(at_rad) : at_rad;
 }
 
@@ -72,9 +72,10 @@ PanelAngles facing(const PanelSpec& panel, const PanelAngles& now, const Vec3& d
 }
 
 double turn_s(const PanelSpec& panel, const PanelAngles& from, const PanelAngles& to) {
-  const double way = std::max(std::abs(way_rad(panel.azimuth, from.azimuth_rad, to.azimuth_rad)),
-                              std::abs(to.elevation_rad - from.elevation_rad));
-  return way == 0 ? 0 : way / panel.rate_radps;
+  const double turn_rad =
+      std::max(std::abs(signed_turn_rad(panel.azimuth, from.azimuth_rad, to.azimuth_rad)),
+               std::abs(to.elevation_rad - from.elevation_rad));
+  return turn_rad == 0 ? 0 : turn_rad / panel.rate_radps;
 }
 
 PanelAngles turned(const PanelSpec& panel, const PanelAngles& from, const PanelAngles& to,

@@ -206,8 +206,10 @@ Comparison compare(const ComparedRun& run_a, const ComparedRun& run_b) {
     };
     const Json only_a = lacking(texts_a, texts_b), only_b = lacking(texts_b, texts_a);
     for (std::size_t k = 0; k < std::max(only_a.size(), only_b.size()); ++k) {
-      const auto told = [&](const Json& texts) { return k < texts.size() ? texts[k] : Json(); };
-      found.add("run", key, told(only_a), told(only_b));
+      const auto text_or_null = [&](const Json& texts) {
+        return k < texts.size() ? texts[k] : Json();
+      };
+      found.add("run", key, text_or_null(only_a), text_or_null(only_b));
     }
   }
   Collector(comparison.made_of).add_all("made of", Json(run_a.run), Json(run_b.run));
@@ -247,18 +249,18 @@ std::string to_text(const Comparison& found, const std::array<std::string, 2>& n
 }
 
 std::string to_json(const ExactComparison& found) {
-  Json answer = {{"equal", !found.difference},
-                 {"log_sha256", {found.sha256[0], found.sha256[1]}},
-                 {"difference", nullptr}};
+  Json document = {{"equal", !found.difference},
+                   {"log_sha256", {found.sha256[0], found.sha256[1]}},
+                   {"difference", nullptr}};
   if (const auto& at = found.difference) {
-    answer["difference"] = {{"layer", at->layer},
-                            {"row", at->row},
-                            {"column", at->column.empty() ? Json() : Json(at->column)},
-                            {"where", at->where},
-                            {"a", json_of(at->a)},
-                            {"b", json_of(at->b)}};
+    document["difference"] = {{"layer", at->layer},
+                              {"row", at->row},
+                              {"column", at->column.empty() ? Json() : Json(at->column)},
+                              {"where", at->where},
+                              {"a", json_of(at->a)},
+                              {"b", json_of(at->b)}};
   }
-  return dumped(answer);
+  return dumped(document);
 }
 
 std::string to_text(const ExactComparison& found, const std::array<std::string, 2>& names) {

@@ -17,12 +17,12 @@ DriveMarks::DriveMarks(const SampleTotals& totals, const std::vector<EventRow>& 
                        const std::string& rover_id, std::size_t most)
     : events_(events, rover_id, share_of_events * most / all_shares) {
   LSOS_ASSERT(most >= 10);
-  const std::size_t of_stops = share_of_stops * most / all_shares;
-  stops_left_ = of_stops / 2;  // two rows each
+  const std::size_t stop_rows = share_of_stops * most / all_shares;
+  stops_left_ = stop_rows / 2;  // two rows each
   stop_spacing_m_ = totals.distance_m / static_cast<double>(stops_left_);
   // Three rows less: the first, the last, and one that rounding may add.
-  const std::size_t of_drive = most - events_.size() - of_stops - 3;
-  spacing_m_ = totals.distance_m / static_cast<double>(of_drive);
+  const std::size_t drive_rows = most - events_.size() - stop_rows - 3;
+  spacing_m_ = totals.distance_m / static_cast<double>(drive_rows);
 }
 
 WantedRows DriveMarks::next(const SampleRow& row) {

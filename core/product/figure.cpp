@@ -17,7 +17,7 @@ namespace {
 constexpr double width_mm = 180, left_mm = 18, right_margin_mm = 4, top_least_mm = 9;
 constexpr double map_least_mm = 42, map_most_mm = 85, panel_mm = 34;
 constexpr double bar_mm = 2.4, bar_apart_mm = 0.5, bars_below_mm = 1.2;
-constexpr double below_axis_mm = 10.5, between_mm = 3, key_row_mm = 4.2;
+constexpr double below_axis_mm = 10.5, between_mm = 3, legend_row_mm = 4.2;
 constexpr double rover_sample_mm = 8.5, kind_sample_mm = 6.2;
 constexpr double letters_mm = 2.6, small_mm = 2.3;
 
@@ -144,19 +144,19 @@ class Figure {
         unit_(time_unit(data.end_s)),
         kinds_(event_kinds(data.events)),
         ruler_(std::make_unique<FigurePen>(1, 1, dpi)),
-        top_mm_(top_least_mm + (data.rovers.empty() ? 0 : rover_places().back().y_mm)),
+        top_mm_(top_least_mm + (data.rovers.empty() ? 0 : rover_legend_places().back().y_mm)),
         map_mm_(map_height_mm()),
         pen_(width_mm, height_mm(), dpi) {}
 
   std::string draw() {
-    rover_keys();
+    draw_rover_legend();
     plan_view();
     double top = top_mm_ + map_mm_ + below_axis_mm + between_mm;
     for (const Panel& panel : panels()) {
       time_panel(panel, top);
       top += panel_mm + bars_mm() + below_axis_mm + between_mm;
     }
-    kind_keys(top);
+    draw_kind_legend(top);
     return pen_.png();
   }
 
@@ -174,7 +174,7 @@ class Figure {
   }
   double height_mm() const {
     return top_mm_ + map_mm_ + below_axis_mm + between_mm +
-           3 * (panel_mm + bars_mm() + below_axis_mm + between_mm) + kind_keys_mm();
+           3 * (panel_mm + bars_mm() + below_axis_mm + between_mm) + kind_legend_mm();
   }
   Range extent(std::size_t column) const {
     Range range;
@@ -212,13 +212,13 @@ class Figure {
   }
 
   // Places of the rovers' keys, above all panels.
-  std::vector<PaperPoint> rover_places() const {
+  std::vector<PaperPoint> rover_legend_places() const {
     std::vector<std::string> names;
     for (const ReportRover& rover : data_.rovers) names.push_back(rover.id);
-    return in_rows(names, letters_mm, rover_sample_mm);
+    return legend_places(names, letters_mm, rover_sample_mm);
   }
-  void rover_keys() {
-    const std::vector<PaperPoint> places = rover_places();
+  void draw_rover_legend() {
+    const std::vector<PaperPoint> places = rover_legend_places();
     for (std::size_t k = 0; k < places.size(); ++k) {
       const ReportRover& rover = data_.rovers[k];
       const double x_mm = places[k].x_mm, y_mm = 4 + places[k].y_mm;
@@ -227,15 +227,15 @@ class Figure {
     }
   }
   // Places of keys with a sample before each name, in rows from y = 0 downwards.
-  std::vector<PaperPoint> in_rows(const std::vector<std::string>& names, double size_mm,
-                                  double sample_mm) const {
+  std::vector<PaperPoint> legend_places(const std::vector<std::string>& names, double size_mm,
+                                        double sample_mm) const {
     constexpr double apart_mm = 6;
     std::vector<PaperPoint> places;
     PaperPoint at{left_mm, 0};
     for (const std::string& name : names) {
       const double long_mm = sample_mm + ruler_->text_width_mm(name, size_mm);
       if (at.x_mm > left_mm && at.x_mm + long_mm > width_mm - right_margin_mm) {
-        at = {left_mm, at.y_mm + key_row_mm};
+        at = {left_mm, at.y_mm + legend_row_mm};
       }
       places.push_back(at);
       at.x_mm += long_mm + apart_mm;
@@ -247,9 +247,9 @@ class Figure {
   void plan_view() {
     Range x = extent(position_x), y = extent(position_y);
     const PaperBox box{left_mm, top_mm_, box_width_mm(), map_mm_};
-    const double m_a_mm = std::max(x.span() / box.width_mm, y.span() / box.height_mm);
+    const double m_per_mm = std::max(x.span() / box.width_mm, y.span() / box.height_mm);
     const auto widen = [&](Range& range, double length_mm) {
-      const double more = (m_a_mm * length_mm - range.span()) / 2;
+      const double more = (m_per_mm * length_mm - range.span()) / 2;
       range = {range.least - more, range.greatest + more};
     };
     widen(x, box.width_mm);
@@ -335,18 +335,18 @@ class Figure {
     }
     return used;
   }
-  std::vector<PaperPoint> kind_places() const {
+  std::vector<PaperPoint> kind_legend_places() const {
     std::vector<std::string> names;
     for (const EventKind* kind : used_kinds()) names.push_back(kind->name);
-    return in_rows(names, small_mm, kind_sample_mm);
+    return legend_places(names, small_mm, kind_sample_mm);
   }
-  double kind_keys_mm() const {
-    const std::vector<PaperPoint> places = kind_places();
-    return key_row_mm + (places.empty() ? 0 : places.back().y_mm);
+  double kind_legend_mm() const {
+    const std::vector<PaperPoint> places = kind_legend_places();
+    return legend_row_mm + (places.empty() ? 0 : places.back().y_mm);
   }
-  void kind_keys(double top) {
+  void draw_kind_legend(double top) {
     const std::vector<const EventKind*> used = used_kinds();
-    const std::vector<PaperPoint> places = kind_places();
+    const std::vector<PaperPoint> places = kind_legend_places();
     for (std::size_t k = 0; k < used.size(); ++k) {
       const double x_mm = places[k].x_mm, y_mm = top + places[k].y_mm;
       pen_.fill({x_mm, y_mm, 5, bar_mm}, used[k]->colour);

@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double mm_an_inch = 25.4;
+constexpr double mm_per_inch = 25.4;
 
 void set_colour(cairo_t* cairo, const std::string& colour) {
   const auto part = [&](std::size_t at) {
@@ -51,7 +51,7 @@ struct FigurePen::Sheet {
 
 FigurePen::FigurePen(double width_mm, double height_mm, int dpi)
     : sheet_(std::make_unique<Sheet>()) {
-  const double scale = dpi / mm_an_inch;
+  const double scale = dpi / mm_per_inch;
   // Cairo's limit on width and height of a picture.
   constexpr double pixels_max = 32767;
   if (scale * std::max(width_mm, height_mm) > pixels_max) {
@@ -59,7 +59,7 @@ FigurePen::FigurePen(double width_mm, double height_mm, int dpi)
         {}, fmt::format("--dpi {}: the figure is {:.0f} mm by {:.0f} mm; {:.0f} dpi at "
                         "most make a picture of it",
                         dpi, width_mm, height_mm,
-                        std::floor(pixels_max * mm_an_inch / std::max(width_mm, height_mm))));
+                        std::floor(pixels_max * mm_per_inch / std::max(width_mm, height_mm))));
   }
   sheet_->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24,
                                                static_cast<int>(std::lround(width_mm * scale)),

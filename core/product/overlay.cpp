@@ -114,12 +114,12 @@ KmlFolder drawn_lines(const Plan& plan, const std::string& rover_id, const Rover
     KmlPlacemark line;
     line.name = fmt::format("{} {} (plan)", rover_id, event.label);
     line.style_id = style.plan_id;
-    line.geometry = {KmlGeometryKind::line, unrolled(std::move(points))};
+    line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(std::move(points))};
     folder.placemarks.push_back(line);
     for (std::vector<Geodetic> hole : event.geometry.holes) {
       hole.push_back(hole.front());
       line.name = fmt::format("{} {} (plan, kept out of)", rover_id, event.label);
-      line.geometry = {KmlGeometryKind::line, unrolled(std::move(hole))};
+      line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(std::move(hole))};
       folder.placemarks.push_back(line);
     }
   }
@@ -138,7 +138,7 @@ KmlFolder planned_lines(const std::vector<PlannedPathRow>& paths, Instant start,
                               path.leg, path.attempt > 0 ? " again" : ""));
     line.description = balloon(path);
     line.style_id = style.planned_id;
-    line.geometry = {KmlGeometryKind::line, unrolled(path.line)};
+    line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(path.line)};
     folder.placemarks.push_back(std::move(line));
   }
   return folder;
@@ -150,7 +150,7 @@ KmlFolder driven_line(const RoverTrack& track, const std::string& rover_id,
   KmlPlacemark line;
   line.name = rover_id + " driven";
   line.style_id = style.driven_id;
-  line.geometry = {KmlGeometryKind::line, unrolled(track.line())};
+  line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(track.line())};
   if (line.geometry.points.size() >= 2) folder.placemarks.push_back(std::move(line));
   return folder;
 }

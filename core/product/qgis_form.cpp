@@ -17,7 +17,7 @@ namespace {
 
 // Expression for the layer of that name. QGIS calls layers "mission - Route" or "Route", depending
 // on how the file was opened, so the name is derived from that of the own layer.
-std::string beside(const FormLayer& own, std::string_view name) {
+std::string layer_expression(const FormLayer& own, std::string_view name) {
   return fmt::format("regexp_replace(@layer_name, '{}$', '{}')", own.name, name);
 }
 
@@ -55,7 +55,7 @@ std::string next_sequence(const FormLayer& own, const std::vector<FormLayer>& la
   for (const FormLayer& layer : layers) {
     if (!has_field(layer, "Sequence")) continue;
     highest += fmt::format(R"(, coalesce(try(aggregate({}, 'max', "Sequence"), 0), 0))",
-                           beside(own, layer.name));
+                           layer_expression(own, layer.name));
   }
   return fmt::format("max({}) + 10", highest);
 }
@@ -134,7 +134,7 @@ std::string rover_color(const FormLayer& layer) {
       R"(with_variable('at', array_find(array_sort(string_to_array(try(aggregate({}, )"
       R"('concatenate_unique', "RoverId", concatenator:=','), ''))), "RoverId"), )"
       R"(if(coalesce(@at, -1) < 0, {}, array_get(array({}), @at % {}))))",
-      beside(layer, "Rover"), of_none, colors, rover_colors.size());
+      layer_expression(layer, "Rover"), of_none, colors, rover_colors.size());
 }
 
 std::string point_symbol(const FormLayer& layer) {

@@ -265,19 +265,19 @@ std::string_view without_source_map(std::string_view script) {
 std::vector<double> leap_ends_s(Instant start, double end_s) {
   constexpr double day_s = 86400, rounding_s = 1e-5;
   // A run that starts within a leap second: counting begins a second earlier.
-  const double before_s = format_utc(start).find(":60") != std::string::npos ? 1 : 0;
-  const double base_days = utc_days(start + from_seconds(-before_s));
-  const auto behind_s = [&](double time_s) {
-    return time_s + before_s - (utc_days(start + from_seconds(time_s)) - base_days) * day_s;
+  const double start_shift_s = format_utc(start).find(":60") != std::string::npos ? 1 : 0;
+  const double base_days = utc_days(start + from_seconds(-start_shift_s));
+  const auto utc_lag_s = [&](double time_s) {
+    return time_s + start_shift_s - (utc_days(start + from_seconds(time_s)) - base_days) * day_s;
   };
   std::vector<double> ends_s;
   for (double from_s = 0; from_s < end_s; from_s += day_s) {
     double low_s = from_s, high_s = std::min(from_s + day_s, end_s);
-    const double wanted_s = std::floor(behind_s(from_s) + rounding_s) + 1 - rounding_s;
-    if (behind_s(high_s) < wanted_s) continue;
+    const double wanted_s = std::floor(utc_lag_s(from_s) + rounding_s) + 1 - rounding_s;
+    if (utc_lag_s(high_s) < wanted_s) continue;
     while (high_s - low_s > rounding_s) {
       const double middle_s = (low_s + high_s) / 2;
-      (behind_s(middle_s) < wanted_s ? low_s : high_s) = middle_s;
+      (utc_lag_s(middle_s) < wanted_s ? low_s : high_s) = middle_s;
     }
     ends_s.push_back(std::round(high_s * 1e3) / 1e3);
   }

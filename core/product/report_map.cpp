@@ -14,9 +14,9 @@ namespace lsos {
 namespace {
 
 constexpr double margin_share = 0.14, margin_least_m = 25;
-constexpr double flattest = 0.62, steepest = 1.1;  // height over width
-constexpr int relief_px = 600, shadow_px = 200;    // along the longer side
-constexpr double lit_from_rad = radians(315), lit_rad = radians(45);
+constexpr double aspect_min = 0.62, aspect_max = 1.1;  // height over width
+constexpr int relief_px = 600, shadow_px = 200;        // along the longer side
+constexpr double light_azimuth_rad = radians(315), light_elevation_rad = radians(45);
 constexpr double wanted_slope = 0.35;  // slope to which steep places are exaggerated
 constexpr double exaggeration_most = 6;
 constexpr double darkest = 0.62;  // cover of full shadow
@@ -52,8 +52,8 @@ class Bounds {
     const double margin_m = std::max(margin_least_m, margin_share * std::max(width_m, height_m));
     width_m += 2 * margin_m;
     height_m += 2 * margin_m;
-    height_m = std::max(height_m, flattest * width_m);
-    width_m = std::max(width_m, height_m / steepest);
+    height_m = std::max(height_m, aspect_min * width_m);
+    width_m = std::max(width_m, height_m / aspect_max);
     const double x_m = (left_m_ + right_m_) / 2, y_m = (bottom_m_ + top_m_) / 2;
     map.left_m = x_m - width_m / 2;
     map.right_m = x_m + width_m / 2;
@@ -114,8 +114,9 @@ EmbeddedPicture relief(const std::vector<double>& heights_m, const MapCells& gri
     std::ranges::nth_element(steep, tenth);
     if (*tenth > 0) factor = std::clamp(wanted_slope / *tenth, 1.0, exaggeration_most);
   }
-  const Vec3 light(std::sin(lit_from_rad) * std::cos(lit_rad),
-                   std::cos(lit_from_rad) * std::cos(lit_rad), std::sin(lit_rad));
+  const Vec3 light(std::sin(light_azimuth_rad) * std::cos(light_elevation_rad),
+                   std::cos(light_azimuth_rad) * std::cos(light_elevation_rad),
+                   std::sin(light_elevation_rad));
   std::vector<std::uint8_t> grey(grid.size());
   for (std::size_t k = 0; k < grey.size(); ++k) {
     if (std::isnan(all[k].steepness())) {

@@ -10,9 +10,9 @@ namespace lsos {
 
 namespace {
 
-constexpr double still_m = 2;        // an event with less motion is a stop
-constexpr SimTime stop{60'000'000};  // shortest stop that counts
-constexpr SimTime picture_apart{30'000'000};
+constexpr double stop_distance_max_m = 2;  // an event with less motion is a stop
+constexpr SimTime stop{60'000'000};        // shortest stop that counts
+constexpr SimTime picture_spacing{30'000'000};
 constexpr std::size_t stops_most = 8;
 constexpr std::size_t rovers_most = 3;  // whose start and end are shown
 
@@ -68,7 +68,7 @@ std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& 
     if (event.rover_id != rover_id) end_stop();
     rover_id = event.rover_id;
     if (!event.start || !event.end) continue;
-    if (event.distance_m > still_m) {
+    if (event.distance_m > stop_distance_max_m) {
       end_stop();
       continue;
     }
@@ -90,7 +90,7 @@ std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData&
     const ReportRover& rover = data.rovers[k];
     const SimTime end = from_seconds(rover.last_s);
     moments.push_back({{}, rover.id, "Start", false});
-    if (end > picture_apart) moments.push_back({end, rover.id, "End", false});
+    if (end > picture_spacing) moments.push_back({end, rover.id, "End", false});
   }
   const std::vector<ReportMoment> stops = solar_stops(data, panels);
   // If there are too many stops, some from all parts of the mission are kept.

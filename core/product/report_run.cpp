@@ -58,16 +58,16 @@ std::map<std::string, ReportBattery> batteries(const MissionModel& files) {
 }  // namespace
 
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
-                      const ReportWish& wish, std::vector<std::string>& left_out) {
+                      const ReportRequest& request, std::vector<std::string>& left_out) {
   const SiteFrame site = run.ground ? run.ground->site() : site_of(log, run.files.plan);
   const ReportData data = read_report_data(log, run.files.plan, site);
   ReportExtras extras;
   extras.batteries = batteries(run.files);
   if (run.ground) {
-    extras.map = report_map(*run.ground, data, wish.shadow_at, wish.threads);
+    extras.map = report_map(*run.ground, data, request.shadow_at, request.threads);
     // Pictures may fail, as without a font or a GPU; the rest is still worth reading.
     try {
-      if (wish.has_pictures) extras.pictures = pictures(run, log, data, left_out);
+      if (request.has_pictures) extras.pictures = pictures(run, log, data, left_out);
     } catch (const std::exception& error) {
       left_out.push_back(fmt::format("pictures: {}", error.what()));
     }
@@ -77,7 +77,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
 }
 
 void write_report(const std::string& run_dir, const MissionModel& files, const Ground& ground,
-                  const RunSummary& summary, const ReportWish& wish) {
+                  const RunSummary& summary, const ReportRequest& request) {
   const LogReader log(run_dir + "/log.gpkg");
   PictureRun run;
   run.files = files;
@@ -86,7 +86,7 @@ void write_report(const std::string& run_dir, const MissionModel& files, const G
   run.end = log.last_sample_time();
   std::vector<std::string> left_out;  // the page lists it
   write_file(run_dir + "/report.html",
-             report_of(std::move(run), log, to_json(summary), wish, left_out));
+             report_of(std::move(run), log, to_json(summary), request, left_out));
 }
 
 }  // namespace lsos

@@ -10,7 +10,7 @@
 
 namespace lsos {
 
-struct ReportWish {
+struct ReportRequest {
   SimTime shadow_at{};  // time of the map's shadow, since the start
   bool has_pictures = true;
   int threads = 2;
@@ -20,10 +20,10 @@ struct ReportWish {
 // `left_out` states why. `summary`: text of summary.json, "" for none. Texts for all else that is
 // left out are added.
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
-                      const ReportWish& wish, std::vector<std::string>& left_out);
+                      const ReportRequest& request, std::vector<std::string>& left_out);
 
 // Writes DIR/report.html of a run that has just ended.
 void write_report(const std::string& run_dir, const MissionModel& files, const Ground& ground,
-                  const RunSummary& summary, const ReportWish& wish);
+                  const RunSummary& summary, const ReportRequest& request);
 
 }  // namespace lsos

@@ -83,14 +83,14 @@ RunSummary summarise(const Simulation& simulation, const MissionModel& files, do
 }
 
 // Prepares the folder and returns the name of the log, which must not exist yet.
-std::string prepared(RunFolder& folder, const std::string& plan_bytes) {
+std::string prepare_log_file(RunFolder& folder, const std::string& plan_bytes) {
   folder.prepare();
   write_file(folder.file("plan.kml"), plan_bytes);
   return folder.file("log.gpkg");
 }
 
 // Error of making a product; "" when it was made.
-std::string fault_of_making(const Product& product, const RunSummary& summary) {
+std::string product_error(const Product& product, const RunSummary& summary) {
   try {
     product.write(summary);
     return "";
@@ -102,7 +102,7 @@ std::string fault_of_making(const Product& product, const RunSummary& summary) {
 }
 
 // Writes the summary again with its new warnings; where that fails the earlier one stays.
-void keep_warnings(const std::string& run_dir, const RunSummary& summary) {
+void rewrite_summary(const std::string& run_dir, const RunSummary& summary) {
   try {
     write_summary(run_dir, summary);
   } catch (const OutputError&) {
@@ -115,7 +115,7 @@ void keep_warnings(const std::string& run_dir, const RunSummary& summary) {
 RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const MissionModel& files,
                      const std::map<std::string, std::string>& run_values, Simulation& simulation)
     : folder_(folder),
-      log_(prepared(folder, plan_bytes), std::string(files.plan.mission.planet->crs),
+      log_(prepare_log_file(folder, plan_bytes), std::string(files.plan.mission.planet->crs),
            files.plan.mission.start_time) {
   log_.write_run(run_values);
   std::vector<std::string> rovers;
@@ -145,7 +145,7 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
   write_summary(folder_.path(), summary);
   const std::size_t warnings_before = summary.warnings.size();
   const auto make = [&](const Product& product) {
-    const std::string fault = fault_of_making(product, summary);
+    const std::string fault = product_error(product, summary);
     if (fault.empty()) return;
     summary.warnings.push_back(fmt::format("{} is missing: {}; lsos-host {} {} makes it again",
                                            folder_.file(product.file), fault, product.command,
@@ -155,7 +155,7 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
   make({"overlay.kml", "overlay",
         [&](const RunSummary&) { write_overlay(folder_.path(), files.plan); }});
   std::ranges::for_each(more, make);
-  if (summary.warnings.size() > warnings_before) keep_warnings(folder_.path(), summary);
+  if (summary.warnings.size() > warnings_before) rewrite_summary(folder_.path(), summary);
   return summary;
 }
 

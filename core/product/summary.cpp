@@ -67,7 +67,7 @@ const char* to_string(RunStatus status) {
     case RunStatus::incomplete:
       return "incomplete";
   }
-  broken_promise("every RunStatus has a name", __FILE__, __LINE__);
+  assertion_failed("every RunStatus has a name", __FILE__, __LINE__);
 }
 
 RunStatus run_status(std::span<const EventRow> events) {

@@ -312,7 +312,7 @@ const char* to_string(EventStatus status) {
   for (const auto& [known, name] : status_names) {
     if (known == status) return name;
   }
-  broken_promise("every EventStatus has a name", __FILE__, __LINE__);
+  assertion_failed("every EventStatus has a name", __FILE__, __LINE__);
 }
 
 std::optional<EventStatus> event_status(std::string_view name) {

@@ -118,12 +118,12 @@ OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialRe
 
 void run_sql(GDALDataset& dataset, const std::string& statement,
              const std::function<void(const OGRFeature&)>& visit) {
-  OGRLayer* answer = dataset.ExecuteSQL(statement.c_str(), nullptr, nullptr);
-  if (answer == nullptr) return;
-  while (const Feature feature{answer->GetNextFeature()}) {
+  OGRLayer* result = dataset.ExecuteSQL(statement.c_str(), nullptr, nullptr);
+  if (result == nullptr) return;
+  while (const Feature feature{result->GetNextFeature()}) {
     if (visit) visit(*feature);
   }
-  dataset.ReleaseResultSet(answer);
+  dataset.ReleaseResultSet(result);
 }
 
 void set_value(OGRFeature& feature, int field, const ColumnValue& value) {

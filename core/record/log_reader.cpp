@@ -104,7 +104,7 @@ struct LogReader::Impl {
     for (const LayerSpec& layer : contract_layers()) {
       if (layer.name == name) return layer;
     }
-    broken_promise("rows belong to a layer of the contract", __FILE__, __LINE__);
+    assertion_failed("rows belong to a layer of the contract", __FILE__, __LINE__);
   }
 
   void query(const std::string& statement,

@@ -181,8 +181,8 @@ struct LogWriter::Impl {
 
   // Writes the row, or updates the one that was already written for this key.
   template <class Row, class Key>
-  void put(RowLayer<Row>& layer, std::map<Key, std::int64_t>& fids, const Key& key,
-           const Row& row) {
+  void upsert(RowLayer<Row>& layer, std::map<Key, std::int64_t>& fids, const Key& key,
+              const Row& row) {
     const auto known = fids.find(key);
     if (known != fids.end()) {
       attempt("writing", [&] { return layer.update(known->second, row, start); });
@@ -192,7 +192,7 @@ struct LogWriter::Impl {
     fids[key] = layer.last_fid();
   }
 
-  void put_run(const RunRow& row) { put(run, run_fids, row.key, row); }
+  void put_run(const RunRow& row) { upsert(run, run_fids, row.key, row); }
 };
 
 LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant start)
@@ -237,7 +237,7 @@ void LogWriter::write(const PlannedPathRow& row) { impl_->append(impl_->planned_
 void LogWriter::write(const NoteRow& row) { impl_->append(impl_->notes, row); }
 
 void LogWriter::write(const EventRow& row) {
-  impl_->put(impl_->events, impl_->event_fids, {row.rover_id, row.sequence}, row);
+  impl_->upsert(impl_->events, impl_->event_fids, {row.rover_id, row.sequence}, row);
 }
 
 void LogWriter::write_run(const std::map<std::string, std::string>& values) {

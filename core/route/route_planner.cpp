@@ -7,12 +7,12 @@
 #include <numbers>
 
 #include "route/cost/explain.h"
-#include "route/cost/standing_things.h"
-#include "route/refine/fewer_points.h"
-#include "route/refine/refine.h"
+#include "route/cost/standing_obstacles.h"
+#include "route/dubins_route.h"
+#include "route/refine/optimise.h"
+#include "route/refine/simplify.h"
 #include "route/search/grid_search.h"
-#include "route/search/reach.h"
-#include "route/way_in_turns.h"
+#include "route/search/reachability.h"
 
 namespace lsos {
 
@@ -22,7 +22,7 @@ namespace {
 constexpr double corridors[] = {0.25, 1, 2.5};
 constexpr double corridor_min_m = 20;
 // Least half width for rovers that cannot turn on the spot, in turning radii.
-constexpr double turning_room = 5;
+constexpr double half_width_radii = 5;
 // A leg shorter than this has no direction.
 constexpr double same_m = 1e-3;
 // Radius around start and goal within which the rover keeps no distance from hazards.
@@ -31,10 +31,10 @@ constexpr double tight_m = 2;
 // `leaving_worse` in slope and unevenness and by `leaving_clearance_m` in clearance, within
 // `leaving_reaches` times the distance of its wheels.
 constexpr double leaving_worse = 1.1, leaving_clearance_m = 0.02, leaving_reaches = 1.5;
-// Greatest number of attempts to plan a leg, to which one is added for each `closer_look_m` of it,
-// until a denser check finds no hazard on the line.
-constexpr int closer_looks = 12;
-constexpr double closer_look_m = 50;
+// Greatest number of attempts to plan a leg, to which one is added for each `attempt_every_m` of
+// it, until a denser check finds no hazard on the line.
+constexpr int attempts_base = 12;
+constexpr double attempt_every_m = 50;
 // Share of the room beside the tightest arc that an avoided disc may take up.
 constexpr double passing_share = 0.9;
 // Greatest number of nodes of a map: where a search expands all of 60 million, nodes and queue take
@@ -70,22 +70,22 @@ class LegPlanner {
   }
 
   PlannedLeg run() {
-    std::vector<double> asides_m;
+    std::vector<double> half_widths_m;
     for (const double share : corridors) {
-      const double aside_m = std::max(aside_min_m(), share * goal_m_.norm());
-      if (fits(goal_m_, aside_m)) asides_m.push_back(aside_m);
+      const double half_width_m = std::max(half_width_min_m(), share * goal_m_.norm());
+      if (fits(goal_m_, half_width_m)) half_widths_m.push_back(half_width_m);
     }
-    if (asides_m.empty()) refuse_length();
-    for (const double aside_m : asides_m) {
-      if (try_within(aside_m, aside_m == asides_m.back())) break;
+    if (half_widths_m.empty()) refuse_length();
+    for (const double half_width_m : half_widths_m) {
+      if (try_within(half_width_m, half_width_m == half_widths_m.back())) break;
     }
     return leg_;
   }
 
  private:
   // Whether the map of a leg is small enough to search.
-  bool fits(const Vec2& goal_m, double aside_m) const {
-    const Vec2 size_m = goal_m.cwiseAbs() + Vec2::Constant(2 * aside_m);
+  bool fits(const Vec2& goal_m, double half_width_m) const {
+    const Vec2 size_m = goal_m.cwiseAbs() + Vec2::Constant(2 * half_width_m);
     return size_m.prod() / (spacing_m_ * spacing_m_) <= nodes_max;
   }
 
@@ -95,15 +95,15 @@ class LegPlanner {
     double fits_m = 0, fails_m = goal_m_.norm();
     for (int halvings = 0; halvings < 40; ++halvings) {
       const double length_m = (fits_m + fails_m) / 2;
-      const double aside_m = std::max(aside_min_m(), share * length_m);
-      (fits(length_m * goal_m_.normalized(), aside_m) ? fits_m : fails_m) = length_m;
+      const double half_width_m = std::max(half_width_min_m(), share * length_m);
+      (fits(length_m * goal_m_.normalized(), half_width_m) ? fits_m : fails_m) = length_m;
     }
     return fits_m;
   }
 
-  double aside_min_m() const {
+  double half_width_min_m() const {
     return finder_.cost().can_turn_on_spot ? corridor_min_m
-                                           : std::max(corridor_min_m, turning_room * radius_m_);
+                                           : std::max(corridor_min_m, half_width_radii * radius_m_);
   }
 
   // A disc close ahead of a rover that cannot turn on the spot blocks all of its routes, so it is
@@ -121,38 +121,38 @@ class LegPlanner {
   }
 
   // False where a wider corridor might hold a route.
-  bool try_within(double aside_m, bool is_last) {
+  bool try_within(double half_width_m, bool is_last) {
     const Vec2 start_m = Vec2::Zero();
     // The start is one of the nodes.
     const auto whole = [&](const Vec2& at_m) -> Vec2 {
       return spacing_m_ * (at_m / spacing_m_).array().floor().matrix();
     };
-    GroundMap map(ground_, frame_, whole(start_m.cwiseMin(goal_m_) - Vec2::Constant(aside_m)),
-                  start_m.cwiseMax(goal_m_) + Vec2::Constant(aside_m), spacing_m_);
+    GroundMap map(ground_, frame_, whole(start_m.cwiseMin(goal_m_) - Vec2::Constant(half_width_m)),
+                  start_m.cwiseMax(goal_m_) + Vec2::Constant(half_width_m), spacing_m_);
     find_leaving(map);
-    unrefined_.clear();
+    before_optimising_.clear();
     Vec2 nearest_m;
-    Reach reach;
+    Reachability reach;
     std::optional<Vec2> passed_m;
     std::string at_goal = fault_to_stop_at(map, finder_, goal_m_);
     if (at_goal.empty()) at_goal = standing_.fault_at(goal_m_);
-    const int looks = closer_looks + static_cast<int>(goal_m_.norm() / closer_look_m);
-    for (int k = 0; k < looks; ++k) {
+    const int attempts = attempts_base + static_cast<int>(goal_m_.norm() / attempt_every_m);
+    for (int k = 0; k < attempts; ++k) {
       passed_m.reset();
       turns_too_wide_ = are_turns_at_border_ = false;
-      LegCosts costs(map, finder_, request_.aim, avoided_);
+      RouteCost costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       costs.set_leaving(leaving_, leaving_limits_);
       costs.set_standing(standing_.footprints(), request_.obstacles.rover_at_rest);
       costs.set_turn_room(turn_room_);
       // Reachability is cheap beside the search, which expands all that can be reached before it
       // gives up.
-      reach = look_for_reach(costs, start_m, goal_m_, !at_goal.empty());
+      reach = find_reachability(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
-      if (reach.answer != Reach::Answer::joined) break;
-      const std::optional<Refined> way = finder_.cost().can_turn_on_spot
-                                             ? over_nodes(costs, nearest_m)
-                                             : over_poses(costs, nearest_m);
+      if (reach.answer != Reachability::Answer::joined) break;
+      const std::optional<OptimisedRoute> way = finder_.cost().can_turn_on_spot
+                                                    ? over_nodes(costs, nearest_m)
+                                                    : over_poses(costs, nearest_m);
       if (!way || !std::isfinite(costs.along(way->line))) break;
       // A limit may be exceeded between the samples of the costs: the next attempt avoids those
       // places.
@@ -169,24 +169,24 @@ class LegPlanner {
         }
       }
       if (!passed_m) {
-        tell(map, costs, *way);
+        fill_result(map, costs, *way);
         return true;
       }
     }
-    const bool is_joined = reach.answer == Reach::Answer::joined;
+    const bool is_joined = reach.answer == Reachability::Answer::joined;
     const bool is_open = is_joined ? !turns_too_wide_ || are_turns_at_border_ : reach.is_at_border;
     if (!is_last && is_open) return false;
     if (!at_goal.empty()) return refuse(map, "the goal is " + at_goal, nearest_m);
     if (passed_m) {
       const Stance there = best_stance(map, finder_, *passed_m);
       const Hazard found = hazard(there, finder_.cost());
-      std::string where =
-          found == Hazard::none ? "where the ground is rough" : say(found, there, finder_.cost());
-      const auto thing = standing_.near(*passed_m, LegCosts::stray_m);
+      std::string where = found == Hazard::none ? "where the ground is rough"
+                                                : describe(found, there, finder_.cost());
+      const auto thing = standing_.near(*passed_m, RouteCost::cross_track_margin_m);
       if (thing && found == Hazard::none) where = fmt::format("beside '{}'", standing_.id(*thing));
       return refuse(map,
                     fmt::format("of {} ways looked at each passes a limit somewhere, the last {}",
-                                looks, where),
+                                attempts, where),
                     *passed_m);
     }
     return refuse(map, why_cut_off(map, reach), nearest_m);
@@ -203,9 +203,9 @@ class LegPlanner {
     return {};
   }
 
-  std::string why_cut_off(GroundMap& map, const Reach& reach) const {
+  std::string why_cut_off(GroundMap& map, const Reachability& reach) const {
     if (turns_too_wide_) return "there is a way, but none was found with turns as wide as it needs";
-    if (reach.answer == Reach::Answer::start_closed) {
+    if (reach.answer == Reachability::Answer::start_enclosed) {
       const std::string at_start = fault_at(map, finder_, Vec2::Zero());
       if (!at_start.empty()) return fmt::format("no way leads on from the start, {}", at_start);
       const double goal_yaw_rad = std::atan2(goal_m_.y(), goal_m_.x());
@@ -220,17 +220,17 @@ class LegPlanner {
     if (beyond.empty()) beyond = fault_ahead(map, finder_, on_m, ahead);
     if (beyond.empty()) beyond = "cut off";
     beyond = "ahead the ground is " + beyond;
-    if (const auto thing = standing_.near(on_m, LegCosts::stray_m + 2 * spacing_m_)) {
+    if (const auto thing = standing_.near(on_m, RouteCost::cross_track_margin_m + 2 * spacing_m_)) {
       beyond = fmt::format("'{}' stands in the way", standing_.id(*thing));
     }
-    const std::string told = fmt::format("{:.{}f}", off_m, off_m < 10 ? 1 : 0);
-    if (reach.answer == Reach::Answer::given_up) {
+    const std::string reported = fmt::format("{:.{}f}", off_m, off_m < 10 ? 1 : 0);
+    if (reach.answer == Reachability::Answer::given_up) {
       return fmt::format(
           "no way was found among {:.1f} million places; the nearest that was "
           "reached is {:.0f} m from the goal, {}",
-          static_cast<double>(reach.looked_at) / 1e6, off_m, beyond);
+          static_cast<double>(reach.expanded) / 1e6, off_m, beyond);
     }
-    return fmt::format("no way comes nearer to the goal than {} m; {}", told, beyond);
+    return fmt::format("no way comes nearer to the goal than {} m; {}", reported, beyond);
   }
 
   // A rover that stands beyond a limit may leave over ground that is hardly worse.
@@ -259,26 +259,28 @@ class LegPlanner {
     return std::min(at_m.norm(), (at_m - goal_m_).norm()) < tight_m + step_m();
   }
 
-  std::optional<Refined> over_nodes(LegCosts& costs, Vec2& nearest_m) {
+  std::optional<OptimisedRoute> over_nodes(RouteCost& costs, Vec2& nearest_m) {
     const RouteSteering straight = RouteSteering::on_the_spot();
-    const auto is_free = [&] { return std::isfinite(costs.along(straight.line(unrefined_))); };
-    if (unrefined_.empty() || !is_free()) {
+    const auto is_free = [&] {
+      return std::isfinite(costs.along(straight.line(before_optimising_)));
+    };
+    if (before_optimising_.empty() || !is_free()) {
       const GridRoute way = search_grid(costs, Vec2::Zero(), goal_m_);
       nearest_m = way.nearest_m;
       if (way.line.empty()) return std::nullopt;
-      unrefined_.clear();
-      for (const Vec2& at_m : corners(way.line)) unrefined_.push_back({at_m, 0});
+      before_optimising_.clear();
+      for (const Vec2& at_m : corners(way.line)) before_optimising_.push_back({at_m, 0});
     }
-    Refined best = refined(costs, straight, unrefined_, request_.seed);
-    if (!std::isfinite(costs.along(best.line))) best.line = straight.line(unrefined_);
+    OptimisedRoute best = optimise(costs, straight, before_optimising_, request_.seed);
+    if (!std::isfinite(costs.along(best.line))) best.line = straight.line(before_optimising_);
     return best;
   }
 
-  std::optional<Refined> over_poses(LegCosts& costs, Vec2& nearest_m) {
+  std::optional<OptimisedRoute> over_poses(RouteCost& costs, Vec2& nearest_m) {
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
-    WayInTurns found =
-        way_in_turns(costs, finder_.cost(), start, goal_m_, radius_m_, request_.seed, unrefined_);
-    unrefined_ = std::move(found.unrefined);
+    DubinsRoute found = dubins_route(costs, finder_.cost(), start, goal_m_, radius_m_,
+                                     request_.seed, before_optimising_);
+    before_optimising_ = std::move(found.before_optimising);
     if (found.way) return std::move(found.way);
     nearest_m = found.nearest_m;
     turns_too_wide_ = found.is_turn_too_wide;
@@ -286,15 +288,15 @@ class LegPlanner {
     return std::nullopt;
   }
 
-  void tell(GroundMap& map, LegCosts& costs, const Refined& way) {
-    const LegCost told = costs.of(way.line);
-    leg_.cost = told.cost;
-    leg_.length_m = told.length_m;
-    leg_.duration_s = told.duration_s;
-    leg_.energy_j = told.energy_j;
-    tell_start(costs, way.line);
-    leg_.slope_max_rad = told.slope_max_rad;
-    leg_.steepest_S_m = on_ground(map, probe_, told.steepest_m);
+  void fill_result(GroundMap& map, RouteCost& costs, const OptimisedRoute& way) {
+    const LegSummary reported = costs.of(way.line);
+    leg_.cost = reported.cost;
+    leg_.length_m = reported.length_m;
+    leg_.duration_s = reported.duration_s;
+    leg_.energy_j = reported.energy_j;
+    add_start(costs, way.line);
+    leg_.slope_max_rad = reported.slope_max_rad;
+    leg_.steepest_S_m = on_ground(map, probe_, reported.steepest_m);
     leg_.messages = way.messages;
     for (const Vec2& at_m : corners(way.line)) {
       leg_.path_S_m.push_back(on_ground(map, probe_, at_m));
@@ -309,7 +311,7 @@ class LegPlanner {
 
   // Adds setting off from rest; or the corner between the previous leg and this one, where the
   // previous leg is taken to end in a piece as long as the first of this one.
-  void tell_start(const LegCosts& costs, const Line2& line) {
+  void add_start(const RouteCost& costs, const Line2& line) {
     const DriveCost& cost = finder_.cost();
     if (request_.starts_at_rest) {
       leg_.energy_j += cost.stop_j;
@@ -321,10 +323,10 @@ class LegPlanner {
     const Vec2 ahead(std::sin(heading_rad), std::cos(heading_rad));
     const double bend_rad =
         std::abs(std::atan2(ahead.x() * first_m.y() - ahead.y() * first_m.x(), ahead.dot(first_m)));
-    const LegCosts::Cornering turn =
+    const RouteCost::CornerCost turn =
         request_.starts_at_rest
             ? costs.turning(bend_rad)
-            : costs.cornering(line[0] - first_m.norm() * ahead, line[0], line[1]);
+            : costs.corner_cost(line[0] - first_m.norm() * ahead, line[0], line[1]);
     leg_.energy_j += turn.energy_j;
     leg_.duration_s += turn.duration_s;
   }
@@ -353,14 +355,14 @@ class LegPlanner {
   double spacing_m_, radius_m_;
   Vec2 goal_m_;
   std::vector<Disc2> avoided_;
-  StandingThings standing_;
+  StandingObstacles standing_;
   TurnRoom turn_room_;
   Disc2 leaving_;
   DriveLimits leaving_limits_;
   bool turns_too_wide_ = false, are_turns_at_border_ = false;
   // Route of the last attempt before refinement: the next attempt, which avoids a little more,
   // begins with it.
-  std::vector<Pose2> unrefined_;
+  std::vector<Pose2> before_optimising_;
   Ground::Probe probe_;
   PlannedLeg leg_;
 };
@@ -376,11 +378,11 @@ bool is_free(const Ground& ground, const DriveCost& cost, const Obstacles& obsta
   const StanceFinder finder(cost);
   const MapFrame frame(ground.site(), from_S_m);
   const Vec2 to_m = frame.at(to_S_m);
-  const Vec2 aside_m = Vec2::Constant(corridor_min_m);
-  GroundMap map(ground, frame, to_m.cwiseMin(0) - aside_m, to_m.cwiseMax(0) + aside_m,
+  const Vec2 half_width_m = Vec2::Constant(corridor_min_m);
+  GroundMap map(ground, frame, to_m.cwiseMin(0) - half_width_m, to_m.cwiseMax(0) + half_width_m,
                 map_spacing_m(cost));
-  LegCosts costs(map, finder, RouteAim::risk);
-  costs.set_standing(StandingThings(obstacles, frame).footprints(), obstacles.rover_at_rest);
+  RouteCost costs(map, finder, RouteAim::risk);
+  costs.set_standing(StandingObstacles(obstacles, frame).footprints(), obstacles.rover_at_rest);
   return costs.is_free(Vec2::Zero(), to_m);
 }
 

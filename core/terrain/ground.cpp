@@ -149,7 +149,7 @@ struct Ground::Impl {
     const auto is_ground = [&](const Geodetic& place) {
       return std::any_of(layers.begin() + static_cast<std::ptrdiff_t>(first), layers.end(),
                          [&](const auto& layer) {
-                           return Layer::Probe(*layer, Look{}).sample(place).has_value();
+                           return Layer::Probe(*layer, LevelOfDetail{}).sample(place).has_value();
                          });
     };
     if (std::ranges::any_of(places_along_edge(layers[first - 1]->grid(), 1), is_ground)) return;
@@ -183,14 +183,14 @@ struct Ground::Impl {
       const double share = static_cast<double>(step) / steps;
       const auto place =
           grid.place({std::lerp(from->u, middle.u, share), std::lerp(from->v, middle.v, share)});
-      if (place && Layer::Probe(*layers[k], Look{}).sample(*place)) return *place;
+      if (place && Layer::Probe(*layers[k], LevelOfDetail{}).sample(*place)) return *place;
     }
     return edge;
   }
 
   // Warns of a raster that lies above or below the layer around it by more than their heights
   // scatter, as with heights of two datums: the blend would be a slope that is not there.
-  std::string step_advice(std::size_t k) const {
+  std::string datum_step_advice(std::size_t k) const {
     constexpr double least_m = 5, scatters = 3;
     constexpr std::size_t least_places = 12;
     const auto* upper = std::get_if<RasterSurface>(&spec.layers[k]);
@@ -201,8 +201,8 @@ struct Ground::Impl {
     std::vector<double> steps_m;
     for (const Geodetic& edge : places_along_edge(layers[k]->grid(), -1)) {
       const auto place = first_with_ground(k, edge);
-      const auto above = Layer::Probe(*layers[k], Look{}).sample(place);
-      const auto below = Layer::Probe(*layers[k + 1], Look{}).sample(place);
+      const auto above = Layer::Probe(*layers[k], LevelOfDetail{}).sample(place);
+      const auto below = Layer::Probe(*layers[k + 1], LevelOfDetail{}).sample(place);
       if (above && below) steps_m.push_back(above->height_m - below->height_m);
     }
     if (steps_m.size() < least_places) return "";
@@ -254,7 +254,7 @@ struct Ground::Impl {
     double left = 1, largest_share = 0;
     for (std::size_t k = 0; k < layers.size(); ++k) {
       Layer& layer = *layers[k];
-      const auto sample = Layer::Probe(layer, layer.look(0)).sample(place);
+      const auto sample = Layer::Probe(layer, layer.level_of_detail(0)).sample(place);
       if (!sample) continue;
       const double share = left * sample->weight;
       left -= share;
@@ -278,7 +278,7 @@ Ground::~Ground() = default;
 
 const SiteFrame& Ground::site() const { return impl_->plane.site(); }
 bool Ground::has_end() const { return lsos::has_end(impl_->spec); }
-bool Ground::reaches(const Vec3& p_S_m) const { return impl_->plane.standing(p_S_m).is_near; }
+bool Ground::reaches(const Vec3& p_S_m) const { return impl_->plane.projected(p_S_m).is_near; }
 const std::vector<Soil>& Ground::soils() const { return impl_->soils.soils(); }
 
 std::string Ground::hash() const {
@@ -308,7 +308,7 @@ std::vector<Fault> Ground::advice() const {
   const auto add = [&](const std::string& advice) {
     if (!advice.empty()) faults.push_back({Severity::warning, impl_->spec.place, advice});
   };
-  for (std::size_t k = 0; k + 1 < impl_->layers.size(); ++k) add(impl_->step_advice(k));
+  for (std::size_t k = 0; k + 1 < impl_->layers.size(); ++k) add(impl_->datum_step_advice(k));
   add(impl_->detail_advice());
   return faults;
 }
@@ -336,26 +336,26 @@ std::string Ground::coarseness(const Geodetic& place) const {
 std::optional<double> Ground::elevation_m(const Geodetic& place, double resolution_m) const {
   const auto sample = blended(impl_->layers.size(), [&](std::size_t k) {
     Layer& layer = *impl_->layers[k];
-    return Layer::Probe(layer, layer.look(resolution_m)).sample(place);
+    return Layer::Probe(layer, layer.level_of_detail(resolution_m)).sample(place);
   });
   return sample ? std::optional(sample->height_m) : std::nullopt;
 }
 
 struct Ground::Probe::Impl {
   Impl(Ground::Impl& of, double resolution_m, double detail_nodes, bool fades)
-      : ground(of), is_close(resolution_m == 0), verticals(of.plane.site()) {
+      : ground(of), is_full_resolution(resolution_m == 0), verticals(of.plane.site()) {
     for (const auto& layer : of.layers) {
-      layers.emplace_back(*layer, layer->look(resolution_m, detail_nodes, fades));
+      layers.emplace_back(*layer, layer->level_of_detail(resolution_m, detail_nodes, fades));
     }
   }
   // Samples at full resolution lie close together; coarse ones would fill a new cell each.
-  Standing standing(const Vec3& p_S_m) {
-    return is_close ? ground.plane.standing(p_S_m, verticals.at(p_S_m))
-                    : ground.plane.standing(p_S_m);
+  ProjectedPoint projected(const Vec3& p_S_m) {
+    return is_full_resolution ? ground.plane.projected(p_S_m, verticals.at(p_S_m))
+                              : ground.plane.projected(p_S_m);
   }
 
   Ground::Impl& ground;
-  bool is_close;
+  bool is_full_resolution;
   VerticalCells verticals;
   std::vector<Layer::Probe> layers;
 };
@@ -364,10 +364,10 @@ Ground::Probe::Probe(const Ground& ground, double resolution_m)
     : Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown, false)) {
 }
 Ground::Probe::Probe(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Ground::Probe Ground::Probe::rough(const Ground& ground, double resolution_m) {
+Ground::Probe Ground::Probe::with_sparse_detail(const Ground& ground, double resolution_m) {
   return Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, 1, false));
 }
-Ground::Probe Ground::Probe::fading(const Ground& ground, double resolution_m) {
+Ground::Probe Ground::Probe::with_fading_detail(const Ground& ground, double resolution_m) {
   return Probe(
       std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown, true));
 }
@@ -377,22 +377,22 @@ Ground::Probe& Ground::Probe::operator=(Probe&&) noexcept = default;
 
 GroundSample Ground::Probe::sample(const Vec3& p_S_m) {
   const Ground::Impl& ground = impl_->ground;
-  const Standing standing = impl_->standing(p_S_m);
-  if (!standing.is_near) return {};
+  const ProjectedPoint point = impl_->projected(p_S_m);
+  if (!point.is_near) return {};
   const std::optional<LayerSample> surface = blended(
-      impl_->layers.size(), [&](std::size_t k) { return impl_->layers[k].sample(standing.at); });
+      impl_->layers.size(), [&](std::size_t k) { return impl_->layers[k].sample(point.at); });
   if (!surface) return {};
 
   GroundSample sample;
   sample.elevation_m = surface->height_m;
-  sample.up_S = standing.up_S;
-  sample.gap_m = standing.height_m - surface->height_m;
-  sample.soil = surface->is_rock ? ground.soils.of_rock() : ground.soils.at(standing.at);
+  sample.up_S = point.up_S;
+  sample.gap_m = point.height_m - surface->height_m;
+  sample.soil = surface->is_rock ? ground.soils.rock_index() : ground.soils.at(point.at);
   // The surface is where height(p) - surface(x, y) is 0; its normal is the gradient of that. The
   // gradients of x and y grow from the sampled point down to the surface.
-  const double growth = standing.radius_m / (standing.radius_m - sample.gap_m);
-  const Vec3 gradient_S = standing.up_S - growth * (surface->height_by_xy.x() * standing.grad_x_S +
-                                                    surface->height_by_xy.y() * standing.grad_y_S);
+  const double growth = point.radius_m / (point.radius_m - sample.gap_m);
+  const Vec3 gradient_S = point.up_S - growth * (surface->height_by_xy.x() * point.grad_x_S +
+                                                 surface->height_by_xy.y() * point.grad_y_S);
   sample.normal_S = gradient_S * (1 / std::sqrt(gradient_S.squaredNorm()));
   return sample;
 }

@@ -38,12 +38,11 @@ class Ground {
    public:
     // `resolution_m`: as in elevation_m().
     explicit Probe(const Ground& ground, double resolution_m = 0);
-    // The same with detail at the resolution itself: what is lower than a part of it may be
-    // missing.
-    static Probe rough(const Ground& ground, double resolution_m);
+    // The same with detail at the resolution itself: what is below some of it may be missing.
+    static Probe with_sparse_detail(const Ground& ground, double resolution_m);
     // The same as with a resolution, but detail smaller than that is kept as long as its nodes show
     // it: for pictures, in which it must not end at an edge.
-    static Probe fading(const Ground& ground, double resolution_m);
+    static Probe with_fading_detail(const Ground& ground, double resolution_m);
     ~Probe();
     Probe(Probe&&) noexcept;
     Probe& operator=(Probe&&) noexcept;

@@ -11,11 +11,11 @@ namespace {
 constexpr int fade_cells_max = 32;
 
 // Least weight of a layer: where no other has ground, it continues to its very end.
-constexpr double trace = 1e-9;
+constexpr double least_weight = 1e-9;
 // Least weight of the last layer. It is larger, so that where a finer layer ends near the last
 // one's end, the last one takes over within a few of the finer one's cells; at a hole of the last
 // one it leaves a step of a thousandth of their difference.
-constexpr double last_trace = 1e-3;
+constexpr double last_least_weight = 1e-3;
 
 // A smaller last layer does not fade: it would be nothing but its edge.
 constexpr double last_fading_cells_min = 16;
@@ -55,7 +55,7 @@ Layer::Layer(std::unique_ptr<HeightGrid> grid, double cell_m, LayerPlace place)
     : grid_(std::move(grid)),
       cell_m_(cell_m),
       fades_(is_fading(grid_->extent(), place)),
-      trace_(place == LayerPlace::last ? last_trace : trace),
+      least_weight_(place == LayerPlace::last ? last_least_weight : least_weight),
       patches_([this](const PatchKey& key) { return grid_->patch(key); }) {}
 
 void Layer::add_detail(const Detail& detail, const Stereographic& map, const DetailSetting& setting,
@@ -63,16 +63,16 @@ void Layer::add_detail(const Detail& detail, const Stereographic& map, const Det
   detail_ = std::make_unique<DetailField>(detail, *grid_, map, setting, seed);
 }
 
-Look Layer::look(double resolution_m, double detail_nodes, bool fades) const {
-  Look look;
-  look.level = level_for(resolution_m, cell_m_, grid_->coarsest_level());
+LevelOfDetail Layer::level_of_detail(double resolution_m, double detail_nodes, bool fades) const {
+  LevelOfDetail level_of_detail;
+  level_of_detail.level = level_for(resolution_m, cell_m_, grid_->coarsest_level());
   const double least_m = fades ? 2 * resolution_m / detail_nodes : resolution_m;
-  look.has_detail = detail_ != nullptr && least_m < detail_->largest_m();
-  if (look.has_detail) {
-    look.detail_level =
+  level_of_detail.has_detail = detail_ != nullptr && least_m < detail_->largest_m();
+  if (level_of_detail.has_detail) {
+    level_of_detail.detail_level =
         level_for(resolution_m / detail_nodes, detail_->spacing_m(), DetailField::coarsest_level);
   }
-  return look;
+  return level_of_detail;
 }
 
 std::shared_ptr<const HeightTile> Layer::tile(const TileKey& key) {
@@ -95,12 +95,12 @@ std::shared_ptr<const WeightTile> Layer::weight_tile(const TileKey& key) {
 // every point it holds.
 const Patch& Layer::Probe::patch(const PlanePoint& at) {
   if (last_patch_ != nullptr && last_patch_->holds(at)) return *last_patch_;
-  constexpr int kept_level = 3;  // 256 m: one slot for each square, whatever the patches' size
-  const PatchKey key = Patch::key_of(at, kept_level);
-  std::shared_ptr<const Patch>& kept = patches_[2 * (key.row & 1) + (key.column & 1)];
-  if (!kept || !kept->holds(at)) kept = layer_->patches_.patch(at);
-  last_patch_ = kept.get();
-  return *kept;
+  constexpr int cache_level = 3;  // 256 m: one slot for each square, whatever the patches' size
+  const PatchKey key = Patch::key_of(at, cache_level);
+  std::shared_ptr<const Patch>& cached = patches_[2 * (key.row & 1) + (key.column & 1)];
+  if (!cached || !cached->holds(at)) cached = layer_->patches_.patch(at);
+  last_patch_ = cached.get();
+  return *cached;
 }
 
 std::optional<LayerSample> Layer::Probe::sample(const PlanePoint& at) {
@@ -125,19 +125,20 @@ Vec2 gradient(const SurfaceHeight& s, const GridPoint& at) {
 
 std::optional<LayerSample> Layer::Probe::at_grid(GridPoint at) {
   if (!layer_->grid_->extent().bring_inside(at.u, at.v)) return {};
-  const CellPoint cell(on_level(at.u, look_.level), on_level(at.v, look_.level));
+  const CellPoint cell(on_level(at.u, level_of_detail_.level),
+                       on_level(at.v, level_of_detail_.level));
   TileKey key = cell.tile();
-  key.level = look_.level;
+  key.level = level_of_detail_.level;
   SurfaceHeight surface = surface_height(
       tiles_.get(key, [this](const TileKey& wanted) { return layer_->tile(wanted); }), cell);
   if (std::isnan(surface.height_m)) return {};
 
   LayerSample sample;
-  if (look_.level > 0) {
-    surface.by_u_m = std::ldexp(surface.by_u_m, -look_.level);
-    surface.by_v_m = std::ldexp(surface.by_v_m, -look_.level);
+  if (level_of_detail_.level > 0) {
+    surface.by_u_m = std::ldexp(surface.by_u_m, -level_of_detail_.level);
+    surface.by_v_m = std::ldexp(surface.by_v_m, -level_of_detail_.level);
   }
-  if (look_.has_detail && layer_->detail_ != nullptr) add_detail(at, surface, sample);
+  if (level_of_detail_.has_detail && layer_->detail_ != nullptr) add_detail(at, surface, sample);
   sample.height_m = surface.height_m;
   sample.height_by_xy = gradient(surface, at);
   sample.weight = 1;
@@ -147,10 +148,10 @@ std::optional<LayerSample> Layer::Probe::at_grid(GridPoint at) {
 
 void Layer::Probe::add_detail(const GridPoint& at, SurfaceHeight& surface, LayerSample& sample) {
   const DetailField& detail = *layer_->detail_;
-  const double per_cell = std::ldexp(detail.subdivision(), -look_.detail_level);
+  const double per_cell = std::ldexp(detail.subdivision(), -level_of_detail_.detail_level);
   const CellPoint fine((at.u + 0.5) * per_cell, (at.v + 0.5) * per_cell);
   TileKey key = fine.tile();
-  key.level = look_.detail_level;
+  key.level = level_of_detail_.detail_level;
   const DetailTile& tile =
       details_.get(key, [this](const TileKey& wanted) { return layer_->detail_tile(wanted); });
   const SurfaceHeight relief = surface_height(tile.heights, fine);
@@ -169,9 +170,9 @@ void Layer::Probe::set_weight(const TileKey& key, const CellPoint& cell, const G
   if (weights.is_whole) return;
   const SurfaceHeight weight = smooth_weight(weights, cell);
   sample.weight = weight.height_m;
-  sample.weight_by_xy = std::ldexp(1.0, -look_.level) * gradient(weight, at);
-  if (sample.weight < layer_->trace_) {
-    sample.weight = layer_->trace_;
+  sample.weight_by_xy = std::ldexp(1.0, -level_of_detail_.level) * gradient(weight, at);
+  if (sample.weight < layer_->least_weight_) {
+    sample.weight = layer_->least_weight_;
     sample.weight_by_xy = Vec2::Zero();
   }
 }

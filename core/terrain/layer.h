@@ -25,24 +25,24 @@ struct LayerSample {
 // Cache of the last tile of each parity of keys: wheels on both sides of a border keep their own.
 // Tiles are shared pointers: the ground may drop one while a probe still uses it.
 template <class Tile>
-class LastTiles {
+class TileCache {
  public:
   template <class Get>
   const Tile& get(const TileKey& key, const Get& get) {
-    std::shared_ptr<const Tile>& kept = kept_[2 * (key.row & 1) + (key.column & 1)];
-    if (!kept || kept->key() != key) kept = get(key);
-    return *kept;
+    std::shared_ptr<const Tile>& cached = cached_[2 * (key.row & 1) + (key.column & 1)];
+    if (!cached || cached->key() != key) cached = get(key);
+    return *cached;
   }
 
  private:
-  std::array<std::shared_ptr<const Tile>, 4> kept_;
+  std::array<std::shared_ptr<const Tile>, 4> cached_;
 };
 
 // Position of a layer in the stack, whose layers take over from each other at edges and holes.
 enum class LayerPlace { alone, above, last };
 
 // Level of detail at which ground is sampled.
-struct Look {
+struct LevelOfDetail {
   int level = 0;  // level of the grid
   bool has_detail = true;
   int detail_level = 0;
@@ -66,12 +66,13 @@ class Layer {
   // Coarsest level of detail that still shows features as large as the resolution; 0: all there is.
   // Detail has `detail_nodes` nodes for a feature just large enough. Detail without features that
   // large is left out; with `fades`, only when they are smaller than two nodes.
-  Look look(double resolution_m, double detail_nodes = detail_nodes_shown,
-            bool fades = false) const;
+  LevelOfDetail level_of_detail(double resolution_m, double detail_nodes = detail_nodes_shown,
+                                bool fades = false) const;
 
   class Probe {
    public:
-    explicit Probe(Layer& layer, const Look& look) : layer_(&layer), look_(look) {}
+    explicit Probe(Layer& layer, const LevelOfDetail& level_of_detail)
+        : layer_(&layer), level_of_detail_(level_of_detail) {}
     // Sample of the surface; nullopt where this layer has no ground.
     std::optional<LayerSample> sample(const PlanePoint& at);
     std::optional<LayerSample> sample(const Geodetic& place);
@@ -83,12 +84,12 @@ class Layer {
     void set_weight(const TileKey& key, const CellPoint& cell, const GridPoint& at,
                     LayerSample& sample);
     Layer* layer_;
-    Look look_;
+    LevelOfDetail level_of_detail_;
     std::array<std::shared_ptr<const Patch>, 4> patches_;
     const Patch* last_patch_ = nullptr;  // one of patches_
-    LastTiles<HeightTile> tiles_;
-    LastTiles<DetailTile> details_;
-    LastTiles<WeightTile> weights_;
+    TileCache<HeightTile> tiles_;
+    TileCache<DetailTile> details_;
+    TileCache<WeightTile> weights_;
   };
 
  private:
@@ -99,7 +100,7 @@ class Layer {
   std::unique_ptr<HeightGrid> grid_;
   double cell_m_;
   bool fades_;
-  double trace_;  // least weight
+  double least_weight_;  // least weight
   std::unique_ptr<DetailField> detail_;
   PatchMap patches_;
   // A tile takes 36 kB, with dense rocks on wide cells some MB.

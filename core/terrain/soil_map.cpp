@@ -13,7 +13,7 @@ namespace lsos {
 
 namespace {
 
-// Rock where the script names no soil for it: bears any wheel, grips by friction alone.
+// Soil of rocks where the script names none: it bears any wheel and grips by friction alone.
 Soil bare_rock() {
   Soil soil;
   soil.name = "rock";
@@ -45,7 +45,7 @@ struct SoilMap::Region {
   bool polygon_holds(const PlanePoint& at) const {
     if (at.x_m < box.low.x_m || at.x_m > box.high.x_m) return false;
     if (at.y_m < box.low.y_m || at.y_m > box.high.y_m) return false;
-    // Crossings of a ray to the east.
+    // Crossings of a ray to the east decide whether the point is inside.
     bool is_inside = false;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
       const PlanePoint &a = corners[i], &b = corners[j];
@@ -61,7 +61,7 @@ struct SoilMap::Region {
     if (!point) return false;
     double u = point->u;
     if (!raster->extent().bring_inside(u, point->v)) return false;
-    // The cell that the point lies in is the node next to it.
+    // The cell that holds the point is the node nearest to it.
     const CellPoint cell(u + 0.5, point->v + 0.5);
     const auto tile =
         tiles.get(cell.tile(), [this](const TileKey& key) { return raw_tile(key, *samples); });
@@ -86,15 +86,15 @@ SoilMap::SoilMap(const TerrainSpec& spec, const SitePlane& plane) : soils_{spec.
           std::make_unique<PatchMap>([raster](const PatchKey& key) { return raster->patch(key); });
     }
     for (const auto& [lon_deg, lat_deg] : patch.lon_lat_deg) {
-      const Standing standing =
-          plane.standing(plane.site().p_S_m(geodetic_from_degrees(lon_deg, lat_deg)));
-      if (!standing.is_near) {
+      const ProjectedPoint projected =
+          plane.projected(plane.site().p_S_m(geodetic_from_degrees(lon_deg, lat_deg)));
+      if (!projected.is_near) {
         throw InputError(spec.place,
                          fmt::format("the corner {},{} of a soil patch lies more than 60 degrees "
                                      "from the site; a smaller patch is wanted",
                                      lon_deg, lat_deg));
       }
-      const PlanePoint& at = standing.at;
+      const PlanePoint& at = projected.at;
       if (region->corners.empty()) region->box = {at, at};
       region->corners.push_back(at);
       PlaneRectangle& box = region->box;

@@ -1,4 +1,4 @@
-// Which soil lies where.
+// Soil at each place of the ground.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,15 @@ namespace lsos {
 
 class SoilMap {
  public:
-  // Throws InputError: a raster of soils cannot be used. `plane` must outlive the map.
+  // Throws InputError where a raster of soils cannot be used or a patch's corner lies more than 60
+  // degrees from the site. `plane` must outlive the map.
   SoilMap(const TerrainSpec& spec, const SitePlane& plane);
   ~SoilMap();
 
-  // The terrain's own, those of its patches in order, and that of rocks.
+  // Soils: the terrain's own, those of its patches in order, and that of rocks.
   const std::vector<Soil>& soils() const { return soils_; }
-  int of_rock() const { return static_cast<int>(soils_.size()) - 1; }
-  // Number of the soil at a point of the site plane. Any thread.
+  int rock_index() const { return static_cast<int>(soils_.size()) - 1; }
+  // Index of the soil at a point of the site plane. May be called from any thread.
   int at(const PlanePoint& at) const;
   void add_to(Sha256& hash) const;
 

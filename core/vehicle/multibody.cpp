@@ -122,7 +122,7 @@ void Multibody::step(double step_s) {
   update_motions();
 }
 
-std::optional<int> Multibody::broken_link() const {
+std::optional<int> Multibody::non_finite_link() const {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const LinkMotion& m = motions_[i];
     // A sum is finite only if each part is.

@@ -50,7 +50,7 @@ class Multibody {
 
   void step(double step_s);
   // The first link (or `chassis`) whose motion is not a finite number; nullopt: all are.
-  std::optional<int> broken_link() const;
+  std::optional<int> non_finite_link() const;
   // Kinetic energy, and potential energy in gravity `g_S_mps2` above the site's origin, J.
   double kinetic_j() const;
   double potential_j(const Vec3& g_S_mps2) const;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/archive.h"
-#include "driving/downhill.h"
 #include "driving/driving_line.h"
+#include "driving/slope_speed.h"
 #include "vehicle/drive_control.h"
 
 namespace lsos {
@@ -17,7 +17,7 @@ struct FollowerLimits {
   double speed_mps = 1;  // along the line
   // Speed from which the rover can stop on level ground; on a descent it is lowered so that the
   // stopping distance stays the same.
-  double full_speed_mps = 1;
+  double level_speed_mps = 1;
   double acceleration_mps2 = 0.2;
   double arrival_radius_m = 1;   // the rover must come to rest within this of the last waypoint
   double radius_min_m = 5;       // radius of the tightest turn while driving
@@ -27,11 +27,11 @@ struct FollowerLimits {
   double lookahead_min_m = 2.5;  // distance over which the cross-track error decays at low speed
   bool is_crabbing = false;      // follows the line without turning into it
   // Greatest cross-track error to either side; beyond it the drive fails.
-  double stray_max_m = std::numeric_limits<double>::infinity();
+  double cross_track_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
-    a(speed_mps)(full_speed_mps)(
-        acceleration_mps2)(gravity_mps2)(arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(stray_max_m);
+    a(speed_mps)(level_speed_mps)(
+        acceleration_mps2)(gravity_mps2)(arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(cross_track_max_m);
   }
 };
 
@@ -60,13 +60,13 @@ class PathFollower {
   Status status() const { return status_; }
   const std::string& reason() const { return reason_; }
   bool is_stuck() const { return is_stuck_; }        // the reason of a failure
-  bool has_strayed() const { return has_strayed_; }  // likewise
+  bool is_off_line() const { return is_off_line_; }  // likewise
   // Index, in the path given to the constructor, of the waypoint that comes next.
   std::size_t next_waypoint() const;
   double remaining_m() const { return remaining_m_; }
   double requested_mps() const { return limits_.speed_mps; }
   // Remaining angle of a turn on the spot, counter-clockwise; 0 while it does not turn.
-  double turn_left_rad(double yaw_rad) const;
+  double turn_remaining_rad(double yaw_rad) const;
   // Predicted poses on the next `length_m` of the line, every `step_m`, for a rover at `pose` whose
   // cross-track error decays over the lookahead. They end where the rover comes to rest before.
   std::vector<FollowerPose> poses_ahead(const FollowerPose& pose, double length_m,
@@ -77,24 +77,25 @@ class PathFollower {
   void archive(Archive& a);
 
  private:
-  DriveCommand drive(const FollowerPose& pose, double to_end_m, double left_m,
+  DriveCommand drive(const FollowerPose& pose, double to_end_m, double cross_track_m,
                      double heading_error_rad, double period_s);
   double curvature_ahead_1pm(double to_end_m, double preview_m) const;
   DriveCommand turn(double heading_error_rad, const FollowerPose& pose);
   DriveCommand stop(const FollowerPose& pose, double period_s);
-  DriveCommand crab(const FollowerPose& pose, double to_end_m, double left_m, double period_s);
-  void find_incline(const FollowerPose& pose, double heading_error_rad, double period_s);
+  DriveCommand crab(const FollowerPose& pose, double to_end_m, double cross_track_m,
+                    double period_s);
+  void update_incline(const FollowerPose& pose, double heading_error_rad, double period_s);
   double braking_speed_mps(double to_end_m) const;
-  double downhill_mps() const;
+  double slope_limit_mps() const;
   void ramp_speed(double to_end_m, double period_s);
-  // Side slip angle, from heading to travel, left positive: now, and predicted for drift_lead_s
+  // Side slip angle, from heading to travel, left positive: now, and predicted for side_slip_lead_s
   // ahead.
-  struct Drift {
+  struct SideSlip {
     double now_rad = 0, soon_rad = 0;
   };
-  Drift drift(const FollowerPose& pose, double period_s);
+  SideSlip side_slip(const FollowerPose& pose, double period_s);
   bool makes_no_progress(double heading_error_rad, double period_s);
-  void lay_line();
+  void build_line();
 
   std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was
   FollowerLimits limits_;
@@ -105,9 +106,9 @@ class PathFollower {
   bool is_stopping_ = false;
   double command_mps_ = 0;  // rate-limited
   double command_curvature_1pm_ = 0;
-  double drift_rad_ = 0;    // low-pass filtered
-  Incline incline_;         // low-pass filtered
-  double heading_rad_ = 0;  // to be kept while crabbing
+  double side_slip_rad_ = 0;  // low-pass filtered
+  Incline incline_;           // low-pass filtered
+  double heading_rad_ = 0;    // to be kept while crabbing
   double remaining_m_ = 0;
   double best_remaining_m_ = 0;
   double best_heading_error_rad_ = 0;
@@ -115,7 +116,7 @@ class PathFollower {
   double stopping_s_ = 0;
   Status status_ = Status::driving;
   std::string reason_;
-  bool is_stuck_ = false, has_strayed_ = false;
+  bool is_stuck_ = false, is_off_line_ = false;
   std::size_t passed_ = 0;  // waypoints that were within reach at the start
 };
 

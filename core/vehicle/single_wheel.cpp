@@ -41,7 +41,7 @@ SingleWheelPoint single_wheel(const WheelSoil& wheel_soil, double load_n, double
                            state.rolled_m == rolled_m;
     unchanged = is_steady ? unchanged + 1 : 0;
   }
-  const Vec3 force_n = forces.traction_S_n + forces.at_hub_S_n;
+  const Vec3 force_n = forces.traction_S_n + forces.hub_force_S_n;
   point.drawbar_pull_n = force_n.x();
   point.side_force_n = force_n.y();
   point.torque_n_m = forces.traction_S_n.x() * forces.arm_m;

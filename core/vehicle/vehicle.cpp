@@ -19,7 +19,7 @@ constexpr double settled_mps = 1e-4;
 // Time for which a contact plane serves. The search for the contact mostly settles in it
 // (search_smoothing_s): on crests of up to 1.7 times the wheel's curvature with steps of 10 ms, 1.9
 // times with 5 ms.
-constexpr SimTime foothold_period{20'000};
+constexpr SimTime contact_plane_period{20'000};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
       bodies_(config),
       layout_(wheel_layout(config)),
       centres_B_m_(centres_at_rest_B_m(config)),
-      foothold_steps_(std::max(0, static_cast<int>(foothold_period / config.step) - 1)),
+      contact_plane_steps_(std::max(0, static_cast<int>(contact_plane_period / config.step) - 1)),
       wheels_(layout_.wheels.size()),
       steerings_(layout_.steerings.size()) {
   for (std::size_t i = 0; i < config_.links.size(); ++i) {
@@ -182,16 +182,16 @@ void Vehicle::command(const DriveCommand& command) {
 }
 
 // Gravity is constant within a period: the local vertical turns by less than 1e-6 rad.
-void Vehicle::find_gravity() {
+void Vehicle::update_gravity() {
   gravity_S_mps2_ = ground_->site().gravity_S_mps2(bodies_.motion(Multibody::chassis).p_C_S_m);
 }
 
 void Vehicle::advance(SimTime period) {
   const double step_s = seconds(config_.step), before_j = drive_j_;
   is_chassis_on_ground_ = false;
-  find_chassis_near_ground();
-  find_gravity();
-  footholds_.assign(wheels_.size(), {});
+  update_chassis_near_ground();
+  update_gravity();
+  contact_planes_.assign(wheels_.size(), {});
   for (SimTime t{}; t < period && fault_.empty(); t += config_.step) step(step_s);
   drive_w_ = (drive_j_ - before_j) / seconds(period);
 }

@@ -129,7 +129,7 @@ class Vehicle {
   };
 
   // Cached contact plane of the ground under a wheel; sampled in each step while the wheel brakes.
-  struct Foothold {
+  struct ContactPlane {
     int steps_left = 0;           // steps for which it remains valid
     Vec3 p_S_m = Vec3::Zero();    // point of the rim at which the ground was sampled
     double gap_m = not_modelled;  // of that point over the plane, along its normal; NaN: no ground
@@ -145,11 +145,11 @@ class Vehicle {
                           WheelState& wheel) const;
   double brake_torque_n_m(const DriveMotor& motor, double angle_rad, double spin_radps,
                           WheelState& wheel) const;
-  const Foothold& foothold(std::size_t wheel, const Vec3& rim_S_m);
+  const ContactPlane& contact_plane(std::size_t wheel, const Vec3& rim_S_m);
   void apply_contacts(double step_s);
-  void find_gravity();
+  void update_gravity();
   double mean_sinkage_m() const;
-  void find_chassis_near_ground();
+  void update_chassis_near_ground();
   void apply_chassis_contact(double step_s);
   void find_fault();
   Vec3 reference_point_S_m() const;
@@ -164,13 +164,13 @@ class Vehicle {
   std::vector<Vec3> centres_B_m_;  // centres_at_rest_B_m
   std::vector<int> spring_links_;
   std::vector<WheelPart> parts_;  // by layout_.wheels
-  int foothold_steps_;            // steps that a contact plane serves after the one that samples it
-  std::vector<Foothold> footholds_;       // by layout_.wheels; cleared each period
-  std::vector<Vec3> underside_B_m_;       // points of the chassis that may touch the ground
-  Vec3 gravity_S_mps2_ = Vec3::Zero();    // computed once a period, from the pose
-  bool is_chassis_near_ground_ = false;   // determined once a period
-  std::vector<WheelState> wheels_;        // by layout_.wheels
-  std::vector<SteeringState> steerings_;  // by layout_.steerings
+  int contact_plane_steps_;       // steps that a contact plane serves after the one that samples it
+  std::vector<ContactPlane> contact_planes_;  // by layout_.wheels; cleared each period
+  std::vector<Vec3> underside_B_m_;           // points of the chassis that may touch the ground
+  Vec3 gravity_S_mps2_ = Vec3::Zero();        // computed once a period, from the pose
+  bool is_chassis_near_ground_ = false;       // determined once a period
+  std::vector<WheelState> wheels_;            // by layout_.wheels
+  std::vector<SteeringState> steerings_;      // by layout_.steerings
   DriveCommand command_;
   Vec3 ground_normal_S_ = Vec3::UnitZ();  // mean under the wheels in the last step
   bool is_chassis_on_ground_ = false;

@@ -28,7 +28,7 @@ constexpr double search_smoothing_s = 0.02;
 
 // Travel, as a share of the wheel's radius, for which a contact plane serves. It is less than the
 // length of the contact.
-constexpr double foothold_radii = 1.0 / 12;
+constexpr double contact_plane_radii = 1.0 / 12;
 
 constexpr double limit_smoothing_s = 0.2;  // for the speed at which a motor's limits are evaluated
 
@@ -53,7 +53,7 @@ void Vehicle::step(double step_s) {
 }
 
 void Vehicle::find_fault() {
-  const std::optional<int> link = bodies_.broken_link();
+  const std::optional<int> link = bodies_.non_finite_link();
   const std::string part = !link || *link == Multibody::chassis
                                ? "its chassis"
                                : config_.links[static_cast<std::size_t>(*link)].name;
@@ -179,18 +179,18 @@ double Vehicle::apply_drives(double step_s) {
   return electrical_w;
 }
 
-const Vehicle::Foothold& Vehicle::foothold(std::size_t wheel, const Vec3& rim_S_m) {
-  Foothold& foothold = footholds_[wheel];
-  const double reach_m = foothold_radii * parts_[wheel].shape->radius_m;
-  const bool is_near = (rim_S_m - foothold.p_S_m).squaredNorm() <= reach_m * reach_m;
-  if (foothold.steps_left > 0 && is_near && !command_.is_braking) {
-    --foothold.steps_left;
-    return foothold;
+const Vehicle::ContactPlane& Vehicle::contact_plane(std::size_t wheel, const Vec3& rim_S_m) {
+  ContactPlane& contact_plane = contact_planes_[wheel];
+  const double reach_m = contact_plane_radii * parts_[wheel].shape->radius_m;
+  const bool is_near = (rim_S_m - contact_plane.p_S_m).squaredNorm() <= reach_m * reach_m;
+  if (contact_plane.steps_left > 0 && is_near && !command_.is_braking) {
+    --contact_plane.steps_left;
+    return contact_plane;
   }
   const GroundSample ground = probe_.sample(rim_S_m);
-  foothold = {foothold_steps_, rim_S_m, ground.gap_m * ground.normal_S.dot(ground.up_S),
-              ground.normal_S, ground.soil};
-  return foothold;
+  contact_plane = {contact_plane_steps_, rim_S_m, ground.gap_m * ground.normal_S.dot(ground.up_S),
+                   ground.normal_S, ground.soil};
+  return contact_plane;
 }
 
 void Vehicle::apply_contacts(double step_s) {
@@ -207,7 +207,7 @@ void Vehicle::apply_contacts(double step_s) {
     const Vec3 down = -(search_S - search_S.dot(axle) * axle).normalized();
     const Vec3 arm_m = part.shape->radius_m * down;
     const Vec3 rim_S_m = hub.p_C_S_m + arm_m;
-    const Foothold& ground = foothold(i, rim_S_m);
+    const ContactPlane& ground = contact_plane(i, rim_S_m);
     wheel.load_n = wheel.sinkage_m = 0;
     wheel.slip = not_modelled;
     if (std::isnan(ground.gap_m)) continue;
@@ -230,7 +230,7 @@ void Vehicle::apply_contacts(double step_s) {
     wheel.sinkage_m = forces.sinkage_m;
     wheel.slip = slip_ratio(hub.v_C_S_mps.dot(input.heading_S), input.rolling_speed_mps);
 
-    const Vec3 force_n = input.load_n * normal + forces.traction_S_n + forces.at_hub_S_n;
+    const Vec3 force_n = input.load_n * normal + forces.traction_S_n + forces.hub_force_S_n;
     const Vec3 torque_n_m = down.cross(forces.arm_m * forces.traction_S_n +
                                        part.shape->radius_m * input.load_n * normal);
     bodies_.add_wrench(part.link, force_n, torque_n_m);
@@ -239,7 +239,7 @@ void Vehicle::apply_contacts(double step_s) {
   if (normals_S != Vec3::Zero()) ground_normal_S_ = normals_S.normalized();
 }
 
-void Vehicle::find_chassis_near_ground() {
+void Vehicle::update_chassis_near_ground() {
   const LinkMotion& chassis = bodies_.motion(Multibody::chassis);
   double speed_mps =
       chassis.v_C_S_mps.norm() + chassis.omega_S_radps.norm() * config_.chassis_size_m.norm() / 2;

@@ -27,7 +27,7 @@ constexpr double still_mps = 1e-5;
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 // Mobilised share of the shear strength divided by x: (1 - (1 - e^-x)/x) / x.
-double mobilised_by_x(double x) {
+double mobilised_over_x(double x) {
   if (x < 1e-4) return 0.5 - x / 6;
   return (1 + std::expm1(-x) / x) / x;
 }
@@ -87,9 +87,9 @@ struct WheelSoil::Step {
   Vec2 shear_m = Vec2::Zero(), shear_rate_mps = Vec2::Zero();
   double limit_n = 0;  // H_max
   Vec2 K_m = Vec2::Zero();
-  double shear_by_K = 0;
-  double built_up = 0;       // mobilised share of the rolling resistance, -1..1
-  Vec2 slip = Vec2::Zero();  // excess travel for each metre rolled; 0 in rolling without slip
+  double shear_over_K = 0;
+  double rolling_mobilised = 0;  // mobilised share of the rolling resistance, -1..1
+  Vec2 slip = Vec2::Zero();      // excess travel for each metre rolled; 0 in rolling without slip
   double sinkage_m = 0;
 };
 
@@ -106,12 +106,12 @@ void WheelSoil::shear(Step& step, const Vec2& before_m, double rolling_mps, doub
   const double fresh = 1 / (1 + 2 * rolled_mps * step_s / step.length_m);
   const Vec2 slip_mps(step.ahead_mps * (1 - step.curvature) - step.rim_mps, step.left_mps);
   step.shear_m = fresh * (before_m + step_s * slip_mps);
-  step.shear_by_K = length(step.shear_m.x() / step.K_m.x(), step.shear_m.y() / step.K_m.y());
+  step.shear_over_K = length(step.shear_m.x() / step.K_m.x(), step.shear_m.y() / step.K_m.y());
   const double most =
       std::max(shear_displacements_max, shear_lengths_max * step.length_m / step.K_m.minCoeff());
-  if (step.shear_by_K > most) {
-    step.shear_m *= most / step.shear_by_K;
-    step.shear_by_K = most;
+  if (step.shear_over_K > most) {
+    step.shear_m *= most / step.shear_over_K;
+    step.shear_over_K = most;
   }
   step.shear_rate_mps = (step.shear_m - before_m) / step_s;
 }
@@ -126,8 +126,8 @@ double WheelSoil::slip_sinkage_m(const Step& step) const {
 // Traction from the mobilised shear. Damping acts on the rate of shear, which is zero in steady
 // slip.
 Vec2 WheelSoil::traction_n(const Step& step) const {
-  const double share_by_K = 2 * step.limit_n * mobilised_by_x(2 * step.shear_by_K);
-  const Vec2 stiffness_npm = share_by_K * step.K_m.cwiseInverse();
+  const double limit_over_K = 2 * step.limit_n * mobilised_over_x(2 * step.shear_over_K);
+  const Vec2 stiffness_npm = limit_over_K * step.K_m.cwiseInverse();
   const Vec2 force_n = -stiffness_npm.cwiseProduct(step.shear_m) -
                        wheel_.tangential_damping_nspm * step.shear_rate_mps;
   const double most = force_n.norm();
@@ -142,7 +142,7 @@ Vec2 WheelSoil::resistance_n(const Step& step) const {
     // The wheel ploughs for the share of its travel that it does not roll. Travel for each metre
     // rolled is taken from the shear, which is steady; taken from the speeds it would act as a
     // stiff damper on slow wheels.
-    const double onward = step.built_up < 0 ? -1 : 1;
+    const double onward = step.rolling_mobilised < 0 ? -1 : 1;
     const double travel = length(1 + onward * step.slip.x(), step.slip.y());
     const double skid = std::max(0.0, 1 - 1 / std::max(travel, 1e-3));
     if (skid > 0) against_n += skid * ploughing_n(wheel_.width_m, step.sinkage_m);
@@ -152,8 +152,9 @@ Vec2 WheelSoil::resistance_n(const Step& step) const {
     side_n = -std::copysign(ploughing_n(side_m, step.sinkage_m) * pushed, left_m);
   }
   const double damping_n =
-      wheel_.tangential_damping_nspm * (1 - std::abs(step.built_up)) * step.ahead_mps;
-  return {-against_n * step.built_up - std::clamp(damping_n, -against_n, against_n), side_n};
+      wheel_.tangential_damping_nspm * (1 - std::abs(step.rolling_mobilised)) * step.ahead_mps;
+  return {-against_n * step.rolling_mobilised - std::clamp(damping_n, -against_n, against_n),
+          side_n};
 }
 
 WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step_s,
@@ -188,13 +189,13 @@ WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step
   state.shear_S_m = in_S(step.shear_m);
   state.rolled_m = std::clamp(state.rolled_m + step.ahead_mps * step_s, -rolling_mobilised_m,
                               rolling_mobilised_m);
-  step.built_up = state.rolled_m / rolling_mobilised_m;
+  step.rolling_mobilised = state.rolled_m / rolling_mobilised_m;
   // The shear from the rim's curvature in rolling without slip belongs to the static sinkage.
-  step.slip = 2 / step.length_m * step.shear_m + Vec2(step.curvature * step.built_up, 0);
+  step.slip = 2 / step.length_m * step.shear_m + Vec2(step.curvature * step.rolling_mobilised, 0);
   state.sinkage_m = step.sinkage_m = forces.sinkage_m = slip_sinkage_m(step);
 
   forces.traction_S_n = in_S(traction_n(step));
-  forces.at_hub_S_n = in_S(resistance_n(step));
+  forces.hub_force_S_n = in_S(resistance_n(step));
   return forces;
 }
 

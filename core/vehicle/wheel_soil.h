@@ -63,9 +63,9 @@ struct WheelContactInput {
 };
 
 struct WheelContactForces {
-  Vec3 traction_S_n = Vec3::Zero();  // shear force along the ground, applied `arm_m` below the hub
-  Vec3 at_hub_S_n = Vec3::Zero();    // forces without torque: compaction, ploughing, flexing
-  double arm_m = 0;                  // r + g h
+  Vec3 traction_S_n = Vec3::Zero();   // shear force along the ground, applied `arm_m` below the hub
+  Vec3 hub_force_S_n = Vec3::Zero();  // forces without torque: compaction, ploughing, flexing
+  double arm_m = 0;                   // r + g h
   double sinkage_m = 0;
   double traction_limit_n = 0;  // H_max
   double soil_shear_n = 0;      // H_max / f

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lua/api/arguments.h"
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"
 
@@ -28,11 +28,11 @@ double check_time_s(lua_State* L, double min, const char* function) {
 }  // namespace
 
 void push_answer(lua_State* L, PhaseAnswer answer) {
-  push_made(L, {answer_kind, {}, std::move(answer)});
+  push_constructed(L, {answer_kind, {}, std::move(answer)});
 }
 
 const PhaseAnswer* to_answer(lua_State* L, int index) {
-  const Made* made = to_made(L, index);
+  const ConstructedValue* made = to_constructed(L, index);
   return made == nullptr ? nullptr : std::any_cast<PhaseAnswer>(&made->value);
 }
 

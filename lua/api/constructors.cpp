@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 
 namespace lsos {
 

@@ -47,7 +47,7 @@ int construct(lua_State* L) {
   T value;
   read(t, value);
   t.finish();
-  push_made(L, {t.what(), t.place(), std::move(value)});
+  push_constructed(L, {t.what(), t.place(), std::move(value)});
   keep_keys(L, 1);
   return 1;
 }

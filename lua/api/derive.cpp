@@ -10,8 +10,8 @@
 #include "lua/api/arguments.h"
 #include "lua/api/constructors.h"
 #include "lua/api/rover_constructors.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/loader.h"
-#include "lua/runtime/made.h"
 #include "lua/runtime/module.h"
 #include "lua/runtime/reader.h"
 #include "lua/runtime/sandbox.h"
@@ -63,12 +63,12 @@ void push_copied_keys(lua_State* L, int index, const std::string& path) {
   lua_pop(L, 1);
 }
 
-void push_changed(lua_State* L, int made, int changes, const std::string& path, Changes& told);
+void push_changed(lua_State* L, int made, int changes, const std::string& path, Changes& applied);
 
 // The name that a part in a list was given; "" for a part without one.
 std::string name_of(lua_State* L, int index) {
   std::string name;
-  if (to_made(L, index) == nullptr) return name;
+  if (to_constructed(L, index) == nullptr) return name;
   if (lua_getiuservalue(L, index, 1) == LUA_TTABLE) {
     lua_pushliteral(L, "name");
     if (lua_rawget(L, -2) == LUA_TSTRING) name = lua_tostring(L, -1);
@@ -98,7 +98,7 @@ std::string name_of(lua_State* L, int index) {
 // Pushes the list at `list` with the changes in the table at `changes`, which maps names of parts
 // to changes.
 void push_changed_list(lua_State* L, int list, int changes, const std::string& path,
-                       Changes& told) {
+                       Changes& applied) {
   list = lua_absindex(L, list);
   changes = lua_absindex(L, changes);
   lua_pushnil(L);
@@ -126,12 +126,12 @@ void push_changed_list(lua_State* L, int list, int changes, const std::string& p
       lua_rawget(L, changes);
     }
     if (lua_isboolean(L, -1) && lua_toboolean(L, -1) == 0) {
-      told.push_back("no " + here);
+      applied.push_back("no " + here);
       lua_pop(L, 2);
       continue;
     }
     if (lua_istable(L, -1)) {
-      push_changed(L, -2, -1, here, told);
+      push_changed(L, -2, -1, here, applied);
       lua_replace(L, -3);
     } else if (!lua_isnil(L, -1)) {
       throw std::runtime_error(
@@ -166,28 +166,28 @@ void doubt_size(lua_State* L, const std::string& path) {
 }
 
 // Replaces the new value at the top by the old value below it with the change applied.
-void change(lua_State* L, const std::string& path, Changes& told) {
+void change(lua_State* L, const std::string& path, Changes& applied) {
   // A vec3 is replaced as a whole, though Lua stores it as a table.
-  const bool is_part = to_made(L, -2) != nullptr;
+  const bool is_part = to_constructed(L, -2) != nullptr;
   const bool is_list = lua_istable(L, -2) && !is_vec3(L, -2);
   if (lua_istable(L, -1) && is_part) {
-    push_changed(L, -2, -1, path, told);
+    push_changed(L, -2, -1, path, applied);
     lua_replace(L, -2);
   } else if (lua_istable(L, -1) && is_list && has_names(L, -1)) {
-    push_changed_list(L, -2, -1, path, told);
+    push_changed_list(L, -2, -1, path, applied);
     lua_replace(L, -2);
   } else if ((is_part || is_list) && lua_isboolean(L, -1) && lua_toboolean(L, -1) == 0) {
-    told.push_back("no " + path);
+    applied.push_back("no " + path);
     lua_pushnil(L);
     lua_replace(L, -2);
   } else {
     doubt_size(L, path);
-    told.push_back(fmt::format("{} = {}", path, value_text(L)));
+    applied.push_back(fmt::format("{} = {}", path, value_text(L)));
   }
 }
 
 // Merges the table of changes into the table at the top.
-void merge(lua_State* L, int changes, const std::string& path, Changes& told) {
+void merge(lua_State* L, int changes, const std::string& path, Changes& applied) {
   const int keys = lua_gettop(L);
   std::vector<std::string> names;
   lua_pushnil(L);
@@ -204,7 +204,7 @@ void merge(lua_State* L, int changes, const std::string& path, Changes& told) {
     if (path.empty() && (name == "assumptions" || name == "doc" || name == "api")) continue;
     lua_getfield(L, keys, name.c_str());
     lua_getfield(L, changes, name.c_str());
-    change(L, joined(path, name), told);
+    change(L, joined(path, name), applied);
     lua_setfield(L, keys, name.c_str());
     lua_pop(L, 1);
   }
@@ -218,12 +218,12 @@ void construct_again(lua_State* L, const std::string& kind) {
   lua_call(L, 1, 1);
 }
 
-void push_changed(lua_State* L, int made, int changes, const std::string& path, Changes& told) {
+void push_changed(lua_State* L, int made, int changes, const std::string& path, Changes& applied) {
   luaL_checkstack(L, 20, "lsos.derive");
   changes = lua_absindex(L, changes);
-  const std::string kind = to_made(L, made)->kind;
+  const std::string kind = to_constructed(L, made)->kind;
   push_copied_keys(L, made, path);
-  merge(L, changes, path, told);
+  merge(L, changes, path, applied);
   construct_again(L, kind);
 }
 
@@ -255,7 +255,7 @@ void add_assumptions(lua_State* L, int keys, int changes, const std::vector<std:
 }
 
 // Runs the base's script and pushes what it returns.
-const Made& push_base(lua_State* L, const std::string& name) {
+const ConstructedValue& push_base(lua_State* L, const std::string& name) {
   LuaContext& ctx = context(L);
   load_faults(L, "derive");
   if (ctx.scripts == nullptr) throw std::runtime_error("lsos.derive works only in rovers/");
@@ -286,7 +286,7 @@ const Made& push_base(lua_State* L, const std::string& name) {
   lua_setupvalue(L, -2, 1);  // _ENV
   lua_call(L, 0, 1);
   ctx.deriving.pop_back();
-  const Made* made = to_made(L, -1);
+  const ConstructedValue* made = to_constructed(L, -1);
   if (made == nullptr || (made->kind != rover_kind && made->kind != asset_kind)) {
     throw std::runtime_error(fmt::format("lsos.derive: the script of '{}' makes no rover", name));
   }
@@ -313,12 +313,12 @@ int derive(lua_State* L) {
       lua_setfield(L, keys, own);
     }
   }
-  Changes told;
-  merge(L, changes, "", told);
+  Changes applied;
+  merge(L, changes, "", applied);
   std::vector<std::string> sentence;
-  if (!told.empty()) {
+  if (!applied.empty()) {
     sentence.push_back(fmt::format("{}: is {} with {}", script_name(caller_place(L).file), base,
-                                   fmt::join(told, ", ")));
+                                   fmt::join(applied, ", ")));
   }
   add_assumptions(L, keys, changes, sentence);
   construct_again(L, kind);

@@ -63,7 +63,7 @@ void read_params(TableReader& t, EventDeclaration& event) {
     return;
   if (!is_table_or_fault(t, "params", "a table")) return;
   for_each_text_key(t, "params", [&](const std::string& key) {
-    const Made* made = to_made(t.L(), -1);
+    const ConstructedValue* made = to_constructed(t.L(), -1);
     const auto* field = made == nullptr ? nullptr : std::any_cast<FieldDeclaration>(&made->value);
     if (field == nullptr) {
       t.fault(fmt::format("params: {}: lsos.number {{...}} or another field is wanted, found {}",
@@ -138,7 +138,7 @@ void read_phases(TableReader& t, EventDeclaration& event, int functions) {
   lua_insert(L, -2);  // new table below the phases
   const int copy = lua_gettop(L) - 1;
   for_each_text_key(t, "phases", [&](const std::string& name) {
-    const Made* made = to_made(L, -1);
+    const ConstructedValue* made = to_constructed(L, -1);
     if (made != nullptr && made->kind == sub_event_kind) {
       const auto& sub = std::any_cast<const SubEvent&>(made->value);
       event.phases.push_back({name, sub.event, sub.next, made->place.line});
@@ -287,7 +287,7 @@ int make_event(lua_State* L) {
   const int functions = lua_gettop(L);
   read_event(t, event, functions);
   check_phases(t, event);
-  push_made(L, {event_kind, t.place(), std::move(event)});
+  push_constructed(L, {event_kind, t.place(), std::move(event)});
   lua_pushvalue(L, functions);
   lua_setiuservalue(L, -2, 1);
   return 1;
@@ -330,7 +330,7 @@ int make_sub_event(lua_State* L) {
   lua_newtable(L);
   const int functions = lua_gettop(L);
   read_sub_event(t, sub, functions);
-  push_made(L, {sub_event_kind, t.place(), std::move(sub)});
+  push_constructed(L, {sub_event_kind, t.place(), std::move(sub)});
   lua_pushvalue(L, functions);
   lua_setiuservalue(L, -2, 1);
   return 1;

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "base/turn.h"
+#include "base/rotation_from_z.h"
 #include "lua/api/constructors.h"
 
 namespace lsos {
@@ -155,7 +155,7 @@ void read_shape(TableReader& t, Shape& shape) {
   if (axis.norm() == 0) {
     t.fault("axis: a direction is wanted, found 0, 0, 0");
   } else {
-    shape.R_BL = turn_of_z(axis);
+    shape.R_BL = rotation_from_z(axis);
   }
 }
 

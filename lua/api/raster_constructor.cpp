@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/quantity_advice.h"
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "terrain/raster/length_unit.h"
 
 namespace lsos {
@@ -15,7 +15,7 @@ void read_band(TableReader& t, RasterSurface& raster) {
               "Its band of heights: the number from 1, or the description (default 1)."))
     return;
   lua_State* L = t.L();
-  raster.is_band_said = !lua_isnil(L, -1);
+  raster.is_band_given = !lua_isnil(L, -1);
   if (lua_type(L, -1) == LUA_TSTRING) {
     raster.band = std::string(lua_tostring(L, -1));
   } else if (lua_isinteger(L, -1) && lua_tointeger(L, -1) >= 1 &&

@@ -21,7 +21,7 @@ void push_field(lua_State* L, const char* key, std::int64_t value) {
   lua_setfield(L, -2, key);
 }
 
-void push_leg(lua_State* L, const PlannedWay::Leg& leg) {
+void push_leg(lua_State* L, const PlannedRoute::Leg& leg) {
   lua_createtable(L, 0, 6);
   push_field(L, "waypoint", leg.waypoint);
   push_field(L, "last_point", static_cast<std::int64_t>(leg.last_point) + 1);
@@ -79,7 +79,7 @@ RouteOptions check_route_options(lua_State* L, int index, const char* what) {
   return options;
 }
 
-void push_way(lua_State* L, const PlannedWay& way) {
+void push_route(lua_State* L, const PlannedRoute& way) {
   lua_createtable(L, 0, 6);
   lua_createtable(L, static_cast<int>(way.path_S_m.size()), 0);
   lua_Integer number = 0;
@@ -88,10 +88,10 @@ void push_way(lua_State* L, const PlannedWay& way) {
     lua_rawseti(L, -2, ++number);
   }
   lua_setfield(L, -2, "path");
-  PlannedWay::Leg sum;
+  PlannedRoute::Leg sum;
   lua_createtable(L, static_cast<int>(way.legs.size()), 0);
   number = 0;
-  for (const PlannedWay::Leg& leg : way.legs) {
+  for (const PlannedRoute::Leg& leg : way.legs) {
     push_leg(L, leg);
     lua_rawseti(L, -2, ++number);
     sum.length_m += leg.length_m;

@@ -20,6 +20,6 @@ void read_route_options(TableReader& t, RouteOptions& options);
 RouteOptions check_route_options(lua_State* L, int index, const char* what);
 
 // Pushes the route as { path = , legs = , length_m = , ... }.
-void push_way(lua_State* L, const PlannedWay& way);
+void push_route(lua_State* L, const PlannedRoute& way);
 
 }  // namespace lsos

@@ -102,7 +102,7 @@ void read_configuration(TableReader& t, RoverConfiguration& configuration) {
 void read_suspension(TableReader& t, Suspension& suspension) {
   constexpr const char* kinds = "lsos.wishbone, lsos.rocker_bogie or lsos.skid_steer";
   if (!t.take(required, "suspension", kinds, "Springs or rockers, steering and wheels.")) return;
-  const Made* made = to_made(t.L(), -1);
+  const ConstructedValue* made = to_constructed(t.L(), -1);
   if (made != nullptr && made->kind == "wishbone") {
     suspension = std::any_cast<Wishbone>(made->value);
   } else if (made != nullptr && made->kind == "rocker_bogie") {

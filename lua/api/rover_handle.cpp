@@ -16,7 +16,7 @@ namespace lsos {
 namespace {
 
 // Cost of sampling ground or sky, which may have to be generated first.
-constexpr std::int64_t instructions_per_look = 1000;
+constexpr std::int64_t instructions_per_sample = 1000;
 
 RoverPort& rover_of(lua_State* L) { return handle_rover(L, rover_handle_type()); }
 const RoverView& view_of(lua_State* L) { return rover_of(L).view(); }
@@ -108,7 +108,7 @@ FollowSettings check_settings(lua_State* L, int argument) {
   t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive, "Arrived within.");
   t.boolean(optional, "crab", settings.is_crabbing,
             "Along the path without turning into it; rovers that can.");
-  t.number(optional, "stray_max_m", settings.stray_max_m, positive,
+  t.number(optional, "stray_max_m", settings.cross_track_max_m, positive,
            "Farther than this from the path the drive fails (default: however far).");
   t.finish();
   faults.throw_if_errors();
@@ -162,12 +162,12 @@ int plan_path(lua_State* L) {
                                          options.first, waypoints.size()));
   }
   charge_planning(L, waypoints, options.first, rover.view().p_S_m);
-  const PlannedWay way = [&] {
+  const PlannedRoute way = [&] {
     const EngineWork work(L);
     return rover.plan_path(waypoints, options.first, options.settings);
   }();
   if (way.is_found()) {
-    push_way(L, way);
+    push_route(L, way);
     return 1;
   }
   lua_pushnil(L);
@@ -183,7 +183,7 @@ int ahead(lua_State* L) {
     throw std::runtime_error(
         fmt::format("rover:ahead({}): a number of metres is wanted", distance_m));
   }
-  charge(L, instructions_per_look);
+  charge(L, instructions_per_sample);
   const Vec3 place_S_m = [&] {
     const EngineWork work(L);
     return rover_of(L).ahead_S_m(distance_m);
@@ -253,7 +253,7 @@ int drive_remaining_m(lua_State* L) {
 int ground_at(lua_State* L) {
   const auto p_S_m = to_vec3(L, 2);
   if (!p_S_m) luaL_typeerror(L, 2, "vec3");
-  charge(L, instructions_per_look);
+  charge(L, instructions_per_sample);
   const auto ground = [&] {
     const EngineWork work(L);
     return rover_of(L).ground_at(*p_S_m);
@@ -275,7 +275,7 @@ int ground_at(lua_State* L) {
 }
 
 int sky(lua_State* L) {
-  charge(L, instructions_per_look);
+  charge(L, instructions_per_sample);
   const SkyView sky = [&] {
     const EngineWork work(L);
     return rover_of(L).sky();

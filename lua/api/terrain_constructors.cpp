@@ -138,7 +138,7 @@ constexpr const char* surfaces = "lsos.raster, lsos.relief or lsos.plane";
 
 // Adds the layer at the top of the stack.
 void add_layer(TableReader& t, const std::string& key, TerrainSpec& spec) {
-  const Made* made = to_made(t.L(), -1);
+  const ConstructedValue* made = to_constructed(t.L(), -1);
   if (made != nullptr && made->kind == "plane") {
     spec.layers.emplace_back(std::any_cast<PlaneSurface>(made->value));
   } else if (made != nullptr && made->kind == "relief") {
@@ -199,7 +199,7 @@ std::optional<SoilChoice> read_soil_choice(TableReader& t, Need need, const char
                                            const char* doc) {
   std::optional<SoilChoice> choice;
   if (!t.take(need, key, "text or lsos.soil", doc)) return choice;
-  const Made* made = to_made(t.L(), -1);
+  const ConstructedValue* made = to_constructed(t.L(), -1);
   if (made != nullptr && made->kind == soil_kind) {
     choice = SoilChoice{"", std::any_cast<Soil>(made->value)};
   } else if (lua_type(t.L(), -1) == LUA_TSTRING) {

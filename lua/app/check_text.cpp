@@ -94,13 +94,13 @@ std::string assumptions_text(const std::vector<std::string>& assumptions) {
 
 }  // namespace
 
-std::string check_text(const MissionModel& files, const WaysAhead& ways, bool is_verbose) {
+std::string check_text(const MissionModel& files, const RoutesAhead& routes, bool is_verbose) {
   const std::vector<Fault> faults = files.faults.sorted();
   std::string text = files.faults.has_errors() ? "" : verdict(files, faults.size());
   for (const Fault& fault : faults) text += to_string(fault) + "\n";
   if (files.faults.has_errors()) return text;
-  for (const PlannedLegLine& leg : ways.planned) text += leg_text(leg);
-  for (const DrawnEventLine& line : ways.drawn) text += line_text(line);
+  for (const PlannedLegLine& leg : routes.planned) text += leg_text(leg);
+  for (const DrawnEventLine& line : routes.drawn) text += line_text(line);
   if (!is_verbose) {
     return text + defaults_text(files.plan.defaults) + assumptions_text(files.assumptions);
   }

@@ -25,7 +25,7 @@ struct DrawnEventLine {
   DrawnLine drawn;
 };
 
-struct WaysAhead {
+struct RoutesAhead {
   std::vector<PlannedLegLine> planned;
   std::vector<DrawnEventLine> drawn;
 };
@@ -33,6 +33,6 @@ struct WaysAhead {
 // States whether the plan can be run, then lists warnings, routes, defaults grouped by their
 // owners, and the number of assumptions. `is_verbose`: each default and assumption is on a line of
 // its own. For a plan with errors only its faults are listed.
-std::string check_text(const MissionModel& files, const WaysAhead& ways, bool is_verbose);
+std::string check_text(const MissionModel& files, const RoutesAhead& routes, bool is_verbose);
 
 }  // namespace lsos

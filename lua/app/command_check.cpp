@@ -12,7 +12,7 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
-#include "lua/host/kept_routes.h"
+#include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 
 namespace lsos {
@@ -33,7 +33,7 @@ struct FsmOptions {
 };
 
 // Without the -0 that rounding makes.
-double told_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
+double rounded_deg(double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; }
 
 std::string label_of(const Simulation& simulation, const std::string& rover_id,
                      std::int64_t sequence) {
@@ -45,22 +45,23 @@ std::string label_of(const Simulation& simulation, const std::string& rover_id,
 
 std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
   std::vector<PlannedLegLine> lines;
-  for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
+  for (const Simulation::RoverRoutesAhead& routes : simulation.routes_ahead()) {
     const auto label = [&](std::int64_t sequence) {
-      return label_of(simulation, way.rover_id, sequence);
+      return label_of(simulation, routes.rover_id, sequence);
     };
-    for (const PassedWaypoint& passed : way.passed) {
-      PlannedLegLine line{way.rover_id, label(passed.sequence), passed.sequence, passed.waypoint};
+    for (const PassedWaypoint& passed : routes.passed) {
+      PlannedLegLine line{routes.rover_id, label(passed.sequence), passed.sequence,
+                          passed.waypoint};
       line.is_passed = true;
       lines.push_back(std::move(line));
     }
-    for (const LegAhead& ahead : way.legs) {
+    for (const LegAhead& ahead : routes.legs) {
       if (!ahead.leg.is_found()) continue;
       const Geodetic steepest = simulation.ground().site().geodetic(ahead.leg.steepest_S_m);
-      lines.push_back({way.rover_id, label(ahead.sequence), ahead.sequence, ahead.waypoint,
+      lines.push_back({routes.rover_id, label(ahead.sequence), ahead.sequence, ahead.waypoint,
                        ahead.leg.length_m, ahead.leg.duration_s, ahead.leg.energy_j,
-                       degrees(ahead.leg.slope_max_rad), told_deg(lon_deg(steepest)),
-                       told_deg(lat_deg(steepest))});
+                       degrees(ahead.leg.slope_max_rad), rounded_deg(lon_deg(steepest)),
+                       rounded_deg(lat_deg(steepest))});
     }
   }
   std::ranges::stable_sort(lines, {}, [](const PlannedLegLine& line) {
@@ -71,17 +72,18 @@ std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
 
 std::vector<DrawnEventLine> drawn_lines(const Simulation& simulation) {
   std::vector<DrawnEventLine> lines;
-  for (const Simulation::WayAhead& way : simulation.ways_ahead()) {
-    for (const DrawnLine& drawn : way.drawn) {
-      lines.push_back({way.rover_id, label_of(simulation, way.rover_id, drawn.sequence), drawn});
+  for (const Simulation::RoverRoutesAhead& routes : simulation.routes_ahead()) {
+    for (const DrawnLine& drawn : routes.drawn) {
+      lines.push_back(
+          {routes.rover_id, label_of(simulation, routes.rover_id, drawn.sequence), drawn});
     }
   }
   return lines;
 }
 
-std::string json_text(const MissionFiles& files, const WaysAhead& ways) {
+std::string json_text(const MissionFiles& files, const RoutesAhead& routes) {
   nlohmann::ordered_json paths = nlohmann::ordered_json::array();
-  for (const PlannedLegLine& leg : ways.planned) {
+  for (const PlannedLegLine& leg : routes.planned) {
     if (leg.is_passed) continue;
     paths.push_back({{"rover_id", leg.rover_id},
                      {"sequence", leg.sequence},
@@ -94,7 +96,7 @@ std::string json_text(const MissionFiles& files, const WaysAhead& ways) {
                      {"steepest_lat_deg", leg.steepest_lat_deg}});
   }
   nlohmann::ordered_json lines = nlohmann::ordered_json::array();
-  for (const DrawnEventLine& line : ways.drawn) {
+  for (const DrawnEventLine& line : routes.drawn) {
     nlohmann::ordered_json& entry = lines.emplace_back(
         nlohmann::ordered_json{{"rover_id", line.rover_id}, {"sequence", line.drawn.sequence}});
     if (line.drawn.to_first_m) entry["to_first_m"] = *line.drawn.to_first_m;
@@ -146,29 +148,29 @@ std::string json_text(const MissionMachine& machine) {
 
 int check_command(const CheckOptions& options) {
   MissionFiles files = read_mission(options.plan, options.seed);
-  WaysAhead ways;
+  RoutesAhead routes;
   if (!files.faults.has_errors()) {
     try {
       // The constructor runs the machine's `initialise`: rovers are placed on the ground and routes
       // are planned, but nothing moves.
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = simulation_setup(files);
-      setup.keep_legs = [&](const std::string& bytes) {
-        files.faults.add(keep_legs(options.plan, bytes));
+      setup.cache_legs = [&](const std::string& bytes) {
+        files.faults.add(cache_legs(options.plan, bytes));
       };
       setup.on_planning = [&](const std::string& what) { watch.plan(what); };
-      files.faults.add(kept_legs_advice(options.plan));
+      files.faults.add(cached_legs_advice(options.plan));
       const Simulation simulation(std::move(setup));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
-      files.faults.add(simulation.end_ahead());
-      ways = {planned_legs(simulation), drawn_lines(simulation)};
+      files.faults.add(simulation.ground_end_warnings());
+      routes = {planned_legs(simulation), drawn_lines(simulation)};
     } catch (const InputError& error) {
       files.faults.add(error.faults());
     }
   }
-  print_result(
-      "{}", options.is_json ? json_text(files, ways) : check_text(files, ways, options.is_verbose));
+  print_result("{}", options.is_json ? json_text(files, routes)
+                                     : check_text(files, routes, options.is_verbose));
   return files.faults.has_errors() ? 2 : 0;
 }
 
@@ -182,20 +184,20 @@ int fsm_command(const FsmOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_check(CLI::App& app) {
+std::function<int()> prepare_check(CommandOptions& command) {
   const auto options = std::make_shared<CheckOptions>();
-  app.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage")->required();
-  app.add_option("--seed", options->seed, "Instead of the plan's Seed")->check(is_seed());
-  app.add_flag("--json", options->is_json, "The answer as JSON");
-  app.add_flag("--verbose", options->is_verbose, "Each default and assumption");
-  app.add_flag("--quiet", options->is_quiet, "No progress");
+  command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
+  command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
+  command.add_flag("--json", options->is_json, "The answer as JSON");
+  command.add_flag("--verbose", options->is_verbose, "Each default and assumption");
+  command.add_flag("--quiet", options->is_quiet, "No progress");
   return [options] { return check_command(*options); };
 }
 
-std::function<int()> prepare_fsm(CLI::App& app) {
+std::function<int()> prepare_fsm(CommandOptions& command) {
   const auto options = std::make_shared<FsmOptions>();
-  app.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage")->required();
-  app.add_flag("--json", options->is_json, "As JSON");
+  command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
+  command.add_flag("--json", options->is_json, "As JSON");
   return [options] { return fsm_command(*options); };
 }
 

@@ -73,19 +73,19 @@ int verify_command(const VerifyOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_compare(CLI::App& app) {
+std::function<int()> prepare_compare(CommandOptions& command) {
   const auto options = std::make_shared<CompareOptions>();
-  app.add_option("A", options->folders[0], "Folder of a run")->required();
-  app.add_option("B", options->folders[1], "Folder of another")->required();
-  app.add_flag("--exact", options->is_exact, "The first differing value of the logs");
-  app.add_flag("--json", options->is_json, "The answer as JSON");
+  command.add_option("A", options->folders[0], "Folder of a run").required();
+  command.add_option("B", options->folders[1], "Folder of another").required();
+  command.add_flag("--exact", options->is_exact, "The first differing value of the logs");
+  command.add_flag("--json", options->is_json, "The answer as JSON");
   return [options] { return compare_command(*options); };
 }
 
-std::function<int()> prepare_verify(CLI::App& app) {
+std::function<int()> prepare_verify(CommandOptions& command) {
   const auto options = std::make_shared<VerifyOptions>();
-  app.add_option("DIR", options->folders, "Folders of finished runs")->required();
-  app.add_flag("--json", options->is_json, "The answer as JSON");
+  command.add_option("DIR", options->folders, "Folders of finished runs").required();
+  command.add_flag("--json", options->is_json, "The answer as JSON");
   return [options] { return verify_command(*options); };
 }
 

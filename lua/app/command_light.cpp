@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/output_file.h"
@@ -14,7 +15,7 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/instrument_answer.h"
-#include "lua/app/places.h"
+#include "lua/app/place_options.h"
 #include "lua/app/terrain_source.h"
 #include "planet/sunlight.h"
 #include "terrain/raster/raster_export.h"
@@ -176,13 +177,13 @@ int light_command(const LightOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_light(CLI::App& app) {
+std::function<int()> prepare_light(CommandOptions& command) {
   const auto options = std::make_shared<LightOptions>();
-  add_ground(app, options->terrain);
-  app.add_option("--at", options->at, "UTC: 2026-07-01T00:00:00Z")->required();
-  app.add_option("-o,--output", options->file, "The GeoTIFF to write")->required();
-  add_threads(app, options->threads, "Threads that work on it");
-  add_style(app, options->terrain.style);
+  add_ground(command, options->terrain);
+  command.add_option("--at", options->at, "UTC: 2026-07-01T00:00:00Z").required();
+  command.add_option("-o,--output", options->file, "The GeoTIFF to write").required();
+  add_threads(command, options->threads, "Threads that work on it");
+  add_style(command, options->terrain.style);
   return [options] { return light_command(*options); };
 }
 

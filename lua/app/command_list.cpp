@@ -22,7 +22,7 @@ struct ListOptions {
 };
 
 // Without what converting units adds to the last digits.
-double told(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+double rounded(double value) { return std::stod(fmt::format("{:.12g}", value)); }
 
 using Json = nlohmann::ordered_json;
 
@@ -61,7 +61,7 @@ double si_factor(const FieldDeclaration& field) {
 }
 
 // Whether the field has a maximum other than the one that all durations have.
-bool has_own_ceiling(const FieldDeclaration& field) {
+bool has_own_maximum(const FieldDeclaration& field) {
   return field.max_si &&
          !(field.kind == FieldKind::duration && *field.max_si == longest_duration_s);
 }
@@ -74,8 +74,8 @@ Json field_json(const FieldDeclaration& field) {
             {"doc", field.doc}};
   if (const Unit* unit = bare_unit(field)) json["unit"] = unit->symbol;
   const double factor = si_factor(field);
-  if (field.min_si) json["min"] = told(*field.min_si / factor);
-  if (has_own_ceiling(field)) json["max"] = told(*field.max_si / factor);
+  if (field.min_si) json["min"] = rounded(*field.min_si / factor);
+  if (has_own_maximum(field)) json["max"] = rounded(*field.max_si / factor);
   if (!field.choices.empty()) json["choices"] = field.choices;
   if (field.default_value) json["default"] = default_text(field);
   return json;
@@ -86,8 +86,8 @@ std::string field_text(const FieldDeclaration& field) {
   const bool has_unit = field.unit != nullptr && field.unit->symbol != "1";
   if (has_unit) text += fmt::format(", {}", bare_unit(field)->symbol);
   const double factor = si_factor(field);
-  if (field.min_si) text += fmt::format(", at least {}", told(*field.min_si / factor));
-  if (has_own_ceiling(field)) text += fmt::format(", at most {}", told(*field.max_si / factor));
+  if (field.min_si) text += fmt::format(", at least {}", rounded(*field.min_si / factor));
+  if (has_own_maximum(field)) text += fmt::format(", at most {}", rounded(*field.max_si / factor));
   if (!field.choices.empty()) text += fmt::format(": {}", fmt::join(field.choices, ", "));
   if (field.is_required) text += ", required";
   if (field.default_value) text += fmt::format(", default {}", default_text(field));
@@ -223,13 +223,13 @@ int list_command(const ListOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_list(CLI::App& app) {
+std::function<int()> prepare_list(CommandOptions& command) {
   const auto options = std::make_shared<ListOptions>();
-  app.add_option("WHAT", options->what, "events, rovers, terrains or soils")
-      ->required()
-      ->check(CLI::IsMember({"events", "rovers", "terrains", "soils"}));
-  app.add_option("NAME", options->name, "Only this one");
-  app.add_flag("--json", options->is_json, "As JSON");
+  command.add_option("WHAT", options->what, "events, rovers, terrains or soils")
+      .required()
+      .one_of({"events", "rovers", "terrains", "soils"});
+  command.add_option("NAME", options->name, "Only this one");
+  command.add_flag("--json", options->is_json, "As JSON");
   return [options] { return list_command(*options); };
 }
 

@@ -13,7 +13,7 @@
 #include "base/files.h"
 #include "lua/app/commands.h"
 #include "lua/app/new_text.h"
-#include "lua/app/places.h"
+#include "lua/app/place_options.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/script_folders.h"
 #include "mission/model/site.h"
@@ -195,17 +195,17 @@ int new_command(const NewOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_new(CLI::App& app) {
+std::function<int()> prepare_new(CommandOptions& command) {
   const auto options = std::make_shared<NewOptions>();
-  app.add_option("WHAT", options->what, "plan, event, rover, terrain or scenario")
-      ->required()
-      ->check(CLI::IsMember({"plan", "event", "rover", "terrain", "scenario"}));
-  app.add_option("NAME", options->name, "What it shall be called: DropBeacon")->required();
-  app.add_option("--from", options->from, "A rover type (SEV); of a terrain a raster");
-  app.add_option("--planet", options->planet, "Of a plan: Moon, Mars or Earth (Moon)");
-  app.add_option("--terrain", options->terrain, "Of a plan: a script or raster (Craters)");
-  app.add_option("--site", options->site, "LON,LAT where the rover of a plan starts (0,0)");
-  app.add_flag("--json", options->is_json, "The names of the files as JSON");
+  command.add_option("WHAT", options->what, "plan, event, rover, terrain or scenario")
+      .required()
+      .one_of({"plan", "event", "rover", "terrain", "scenario"});
+  command.add_option("NAME", options->name, "What it shall be called: DropBeacon").required();
+  command.add_option("--from", options->from, "A rover type (SEV); of a terrain a raster");
+  command.add_option("--planet", options->planet, "Of a plan: Moon, Mars or Earth (Moon)");
+  command.add_option("--terrain", options->terrain, "Of a plan: a script or raster (Craters)");
+  command.add_option("--site", options->site, "LON,LAT where the rover of a plan starts (0,0)");
+  command.add_flag("--json", options->is_json, "The names of the files as JSON");
   return [options] { return new_command(*options); };
 }
 

@@ -48,12 +48,12 @@ int overlay_command(const OverlayOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_overlay(CLI::App& app) {
+std::function<int()> prepare_overlay(CommandOptions& command) {
   const auto options = std::make_shared<OverlayOptions>();
-  app.add_option("DIR", options->folder, "Folder of a run")->required();
-  app.add_flag("--kmz", options->is_packed,
-               "Write overlay.kmz instead, a tenth of the size and with its icons");
-  app.add_flag("--json", options->is_json, "The name of the file as JSON");
+  command.add_option("DIR", options->folder, "Folder of a run").required();
+  command.add_flag("--kmz", options->is_packed,
+                   "Write overlay.kmz instead, a tenth of the size and with its icons");
+  command.add_flag("--json", options->is_json, "The name of the file as JSON");
   return [options] { return overlay_command(*options); };
 }
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/output_file.h"
@@ -35,9 +36,9 @@ struct PictureOptions {
   AnswerStyle style = AnswerStyle::by_output;
 };
 
-std::atomic<int> asked_to_stop{0};
+std::atomic<int> stop_signal{0};
 
-void ask_to_stop(int signal) { asked_to_stop = signal; }
+void request_stop(int signal) { stop_signal = signal; }
 
 void check(const PictureOptions& options) {
   if (!options.is_movie && options.file.ends_with(".mp4")) {
@@ -66,18 +67,18 @@ void print(const PictureOptions& options, const AnswerRow& about) {
   print_answer(AnswerRow::array({answer}), options.style);
 }
 
-int make_film(const PictureOptions& options, const PictureRun& run, const PictureWish& wish,
+int make_film(const PictureOptions& options, const PictureRun& run, const PictureRequest& request,
               const Gpu& gpu, Lettering& letters) {
-  const PictureSize size = picture_size(run, wish);
+  const PictureSize size = picture_size(run, request);
   AnswerRow about;
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
   Film film(options.file, size.width_px, size.height_px);
   for (std::size_t k = 0; k < run.times.size(); ++k) {
-    const PictureFrameOut frame = picture_of(run, k, wish, gpu, letters);
+    const PictureFrameOut frame = picture_of(run, k, request, gpu, letters);
     if (k == 0) about = frame.about;
     film.add(frame.picture.rgb);
-    if (asked_to_stop != 0) return 128 + asked_to_stop;
+    if (stop_signal != 0) return 128 + stop_signal;
     if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
       print_message("\rpicture {} of {}{}", k + 1, run.times.size(),
                     k + 1 == run.times.size() ? "\n" : "");
@@ -106,11 +107,11 @@ int picture_command(const PictureOptions& options) {
   const std::string from = !options.from.empty() ? options.from
                            : options.is_movie    ? "chase"
                                                  : "sun";
-  const PictureWish wish{from, options.rover, options.size_px};
+  const PictureRequest request{from, options.rover, options.size_px};
   const Gpu gpu;
   Lettering letters;
-  if (options.is_movie) return make_film(options, run, wish, gpu, letters);
-  const PictureFrameOut out = picture_of(run, 0, wish, gpu, letters);
+  if (options.is_movie) return make_film(options, run, request, gpu, letters);
+  const PictureFrameOut out = picture_of(run, 0, request, gpu, letters);
   write_png(options.file, out.picture.width_px, out.picture.height_px, out.picture.rgb);
   print(options, out.about);
   return 0;
@@ -118,23 +119,23 @@ int picture_command(const PictureOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_picture(CLI::App& app) {
+std::function<int()> prepare_picture(CommandOptions& command) {
   const auto options = std::make_shared<PictureOptions>();
-  app.add_option("DIR", options->folder, "Folder of a run")->required();
-  app.add_option("--at", options->at, "UTC, or a time from the start: 90, 2 h");
-  app.add_option("--from", options->from,
-                 "sun (its panels green), chase, east, above, or the RoverId of one that sees "
-                 "it (sun; of a film chase)");
-  app.add_option("--rover", options->rover, "RoverId (the first)");
-  app.add_option("--size", options->size_px, "Width, pixels (1280; from sun 800)")
-      ->check(CLI::Range(64, 4096));
-  app.add_flag("--movie", options->is_movie, "A film of all the run, in place of --at");
-  app.add_option("--every", options->every,
-                 "Of the mission, from one of its pictures to the next (for some 250, four "
-                 "in five of them while the rover drives)");
-  app.add_option("-o,--output", options->file, "The PNG, or MP4, to write")->required();
-  app.add_flag("--quiet", options->is_quiet, "No progress");
-  add_style(app, options->style);
+  command.add_option("DIR", options->folder, "Folder of a run").required();
+  command.add_option("--at", options->at, "UTC, or a time from the start: 90, 2 h");
+  command.add_option("--from", options->from,
+                     "sun (its panels green), chase, east, above, or the RoverId of one that sees "
+                     "it (sun; of a film chase)");
+  command.add_option("--rover", options->rover, "RoverId (the first)");
+  command.add_option("--size", options->size_px, "Width, pixels (1280; from sun 800)")
+      .between(64, 4096);
+  command.add_flag("--movie", options->is_movie, "A film of all the run, in place of --at");
+  command.add_option("--every", options->every,
+                     "Of the mission, from one of its pictures to the next (for some 250, four "
+                     "in five of them while the rover drives)");
+  command.add_option("-o,--output", options->file, "The PNG, or MP4, to write").required();
+  command.add_flag("--quiet", options->is_quiet, "No progress");
+  add_style(command, options->style);
   return [options] { return picture_command(*options); };
 }
 

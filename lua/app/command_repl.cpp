@@ -41,7 +41,7 @@ std::string history_file() {
   return home == nullptr ? "" : std::string(home) + "/.lsos_history";
 }
 
-int talk(Repl& repl) {
+int run_terminal(Repl& repl) {
   completed_by = &repl;
   rl_readline_name = const_cast<char*>("lsos-host");
   rl_attempted_completion_function = complete;
@@ -73,7 +73,7 @@ int talk(Repl& repl) {
 }
 
 // Runs standard input as a script. All errors are printed; the exit code is 1 if there was any.
-int follow_script(Repl& repl) {
+int run_piped_input(Repl& repl) {
   bool has_failed = false;
   int number = 0, first = 1;
   std::string text;
@@ -105,14 +105,14 @@ int repl_command(const std::string& plan_file) {
     is_interrupted = 1;
     SimSession::interrupt();
   });
-  return isatty(STDIN_FILENO) != 0 ? talk(repl) : follow_script(repl);
+  return isatty(STDIN_FILENO) != 0 ? run_terminal(repl) : run_piped_input(repl);
 }
 
 }  // namespace
 
-std::function<int()> prepare_repl(CLI::App& app) {
+std::function<int()> prepare_repl(CommandOptions& command) {
   const auto options = std::make_shared<std::string>();
-  app.add_option("PLAN", *options, "A plan: KML, KMZ or GeoPackage");
+  command.add_option("PLAN", *options, "A plan: KML, KMZ or GeoPackage");
   return [options] { return repl_command(*options); };
 }
 

@@ -92,9 +92,10 @@ int report_command(const ReportOptions& options) {
     write_file(file, figure_png(read_report_data(log, from.run.files.plan, site), dpi));
   } else {
     if (file.empty()) file = folder + "/report.html";
-    const ReportWish wish{shadow_time(options, from.run), options.has_pictures, options.threads};
+    const ReportRequest request{shadow_time(options, from.run), options.has_pictures,
+                                options.threads};
     const std::string summary = read_file(folder + "/summary.json").value_or("");
-    write_file(file, report_of(from.run, log, summary, wish, from.left_out));
+    write_file(file, report_of(from.run, log, summary, request, from.left_out));
   }
   for (const std::string& what : from.left_out) print_message("warning: {}\n", what);
   if (options.is_json) {
@@ -107,18 +108,17 @@ int report_command(const ReportOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_report(CLI::App& app) {
+std::function<int()> prepare_report(CommandOptions& command) {
   const auto options = std::make_shared<ReportOptions>();
-  app.add_option("DIR", options->folder, "Folder of a run")->required();
-  app.add_option("-o,--output", options->file, "DIR/report.html, or with --png DIR/report.png");
-  app.add_option("--shadow-at", options->shadow_at,
-                 "UTC, or a time from the start: of the shadow on the map (the start)");
-  app.add_flag("!--no-pictures", options->has_pictures, "Leave them out");
-  app.add_flag("--png", options->is_figure, "Its plots as a figure for a paper");
-  app.add_option("--dpi", options->dpi, "Of the figure, 18 cm wide (300)")
-      ->check(CLI::Range(50, 1200));
-  add_threads(app, options->threads, "Threads that work on the map");
-  app.add_flag("--json", options->is_json, "The name of the file as JSON");
+  command.add_option("DIR", options->folder, "Folder of a run").required();
+  command.add_option("-o,--output", options->file, "DIR/report.html, or with --png DIR/report.png");
+  command.add_option("--shadow-at", options->shadow_at,
+                     "UTC, or a time from the start: of the shadow on the map (the start)");
+  command.add_flag("!--no-pictures", options->has_pictures, "Leave them out");
+  command.add_flag("--png", options->is_figure, "Its plots as a figure for a paper");
+  command.add_option("--dpi", options->dpi, "Of the figure, 18 cm wide (300)").between(50, 1200);
+  add_threads(command, options->threads, "Threads that work on the map");
+  command.add_flag("--json", options->is_json, "The name of the file as JSON");
   return [options] { return report_command(*options); };
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/units.h"
@@ -108,25 +109,25 @@ int rig_command(const RigOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_rig(CLI::App& app) {
+std::function<int()> prepare_rig(CommandOptions& command) {
   const auto options = std::make_shared<RigOptions>();
-  app.add_option("--soil", options->soil, "A soil by name, or a Lua file")->required();
-  app.add_option("--radius", options->radius_m, "Of the wheel's rim, m")->required();
-  app.add_option("--width", options->width_m, "m")->required();
-  app.add_option("--load", options->load_n, "On the wheel, N")->required();
-  app.add_option("--slip", options->slips, "-1..1, one or several: 0,0.2,0.5")
-      ->required()
-      ->delimiter(',');
-  app.add_option("--slip-angle", options->slip_angle_deg,
-                 "Of the travel from the heading, deg, to the left positive");
-  app.add_option("--grouser-height", options->grouser_height_m, "m");
-  app.add_option("--grouser-count", options->grouser_count, "Round the whole rim");
-  app.add_option("--interface-friction", options->interface_friction_ratio,
-                 "Friction of soil on the rim over that in the soil, 0..1 (0.8)");
-  app.add_option("--stiffness", options->stiffness_npm,
-                 "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
-  app.add_option("--gravity", options->gravity_mps2, "m/s2 (9.80665)");
-  add_style(app, options->style);
+  command.add_option("--soil", options->soil, "A soil by name, or a Lua file").required();
+  command.add_option("--radius", options->radius_m, "Of the wheel's rim, m").required();
+  command.add_option("--width", options->width_m, "m").required();
+  command.add_option("--load", options->load_n, "On the wheel, N").required();
+  command.add_option("--slip", options->slips, "-1..1, one or several: 0,0.2,0.5")
+      .required()
+      .separated_by(',');
+  command.add_option("--slip-angle", options->slip_angle_deg,
+                     "Of the travel from the heading, deg, to the left positive");
+  command.add_option("--grouser-height", options->grouser_height_m, "m");
+  command.add_option("--grouser-count", options->grouser_count, "Round the whole rim");
+  command.add_option("--interface-friction", options->interface_friction_ratio,
+                     "Friction of soil on the rim over that in the soil, 0..1 (0.8)");
+  command.add_option("--stiffness", options->stiffness_npm,
+                     "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
+  command.add_option("--gravity", options->gravity_mps2, "m/s2 (9.80665)");
+  add_style(command, options->style);
   return [options] { return rig_command(*options); };
 }
 

@@ -16,7 +16,7 @@
 #include "lua/app/planning_watch.h"
 #include "lua/app/progress.h"
 #include "lua/app/run_options.h"
-#include "lua/host/kept_routes.h"
+#include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_values.h"
 #include "plan/kml_text.h"
@@ -28,7 +28,7 @@ namespace lsos {
 
 namespace {
 
-std::atomic<int> asked_to_stop{0};
+std::atomic<int> stop_signal{0};
 
 // Returns the signal that stopped the run, or 0.
 int simulate(Simulation& simulation, bool is_quiet) {
@@ -36,7 +36,7 @@ int simulate(Simulation& simulation, bool is_quiet) {
   int stopped_by = 0;
   simulation.start();
   while (!simulation.is_finished() && stopped_by == 0) {
-    stopped_by = asked_to_stop;
+    stopped_by = stop_signal;
     if (stopped_by != 0) {
       simulation.stop(fmt::format("stopped by {}", stopped_by == SIGINT ? "SIGINT" : "SIGTERM"));
       continue;
@@ -49,8 +49,8 @@ int simulate(Simulation& simulation, bool is_quiet) {
   return stopped_by;
 }
 
-void ask_to_stop(int signal) {
-  asked_to_stop = signal;
+void request_stop(int signal) {
+  stop_signal = signal;
   std::signal(signal, SIG_DFL);  // a second signal ends the program at once
 }
 
@@ -75,7 +75,7 @@ int run_command(const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   MissionFiles files = read_mission(options.plan, options.seed);
   files.faults.throw_if_errors();
-  files.faults.add(kept_legs_advice(options.plan));
+  files.faults.add(cached_legs_advice(options.plan));
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
@@ -95,9 +95,9 @@ int run_command(const RunOptions& options) {
   setup.keeps_sight = true;
   setup.save_every_exchange = options.save_every_exchange;
   PlanningWatch watch(options.is_quiet);
-  std::vector<Fault> legs_not_kept;
-  setup.keep_legs = [&](const std::string& bytes) {
-    legs_not_kept = keep_legs(options.plan, bytes);
+  std::vector<Fault> legs_not_cached;
+  setup.cache_legs = [&](const std::string& bytes) {
+    legs_not_cached = cache_legs(options.plan, bytes);
   };
   setup.on_planning = [&](const std::string& what) { watch.plan(what); };
   // The constructor makes the last checks, whether the plan fits the terrain. The old run is
@@ -113,12 +113,12 @@ int run_command(const RunOptions& options) {
   // The loss of results is reported even with --quiet.
   if (!other.empty()) print_message("{}: the run of {} that it held is replaced\n", path, other);
   // Up to here a signal may end the program at once, as there are no results to write.
-  std::signal(SIGINT, ask_to_stop);
-  std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGINT, request_stop);
+  std::signal(SIGTERM, request_stop);
   RunRecord record(folder, files.plan_bytes, files, run_values(files, simulation), simulation);
   const int stopped_by = simulate(simulation, options.is_quiet);
-  legs_not_kept = keep_legs(options.plan, simulation.kept_legs());
-  for (const Fault& fault : legs_not_kept) {
+  legs_not_cached = cache_legs(options.plan, simulation.cached_legs());
+  for (const Fault& fault : legs_not_cached) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
@@ -127,12 +127,13 @@ int run_command(const RunOptions& options) {
     products.push_back({"mission.qgz", "report", [&](const RunSummary&) {
                           write_qgis_project(folder.path(), files, simulation.ground());
                         }});
-    products.push_back({"report.html", "report", [&](const RunSummary& came_to) {
-                          // The report of a stopped run has no pictures, so that the program ends
-                          // soon.
-                          const ReportWish wish{{}, stopped_by == 0, std::max(2, options.threads)};
-                          write_report(folder.path(), files, simulation.ground(), came_to, wish);
-                        }});
+    products.push_back(
+        {"report.html", "report", [&](const RunSummary& run_summary) {
+           // The report of a stopped run has no pictures, so that the program ends
+           // soon.
+           const ReportRequest request{{}, stopped_by == 0, std::max(2, options.threads)};
+           write_report(folder.path(), files, simulation.ground(), run_summary, request);
+         }});
   }
   const RunSummary summary = record.finish(files, simulation, wall.count(), warn, products);
 
@@ -145,20 +146,21 @@ int run_command(const RunOptions& options) {
   return summary.status == RunStatus::completed ? 0 : 1;
 }
 
-std::function<int()> prepare_run(CLI::App& app) {
+std::function<int()> prepare_run(CommandOptions& command) {
   const auto options = std::make_shared<RunOptions>();
-  app.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage")->required();
-  app.add_option("-o,--output", options->folder, "Folder of the results (out/PLAN-NAME)");
-  app.add_flag("--force", options->is_forced,
-               "Replace an unfinished run, or without -o that of another plan");
-  app.add_flag("!--no-report", options->has_report, "No report.html, which takes some seconds");
-  app.add_flag("--quiet", options->is_quiet, "No progress");
-  app.add_flag("--json", options->is_json, "The summary as JSON");
-  app.add_flag("--watch", options->is_watched, "Run again whenever the plan or a script changes");
-  add_threads(app, options->threads, "Threads that step rovers");
-  app.add_option("--seed", options->seed, "Instead of the plan's Seed")->check(is_seed());
-  app.add_flag("--save-every-exchange", options->save_every_exchange,
-               "Write all state out and read it back every 0.1 s (a test of resuming)");
+  command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
+  command.add_option("-o,--output", options->folder, "Folder of the results (out/PLAN-NAME)");
+  command.add_flag("--force", options->is_forced,
+                   "Replace an unfinished run, or without -o that of another plan");
+  command.add_flag("!--no-report", options->has_report, "No report.html, which takes some seconds");
+  command.add_flag("--quiet", options->is_quiet, "No progress");
+  command.add_flag("--json", options->is_json, "The summary as JSON");
+  command.add_flag("--watch", options->is_watched,
+                   "Run again whenever the plan or a script changes");
+  add_threads(command, options->threads, "Threads that step rovers");
+  command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
+  command.add_flag("--save-every-exchange", options->save_every_exchange,
+                   "Write all state out and read it back every 0.1 s (a test of resuming)");
   return
       [options] { return options->is_watched ? watch_command(*options) : run_command(*options); };
 }

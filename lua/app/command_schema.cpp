@@ -156,13 +156,13 @@ int schema_command(const SchemaOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_schema(CLI::App& app) {
+std::function<int()> prepare_schema(CommandOptions& command) {
   const auto options = std::make_shared<SchemaOptions>();
-  app.add_option("NAME", options->names, "Events (all)");
-  app.add_option("-o,--output", options->file,
-                 "X.kml, or X.gpkg: empty layers with forms, to draw a plan in QGIS");
-  app.add_option("--planet", options->planet, "Of the layers: Moon, Mars or Earth (Moon)");
-  app.add_flag("--json", options->is_json, "The fields of each as JSON, in place of KML");
+  command.add_option("NAME", options->names, "Events (all)");
+  command.add_option("-o,--output", options->file,
+                     "X.kml, or X.gpkg: empty layers with forms, to draw a plan in QGIS");
+  command.add_option("--planet", options->planet, "Of the layers: Moon, Mars or Earth (Moon)");
+  command.add_flag("--json", options->is_json, "The fields of each as JSON, in place of KML");
   return [options] { return schema_command(*options); };
 }
 

@@ -1,10 +1,10 @@
-// `lsos-host sight`: computes whether places see each other over the ground, and maps of what one
-// sees.
+// `lsos-host sight`: whether places see each other over the ground, and maps of what one sees.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/output_file.h"
@@ -15,7 +15,7 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/instrument_answer.h"
-#include "lua/app/places.h"
+#include "lua/app/place_options.h"
 #include "lua/app/terrain_source.h"
 #include "mission/light/sight.h"
 #include "terrain/raster/raster_export.h"
@@ -43,14 +43,14 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 constexpr double highest_m = 100e3;
 
 // A place given on the command line; its height is above the ground.
-struct AskedPlace {
+struct PlaceOption {
   std::string option;  // "--to 30,10,2"
   Geodetic place;
 };
 
 struct Question {
-  std::optional<AskedPlace> from;
-  std::vector<AskedPlace> to;
+  std::optional<PlaceOption> from;
+  std::vector<PlaceOption> to;
   double target_m = 0;
   std::optional<Geodetic> site;
   std::optional<MapWindow> window;
@@ -62,8 +62,8 @@ void check_height(const std::string& option, double height_m, Faults& faults) {
                                highest_m));
 }
 
-std::optional<AskedPlace> asked_place(const std::string& option, const std::string& text,
-                                      Faults& faults) {
+std::optional<PlaceOption> read_place_option(const std::string& option, const std::string& text,
+                                             Faults& faults) {
   const std::string asked = fmt::format("{} {}", option, text);
   if (std::ranges::count(text, ',') != 2) {
     faults.error({},
@@ -73,7 +73,7 @@ std::optional<AskedPlace> asked_place(const std::string& option, const std::stri
   const auto place = option_site(option, text, faults);
   if (!place) return {};
   check_height(asked, place->height_m, faults);
-  return AskedPlace{asked, *place};
+  return PlaceOption{asked, *place};
 }
 
 // Adds faults unless either lines of sight or a map is requested.
@@ -106,9 +106,9 @@ Question question_of(const SightOptions& options) {
   Faults faults;
   Question question;
   const TerrainOptions& terrain = options.terrain;
-  question.from = asked_place("--from", options.from, faults);
+  question.from = read_place_option("--from", options.from, faults);
   for (const std::string& text : options.to) {
-    if (const auto place = asked_place("--to", text, faults)) question.to.push_back(*place);
+    if (const auto place = read_place_option("--to", text, faults)) question.to.push_back(*place);
   }
   check_kind(options, faults);
   question.target_m = options.height_m.value_or(0);
@@ -122,7 +122,7 @@ Question question_of(const SightOptions& options) {
 }
 
 // Throws InputError where `from` is too far from the site, around which the ground is sampled.
-void check_near_site(const Body& body, const Geodetic& site, const AskedPlace& from) {
+void check_near_site(const Body& body, const Geodetic& site, const PlaceOption& from) {
   constexpr double reach_rad = 0.1;
   const double reach_m = reach_rad * body.equatorial_radius_m;
   const double away_m = surface_distance_m(body, site, from.place);
@@ -133,7 +133,7 @@ void check_near_site(const Body& body, const Geodetic& site, const AskedPlace& f
 
 // The place with its height above the reference surface; a fault where there is no ground.
 // `resolution_m`: resolution at which the ground is sampled.
-std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
+std::optional<Geodetic> on_ground(const Ground& ground, const PlaceOption& asked,
                                   double resolution_m, Faults& faults) {
   Geodetic place = asked.place;
   if (const auto height_m = ground.elevation_m(place, resolution_m)) {
@@ -156,25 +156,26 @@ std::optional<Geodetic> on_ground(const Ground& ground, const AskedPlace& asked,
 
 // Length of the straight line, and its azimuth and elevation in the sky of `from`.
 AnswerRow line_of(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
-  const Vec3 way_m = to_S_m - from_S_m;
-  const double east_m = way_m.dot(site.east_S(from_S_m));
-  const double north_m = way_m.dot(site.north_S(from_S_m));
-  const double up_m = way_m.dot(site.up_S(from_S_m));
+  const Vec3 line_m = to_S_m - from_S_m;
+  const double east_m = line_m.dot(site.east_S(from_S_m));
+  const double north_m = line_m.dot(site.north_S(from_S_m));
+  const double up_m = line_m.dot(site.up_S(from_S_m));
   const double level_m = std::hypot(east_m, north_m);
-  AnswerRow line{
-      {"distance_m", computed(way_m.norm())}, {"azimuth_deg", nullptr}, {"elevation_deg", nullptr}};
+  AnswerRow line{{"distance_m", computed(line_m.norm())},
+                 {"azimuth_deg", nullptr},
+                 {"elevation_deg", nullptr}};
   constexpr double least_m = 1e-6;  // a shorter line has no direction
   if (level_m > least_m) {
     const double azimuth_deg = degrees(std::atan2(east_m, north_m));
     const double from_north_deg = azimuth_deg < 0 ? azimuth_deg + 360 : azimuth_deg;
     line["azimuth_deg"] = from_north_deg < 360 ? computed(from_north_deg) : 0;
   }
-  if (way_m.norm() > least_m) line["elevation_deg"] = computed(degrees(std::atan2(up_m, level_m)));
+  if (line_m.norm() > least_m) line["elevation_deg"] = computed(degrees(std::atan2(up_m, level_m)));
   return line;
 }
 
 // Adds a warning where a visible target is seen across ground that is not known.
-void add_end(const AskedPlace& to, const std::optional<GroundEnd>& end, AnswerRow& line) {
+void add_end(const PlaceOption& to, const std::optional<GroundEnd>& end, AnswerRow& line) {
   if (!end || line["visible"] == 0) return;
   const std::string warning = fmt::format(
       "{}: the ground on the line is not known from {} away on; what stands there may hide it; "
@@ -190,7 +191,7 @@ AnswerRow lines(const Ground& ground, const Question& question) {
   Faults faults;
   const auto from = on_ground(ground, *question.from, 0, faults);
   std::vector<Vec3> to_S_m;
-  for (const AskedPlace& asked : question.to) {
+  for (const PlaceOption& asked : question.to) {
     const auto place = on_ground(ground, asked, 0, faults);
     if (place) to_S_m.push_back(ground.site().p_S_m(*place));
   }
@@ -256,7 +257,7 @@ void find_heights(const TerrainSource& source, const Ground& ground, double reso
 }
 
 // Position of the observer, above the map's own ground where the map covers it.
-Geodetic eye_of(const Ground& ground, const MapHeights& heights, const AskedPlace& from,
+Geodetic eye_of(const Ground& ground, const MapHeights& heights, const PlaceOption& from,
                 double resolution_m) {
   if (const auto height_m = heights.height_m(from.place)) {
     return {from.place.lon_rad, from.place.lat_rad, *height_m + from.place.height_m};
@@ -330,26 +331,25 @@ AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Ques
   });
 
   double seen = 0, cells = 0;
-  SeenOverEnd over_end(ground, site.p_S_m(eye),
-                       static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows),
+  SeenOverEnd over_end(ground, site.p_S_m(eye), std::size_t{1} * grid.columns * grid.rows,
                        resolution_m);
   int row = 0;
   const MapRow is_seen = [&](std::span<const std::optional<Geodetic>> of_row) {
     const Places places(of_row.begin(), of_row.end());
     const std::span<const float> heights_m = heights.row(row++);
+    const auto target_S_m = [&](std::size_t k) {
+      return site.p_S_m({places[k]->lon_rad, places[k]->lat_rad, heights_m[k] + question.target_m});
+    };
     std::vector<double> values(places.size(), missing);
     for_row(pool, options.threads, places, [&](std::size_t, std::size_t k) {
       if (std::isnan(heights_m[k])) return;
-      const double height_m = heights_m[k] + question.target_m;
-      values[k] = view.sees(site.p_S_m({places[k]->lon_rad, places[k]->lat_rad, height_m})) ? 1 : 0;
+      values[k] = view.sees(target_S_m(k)) ? 1 : 0;
     });
     for (std::size_t k = 0; k < values.size(); ++k) {
       if (std::isnan(values[k])) continue;
       ++cells;
       seen += values[k];
-      if (values[k] == 0) continue;
-      const double height_m = heights_m[k] + question.target_m;
-      over_end.add(site.p_S_m({places[k]->lon_rad, places[k]->lat_rad, height_m}));
+      if (values[k] != 0) over_end.add(target_S_m(k));
     }
     return values;
   };
@@ -384,18 +384,16 @@ int sight_command(const SightOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_sight(CLI::App& app) {
+std::function<int()> prepare_sight(CommandOptions& command) {
   const auto options = std::make_shared<SightOptions>();
-  add_ground(app, options->terrain);
-  app.add_option("--from", options->from, "LON,LAT,H: degrees, and m above the ground")->required();
-  app.add_option("--to", options->to, "LON,LAT,H; may come more than once")
-      ->allow_extra_args(false);
-  app.add_option("--height", options->height_m,
-                 "Of what the map looks for in each cell, m above the ground");
-  app.add_option("-o,--output", options->file, "The GeoTIFF to write: 1 seen, 0 not");
-  app.add_flag("--flat", options->is_flat, "The map as if the body did not curve");
-  add_threads(app, options->threads, "Threads that work on it");
-  add_style(app, options->terrain.style);
+  add_ground(command, options->terrain);
+  command.add_option("--from", options->from, "LON,LAT,H: degrees; m above ground").required();
+  command.add_option("--to", options->to, "LON,LAT,H; may be repeated").repeated();
+  command.add_option("--height", options->height_m, "Target height in each cell, m above ground");
+  command.add_option("-o,--output", options->file, "The GeoTIFF to write: 1 seen, 0 not");
+  command.add_flag("--flat", options->is_flat, "The map as if the body did not curve");
+  add_threads(command, options->threads, "Threads that work on it");
+  add_style(command, options->terrain.style);
   return [options] { return sight_command(*options); };
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/parsed.h"
 #include "base/rounding.h"
@@ -10,7 +11,7 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/instrument_answer.h"
-#include "lua/app/places.h"
+#include "lua/app/place_options.h"
 #include "planet/sky.h"
 
 namespace lsos {
@@ -46,8 +47,8 @@ AnswerRow row(const Body& body, const Geodetic& site, Instant at) {
   constexpr int millimetres = 3, shares = 9;  // decimals
   return {{"utc", format_utc(at)},
           {"body", body.name},
-          {"lon_deg", asked_deg(lon_deg(site))},
-          {"lat_deg", asked_deg(lat_deg(site))},
+          {"lon_deg", entered_deg(lon_deg(site))},
+          {"lat_deg", entered_deg(lat_deg(site))},
           {"azimuth_deg", computed(degrees(seen.sun.azimuth_rad))},
           {"elevation_deg", computed(degrees(seen.sun.elevation_rad))},
           {"elevation_refracted_deg", angle_or_null(seen.sun_refracted_rad)},
@@ -84,14 +85,14 @@ int sun_command(const SunOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_sun(CLI::App& app) {
+std::function<int()> prepare_sun(CommandOptions& command) {
   const auto options = std::make_shared<SunOptions>();
-  app.add_option("--planet", options->planet, "Moon, Mars or Earth")->required();
-  app.add_option("--site", options->site, "LON,LAT[,HEIGHT] in degrees and m")->required();
-  app.add_option("--at", options->at, "UTC, one or several: 2026-07-01T00:00:00Z,...")
-      ->required()
-      ->delimiter(',');
-  add_style(app, options->style);
+  command.add_option("--planet", options->planet, "Moon, Mars or Earth").required();
+  command.add_option("--site", options->site, "LON,LAT[,HEIGHT] in degrees and m").required();
+  command.add_option("--at", options->at, "UTC, one or several: 2026-07-01T00:00:00Z,...")
+      .required()
+      .separated_by(',');
+  add_style(command, options->style);
   return [options] { return sun_command(*options); };
 }
 

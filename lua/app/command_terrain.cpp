@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "base/output_file.h"
 #include "base/rounding.h"
@@ -10,7 +11,7 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/instrument_answer.h"
-#include "lua/app/places.h"
+#include "lua/app/place_options.h"
 #include "lua/app/terrain_source.h"
 #include "mission/model/site.h"
 #include "terrain/ground.h"
@@ -88,7 +89,8 @@ void add_ground(const Ground& ground, const Geodetic& place, AnswerRow& fields) 
 }
 
 AnswerRow point_of(const TerrainSource& source, const Ground& ground, const Geodetic& place) {
-  AnswerRow fields{{"lon_deg", asked_deg(lon_deg(place))}, {"lat_deg", asked_deg(lat_deg(place))}};
+  AnswerRow fields{{"lon_deg", entered_deg(lon_deg(place))},
+                   {"lat_deg", entered_deg(lat_deg(place))}};
   std::optional<RasterPoint> raster;
   // The finest raster with a height there is used; without one, the finest raster that covers the
   // place.
@@ -166,14 +168,13 @@ int terrain_command(const TerrainOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_terrain(CLI::App& app) {
+std::function<int()> prepare_terrain(CommandOptions& command) {
   const auto options = std::make_shared<TerrainOptions>();
-  add_ground(app, *options);
-  app.add_option("--at", options->at, "LON,LAT in degrees; may come more than once")
-      ->allow_extra_args(false);
-  app.add_option("--export", options->export_file, "Write heights as a GeoTIFF");
-  app.add_flag("--hillshade", options->is_hillshade, "Export a hillshade, not heights");
-  add_style(app, options->style);
+  add_ground(command, *options);
+  command.add_option("--at", options->at, "LON,LAT in degrees; may come more than once").repeated();
+  command.add_option("--export", options->export_file, "Write heights as a GeoTIFF");
+  command.add_flag("--hillshade", options->is_hillshade, "Export a hillshade, not heights");
+  add_style(command, options->style);
   return [options] { return terrain_command(*options); };
 }
 

@@ -267,14 +267,14 @@ int test_command(const TestOptions& options) {
 
 }  // namespace
 
-std::function<int()> prepare_test(CLI::App& app) {
+std::function<int()> prepare_test(CommandOptions& command) {
   const auto options = std::make_shared<TestOptions>();
-  app.add_option("PATH", options->paths, "Files, or folders of them (tests/scenarios)");
-  app.add_option("--filter", options->filter, "Only those with this in their name or file");
-  app.add_option("--junit", options->junit_file, "Write the results as JUnit XML too");
-  app.add_option("-o,--output", options->folder, "Logs of those that fail (out/scenarios)");
-  add_threads(app, options->threads, "Files at a time (2)");
-  app.add_flag("--json", options->is_json, "The results as JSON, in place of TAP");
+  command.add_option("PATH", options->paths, "Files, or folders of them (tests/scenarios)");
+  command.add_option("--filter", options->filter, "Only those with this in their name or file");
+  command.add_option("--junit", options->junit_file, "Write the results as JUnit XML too");
+  command.add_option("-o,--output", options->folder, "Logs of those that fail (out/scenarios)");
+  add_threads(command, options->threads, "Files at a time (2)");
+  command.add_flag("--json", options->is_json, "The results as JSON, in place of TAP");
   return [options] { return test_command(*options); };
 }
 

@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr useconds_t look_us = 200'000;
+constexpr useconds_t poll_period_us = 200'000;
 
-std::atomic<int> asked_to_stop{0};
+std::atomic<int> stop_signal{0};
 
 // Time at which each file that the run could depend on was last written.
 using Written = std::map<std::string, fs::file_time_type>;
@@ -64,8 +64,8 @@ std::string changed_file(const Written& before, const Written& after) {
 // write in several steps. Returns the name of a changed file.
 std::string wait_for_change(const std::string& plan_file, Written& written) {
   std::string changed;
-  while (asked_to_stop == 0) {
-    usleep(look_us);
+  while (stop_signal == 0) {
+    usleep(poll_period_us);
     const Written now = written_now(plan_file);
     const std::string differs = changed_file(written, now);
     written = now;
@@ -111,7 +111,7 @@ pid_t fork_with_own_signals() {
 int watch_command(RunOptions options) {
   const pid_t self = getpid();
   Written written = written_now(options.plan);
-  const auto note = [](int signal) { asked_to_stop = signal; };
+  const auto note = [](int signal) { stop_signal = signal; };
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
   for (;;) {
@@ -127,9 +127,9 @@ int watch_command(RunOptions options) {
     }
     const std::string changed = wait_for_change(options.plan, written);
     // A run still going is out of date and is stopped; one that has ended is not affected.
-    kill(process, asked_to_stop != 0 ? static_cast<int>(asked_to_stop) : SIGTERM);
+    kill(process, stop_signal != 0 ? static_cast<int>(stop_signal) : SIGTERM);
     waitpid(process, nullptr, 0);
-    if (asked_to_stop != 0) return 128 + asked_to_stop;
+    if (stop_signal != 0) return 128 + stop_signal;
     // A run that took the folder has written its plan there, so what is left in it may be replaced.
     options.is_forced |= modified(kept_plan) != kept_before;
     if (!options.is_quiet) print_message("\n{} has changed: running again\n", changed);

@@ -1,9 +1,10 @@
 // The program's commands, each in its own file command_NAME.cpp.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <vector>
+
+#include "lua/app/command_options.h"
 
 namespace lsos {
 
@@ -13,29 +14,29 @@ struct Command {
   // Adds its options, and returns what runs it once they are read. That returns the exit code:
   // 0 completed, 1 an event failed or is incomplete, 130/143 stopped by a signal; it throws
   // InputError where what it was given is wrong.
-  std::function<int()> (*prepare)(CLI::App& app);
+  std::function<int()> (*prepare)(CommandOptions& command);
 };
 
 // In the order of help. A new command is a file and a line here.
 const std::vector<Command>& commands();
 
-std::function<int()> prepare_run(CLI::App& app);
-std::function<int()> prepare_check(CLI::App& app);
-std::function<int()> prepare_fsm(CLI::App& app);
-std::function<int()> prepare_list(CLI::App& app);
-std::function<int()> prepare_test(CLI::App& app);
-std::function<int()> prepare_repl(CLI::App& app);
-std::function<int()> prepare_schema(CLI::App& app);
-std::function<int()> prepare_new(CLI::App& app);
-std::function<int()> prepare_overlay(CLI::App& app);
-std::function<int()> prepare_rig(CLI::App& app);
-std::function<int()> prepare_terrain(CLI::App& app);
-std::function<int()> prepare_light(CLI::App& app);
-std::function<int()> prepare_sight(CLI::App& app);
-std::function<int()> prepare_picture(CLI::App& app);
-std::function<int()> prepare_report(CLI::App& app);
-std::function<int()> prepare_compare(CLI::App& app);
-std::function<int()> prepare_verify(CLI::App& app);
-std::function<int()> prepare_sun(CLI::App& app);
+std::function<int()> prepare_run(CommandOptions& command);
+std::function<int()> prepare_check(CommandOptions& command);
+std::function<int()> prepare_fsm(CommandOptions& command);
+std::function<int()> prepare_list(CommandOptions& command);
+std::function<int()> prepare_test(CommandOptions& command);
+std::function<int()> prepare_repl(CommandOptions& command);
+std::function<int()> prepare_schema(CommandOptions& command);
+std::function<int()> prepare_new(CommandOptions& command);
+std::function<int()> prepare_overlay(CommandOptions& command);
+std::function<int()> prepare_rig(CommandOptions& command);
+std::function<int()> prepare_terrain(CommandOptions& command);
+std::function<int()> prepare_light(CommandOptions& command);
+std::function<int()> prepare_sight(CommandOptions& command);
+std::function<int()> prepare_picture(CommandOptions& command);
+std::function<int()> prepare_report(CommandOptions& command);
+std::function<int()> prepare_compare(CommandOptions& command);
+std::function<int()> prepare_verify(CommandOptions& command);
+std::function<int()> prepare_sun(CommandOptions& command);
 
 }  // namespace lsos

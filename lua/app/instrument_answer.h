@@ -1,7 +1,7 @@
 // Answers of instruments: a JSON array with one object for each point, or a table for people.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace lsos {

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/output_error.h"
 #include "lua/app/commands.h"
+#include "lua/app/common_options.h"
 #include "lua/host/version.h"
 
 namespace {
@@ -43,21 +44,17 @@ int run_program(std::vector<std::string> arguments) {
   app.set_version_flag("--version", lsos::program_version);
   app.require_subcommand(1);
   app.footer("lsos-host PLAN.kml is short for lsos-host run PLAN.kml.");
-  std::vector<std::pair<CLI::App*, std::function<int()>>> prepared;
-  for (const lsos::Command& command : lsos::commands()) {
-    CLI::App* options = app.add_subcommand(command.name, command.sentence);
-    prepared.emplace_back(options, command.prepare(*options));
-  }
-
   // Every command accepts options that any command may be given, so that shell scripts need not
   // know which command uses them.
   bool is_quiet = false;
   int threads = 1;
-  for (CLI::App* command : app.get_subcommands({})) {
-    if (!command->get_option_no_throw("--quiet")) command->add_flag("--quiet", is_quiet)->group("");
-    if (!command->get_option_no_throw("--threads")) {
-      command->add_option("--threads", threads)->check(CLI::Range(1, 256))->group("");
-    }
+  std::vector<std::pair<CLI::App*, std::function<int()>>> prepared;
+  for (const lsos::Command& command : lsos::commands()) {
+    CLI::App* subcommand = app.add_subcommand(command.name, command.sentence);
+    lsos::CommandOptions options(*subcommand);
+    prepared.emplace_back(subcommand, command.prepare(options));
+    if (!options.has_option("--quiet")) options.add_flag("--quiet", is_quiet, "").hidden();
+    if (!options.has_option("--threads")) lsos::add_threads(options, threads, "").hidden();
   }
 
   try {

@@ -9,7 +9,7 @@
 
 #include "base/console.h"
 #include "base/quantity.h"
-#include "lua/app/places.h"
+#include "lua/app/place_options.h"
 #include "lua/host/mission_reader.h"
 #include "mission/model/site.h"
 #include "terrain/spec/raster_layers.h"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 RasterSurface surface_of(const TerrainOptions& options) {
   RasterSurface surface;
   surface.file = options.name;
-  surface.is_band_said = !options.band.empty();
+  surface.is_band_given = !options.band.empty();
   if (const auto number = parse_integer(options.band)) {
     surface.band = static_cast<int>(std::clamp<std::int64_t>(*number.value, 0, 1'000'000));
   } else if (!options.band.empty()) {

@@ -34,18 +34,18 @@ class Catalog {
   std::vector<Fault> faults_of(ScriptKind kind, const std::string& name) const;
 
   // The rover that a script defines. Throws InputError with the script's faults if it is broken;
-  // or, if there is no such script, with a fault at `asked_at` that suggests the nearest name.
-  RoverModel load_rover(const std::string& name, const Place& asked_at = {}) const;
+  // or, if there is no such script, with a fault at `requested_at` that suggests the nearest name.
+  RoverModel load_rover(const std::string& name, const Place& requested_at = {}) const;
   // The same rover with changes that a plan makes, written as the Lua table that lsos.derive takes.
-  // Faults in the changes are placed at `asked_at` and begin with `what`; numbers of another order
-  // of magnitude than the rover's own are warnings.
+  // Faults in the changes are placed at `requested_at` and begin with `what`; numbers of another
+  // order of magnitude than the rover's own are warnings.
   RoverModel load_variant(const std::string& name, const std::string& changes,
-                          const std::string& what, const Place& asked_at, Faults& faults) const;
+                          const std::string& what, const Place& requested_at, Faults& faults) const;
   // Names of the scripts in rovers/ that the script `name` is derived from.
   std::set<std::string> bases_of(const std::string& name) const;
-  AssetModel load_asset(const std::string& name, const Place& asked_at = {}) const;
-  TerrainSpec load_terrain(const std::string& name, const Place& asked_at = {}) const;
-  Soil load_soil(const std::string& name, const Place& asked_at = {}) const;
+  AssetModel load_asset(const std::string& name, const Place& requested_at = {}) const;
+  TerrainSpec load_terrain(const std::string& name, const Place& requested_at = {}) const;
+  Soil load_soil(const std::string& name, const Place& requested_at = {}) const;
 
   // All scripts that no other hides, ordered by kind and name, for the hashes of a run.
   const std::vector<Script>& scripts() const { return scripts_; }
@@ -58,7 +58,7 @@ class Catalog {
   void add_broken(const Script& script, const Faults& faults);
   template <class T>
   const T& find(const std::map<std::string, T>& things, ScriptKind kind, const std::string& name,
-                const Place& asked_at) const;
+                const Place& requested_at) const;
 
   std::vector<Script> scripts_;
   Declarations declarations_;

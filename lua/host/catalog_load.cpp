@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/path_beside.h"
+#include "base/resolved_path.h"
 #include "lua/api/api.h"
 #include "lua/api/constructors.h"
 #include "lua/api/rover_constructors.h"
@@ -46,7 +46,7 @@ template <class T>
 std::optional<T> load(LuaState& lua, const Script& script, const char* kind, Faults& faults) {
   std::optional<T> value;
   lua.run([&](lua_State* L) {
-    if (const Made* made = load_script(L, script, kind, faults))
+    if (const ConstructedValue* made = load_script(L, script, kind, faults))
       value = std::any_cast<T>(made->value);
   });
   return value;
@@ -59,7 +59,7 @@ void complete(TerrainScript& terrain, const Script& script,
   TerrainSpec& spec = terrain.spec;
   spec.name = script.name;
   const auto locate = [&](RasterSurface& raster) {
-    raster.file = path_beside(script.folder, raster.file);
+    raster.file = resolved_path(script.folder, raster.file);
   };
   const auto chosen = [&](const SoilChoice& choice) {
     if (choice.name.empty()) return choice.soil;
@@ -136,7 +136,7 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
   lua.run([&](lua_State* L) {
     if (!run_script(L, script, faults)) return;
     if (!lua.context().bases.empty()) bases_[script.name] = lua.context().bases;
-    const Made* made = to_made(L, -1);
+    const ConstructedValue* made = to_constructed(L, -1);
     if (made != nullptr && made->kind == asset_kind) {
       auto asset = std::any_cast<AssetModel>(made->value);
       declarations_.rover_types[script.name] = {asset.doc, true, {}};
@@ -203,22 +203,22 @@ std::vector<Fault> Catalog::faults_of(ScriptKind kind, const std::string& name) 
 
 template <class T>
 const T& Catalog::find(const std::map<std::string, T>& things, ScriptKind kind,
-                       const std::string& name, const Place& asked_at) const {
+                       const std::string& name, const Place& requested_at) const {
   const auto found = things.find(name);
   if (found != things.end()) return found->second;
   if (std::vector<Fault> faults = faults_of(kind, name); !faults.empty()) {
     throw InputError(std::move(faults));
   }
-  throw InputError(asked_at, fmt::format("no {} '{}'{}", noun(kind), name,
-                                         did_you_mean(name, names_of(things))));
+  throw InputError(requested_at, fmt::format("no {} '{}'{}", noun(kind), name,
+                                             did_you_mean(name, names_of(things))));
 }
 
-RoverModel Catalog::load_rover(const std::string& name, const Place& asked_at) const {
-  return find(rovers_, ScriptKind::rover, name, asked_at);
+RoverModel Catalog::load_rover(const std::string& name, const Place& requested_at) const {
+  return find(rovers_, ScriptKind::rover, name, requested_at);
 }
 
 RoverModel Catalog::load_variant(const std::string& name, const std::string& changes,
-                                 const std::string& what, const Place& asked_at,
+                                 const std::string& what, const Place& requested_at,
                                  Faults& faults) const {
   LuaState lua(make_api);
   lua.context().scripts = &scripts_;
@@ -232,14 +232,14 @@ RoverModel Catalog::load_variant(const std::string& name, const std::string& cha
   std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, found);
   if (model && !found.has_errors()) check_vehicle(*model, found);
   for (const std::string& doubt : lua.context().doubts) found.warning({}, doubt);
-  std::vector<Fault> told;
+  std::vector<Fault> reported;
   for (const Fault& fault : found.sorted()) {
-    told.push_back({fault.severity, asked_at, fmt::format("{}: {}", what, fault.what)});
+    reported.push_back({fault.severity, requested_at, fmt::format("{}: {}", what, fault.what)});
   }
-  if (found.has_errors()) throw InputError(std::move(told));
-  faults.add(told);
+  if (found.has_errors()) throw InputError(std::move(reported));
+  faults.add(reported);
   model->spec.name = model->spec.vehicle.type = name;
-  model->spec.place = asked_at;
+  model->spec.place = requested_at;
   const std::string as_script = script_name(variant_file) + ": is ";
   for (std::string& assumption : model->spec.vehicle.assumptions) {
     if (!assumption.starts_with(as_script)) continue;
@@ -253,16 +253,16 @@ std::set<std::string> Catalog::bases_of(const std::string& name) const {
   return found == bases_.end() ? std::set<std::string>{} : found->second;
 }
 
-AssetModel Catalog::load_asset(const std::string& name, const Place& asked_at) const {
-  return find(assets_, ScriptKind::rover, name, asked_at);
+AssetModel Catalog::load_asset(const std::string& name, const Place& requested_at) const {
+  return find(assets_, ScriptKind::rover, name, requested_at);
 }
 
-TerrainSpec Catalog::load_terrain(const std::string& name, const Place& asked_at) const {
-  return find(terrains_, ScriptKind::terrain, name, asked_at);
+TerrainSpec Catalog::load_terrain(const std::string& name, const Place& requested_at) const {
+  return find(terrains_, ScriptKind::terrain, name, requested_at);
 }
 
-Soil Catalog::load_soil(const std::string& name, const Place& asked_at) const {
-  return find(soils_, ScriptKind::soil, name, asked_at);
+Soil Catalog::load_soil(const std::string& name, const Place& requested_at) const {
+  return find(soils_, ScriptKind::soil, name, requested_at);
 }
 
 }  // namespace lsos

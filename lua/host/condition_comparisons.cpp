@@ -46,8 +46,8 @@ bool is_symbol(const std::vector<ConditionWord>& words, std::size_t at, std::str
 
 // One side of a comparison: a quantity or a number.
 struct Side {
-  std::string quantity;  // "" for a number
-  bool is_size = false;  // math.abs of it
+  std::string quantity;       // "" for a number
+  bool is_magnitude = false;  // math.abs of it
   double sign = 1;
   double number = 0;
   std::size_t end = 0;  // index of the word behind it
@@ -93,12 +93,12 @@ std::optional<Side> number_at(const std::vector<ConditionWord>& words, std::size
 // A quantity: charge, math.abs(roll_rad), distance_to('Base').
 std::optional<Side> quantity_at(const std::vector<ConditionWord>& words, std::size_t at) {
   Side side;
-  side.is_size = is_math(words, at, "abs") && words[at + 4].kind == ConditionWord::Kind::name;
-  const std::size_t name = side.is_size ? at + 4 : at;
+  side.is_magnitude = is_math(words, at, "abs") && words[at + 4].kind == ConditionWord::Kind::name;
+  const std::size_t name = side.is_magnitude ? at + 4 : at;
   if (name >= words.size() || words[name].kind != ConditionWord::Kind::name) return {};
   side.quantity = words[name].text;
-  side.end = at + (side.is_size ? 6 : 1);
-  if (side.is_size || !is_question(side.quantity)) return side;
+  side.end = at + (side.is_magnitude ? 6 : 1);
+  if (side.is_magnitude || !is_question(side.quantity)) return side;
   const std::string* argument = question_argument(words, at);
   if (argument == nullptr) return {};
   side.quantity += fmt::format("('{}')", *argument);
@@ -166,9 +166,9 @@ std::optional<Comparison> comparison_at(const std::vector<ConditionWord>& words,
                .how = how,
                .number = right->number,
                .bounds = bounds_of(left->quantity),
-               .is_size = left->is_size,
+               .is_magnitude = left->is_magnitude,
                .end = end};
-  if (c.is_size) {
+  if (c.is_magnitude) {
     c.shown = fmt::format("math.abs({})", c.quantity);
     c.bounds = {0, std::max(std::abs(c.bounds.low), std::abs(c.bounds.high))};
   }

@@ -21,9 +21,9 @@ struct Comparison {
   std::string shown;     // the same, or math.abs of it
   std::string how;       // <, <=, >, >=, == or ~=
   double number = 0;
-  Bounds bounds;         // of the value named in `shown`
-  bool is_size = false;  // math.abs of the quantity is compared
-  std::size_t end = 0;   // index of the word behind the comparison
+  Bounds bounds;              // of the value named in `shown`
+  bool is_magnitude = false;  // math.abs of the quantity is compared
+  std::size_t end = 0;        // index of the word behind the comparison
 };
 
 // Whether an operand of a comparison may begin after the word `before`, or end before `after`, so

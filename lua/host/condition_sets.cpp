@@ -98,7 +98,7 @@ std::string opposite(const std::string& how) {
 
 Sets sets_of(const Comparison& c, const std::string& how) {
   Set set = intersection(values_of(how, c.number), {{c.bounds.low, c.bounds.high}});
-  if (c.is_size) {
+  if (c.is_magnitude) {
     Set mirrored;
     for (const Interval& part : set) mirrored.push_back({-part.high, -part.low});
     set = joined(std::move(set), mirrored);
@@ -152,15 +152,16 @@ class Reader {
 
   Part all_of() {
     Part part = term();
-    bool is_told = false;
+    bool is_reported = false;
     while (is_at("and")) {
       ++at_;
       const Part other = term();
-      is_told = is_told || quantity_without_values(part.yes) || quantity_without_values(other.yes);
+      is_reported =
+          is_reported || quantity_without_values(part.yes) || quantity_without_values(other.yes);
       part = {both(part.yes, other.yes), either(part.no, other.no)};
       const std::string* quantity = quantity_without_values(part.yes);
       // A comparison that never holds by itself is reported elsewhere (sizes_doubt).
-      if (quantity != nullptr && !is_told && never_.empty()) never_ = *quantity;
+      if (quantity != nullptr && !is_reported && never_.empty()) never_ = *quantity;
     }
     return part;
   }

@@ -81,7 +81,7 @@ std::string late_doubt(const Comparison& c, const ConditionWorld& world, bool is
 // negative.
 std::string sign_doubt(const Comparison& c, const ConditionWorld& world) {
   constexpr double room_deg = 0.5;
-  if (c.is_size || !world.lat_deg) return "";
+  if (c.is_magnitude || !world.lat_deg) return "";
   const bool is_lat = c.quantity == "lat_deg";
   if (!is_lat && (c.quantity != "lon_deg" || !world.lon_deg)) return "";
   const ConditionWorld::Span span = is_lat ? *world.lat_deg : *world.lon_deg;

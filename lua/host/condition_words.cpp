@@ -84,8 +84,8 @@ std::string number_text(double value) {
 std::string answer_text(const std::string& question, const std::string& argument,
                         const RoverPort& rover) {
   if (question == "resource") {
-    auto& asked = const_cast<RoverPort&>(rover);  // only reads
-    return number_text(asked.power().resource(argument).value_or(std::nan("")));
+    auto& port = const_cast<RoverPort&>(rover);  // only reads
+    return number_text(port.power().resource(argument).value_or(std::nan("")));
   }
   if (question == "distance_to") {
     const auto p_S_m = rover.place_of_S_m(argument);

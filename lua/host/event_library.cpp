@@ -49,7 +49,7 @@ void check_event(const Events& events, const EventDeclaration& event, Faults& fa
 
 void EventLibrary::load(const Script& script, Faults& faults) {
   lua_.run([&](lua_State* L) {
-    const Made* made = load_script(L, script, event_kind, faults);
+    const ConstructedValue* made = load_script(L, script, event_kind, faults);
     if (made == nullptr) return;
     EventScript event;
     event.declaration = std::any_cast<const EventDeclaration&>(made->value);

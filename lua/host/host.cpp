@@ -11,8 +11,8 @@
 #include "lua/host/condition.h"
 #include "lua/host/event_library.h"
 #include "lua/host/phase_failure.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/handle.h"
-#include "lua/runtime/made.h"
 #include "lua/runtime/value.h"
 
 namespace lsos {
@@ -137,16 +137,16 @@ struct LuaHost::Impl {
   // Calls an optional function of an event with its parameters; `read` takes the result from the
   // top.
   template <class Read>
-  void ask(const std::string& type, const char* function, const EventArguments& arguments,
-           Instant mission_start, const Read& read) {
-    ask(
+  void call_optional(const std::string& type, const char* function, const EventArguments& arguments,
+                     Instant mission_start, const Read& read) {
+    call_optional(
         type, function, arguments, mission_start, [](lua_State*) { return 0; }, 1, read);
   }
   // `push_more` pushes arguments behind the parameters and returns their number; `read` finds
   // `results` results at the top.
   template <class Push, class Read>
-  void ask(const std::string& type, const char* function, const EventArguments& arguments,
-           Instant mission_start, const Push& push_more, int results, const Read& read) {
+  void call_optional(const std::string& type, const char* function, const EventArguments& arguments,
+                     Instant mission_start, const Push& push_more, int results, const Read& read) {
     const EventScript& script = library.events().at(type);
     library.lua().run([&](lua_State* L) {
       lua_rawgeti(L, LUA_REGISTRYINDEX, script.functions);
@@ -210,7 +210,7 @@ LuaHost::CheckAnswer LuaHost::check(const std::string& type, const EventArgument
     }
     return lua_tostring(L, index);
   };
-  impl_->ask(type, "check", arguments, mission_start, push_rover, 2, [&](lua_State* L) {
+  impl_->call_optional(type, "check", arguments, mission_start, push_rover, 2, [&](lua_State* L) {
     answer = {text_at(L, -2), text_at(L, -1)};
   });
   return answer;
@@ -223,16 +223,16 @@ bool LuaHost::is_open_ended(const std::string& type, const EventArguments& argum
     return field.kind == FieldKind::duration || field.kind == FieldKind::utc;
   });
   bool is_open = declaration.is_open_ended.value_or(!declaration.drives && !has_time);
-  impl_->ask(type, "open_ended", arguments, mission_start,
-             [&](lua_State* L) { is_open = lua_toboolean(L, -1) != 0; });
+  impl_->call_optional(type, "open_ended", arguments, mission_start,
+                       [&](lua_State* L) { is_open = lua_toboolean(L, -1) != 0; });
   return is_open;
 }
 
 bool LuaHost::awaits_sunlight(const std::string& type, const EventArguments& arguments,
                               Instant mission_start) {
   bool awaits = false;
-  impl_->ask(type, "awaits_sunlight", arguments, mission_start,
-             [&](lua_State* L) { awaits = lua_toboolean(L, -1) != 0; });
+  impl_->call_optional(type, "awaits_sunlight", arguments, mission_start,
+                       [&](lua_State* L) { awaits = lua_toboolean(L, -1) != 0; });
   return awaits;
 }
 
@@ -263,8 +263,9 @@ std::optional<RouteSettings> LuaHost::route_settings(const std::string& type,
                                                      const EventArguments& arguments,
                                                      Instant mission_start) {
   std::optional<RouteSettings> settings;
-  impl_->ask(type, "route", arguments, mission_start,
-             [&](lua_State* L) { settings = check_route_options(L, -1, "route").settings; });
+  impl_->call_optional(type, "route", arguments, mission_start, [&](lua_State* L) {
+    settings = check_route_options(L, -1, "route").settings;
+  });
   return settings;
 }
 

@@ -10,17 +10,17 @@
 
 #include "base/files.h"
 #include "base/parsed.h"
+#include "lua/host/cached_routes.h"
 #include "lua/host/event_check.h"
 #include "lua/host/host.h"
-#include "lua/host/kept_routes.h"
 #include "lua/host/model_advice.h"
 #include "lua/host/plan_table.h"
 #include "lua/host/script_folders.h"
 #include "lua/host/script_use.h"
 #include "lua/host/variant.h"
 #include "mission/model/mission_span.h"
-#include "mission/model/plan_aims.h"
 #include "mission/model/plan_names.h"
+#include "mission/model/plan_requests.h"
 #include "mission/model/site.h"
 #include "plan/kml_reader.h"
 #include "plan/kml_text.h"
@@ -126,7 +126,8 @@ void read_models(MissionFiles& files) {
   }
   check_events(files.plan, files, files.faults);
   check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
-  check_plan_aims(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  check_plan_requests(files.plan, declarations, files.rover_models, files.asset_models,
+                      files.faults);
   set_max_duration(files);
   check_plan_spans(files.plan, declarations, files.rover_models, files.faults);
   const MissionInfo& mission = files.plan.mission;
@@ -199,7 +200,7 @@ SimulationSetup simulation_setup(const MissionFiles& files) {
   setup.rover_models = files.rover_models;
   setup.asset_models = files.asset_models;
   setup.terrain = files.terrain;
-  setup.kept_legs = read_kept_legs(files.plan.file);
+  setup.cached_legs = read_cached_legs(files.plan.file);
   setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
   return setup;
 }

@@ -81,9 +81,9 @@ void say_doubts(MissionFiles& files) {
   }
   for (const auto& [name, model] : files.asset_models) say(model.place, name, asset_doubts(model));
   const TerrainSpec& terrain = files.terrain;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   const auto say_soil = [&](const Soil& soil) {
-    if (!soil.name.empty() && told.insert(soil.name).second) {
+    if (!soil.name.empty() && reported.insert(soil.name).second) {
       say(terrain.place, "", soil_doubts(soil));
     }
   };

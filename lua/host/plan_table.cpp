@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/reader.h"
 #include "lua/runtime/sorted_keys.h"
 #include "lua/runtime/vec3.h"
@@ -55,12 +55,12 @@ std::string coordinates(const SiteFrame& site, const Vec3& p_S_m) {
 }
 
 // Restores the height of the Lua stack on leaving the scope.
-class KeptTop {
+class StackGuard {
  public:
-  explicit KeptTop(lua_State* L) : L_(L), top_(lua_gettop(L)) {}
-  ~KeptTop() { lua_settop(L_, top_); }
-  KeptTop(const KeptTop&) = delete;
-  KeptTop& operator=(const KeptTop&) = delete;
+  explicit StackGuard(lua_State* L) : L_(L), top_(lua_gettop(L)) {}
+  ~StackGuard() { lua_settop(L_, top_); }
+  StackGuard(const StackGuard&) = delete;
+  StackGuard& operator=(const StackGuard&) = delete;
 
  private:
   lua_State* L_;
@@ -125,7 +125,7 @@ class PlanTableReader {
 
   void read_event(int index, const SiteFrame& site, SourcePlacemark& placemark) {
     index = lua_absindex(L_, index);
-    const KeptTop kept(L_);
+    const StackGuard kept(L_);
     if (!lua_istable(L_, index) || lua_rawgeti(L_, index, 1) != LUA_TSTRING) {
       return fault("an event is a table that begins with its type: { 'Pause', Duration = 60 }");
     }
@@ -152,7 +152,7 @@ class PlanTableReader {
   // Reads the entry `key` of an event, whose value is at the top.
   void read_entry(const std::string& type, const std::string& key, const SiteFrame& site,
                   SourcePlacemark& placemark) {
-    const KeptTop kept(L_);
+    const StackGuard kept(L_);
     if (key == "holes") return;  // read with the polygon
     if (key == "path" || key == "at" || key == "polygon") {
       SourceGeometry geometry{key == "at"     ? "Point"
@@ -214,7 +214,7 @@ class PlanTableReader {
   // The holes of the event's table, for its polygon.
   void read_holes(const std::string& type, int event, const SiteFrame& site,
                   SourcePlacemark& placemark) {
-    const KeptTop kept(L_);
+    const StackGuard kept(L_);
     lua_pushstring(L_, "holes");
     if (lua_rawget(L_, event) == LUA_TNIL) return;
     if (placemark.geometries.empty() || placemark.geometries.front().kind != "Polygon") {
@@ -263,7 +263,7 @@ class PlanTableReader {
 
   // Reads the events in the list at the top.
   void read_events(const std::string& rover_id, const SiteFrame& site, KmlSource& source) {
-    const KeptTop kept(L_);
+    const StackGuard kept(L_);
     const int list = lua_gettop(L_);
     push_sorted_keys(L_, list);
     for (lua_Integer k = 1; lua_rawgeti(L_, -1, k) != LUA_TNIL; ++k, lua_pop(L_, 1)) {

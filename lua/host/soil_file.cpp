@@ -17,7 +17,7 @@ namespace {
 
 Soil soil_on_top(lua_State* L, const Script& script, Faults& faults) {
   Soil soil;
-  const Made* made = to_made(L, -1);
+  const ConstructedValue* made = to_constructed(L, -1);
   if (made != nullptr && made->kind == soil_kind) {
     soil = std::any_cast<Soil>(made->value);
   } else if (made == nullptr && lua_istable(L, -1)) {

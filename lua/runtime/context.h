@@ -48,9 +48,9 @@ struct EventCall {
 
 // Rovers of an interactive simulation, which a script may query and command though no phase of
 // theirs runs. Their handles have ids below 0.
-class RoversInHand {
+class InteractiveRovers {
  public:
-  virtual ~RoversInHand() = default;
+  virtual ~InteractiveRovers() = default;
   virtual RoverPort& rover(ScriptInstance handle) = 0;
   // Prints a line of `print` or `help`.
   virtual void say(const std::string& text) = 0;
@@ -88,9 +88,9 @@ struct LuaContext {
   const std::vector<Script>* scripts = nullptr;
   std::vector<std::string> deriving;
   std::set<std::string> bases;
-  std::vector<std::string> doubts;  // changes that are likely to be mistakes
-  const EventCall* call = nullptr;  // while a phase runs
-  RoversInHand* in_hand = nullptr;  // at a prompt or in a scenario
+  std::vector<std::string> doubts;                  // changes that are likely to be mistakes
+  const EventCall* call = nullptr;                  // while a phase runs
+  InteractiveRovers* interactive_rovers = nullptr;  // at a prompt or in a scenario
 };
 
 LuaContext& context(lua_State* L);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/read_only.h"
 #include "lua/runtime/reader.h"
 #include "lua/runtime/state.h"
@@ -121,7 +121,7 @@ ScriptInstance handle_id(lua_State* L, const HandleType& type) {
 
 RoverPort& handle_rover(lua_State* L, const HandleType& type) {
   const ScriptInstance id = handle_id(L, type);
-  return id < 0 ? context(L).in_hand->rover(id) : handle_call(L, type).phase.rover;
+  return id < 0 ? context(L).interactive_rovers->rover(id) : handle_call(L, type).phase.rover;
 }
 
 const EventCall& handle_call(lua_State* L, const HandleType& type) {

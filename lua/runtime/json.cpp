@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/context.h"
-#include "lua/runtime/made.h"
 #include "lua/runtime/sorted_keys.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"

@@ -41,9 +41,10 @@ bool run_script(lua_State* L, const Script& script, Faults& faults) {
   return !failure && !found.has_errors();
 }
 
-const Made* load_script(lua_State* L, const Script& script, const char* kind, Faults& faults) {
+const ConstructedValue* load_script(lua_State* L, const Script& script, const char* kind,
+                                    Faults& faults) {
   if (!run_script(L, script, faults)) return nullptr;
-  const Made* made = to_made(L, -1);
+  const ConstructedValue* made = to_constructed(L, -1);
   if (made != nullptr && made->kind == kind) return made;
   faults.error({script.file, 0},
                fmt::format("must return lsos.{} {{...}}, found {}", kind, describe(L, -1)));

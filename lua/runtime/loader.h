@@ -3,7 +3,7 @@
 
 #include <lua.hpp>
 
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/script.h"
 
 namespace lsos {
@@ -13,6 +13,7 @@ bool run_script(lua_State* L, const Script& script, Faults& faults);
 
 // Pushes what the script returned, which lsos.`kind` must have made, and returns it. On faults,
 // collects them, pushes nothing and returns nullptr.
-const Made* load_script(lua_State* L, const Script& script, const char* kind, Faults& faults);
+const ConstructedValue* load_script(lua_State* L, const Script& script, const char* kind,
+                                    Faults& faults);
 
 }  // namespace lsos

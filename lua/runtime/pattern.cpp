@@ -11,7 +11,7 @@ namespace lsos {
 namespace {
 
 constexpr char escape = '%';
-constexpr std::int64_t steps_untold_max = 1024;
+constexpr std::int64_t steps_unreported_max = 1024;
 
 bool is_in_class(int c, int name) {
   bool is = false;
@@ -72,10 +72,10 @@ PatternMatcher::PatternMatcher(std::string_view subject, std::string_view patter
 
 void PatternMatcher::step(std::int64_t count) {
   steps_ += count;
-  if (steps_ >= steps_untold_max) tell_steps();
+  if (steps_ >= steps_unreported_max) report_steps();
 }
 
-void PatternMatcher::tell_steps() {
+void PatternMatcher::report_steps() {
   const std::int64_t steps = steps_;
   steps_ = 0;
   counter_(steps);

@@ -33,7 +33,7 @@ class PatternMatcher {
   // PatternError.
   std::optional<std::size_t> match_at(std::size_t begin);
   // Reports the remaining steps to the counter.
-  void tell_steps();
+  void report_steps();
 
   // Number of captures of the last match.
   int capture_count() const { return level_; }

@@ -237,10 +237,11 @@ void TableReader::api_version() {
   fault(fmt::format("api = {}: this program knows api {}", found, known));
 }
 
-const Made* TableReader::made_value(Need need, const char* key, const char* kind, const char* doc) {
+const ConstructedValue* TableReader::constructed_value(Need need, const char* key, const char* kind,
+                                                       const char* doc) {
   const std::string type = fmt::format("lsos.{}", kind);
   if (!take(need, key, type.c_str(), doc)) return nullptr;
-  const Made* found = to_made(L_, -1);  // stays alive: the table holds it
+  const ConstructedValue* found = to_constructed(L_, -1);  // stays alive: the table holds it
   if (found != nullptr && found->kind != kind) found = nullptr;
   if (found == nullptr && !lua_isnil(L_, -1)) {
     fault(fmt::format("{}: {} {{...}} is wanted, found {}", key, type, describe(L_, -1)));
@@ -249,13 +250,13 @@ const Made* TableReader::made_value(Need need, const char* key, const char* kind
   return found;
 }
 
-void TableReader::made_list(Need need, const char* key, const char* kind, const char* doc,
-                            const std::function<void(const Made&)>& add) {
+void TableReader::constructed_list(Need need, const char* key, const char* kind, const char* doc,
+                                   const std::function<void(const ConstructedValue&)>& add) {
   const std::string type = fmt::format("list of lsos.{}", kind);
   if (!get(need, key, type, doc, LUA_TTABLE, ("a " + type).c_str())) return;
   for (lua_Integer i = 1; lua_rawgeti(L_, -1, i) != LUA_TNIL; ++i, lua_pop(L_, 1)) {
     charge(L_, instructions_per_key);
-    const Made* found = to_made(L_, -1);
+    const ConstructedValue* found = to_constructed(L_, -1);
     if (found != nullptr && found->kind == kind) {
       add(*found);
     } else {

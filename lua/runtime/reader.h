@@ -18,7 +18,7 @@
 
 #include "base/error.h"
 #include "base/vector.h"
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 
 namespace lsos {
 
@@ -97,14 +97,15 @@ class TableReader {
   // absent or the value is of another kind.
   template <class T>
   void made(Need need, const char* key, const char* kind, T& value, const char* doc) {
-    if (const Made* found = made_value(need, key, kind, doc))
+    if (const ConstructedValue* found = constructed_value(need, key, kind, doc))
       value = std::any_cast<T>(found->value);
   }
   // Reads an array of such values.
   template <class T>
   void list(Need need, const char* key, const char* kind, std::vector<T>& value, const char* doc) {
-    made_list(need, key, kind, doc,
-              [&](const Made& found) { value.push_back(std::any_cast<T>(found.value)); });
+    constructed_list(need, key, kind, doc, [&](const ConstructedValue& found) {
+      value.push_back(std::any_cast<T>(found.value));
+    });
   }
 
   // For types without a function above: pushes the key's value (nil when absent) and returns true;
@@ -132,9 +133,10 @@ class TableReader {
            const char* wanted);
   bool check(const char* key, double value, const Range& range);
   void check_word(const char* key, const std::string& word, const std::vector<std::string>& names);
-  const Made* made_value(Need need, const char* key, const char* kind, const char* doc);
-  void made_list(Need need, const char* key, const char* kind, const char* doc,
-                 const std::function<void(const Made&)>& add);
+  const ConstructedValue* constructed_value(Need need, const char* key, const char* kind,
+                                            const char* doc);
+  void constructed_list(Need need, const char* key, const char* kind, const char* doc,
+                        const std::function<void(const ConstructedValue&)>& add);
 
   lua_State* L_ = nullptr;
   int index_ = 0;

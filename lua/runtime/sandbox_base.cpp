@@ -185,8 +185,8 @@ int print(lua_State* L) {
   }
   charge(L, instructions_per_print);
   lua_settop(L, 0);
-  if (context(L).in_hand != nullptr) {
-    context(L).in_hand->say(line);
+  if (context(L).interactive_rovers != nullptr) {
+    context(L).interactive_rovers->say(line);
     return 0;
   }
   const EventCall& call = running_call(L, "print");

@@ -88,7 +88,7 @@ int find_or_match(lua_State* L) {
   for (std::size_t begin = first; begin <= subject.size(); ++begin) {
     const auto end = matcher.match_at(begin);
     if (end) {
-      matcher.tell_steps();
+      matcher.report_steps();
       if (!is_find) return push_captures(L, subject, matcher, begin, *end, true);
       lua_pushinteger(L, static_cast<lua_Integer>(begin) + 1);
       lua_pushinteger(L, static_cast<lua_Integer>(*end));
@@ -96,7 +96,7 @@ int find_or_match(lua_State* L) {
     }
     if (is_anchored) break;
   }
-  matcher.tell_steps();
+  matcher.report_steps();
   lua_pushnil(L);
   return 1;
 }
@@ -110,14 +110,14 @@ int next_match(lua_State* L) {
   for (std::size_t begin = first; begin <= subject.size(); ++begin) {
     const auto end = matcher.match_at(begin);
     if (!end || static_cast<lua_Integer>(*end) == last_end) continue;
-    matcher.tell_steps();
+    matcher.report_steps();
     for (const int upvalue : {3, 4}) {
       lua_pushinteger(L, static_cast<lua_Integer>(*end));
       lua_replace(L, lua_upvalueindex(upvalue));
     }
     return push_captures(L, subject, matcher, begin, *end, true);
   }
-  matcher.tell_steps();
+  matcher.report_steps();
   return 0;
 }
 
@@ -157,7 +157,7 @@ class Substitution {
       const auto end = matcher.match_at(at);
       if (end && end != last_end) {
         ++count;
-        matcher.tell_steps();
+        matcher.report_steps();
         is_changed |= add_value(matcher, at, *end, type);
         last_end = end;
         at = *end;
@@ -168,7 +168,7 @@ class Substitution {
       }
       if (is_anchored) break;
     }
-    matcher.tell_steps();
+    matcher.report_steps();
     if (is_changed) {
       add(subject_.substr(at));
       lua_pushlstring(L_, result_.data(), result_.size());

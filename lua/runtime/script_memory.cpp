@@ -100,7 +100,7 @@ void* ScriptMemory::grow(void* block, std::size_t old_size, std::size_t new_size
     long_texts_[moved] = new_size;
     longest_text_ = std::max(longest_text_, new_size);
     has_new_long_text_ = true;
-    look_more_often();
+    shorten_hook_interval();
   }
   return moved;
 }
@@ -111,7 +111,7 @@ int ScriptMemory::hook_interval() const {
       std::max<std::size_t>(1, most / std::max<std::size_t>(1, longest_text_ / text_bytes)));
 }
 
-void ScriptMemory::look_more_often() {
+void ScriptMemory::shorten_hook_interval() {
   if (!is_in_call_ || L_ == nullptr || lua_gethook(L_) == nullptr) return;
   if (hook_interval() < lua_gethookcount(L_)) {
     lua_sethook(L_, lua_gethook(L_), LUA_MASKCOUNT, hook_interval());

@@ -53,7 +53,7 @@ class ScriptMemory {
  private:
   void* grow(void* block, std::size_t old_size, std::size_t new_size, bool is_text);
   void refuse(const char* why);
-  void look_more_often();
+  void shorten_hook_interval();
   void collect(lua_State* L);
 
   std::size_t bytes_max_;

@@ -37,7 +37,7 @@ void raise_if_spent(lua_State* L) {
   raise_spent(L, place);
 }
 
-void look_at_clock(lua_State* L) {
+void check_clock(lua_State* L) {
   LuaContext& ctx = context(L);
   const double now_s = cpu_now_s();
   if (!ctx.cpu_end_s) ctx.cpu_end_s = now_s + ctx.limits.cpu_s;
@@ -50,7 +50,7 @@ void look_at_clock(lua_State* L) {
 
 void count_hook(lua_State* L, lua_Debug*) {
   LuaContext& ctx = context(L);
-  look_at_clock(L);
+  check_clock(L);
   ctx.instructions_left -= lua_gethookcount(L) * ctx.memory.weight();
   ctx.instructions_left -= ctx.memory.collect_if_due(L);
   raise_if_spent(L);

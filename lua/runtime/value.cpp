@@ -5,7 +5,7 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/sorted_keys.h"
 #include "lua/runtime/vec3.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "lua/runtime/made.h"
+#include "lua/runtime/constructed_value.h"
 #include "lua/runtime/read_only.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"

@@ -8,7 +8,7 @@
 #include "lua/session/reference.h"
 #include "lua/session/scenario.h"
 #include "lua/session/session_api.h"
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 

@@ -6,7 +6,7 @@
 #include "lua/host/condition.h"
 #include "lua/session/scenario.h"
 #include "lua/session/session_api.h"
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 

@@ -53,20 +53,20 @@ int help(lua_State* L) {
   } else if (!lua_isnoneornil(L, 1)) {
     text = "help(x) knows objects such as sim and its rovers, and names: help 'sim'";
   }
-  context(L).in_hand->say(text);
+  context(L).interactive_rovers->say(text);
   return 0;
 }
 
 // Prints the values at 2 and above; 1 holds the names that they have in the line. It is a call of
 // its own, since a script may produce a value's text.
-int say_values(lua_State* L) {
+int print_values(lua_State* L) {
   const int count = lua_gettop(L);
   const auto& names = *static_cast<const std::vector<std::string>*>(lua_touserdata(L, 1));
   for (int i = 2; i <= count; ++i) {
     if (lua_isnil(L, i) && count == 2) break;
     // The last expression may be a call that gives several values.
     const std::size_t number = std::min(static_cast<std::size_t>(i - 2), names.size() - 1);
-    context(L).in_hand->say(shown_value(L, i, names[number]));
+    context(L).interactive_rovers->say(shown_value(L, i, names[number]));
   }
   return 0;
 }
@@ -101,12 +101,12 @@ std::vector<std::string> member_names(lua_State* L) {
 }
 
 // Whether the text is "quit" or "exit", as in other prompts.
-bool is_farewell(const std::string& text) {
+bool is_exit_word(const std::string& text) {
   static const std::regex word(R"(\s*(quit|exit)\s*(\(\s*\))?\s*)");
   return std::regex_match(text, word);
 }
 
-Limits at_a_prompt() {
+Limits prompt_limits() {
   Limits limits;
   limits.instructions = 2'000'000'000;  // some 20 s
   limits.cpu_s = 1e9;
@@ -117,11 +117,11 @@ Limits at_a_prompt() {
 
 Repl::Repl(const std::string& plan_file, const std::string& folder,
            std::function<void(const std::string&)> say)
-    : say_(std::move(say)), lua_(make_session_api, at_a_prompt()), sims_(folder, say_) {
-  lua_.context().in_hand = &sims_;
+    : say_(std::move(say)), lua_(make_session_api, prompt_limits()), sim_sessions_(folder, say_) {
+  lua_.context().interactive_rovers = &sim_sessions_;
   lua_.context().is_stop_wanted = [] { return is_stop_wanted.load(); };
   std::optional<ScriptInstance> number;
-  if (!plan_file.empty()) number = sims_.open(plan_file);
+  if (!plan_file.empty()) number = sim_sessions_.open(plan_file);
   lua_.run([&](lua_State* L) {
     push_open_environment(L);
     push_lsos_module(L);
@@ -137,7 +137,7 @@ Repl::Repl(const std::string& plan_file, const std::string& folder,
 }
 
 Repl::Outcome Repl::run(const std::string& text, int line) {
-  if (is_farewell(text)) return Outcome::ended;
+  if (is_exit_word(text)) return Outcome::ended;
   const StopByInterrupt stop;
   Outcome outcome = Outcome::failed;
   try {
@@ -151,8 +151,8 @@ Repl::Outcome Repl::run(const std::string& text, int line) {
 Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   const int top = lua_gettop(L);
   const std::string before(static_cast<std::size_t>(line - 1), '\n');
-  const auto tell_news = [&] {
-    for (const std::string& news : sims_.take_news()) say_(news);
+  const auto print_news = [&] {
+    for (const std::string& news : sim_sessions_.take_news()) say_(news);
   };
   const bool is_statement = load_text(L, before + "return " + text, shown_file).has_value();
   if (is_statement) {
@@ -165,17 +165,17 @@ Repl::Outcome Repl::run_in(lua_State* L, const std::string& text, int line) {
   lua_rawgeti(L, LUA_REGISTRYINDEX, environment_);
   lua_setupvalue(L, -2, 1);  // _ENV
   if (const auto failure = call_script(L, 0, LUA_MULTRET)) {
-    tell_news();
+    print_news();
     say_(failure->message + local_hint(failure->message));
     return Outcome::failed;
   }
-  tell_news();
+  print_news();
   if (is_statement) {
     const std::vector<std::string> names = local_names(text);
     locals_.insert(names.begin(), names.end());
   }
   luaL_checkstack(L, 4, "too many values");
-  lua_pushcfunction(L, guard<say_values>);
+  lua_pushcfunction(L, guard<print_values>);
   lua_insert(L, top + 1);
   std::vector<std::string> names = value_names(text);
   lua_pushlightuserdata(L, &names);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lua/runtime/state.h"
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 
@@ -32,7 +32,7 @@ class Repl {
 
   std::function<void(const std::string&)> say_;
   LuaState lua_;
-  Sims sims_;
+  SimSessions sim_sessions_;
   int environment_ = LUA_NOREF;
   std::set<std::string> locals_;  // names that earlier lines made local
 };

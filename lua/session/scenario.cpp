@@ -8,7 +8,7 @@
 #include "lua/runtime/quantity.h"
 #include "lua/runtime/state.h"
 #include "lua/session/shown_value.h"
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 
@@ -45,7 +45,7 @@ bool are_equal(lua_State* L, int a, int b, int depth = 0) {
   std::string message;
   if (lua_type(L, what) == LUA_TSTRING) message = std::string(lua_tostring(L, what)) + ": ";
   message += text;
-  Sims& sims = running_sims(L, "t");
+  SimSessions& sims = running_sessions(L, "t");
   if (SimSession* sim = sims.last()) message += fmt::format(", at {} s", seconds(sim->now()));
   // The failure counts even if the script catches the error.
   sims.expectation_failed(to_string({Severity::error, caller_place(L), message}));
@@ -114,7 +114,7 @@ int expect_failure(lua_State* L) {
   }
   const std::string found = error_text(L, -1);
   if (found.find(wanted) != std::string::npos) {
-    running_sims(L, "t").forget_expectation();  // this failure was expected
+    running_sessions(L, "t").forget_expectation();  // this failure was expected
     return 0;
   }
   fail(L, 4, fmt::format("expected an error with '{}', found '{}'", wanted, found));
@@ -125,7 +125,7 @@ int expect_failure(lua_State* L) {
 void push_scenarios(lua_State* L) { luaL_getsubtable(L, LUA_REGISTRYINDEX, "lsos.scenarios"); }
 
 int add_scenario(lua_State* L) {
-  if (!running_sims(L, "lsos.scenario").is_loading()) {
+  if (!running_sessions(L, "lsos.scenario").is_loading()) {
     throw std::runtime_error("lsos.scenario works only while a file of scenarios loads");
   }
   luaL_checkstring(L, 1);

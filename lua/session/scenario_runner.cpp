@@ -13,7 +13,7 @@
 #include "lua/runtime/state.h"
 #include "lua/session/scenario.h"
 #include "lua/session/session_api.h"
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 
@@ -22,8 +22,8 @@ namespace {
 constexpr std::int64_t instructions_max = 2'000'000'000;  // some 20 s
 
 // Pops a scenario's function and runs it.
-ScenarioResult run_one(lua_State* L, Sims& sims, const std::string& file, const std::string& name,
-                       const std::string& folder) {
+ScenarioResult run_one(lua_State* L, SimSessions& sims, const std::string& file,
+                       const std::string& name, const std::string& folder) {
   ScenarioResult result{file, name, "", folder, 0};
   const auto begin = std::chrono::steady_clock::now();
   push_handle(L, scenario_handle_type(), 0);
@@ -83,8 +83,8 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
   lua.run([&](lua_State* L) {
     // On standard error: standard output is the report.
     const auto say = [](const std::string& line) { print_message("{}\n", line); };
-    Sims at_load(folder, say, true);
-    lua.context().in_hand = &at_load;
+    SimSessions at_load(folder, say, true);
+    lua.context().interactive_rovers = &at_load;
     Faults faults;
     if (!run_script(L, script, faults)) {
       std::string text;
@@ -105,12 +105,12 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
         continue;
       lua_rawgeti(L, 2, 2);
       const std::string own_folder = folder + "/" + folder_name(name, folders);
-      Sims sims(own_folder, say);
-      lua.context().in_hand = &sims;
+      SimSessions sims(own_folder, say);
+      lua.context().interactive_rovers = &sims;
       report(run_one(L, sims, file, name, own_folder));
     }
   });
-  lua.context().in_hand = nullptr;
+  lua.context().interactive_rovers = nullptr;
 }
 
 }  // namespace lsos

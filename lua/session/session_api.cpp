@@ -2,7 +2,7 @@
 
 #include "lua/runtime/state.h"
 #include "lua/session/scenario.h"
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 

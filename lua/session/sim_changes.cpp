@@ -26,7 +26,7 @@ RoverAgent& agent_of(lua_State* L, int argument) {
 // Logs an interactive change to a rover as a note.
 void note(lua_State* L, const std::string& rover_id, const char* name,
           const nlohmann::json& fields) {
-  sim_session(L).simulation().note_by_hand(
+  sim_session(L).simulation().note_interactive(
       rover_id, name, fields.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 

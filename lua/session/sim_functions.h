@@ -3,7 +3,7 @@
 
 #include <lua.hpp>
 
-#include "lua/session/sims.h"
+#include "lua/session/sim_sessions.h"
 
 namespace lsos {
 

@@ -88,11 +88,11 @@ ScriptInstance sim_number(lua_State* L) { return handle_id(L, sim_handle_type())
 
 SimSession& sim_session(lua_State* L) {
   const ScriptInstance number = sim_number(L);
-  return running_sims(L, "sim").at(number);
+  return running_sessions(L, "sim").at(number);
 }
 
 int make_sim(lua_State* L) {
-  Sims& sims = running_sims(L, "lsos.sim");
+  SimSessions& sims = running_sessions(L, "lsos.sim");
   luaL_checkany(L, 1);
   const ScriptInstance number =
       lua_istable(L, 1) ? sims.open(L, 1, caller_place(L)) : sims.open(luaL_checkstring(L, 1));

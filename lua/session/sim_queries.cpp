@@ -10,7 +10,7 @@
 #include "lua/runtime/reader.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"
-#include "lua/session/picture_in_hand.h"
+#include "lua/session/picture_session.h"
 #include "lua/session/sim_functions.h"
 #include "picture/png.h"
 
@@ -131,7 +131,7 @@ int sim_folder(lua_State* L) {
 
 int sim_rovers(lua_State* L) {
   const ScriptInstance number = sim_number(L);
-  Sims& sims = running_sims(L, "sim");
+  SimSessions& sims = running_sessions(L, "sim");
   lua_newtable(L);
   lua_newtable(L);
   lua_pushcfunction(L, guard<refuse_rover>);
@@ -222,17 +222,17 @@ int sim_picture(lua_State* L) {
   const std::string file = luaL_optstring(L, 2, "");
   if (!lua_isnoneornil(L, 3)) luaL_checktype(L, 3, LUA_TTABLE);
   lua_settop(L, 3);
-  PictureWish wish;
+  PictureRequest request;
   if (lua_istable(L, 3)) {
     Faults faults;
     TableReader reader(L, 3, "sim:picture", caller_place(L), faults);
     std::optional<double> size_px;
-    reader.text(optional, "from", wish.from, "");
-    reader.text(optional, "rover", wish.rover, "");
+    reader.text(optional, "from", request.from, "");
+    reader.text(optional, "rover", request.rover, "");
     reader.number(optional, "size_px", size_px, {64, 8192}, "");
     reader.finish();
     faults.throw_if_errors();
-    if (size_px) wish.size_px = static_cast<int>(*size_px);
+    if (size_px) request.size_px = static_cast<int>(*size_px);
   }
   const std::string picture =
       file.empty() ? fmt::format("{}/{}_s.png", session.folder(), seconds(session.now())) : file;
@@ -240,7 +240,7 @@ int sim_picture(lua_State* L) {
   check_output("sim:picture", picture, {".png"}, {}, faults);
   faults.throw_if_errors();
   check_replaceable(picture, png_mark);
-  write_picture(session, wish, picture);
+  write_picture(session, request, picture);
   lua_pushstring(L, picture.c_str());
   return 1;
 }

@@ -21,7 +21,7 @@ namespace {
 
 std::atomic<bool> is_interrupted{false};
 
-constexpr SimTime quiet_look{1'000'000};
+constexpr SimTime quiet_interval{1'000'000};
 constexpr std::size_t hash_bytes = 64;
 
 // The number changes with the saved format.
@@ -51,7 +51,7 @@ SimSession::SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog
     : source_(std::move(source)),
       files_(files_with(source_.soil, std::move(catalog))),
       folder_(folder, true) {
-  take(made(files_, true, {}), true);
+  replace_simulation(make_simulation(files_, true, {}), true);
   simulation_->start();
 }
 
@@ -72,12 +72,13 @@ MissionFiles SimSession::files_with(const std::string& soil,
   return files;
 }
 
-std::unique_ptr<Simulation> SimSession::made(const MissionFiles& files, bool plans_ahead,
-                                             const std::vector<SourcePlacemark>& dispatched) const {
+std::unique_ptr<Simulation> SimSession::make_simulation(
+    const MissionFiles& files, bool plans_ahead,
+    const std::vector<SourcePlacemark>& dispatched) const {
   SimulationSetup setup = simulation_setup(files);
   setup.keeps_sight = true;
   setup.plans_ahead = plans_ahead;
-  if (simulation_) setup.kept_legs = simulation_->kept_legs();
+  if (simulation_) setup.cached_legs = simulation_->cached_legs();
   auto simulation = std::make_unique<Simulation>(std::move(setup));
   for (const SourcePlacemark& placemark : dispatched) {
     simulation->dispatch(checked_event(placemark, simulation->plan(), files));
@@ -85,7 +86,7 @@ std::unique_ptr<Simulation> SimSession::made(const MissionFiles& files, bool pla
   return simulation;
 }
 
-void SimSession::take(std::unique_ptr<Simulation> simulation, bool begins_log) {
+void SimSession::replace_simulation(std::unique_ptr<Simulation> simulation, bool begins_log) {
   simulation_ = std::move(simulation);
   simulation_->set_note_listener([this](const NoteRow& row) { notes_.push_back(row); });
   if (!begins_log) return simulation_->set_log(&record_->log());
@@ -94,15 +95,15 @@ void SimSession::take(std::unique_ptr<Simulation> simulation, bool begins_log) {
                                         run_values(files_, *simulation_), *simulation_);
 }
 
-void SimSession::go_on_with(MissionFiles files, bool plans_ahead) {
-  std::unique_ptr<Simulation> simulation = made(files, plans_ahead, dispatched_);
+void SimSession::continue_with(MissionFiles files, bool plans_ahead) {
+  std::unique_ptr<Simulation> simulation = make_simulation(files, plans_ahead, dispatched_);
   try {
     simulation->restore(simulation_->save());
   } catch (const Archive::Mismatch& error) {
     throw InputError({}, fmt::format("what runs cannot go on so: {}", error.what()));
   }
   files_ = std::move(files);
-  take(std::move(simulation), false);
+  replace_simulation(std::move(simulation), false);
 }
 
 void SimSession::advance(std::optional<SimTime> until) {
@@ -125,7 +126,7 @@ bool SimSession::run_until(const std::function<bool()>& is_enough, double limit_
   const SimTime end = round_up_to_exchange(now() + from_seconds(limit_s));
   while (!is_enough()) {
     if (now() >= end || simulation_->is_finished()) return false;
-    advance(std::min(end, (now() / quiet_look + 1) * quiet_look));
+    advance(std::min(end, (now() / quiet_interval + 1) * quiet_interval));
   }
   return true;
 }
@@ -198,11 +199,11 @@ std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark p
 }
 
 void SimSession::reload() {
-  go_on_with(files_with(source_.soil, read_catalog(source_.is_file ? source_.file : "")), true);
+  continue_with(files_with(source_.soil, read_catalog(source_.is_file ? source_.file : "")), true);
 }
 
 void SimSession::set_soil(const std::string& name) {
-  go_on_with(files_with(name, files_.catalog), false);
+  continue_with(files_with(name, files_.catalog), false);
   source_.soil = name;
 }
 
@@ -214,14 +215,14 @@ std::vector<std::string> SimSession::take_news() {
       const EventRecord& record = sequence.records()[i];
       const PlanEvent& event = sequence.events()[i].event;
       const std::string name = fmt::format("{}/{}", id, event.sequence);
-      if (record.status != EventStatus::failed || !told_.insert(name).second) continue;
+      if (record.status != EventStatus::failed || !reported_.insert(name).second) continue;
       news.push_back(fmt::format("{} '{}' failed at {} s: {}", name, event.label,
                                  seconds(record.end.value_or(now())), record.reason));
     }
   }
   // The reason of a failed script occurs in a warning again, with its traceback.
   const std::vector<std::string>& warnings = simulation_->warnings();
-  for (std::size_t& i = told_warnings_; i < warnings.size(); ++i) {
+  for (std::size_t& i = reported_warnings_; i < warnings.size(); ++i) {
     const std::size_t reason = warnings[i].find('\n');
     const bool is_more = reason != std::string::npos;
     news.push_back(is_more ? warnings[i].substr(reason + 1) : "warning: " + warnings[i]);
@@ -255,18 +256,18 @@ void SimSession::load(const std::string& bytes) {
     std::vector<SourcePlacemark> dispatched;
     if (!dispatched_kml.empty()) dispatched = parse_kml(dispatched_kml, source_.file).placemarks;
     for (SourcePlacemark& placemark : dispatched) placemark.line = 0;  // the line was not saved
-    std::unique_ptr<Simulation> simulation = made(files, true, dispatched);
+    std::unique_ptr<Simulation> simulation = make_simulation(files, true, dispatched);
     simulation->restore(state);
     dispatched_ = std::move(dispatched);
     notes_ = std::move(notes);
     files_ = std::move(files);
     source_.soil = soil;
-    take(std::move(simulation), true);
+    replace_simulation(std::move(simulation), true);
   } catch (const Archive::Mismatch& error) {
     throw InputError({}, fmt::format("is of another version of the program: {}", error.what()));
   }
-  told_.clear();
-  told_warnings_ = 0;
+  reported_.clear();
+  reported_warnings_ = 0;
   take_news();  // earlier failures and warnings have been reported
 }
 

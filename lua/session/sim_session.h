@@ -70,12 +70,12 @@ class SimSession {
  private:
   MissionFiles files_with(const std::string& soil, std::shared_ptr<const Catalog> catalog) const;
   // Constructs a simulation of these files with the dispatched events.
-  std::unique_ptr<Simulation> made(const MissionFiles& files, bool plans_ahead,
-                                   const std::vector<SourcePlacemark>& dispatched) const;
+  std::unique_ptr<Simulation> make_simulation(const MissionFiles& files, bool plans_ahead,
+                                              const std::vector<SourcePlacemark>& dispatched) const;
   // Replaces the simulation, in the same log or a new one.
-  void take(std::unique_ptr<Simulation> simulation, bool begins_log);
+  void replace_simulation(std::unique_ptr<Simulation> simulation, bool begins_log);
   // Continues from the present state with other files.
-  void go_on_with(MissionFiles files, bool plans_ahead);
+  void continue_with(MissionFiles files, bool plans_ahead);
   void advance(std::optional<SimTime> until = {});
   std::vector<std::string> phases() const;
 
@@ -90,8 +90,8 @@ class SimSession {
 
   std::vector<SourcePlacemark> dispatched_;
   std::vector<NoteRow> notes_;
-  std::set<std::string> told_;  // reported failed events, by rover and sequence
-  std::size_t told_warnings_ = 0;
+  std::set<std::string> reported_;  // reported failed events, by rover and sequence
+  std::size_t reported_warnings_ = 0;
 };
 
 }  // namespace lsos

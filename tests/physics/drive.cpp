@@ -73,7 +73,7 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
   }
   FollowerLimits limits;
   limits.speed_mps = speed_mps;
-  limits.full_speed_mps = std::max(speed_mps, config.cruise_speed_mps);
+  limits.level_speed_mps = std::max(speed_mps, config.cruise_speed_mps);
   limits.acceleration_mps2 = config.acceleration_mps2;
   limits.gravity_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
   limits.can_turn_on_spot = config.can_turn_on_spot;

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "mission/routes/drive_table.h"
+#include "mission/routes/drive_cost_model.h"
 #include "physics/drive.h"
 #include "physics/legs.h"
 #include "planet/ellipsoid.h"
-#include "route/cost/leg_cost.h"
+#include "route/cost/route_cost.h"
 #include "route/search/cost_to_go.h"
 
 namespace lsos::test {
@@ -28,7 +28,7 @@ TEST(LevelSearch, looks_at_few_of_the_ways_that_cost_the_same) {
   for (const double bearing_deg : {0.0, 7.0, 18.0, 30.0, 45.0}) {
     GroundMap map(*level, MapFrame(level->site(), Vec3::Zero()), {-100, -100}, {400, 400},
                   map_spacing_m(cost));
-    LegCosts costs(map, finder, RouteAim::energy);
+    RouteCost costs(map, finder, RouteAim::energy);
     const Vec2 goal_m = 300 * Vec2(std::sin(radians(bearing_deg)), std::cos(radians(bearing_deg)));
     const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m);
     const double steps = octile_m(goal_m) / map.spacing_m();
@@ -49,7 +49,7 @@ TEST(RoughSearch, near_a_coarser_way_costs_hardly_more_and_looks_at_less) {
     const Vec2 aside_m = Vec2::Constant(240 * spacing_m);
     const Vec2 low_m = (goal_m.cwiseMin(0) / spacing_m).array().floor().matrix() * spacing_m;
     GroundMap map(*ground, frame, low_m - aside_m, goal_m.cwiseMax(0) + aside_m, spacing_m);
-    LegCosts costs(map, finder, seed == 13 ? RouteAim::risk : RouteAim::energy);
+    RouteCost costs(map, finder, seed == 13 ? RouteAim::risk : RouteAim::energy);
     const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m);
     const double cheapest = CostToGo(costs, Vec2::Zero(), goal_m).at(Vec2::Zero());
     ASSERT_TRUE(std::isfinite(cheapest)) << seed;

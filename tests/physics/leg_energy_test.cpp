@@ -8,11 +8,11 @@
 #include "base/units.h"
 #include "lua/host/mission_reader.h"
 #include "mission/model/site.h"
-#include "mission/routes/drive_table.h"
+#include "mission/routes/drive_cost_model.h"
 #include "physics/drive.h"
 #include "physics/legs.h"
 #include "planet/ellipsoid.h"
-#include "route/cost/leg_cost.h"
+#include "route/cost/route_cost.h"
 
 namespace lsos::test {
 namespace {
@@ -28,11 +28,11 @@ Planned planned(const Ground& ground, const DriveCost& cost, const Line2& line) 
   const Vec2 reach_m = Vec2::Constant(130);
   GroundMap map(ground, MapFrame(ground.site(), Vec3::Zero()), -reach_m, reach_m,
                 map_spacing_m(cost));
-  const LegCost told = LegCosts(map, finder, RouteAim::energy).of(line);
-  const bool is_sound =
-      told.hazard == Hazard::none && told.slope_max_rad < 0.9 * cost.soils.front().last_rad();
+  const LegSummary estimate = RouteCost(map, finder, RouteAim::energy).of(line);
+  const bool is_sound = estimate.hazard == Hazard::none &&
+                        estimate.slope_max_rad < 0.9 * cost.soils.front().last_rad();
   if (!is_sound) return {};
-  return {told.energy_j + cost.stop_j, told.duration_s + cost.stop_s};
+  return {estimate.energy_j + cost.stop_j, estimate.duration_s + cost.stop_s};
 }
 
 struct Series {
@@ -54,20 +54,20 @@ TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
     const DriveCost cost = cost_of(leg, *ground);
     const MapFrame frame(ground->site(), Vec3::Zero());
     const Vec2 goal_m = frame.at(leg.goal_S_m(*ground));
-    const Planned told = planned(*ground, cost, {Vec2::Zero(), goal_m});
-    if (std::isnan(told.energy_j)) continue;
+    const Planned estimate = planned(*ground, cost, {Vec2::Zero(), goal_m});
+    if (std::isnan(estimate.energy_j)) continue;
     const VehicleConfig rover = make_vehicle(
         shipped_rover(series.rover), "", gravity_mps2(*find_body("Moon"), ground->site().origin()));
     const DriveResult driven = drive(rover, *ground, {goal_m}, cost.speed_mps);
     if (!driven.failure.empty()) continue;
     ++found;
-    planned_sum_j += told.energy_j;
+    planned_sum_j += estimate.energy_j;
     driven_sum_j += driven.drive_j;
-    planned_sum_s += told.duration_s;
+    planned_sum_s += estimate.duration_s;
     driven_sum_s += driven.duration_s;
     // Down a slope so little energy remains that its relative error says nothing.
     const double level_j = cost.soils.front().at(0).energy_jpm * series.length_m;
-    EXPECT_NEAR(told.energy_j, driven.drive_j, 0.2 * std::max(driven.drive_j, level_j)) << seed;
+    EXPECT_NEAR(estimate.energy_j, driven.drive_j, 0.2 * std::max(driven.drive_j, level_j)) << seed;
   }
   ASSERT_EQ(found, series.legs);
   EXPECT_NEAR(planned_sum_j / driven_sum_j, 1, 0.08);
@@ -103,11 +103,11 @@ TEST(Corners, cost_what_they_cost_the_simulated_rover) {
   };
   for (const double bend_rad : {0.1, 0.2, 0.3, 0.45, 0.8}) {
     const Line2 line = zigzag(bend_rad);
-    const double told = planned(*level, cost, line).energy_j, driven = driven_j(line);
-    const std::string what =
-        fmt::format("bends of {:.2f} rad: {:.0f} J planned, {:.0f} driven", bend_rad, told, driven);
+    const double estimate = planned(*level, cost, line).energy_j, driven = driven_j(line);
+    const std::string what = fmt::format("bends of {:.2f} rad: {:.0f} J planned, {:.0f} driven",
+                                         bend_rad, estimate, driven);
     RecordProperty(fmt::format("bend_{}", bend_rad), what);
-    EXPECT_NEAR(told, driven, 0.1 * driven) << what;
+    EXPECT_NEAR(estimate, driven, 0.1 * driven) << what;
   }
 }
 

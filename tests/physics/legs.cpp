@@ -6,12 +6,12 @@
 #include <queue>
 
 #include "base/random.h"
-#include "driving/corner.h"
+#include "driving/fillet.h"
 #include "lua/host/mission_reader.h"
 #include "mission/model/site.h"
-#include "mission/routes/drive_table.h"
+#include "mission/routes/drive_cost_model.h"
 #include "planet/ellipsoid.h"
-#include "route/cost/leg_cost.h"
+#include "route/cost/route_cost.h"
 #include "route/route_planner.h"
 
 namespace lsos::test {
@@ -29,7 +29,7 @@ GroundMap map_about(const Ground& ground, const DriveCost& cost, const MapFrame&
   return {ground, frame, low_m - aside_m, goal_m.cwiseMax(0) + aside_m, spacing_m};
 }
 
-double left_at_least(LegCosts& costs, const Vec2& at_m, const Vec2& goal_m) {
+double lower_bound(RouteCost& costs, const Vec2& at_m, const Vec2& goal_m) {
   const double rise_m = costs.map().height_m(goal_m) - costs.map().height_m(at_m);
   const double bound = costs.least_per_metre() * (goal_m - at_m).norm() + costs.per_rise() * rise_m;
   return std::isnan(bound) ? 0 : 0.99 * std::max(0.0, bound);
@@ -71,7 +71,7 @@ double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S
   const MapFrame frame(ground.site(), Vec3::Zero());
   const Vec2 goal_m = frame.at(goal_S_m);
   GroundMap map = map_about(ground, cost, frame, goal_m);
-  LegCosts costs(map, finder, aim);
+  RouteCost costs(map, finder, aim);
   costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
   // Corners cost, so the state of a node includes the neighbour from which it is reached; 4 stands
   // for the start.
@@ -95,7 +95,7 @@ double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S
   const int x0 = static_cast<int>(std::lround(start.x()));
   const int y0 = static_cast<int>(std::lround(start.y()));
   known[state(x0, y0, from_none)] = 0;
-  queue.push({left_at_least(costs, Vec2::Zero(), goal_m), 0, x0, y0, from_none});
+  queue.push({lower_bound(costs, Vec2::Zero(), goal_m), 0, x0, y0, from_none});
   double best = infinite;
   while (!queue.empty()) {
     const auto [total, here, x, y, from] = queue.top();
@@ -117,7 +117,7 @@ double grid_cost(const Ground& ground, const DriveCost& cost, const Vec3& goal_S
       const double next = here + corner(there_m) + edge(x, y, step);
       if (!(next < known[state(u, v, step)])) continue;
       known[state(u, v, step)] = next;
-      queue.push({next + left_at_least(costs, there_m, goal_m), next, u, v, step});
+      queue.push({next + lower_bound(costs, there_m, goal_m), next, u, v, step});
     }
   }
   return best;
@@ -131,7 +131,7 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
   const MapFrame frame(ground.site(), Vec3::Zero());
   const Vec2 goal_m = frame.at(request.goal_S_m);
   GroundMap map = map_about(ground, cost, frame, goal_m);
-  LegCosts costs(map, finder, request.aim);
+  RouteCost costs(map, finder, request.aim);
   costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
   const double level_jpm = cost.soils.front().at(0).energy_jpm;
   const double per_j = request.aim == RouteAim::risk ? 1 / level_jpm : 1;
@@ -183,13 +183,13 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
       const double whole = here + costs.straight(here_m, goal_m);
       if (whole < least) {
         least = whole;
-        std::vector<const Node*> way;
+        std::vector<const Node*> chain;
         for (auto k = static_cast<std::int64_t>(number); k >= 0;
              k = nodes[static_cast<std::size_t>(k)].before) {
-          way.push_back(&nodes[static_cast<std::size_t>(k)]);
+          chain.push_back(&nodes[static_cast<std::size_t>(k)]);
         }
         Line2 line;
-        for (auto node = way.rbegin(); node != way.rend(); ++node) {
+        for (auto node = chain.rbegin(); node != chain.rend(); ++node) {
           line.insert(line.end(), (*node)->line.begin(), (*node)->line.end());
         }
         line.push_back(goal_m);
@@ -217,7 +217,7 @@ double pose_cost(const Ground& ground, const DriveCost& cost, const LegRequest& 
       edge += per_j * (cost.slow_j * std::max(0.0, was * was - is * is) + cost.load_w * longer_s +
                        cost.arc_drag_jmprad * std::pow(is, 4) * std::abs(by_rad) * pieces *
                            std::abs(curvatures[kind]) / cost.turning_radius_min_m);
-      const double left = left_at_least(costs, next.at_m, goal_m);
+      const double left = lower_bound(costs, next.at_m, goal_m);
       queue.push({here + edge + left, here + edge, nodes.size()});
       nodes.push_back(std::move(next));
     }

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "physics/legs.h"
-#include "route/cost/leg_cost.h"
+#include "route/cost/route_cost.h"
 #include "route/route_planner.h"
 
 namespace lsos::test {
@@ -30,7 +30,7 @@ double straight_cost(const Ground& ground, const DriveCost& cost, const LegReque
   const double spacing_m = map_spacing_m(cost);
   const Vec2 reach_m = Vec2::Constant(spacing_m * std::ceil(2 * goal_m.norm() / spacing_m));
   GroundMap map(ground, frame, -reach_m, reach_m, spacing_m);
-  LegCosts costs(map, finder, request.aim);
+  RouteCost costs(map, finder, request.aim);
   costs.set_tight({{Vec2::Zero(), 2}, {goal_m, 2}});
   return costs.straight(Vec2::Zero(), goal_m);
 }
@@ -83,7 +83,7 @@ TEST_P(RouteQuality, is_never_costlier_than_the_way_over_the_lattice) {
     // finds.
     if (planned.reason.starts_with("the goal is on a slope")) {
       ++too_steep;
-      const double least_rad = std::min(cost.limits.slope_max_rad, climbs_rad(cost.soils[0]));
+      const double least_rad = std::min(cost.limits.slope_max_rad, climb_max_rad(cost.soils[0]));
       EXPECT_GT(least_slope_rad(*ground, cost, request.goal_S_m), 0.9 * least_rad)
           << planned.reason;
       continue;
@@ -107,13 +107,13 @@ TEST_P(RouteQuality, is_never_costlier_than_the_way_over_the_lattice) {
     GroundMap map(*ground, frame, -reach_m, reach_m, map_spacing_m(cost));
     for (std::size_t k = 0; k + 1 < planned.path_S_m.size(); ++k) {
       const Vec2 from_m = frame.at(planned.path_S_m[k]);
-      const Vec2 way_m = frame.at(planned.path_S_m[k + 1]) - from_m;
+      const Vec2 segment_m = frame.at(planned.path_S_m[k + 1]) - from_m;
       const double step_m = 0.3 * map_spacing_m(cost);
-      for (double at = step_m / 2; at < way_m.norm(); at += step_m) {
-        const Vec2 at_m = from_m + at * way_m.normalized();
+      for (double at = step_m / 2; at < segment_m.norm(); at += step_m) {
+        const Vec2 at_m = from_m + at * segment_m.normalized();
         const Vec2 goal_m = frame.at(request.goal_S_m);
         if (std::min(at_m.norm(), (at_m - goal_m).norm()) < 4) continue;
-        const Stance stance = finder.at(map, at_m, way_m.normalized());
+        const Stance stance = finder.at(map, at_m, segment_m.normalized());
         EXPECT_LT(stance.slope_rad, 1.05 * cost.limits.slope_max_rad);
         EXPECT_LT(stance.unevenness_m, 1.1 * cost.limits.unevenness_max_m);
         EXPECT_GT(stance.clearance_m, 0.9 * cost.limits.clearance_min_m);

@@ -1,5 +1,6 @@
 // Missions that wait and areas with holes, run through the whole program.
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "system/run_folder.h"
 

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "system/browser.h"
 
 #include "system/process.h"

@@ -31,14 +31,14 @@ constexpr double deg = std::numbers::pi / 180;
 // One localisation. Yaw is the heading, clockwise from north: the rover's x axis is forward and its
 // z axis down. Longitude and latitude are planetocentric; easting and northing are these angles
 // times the sphere's radius.
-struct Stand {
+struct Localisation {
   int sol = 0;
   double easting_m = 0, northing_m = 0, elevation_m = 0, yaw_rad = 0;
   double lon_deg() const { return easting_m / mars_radius_m / deg; }
   double lat_deg() const { return northing_m / mars_radius_m / deg; }
 };
 
-struct TraverseRow : Stand {
+struct TraverseRow : Localisation {
   double lon_as_written_deg = 0, lat_as_written_deg = 0;
 };
 
@@ -83,7 +83,7 @@ class Raster {
   }
 
   // Whether the raster holds a place, with room for a rover and the cells around it.
-  bool holds(const Stand& stand) const {
+  bool holds(const Localisation& stand) const {
     const double u = column(stand.easting_m), v = row(stand.northing_m);
     return u > 4 && v > 4 && u < dataset_->GetRasterXSize() - 5 &&
            v < dataset_->GetRasterYSize() - 5;
@@ -127,7 +127,7 @@ constexpr double half_base_m = 1.41 / 2;  // rovers/MER.lua
 constexpr std::array<double, 3> forward_m{half_base_m, 0, -half_base_m}, right_m{0.53, 0.61, 0.53};
 constexpr double track_m = 2 * (0.53 + 0.61 + 0.53) / 3;
 
-Eigen::Matrix<double, 6, 3> ground_under_wheels(const Raster& raster, const Stand& stand) {
+Eigen::Matrix<double, 6, 3> ground_under_wheels(const Raster& raster, const Localisation& stand) {
   const double north = std::cos(stand.yaw_rad), east = std::sin(stand.yaw_rad);
   Eigen::Matrix<double, 6, 3> points;
   for (int k = 0; k < 6; ++k) {
@@ -162,32 +162,34 @@ double slope_rad(Eigen::Matrix<double, 6, 3> points) {
 }
 
 // Groups the places so that the MERs of one plan stand clear of each other, in few groups.
-std::vector<std::vector<Stand>> clear_of_each_other(const std::vector<Stand>& stands) {
-  std::vector<std::vector<Stand>> groups;
-  for (const Stand& stand : stands) {
-    const auto is_clear = [&](const std::vector<Stand>& group) {
-      return std::ranges::none_of(group, [&](const Stand& other) {
+std::vector<std::vector<Localisation>> clear_of_each_other(
+    const std::vector<Localisation>& stands) {
+  std::vector<std::vector<Localisation>> groups;
+  for (const Localisation& stand : stands) {
+    const auto is_clear = [&](const std::vector<Localisation>& group) {
+      return std::ranges::none_of(group, [&](const Localisation& other) {
         return std::hypot(stand.easting_m - other.easting_m, stand.northing_m - other.northing_m) <
                5;
       });
     };
     auto group = std::ranges::find_if(groups, is_clear);
-    if (group == groups.end()) group = groups.insert(group, std::vector<Stand>{});
+    if (group == groups.end()) group = groups.insert(group, std::vector<Localisation>{});
     group->push_back(stand);
   }
   return groups;
 }
 
-std::string id_of(const Stand& stand) { return fmt::format("sol{:04}", stand.sol); }
+std::string id_of(const Localisation& stand) { return fmt::format("sol{:04}", stand.sol); }
 
 // The first row of each rover's log.
-std::map<std::string, SampleRow> placed(const std::vector<Stand>& stands, const fs::path& raster) {
+std::map<std::string, SampleRow> placed(const std::vector<Localisation>& stands,
+                                        const fs::path& raster) {
   const TempFolder folder;
   std::vector<Mark> marks{
       {"MissionInfo",
        {{"Planet", "Mars"}, {"StartTime", "2015-04-18T00:00:00Z"}, {"Terrain", raster}},
        ""}};
-  for (const Stand& stand : stands) {
+  for (const Localisation& stand : stands) {
     const std::string at = point(fmt::format("{:.9f},{:.9f}", stand.lon_deg(), stand.lat_deg()));
     const double heading_deg = std::fmod(stand.yaw_rad / deg + 360, 360);
     marks.push_back({"Rover",
@@ -215,8 +217,8 @@ class Curiosity : public ::testing::Test {
     LSOS_NEEDS_REFERENCE("dem/mars/gale_hirise_1m_missionDEM.tif");
   }
 
-  std::vector<Stand> stands_on(const Raster& raster) const {
-    std::vector<Stand> stands;
+  std::vector<Localisation> stands_on(const Raster& raster) const {
+    std::vector<Localisation> stands;
     for (const TraverseRow& row : traverse()) {
       if (raster.holds(row)) stands.push_back(row);
     }
@@ -268,9 +270,9 @@ TEST_F(Curiosity, latitudes_are_planetocentric_on_the_sphere_of_the_raster) {
 // The heights of the localisations and of the raster come from the same HiRISE stereo pairs.
 TEST_F(Curiosity, stood_at_the_height_of_the_raster) {
   const Raster raster(raster_file);
-  const std::vector<Stand> stands = stands_on(raster);
+  const std::vector<Localisation> stands = stands_on(raster);
   ASSERT_EQ(stands.size(), 33u);
-  for (const Stand& stand : stands) {
+  for (const Localisation& stand : stands) {
     EXPECT_NEAR(raster.height_m(stand.easting_m, stand.northing_m), stand.elevation_m, 0.2)
         << stand.sol;
   }
@@ -285,11 +287,11 @@ double turn_by_rockers_rad(const Eigen::Matrix<double, 6, 3>& points) {
 }
 
 // Compares MER at rest with the raster and its suspension at the place where it came to rest.
-void expect_rest(const SampleRow& row, const Stand& stand, const Raster& raster) {
-  const Stand rest{.sol = stand.sol,
-                   .easting_m = row.place.lon_rad * mars_radius_m,
-                   .northing_m = row.place.lat_rad * mars_radius_m,
-                   .yaw_rad = row.heading_rad};
+void expect_rest(const SampleRow& row, const Localisation& stand, const Raster& raster) {
+  const Localisation rest{.sol = stand.sol,
+                          .easting_m = row.place.lon_rad * mars_radius_m,
+                          .northing_m = row.place.lat_rad * mars_radius_m,
+                          .yaw_rad = row.heading_rad};
   const Eigen::Matrix<double, 6, 3> points = ground_under_wheels(raster, rest);
   // On a slope the springs deflect a little and shift the rover.
   EXPECT_LT(std::hypot(rest.easting_m - stand.easting_m, rest.northing_m - stand.northing_m), 0.03);
@@ -313,14 +315,14 @@ void expect_rest(const SampleRow& row, const Stand& stand, const Raster& raster)
 
 TEST_F(Curiosity, ground_carries_mer_as_its_suspension_says) {
   const Raster raster(raster_file);
-  const std::vector<Stand> stands = stands_on(raster);
+  const std::vector<Localisation> stands = stands_on(raster);
   std::map<std::string, SampleRow> rows;
-  for (const std::vector<Stand>& group : clear_of_each_other(stands)) {
+  for (const std::vector<Localisation>& group : clear_of_each_other(stands)) {
     rows.merge(placed(group, raster_file));
   }
   ASSERT_EQ(rows.size(), 33u);
   fmt::print(" sol pitch_deg roll_deg tilt_deg |  by its suspension | turn_deg\n");
-  for (const Stand& stand : stands) {
+  for (const Localisation& stand : stands) {
     SCOPED_TRACE(id_of(stand));
     expect_rest(rows.at(id_of(stand)), stand, raster);
   }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zip.h>
+#include <nlohmann/json.hpp>
 
 #include "system/plan_run.h"
 

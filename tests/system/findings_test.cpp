@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "system/run_folder.h"
@@ -64,7 +65,7 @@ Mark rover(const std::string& type, const std::string& id, const std::string& co
   return {"Rover", fields, point(coordinates)};
 }
 
-struct Ran {
+struct RunResult {
   Outcome outcome;
   nlohmann::json summary;
   std::filesystem::path log;
@@ -72,9 +73,9 @@ struct Ran {
   std::string event(const char* key, std::size_t i = 0) const { return summary["events"][i][key]; }
 };
 
-Ran run_plan(const TempFolder& folder, const std::vector<Mark>& marks) {
+RunResult run_plan(const TempFolder& folder, const std::vector<Mark>& marks) {
   const std::string plan = folder.write("plan.kml", kml(marks));
-  Ran result{
+  RunResult result{
       run({plan, "-o", folder / "run", "--quiet", "--no-report"}), {}, folder / "run" / "log.gpkg"};
   EXPECT_EQ(result.outcome.err, "");
   result.summary = summary(folder / "run");
@@ -94,7 +95,7 @@ TEST(Findings, a_ridge_under_the_chassis_ends_the_drive) {
   write_raster(folder, "ridge", 100,
                [](double x_m, double) { return std::max(0.0, 0.9 - std::abs(x_m) * 0.9 / 1.9); });
   write_terrain(folder, "Ridge", "lsos.raster { file = 'ridge.asc' }", "'Rock'");
-  const Ran result =
+  const RunResult result =
       run_plan(folder, {on("Ridge"), rover("LRV", "A", place(-10, 0)),
                         event("Route", "A", 1, {{"Speed", "0.5"}}, point(place(10, 0)))});
   EXPECT_EQ(result.outcome.exit_code, 1);
@@ -112,7 +113,7 @@ TEST(Findings, a_bank_that_steepens_rolls_the_rover_over) {
   write_terrain(folder, "Bank", "lsos.raster { file = 'bank.asc' }",
                 "lsos.soil { is_rigid = true, cohesion_pa = 0, friction_rad = 1.25, "
                 "density_kgpm3 = 2900, shear_modulus_x_m = 0.002 }");
-  const Ran result =
+  const RunResult result =
       run_plan(folder, {on("Bank"), rover("SEV", "A", place(-30, 0)),
                         event("Route", "A", 1, {{"Speed", "1"}}, point(place(40, 0)))});
   EXPECT_EQ(result.outcome.exit_code, 1);
@@ -127,8 +128,8 @@ TEST(Findings, wheels_that_spin_without_progress_are_stuck) {
   write_terrain(folder, "Hill",
                 "lsos.plane { slope_rad = math.rad(28), downslope_azimuth_rad = math.pi }",
                 "'ApolloLoose'");
-  const Ran result = run_plan(folder, {on("Hill"), rover("LRV", "A", place(0, 0)),
-                                       event("Route", "A", 1, {}, point(place(0, 30)))});
+  const RunResult result = run_plan(folder, {on("Hill"), rover("LRV", "A", place(0, 0)),
+                                             event("Route", "A", 1, {}, point(place(0, 30)))});
   EXPECT_EQ(result.outcome.exit_code, 1);
   EXPECT_THAT(result.event("reason"), HasSubstr("stuck: no progress in 60 s"));
   const auto fields =
@@ -139,7 +140,7 @@ TEST(Findings, wheels_that_spin_without_progress_are_stuck) {
 
 TEST(Findings, two_rovers_that_would_touch_stop_before) {
   const TempFolder folder;
-  const Ran result = run_plan(
+  const RunResult result = run_plan(
       folder, {on("Flat", {{"LogInterval", "0.1 s"}}), rover("SEV", "A", place(-15, 0)),
                rover("SEV", "B", place(15, 0.5)), event("Route", "A", 1, {}, point(place(15, 0))),
                event("Route", "B", 1, {}, point(place(-15, 0)))});
@@ -181,7 +182,7 @@ TEST(Findings, are_the_same_when_all_state_is_saved_and_read_at_each_exchange) {
 TEST(Findings, a_rover_that_turns_on_the_spot_does_not_swing_into_another) {
   // The rovers stand side by side, 4.4 m apart; SEV's corners reach 3.1 m when it turns.
   const TempFolder folder;
-  const Ran result =
+  const RunResult result =
       run_plan(folder, {on("Flat"), rover("SEV", "A", place(0, 0), {{"Heading", "0"}}),
                         rover("SEV", "B", place(4.4, 0), {{"Heading", "0"}}),
                         event("Route", "A", 1, {}, point(place(-30, -1))),
@@ -192,7 +193,7 @@ TEST(Findings, a_rover_that_turns_on_the_spot_does_not_swing_into_another) {
 
 TEST(Findings, rovers_may_leave_each_other_and_pass) {
   const TempFolder folder;
-  const Ran result = run_plan(
+  const RunResult result = run_plan(
       folder, {on("Flat"), rover("SEV", "A", place(-20, 0)), rover("SEV", "B", place(20, 5)),
                event("Route", "A", 1, {}, point(place(20, 0))),
                event("Route", "B", 1, {}, point(place(-20, 5)))});
@@ -203,9 +204,9 @@ TEST(Parked, for_seven_days_on_20_degrees_a_rover_stays_within_a_millimetre) {
   for (const char* type : {"SEV", "LRV", "MER", "Husky"}) {
     const TempFolder folder;
     write_terrain(folder, "Slope20", "lsos.plane { slope_rad = math.rad(20) }", "'ApolloNominal'");
-    const Ran result = run_plan(folder, {on("Slope20", {{"ParkedLogInterval", "1 h"}}),
-                                         rover(type, "A", place(0, 0), {{"Heading", "30"}}),
-                                         event("Pause", "A", 1, {{"Duration", "7 d"}})});
+    const RunResult result = run_plan(folder, {on("Slope20", {{"ParkedLogInterval", "1 h"}}),
+                                               rover(type, "A", place(0, 0), {{"Heading", "30"}}),
+                                               event("Pause", "A", 1, {{"Duration", "7 d"}})});
     ASSERT_EQ(result.outcome.exit_code, 0);
     EXPECT_EQ(query(result.log, "select count(*) from samples"), "169");
     for (const char* axis : {"x_m", "y_m", "z_m"}) {
@@ -221,8 +222,8 @@ TEST(RoverConfig, decides_how_the_rover_starts) {
   for (const int i : {0, 1}) {
     const TempFolder folder;
     const Fields config = i == 0 ? Fields{} : Fields{{"RoverConfig", "Unloaded"}};
-    const Ran result = run_plan(folder, {on("Flat"), rover("SEV", "A", place(0, 0), config),
-                                         event("Route", "A", 1, {}, point(place(50, 0)))});
+    const RunResult result = run_plan(folder, {on("Flat"), rover("SEV", "A", place(0, 0), config),
+                                               event("Route", "A", 1, {}, point(place(50, 0)))});
     ASSERT_EQ(result.outcome.exit_code, 0);
     drive_j[i] = std::stod(query(result.log, "select max(drive_j) from samples"));
     EXPECT_THAT(result.summary["assumptions"].dump(),

@@ -288,10 +288,11 @@ TEST(GroundEnd, a_run_takes_its_light_over_the_terrain_beyond_and_says_where_tha
   };
   const std::string alone = ran("alone", {}),
                     walled = ran("walled", {{"TerrainBeyond", "walled.asc"}});
-  const json told = summary(alone)["warnings"];
-  EXPECT_THAT(told, Contains(HasSubstr("light of A: in ")));
-  EXPECT_THAT(told, Contains(HasSubstr("the ground ends 500 m away towards the Sun, 4.3 deg high, "
-                                       "which ground up to")));
+  const json warnings = summary(alone)["warnings"];
+  EXPECT_THAT(warnings, Contains(HasSubstr("light of A: in ")));
+  EXPECT_THAT(warnings,
+              Contains(HasSubstr("the ground ends 500 m away towards the Sun, 4.3 deg high, "
+                                 "which ground up to")));
   EXPECT_GT(summary(alone)["rovers"]["A"]["solar_j"].get<double>(), 0);
   // In the shadow of the wall the end of the ground does not matter.
   EXPECT_EQ(summary(walled)["rovers"]["A"]["solar_j"], 0);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "system/run_folder.h"
@@ -66,8 +67,8 @@ TEST(InstrumentAnswer, is_a_table_without_warnings) {
                 .exit_code,
             0);
   const Words light{"light", raster, "--at", "2026-07-06", "-o", folder / "light.tif"};
-  const Outcome told = run(light), table = run(with(light, "--text"));
-  ASSERT_TRUE(json::parse(told.out)[0].contains("warnings")) << told.out;
+  const Outcome as_json = run(light), table = run(with(light, "--text"));
+  ASSERT_TRUE(json::parse(as_json.out)[0].contains("warnings")) << as_json.out;
   EXPECT_THAT(table.out, HasSubstr("\nmean sun fraction "));
   EXPECT_THAT(table.out, HasSubstr("\nground reaches "));
   EXPECT_THAT(table.out, ::testing::Not(HasSubstr("warning")));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "system/plan_run.h"
 
@@ -16,10 +17,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // Runs the program in a shell, with text such as a redirection appended to its command line.
-Outcome in_shell(const Words& arguments, const std::string& behind, const fs::path& folder = ".") {
+Outcome in_shell(const Words& arguments, const std::string& suffix, const fs::path& folder = ".") {
   std::string line = "'" LSOS_PROGRAM "'";
   for (const std::string& word : arguments) line += " '" + word + "'";
-  return run_command({"bash", "-c", line + " " + behind}, {.folder = folder});
+  return run_command({"bash", "-c", line + " " + suffix}, {.folder = folder});
 }
 
 // Words that run the program as a user without rights on the files.
@@ -45,7 +46,7 @@ class OtherUser : public ::testing::Test {
       if (entry.is_directory()) fs::permissions(entry.path(), fs::perms(0755));
     }
   }
-  Outcome run_so(const Words& arguments) const {
+  Outcome run_as_other_user(const Words& arguments) const {
     // The time limit ends an endless loop.
     Words words{"timeout", "60"};
     for (const std::string& word : as_other_user(arguments)) words.push_back(word);
@@ -68,7 +69,7 @@ TEST_F(OtherUser, is_told_that_a_run_cannot_be_written_there) {
   for (const std::string& out : {closed.string(), (closed / "a/b").string(), std::string()}) {
     Words arguments{"run", plan_, "--quiet", "--no-report"};
     if (!out.empty()) arguments.insert(arguments.end(), {"-o", out});  // default: out/plan
-    const Outcome outcome = run_so(arguments);
+    const Outcome outcome = run_as_other_user(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << out << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("Permission denied; name another folder with -o"));
   }
@@ -82,7 +83,8 @@ TEST_F(OtherUser, does_not_break_a_run_that_cannot_be_replaced) {
   folder_.write("a/.lsos-host.lock", "");
   fs::permissions(folder_ / "a/.lsos-host.lock", fs::perms(0666));
   fs::permissions(folder_ / "a", fs::perms(0555));
-  const Outcome outcome = run_so({"run", plan_, "-o", folder_ / "a", "--quiet", "--no-report"});
+  const Outcome outcome =
+      run_as_other_user({"run", plan_, "-o", folder_ / "a", "--quiet", "--no-report"});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("cannot be written: Permission denied"));
   EXPECT_EQ(read_text(folder_ / "a" / "summary.json"), before);
@@ -105,11 +107,12 @@ TEST_F(OtherUser, is_told_which_output_cannot_be_written) {
       {"sight", "Flat", "--from", "0,0,2", "--height", "1", "-o", closed / "x.tif", "--window",
        "0,0,0.001,0.001", "--resolution", "5"}};
   for (const Words& words : commands) {
-    const Outcome outcome = run_so(words);
+    const Outcome outcome = run_as_other_user(words);
     EXPECT_EQ(outcome.exit_code, 2) << words[0] << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("Permission denied")) << words[0];
   }
-  EXPECT_EQ(run_so({"compare", folder_ / "a", folder_ / "a"}).exit_code, 0) << "it writes nothing";
+  EXPECT_EQ(run_as_other_user({"compare", folder_ / "a", folder_ / "a"}).exit_code, 0)
+      << "it writes nothing";
 }
 
 TEST_F(OtherUser, is_told_what_cannot_be_read) {
@@ -119,7 +122,7 @@ TEST_F(OtherUser, is_told_what_cannot_be_read) {
        {Words{"report", folder_ / "a"}, Words{"overlay", folder_ / "a"},
         Words{"compare", folder_ / "a", folder_ / "a"}, Words{"verify", folder_ / "a"},
         Words{"check", folder_ / "a/plan.kml"}, Words{"run", plan_, "-o", folder_ / "a"}}) {
-    const Outcome outcome = run_so(words);
+    const Outcome outcome = run_as_other_user(words);
     EXPECT_EQ(outcome.exit_code, 2) << words[0] << outcome.err;
     EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("fault inside the program")));
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr((folder_ / "a").string())) << words[0];
@@ -131,7 +134,7 @@ TEST_F(OtherUser, is_warned_that_planned_routes_are_not_kept) {
                 kml({mission(), sev("A", "31.0,20.0"),
                      event("PathPlanRoute", "A", 10, {}, line("31.0,20.0 31.0005,20.0"))}));
   close_all();
-  const Outcome outcome = run_so({"check", plan_, "--quiet"});
+  const Outcome outcome = run_as_other_user({"check", plan_, "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("warning: planned routes are not kept for the next run: "));
   EXPECT_THAT(outcome.out, HasSubstr("plan.kml.routes: Permission denied"));
@@ -184,12 +187,12 @@ TEST(LostOutput, of_a_run_leaves_its_files) {
 TEST(LostMessages, stop_nothing) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(short_drive()));
-  for (const char* behind : {"2> /dev/full", "2>&-"}) {
-    const Outcome done = in_shell({plan, "-o", folder / "run", "--no-report"}, behind);
-    EXPECT_EQ(done.exit_code, 0) << behind;
+  for (const char* suffix : {"2> /dev/full", "2>&-"}) {
+    const Outcome done = in_shell({plan, "-o", folder / "run", "--no-report"}, suffix);
+    EXPECT_EQ(done.exit_code, 0) << suffix;
     EXPECT_EQ(summary(folder / "run")["status"], "completed");
-    EXPECT_EQ(in_shell({"run", folder / "none.kml"}, behind).exit_code, 2) << behind;
-    EXPECT_EQ(in_shell({"list", "evnts"}, behind).exit_code, 2) << behind;
+    EXPECT_EQ(in_shell({"run", folder / "none.kml"}, suffix).exit_code, 2) << suffix;
+    EXPECT_EQ(in_shell({"list", "evnts"}, suffix).exit_code, 2) << suffix;
   }
 }
 

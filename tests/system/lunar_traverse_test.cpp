@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <regex>
 
@@ -84,7 +85,7 @@ void expect_earth_to_come_and_go(const LogReader& log) {
 }
 
 // Points of a line at distances of 0.3 m or less, about the width of a wheel.
-std::vector<PlanePoint> dense(const std::vector<PlanePoint>& line) {
+std::vector<PlanePoint> densified(const std::vector<PlanePoint>& line) {
   std::vector<PlanePoint> points;
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const double x_m = line[k + 1].x_m - line[k].x_m, y_m = line[k + 1].y_m - line[k].y_m;
@@ -109,7 +110,7 @@ int craters_on(const std::vector<PlanePoint>& line) {
     box.high = {std::max(box.high.x_m, p.x_m), std::max(box.high.y_m, p.y_m)};
   }
   int through = 0, steep = 0;
-  const std::vector<PlanePoint> points = dense(line);
+  const std::vector<PlanePoint> points = densified(line);
   for (const Crater& crater : craters_touching(population, 0, box, 4.5, 20)) {
     if (4 * crater.depth_m < std::tan(radians(18)) * crater.diameter_m) continue;
     ++steep;

@@ -283,12 +283,13 @@ TEST(GeoPackagePlan, of_several_parts_is_told_by_its_layer_and_feature) {
 }
 
 TEST(GeoPackagePlan, has_columns_of_its_own) {
-  const std::string told =
+  const std::string output =
       faults_of_route("LINESTRING (0 0, 0.001 0)", "speed_kmh;heading;", "5;90;");
-  EXPECT_THAT(told, HasSubstr("can be run"));
-  EXPECT_THAT(told, HasSubstr("the column 'speed_kmh' is no field of a Route; it is not used; did "
-                              "you mean 'Speed'?"));
-  EXPECT_THAT(told, ::testing::Not(HasSubstr("heading'")));
+  EXPECT_THAT(output, HasSubstr("can be run"));
+  EXPECT_THAT(output,
+              HasSubstr("the column 'speed_kmh' is no field of a Route; it is not used; did "
+                        "you mean 'Speed'?"));
+  EXPECT_THAT(output, ::testing::Not(HasSubstr("heading'")));
   // A misspelt column is a fault.
   EXPECT_THAT(faults_of_route("LINESTRING (0 0, 0.001 0)", "Speeed;", "5;"),
               HasSubstr("there is no field 'Speeed'; did you mean 'Speed'?"));

@@ -78,8 +78,8 @@ TEST_P(PlanMessage, is_as_expected) {
   EXPECT_EQ(outcome.exit_code, only_warnings ? 0 : 2) << outcome.err;
   for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
   // No other fault of the plan is reported, such as one that only follows from another.
-  std::istringstream told(outcome.out);
-  for (std::string line; std::getline(told, line);) {
+  std::istringstream output(outcome.out);
+  for (std::string line; std::getline(output, line);) {
     if (!line.starts_with(file.string() + ":") || outcome.exit_code == 0) continue;
     EXPECT_TRUE(std::ranges::any_of(expected, [&](const std::string& text) {
       return line.find(text) != std::string::npos;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "system/plan_run.h"
@@ -71,11 +72,11 @@ TEST(Power, that_never_comes_is_waited_for_in_rows_until_the_end) {
   // The other warning is about lunar soil on Earth.
   ASSERT_EQ(summary["warnings"].size(), 2u) << summary["warnings"];
   EXPECT_THAT(summary["warnings"][1].get<std::string>(), HasSubstr("R: the battery is empty at "));
-  bool is_said = false;
+  bool is_noted = false;
   for (const NoteRow& note : run.log().notes()) {
-    is_said |= note.name == "waits_for_charge" && note.sequence == 2;
+    is_noted |= note.name == "waits_for_charge" && note.sequence == 2;
   }
-  EXPECT_TRUE(is_said);
+  EXPECT_TRUE(is_noted);
   EXPECT_EQ(summary["events"][2]["reason"],
             "MaxDuration is over; its turn did not come, 'Route 2' waited to start");
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "support/reference_data.h"
 #include "system/run_folder.h"
@@ -216,9 +217,9 @@ TEST(RunFolder, of_two_plans_of_one_name_is_not_shared_unasked) {
   EXPECT_THAT(other.err, ::testing::HasSubstr("moon/plan.kml, another plan of that name: "
                                               "-o names another folder, --force replaces it"));
   EXPECT_EQ(run({"mars/plan.kml", "--quiet", "--force"}, there).exit_code, 0);
-  const Outcome asked = run({"moon/plan.kml", "--quiet", "-o", folder / "out/plan"}, there);
-  EXPECT_EQ(asked.exit_code, 0);
-  EXPECT_THAT(asked.err, ::testing::HasSubstr("mars/plan.kml that it held is replaced"));
+  const Outcome replacing = run({"moon/plan.kml", "--quiet", "-o", folder / "out/plan"}, there);
+  EXPECT_EQ(replacing.exit_code, 0);
+  EXPECT_THAT(replacing.err, ::testing::HasSubstr("mars/plan.kml that it held is replaced"));
 }
 
 // Options that the contract allows for every command.

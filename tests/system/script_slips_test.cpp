@@ -1,5 +1,6 @@
 // Slips in a user's event scripts that would otherwise have no effect and no message.
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "system/run_folder.h"
 

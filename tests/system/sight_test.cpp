@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "support/reference_data.h"
@@ -30,15 +31,15 @@ struct Cut {
 
 // Some users give a place with its elevation in the map instead of its height above the ground.
 TEST(SightHeight, that_is_the_ground_s_own_elevation_is_asked_about) {
-  const auto asked = [](const std::string& height) {
+  const auto errors_for = [](const std::string& height) {
     const std::filesystem::path raster = repository() / "tests/messages/mission/high.asc";
     return run({"sight", raster, "--from", "0,0," + height, "--to", "0.001,0.001,2"},
                {.environment = {"GDAL_PAM_ENABLED=NO"}})
         .err;
   };
-  EXPECT_THAT(asked("502"),
+  EXPECT_THAT(errors_for("502"),
               HasSubstr("--from 0,0,502: H = 502 m is above the ground, which lies at "));
-  EXPECT_EQ(asked("2"), "");
+  EXPECT_EQ(errors_for("2"), "");
 }
 
 // Writes a part of a raster as a file.

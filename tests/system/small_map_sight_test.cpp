@@ -30,17 +30,17 @@ struct CellHeights {
   }
 };
 
-struct Look {
+struct SightQuery {
   Cell eye;
   double eye_m, target_m;
 };
 
 // Whether the line to a cell is above the ground wherever it crosses a row or column of cell
 // centres. Missing cells hide nothing.
-bool is_above(const CellHeights& ground, const Look& look, const Cell& target) {
-  const Cell& eye = look.eye;
-  const double from_m = ground.at(eye.column, eye.row) + look.eye_m;
-  const double to_m = ground.at(target.column, target.row) + look.target_m;
+bool is_above(const CellHeights& ground, const SightQuery& query, const Cell& target) {
+  const Cell& eye = query.eye;
+  const double from_m = ground.at(eye.column, eye.row) + query.eye_m;
+  const double to_m = ground.at(target.column, target.row) + query.target_m;
   const int across = target.column - eye.column, down = target.row - eye.row;
   for (const int count : {std::abs(across), std::abs(down)}) {
     for (int k = 1; k < count; ++k) {
@@ -62,19 +62,19 @@ bool is_above(const CellHeights& ground, const Look& look, const Cell& target) {
 }
 
 struct Compared {
-  int cells = 0, alike = 0, seen = 0;
+  int cells = 0, agreeing = 0, seen = 0;
 };
 
-Compared compared(const std::string& file, const Look& look, bool is_flat,
+Compared compared(const std::string& file, const SightQuery& query, bool is_flat,
                   const TempFolder& folder) {
   const Dataset dataset = opened(file);
   const CellHeights ground{samples(*dataset), dataset->GetRasterXSize(), dataset->GetRasterYSize()};
-  const CellPlace eye = cell_place(*dataset, look.eye.column, look.eye.row);
+  const CellPlace eye = cell_place(*dataset, query.eye.column, query.eye.row);
   Words words{file,
               "--from",
-              fmt::format("{},{}", eye.lon_lat, look.eye_m),
+              fmt::format("{},{}", eye.lon_lat, query.eye_m),
               "--height",
-              fmt::format("{}", look.target_m),
+              fmt::format("{}", query.target_m),
               "-o",
               folder / "seen.tif"};
   if (is_flat) words.emplace_back("--flat");
@@ -84,11 +84,11 @@ Compared compared(const std::string& file, const Look& look, bool is_flat,
   for (int row = 0; row < ground.rows; ++row) {
     for (int column = 0; column < ground.columns; ++column) {
       if (std::isnan(ground.at(column, row))) continue;
-      const bool is_seen = is_above(ground, look, {column, row});
-      const double said = ours[static_cast<std::size_t>(row * ground.columns + column)];
+      const bool is_seen = is_above(ground, query, {column, row});
+      const double value = ours[static_cast<std::size_t>(row * ground.columns + column)];
       ++counts.cells;
       counts.seen += is_seen ? 1 : 0;
-      counts.alike += said == (is_seen ? 1 : 0) ? 1 : 0;
+      counts.agreeing += value == (is_seen ? 1 : 0) ? 1 : 0;
     }
   }
   return counts;
@@ -107,41 +107,41 @@ TEST(SmallMapSight, is_along_the_line_to_each_cell) {
                    static_cast<int>(random() % static_cast<unsigned>(dataset->GetRasterYSize()))};
     const Compared counts = compared(file, {eye, 1, target_m}, true, folder);
     all.cells += counts.cells;
-    all.alike += counts.alike;
+    all.agreeing += counts.agreeing;
     all.seen += counts.seen;
   }
-  std::printf("%d of %d cells alike, %d seen\n", all.alike, all.cells, all.seen);
-  EXPECT_GE(all.alike, all.cells - 3) << "grazing lines may be rounded either way";
+  std::printf("%d of %d cells alike, %d seen\n", all.agreeing, all.cells, all.seen);
+  EXPECT_GE(all.agreeing, all.cells - 3) << "grazing lines may be rounded either way";
   EXPECT_LT(all.seen, all.cells);
 }
 
 // A generated map of 60 x 60 cells. Heights are in cell sides, so that all maps are equally steep.
-struct MadeMap {
+struct GeneratedMap {
   const char* name;
   const char* crs;
   double west, north, cell;  // in the CRS's units
   double cell_m;
   std::function<double(int column, int row)> height_cells;
-  Look look;
+  SightQuery query;
   bool is_flat = true;
 };
 
 constexpr int side = 60;
 
-std::string written(const MadeMap& made, const TempFolder& folder) {
+std::string written(const GeneratedMap& generated, const TempFolder& folder) {
   GDALAllRegister();
   std::string file = folder / "made.tif";
   const Dataset dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
       file.c_str(), side, side, 1, GDT_Float32, nullptr));
   OGRSpatialReference crs;
-  EXPECT_EQ(crs.SetFromUserInput(made.crs), OGRERR_NONE);
-  double transform[6] = {made.west, made.cell, 0, made.north, 0, -made.cell};
+  EXPECT_EQ(crs.SetFromUserInput(generated.crs), OGRERR_NONE);
+  double transform[6] = {generated.west, generated.cell, 0, generated.north, 0, -generated.cell};
   dataset->SetGeoTransform(transform);
   dataset->SetSpatialRef(&crs);
   std::vector<double> heights_m;
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column)
-      heights_m.push_back(made.cell_m * made.height_cells(column, row));
+      heights_m.push_back(generated.cell_m * generated.height_cells(column, row));
   }
   EXPECT_EQ(dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, side, side, heights_m.data(), side,
                                                 side, GDT_Float64, 0, 0),
@@ -149,14 +149,14 @@ std::string written(const MadeMap& made, const TempFolder& folder) {
   return file;
 }
 
-class MadeMapSight : public ::testing::TestWithParam<MadeMap> {};
+class MadeMapSight : public ::testing::TestWithParam<GeneratedMap> {};
 
 TEST_P(MadeMapSight, is_along_the_line_to_each_cell) {
   const TempFolder folder;
   const Compared counts =
-      compared(written(GetParam(), folder), GetParam().look, GetParam().is_flat, folder);
-  std::printf("%d of %d cells alike, %d seen\n", counts.alike, counts.cells, counts.seen);
-  EXPECT_EQ(counts.alike, counts.cells);
+      compared(written(GetParam(), folder), GetParam().query, GetParam().is_flat, folder);
+  std::printf("%d of %d cells alike, %d seen\n", counts.agreeing, counts.cells, counts.seen);
+  EXPECT_EQ(counts.agreeing, counts.cells);
 }
 
 double bowl(int column, int row) {
@@ -179,81 +179,82 @@ INSTANTIATE_TEST_SUITE_P(
     of, MadeMapSight,
     ::testing::Values(
         // Each cell is higher than all others on the line to it: its own height must not count.
-        MadeMap{"a_bowl", moon_pole, 5000, 7000, 1, 1, bowl, {{30, 30}, 1, 0}},
-        MadeMap{"a_bowl_of_small_cells", moon_pole, 5000, 7000, 0.25, 0.25, bowl, {{30, 30}, 1, 0}},
-        MadeMap{"the_seam_of_longitudes",
-                moon_degrees,
-                179.97,
-                0.03,
-                0.001,
-                0.001 * degree_m,
-                hills,
-                {{5, 30}, 60, 1}},
-        MadeMap{"a_wall_to_the_last_row",
-                earth_utm,
-                574000,
-                4141000,
-                1,
-                1,
-                wall_across,
-                {{5, 59}, 2, 0.5}},
-        MadeMap{"a_wall_to_the_first_row",
-                earth_utm,
-                574000,
-                4141000,
-                1,
-                1,
-                wall_across,
-                {{40, 0}, 2, 0.5}},
-        MadeMap{"a_wall_beside_a_hole",
-                moon_pole,
-                5000,
-                7000,
-                1,
-                1,
-                wall_beside_hole,
-                {{30, 40}, 2.1, 0.5}},
-        MadeMap{"an_eye_between_two_holes",
-                moon_pole,
-                5000,
-                7000,
-                1,
-                1,
-                wall_beside_hole,
-                {{30, 25}, 1.1, 0.5}},
-        MadeMap{"an_eye_left_of_a_hole",
-                moon_pole,
-                5000,
-                7000,
-                1,
-                1,
-                wall_beside_hole,
-                {{28, 2}, 1.1, 0.5}},
-        MadeMap{"an_eye_right_of_a_hole_in_degrees",
-                moon_degrees,
-                10,
-                1,
-                0.001,
-                0.001 * degree_m,
-                wall_beside_hole,
-                {{30, 5}, 30, 15}},
-        MadeMap{"cells_of_5_cm",
-                earth_utm,
-                574000,
-                4141000,
-                0.05,
-                0.05,
-                wall_across,
-                {{5, 30}, 0.1, 0.02}},
-        MadeMap{"the_eye_itself",
-                moon_degrees,
-                10,
-                1,
-                1.0 / 32768,
-                degree_m / 32768,
-                level,
-                {{30, 30}, 2, 2},
-                false}),
+        GeneratedMap{"a_bowl", moon_pole, 5000, 7000, 1, 1, bowl, {{30, 30}, 1, 0}},
+        GeneratedMap{
+            "a_bowl_of_small_cells", moon_pole, 5000, 7000, 0.25, 0.25, bowl, {{30, 30}, 1, 0}},
+        GeneratedMap{"the_seam_of_longitudes",
+                     moon_degrees,
+                     179.97,
+                     0.03,
+                     0.001,
+                     0.001 * degree_m,
+                     hills,
+                     {{5, 30}, 60, 1}},
+        GeneratedMap{"a_wall_to_the_last_row",
+                     earth_utm,
+                     574000,
+                     4141000,
+                     1,
+                     1,
+                     wall_across,
+                     {{5, 59}, 2, 0.5}},
+        GeneratedMap{"a_wall_to_the_first_row",
+                     earth_utm,
+                     574000,
+                     4141000,
+                     1,
+                     1,
+                     wall_across,
+                     {{40, 0}, 2, 0.5}},
+        GeneratedMap{"a_wall_beside_a_hole",
+                     moon_pole,
+                     5000,
+                     7000,
+                     1,
+                     1,
+                     wall_beside_hole,
+                     {{30, 40}, 2.1, 0.5}},
+        GeneratedMap{"an_eye_between_two_holes",
+                     moon_pole,
+                     5000,
+                     7000,
+                     1,
+                     1,
+                     wall_beside_hole,
+                     {{30, 25}, 1.1, 0.5}},
+        GeneratedMap{"an_eye_left_of_a_hole",
+                     moon_pole,
+                     5000,
+                     7000,
+                     1,
+                     1,
+                     wall_beside_hole,
+                     {{28, 2}, 1.1, 0.5}},
+        GeneratedMap{"an_eye_right_of_a_hole_in_degrees",
+                     moon_degrees,
+                     10,
+                     1,
+                     0.001,
+                     0.001 * degree_m,
+                     wall_beside_hole,
+                     {{30, 5}, 30, 15}},
+        GeneratedMap{"cells_of_5_cm",
+                     earth_utm,
+                     574000,
+                     4141000,
+                     0.05,
+                     0.05,
+                     wall_across,
+                     {{5, 30}, 0.1, 0.02}},
+        GeneratedMap{"the_eye_itself",
+                     moon_degrees,
+                     10,
+                     1,
+                     1.0 / 32768,
+                     degree_m / 32768,
+                     level,
+                     {{30, 30}, 2, 2},
+                     false}),
     [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace

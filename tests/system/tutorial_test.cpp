@@ -81,7 +81,7 @@ TEST(Tutorial, leads_to_an_event_a_scenario_a_plan_and_five_answers) {
   EXPECT_THAT(reader.read("out/beacons/overlay.kml"), HasSubstr("beacon"));
 
   const std::string event = reader.read("events/Beacon.lua");
-  int ways = 0;
+  int cases = 0;
   for (std::size_t at = tutorial.find("\n| `", wrong); at != std::string::npos;
        at = tutorial.find("\n| `", at)) {
     const std::string right = between(tutorial, at, "`", "`");
@@ -95,9 +95,9 @@ TEST(Tutorial, leads_to_an_event_a_scenario_a_plan_and_five_answers) {
     EXPECT_EQ(outcome.exit_code, 1) << instead;
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr(message));
     EXPECT_THAT(outcome.out + outcome.err, HasSubstr("events/Beacon.lua:"));
-    ++ways;
+    ++cases;
   }
-  EXPECT_EQ(ways, 5);
+  EXPECT_EQ(cases, 5);
 }
 
 TEST(Tutorial, leads_to_a_rover_that_differs_in_some_numbers) {

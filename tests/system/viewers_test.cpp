@@ -1,6 +1,7 @@
 // Plans, logs, projects and overlays in other programs' viewers, QGIS and CesiumJS. The tests are
 // skipped when `script/bootstrap long` has not installed them.
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "system/browser.h"
 #include "system/run_folder.h"

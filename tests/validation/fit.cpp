@@ -46,12 +46,12 @@ class GridSearch {
     return at;
   }
 
-  GridPoint start(double share_of_way_to_high) const {
+  GridPoint start(double share_to_bound) const {
     GridPoint at;
     for (std::size_t i = 0; i < steps_.size(); ++i) {
       const FitParameter& p = parameters_[i];
-      const double end = share_of_way_to_high < 0 ? p.low : p.high;
-      const double value = p.start + std::abs(share_of_way_to_high) * (end - p.start);
+      const double end = share_to_bound < 0 ? p.low : p.high;
+      const double value = p.start + std::abs(share_to_bound) * (end - p.start);
       at.push_back(
           std::clamp(static_cast<int>(std::lround((value - p.low) / p.step)), 0, steps_[i]));
     }
@@ -164,10 +164,10 @@ std::vector<SingleWheelPoint> compute(const Soil& soil, const Wheel& wheel,
 Fit fit_soil(const Soil& published, const Wheel& wheel, std::span<const MeasuredPoint> points,
              std::span<const FitParameter> parameters) {
   GridSearch search(published, wheel, points, parameters);
-  // The cost has several local minima: start at the published values and half-way to the bounds.
+  // The cost has several local minima: start at the published values and half-share to the bounds.
   GridPoint best;
-  for (const double way : {0.0, -0.5, 0.5}) {
-    const GridPoint end = search.descend(search.start(way));
+  for (const double share : {0.0, -0.5, 0.5}) {
+    const GridPoint end = search.descend(search.start(share));
     if (best.empty() || search.cost(end) < search.cost(best)) best = end;
   }
   return search.fit(best);

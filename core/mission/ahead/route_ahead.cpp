@@ -19,8 +19,8 @@ namespace {
 
 // Heading at the end of the line; near a pole the direction of north changes along it.
 double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
-  const Vec3 way_S_m = to_S_m - from_S_m;
-  return std::atan2(way_S_m.dot(site.east_S(to_S_m)), way_S_m.dot(site.north_S(to_S_m)));
+  const Vec3 line_S_m = to_S_m - from_S_m;
+  return std::atan2(line_S_m.dot(site.east_S(to_S_m)), line_S_m.dot(site.north_S(to_S_m)));
 }
 
 // Warning about an area without ground; "" when a grid of samples finds ground throughout.
@@ -59,10 +59,10 @@ std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
 }
 
 // Goes through a rover's events and tracks its position, as far as the plan determines it.
-class Ahead {
+class RoutePass {
  public:
-  Ahead(const Ground& ground, RoverRoutes& routes, const LegStart& start,
-        const std::function<void(const std::string&)>& on_planning)
+  RoutePass(const Ground& ground, RoverRoutes& routes, const LegStart& start,
+            const std::function<void(const std::string&)>& on_planning)
       : ground_(ground),
         routes_(routes),
         on_planning_(on_planning),
@@ -103,23 +103,23 @@ class Ahead {
                            ? find_value<std::string>(event.params, field.key)
                            : nullptr;
       if (id == nullptr) continue;
-      if (near_ && near_->id == *id && near_->distance_m > plug_reach_m) {
+      if (near_ && near_->id == *id && near_->distance_m > cable_reach_m) {
         add_fault({Severity::warning, event.place,
                    fmt::format("{} '{}': {} = {}: '{}' drives to within {:.0f} m of it only; a "
                                "cable reaches {:.0f} m",
                                event.type, event.label, field.name, quoted(*id), near_->label,
-                               near_->distance_m, plug_reach_m)});
+                               near_->distance_m, cable_reach_m)});
       }
       if (!place_S_m_) continue;
       const auto source = std::ranges::find(sources, *id, &PowerSource::asset_id);
       if (source == sources.end()) continue;
       const double away_m = (source->p_S_m - *place_S_m_).norm();
-      if (away_m <= plug_reach_m) continue;
+      if (away_m <= cable_reach_m) continue;
       add_fault({Severity::warning, event.place,
                  fmt::format("{} '{}': {} = {}: it is {:.0f} m from where rover {} then is "
                              "expected; a cable reaches {:.0f} m",
                              event.type, event.label, field.name, quoted(*id), away_m,
-                             quoted(event.rover_id), plug_reach_m)});
+                             quoted(event.rover_id), cable_reach_m)});
     }
   }
 
@@ -158,12 +158,12 @@ class Ahead {
       const double heading_rad =
           heading_rad_.value_or(heading_from_to_rad(ground_.site(), *place_S_m_, goal_S_m));
       const LegStart start{*place_S_m_, heading_rad, is_at_rest};
-      tell(fmt::format("{} '{}' to waypoint {}", event.rover_id, event.label, waypoint));
+      report_planning(fmt::format("{} '{}' to waypoint {}", event.rover_id, event.label, waypoint));
       PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
-      tell("");
+      report_planning("");
       const bool is_found = leg.is_found();
       if (!is_found) {
-        add_fault(event, RoverRoutes::no_way_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
+        add_fault(event, RoverRoutes::no_route_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
       }
       result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg)});
       if (!is_found) {
@@ -210,7 +210,7 @@ class Ahead {
     place_S_m_ = to_S_m;
   }
 
-  void tell(const std::string& what) const {
+  void report_planning(const std::string& what) const {
     if (on_planning_) on_planning_(what);
   }
 
@@ -241,7 +241,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   const Geodetic& start = machine.rover.start;
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
-  Ahead ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
+  RoutePass ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
   std::optional<std::int64_t> gone_to;  // sequence at which the rover goes on after a failure
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled) continue;

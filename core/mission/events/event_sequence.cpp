@@ -49,10 +49,11 @@ EventSequence::EventSequence(const RoverMachine& machine, const MissionInfo& mis
   }
 }
 
-void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others) {
+void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host,
+                        const EventLookup& others) {
   int changes = 0;
   while (!is_finished_) {
-    if (!has_turn_ && !take_turn(now, agent)) return;
+    if (!has_turn_ && !give_turn(now, agent)) return;
     if (!running_) {
       std::string impossible;
       if (is_met("SkipWhen", event().skip_when, now == *current().ready, now, agent, host,
@@ -128,7 +129,7 @@ bool EventSequence::is_timed_out(SimTime now) const {
 }
 
 // Gives the next enabled event its turn; false when there is none.
-bool EventSequence::take_turn(SimTime now, const RoverAgent& agent) {
+bool EventSequence::give_turn(SimTime now, const RoverAgent& agent) {
   // Events that will not start any more have an end.
   while (index_ < records_.size() &&
          (current().status != EventStatus::not_started || current().end)) {
@@ -154,7 +155,7 @@ bool EventSequence::is_powerless(const RoverAgent& agent) const {
 }
 
 bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
-                              const Others& others, std::string& impossible) {
+                              const EventLookup& others, std::string& impossible) {
   // An end counts from the next exchange on, so that the order of rovers within one exchange does
   // not matter.
   waits_for_others_ = false;
@@ -338,10 +339,11 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
 std::optional<SimTime> EventSequence::wake(SimTime now) const {
   if (is_finished_) return std::nullopt;
   const SimTime next = now + exchange_period;
-  const SimTime next_look = (now / condition_period + 1) * condition_period;
+  const SimTime next_evaluation = (now / condition_period + 1) * condition_period;
   if (running_) {
     std::optional<SimTime> wake = running_->wake(now);
-    if (!event().stop_when.text.empty()) wake = std::min(wake.value_or(next_look), next_look);
+    if (!event().stop_when.text.empty())
+      wake = std::min(wake.value_or(next_evaluation), next_evaluation);
     if (event().timeout) {
       const SimTime over = round_up_to_exchange(*records_[index_].start + *event().timeout);
       wake = std::min(wake.value_or(over), over);
@@ -349,7 +351,7 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
     return wake;
   }
   if (!has_turn_) return next;
-  if (waits_for_condition_) return next_look;
+  if (waits_for_condition_) return next_evaluation;
   // Events in StartAfter wake it when they end; its StartTime is known.
   std::optional<SimTime> wake;
   if (!waits_for_others_ && !waits_for_charge_) {
@@ -358,7 +360,8 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
       wake = std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
     }
   }
-  if (!event().skip_when.text.empty()) wake = std::min(wake.value_or(next_look), next_look);
+  if (!event().skip_when.text.empty())
+    wake = std::min(wake.value_or(next_evaluation), next_evaluation);
   return wake;
 }
 

@@ -31,16 +31,16 @@ struct EventRecord {
 class EventSequence {
  public:
   // What an event may query about the events of other rovers.
-  class Others {
+  class EventLookup {
    public:
-    virtual ~Others() = default;
+    virtual ~EventLookup() = default;
     virtual const EventRecord& record(const PlanEvent::Reference& event) const = 0;
   };
 
   EventSequence(const RoverMachine& machine, const MissionInfo& mission, const Ground& ground);
 
   // Runs what is due at `now`.
-  void run(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others);
+  void run(SimTime now, RoverAgent& agent, ScriptHost& host, const EventLookup& others);
   // Adds an event behind those with a lower sequence. Throws InputError when its sequence is taken
   // or its turn is over.
   void add(const EventMachine& machine);
@@ -51,7 +51,7 @@ class EventSequence {
   // Ends the running event as incomplete and starts no other.
   // `is_failure`: because an event failed; otherwise the reasons also say what each event waited
   // for.
-  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others,
+  void stop(SimTime now, RoverAgent& agent, ScriptHost& host, const EventLookup& others,
             const std::string& reason, bool is_failure);
 
   bool is_finished() const { return is_finished_; }
@@ -87,8 +87,8 @@ class EventSequence {
   bool is_met(const char* name, const PlanEvent::Condition& condition, bool is_first, SimTime now,
               const RoverAgent& agent, ScriptHost& host, std::string& fault);
   void note(const char* decision, const PlanEvent::Condition& condition, RoverAgent& agent) const;
-  bool take_turn(SimTime now, const RoverAgent& agent);
-  bool may_start(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others,
+  bool give_turn(SimTime now, const RoverAgent& agent);
+  bool may_start(SimTime now, RoverAgent& agent, ScriptHost& host, const EventLookup& others,
                  std::string& impossible);
   void start(SimTime now, const RoverAgent& agent, ScriptHost& host);
   // Why the running event cannot go on, whatever its script requests; "" when it can.
@@ -102,7 +102,7 @@ class EventSequence {
   // What the event whose turn it is waits for before it starts, with the present values
   // (event_sequence_waiting.cpp).
   std::string waits_for(SimTime now, const RoverAgent& agent, ScriptHost& host,
-                        const Others& others) const;
+                        const EventLookup& others) const;
   // Ends the running event and returns its progress: "in phase 'charge' since 600 s".
   std::string progress_until(SimTime now, RoverAgent& agent, ScriptHost& host);
   void end(EventStatus status, const std::string& reason, SimTime now, RoverAgent& agent);

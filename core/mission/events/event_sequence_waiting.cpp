@@ -9,7 +9,7 @@ namespace {
 
 // Why an awaited event is not over; "" when it is. An event of an earlier rover may have been
 // stopped at this very exchange.
-std::string hold_up(const EventRecord& record) {
+std::string pending_text(const EventRecord& record) {
   switch (record.status) {
     case EventStatus::completed:
     case EventStatus::failed:
@@ -27,10 +27,10 @@ std::string hold_up(const EventRecord& record) {
 }  // namespace
 
 std::string EventSequence::waits_for(SimTime now, const RoverAgent& agent, ScriptHost& host,
-                                     const Others& others) const {
+                                     const EventLookup& others) const {
   const PlanEvent& event = this->event();
   for (const PlanEvent::Reference& awaited : event.start_after) {
-    const std::string held_up = hold_up(others.record(awaited));
+    const std::string held_up = pending_text(others.record(awaited));
     if (held_up.empty()) continue;
     return fmt::format("StartAfter: {}/{} {}", awaited.rover_id, awaited.sequence, held_up);
   }
@@ -59,8 +59,8 @@ std::string EventSequence::progress_until(SimTime now, RoverAgent& agent, Script
   return state.empty() ? text : text + "; " + state;
 }
 
-void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host, const Others& others,
-                         const std::string& why, bool is_failure) {
+void EventSequence::stop(SimTime now, RoverAgent& agent, ScriptHost& host,
+                         const EventLookup& others, const std::string& why, bool is_failure) {
   std::string reason = why, of_the_rest = why;
   if (has_turn_ && !is_failure) {
     of_the_rest += fmt::format("; its turn did not come, '{}' {}", event().label,

@@ -13,7 +13,7 @@ namespace lsos {
 class Sight {
  public:
   // Half side of the target, a square that faces the viewer.
-  static constexpr double ornament_half_m = 0.05;
+  static constexpr double target_half_m = 0.05;
   // Share of the target that must be visible. At most half of a target on level ground is visible,
   // so a share above 0.5 is never met there.
   static constexpr double seen_share = 0.25;
@@ -24,9 +24,9 @@ class Sight {
       : site_(ground.site()), ground_(&ground), renderer_(&renderer), between_(ground) {}
 
   // Share 0..1 of the target at `to_S_m` that is visible from `from_S_m`.
-  double ornament_share(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids);
+  double target_share(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids);
   bool sees(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids) {
-    return ornament_share(from_S_m, to_S_m, solids) >= seen_share;
+    return target_share(from_S_m, to_S_m, solids) >= seen_share;
   }
 
   struct Disc {

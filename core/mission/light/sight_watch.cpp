@@ -12,7 +12,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double light_mps = 299792458;
+constexpr double speed_of_light_mps = 299792458;
 
 // A moving body may block a line when it is nearer to it than its own reach plus this.
 constexpr double near_line_m = 10;
@@ -70,11 +70,11 @@ bool SightWatch::is_due(const Pair& pair, SimTime now, const std::vector<SightEn
     if (is_near(pair, other, ends)) motion = std::max(motion, other.motion);
   }
   if (motion == Motion::has_ended) return true;
-  return motion == Motion::goes_on && now > *pair.time && now % moving_look_period == SimTime{};
+  return motion == Motion::goes_on && now > *pair.time && now % moving_update_period == SimTime{};
 }
 
-void SightWatch::look_at(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
-                         const SolidsBetween& solids) {
+void SightWatch::evaluate(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
+                          const SolidsBetween& solids) {
   const SightEnd& from = ends[pair.from];
   if (pair.to == earth_) {
     const SiteFrame& site = ground_->site();
@@ -120,13 +120,14 @@ std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
   std::vector<SightIntervalRow> ended;
   for (Pair& pair : pairs_) {
     if (!is_due(pair, now, ends)) continue;
-    look_at(pair, now, utc, ends, solids);
+    evaluate(pair, now, utc, ends, solids);
     pair.time = now;
     pair.is_near_turning = std::ranges::any_of(ends, [&](const SightEnd& other) {
       return other.turns_with_sun && is_near(pair, other, ends);
     });
     const auto follow = [&](const char* kind, bool is_so, std::optional<OpenInterval>& interval) {
-      if (is_so && !interval) interval = OpenInterval{now, distance_m(pair, utc, ends) / light_mps};
+      if (is_so && !interval)
+        interval = OpenInterval{now, distance_m(pair, utc, ends) / speed_of_light_mps};
       if (is_so || !interval) return;
       ended.push_back({id(pair.from, ends), id(pair.to, ends), kind, interval->start, now,
                        interval->light_time_s});

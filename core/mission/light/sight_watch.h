@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/archive.h"
-#include "mission/light/looks_over_end.h"
 #include "mission/light/sight.h"
+#include "mission/light/sight_over_end.h"
 #include "mission/port/motion.h"
 #include "mission/port/rover_port.h"
 #include "planet/utc.h"
@@ -68,8 +68,8 @@ class SightWatch {
   std::optional<SimTime> wake() const;
 
   // Lines of sight over the end of the known ground.
-  const LooksOverEnd& earth_over_end() const { return earth_over_end_; }
-  const LooksOverEnd& pairs_over_end() const { return pairs_over_end_; }
+  const SightOverEnd& earth_over_end() const { return earth_over_end_; }
+  const SightOverEnd& pairs_over_end() const { return pairs_over_end_; }
 
   void archive(Archive& a) { a.tag("sight")(pairs_)(earth_over_end_)(pairs_over_end_); }
 
@@ -92,15 +92,15 @@ class SightWatch {
   bool is_near(const Pair& pair, const SightEnd& other, const std::vector<SightEnd>& ends) const;
   SimTime interval(const Pair& pair) const;
   bool is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const;
-  void look_at(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
-               const SolidsBetween& solids);
+  void evaluate(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
+                const SolidsBetween& solids);
   double distance_m(const Pair& pair, Instant utc, const std::vector<SightEnd>& ends) const;
   std::string id(std::size_t end, const std::vector<SightEnd>& ends) const;
   std::string relay(const Pair& pair, const std::vector<SightEnd>& ends) const;
 
   const Ground* ground_;
   Sight sight_;
-  LooksOverEnd earth_over_end_, pairs_over_end_;
+  SightOverEnd earth_over_end_, pairs_over_end_;
   std::size_t earth_;  // number of Earth as an end
   std::vector<Pair> pairs_;
 };

@@ -16,9 +16,9 @@ PanelFace face_of(const PanelPose& pose, const Mat3& R_SB) {
   return {R_SB * pose.p_B_m, R_SB * pose.half_u_B_m, R_SB * pose.half_v_B_m};
 }
 
-SunValue::Panel lit(const PanelSpec& panel, const PanelFace& face, double sun_fraction,
-                    const Vec3& sun_S, const Sunlight& light) {
-  SunValue::Panel value;
+PanelSunlight::Panel lit(const PanelSpec& panel, const PanelFace& face, double sun_fraction,
+                         const Vec3& sun_S, const Sunlight& light) {
+  PanelSunlight::Panel value;
   value.sun_fraction = sun_fraction;
   value.cosine = face.normal().dot(sun_S);
   value.power_w = panel_power_w(panel, sun_fraction, value.cosine, light.irradiance_wpm2);
@@ -63,8 +63,8 @@ void aim_panels(const Ground& ground, RoverAgent& rover, const Sunlight& sun, Si
       now);
 }
 
-SunValue look_at_sun(Light& light, const Ground& ground, const RoverAgent& rover,
-                     const Mesh& others, const Sunlight& sun, SimTime now) {
+PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const RoverAgent& rover,
+                                const Mesh& others, const Sunlight& sun, SimTime now) {
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = rover.view().p_S_m;
   const Vec3 sun_S = direction_S(site, p_S_m, sun.seen);
@@ -90,7 +90,7 @@ SunValue look_at_sun(Light& light, const Ground& ground, const RoverAgent& rover
   }
   const std::vector<double> fractions = light.sun_fractions(scene, sun);
 
-  SunValue value;
+  PanelSunlight value;
   value.time = now;
   value.panels.resize(panels.specs().size());
   for (std::size_t k = 0; k < up.size(); ++k) {
@@ -100,15 +100,15 @@ SunValue look_at_sun(Light& light, const Ground& ground, const RoverAgent& rover
   return value;
 }
 
-SunValue look_at_sun(Light& light, const Ground& ground, const StandingAsset& asset,
-                     const Mesh& others, const Sunlight& sun, SimTime now) {
+PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const StandingAsset& asset,
+                                const Mesh& others, const Sunlight& sun, SimTime now) {
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = asset.pose.p_S_m;
   const Vec3 sun_S = direction_S(site, p_S_m, sun.seen);
   LitScene scene{p_S_m, asset.panel_faces(p_S_m, sun_S), others};
   asset.shape.append_to(scene.near, {asset.pose}, p_S_m);
   const std::vector<double> fractions = light.sun_fractions(scene, sun);
-  SunValue value{now, false, {}};
+  PanelSunlight value{now, false, {}};
   for (std::size_t k = 0; k < scene.faces.size(); ++k) {
     value.panels.push_back(lit(asset.model.panels[k], scene.faces[k], fractions[k], sun_S, sun));
   }

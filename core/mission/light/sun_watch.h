@@ -17,13 +17,13 @@ void append_solids(Mesh& mesh, const StandingAsset& asset, const Vec3& eye_S_m, 
 
 // Evaluates sunlight on a rover now. `others`: solids that may shade it, relative to the rover's
 // reference point, site axes.
-SunValue look_at_sun(Light& light, const Ground& ground, const RoverAgent& rover,
-                     const Mesh& others, const Sunlight& sun, SimTime now);
+PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const RoverAgent& rover,
+                                const Mesh& others, const Sunlight& sun, SimTime now);
 // Turns a rover's panels towards the present direction of the Sun.
 void aim_panels(const Ground& ground, RoverAgent& rover, const Sunlight& sun, SimTime now);
 
 // Evaluates sunlight on an asset; panels that turn face the Sun.
-SunValue look_at_sun(Light& light, const Ground& ground, const StandingAsset& asset,
-                     const Mesh& others, const Sunlight& sun, SimTime now);
+PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const StandingAsset& asset,
+                                const Mesh& others, const Sunlight& sun, SimTime now);
 
 }  // namespace lsos

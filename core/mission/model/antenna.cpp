@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
-#include "base/turn.h"
+#include "base/rotation_from_z.h"
 #include "mission/port/equipment_fault.h"
 
 namespace lsos {
@@ -24,17 +24,17 @@ std::string mast_joint(const AntennaSpec& antenna) { return "antenna " + antenna
 
 std::vector<Shape> mast_shapes(const AntennaSpec& antenna, double extension_m) {
   const Vec3 from_B_m = *antenna.stowed_p_B_m;
-  const Vec3 way_B = (antenna.p_B_m - from_B_m).normalized();
+  const Vec3 direction_B = (antenna.p_B_m - from_B_m).normalized();
   Shape head;
   head.size_m = Vec3::Constant(head_m);
-  head.p_B_m = from_B_m + way_B * extension_m;
+  head.p_B_m = from_B_m + direction_B * extension_m;
   head.colour = head_colour;
   if (extension_m <= 0) return {head};
   Shape mast;
   mast.kind = Shape::Kind::cylinder;
   mast.size_m = {mast_m, mast_m, extension_m};
-  mast.p_B_m = from_B_m + way_B * (extension_m / 2);
-  mast.R_BL = turn_of_z(way_B);
+  mast.p_B_m = from_B_m + direction_B * (extension_m / 2);
+  mast.R_BL = rotation_from_z(direction_B);
   mast.colour = mast_colour;
   return {mast, head};
 }
@@ -75,7 +75,7 @@ Vec3 AntennaArray::p_B_m(SimTime now) const {
 double AntennaArray::State::share_up(SimTime now) const {
   const double to = goes_up ? 1 : 0;
   if (!end || now >= *end) return to;
-  return from + (to - from) * (seconds(now - *told) / seconds(*end - *told));
+  return from + (to - from) * (seconds(now - *start) / seconds(*end - *start));
 }
 
 double AntennaArray::extension_m(std::size_t i, SimTime now) const {
@@ -137,7 +137,7 @@ std::optional<SimTime> AntennaArray::next_end(SimTime now) const {
 bool AntennaArray::has_changed(SimTime now) const {
   if (silenced_ == std::optional(now)) return true;
   return std::ranges::any_of(states_, [&](const State& state) {
-    return state.told == std::optional(now) || state.end == std::optional(now);
+    return state.start == std::optional(now) || state.end == std::optional(now);
   });
 }
 

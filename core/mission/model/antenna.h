@@ -71,11 +71,11 @@ class AntennaArray {
  private:
   struct State {
     bool goes_up = false;
-    double from = 0;                   // share raised when its last motion began, 1: up
-    std::optional<SimTime> told, end;  // start and end of its last motion
+    double from = 0;                    // share raised when its last motion began, 1: up
+    std::optional<SimTime> start, end;  // start and end of its last motion
 
     double share_up(SimTime now) const;
-    void archive(Archive& a) { a(goes_up)(from)(told)(end); }
+    void archive(Archive& a) { a(goes_up)(from)(start)(end); }
   };
   std::vector<AntennaSpec> specs_;
   std::vector<State> states_;

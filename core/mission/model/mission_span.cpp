@@ -10,12 +10,13 @@ namespace lsos {
 namespace {
 
 constexpr double hour_s = 3600, day_s = 24 * hour_s;
-constexpr double detour = 3;  // driven length over drawn length
+constexpr double detour_factor = 3;  // driven length over drawn length
 
 // Speed of the drive, m/s: as its field requests, at most what the rover can do.
 double speed_mps(const PlanEvent& event, const VehicleConfig& rover) {
-  const double* asked_mps = find_value<double>(event.params, "speed_mps");
-  return std::min(asked_mps == nullptr ? rover.cruise_speed_mps : *asked_mps, rover.speed_max_mps);
+  const double* requested_mps = find_value<double>(event.params, "speed_mps");
+  return std::min(requested_mps == nullptr ? rover.cruise_speed_mps : *requested_mps,
+                  rover.speed_max_mps);
 }
 
 // Length from the expected place of the rover through the drawn points. `at` becomes the last
@@ -55,7 +56,7 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
     const PlanRover* rover = rover_of(plan, event.rover_id);
     if (!declaration.drives || rover == nullptr || !rovers.contains(rover->model())) continue;
     const double length_m = drawn_m(*plan.mission.planet, event.geometry, at[event.rover_id]);
-    sum_s += detour * length_m / speed_mps(event, rovers.at(rover->model()).spec.vehicle);
+    sum_s += detour_factor * length_m / speed_mps(event, rovers.at(rover->model()).spec.vehicle);
   }
   const double hours = std::ceil((latest_s + sum_s + day_s) / hour_s - 1e-9);
   return std::min(from_seconds(hours * hour_s), longest_mission);

@@ -175,13 +175,13 @@ class Stores {
   static void use(const PlanEvent& event, const FieldDeclaration& field, double amount,
                   const std::string& name, Store& store, Faults& faults) {
     const double rounding = 1e-9 * store.at_start;
-    const auto told = [&](double value) {
+    const auto amount_text = [&](double value) {
       return fmt::format("{:.6g}{}{}", value, store.unit.empty() ? "" : " ", store.unit);
     };
     if (amount > store.at_start + rounding) {
       faults.add({foreseen_failure(
           event, fmt::format("{} = {:.6g}: more {} than is aboard at the start, {}", field.name,
-                             amount, name, told(store.at_start)))});
+                             amount, name, amount_text(store.at_start)))});
       return;
     }
     if (amount > store.left + rounding) {
@@ -189,7 +189,7 @@ class Stores {
                      fmt::format("{} '{}': {} = {:.6g}: more {} than is left, {} of {}, when the "
                                  "events before it have taken theirs",
                                  event.type, event.label, field.name, amount, name,
-                                 told(store.left), told(store.at_start)));
+                                 amount_text(store.left), amount_text(store.at_start)));
       return;
     }
     store.left -= amount;

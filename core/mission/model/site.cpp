@@ -53,9 +53,9 @@ double default_heading_rad(const RoverMachine& machine, const SiteFrame& site) {
   for (const EventMachine& event : machine.events) {
     if (!event.declaration.drives || !event.event.is_enabled) continue;
     for (const Geodetic& point : event.event.geometry.points) {
-      const Vec3 way_S_m = site.p_S_m({point.lon_rad, point.lat_rad, 0}) - from_S_m;
-      const double east_m = way_S_m.dot(site.east_S(from_S_m));
-      const double north_m = way_S_m.dot(site.north_S(from_S_m));
+      const Vec3 line_S_m = site.p_S_m({point.lon_rad, point.lat_rad, 0}) - from_S_m;
+      const double east_m = line_S_m.dot(site.east_S(from_S_m));
+      const double north_m = line_S_m.dot(site.north_S(from_S_m));
       if (std::hypot(east_m, north_m) < elsewhere_m) continue;
       const double heading = std::atan2(east_m, north_m);
       return heading < 0 ? heading + 2 * std::numbers::pi : heading;
@@ -70,7 +70,7 @@ std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point) {
 }
 
 std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground,
-                               const std::function<bool(const PlanEvent&)>& plans_its_way) {
+                               const std::function<bool(const PlanEvent&)>& plans_its_route) {
   std::vector<Fault> faults;
   const PlanRover& rover = machine.rover;
   if (!ground.elevation_m(rover.start)) {
@@ -86,7 +86,7 @@ std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground
   }
   for (const EventMachine& event : machine.events) {
     if (!event.declaration.drives || !event.event.is_enabled) continue;
-    const bool is_known_by_plan = plans_its_way(event.event);
+    const bool is_known_by_plan = plans_its_route(event.event);
     std::int64_t number = 0;
     for (const Geodetic& point : event.event.geometry.points) {
       ++number;

@@ -30,7 +30,7 @@ double default_heading_rad(const RoverMachine& machine, const SiteFrame& site);
 // Errors for a start without ground and for waypoints without ground, or on slivers, that an event
 // would drive to. For events that plan their routes, planning reports missing ground.
 std::vector<Fault> site_faults(const RoverMachine& machine, const Ground& ground,
-                               const std::function<bool(const PlanEvent&)>& plans_its_way);
+                               const std::function<bool(const PlanEvent&)>& plans_its_route);
 // "waypoint 2 (10.000000,20.000000) is where the terrain is not known"
 std::string unknown_ground_text(std::int64_t waypoint, const Geodetic& point);
 

@@ -9,6 +9,6 @@ namespace lsos {
 enum class Motion { none, goes_on, has_ended };
 
 // Period between evaluations while something moves, at whole multiples.
-inline constexpr SimTime moving_look_period{2'000'000};
+inline constexpr SimTime moving_update_period{2'000'000};
 
 }  // namespace lsos

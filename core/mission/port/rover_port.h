@@ -45,7 +45,7 @@ struct FollowSettings {
   double arrival_radius_m = 1;
   bool is_crabbing = false;  // along the path without turning into it, if the rover can
   // Greatest cross-track error; beyond it the drive fails.
-  double stray_max_m = std::numeric_limits<double>::infinity();
+  double cross_track_max_m = std::numeric_limits<double>::infinity();
 };
 
 // Requirements on a planned route.
@@ -60,7 +60,7 @@ struct RouteSettings {
 };
 
 // A route through waypoints, with a leg to each.
-struct PlannedWay {
+struct PlannedRoute {
   struct Leg {
     std::int64_t waypoint = 0;   // number of the waypoint it leads to, from 1
     std::size_t last_point = 0;  // index of its last point in the path
@@ -108,8 +108,8 @@ class RoverPort {
   virtual void follow(const Path3& path_S_m, const FollowSettings& settings) = 0;
   // Plans a route from the rover through waypoints `first`, `first` + 1, ... (the first of all is
   // 1). Legs planned for the event before the start are taken up.
-  virtual PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
-                               const RouteSettings& settings) = 0;
+  virtual PlannedRoute plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                                 const RouteSettings& settings) = 0;
   // Place on the ground `distance_m` ahead of the rover.
   virtual Vec3 ahead_S_m(double distance_m) const = 0;
   // Ground under or over a place of the site; absent: there is none.

@@ -8,7 +8,7 @@
 
 #include "route/cost/explain.h"
 #include "route/cost/stance.h"
-#include "route/cost/standing_things.h"
+#include "route/cost/standing_obstacles.h"
 
 namespace lsos {
 
@@ -26,7 +26,7 @@ bool is_too_steep(Hazard hazard) {
 
 // Slope in excess of what the rover may or can climb.
 double slope_beyond_rad(const Stance& stance, const DriveCost& cost) {
-  const double climb_rad = climbs_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
+  const double climb_rad = climb_max_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
   return stance.slope_rad - std::min(cost.limits.slope_max_rad, climb_rad);
 }
 
@@ -43,14 +43,14 @@ class DrawnLeg {
       const auto at_S_m = [&](int i) -> Vec3 {
         return from_S_m + (to_S_m - from_S_m) * (static_cast<double>(i) / pieces);
       };
-      look_at_piece(at_S_m(k), at_S_m(k + 1), length_m * k / pieces);
+      examine_piece(at_S_m(k), at_S_m(k + 1), length_m * k / pieces);
     }
     end_steep(length_m);
     return found_;
   }
 
  private:
-  void look_at_piece(const Vec3& from_S_m, const Vec3& to_S_m, double begin_m) {
+  void examine_piece(const Vec3& from_S_m, const Vec3& to_S_m, double begin_m) {
     const MapFrame frame(ground_.site(), from_S_m);
     const Vec2 to_m = frame.at(to_S_m);
     const double spacing_m = map_spacing_m(finder_.cost());
@@ -61,11 +61,11 @@ class DrawnLeg {
     const int steps = std::max(1, static_cast<int>(std::ceil(to_m.norm() / spacing_m)));
     for (int i = 0; i <= steps; ++i) {
       const Vec2 at_m = to_m * (static_cast<double>(i) / steps);
-      look_at(map, at_m, ahead, begin_m + at_m.norm());
+      examine(map, at_m, ahead, begin_m + at_m.norm());
     }
   }
 
-  void look_at(GroundMap& map, const Vec2& at_m, const Vec2& ahead, double along_m) {
+  void examine(GroundMap& map, const Vec2& at_m, const Vec2& ahead, double along_m) {
     const Stance stance = finder_.at(map, at_m, ahead);
     const Vec3 p_S_m = map.frame().p_S_m(at_m);
     if (!stance.is_on_ground) {
@@ -80,7 +80,7 @@ class DrawnLeg {
     if (!steep_begin_m_) steep_begin_m_ = along_m;
     const double beyond_rad = slope_beyond_rad(stance, finder_.cost());
     if (stretch_ && beyond_rad <= stretch_->beyond_rad) return;
-    stretch_ = {"leads " + say(found, stance, finder_.cost()), along_m, p_S_m, beyond_rad};
+    stretch_ = {"leads " + describe(found, stance, finder_.cost()), along_m, p_S_m, beyond_rad};
   }
 
   // Ends a stretch of steep ground.
@@ -97,7 +97,7 @@ class DrawnLeg {
   void find_obstacle(const MapFrame& frame, const Vec2& at_m, const Vec2& ahead, double along_m) {
     if (found_.occupied) return;
     const Footprint rover = moved(obstacles_.rover_at_rest, at_m, ahead);
-    const StandingThings standing(obstacles_, frame);
+    const StandingObstacles standing(obstacles_, frame);
     for (std::size_t i = 0; i < standing.footprints().size(); ++i) {
       if (!overlap(rover, standing.footprints()[i])) continue;
       found_.occupied = {fmt::format("leads through '{}'", standing.id(i)), along_m,
@@ -116,12 +116,12 @@ class DrawnLeg {
 
 }  // namespace
 
-DrawnLegFindings look_along(const Ground& ground, const DriveCost& cost, const Obstacles& obstacles,
-                            const Vec3& from_S_m, const Vec3& to_S_m) {
+DrawnLegFindings examine_leg(const Ground& ground, const DriveCost& cost,
+                             const Obstacles& obstacles, const Vec3& from_S_m, const Vec3& to_S_m) {
   return DrawnLeg(ground, cost, obstacles).look(from_S_m, to_S_m);
 }
 
-double missed_by_m(const Vec2& ahead, const Vec2& offset_m, double radius_m) {
+double miss_distance_m(const Vec2& ahead, const Vec2& offset_m, double radius_m) {
   const double forward_m = ahead.dot(offset_m);
   const double aside_m = std::abs(ahead.x() * offset_m.y() - ahead.y() * offset_m.x());
   return radius_m - std::hypot(forward_m, aside_m - radius_m);

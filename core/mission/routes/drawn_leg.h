@@ -25,12 +25,12 @@ struct DrawnLegFindings {
 };
 
 // Examines a leg of at most 100 km; a longer one has no findings.
-DrawnLegFindings look_along(const Ground& ground, const DriveCost& cost, const Obstacles& obstacles,
-                            const Vec3& from_S_m, const Vec3& to_S_m);
+DrawnLegFindings examine_leg(const Ground& ground, const DriveCost& cost,
+                             const Obstacles& obstacles, const Vec3& from_S_m, const Vec3& to_S_m);
 
 // Least distance by which a rover that heads along `ahead` (unit) and turns in no less than
 // `radius_m` misses a place `offset_m` from it: the depth of the place inside its turning circle.
 // Not above 0 when it can drive there.
-double missed_by_m(const Vec2& ahead, const Vec2& offset_m, double radius_m);
+double miss_distance_m(const Vec2& ahead, const Vec2& offset_m, double radius_m);
 
 }  // namespace lsos

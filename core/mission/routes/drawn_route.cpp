@@ -8,7 +8,7 @@
 
 #include "mission/routes/drawn_leg.h"
 #include "plan/field_reader.h"
-#include "route/cost/standing_things.h"
+#include "route/cost/standing_obstacles.h"
 #include "route/cost/turn_room.h"
 #include "route/map/ground_map.h"
 
@@ -50,7 +50,7 @@ class DrawnRoute {
     std::optional<Vec3> before_S_m = start.p_S_m;
     for (std::size_t k = 0; k < waypoints_S_m.size(); ++k) {
       const Vec3& to_S_m = waypoints_S_m[k];
-      if (before_S_m) look_along_leg(k + 1, *before_S_m, to_S_m);
+      if (before_S_m) add_findings(k + 1, *before_S_m, to_S_m);
       before_S_m = to_S_m;
     }
     if (!cost_.can_turn_on_spot && start.p_S_m) find_missed(waypoints_S_m, start);
@@ -78,7 +78,7 @@ class DrawnRoute {
       const Vec2 to_m = frame.at(waypoints_S_m[k]);
       if (RoverRoutes::is_passed(settings_, from_S_m, waypoints_S_m[k])) continue;
       const Obstacles obstacles = routes_.obstacles_about(from_S_m, waypoints_S_m[k]);
-      const StandingThings standing(obstacles, frame);
+      const StandingObstacles standing(obstacles, frame);
       const TurnRoom room = turn_room(obstacles.rover_at_rest, Vec2::Zero(),
                                       std::numbers::pi / 2 - heading_rad, standing.footprints());
       if (const auto thing = room.hindrance(std::atan2(to_m.y(), to_m.x()))) {
@@ -89,9 +89,9 @@ class DrawnRoute {
     }
   }
 
-  void look_along_leg(std::size_t waypoint, const Vec3& from_S_m, const Vec3& to_S_m) {
+  void add_findings(std::size_t waypoint, const Vec3& from_S_m, const Vec3& to_S_m) {
     const DrawnLegFindings leg =
-        look_along(ground_, cost_, routes_.obstacles_about(from_S_m, to_S_m), from_S_m, to_S_m);
+        examine_leg(ground_, cost_, routes_.obstacles_about(from_S_m, to_S_m), from_S_m, to_S_m);
     if (leg.no_ground && !no_ground_.finding) no_ground_ = {leg.no_ground, waypoint};
     if (leg.occupied && !occupied_.finding) occupied_ = {leg.occupied, waypoint};
     if (leg.steep && (!steep_.finding || leg.steep->beyond_rad > steep_.finding->beyond_rad)) {
@@ -112,8 +112,9 @@ class DrawnRoute {
     for (std::size_t k = 0; k < waypoints_S_m.size(); ++k) {
       const Vec2 leg_m = frame.at(waypoints_S_m[k]) - at_m;
       if (leg_m.norm() <= settings_.arrival_radius_m) continue;
-      const double missed_m = ahead ? missed_by_m(*ahead, leg_m, cost_.turning_radius_min_m) : 0;
-      if (missed_m > settings_.arrival_radius_m && !is_rounded(*ahead, leg_m, before_m)) {
+      const double missed_m =
+          ahead ? miss_distance_m(*ahead, leg_m, cost_.turning_radius_min_m) : 0;
+      if (missed_m > settings_.arrival_radius_m && !has_fillet_room(*ahead, leg_m, before_m)) {
         return warn(fmt::format(
             "waypoint {} lies inside the turning circle of the rover, {:.1f} m, when it comes "
             "there: it passes it by {:.1f} m or more, or makes a loop; PathPlanRoute plans the "
@@ -127,7 +128,7 @@ class DrawnRoute {
   }
 
   // Whether the corner has room for a fillet that begins before it (driving_line.h).
-  bool is_rounded(const Vec2& ahead, const Vec2& leg_m, double before_m) const {
+  bool has_fillet_room(const Vec2& ahead, const Vec2& leg_m, double before_m) const {
     const Vec2 out = leg_m.normalized();
     const double bend_rad =
         std::abs(std::atan2(ahead.x() * out.y() - ahead.y() * out.x(), ahead.dot(out)));

@@ -30,7 +30,7 @@ PlannedLegs::PlannedLegs(const Ground& ground, std::uint64_t seed) : ground_(&gr
 const PlannedLeg& PlannedLegs::leg(const DriveCost& cost, LegRequest request) {
   request.seed = 0;
   const std::string key = sha256_hex(ground_key_ + bytes_of(cost) + bytes_of(request));
-  asked_.insert(key);
+  requested_.insert(key);
   const auto known = legs_.find(key);
   if (known != legs_.end()) return known->second;
   has_planned_ = true;
@@ -57,7 +57,7 @@ std::string PlannedLegs::kept() const {
   if (!has_planned_) return "";
   std::map<std::string, PlannedLeg> legs;
   for (const auto& [key, leg] : legs_) {
-    if (asked_.contains(key)) legs.insert({key, leg});
+    if (requested_.contains(key)) legs.insert({key, leg});
   }
   for (auto other = legs_.begin(); other != legs_.end() && legs.size() < kept_max; ++other) {
     legs.insert(*other);

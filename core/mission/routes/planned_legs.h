@@ -40,7 +40,7 @@ class PlannedLegs {
   std::string ground_key_;
   std::vector<Obstacle> standing_;
   std::map<std::string, PlannedLeg> legs_;  // key: hash of all that the leg depends on
-  std::set<std::string> asked_;
+  std::set<std::string> requested_;
   bool has_planned_ = false;
 };
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "mission/routes/drive_table.h"
+#include "mission/routes/drive_cost_model.h"
 #include "planet/ellipsoid.h"
 #include "route/route_planner.h"
 #include "vehicle/footprint.h"
@@ -24,7 +24,7 @@ constexpr double expected_within_m = 5, expected_heading_rad = 0.35;
 constexpr double on_start_m = 0.5;
 constexpr double passed_max_m = 1;  // the same as in PathFollower
 // Key among an event's attempts that counts how often it has requested a route.
-constexpr std::int64_t whole_way = 0;
+constexpr std::int64_t whole_route = 0;
 
 }  // namespace
 
@@ -77,9 +77,9 @@ bool RoverRoutes::is_passed(const RouteSettings& settings, const Vec3& p_S_m,
   return (waypoint_S_m - p_S_m).norm() <= std::min(settings.arrival_radius_m, passed_max_m);
 }
 
-std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint,
-                                     const Vec3& start_S_m, const Vec3& goal_S_m,
-                                     const PlannedLeg& leg) {
+std::string RoverRoutes::no_route_text(const Ground& ground, std::int64_t waypoint,
+                                       const Vec3& start_S_m, const Vec3& goal_S_m,
+                                       const PlannedLeg& leg) {
   // Distances are along the body's surface, as on maps.
   const auto off_m = [&](const Vec3& p_S_m) {
     return surface_distance_m(ground.site().body(), ground.site().geodetic(p_S_m),
@@ -93,11 +93,11 @@ std::string RoverRoutes::no_way_text(const Ground& ground, std::int64_t waypoint
   }
   const Geodetic nearest = ground.site().geodetic(leg.nearest_S_m);
   // Rounding first turns tiny negative angles into -0, and adding 0 turns -0 into 0.
-  const auto told_deg = [](double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; };
+  const auto rounded_deg = [](double angle_deg) { return std::round(angle_deg * 1e6) / 1e6 + 0.0; };
   return fmt::format(
       "the leg to waypoint {}: {}; the nearest place that can be reached is {:.6f},{:.6f}, "
       "{:.0f} m from it",
-      waypoint, leg.reason, told_deg(lon_deg(nearest)), told_deg(lat_deg(nearest)),
+      waypoint, leg.reason, rounded_deg(lon_deg(nearest)), rounded_deg(lat_deg(nearest)),
       off_m(leg.nearest_S_m));
 }
 
@@ -129,14 +129,14 @@ const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
   return fits ? &*found : nullptr;
 }
 
-PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int64_t sequence,
-                             const LegStart& start, const Path3& waypoints_S_m, std::int64_t first,
-                             const RouteSettings& settings) {
-  PlannedWay way;
+PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int64_t sequence,
+                               const LegStart& start, const Path3& waypoints_S_m,
+                               std::int64_t first, const RouteSettings& settings) {
+  PlannedRoute way;
   LegStart at = start;
   const auto count = static_cast<std::int64_t>(waypoints_S_m.size());
   // A second request means that the rover is stuck or off its line: the route begins where it is.
-  const bool is_replanning = attempts_[sequence][whole_way]++ > 0;
+  const bool is_replanning = attempts_[sequence][whole_route]++ > 0;
   for (std::int64_t waypoint = first; waypoint <= count; ++waypoint) {
     const Vec3& goal_S_m = waypoints_S_m[static_cast<std::size_t>(waypoint - 1)];
     if (way.legs.empty() && is_passed(settings, at.p_S_m, goal_S_m)) continue;
@@ -152,7 +152,7 @@ PlannedWay RoverRoutes::plan(const std::string& rover_id, SimTime now, std::int6
     if (!planned.is_found()) {
       return {{},
               {},
-              no_way_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
+              no_route_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
               planned.nearest_S_m};
     }
     // Each leg begins at the last point of the one before.

@@ -51,15 +51,16 @@ class RoverRoutes {
   void log_ahead(const std::string& rover_id);
 
   // See RoverPort::plan_path(). `sequence`: of the calling event.
-  PlannedWay plan(const std::string& rover_id, SimTime now, std::int64_t sequence,
-                  const LegStart& start, const Path3& waypoints_S_m, std::int64_t first,
-                  const RouteSettings& settings);
+  PlannedRoute plan(const std::string& rover_id, SimTime now, std::int64_t sequence,
+                    const LegStart& start, const Path3& waypoints_S_m, std::int64_t first,
+                    const RouteSettings& settings);
 
   // Whether a rover is so near to its next waypoint that it need not drive to it.
   static bool is_passed(const RouteSettings& settings, const Vec3& p_S_m, const Vec3& waypoint_S_m);
   // "the leg to waypoint 2: the goal is on ...; the nearest place that can be reached is ..."
-  static std::string no_way_text(const Ground& ground, std::int64_t waypoint, const Vec3& start_S_m,
-                                 const Vec3& goal_S_m, const PlannedLeg& leg);
+  static std::string no_route_text(const Ground& ground, std::int64_t waypoint,
+                                   const Vec3& start_S_m, const Vec3& goal_S_m,
+                                   const PlannedLeg& leg);
 
   std::vector<PlannedPathRow> take_rows();
   std::vector<std::string> take_warnings();

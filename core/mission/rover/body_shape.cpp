@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/turn.h"
+#include "base/rotation_from_z.h"
 
 namespace lsos {
 
@@ -52,7 +52,7 @@ BodyShape::BodyShape(const std::vector<Shape>& shapes, const VehicleConfig& vehi
     const LinkConfig& link = vehicle.links[i];
     if (!link.wheel) continue;
     add_piece(i + 1, cylinder_mesh(link.wheel->radius_m, link.wheel->width_m, wheel_sides),
-              turn_of_z(link.axis), centres_B_m[i + 1], wheel_colour);
+              rotation_from_z(link.axis), centres_B_m[i + 1], wheel_colour);
   }
   add_struts(vehicle);
 }
@@ -67,10 +67,10 @@ void BodyShape::add_struts(const VehicleConfig& vehicle) {
     const Vec3& to_B_m = joints_B_m[i];
     const Vec3 from_B_m =
         parent < 0 ? Vec3(to_B_m.x(), 0, to_B_m.z()) : joints_B_m[static_cast<std::size_t>(parent)];
-    const Vec3 way_m = to_B_m - from_B_m;
-    if (way_m.norm() < thick_m) continue;
-    add_piece(static_cast<std::size_t>(parent + 1), box_mesh({thick_m, thick_m, way_m.norm()}),
-              turn_of_z(way_m), (from_B_m + to_B_m) / 2, strut_colour);
+    const Vec3 strut_m = to_B_m - from_B_m;
+    if (strut_m.norm() < thick_m) continue;
+    add_piece(static_cast<std::size_t>(parent + 1), box_mesh({thick_m, thick_m, strut_m.norm()}),
+              rotation_from_z(strut_m), (from_B_m + to_B_m) / 2, strut_colour);
   }
 }
 

@@ -13,12 +13,12 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_rest_mps = 0.005;        // speed below which a braked rover is at rest
-constexpr int exchanges_until_parked = 5;    // exchanges at rest after which it is parked
-constexpr double rolled_over_rad = 1.2;      // tilt of the chassis (69 deg)
-constexpr double driving_mps = 1e-3;         // faster than this counts as driving
-constexpr double gain_hysteresis_m = 0.5;    // smaller rises are noise
-constexpr double own_antenna_above_m = 0.3;  // default antenna above the top of the shapes
+constexpr double at_rest_mps = 0.005;            // speed below which a braked rover is at rest
+constexpr int exchanges_until_parked = 5;        // exchanges at rest after which it is parked
+constexpr double rolled_over_rad = 1.2;          // tilt of the chassis (69 deg)
+constexpr double driving_mps = 1e-3;             // faster than this counts as driving
+constexpr double gain_hysteresis_m = 0.5;        // smaller rises are noise
+constexpr double default_antenna_above_m = 0.3;  // default antenna above the top of the shapes
 
 }  // namespace
 
@@ -37,7 +37,7 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
   if (model.antennas.empty()) {
     AntennaSpec top;
     top.name = "top";
-    top.p_B_m.z() = shape_.top_m() + own_antenna_above_m;
+    top.p_B_m.z() = shape_.top_m() + default_antenna_above_m;
     antennas_ = AntennaArray({top});
   }
   view_.id = rover.id;
@@ -54,7 +54,7 @@ void RoverAgent::place(double default_heading_rad) {
     throw InputError(rover_.place, fmt::format("Rover '{}': {}", rover_.id, hindrance));
   }
   look();
-  count_extremes();
+  update_extremes();
 }
 
 void RoverAgent::set_wheel(const std::string& name, WheelMode mode) {
@@ -75,15 +75,15 @@ void RoverAgent::advance() { vehicle_.advance(exchange_period); }
 void RoverAgent::observe() {
   if (is_parked_) return;
   look();
-  count_extremes();
-  count_slip();
+  update_extremes();
+  update_slip();
   if (fault_.empty()) find_faults();
   if (!fault_.empty()) {
     command_ = {};
     has_new_command_ = true;
     return;
   }
-  drive_on();
+  follow_path();
 }
 
 // Finds faults after which the rover can no longer drive.
@@ -156,7 +156,7 @@ void RoverAgent::update_view() {
   view_.is_parked = is_parked_;
 }
 
-void RoverAgent::count_extremes() {
+void RoverAgent::update_extremes() {
   const double slope_rad = report_.slope_rad;
   if (!(slope_max_rad_ >= slope_rad) && !std::isnan(slope_rad)) slope_max_rad_ = slope_rad;
   if (report_.speed_mps > driving_mps) drive_time_ += exchange_period;
@@ -205,7 +205,7 @@ void RoverAgent::release() {
   drive_time_in_events_ = drive_time_;
   brake();
   power_.set_claims({});
-  find_flows();
+  update_flows();
 }
 
 void RoverAgent::note(const std::string& name, const std::string& fields_json) {
@@ -270,7 +270,7 @@ std::vector<JointRow> RoverAgent::joints(SimTime now) const {
 
 void RoverAgent::archive(Archive& a) {
   a.tag("rover")(rover_.id)(power_)(antennas_)(routes_)(now_);
-  a(has_motion_ended_)(is_shedding_)(has_told_empty_)(has_told_shed_)(has_told_low_);
+  a(has_motion_ended_)(is_shedding_)(has_warned_of_empty_)(has_warned_of_shed_)(has_warned_of_low_);
   a(vehicle_)(follower_)(command_)(has_new_command_)(is_parked_)(is_broken_)(exchanges_at_rest_);
   a(fault_)(drive_failure_)(may_touch_with_chassis_)(noting_sequence_)(joints_)(report_);
   a(view_.distance_m)(view_.drive_w)(view_.drive_j);

@@ -53,7 +53,7 @@ class RoverAgent : public RoverPort {
   void observe();
   // At an exchange, after observe(): brings the energy balance up to `now`. A rover whose battery
   // is empty stops.
-  void count_energy(SimTime now);
+  void update_energy(SimTime now);
   // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
   void control();
 
@@ -71,17 +71,17 @@ class RoverAgent : public RoverPort {
   // When sunlight is next due if nothing else happens; absent: never.
   std::optional<SimTime> sun_wake(SimTime now) const;
   // Sets the result of an evaluation, which holds until the next.
-  void set_sun(const SunValue& value);
+  void set_sun(const PanelSunlight& value);
   const BodyShape& shape() const { return shape_; }
   // Poses of the chassis and each link; with broken dynamics the last finite ones.
   std::vector<PartPose> part_poses() const;
   // At an exchange, after scripts ran: power taken of what the asset that it is plugged into
   // offers, W.
-  double taken_w(double offered_w);
+  double accepted_w(double offered_w);
   // Warns once when the charge falls below the reserve.
-  void tell_low(SimTime now);
+  void warn_of_low_charge(SimTime now);
   // Updates the power flows for the present claims of scripts; conditions read them.
-  void find_flows();
+  void update_flows();
   // At the end of an exchange: fixes what flows from now on, and reports short supply and shed
   // loads.
   void settle_energy();
@@ -106,8 +106,8 @@ class RoverAgent : public RoverPort {
   // Share 0..1 of the followed line that lies behind; 0 when it follows none.
   double drive_share() const;
   void follow(const Path3& path_S_m, const FollowSettings& settings) override;
-  PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
-                       const RouteSettings& settings) override;
+  PlannedRoute plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                         const RouteSettings& settings) override;
   Vec3 ahead_S_m(double distance_m) const override;
   std::optional<GroundView> ground_at(const Vec3& p_S_m) const override;
   SkyView sky() const override { return surroundings_->sky(place_now()); }
@@ -150,16 +150,16 @@ class RoverAgent : public RoverPort {
  private:
   void look();
   void find_faults();
-  void drive_on();
+  void follow_path();
   void find_hindrances();
   bool is_driving() const;
   void fail_drive(const std::string& finding, const std::string& reason,
                   const std::string& fields_json);
-  void tell_shed(double shed_w);
-  void tell_short();
+  void warn_of_shed_loads(double shed_w);
+  void report_short_supply();
   void update_view();
-  void count_extremes();
-  void count_slip();
+  void update_extremes();
+  void update_slip();
 
   PlanRover rover_;
   const Ground* ground_;
@@ -173,9 +173,9 @@ class RoverAgent : public RoverPort {
   SimTime now_{};                  // time of the last exchange
   bool has_motion_ended_ = false;  // since sunlight was last evaluated
   bool is_shedding_ = false;
-  bool has_told_empty_ = false;  // warned that the battery is empty
-  bool has_told_low_ = false;    // warned that the charge is below the reserve
-  bool has_told_shed_ = false;   // warned that the battery, not empty, gives too little
+  bool has_warned_of_empty_ = false;  // warned that the battery is empty
+  bool has_warned_of_low_ = false;    // warned that the charge is below the reserve
+  bool has_warned_of_shed_ = false;   // warned that the battery, not empty, gives too little
   RoverView view_;
   VehicleReport report_;
   std::vector<double> joints_;  // m or rad, at the last exchange with finite numbers

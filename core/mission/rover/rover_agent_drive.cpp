@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "mission/port/note_json.h"
-#include "mission/routes/drive_table.h"
+#include "mission/routes/drive_cost_model.h"
 #include "mission/rover/rover_agent.h"
 
 namespace lsos {
@@ -35,7 +35,7 @@ std::vector<Footprint> RoverAgent::footprints_ahead() const {
   if (v_mps.norm() < turning_mps) {
     double turn_rad = turning_s * report_.yaw_rate_radps;
     if (is_driving()) {
-      const double left_rad = follower_->turn_left_rad(report_.yaw_rad);
+      const double left_rad = follower_->turn_remaining_rad(report_.yaw_rad);
       turn_rad = std::clamp(turn_rad, std::min(0.0, left_rad), std::max(0.0, left_rad));
     }
     footprints.push_back(moved(footprint_at_rest_, p_m, report_.yaw_rad + turn_rad));
@@ -50,7 +50,7 @@ std::vector<Footprint> RoverAgent::footprints_ahead() const {
   return footprints;
 }
 
-void RoverAgent::drive_on() {
+void RoverAgent::follow_path() {
   if (!is_driving()) return;
   find_hindrances();
   if (!is_driving()) return;
@@ -60,13 +60,13 @@ void RoverAgent::drive_on() {
     note("stuck", fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
                               note_json(follower_->remaining_m()), note_json(report_.sinkage_m),
                               note_json(report_.slip)));
-  } else if (follower_->has_strayed()) {
+  } else if (follower_->is_off_line()) {
     note("strayed", fmt::format(R"({{"remaining_m":{}}})", note_json(follower_->remaining_m())));
   }
 }
 
 // Counts the slip of the period just ended, under the command given before it.
-void RoverAgent::count_slip() {
+void RoverAgent::update_slip() {
   DriveSlip::Motion motion;
   motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
   motion.is_commanded = is_driving() && !command_.is_braking && motion.command_mps > 0;
@@ -142,7 +142,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   FollowerLimits limits;
   limits.speed_mps =
       std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
-  limits.full_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
+  limits.level_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
   limits.acceleration_mps2 = config.acceleration_mps2;
   limits.gravity_mps2 = ground_->site().gravity_S_mps2(Vec3::Zero()).norm();
   limits.arrival_radius_m = settings.arrival_radius_m;
@@ -150,7 +150,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   limits.radius_min_m = config.turning_radius_min_m;
   limits.turn_rate_radps = turn_rate_radps(config);
   limits.lookahead_min_m = std::max(lookahead_least_m, wheel_reach_m(config));
-  limits.stray_max_m = settings.stray_max_m;
+  limits.cross_track_max_m = settings.cross_track_max_m;
   limits.is_crabbing = settings.is_crabbing && config.can_crab;
   if (settings.is_crabbing && !config.can_crab) {
     warnings_.push_back(
@@ -171,10 +171,10 @@ void RoverAgent::brake() {
   has_new_command_ = true;
 }
 
-PlannedWay RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t first,
-                                 const RouteSettings& settings) {
-  PlannedWay way = routes_.plan(rover_.id, now_, noting_sequence_, {view_.p_S_m, view_.heading_rad},
-                                waypoints_S_m, first, settings);
+PlannedRoute RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                                   const RouteSettings& settings) {
+  PlannedRoute way = routes_.plan(rover_.id, now_, noting_sequence_,
+                                  {view_.p_S_m, view_.heading_rad}, waypoints_S_m, first, settings);
   for (std::string& warning : routes_.take_warnings()) warnings_.push_back(std::move(warning));
   return way;
 }

@@ -62,9 +62,9 @@ void RoverPower::begin_segment() {
   start_ = now_;
 }
 
-void RoverPower::set_sun(const SunValue& value) {
+void RoverPower::set_sun(const PanelSunlight& value) {
   sun_ = value;
-  for (SunValue::Panel& panel : sun_->panels) {
+  for (PanelSunlight::Panel& panel : sun_->panels) {
     panel.sun_fraction *= sun_share_;
     panel.power_w *= sun_share_;
   }
@@ -73,13 +73,13 @@ void RoverPower::set_sun(const SunValue& value) {
 void RoverPower::set_shade(double share) {
   sun_share_ = share;
   has_panel_command_ = true;
-  tampered_ = now_ + exchange_period;
+  injected_at_ = now_ + exchange_period;
 }
 
 void RoverPower::set_panel_stuck(const std::string& panel, bool is_stuck) {
   for (const std::size_t i : panels_named(panel)) panels_.set_stuck(i, is_stuck, now_);
   has_panel_command_ = true;
-  tampered_ = now_ + exchange_period;
+  injected_at_ = now_ + exchange_period;
 }
 
 PowerDemand RoverPower::demand_now(bool is_parked) const {
@@ -87,7 +87,8 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
   bool is_dark = false;
   if (sun_) {
     is_dark = sun_->is_dark;
-    for (const SunValue::Panel& panel : sun_->panels) demand.solar_available_w += panel.power_w;
+    for (const PanelSunlight::Panel& panel : sun_->panels)
+      demand.solar_available_w += panel.power_w;
   }
   demand.external_w = claims_.supply_w + given_w_;
   demand.load_w = load_w(spec_.loads, {is_dark, is_parked}) + claims_.work_w + antennas_w_ +
@@ -115,7 +116,7 @@ PowerFlows RoverPower::flows() const {
   return power_flows(*spec_.battery, account().energy_j, demand_);
 }
 
-double RoverPower::taken_w(double offered_w, bool is_parked) const {
+double RoverPower::accepted_w(double offered_w, bool is_parked) const {
   offered_w = std::min(offered_w, claims_.asked_w);
   if (!has_battery()) return offered_w;
   PowerDemand demand = demand_now(is_parked);
@@ -139,7 +140,8 @@ double RoverPower::time_to_energy_s(double energy_j) const {
 
 std::optional<SimTime> RoverPower::wake() const {
   std::optional<SimTime> wake = panels_.next_end(now_);
-  if (tampered_ && *tampered_ > now_) wake = std::min(wake.value_or(*tampered_), *tampered_);
+  if (injected_at_ && *injected_at_ > now_)
+    wake = std::min(wake.value_or(*injected_at_), *injected_at_);
   if (!has_battery()) return wake;
   constexpr double longest_s = 1e9;  // beyond any mission
   const auto at = [&](double in_s) {
@@ -175,7 +177,7 @@ void RoverPower::fill(SampleRow& row) const {
     row.sun_fraction = row.incidence = 0;
     for (std::size_t i = 0; i < spec_.panels.size(); ++i) {
       const double panel_m2 = spec_.panels[i].area_m2();
-      const SunValue::Panel& panel = sun_->panels[i];
+      const PanelSunlight::Panel& panel = sun_->panels[i];
       area_m2 += panel_m2;
       row.sun_fraction += panel.sun_fraction * panel_m2;
       row.incidence += panel.sun_fraction * std::max(0.0, panel.cosine) * panel_m2;
@@ -258,14 +260,14 @@ bool RoverPower::is_full() const {
   return account().energy_j >= spec_.battery->capacity_j * (1 - rounding);
 }
 
-bool RoverPower::take_short() {
-  if (!has_battery() || claims_.is_short_told || is_full()) return false;
+bool RoverPower::take_short_supply() {
+  if (!has_battery() || claims_.is_short_reported || is_full()) return false;
   const bool is_plugged = !claims_.plugged_into.empty();
   const double asked_w = claims_.supply_w + (is_plugged ? claims_.asked_w : 0);
   const double got_w = flows().external_w;
   // A request for all that there is is met unless it gets nothing.
   const bool is_short = std::isfinite(asked_w) ? got_w < asked_w * (1 - rounding) : got_w <= 0;
-  claims_.is_short_told = is_short;
+  claims_.is_short_reported = is_short;
   return is_short;
 }
 
@@ -275,9 +277,9 @@ std::string RoverPower::plug_into(const std::string& asset_id, std::optional<dou
     return fmt::format("there is no asset '{}' with power to give", asset_id);
   }
   const double away_m = (source->p_S_m - p_S_m_).norm();
-  if (away_m > plug_reach_m) {
+  if (away_m > cable_reach_m) {
     return fmt::format("'{}' is {:.1f} m away, farther than the {:.0f} m of a cable", asset_id,
-                       away_m, plug_reach_m);
+                       away_m, cable_reach_m);
   }
   claims_.plugged_into = asset_id;
   claims_.asked_w = power_w.value_or(std::numeric_limits<double>::infinity());
@@ -364,7 +366,7 @@ void RoverPower::archive(Archive& a) {
         &demand_.load_w, &demand_.drive_w}) {
     a(*value);
   }
-  a(sun_)(claims_)(given_w_)(tampered_)(sun_share_)(resources_);
+  a(sun_)(claims_)(given_w_)(injected_at_)(sun_share_)(resources_);
   a(waits_for_reserve_)(has_reserve_changed_)(has_reached_charge_)(has_panel_command_);
 }
 

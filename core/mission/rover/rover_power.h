@@ -17,7 +17,7 @@
 
 namespace lsos {
 
-inline constexpr double plug_reach_m = 20;  // length of the cable
+inline constexpr double cable_reach_m = 20;  // length of the cable
 // An asset that has power to give, as rovers know it.
 struct PowerSource {
   std::string asset_id;
@@ -25,7 +25,7 @@ struct PowerSource {
 };
 
 // Sunlight on the panels when it was last evaluated; it holds until the next evaluation.
-struct SunValue {
+struct PanelSunlight {
   struct Panel {
     double sun_fraction = 0, cosine = 0, power_w = 0;
 
@@ -44,10 +44,10 @@ struct PowerClaims {
   std::string plugged_into;  // id of an asset, "": none
   double asked_w = 0;        // requested from that asset
   std::optional<double> charge_awaited;
-  bool is_short_told = false;  // whether short supply has been reported
+  bool is_short_reported = false;  // whether short supply has been reported
 
   void archive(Archive& a) {
-    a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited)(is_short_told);
+    a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited)(is_short_reported);
   }
 };
 
@@ -64,8 +64,8 @@ class RoverPower : public PowerPort {
   bool needs_sun() const;
   PanelArray& panels() { return panels_; }
   const PanelArray& panels() const { return panels_; }
-  const std::optional<SunValue>& sun() const { return sun_; }
-  void set_sun(const SunValue& value);
+  const std::optional<PanelSunlight>& sun() const { return sun_; }
+  void set_sun(const PanelSunlight& value);
   // Sets the share 0..1 of sunlight that reaches the panels from the next exchange on: dust, a
   // cover.
   void set_shade(double share);
@@ -82,14 +82,14 @@ class RoverPower : public PowerPort {
   const std::string& plugged_into() const { return claims_.plugged_into; }
   // Power that the rover takes of an offer: what was requested, as far as it is used or fits into
   // the battery.
-  double taken_w(double offered_w, bool is_parked) const;
+  double accepted_w(double offered_w, bool is_parked) const;
   // Sets the power that the asset gives.
   void set_given(double power_w) { given_w_ = power_w; }
   // Whether the battery is full.
   bool is_full() const;
   // Whether less external power comes than the event requested, though the battery has room for it.
   // Returns true once an event.
-  bool take_short();
+  bool take_short_supply();
 
   // Whether the battery was empty and its charge has not risen above the reserve since.
   bool waits_for_reserve() const { return waits_for_reserve_; }
@@ -154,12 +154,12 @@ class RoverPower : public PowerPort {
   PowerDemand demand_;
   double energy_at_start_j_ = 0;  // not saved: the plan gives it
 
-  std::optional<SunValue> sun_;
+  std::optional<PanelSunlight> sun_;
   PowerClaims claims_;
   double antennas_w_ = 0;  // not saved: set at each exchange
   double given_w_ = 0;
   double sun_share_ = 1;
-  std::optional<SimTime> tampered_;  // when a failure of a scenario takes effect
+  std::optional<SimTime> injected_at_;  // when a failure of a scenario takes effect
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
   bool has_panel_command_ = false;
   bool has_reached_charge_ = false;

@@ -35,7 +35,7 @@ std::vector<Obstacle> StandingAsset::obstacles() const {
 double StandingAsset::supply_w() const {
   double sum_w = model.supply_w;
   if (sun) {
-    for (const SunValue::Panel& panel : sun->panels) sum_w += panel.power_w;
+    for (const PanelSunlight::Panel& panel : sun->panels) sum_w += panel.power_w;
   }
   return sum_w;
 }
@@ -48,7 +48,7 @@ double gap_m(const StandingAsset& asset, const Footprint& rover) {
   return least_m;
 }
 
-StandingAsset stand(const PlanAsset& asset, const AssetModel& model, const Ground& ground) {
+StandingAsset place_asset(const PlanAsset& asset, const AssetModel& model, const Ground& ground) {
   const auto elevation_m = ground.elevation_m(asset.position);
   if (!elevation_m) {
     throw InputError(asset.place,

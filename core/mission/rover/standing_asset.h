@@ -18,7 +18,7 @@ struct StandingAsset {
   BodyShape shape;
   std::vector<Footprint> footprints;  // obstacles() in the horizontal plane of the site frame
   PartPose pose;                      // upright, x axis to the north
-  std::optional<SunValue> sun;        // on its panels, while a rover takes power
+  std::optional<PanelSunlight> sun;   // on its panels, while a rover takes power
 
   // Its panels relative to `eye_S_m`, site axes; those that turn face the Sun.
   std::vector<PanelFace> panel_faces(const Vec3& eye_S_m, const Vec3& sun_S) const;
@@ -35,6 +35,6 @@ struct StandingAsset {
 double gap_m(const StandingAsset& asset, const Footprint& rover);
 
 // Places an asset on the ground. Throws InputError when the terrain there is not known.
-StandingAsset stand(const PlanAsset& asset, const AssetModel& model, const Ground& ground);
+StandingAsset place_asset(const PlanAsset& asset, const AssetModel& model, const Ground& ground);
 
 }  // namespace lsos

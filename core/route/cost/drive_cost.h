@@ -1,5 +1,5 @@
 // What driving costs a rover, and where it can stand: all that planning knows of it. Plain values,
-// which mission/routes/drive_table.h computes with the wheel code of the simulation.
+// which mission/routes/drive_cost_model.h computes with the wheel code of the simulation.
 #pragma once
 
 #include <vector>
@@ -58,8 +58,8 @@ struct DriveCost {
   bool can_turn_on_spot = true;
   double speed_mps = 1;
   // Speed from which the rover can stop on level ground; on a descent it is lowered so that the
-  // stopping distance stays the same, see driving/downhill.h.
-  double full_speed_mps = 1;
+  // stopping distance stays the same, see driving/slope_speed.h.
+  double level_speed_mps = 1;
   // Energy on rough ground at a speed v, per metre of route and per metre of `Stance::roughness_m`:
   // rough_jpm2 + rough_js2pm4 v^2. Wheels that roll down from a bump give back less than those that
   // climb one take.
@@ -82,14 +82,14 @@ struct DriveCost {
   double load_w = 0;
   // Side slip angle per m/s2 of lateral acceleration, which comes from gravity on a cross slope and
   // from speed in an arc.
-  double drift_s2pm = 0, gravity_mps2 = 9.81;
+  double side_slip_s2pm = 0, gravity_mps2 = 9.81;
   // Sine of the cross slope that slows the rover down as much as rough ground does, per metre of
   // `Stance::roughness_m`: on rough ground the side slip angle keeps changing its sign.
   double rough_tilt_1pm = 0;
 
   void archive(Archive& a) {
     a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(full_speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(acceleration_mps2)(arc_drag_jmprad)(drift_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(rough_tilt_1pm)(load_w);
+        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(level_speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(acceleration_mps2)(arc_drag_jmprad)(side_slip_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(rough_tilt_1pm)(load_w);
   }
 };
 

@@ -11,7 +11,7 @@ namespace lsos {
 // least of its limits.
 Stance best_stance(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);
 
-std::string say(Hazard hazard, const Stance& stance, const DriveCost& cost);
+std::string describe(Hazard hazard, const Stance& stance, const DriveCost& cost);
 
 // Why the rover cannot stand at a place; "" where it can in some direction.
 std::string fault_at(GroundMap& map, const StanceFinder& finder, const Vec2& at_m);

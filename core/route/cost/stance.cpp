@@ -47,19 +47,20 @@ double braking_slip(const SoilDrive& soil, double pitch_rad, const DriveCost& co
   return std::max(0.0, 1 - cost.speed_mps / soil.at(pitch_rad).speed_mps);
 }
 
-// Greatest slope, along or across, that uses less than `calm_share` of every limit on every soil;
+// Greatest slope, along or across, that uses less than `far_share` of every limit on every soil;
 // to 0.001 rad.
-double calm_rad(const DriveCost& cost) {
+double far_slope_rad(const DriveCost& cost) {
   constexpr double step_rad = 0.001;
-  const double most_rad = StanceFinder::calm_share * cost.limits.slope_max_rad;
+  const double most_rad = StanceFinder::far_share * cost.limits.slope_max_rad;
   double slope_rad = 0;
-  const auto is_calm = [&](const SoilDrive& soil) {
-    return slope_rad < climbs_rad(soil) &&
-           soil.at(slope_rad).slip < StanceFinder::calm_share * cost.limits.slip_max &&
-           side_slip(soil, slope_rad) < StanceFinder::calm_share * side_slip_max &&
-           braking_slip(soil, -slope_rad, cost) < StanceFinder::calm_share * braking_slip_max;
+  const auto is_far_from_limits = [&](const SoilDrive& soil) {
+    return slope_rad < climb_max_rad(soil) &&
+           soil.at(slope_rad).slip < StanceFinder::far_share * cost.limits.slip_max &&
+           side_slip(soil, slope_rad) < StanceFinder::far_share * side_slip_max &&
+           braking_slip(soil, -slope_rad, cost) < StanceFinder::far_share * braking_slip_max;
   };
-  while (slope_rad < most_rad && std::ranges::all_of(cost.soils, is_calm)) slope_rad += step_rad;
+  while (slope_rad < most_rad && std::ranges::all_of(cost.soils, is_far_from_limits))
+    slope_rad += step_rad;
   return slope_rad - step_rad;
 }
 
@@ -109,8 +110,8 @@ double map_spacing_m(const DriveCost& cost) {
 
 StanceFinder::StanceFinder(const DriveCost& cost)
     : cost_(cost),
-      calm_rad_(calm_rad(cost)),
-      calm_clearance_m_(cost.limits.clearance_min_m + (1 - calm_share) * clearance_left_m(cost)) {
+      far_slope_rad_(far_slope_rad(cost)),
+      far_clearance_m_(cost.limits.clearance_min_m + (1 - far_share) * clearance_left_m(cost)) {
   const std::vector<Vec2> at_B_m = supports_m(cost.wheels_B_m, map_spacing_m(cost));
   // Least squares of z = a + b ahead + c left.
   Eigen::Matrix<double, Eigen::Dynamic, 3> places(at_B_m.size(), 3);
@@ -213,7 +214,7 @@ Stance StanceFinder::at(GroundMap& map, const Vec2& at_m, const Vec2& ahead) con
     if (over_m < stance.clearance_m) stance.clearance_m = over_m;  // not where there is no ground
   }
   // A rock may stand between those points, so all nodes are checked where the margin is small.
-  if (stance.clearance_m - bumps_between * ground->bump_m() < calm_clearance_m_) {
+  if (stance.clearance_m - bumps_between * ground->bump_m() < far_clearance_m_) {
     stance.clearance_m = std::min(stance.clearance_m, least_clearance_m(*ground, footing, plane));
   }
   stance.soil = map.soil(at_m);
@@ -233,7 +234,7 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
   // The rover may descend what it cannot climb. Where the soil cannot hold it up a slope, it cannot
   // hold it across that slope either.
   if (soil.last_rad() < 0) return Hazard::climb;
-  if (stance.pitch_rad > 0 && stance.slope_rad > climbs_rad(soil)) return Hazard::climb;
+  if (stance.pitch_rad > 0 && stance.slope_rad > climb_max_rad(soil)) return Hazard::climb;
   if (std::abs(stance.bank_rad) > soil.last_rad() ||
       side_slip(soil, stance.bank_rad) > side_slip_max ||
       braking_slip(soil, stance.pitch_rad, cost) > braking_slip_max) {
@@ -242,16 +243,16 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
   return Hazard::none;
 }
 
-double climbs_rad(const SoilDrive& soil) {
+double climb_max_rad(const SoilDrive& soil) {
   constexpr double climb_share = 0.95;
   return soil.last_rad() > 0 ? climb_share * soil.last_rad() : soil.last_rad();
 }
 
-bool is_held(const Stance& stance, const DriveCost& cost) {
-  return stance.slope_rad <= climbs_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
+bool can_stop(const Stance& stance, const DriveCost& cost) {
+  return stance.slope_rad <= climb_max_rad(cost.soils[static_cast<std::size_t>(stance.soil)]);
 }
 
-double demand(const Stance& stance, const DriveCost& cost) {
+double limit_use(const Stance& stance, const DriveCost& cost) {
   const DriveLimits& limits = cost.limits;
   const SoilDrive& soil = cost.soils[static_cast<std::size_t>(stance.soil)];
   return std::max({stance.slope_rad / limits.slope_max_rad,

@@ -41,15 +41,15 @@ class StanceFinder {
   const DriveCost& cost() const { return cost_; }
   // Greatest distance from the reference point at which at() samples the ground.
   double reach_m() const { return middle_B_m_.norm() + half_B_m_.norm(); }
-  // Whether the stance uses less than `calm_share` of every limit on any soil: a fast test that
+  // Whether the stance uses less than `far_share` of every limit on any soil: a fast test that
   // needs no slips.
-  bool is_calm(const Stance& stance) const {
-    return stance.is_on_ground && stance.slope_rad < calm_rad_ &&
-           stance.unevenness_m < calm_share * cost_.limits.unevenness_max_m &&
-           stance.clearance_m >= calm_clearance_m_;
+  bool is_far_from_limits(const Stance& stance) const {
+    return stance.is_on_ground && stance.slope_rad < far_slope_rad_ &&
+           stance.unevenness_m < far_share * cost_.limits.unevenness_max_m &&
+           stance.clearance_m >= far_clearance_m_;
   }
 
-  static constexpr double calm_share = 0.5;
+  static constexpr double far_share = 0.5;
 
  private:
   // Pose on a map: reference point, and vectors of 1 m ahead and to the left, all in nodes.
@@ -66,7 +66,7 @@ class StanceFinder {
                            const Vec3& plane) const;
 
   DriveCost cost_;
-  double calm_rad_, calm_clearance_m_;
+  double far_slope_rad_, far_clearance_m_;
   struct Support {
     Vec2 at_B_m;
     // Contribution per metre of its height to the plane: height at the reference point, rise ahead,
@@ -89,12 +89,12 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
 
 // Steepest slope that planning lets the rover climb on this soil. It is less than what the wheels
 // can just pull up, since loads are never even.
-double climbs_rad(const SoilDrive& soil);
+double climb_max_rad(const SoilDrive& soil);
 
 // Whether the rover can stop there, whatever its heading, and set off again.
-bool is_held(const Stance& stance, const DriveCost& cost);
+bool can_stop(const Stance& stance, const DriveCost& cost);
 
 // Used share of the limit that the stance comes nearest to, 0..1 where there is no hazard.
-double demand(const Stance& stance, const DriveCost& cost);
+double limit_use(const Stance& stance, const DriveCost& cost);
 
 }  // namespace lsos

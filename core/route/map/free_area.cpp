@@ -263,9 +263,9 @@ std::optional<Vec2> FreeArea::exit(const Vec2& p_m, double margin_m) const {
 
 // Whether a line in this direction, or the opposite one, passes the obstacle at a turn without
 // entering it.
-bool FreeArea::is_tangent(const Turn& turn, const Vec2& way_m) {
-  const double slack_m = 1e-9 * way_m.norm();
-  const double in_m = cross(way_m, turn.in), out_m = cross(way_m, turn.out);
+bool FreeArea::is_tangent(const Turn& turn, const Vec2& delta_m) {
+  const double slack_m = 1e-9 * delta_m.norm();
+  const double in_m = cross(delta_m, turn.in), out_m = cross(delta_m, turn.out);
   return (in_m >= -slack_m && out_m <= slack_m) || (in_m <= slack_m && out_m >= -slack_m);
 }
 
@@ -319,9 +319,9 @@ std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& t
   // A shortest path is tangent to what it turns at. It may also cut between a circle and the turns
   // outside it; such lines are tried where the corners are few.
   const bool tangents_only = limits.are_full && size() > corners_few;
-  const auto is_worth_a_look = [&](std::size_t from, std::size_t to, const Vec2& way_m) {
+  const auto can_be_shortest = [&](std::size_t from, std::size_t to, const Vec2& delta_m) {
     if (!tangents_only || from < 2 || to < 2) return true;
-    return is_tangent(places[from], way_m) && is_tangent(places[to], way_m);
+    return is_tangent(places[from], delta_m) && is_tangent(places[to], delta_m);
   };
   double tests = 0;
   const auto reach = [&](std::uint32_t at) {
@@ -329,10 +329,10 @@ std::optional<FreeArea::Path> FreeArea::search(const Vec2& from_m, const Vec2& t
     tests += static_cast<double>(places.size());
     for (std::uint32_t i = 1; i < places.size(); ++i) {
       if (states[i] == State::done) continue;
-      const Vec2 way_m = places[i].at_m - places[at].at_m;
-      if (!is_worth_a_look(at, i, way_m)) continue;
+      const Vec2 delta_m = places[i].at_m - places[at].at_m;
+      if (!can_be_shortest(at, i, delta_m)) continue;
       tests += tests_per_line;
-      lines.push({cost_m[at] + way_m.norm() + (to_m - places[i].at_m).norm(), at, i});
+      lines.push({cost_m[at] + delta_m.norm() + (to_m - places[i].at_m).norm(), at, i});
     }
   };
   reach(0);

@@ -58,7 +58,7 @@ class FreeArea {
     Vec2 at_m;
     Vec2 in, out;  // directions of the sides that meet there, unit; 0: any
   };
-  static bool is_tangent(const Turn& turn, const Vec2& way_m);
+  static bool is_tangent(const Turn& turn, const Vec2& delta_m);
   std::vector<Turn> corners(const Limits& limits) const;
   std::optional<Path> search(const Vec2& from_m, const Vec2& to_m, const Limits& limits) const;
 

@@ -95,7 +95,7 @@ int GroundMap::soil(const Vec2& at_m) {
   const Vec2 at = nodes(at_m);
   const int column = static_cast<int>(std::lround(at.x()));
   const int row = static_cast<int>(std::lround(at.y()));
-  look_at(column >> tile_bits, row >> tile_bits);
+  sampled_bump_m(column >> tile_bits, row >> tile_bits);
   return soils_[index(column, row)];
 }
 

@@ -62,7 +62,7 @@ class GroundMap {
 
   // Height of a node, 0 <= column < columns(), the same for rows; NaN where there is no ground.
   double node_m(int column, int row) {
-    look_at(column >> tile_bits, row >> tile_bits);
+    sampled_bump_m(column >> tile_bits, row >> tile_bits);
     return heights_m_[index(column, row)];
   }
   // Height by bilinear interpolation; NaN outside the map and where there is no ground.
@@ -72,7 +72,7 @@ class GroundMap {
     if (!(u >= 0 && v >= 0 && u < columns_ - 1 && v < rows_ - 1)) {
       return std::numeric_limits<double>::quiet_NaN();
     }
-    look_at(static_cast<int>(u) >> tile_bits, static_cast<int>(v) >> tile_bits);
+    sampled_bump_m(static_cast<int>(u) >> tile_bits, static_cast<int>(v) >> tile_bits);
     return between(u, v);
   }
   // Soil of the nearest node, which must be on the map.
@@ -109,7 +109,7 @@ class GroundMap {
     float bump_m = 0;
     for (int row = static_cast<int>(low.y()) >> tile_bits; row <= row_last; ++row) {
       for (int column = static_cast<int>(low.x()) >> tile_bits; column <= column_last; ++column) {
-        bump_m = std::max(bump_m, look_at(column, row));
+        bump_m = std::max(bump_m, sampled_bump_m(column, row));
       }
     }
     return Window(*this, bump_m);
@@ -136,7 +136,7 @@ class GroundMap {
     return (1 - y) * ((1 - x) * low[0] + x * low[1]) + y * ((1 - x) * high[0] + x * high[1]);
   }
   // Bump of a tile (see Window::bump_m()), which is sampled first where it is not yet.
-  float look_at(int tile_column, int tile_row) {
+  float sampled_bump_m(int tile_column, int tile_row) {
     float& bump_m = bumps_m_[static_cast<std::size_t>(tile_row) * tile_columns_ +
                              static_cast<std::size_t>(tile_column)];
     if (bump_m == not_sampled) bump_m = sample(tile_column, tile_row);

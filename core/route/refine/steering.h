@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-#include "route/search/turning.h"
+#include "route/search/dubins_path.h"
 
 namespace lsos {
 
@@ -17,7 +17,7 @@ class RouteSteering {
 
   static RouteSteering on_the_spot() { return {}; }
   // `step_m`: distance of the points of arcs, see arc_line().
-  static RouteSteering in_turns(double radius_m, double step_m, const ArcPrice& price_m);
+  static RouteSteering dubins(double radius_m, double step_m, const ArcPrice& price_m);
 
   // Whether there are no arcs, as the rover turns on the spot.
   bool is_straight() const { return arcs_.front().radius_m == 0; }
@@ -25,7 +25,7 @@ class RouteSteering {
   // Pose at a share (0..1) of the path from pose to pose.
   Pose2 between(const Pose2& from, const Pose2& to, double share) const;
   // Points of the path from pose to pose, with both ends.
-  Line2 way(const Pose2& from, const Pose2& to) const;
+  Line2 path(const Pose2& from, const Pose2& to) const;
   // Line through all poses, two at least.
   Line2 line(const std::vector<Pose2>& poses) const;
 
@@ -38,7 +38,7 @@ class RouteSteering {
 
   RouteSteering() = default;
 
-  TurningWay turns(const Pose2& from, const Pose2& to) const;
+  DubinsPath turns(const Pose2& from, const Pose2& to) const;
 
   std::array<Arc, 5> arcs_;
   double step_m_ = 1;

@@ -14,7 +14,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-CostToGo::CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within)
+CostToGo::CostToGo(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m,
+                   const Corridor* within)
     : costs_(costs),
       map_(costs.map()),
       within_(within),
@@ -30,7 +31,8 @@ CostToGo::CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, con
       if (!has(x, y)) continue;
       const double cost = costs_.straight(map_.place_m(x, y), goal_m);
       if (std::isfinite(cost)) {
-        queue_.push({cost + come(number(x, y)), cost, number(x, y), number(x, y), true});
+        queue_.push(
+            {cost + bound_from_start(number(x, y)), cost, number(x, y), number(x, y), true});
       }
     }
   }
@@ -50,24 +52,24 @@ double CostToGo::at(const Vec2& at_m) {
     }
     return cost;
   };
-  while (!std::isfinite(least()) && !queue_.empty() && queue_.top().total <= limit_) look_on();
+  while (!std::isfinite(least()) && !queue_.empty() && queue_.top().total <= limit_) expand_next();
   const double found = least();
   was_limited_ = was_limited_ || (!std::isfinite(found) && !queue_.empty());
   return found;
 }
 
-void CostToGo::look_on() {
+void CostToGo::expand_next() {
   Candidate best = queue_.top();
   queue_.pop();
   if (is_closed(best.node)) return;
   if (best.is_known) {
     expand(best);
   } else {
-    look(best);
+    evaluate(best);
   }
 }
 
-double CostToGo::come(std::int32_t node) {
+double CostToGo::bound_from_start(std::int32_t node) {
   return costs_.least(octile_m(place(node) - start_m_), height_m(node) - start_height_m_);
 }
 
@@ -76,14 +78,14 @@ void CostToGo::offer(std::int32_t node, const Candidate& to) {
   const double rise_m = height_m(to.node) - height_m(node);
   if (std::isnan(rise_m)) return;
   const double cost = to.cost + costs_.least((place(to.node) - place(node)).norm(), rise_m);
-  queue_.push({cost + come(node), cost, node, to.node, false});
+  queue_.push({cost + bound_from_start(node), cost, node, to.node, false});
 }
 
-void CostToGo::look(Candidate& candidate) {
+void CostToGo::evaluate(Candidate& candidate) {
   candidate.cost = cost_[static_cast<std::size_t>(candidate.to)] +
                    costs_.straight(place(candidate.node), place(candidate.to));
   if (!std::isfinite(candidate.cost)) return;
-  candidate.total = candidate.cost + come(candidate.node);
+  candidate.total = candidate.cost + bound_from_start(candidate.node);
   candidate.is_known = true;
   queue_.push(candidate);
 }

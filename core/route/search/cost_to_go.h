@@ -7,7 +7,7 @@
 #include <queue>
 #include <vector>
 
-#include "route/search/tube.h"
+#include "route/search/corridor.h"
 
 namespace lsos {
 
@@ -19,7 +19,8 @@ class CostToGo {
  public:
   // Start and goal must be on the map of `costs`. `within`: corridor whose nodes alone are used;
   // null: all nodes.
-  CostToGo(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within = nullptr);
+  CostToGo(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m,
+           const Corridor* within = nullptr);
 
   // Least known cost of the four nodes around a place, at least one of which is expanded. Infinite
   // where they have no route to the goal, or only routes with which the whole route from the start
@@ -60,17 +61,17 @@ class CostToGo {
   bool is_closed(std::int32_t node) const {
     return cost_[static_cast<std::size_t>(node)] < std::numeric_limits<double>::infinity();
   }
-  void look_on();
+  void expand_next();
   // Lower bound of the cost from the start to a node.
-  double come(std::int32_t node);
+  double bound_from_start(std::int32_t node);
   void offer(std::int32_t node, const Candidate& to);
   // Evaluates the edge of a candidate.
-  void look(Candidate& candidate);
+  void evaluate(Candidate& candidate);
   void expand(const Candidate& to);
 
-  LegCosts& costs_;
+  RouteCost& costs_;
   GroundMap& map_;
-  const Tube* within_;
+  const Corridor* within_;
   Vec2 start_m_;
   double start_height_m_;
   double limit_ = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@
 #include <queue>
 
 #include "route/map/tiled_grid.h"
-#include "route/search/tube.h"
+#include "route/search/corridor.h"
 
 namespace lsos {
 
@@ -20,22 +20,22 @@ constexpr std::array<std::array<int, 2>, 8> neighbours{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
 // Cost quantum, as a share of the lower bound of the cost of the whole route.
-constexpr double grain_share = 1e-9;
-// A route over more than `near_nodes` nodes is searched in a corridor around the route over a
-// lattice `coarser_times` as coarse, `near_spacings` of the finer spacing to either side. For SEV
-// over 800 m of LunarSouthPole (the test RoughSearch) that expands a fortieth of the nodes, for a
-// route that costs at most 2 % more than the cheapest.
-constexpr double near_nodes = 150;
+constexpr double cost_quantum_share = 1e-9;
+// A route over more than `corridor_nodes` nodes is searched in a corridor around the route over a
+// lattice `coarser_times` as coarse, `corridor_spacings` of the finer spacing to either side. For
+// SEV over 800 m of LunarSouthPole (the test RoughSearch) that expands a fortieth of the nodes, for
+// a route that costs at most 2 % more than the cheapest.
+constexpr double corridor_nodes = 150;
 constexpr int coarser_times = 4;
-constexpr double near_spacings = 10;
+constexpr double corridor_spacings = 10;
 // Where the route in the corridor costs more than this many times the coarser one, the coarser map
 // does not show what matters, and the whole map is searched.
-constexpr double trusted_times = 1.25;
+constexpr double trusted_ratio = 1.25;
 
 struct Candidate {
-  double total = 0;  // estimated cost of a whole route through it
-  double cost = 0;   // to the node; a lower bound until the edge is evaluated
-  float favour = 0;  // tie-break: of equal totals the greatest comes first
+  double total = 0;     // estimated cost of a whole route through it
+  double cost = 0;      // to the node; a lower bound until the edge is evaluated
+  float tie_break = 0;  // tie-break: of equal totals the greatest comes first
   std::int32_t node = 0;
   std::uint8_t direction = no_direction;  // of the edge to it
   bool is_known = false;
@@ -43,7 +43,7 @@ struct Candidate {
   // std::priority_queue returns the greatest element: here the least total.
   bool operator<(const Candidate& other) const {
     if (total != other.total) return total > other.total;
-    if (favour != other.favour) return favour < other.favour;
+    if (tie_break != other.tie_break) return tie_break < other.tie_break;
     if (node != other.node) return node > other.node;
     return direction > other.direction;
   }
@@ -52,7 +52,8 @@ struct Candidate {
 class Search {
  public:
   // `within`: corridor whose nodes alone are used; null: all nodes.
-  Search(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m, const Tube* within = nullptr)
+  Search(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m,
+         const Corridor* within = nullptr)
       : costs_(costs),
         map_(costs.map()),
         within_(within),
@@ -62,27 +63,27 @@ class Search {
         goal_node_(map_.columns() * map_.rows()),
         nodes_(map_.columns(), map_.rows()) {
     start_ = number(column(start_m), row(start_m));
-    find_closing_nodes();
-    grain_ = grain_share * left(start_);
+    find_goal_neighbours();
+    cost_quantum_ = cost_quantum_share * heuristic(start_);
   }
 
   GridRoute run() {
     GridRoute route;
     double nearest_m = infinite;
     node(start_).cost = 0;
-    queue_.push({left(start_), 0, 0, start_, no_direction, true});
+    queue_.push({heuristic(start_), 0, 0, start_, no_direction, true});
     while (!queue_.empty()) {
       Candidate best = queue_.top();
       queue_.pop();
       Node& node = this->node(best.node);
       if (node.is_closed || (!best.is_known && !(best.cost < node.cost))) continue;
       if (!best.is_known) {
-        look(best);
+        evaluate(best);
         continue;
       }
       node.is_closed = true;
       node.cost = best.cost;
-      node.come_by = best.direction;
+      node.parent_direction = best.direction;
       ++route.expanded;
       if (best.node == goal_node_) {
         route.line = line();
@@ -104,9 +105,9 @@ class Search {
  private:
   struct Node {
     double cost = infinite;  // least of the evaluated edges
-    double left = std::numeric_limits<double>::quiet_NaN();
+    double heuristic = std::numeric_limits<double>::quiet_NaN();
     bool is_closed = false;
-    std::uint8_t come_by = no_direction;
+    std::uint8_t parent_direction = no_direction;
   };
   Node& node(std::int32_t node) {
     return node == goal_node_ ? goal_ : nodes_(node % map_.columns(), node / map_.columns());
@@ -134,53 +135,54 @@ class Search {
     return c.node - number(way[0], way[1]);
   }
   // A goal at a node, but for rounding, is reached from all neighbours of that node.
-  bool is_closing(const Vec2& at_m) const {
+  bool is_next_to_goal(const Vec2& at_m) const {
     return (at_m - goal_m_).cwiseAbs().maxCoeff() <= 1.01 * map_.spacing_m();
   }
-  void find_closing_nodes() {
+  void find_goal_neighbours() {
     const int column = this->column(goal_m_), row = this->row(goal_m_);
     for (int y = std::max(0, row - 1); y <= std::min(map_.rows() - 1, row + 1); ++y) {
       for (int x = std::max(0, column - 1); x <= std::min(map_.columns() - 1, column + 1); ++x) {
         const Vec2 at_m = map_.place_m(x, y);
-        if (is_closing(at_m)) closing_.push_back({at_m, (goal_m_ - at_m).norm()});
+        if (is_next_to_goal(at_m)) goal_neighbours_.push_back({at_m, (goal_m_ - at_m).norm()});
       }
     }
   }
   // Length of the shortest path to the goal: along the lattice to a node from which the goal is
   // reached. A weaker bound would make the search expand all of the equally short routes over level
   // ground.
-  double far_m(std::int32_t node) const {
+  double distance_to_goal_m(std::int32_t node) const {
     if (node == goal_node_) return 0;
     double least_m = infinite;
-    for (const ClosingNode& closing : closing_) {
-      least_m = std::min(least_m, octile_m(closing.at_m - place(node)) + closing.to_goal_m);
+    for (const GoalNeighbour& neighbour : goal_neighbours_) {
+      least_m = std::min(least_m, octile_m(neighbour.at_m - place(node)) + neighbour.to_goal_m);
     }
     return least_m;
   }
   // Lower bound of the cost to go.
-  double left(std::int32_t node) {
-    double& left = this->node(node).left;
-    if (std::isnan(left)) left = left_at(node);
-    return left;
+  double heuristic(std::int32_t node) {
+    double& heuristic = this->node(node).heuristic;
+    if (std::isnan(heuristic)) heuristic = compute_heuristic(node);
+    return heuristic;
   }
-  double left_at(std::int32_t node) {
-    const double far_m = this->far_m(node);
+  double compute_heuristic(std::int32_t node) {
+    const double distance_to_goal_m = this->distance_to_goal_m(node);
     const double rise_m = goal_height_m_ - height_m(node);
-    return std::isnan(rise_m) ? costs_.least_per_metre() * far_m : costs_.least(far_m, rise_m);
+    return std::isnan(rise_m) ? costs_.least_per_metre() * distance_to_goal_m
+                              : costs_.least(distance_to_goal_m, rise_m);
   }
 
   // Rounded to the cost quantum: routes of the same cost must not differ by rounding errors, which
   // depend on the order of their steps.
   double total(double cost, std::int32_t node) {
-    const double total = cost + left(node);
-    return grain_ > 0 ? grain_ * std::round(total / grain_) : total;
+    const double total = cost + heuristic(node);
+    return cost_quantum_ > 0 ? cost_quantum_ * std::round(total / cost_quantum_) : total;
   }
 
   // Tie-break that prefers nodes far along and close to the straight line: over level ground such
   // routes need the least refinement.
-  float favour(double cost, std::int32_t node) const {
-    const Vec2 way_m = place(node) - start_m_, whole_m = goal_m_ - start_m_;
-    const double aside_m = std::abs(way_m.x() * whole_m.y() - way_m.y() * whole_m.x());
+  float tie_break(double cost, std::int32_t node) const {
+    const Vec2 delta_m = place(node) - start_m_, whole_m = goal_m_ - start_m_;
+    const double aside_m = std::abs(delta_m.x() * whole_m.y() - delta_m.y() * whole_m.x());
     const double length_m = std::max(whole_m.norm(), 1e-9);
     return static_cast<float>(cost / costs_.least_per_metre() - aside_m / length_m);
   }
@@ -193,7 +195,7 @@ class Search {
     if (std::isnan(rise_m)) return;
     const double cost = from.cost + costs_.least((place(to) - place(from.node)).norm(), rise_m);
     if (!(cost < node.cost)) return;
-    queue_.push({total(cost, to), cost, favour(cost, to), to, direction, false});
+    queue_.push({total(cost, to), cost, tie_break(cost, to), to, direction, false});
   }
 
   bool can_stand(const Candidate& at) {
@@ -209,24 +211,24 @@ class Search {
       if (x < 0 || y < 0 || x >= map_.columns() || y >= map_.rows()) continue;
       offer(from, number(x, y), k);
     }
-    if (!is_closing(place(from.node))) return;
+    if (!is_next_to_goal(place(from.node))) return;
     const double cost = from.cost + costs_.straight(place(from.node), goal_m_);
     if (!(cost < goal_.cost)) return;
     goal_.cost = cost;
     last_ = from.node;
     queue_.push(
-        {total(cost, goal_node_), cost, favour(cost, goal_node_), goal_node_, to_goal, true});
+        {total(cost, goal_node_), cost, tie_break(cost, goal_node_), goal_node_, to_goal, true});
   }
 
   // Evaluates the edge of a candidate.
-  void look(Candidate& candidate) {
+  void evaluate(Candidate& candidate) {
     const std::int32_t from = before(candidate);
     candidate.cost = node(from).cost + costs_.straight(place(from), place(candidate.node));
     Node& to = node(candidate.node);
     if (!(candidate.cost < to.cost)) return;
     to.cost = candidate.cost;
     candidate.total = total(candidate.cost, candidate.node);
-    candidate.favour = favour(candidate.cost, candidate.node);
+    candidate.tie_break = tie_break(candidate.cost, candidate.node);
     candidate.is_known = true;
     queue_.push(candidate);
   }
@@ -236,7 +238,7 @@ class Search {
     std::int32_t node = last_;
     for (;;) {
       line.push_back(place(node));
-      const std::uint8_t direction = this->node(node).come_by;
+      const std::uint8_t direction = this->node(node).parent_direction;
       if (direction == no_direction) break;
       node -= number(neighbours[direction][0], neighbours[direction][1]);
     }
@@ -244,17 +246,17 @@ class Search {
     return line;
   }
 
-  LegCosts& costs_;
+  RouteCost& costs_;
   GroundMap& map_;
-  const Tube* within_;
+  const Corridor* within_;
   Vec2 start_m_, goal_m_;
   double goal_height_m_;
-  struct ClosingNode {
+  struct GoalNeighbour {
     Vec2 at_m;
     double to_goal_m;
   };
-  std::vector<ClosingNode> closing_;  // nodes from which the goal is reached
-  double grain_ = 0;                  // cost quantum of totals
+  std::vector<GoalNeighbour> goal_neighbours_;  // nodes from which the goal is reached
+  double cost_quantum_ = 0;                     // cost quantum of totals
   std::int32_t start_ = 0, goal_node_, last_ = 0;
   TiledGrid<Node> nodes_;
   Node goal_;
@@ -263,24 +265,24 @@ class Search {
 
 }  // namespace
 
-double octile_m(const Vec2& way_m) {
-  const double x = std::abs(way_m.x()), y = std::abs(way_m.y());
+double octile_m(const Vec2& delta_m) {
+  const double x = std::abs(delta_m.x()), y = std::abs(delta_m.y());
   return std::max(x, y) + (std::numbers::sqrt2 - 1) * std::min(x, y);
 }
 
-GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m) {
+GridRoute search_grid(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m) {
   const double spacing_m = costs.map().spacing_m();
   std::size_t expanded = 0;
-  if (octile_m(goal_m - start_m) > near_nodes * spacing_m) {
+  if (octile_m(goal_m - start_m) > corridor_nodes * spacing_m) {
     GroundMap coarser_map = costs.map().coarser(coarser_times);
-    LegCosts coarser = costs.over(coarser_map);
+    RouteCost coarser = costs.over(coarser_map);
     const GridRoute way = search_grid(coarser, start_m, goal_m);
     expanded += way.expanded;
     if (!way.line.empty()) {
-      const Tube near(costs.map(), way.line, near_spacings * spacing_m);
-      GridRoute route = Search(costs, start_m, goal_m, &near).run();
+      const Corridor corridor(costs.map(), way.line, corridor_spacings * spacing_m);
+      GridRoute route = Search(costs, start_m, goal_m, &corridor).run();
       route.expanded += expanded;
-      if (route.cost < trusted_times * way.cost) return route;
+      if (route.cost < trusted_ratio * way.cost) return route;
       expanded = route.expanded;
     }
   }

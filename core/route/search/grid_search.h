@@ -2,7 +2,7 @@
 // are the cheapest there are.
 #pragma once
 
-#include "route/cost/leg_cost.h"
+#include "route/cost/route_cost.h"
 
 namespace lsos {
 
@@ -14,12 +14,12 @@ struct GridRoute {
 };
 
 // Octile distance: length of the shortest path over nodes, each connected to its eight neighbours.
-double octile_m(const Vec2& way_m);
+double octile_m(const Vec2& delta_m);
 
 // Lazy A*, whose edges are evaluated only when they come first in the queue (Cohen, Phillips and
 // Likhachev 2014). A long route is searched in a corridor around the route over a coarser map,
 // which is found in the same manner. Start and goal must be on the map; the start is taken at the
 // nearest node.
-GridRoute search_grid(LegCosts& costs, const Vec2& start_m, const Vec2& goal_m);
+GridRoute search_grid(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m);
 
 }  // namespace lsos

@@ -24,8 +24,8 @@ struct Octave {
   double diameter_high_m;
   double cumulative_low_pm2;
   double cumulative_high_pm2;
-  double exponent = 0;   // of the power law D(N) through the octave's ends
-  bool is_full = false;  // all its sizes have reached equilibrium
+  double exponent = 0;             // of the power law D(N) through the octave's ends
+  bool is_in_equilibrium = false;  // all its sizes have reached equilibrium
 };
 
 // Greatest share of its life that a crater of this size has lived.
@@ -47,11 +47,11 @@ std::vector<Octave> octaves(const CraterPopulation& p) {
     const double ratio = octave.cumulative_high_pm2 / octave.cumulative_low_pm2;
     octave.exponent = std::log(high / low) / std::log(ratio);
     // Within an octave the ratio of production to equilibrium is monotonic: its ends decide.
-    const auto is_full = [&](double diameter_m) {
+    const auto is_in_equilibrium = [&](double diameter_m) {
       return p.age_gyr &&
              crater_production_pm2(*p.age_gyr, diameter_m) >= crater_equilibrium_pm2(diameter_m);
     };
-    octave.is_full = is_full(low) && is_full(high);
+    octave.is_in_equilibrium = is_in_equilibrium(low) && is_in_equilibrium(high);
     result.push_back(octave);
   }
   return result;
@@ -70,12 +70,12 @@ double share_below(const Octave& o, double diameter_m) {
 }
 
 double life_max(const CraterPopulation& p, const Octave& o, double diameter_m) {
-  return o.is_full ? p.degradation.value_or(1) : life_max(p, diameter_m);
+  return o.is_in_equilibrium ? p.degradation.value_or(1) : life_max(p, diameter_m);
 }
 
 // Crater that has lived that share of its life.
-Crater worn_crater(const CraterPopulation& p, const PlanePoint& at, double diameter_m,
-                   double lived) {
+Crater degraded_crater(const CraterPopulation& p, const PlanePoint& at, double diameter_m,
+                       double lived) {
   const double left = 1 / (1 + depth_lost_at_end * lived);
   const double fresh_m = p.depth_to_diameter * diameter_m;
   return {at, diameter_m, fresh_m * left, rim_to_depth * fresh_m * left * left};
@@ -120,7 +120,7 @@ double crater_volume_pm2(const CraterPopulation& p, double low_m, double high_m)
       const double diameter_m = drawn_diameter_m(octave, from + (i + 0.5) / parts * (to - from));
       const double most = life_max(p, octave, diameter_m);
       for (int j = 0; j < parts; ++j) {
-        sum_m3 += crater_volume_m3(worn_crater(p, {}, diameter_m, (j + 0.5) / parts * most));
+        sum_m3 += crater_volume_m3(degraded_crater(p, {}, diameter_m, (j + 0.5) / parts * most));
       }
     }
     sum_pm2 += (octave.cumulative_low_pm2 - octave.cumulative_high_pm2) * (to - from) * sum_m3 /
@@ -154,7 +154,7 @@ std::vector<Crater> craters_touching(const CraterPopulation& population, std::ui
                    const double touch_m = crater_reach * diameter_m / 2;
                    if (dx * dx + dy * dy >= touch_m * touch_m) return;
                    const double most = life_max(population, octave, diameter_m);
-                   craters.push_back(worn_crater(population, at, diameter_m, lived * most));
+                   craters.push_back(degraded_crater(population, at, diameter_m, lived * most));
                  });
   }
   return craters;

@@ -69,7 +69,8 @@ DetailField::DetailField(const Detail& detail, const HeightGrid& grid, const Ste
     if (setting.is_over_raster) {
       roughness.longest_m = std::min(roughness.longest_m, longest_wave_cells * setting.cell_m);
     }
-    roughness_.emplace(roughness, seed, RoughGrid{spacing_m(), setting.height_to_width, period_});
+    roughness_.emplace(roughness, seed,
+                       RoughnessGrid{spacing_m(), setting.height_to_width, period_});
   }
   if (setting.is_over_raster) set_lattice();
 }
@@ -164,8 +165,9 @@ ShapePlace DetailField::shape_place(const GridPoint& centre, double radius_m, do
   const auto stride = static_cast<double>(at.stride);
   const double N = subdivision_ / stride;
   ShapePlace place;
-  place.U = (near_tile(fine(centre.u), at) - static_cast<double>(at.column)) / stride + first_node;
-  place.V = (fine(centre.v) - static_cast<double>(at.row)) / stride + first_node;
+  place.U = (near_tile(to_fine_grid(centre.u), at) - static_cast<double>(at.column)) / stride +
+            first_node;
+  place.V = (to_fine_grid(centre.v) - static_cast<double>(at.row)) / stride + first_node;
   const double det = centre.u_by_x * centre.v_by_y - centre.u_by_y * centre.v_by_x;
   const double k = 1 / (det * N * radius_m);
   const double x_by_U = k * centre.v_by_y, x_by_V = -k * centre.u_by_y;
@@ -200,8 +202,9 @@ void DetailField::add_to_nodes(HeightTile& tile, const Crater& crater, const Gri
   const auto stride = static_cast<double>(at.stride);
   const double N = subdivision_;
   // Centre in nodes of the tile, from its first.
-  const double U = (near_tile(fine(centre.u), at) - static_cast<double>(at.column)) / stride;
-  const double V = (fine(centre.v) - static_cast<double>(at.row)) / stride;
+  const double U =
+      (near_tile(to_fine_grid(centre.u), at) - static_cast<double>(at.column)) / stride;
+  const double V = (to_fine_grid(centre.v) - static_cast<double>(at.row)) / stride;
   const double radius_m = crater.diameter_m / 2, reach_m = crater_reach * radius_m;
   const double half_V = reach_m * N / stride * std::hypot(centre.v_by_x, centre.v_by_y);
   const int j_low = static_cast<int>(std::max(0.0, std::ceil(V - half_V)));
@@ -245,11 +248,11 @@ void DetailField::add_volume(VolumeLattice& lattice, const NodeLattice& at,
   if (!on_grid) return;
   const double cells_pm2 =
       std::abs(on_grid->u_by_x * on_grid->v_by_y - on_grid->u_by_y * on_grid->v_by_x);
-  lattice.add(near_tile(fine(on_grid->u), at), fine(on_grid->v),
+  lattice.add(near_tile(to_fine_grid(on_grid->u), at), to_fine_grid(on_grid->v),
               volume_m3 * cells_pm2 * subdivision_ * subdivision_);
 }
 
-void DetailField::take_off_volumes(HeightTile& tile, const NodeLattice& at) const {
+void DetailField::subtract_volumes(HeightTile& tile, const NodeLattice& at) const {
   VolumeLattice lattice(at, lattice_column_log2_, lattice_row_log2_);
   if (roughness_) roughness_->add_volumes(lattice, at.level);
   const PlaneRectangle area = map_rectangle(lattice.reach());
@@ -267,7 +270,7 @@ void DetailField::take_off_volumes(HeightTile& tile, const NodeLattice& at) cons
       add_volume(lattice, at, rock.centre, rock_volume_m3(rock));
     }
   }
-  lattice.take_off(tile);
+  lattice.subtract_from(tile);
   const auto level = static_cast<std::size_t>(at.level);
   if (level >= mean_of_small_m_.size()) return;
   for (int row = first_node; row < first_node + nodes; ++row) {
@@ -289,7 +292,7 @@ DetailTile DetailField::tile(const TileKey& key) const {
   if (roughness_) roughness_->add_to(tile.heights, at);
   if (detail_.craters) add_craters(tile, at);
   if (detail_.rocks) add_rocks(tile, at);
-  if (setting_.is_over_raster) take_off_volumes(tile.heights, at);
+  if (setting_.is_over_raster) subtract_volumes(tile.heights, at);
   return tile;
 }
 

@@ -58,7 +58,7 @@ class DetailField {
 
  private:
   // Converts a coordinate of the grid to the finer grid.
-  double fine(double u) const { return (u + 0.5) * subdivision_; }
+  double to_fine_grid(double u) const { return (u + 0.5) * subdivision_; }
   std::optional<PlanePoint> map_point(double U, double V) const;
   PlaneRectangle map_rectangle(const NodeRectangle& on_grid) const;
   std::optional<GridPoint> grid_point(const PlanePoint& at) const;
@@ -72,7 +72,7 @@ class DetailField {
                     const NodeLattice& at) const;
   void add_rocks(DetailTile& tile, const NodeLattice& at) const;
   void set_lattice();
-  void take_off_volumes(HeightTile& tile, const NodeLattice& at) const;
+  void subtract_volumes(HeightTile& tile, const NodeLattice& at) const;
   void add_volume(VolumeLattice& lattice, const NodeLattice& at, const PlanePoint& centre,
                   double volume_m3) const;
 

@@ -83,7 +83,7 @@ class ReliefGrid : public HeightGrid {
     return craters_touching(
         *craters_, seed_,
         {node(key, HeightTile::first_node, HeightTile::first_node), node(key, last, last)},
-        // From afar, those that are as large as a cell there.
+        // Coarse levels have only craters at least as large as their cells.
         surface_.spacing_m * std::max(relief_crater_min_cells, std::ldexp(1.0, key.level)));
   }
   void add(const Crater& crater, HeightTile& tile) const {
@@ -106,7 +106,7 @@ class ReliefGrid : public HeightGrid {
       }
     }
   }
-  // Those that reach into the tile.
+  // Landforms that reach into the tile.
   std::vector<std::size_t> landforms_of(const TileKey& key) const {
     const int last = HeightTile::first_node + HeightTile::nodes - 1;
     const Vec3 corner = map_.direction(node(key, HeightTile::first_node, HeightTile::first_node));
@@ -115,10 +115,10 @@ class ReliefGrid : public HeightGrid {
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < directions_.size(); ++k) {
       const double reach_m = crater_reach * surface_.landforms[k].diameter_m / 2;
-      // Straight through the body is shorter than along it: none is missed.
-      const double apart_m =
+      // A chord through the body is shorter than the arc along it: none is missed.
+      const double distance_m =
           radius_m_ * ((middle - directions_[k]).norm() - 1.1 * (middle - corner).norm());
-      if (apart_m < reach_m) found.push_back(k);
+      if (distance_m < reach_m) found.push_back(k);
     }
     return found;
   }

@@ -10,17 +10,17 @@ namespace {
 
 constexpr double cell_to_diameter = 8;
 
-// 1/m, of the exponential law.
+// Decay of the exponential law, q = 1.79 + 0.152 / cover, 1/m.
 double decay_1pm(const RockPopulation& p) { return 1.79 + 0.152 / p.cover; }
 
-// Rocks a m2 and m of diameter.
+// Number of rocks per m2 and per m of diameter.
 double density_pm3(const RockPopulation& p, double diameter_m) {
   const double q = decay_1pm(p);
   return 4 / std::numbers::pi * p.cover * q * std::exp(-q * diameter_m) / (diameter_m * diameter_m);
 }
 
-// Sum over rocks of a quantity of each, a m2. Simpson's rule in the logarithm of the diameter, over
-// an octave or less: exact to 1e-6.
+// Sum over rocks of a quantity of each, per m2. Simpson's rule in the logarithm of the diameter,
+// over an octave or less: exact to 1e-6.
 template <class Of>
 double sum_pm2(const RockPopulation& p, double low_m, double high_m, const Of& of) {
   constexpr int halves = 8;
@@ -38,7 +38,7 @@ double number_pm2(const RockPopulation& p, double low_m, double high_m) {
   return sum_pm2(p, low_m, high_m, [](double) { return 1.0; });
 }
 
-// A diameter of the octave: from D^-2, accepted by the exponential.
+// Draws a diameter of the octave: from D^-2, accepted with the probability of the exponential.
 double drawn_diameter_m(const RockPopulation& p, double low_m, double high_m,
                         RandomStream& random) {
   const double q = decay_1pm(p);

@@ -1,4 +1,4 @@
-// Rocks: how many there are, and what wheels feel of them.
+// Rocks: how many there are, and the shape that wheels roll over.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct Rock {
 // Share of the ground covered by rocks larger than D: cover * exp(-q D), q = 1.79 + 0.152/cover
 // (Golombek and Rapp 1997, from the Viking and Mars Pathfinder landing sites; D in m).
 double rock_cover(const RockPopulation& population, double diameter_m);
-// Rocks larger than D, a m2, that cover so much as discs, up to the population's largest.
+// Rocks per m2 that are larger than D and cover so much as discs, up to the population's largest.
 double rocks_pm2(const RockPopulation& population, double diameter_m);
 
-// Height of a rock at q = (distance / radius)^2 of its centre, as a share of its own: a steep side
-// and a flat top, C1. `by_q` is its derivative.
+// Height of a rock at q = (distance / radius)^2 from its centre, as a share of its greatest height:
+// a steep side and a flat top, C1. `by_q` is its derivative.
 struct RockShape {
   double height;
   double by_q;
@@ -32,9 +32,9 @@ inline RockShape rock_shape(double q) {
   return {f * f, -4 * q * f};
 }
 
-// Integral of that shape, m3.
+// Integral of the rock's height over its disc, m3.
 double rock_volume_m3(const Rock& rock);
-// Expected volume of the rocks with a diameter in [low_m, high_m), m3 a m2.
+// Expected volume of the rocks with a diameter in [low_m, high_m), m3 per m2.
 double rock_volume_pm2(const RockPopulation& population, double low_m, double high_m);
 
 // All rocks with a diameter in [diameter_low_m, diameter_high_m) that touch the rectangle, in a

@@ -13,10 +13,10 @@ namespace {
 
 constexpr int nodes = HeightTile::nodes;
 
-// Normal to the eye and to second moments: four 16-bit uniforms, mean 0, variance 1.
+// Approximately normal random number: the sum of four 16-bit uniforms, with mean 0, variance 1.
 double normal(std::uint64_t key, std::int64_t column, std::int64_t row) {
   // Two rounds of multiplication and shift mix a lattice point as well as needed, and are cheaper
-  // than two mix_key.
+  // than two calls of mix_key.
   std::uint64_t z = key + static_cast<std::uint64_t>(column) * 0x9e3779b97f4a7c15u +
                     static_cast<std::uint64_t>(row) * 0xd1b54a32d192ed03u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -28,9 +28,10 @@ double normal(std::uint64_t key, std::int64_t column, std::int64_t row) {
   return (sum - mean) * (1 / deviation);
 }
 
-// Autocorrelation of one axis of the waves at a lag in lattice spacings, averaged over where in the
-// lattice it is taken: the B-spline of order 7, by its recurrence.
-double b_spline_at(int order, double x) {  // centred, support [-order/2, order/2]
+// Centred B-spline of an order, by its recurrence. That of order 8 (degree 7) is the
+// autocorrelation of waves along one axis at a lag in lattice spacings, averaged over where in the
+// lattice it is taken.
+double b_spline_at(int order, double x) {  // support [-order/2, order/2]
   if (order == 1) return x >= -0.5 && x < 0.5 ? 1 : 0;
   const double half = order / 2.0;
   return ((half + x) * b_spline_at(order - 1, x + 0.5) +
@@ -38,7 +39,7 @@ double b_spline_at(int order, double x) {  // centred, support [-order/2, order/
          (order - 1);
 }
 
-// Mean square difference of heights `lag` spacings apart along an axis, of waves with amplitude 1.
+// Mean square difference of heights `lag` spacings apart along an axis, for waves of amplitude 1.
 double structure(double lag) {
   const double at_zero = b_spline_at(8, 0);
   return 2 * at_zero * (at_zero - b_spline_at(8, lag));
@@ -47,14 +48,14 @@ double structure(double lag) {
 }  // namespace
 
 RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed,
-                               const RoughGrid& grid)
+                               const RoughnessGrid& grid)
     : period_(grid.period) {
   const int stretch_log2 = static_cast<int>(std::lround(std::log2(grid.height_to_width)));
   along_row_log2_ = std::max(0, stretch_log2);
   along_column_log2_ = std::max(0, -stretch_log2);
   const double spacing_m = grid.spacing_m * std::exp2(std::abs(stretch_log2) / 2.0);
-  // From waves as long as two nodes: below, the grid cannot hold them.
-  // A cell's side is known to some digits only: the count of octaves must not hang on the last.
+  // The shortest waves are two nodes long: the grid cannot hold shorter ones. A cell's side is
+  // known to some digits only: the count of octaves must not depend on the last, hence the 0.01.
   const double octaves = std::log2(roughness.longest_m / (2 * spacing_m)) + 0.01;
   int last = std::max(0, static_cast<int>(std::floor(octaves)));
   if (period_ > 0) {
@@ -62,8 +63,8 @@ RoughnessField::RoughnessField(const Roughness& roughness, std::uint64_t seed,
     along_row_log2_ = std::min(along_row_log2_, whole);
     last = std::min(last, whole - along_row_log2_);
   }
-  // Amplitudes in the ratio 2^hurst an octave; the lag at which the deviation is made exact lies
-  // within the range of waves.
+  // Amplitudes grow in the ratio 2^hurst per octave; the lag at which the deviation is made exact
+  // lies within the range of waves.
   const double lag_m = std::max(2 * spacing_m, std::min(1.0, std::ldexp(spacing_m, last)));
   double sum = 0;
   for (int k = 0; k <= last; ++k) {
@@ -97,8 +98,8 @@ void RoughnessField::add_octave(const Octave& octave, HeightTile& tile,
   const SplineAxis columns(at.column, at.stride, octave.k + along_row_log2_);
   const SplineAxis rows(at.row, at.stride, octave.k + along_column_log2_);
   std::vector<double> values(columns.points.size());
-  // Along rows first: one line of nodes for each lattice row in use, of which the last four are
-  // kept, each in the place of its number's last two bits.
+  // Splines are summed along rows first: one line of nodes for each lattice row in use, of which
+  // the last four are kept, each at the index of its number's last two bits.
   std::array<std::array<double, nodes>, 4> lines;
   int made = 0;
   const auto make_line = [&](std::array<double, nodes>& line, std::int64_t row) {
@@ -130,7 +131,7 @@ void RoughnessField::add_volumes(VolumeLattice& lattice, int level) const {
   }
 }
 
-// A wave is a bump of its amplitude times the area between four points of its lattice.
+// The volume of a wave's bump is its amplitude times the area between four points of its lattice.
 void RoughnessField::add_volumes(const Octave& octave, VolumeLattice& lattice) const {
   const int column_log2 = octave.k + along_row_log2_, row_log2 = octave.k + along_column_log2_;
   const auto point = [](double node, int log2) {

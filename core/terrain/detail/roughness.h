@@ -11,24 +11,24 @@
 
 namespace lsos {
 
-// The grid that a surface stands on.
-struct RoughGrid {
-  double spacing_m = 1;        // mean, of the nodes along rows and columns
-  double height_to_width = 1;  // of the cells; the waves are round to a factor of sqrt 2 even so
-  // Where the grid goes around the body after so many nodes, so does the surface, whose waves then
-  // divide it. 0: it does not.
+// Grid that carries the surface.
+struct RoughnessGrid {
+  double spacing_m = 1;        // mean spacing of the nodes along rows and columns
+  double height_to_width = 1;  // aspect of cells; waves are round to a factor of sqrt 2 even so
+  // Nodes once around the body, after which the surface repeats; its waves then divide that. 0: the
+  // grid does not go around.
   std::int64_t period = 0;
 };
 
 class RoughnessField {
  public:
-  RoughnessField(const Roughness& roughness, std::uint64_t seed, const RoughGrid& grid);
+  RoughnessField(const Roughness& roughness, std::uint64_t seed, const RoughnessGrid& grid);
 
-  // Adds the surface to all nodes of the tile, which lie on `at`. The height of a node does not
-  // depend on the tile or the stride that it is asked with, but for rounding.
+  // Adds the surface to all nodes of the tile, which lie on `at`. But for rounding, the height of a
+  // node does not depend on the tile or the stride that it is computed with.
   void add_to(HeightTile& tile, const NodeLattice& at) const;
-  // What waves of that level and above hold at the lattice's scale. Waves of less than half its
-  // spacing hold next to nothing there.
+  // Adds the volumes of waves of that level and above at the lattice's scale. Waves of less than
+  // half its spacing hold next to nothing there.
   void add_volumes(VolumeLattice& lattice, int level) const;
 
  private:
@@ -46,7 +46,7 @@ class RoughnessField {
 
   std::vector<Octave> octaves_;
   std::int64_t period_;
-  int along_row_log2_ = 0;  // so many times more nodes along rows
+  int along_row_log2_ = 0;  // log2 of how many times more nodes lie along rows
   int along_column_log2_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // Round shapes of a tile of detail, rocks or craters, sorted by place, and their height at a point:
-// exact whatever the distance of the tile's nodes.
+// exact whatever the spacing of the tile's nodes.
 #pragma once
 
 #include <algorithm>
@@ -15,12 +15,12 @@
 
 namespace lsos {
 
-// Where a shape lies, in the finer grid's coordinates relative to the tile's first node.
+// Position of a shape, in the finer grid's coordinates relative to the tile's first node.
 struct ShapePlace {
   double U = 0, V = 0;
   // (distance / radius)^2 = a dU^2 + 2 b dU dV + c dV^2
   double a = 0, b = 0, c = 0;
-  double half_U = 0, half_V = 0;  // of the rectangle around it
+  double half_U = 0, half_V = 0;  // half sides of the bounding rectangle
 };
 
 // Height of a shape and its derivative by q = (distance / radius)^2.
@@ -45,7 +45,7 @@ struct PlacedCrater {
   double depth_m = 0, rim_m = 0;
   ShapeHeight at(double q) const {
     const double r = std::sqrt(q);
-    // The bowl falls with q itself, also where r is 0.
+    // The bowl is linear in q, so that the derivative is finite also at r = 0.
     const double by_q_m = r < 1e-6 ? crater_slope_m(1e-6, depth_m, rim_m) / 2e-6
                                    : crater_slope_m(r, depth_m, rim_m) / (2 * r);
     return {crater_height_m(r, depth_m, rim_m), by_q_m};
@@ -56,7 +56,7 @@ template <class Shape>
 class ShapeTile {
  public:
   void add(const Shape& shape) { shapes_.push_back(shape); }
-  // Sorts the shapes by place; once, after the last one.
+  // Sorts the shapes by place. Called once, after the last add().
   void finish();
   std::size_t bytes() const {
     return shapes_.capacity() * sizeof(Shape) + in_square_.capacity() * sizeof(std::uint32_t);
@@ -67,7 +67,7 @@ class ShapeTile {
 
  private:
   static constexpr int cells = HeightTile::cells;
-  static constexpr int squares = 8;  // a side
+  static constexpr int squares = 8;  // per side of the tile
   static constexpr int square_cells = cells / squares;
   std::vector<Shape> shapes_;
   std::array<std::uint32_t, std::size_t{squares} * squares + 1> first_{};

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int nodes = HeightTile::nodes;
 
-// Columns beside those in use, so that volumes at their edges need no look at each column.
+// Columns beside those in use, so that volumes at their edges need no test of each column.
 constexpr int margin = 3;
 
 }  // namespace
@@ -76,7 +76,7 @@ void VolumeLattice::add_columns_at(double V) {
   std::ranges::fill(line_m_, 0.0);
 }
 
-void VolumeLattice::take_off(HeightTile& tile) const {
+void VolumeLattice::subtract_from(HeightTile& tile) const {
   std::vector<std::array<double, nodes>> lines(rows_.points.size());
   for (std::size_t j = 0; j < lines.size(); ++j) {
     const double* row_m = &heights_m_[j * columns_.points.size()];

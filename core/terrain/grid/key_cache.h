@@ -70,9 +70,9 @@ class KeyCache {
   std::size_t capacity_bytes_;
   std::size_t young_bytes_ = 0;
   std::mutex mutex_;
-  using Kept = std::unordered_map<Key, std::shared_ptr<const Value>, KeyHash<Key>>;
-  Kept young_;
-  Kept old_;
+  using Generation = std::unordered_map<Key, std::shared_ptr<const Value>, KeyHash<Key>>;
+  Generation young_;
+  Generation old_;
 };
 
 }  // namespace lsos

@@ -43,10 +43,10 @@ class PlaneGrid : public HeightGrid {
     return Patch::scaling(spacing_m).at(at);
   }
   std::optional<GridCoordinates> coordinates(const Geodetic& place) const override {
-    const Standing standing =
-        plane_.standing(plane_.site().p_S_m({place.lon_rad, place.lat_rad, 0}));
-    if (!standing.is_near) return {};
-    return GridCoordinates{standing.at.x_m / spacing_m, standing.at.y_m / spacing_m};
+    const ProjectedPoint projected =
+        plane_.projected(plane_.site().p_S_m({place.lon_rad, place.lat_rad, 0}));
+    if (!projected.is_near) return {};
+    return GridCoordinates{projected.at.x_m / spacing_m, projected.at.y_m / spacing_m};
   }
   std::optional<Geodetic> place(const GridCoordinates& at) const override {
     return plane_.place({at.u * spacing_m, at.v * spacing_m});

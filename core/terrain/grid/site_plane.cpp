@@ -8,7 +8,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double cos2_farthest = 0.25;  // 60 degrees: x and y then still change with place by 1/4
+constexpr double cos2_farthest = 0.25;  // 60 degrees: a metre of x or y is then 1/4 m of ground
 
 }  // namespace
 
@@ -19,12 +19,12 @@ SitePlane::SitePlane(const SiteFrame& site) : site_(site) {
   distance_m_ = site.centre_to_site_S_m().z();
 }
 
-Standing SitePlane::standing(const Vec3& p_S_m) const {
-  return standing(p_S_m, site_.vertical(p_S_m));
+ProjectedPoint SitePlane::projected(const Vec3& p_S_m) const {
+  return projected(p_S_m, site_.vertical(p_S_m));
 }
 
-Standing SitePlane::standing(const Vec3& p_S_m, const Vertical& vertical) const {
-  Standing result;
+ProjectedPoint SitePlane::projected(const Vec3& p_S_m, const Vertical& vertical) const {
+  ProjectedPoint result;
   const Vec3& up_S = result.up_S = vertical.up_S;
   const double height_m = result.height_m = vertical.height_m;
   const Vec3 foot_m = p_S_m + site_.centre_to_site_S_m() - height_m * up_S;
@@ -35,8 +35,8 @@ Standing SitePlane::standing(const Vec3& p_S_m, const Vertical& vertical) const 
   const double x_m = foot_m.x() * scale, y_m = foot_m.y() * scale;
   result.at = {x_m - distance_m_ * x_per_z_, y_m - distance_m_ * y_per_z_};
 
-  // The foot moves less than the point above it: by R/(R + h). On an ellipsoid R is less along the
-  // meridian than across it, by e^2 cos^2 of the latitude.
+  // The foot moves less than the point above it, by R/(R + h). On an ellipsoid R is less along the
+  // meridian than across it, by the share e^2 cos^2 of the latitude.
   const Body& body = site_.body();
   const double sin_lat = site_.sin_latitude(up_S);
   const double radius_m = curvature_radius_m(body, sin_lat);
@@ -45,7 +45,7 @@ Standing SitePlane::standing(const Vec3& p_S_m, const Vertical& vertical) const 
   const double e2 = body.flattening * (2 - body.flattening);
   const double less = e2 * height_m * per_radius;
   const double share = radius_m * per_radius + less * (1 - sin_lat * sin_lat) / 2;
-  const Vec3 north_S = site_.axis_S() - sin_lat * up_S;  // as long as the cosine of the latitude
+  const Vec3 north_S = site_.axis_S() - sin_lat * up_S;  // its length is the cosine of the latitude
   const auto at_point = [&](const Vec3& at_foot_S) -> Vec3 {
     const Vec3 level_S = at_foot_S - at_foot_S.dot(up_S) * up_S;
     return share * level_S - less * at_foot_S.dot(north_S) * north_S;
@@ -68,7 +68,7 @@ Geodetic SitePlane::place(const PlanePoint& at) const {
 }
 
 PlanePoint SitePlane::at(const Geodetic& place) const {
-  return standing(site_.p_S_m({place.lon_rad, place.lat_rad, 0})).at;
+  return projected(site_.p_S_m({place.lon_rad, place.lat_rad, 0})).at;
 }
 
 }  // namespace lsos

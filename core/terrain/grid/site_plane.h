@@ -11,12 +11,12 @@ struct PlanePoint {
   double y_m = 0;
 };
 
-// Where a point of the site frame stands over the body.
-struct Standing {
+// Position of a point of the site frame over the body.
+struct ProjectedPoint {
   bool is_near = false;  // within 60 degrees of the site; all else holds only then
-  PlanePoint at;         // of the point of the reference surface below it
+  PlanePoint at;         // projection of the point of the reference surface below it
   double height_m = 0;   // above the reference surface
-  double radius_m = 0;   // of curvature at the point: that of the reference surface + height
+  double radius_m = 0;   // radius of curvature at the point: that of the reference surface + height
   Vec3 up_S;             // local vertical, unit
   // Gradients of x and y in space at the point. Along the vertical they fall as 1/radius_m.
   Vec3 grad_x_S;
@@ -29,9 +29,9 @@ class SitePlane {
 
   const SiteFrame& site() const { return site_; }
 
-  Standing standing(const Vec3& p_S_m) const;
-  // The same where the vertical there is known.
-  Standing standing(const Vec3& p_S_m, const Vertical& vertical) const;
+  ProjectedPoint projected(const Vec3& p_S_m) const;
+  // The same with the vertical at the point already known.
+  ProjectedPoint projected(const Vec3& p_S_m, const Vertical& vertical) const;
   // The place on the reference surface that projects to (x, y), and the reverse; the reverse must
   // lie within 60 degrees of the site.
   Geodetic place(const PlanePoint& at) const;
@@ -42,7 +42,7 @@ class SitePlane {
  private:
   SiteFrame site_;
   double distance_m_;
-  // Offset of the site itself; zero on a sphere, where it lies straight above the centre.
+  // Direction of the site's foot from the centre; zero on a sphere, where it is straight up.
   double x_per_z_ = 0;
   double y_per_z_ = 0;
 };

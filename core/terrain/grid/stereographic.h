@@ -1,6 +1,6 @@
-// The map that random landforms are drawn on: the sphere seen from the point opposite to a place,
-// on the plane that touches it there. Conformal, so that round craters stay round; lengths grow by
-// the share (distance / 2 radius)^2.
+// Map that random landforms are drawn on: the sphere seen from the point opposite to a place, on
+// the plane that touches it there. Conformal, so that round craters stay round; lengths grow by the
+// share (distance / 2 radius)^2.
 #pragma once
 
 #include "planet/body.h"
@@ -10,13 +10,13 @@ namespace lsos {
 
 class Stereographic {
  public:
-  // Projection of the sphere with the body's equatorial radius; on Earth latitudes are taken as they are.
+  // Map of the sphere with the body's equatorial radius; on Earth latitudes are taken as they are.
   Stereographic(const Body& body, double lon_rad, double lat_rad);
 
-  // x east, y north at the centre, m.
+  // Map coordinates of a place, and back: x east, y north at the centre, m.
   PlanePoint at(const Geodetic& place) const;
   Geodetic place(const PlanePoint& at) const;
-  // The same as a unit vector in body-fixed axes, without trigonometry.
+  // The place as a unit vector in body-fixed axes, without trigonometry.
   Vec3 direction(const PlanePoint& at) const;
 
  private:

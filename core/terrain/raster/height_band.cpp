@@ -52,8 +52,8 @@ bool is_equal(GDALRasterBand& band, double sample, double mark) {
 
 // Returns one of each square of 2^level samples. GDAL's own choice would depend on the window.
 template <class Sample>
-std::vector<Sample> thinned(GDALRasterBand& from, const RasterBlock& window, int level,
-                            GDALDataType type) {
+std::vector<Sample> subsampled(GDALRasterBand& from, const RasterBlock& window, int level,
+                               GDALDataType type) {
   std::vector<Sample> samples(static_cast<std::size_t>(window.columns) * window.rows);
   if (level == 0) {
     fetch(from, window, samples.data(), type);
@@ -121,9 +121,9 @@ void HeightBand::find_masks() {
 }
 
 // GDAL averages without the samples of its one mask: the file's, else that of the declared value.
-bool HeightBand::is_averaged_right() const {
+bool HeightBand::can_use_overviews() const {
   const std::size_t left_out = is_first_mask_gdals_ ? 1 : 0;
-  if (masks_.size() > left_out || seen_.has_loose_marks) return false;
+  if (masks_.size() > left_out || seen_.has_unmasked_marks) return false;
   if (nodata_ && declared_ && *nodata_ != *declared_) return false;
   if (seen_.is_whole) return true;
   if (is_isis_ && band_->GetRasterDataType() == GDT_Int16) return false;
@@ -140,10 +140,10 @@ bool HeightBand::may_hold_16_bit_marks() const {
   return std::ranges::any_of(marks_of_16_bits, [this](double mark) { return is_missing(mark); });
 }
 
-bool HeightBand::has_loose_marks(const RasterBlock& block) const {
-  const auto samples = thinned<double>(*band_, block, 0, GDT_Float64);
+bool HeightBand::has_unmasked_marks(const RasterBlock& block) const {
+  const auto samples = subsampled<double>(*band_, block, 0, GDT_Float64);
   std::vector<double> shown;
-  if (is_first_mask_gdals_) shown = thinned<double>(*masks_.front(), block, 0, GDT_Float64);
+  if (is_first_mask_gdals_) shown = subsampled<double>(*masks_.front(), block, 0, GDT_Float64);
   for (std::size_t k = 0; k < samples.size(); ++k) {
     if (!is_missing(samples[k])) continue;
     if (is_first_mask_gdals_ ? shown[k] != 0 : !is_declared(samples[k])) return true;
@@ -157,7 +157,7 @@ bool HeightBand::is_floating_point() const {
 
 std::vector<std::pair<GDALRasterBand*, int>> HeightBand::overviews(int level) const {
   std::vector<std::pair<GDALRasterBand*, int>> found;
-  if (!is_averaged_right()) return found;
+  if (!can_use_overviews()) return found;
   const auto coarser = [](int size, int by) { return ((size - 1) >> by) + 1; };
   for (int k = 0; k < band_->GetOverviewCount(); ++k) {
     GDALRasterBand* band = band_->GetOverview(k);
@@ -180,12 +180,12 @@ std::pair<GDALRasterBand*, int> HeightBand::overview(int level) const {
 
 std::vector<double> HeightBand::samples(const RasterBlock& window, int level) const {
   const auto [from, done] = overview(level);
-  std::vector<double> samples = thinned<double>(*from, window, level - done, GDT_Float64);
+  std::vector<double> samples = subsampled<double>(*from, window, level - done, GDT_Float64);
   for (double& sample : samples) {
     if (is_missing(sample)) sample = missing;
   }
   const auto apply = [&, done = done](GDALRasterBand& mask) {
-    const auto shown = thinned<double>(mask, window, level - done, GDT_Float64);
+    const auto shown = subsampled<double>(mask, window, level - done, GDT_Float64);
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (shown[k] == 0) samples[k] = missing;
     }
@@ -214,17 +214,17 @@ SampleRange HeightBand::range() const {
   range.high = -range.low;
   range.nearest_to_zero = range.low;
   constexpr std::int64_t compared = 10'000;
-  std::unordered_set<double> different;
+  std::unordered_set<double> distinct;
   std::int64_t seen = 0, repeated = 0;
   bool has_fractions = false;
   double before = std::numeric_limits<double>::quiet_NaN();
   for (const RasterBlock& block : spread_blocks(*band_, most_cells).blocks) {
     seen += std::int64_t{block.columns} * block.rows;
-    range.has_loose_marks = range.has_loose_marks || has_loose_marks(block);
+    range.has_unmasked_marks = range.has_unmasked_marks || has_unmasked_marks(block);
     for (const double sample : samples(block)) {
       if (std::isnan(sample)) continue;
       ++range.count;
-      if (range.count <= compared) different.insert(sample);
+      if (range.count <= compared) distinct.insert(sample);
       has_fractions = has_fractions || sample != std::floor(sample);
       repeated += sample == before;
       before = sample;
@@ -241,7 +241,7 @@ SampleRange HeightBand::range() const {
   }
   range.is_in_whole_numbers = range.count > 0 && !has_fractions;
   range.is_flat_in_steps = 2 * repeated > range.count;
-  range.different = static_cast<std::int64_t>(different.size());
+  range.distinct = static_cast<std::int64_t>(distinct.size());
   range.is_whole = seen == std::int64_t{band_->GetXSize()} * band_->GetYSize();
   return range;
 }

@@ -26,12 +26,12 @@ struct SampleRange {
   double second_low = 0;       // the lowest above `low`
   std::int64_t zeros = 0;      // samples that are exactly 0
   double nearest_to_zero = 0;  // least magnitude of the others
-  std::int64_t different = 0;  // distinct values among the first 10,000 samples
+  std::int64_t distinct = 0;   // distinct values among the first 10,000 samples
   bool is_in_whole_numbers = false;
   // Most samples equal the one read before them.
   bool is_flat_in_steps = false;
-  bool is_whole = false;         // every sample was read
-  bool has_loose_marks = false;  // GDAL would average a missing sample among them
+  bool is_whole = false;            // every sample was read
+  bool has_unmasked_marks = false;  // GDAL would average a missing sample among them
 };
 
 class HeightBand {
@@ -50,7 +50,7 @@ class HeightBand {
   const std::vector<GDALRasterBand*>& masks() const { return masks_; }
   bool is_floating_point() const;
   // Whether overviews may be used: none can have averaged what only this class knows to be missing.
-  bool is_averaged_right() const;
+  bool can_use_overviews() const;
   // Overviews that may be used, with their levels, up to that level.
   std::vector<std::pair<GDALRasterBand*, int>> overviews(int level) const;
 
@@ -68,7 +68,7 @@ class HeightBand {
   bool is_missing(double sample) const;
   bool is_declared(double sample) const;
   bool may_hold_16_bit_marks() const;
-  bool has_loose_marks(const RasterBlock& block) const;
+  bool has_unmasked_marks(const RasterBlock& block) const;
   // Coarsest overview that may be used and is not beyond the level, and its own level.
   std::pair<GDALRasterBand*, int> overview(int level) const;
 

@@ -21,13 +21,13 @@ Raster::Raster(const RasterSurface& surface, const Place& place, const Body* bod
   if (body != nullptr) check_body(crs, *body, name_);
   const Body& on = body != nullptr ? *body : own_body_.body;
   map_ = std::make_unique<RasterMap>(crs, geotransform_of(*dataset_, name_), columns_, on, name_);
-  // Columns that repeat the first ones, as of a globe from -180 to 180 on grid lines, are left out.
+  // Columns that repeat the first ones, as on a globe from -180 to 180 on grid lines, are left out.
   const double period = map_->period_px();
   if (period > 0 && period < columns_ && period == std::floor(period)) {
     columns_ = static_cast<int>(period);
   }
   limit_m_ = surface.has_classes ? std::numeric_limits<double>::infinity() : ground_limit_m(on);
-  band_ = std::make_unique<HeightBand>(understood(band, surface, on, name_));
+  band_ = std::make_unique<HeightBand>(interpret_band(band, surface, on, name_));
 }
 
 Raster::~Raster() = default;

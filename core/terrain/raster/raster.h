@@ -17,11 +17,11 @@ namespace lsos {
 
 class Raster {
  public:
-  // On `body`, or on its own where that is null. Throws InputError at `place`.
+  // Opens the raster on `body`, or on its own where that is null. Throws InputError at `place`.
   Raster(const RasterSurface& surface, const Place& place, const Body* body);
   ~Raster();
 
-  // Its own body: one of all_bodies() or a sphere, with the name of the CRS.
+  // The raster's own body: one of all_bodies() or a sphere, with the name of the CRS.
   const Body& own_body() const { return own_body_.body; }
   const RasterMap& map() const { return *map_; }
   int columns() const { return columns_; }
@@ -29,8 +29,8 @@ class Raster {
   bool goes_around() const { return map_->period_px() == columns_; }
 
   const HeightBand& band() const { return *band_; }
-  // Row by row; NaN where missing; classes as they are. On a level above 0 the window counts
-  // 2^level columns and rows as one.
+  // Heights, m, or classes as they are, row by row; NaN where missing. On a level above 0 the
+  // window counts 2^level columns and rows as one.
   std::vector<double> heights_m(const RasterBlock& window, int level = 0) const {
     return band_->heights_m(window, limit_m_, level);
   }

@@ -21,23 +21,22 @@ namespace lsos {
 
 namespace {
 
-// Four bytes each: 400 MB to go through for a look at all of it.
+// At four bytes each, 400 MB are read for a map of the whole raster.
 constexpr double most_cells_without_overviews = 1e8;
 
 // The smoothest plains of Moon and Mars rise and fall by more than this share of their width, and
 // none of 150 km and more by less than 30 m.
 constexpr double smoothest_share = 2e-4, smoothest_m = 30;
-// On less, a raster made by hand may well be as level: there heights in km are told by how much
-// farther they are from 0 than from each other, or by how many of them are different, as measured
-// ones are.
+// A smaller raster made by hand may well be as level. There heights in km are those much farther
+// from 0 than from each other, or with many distinct values, as measured ones have.
 constexpr double wide_m = 20e3, narrowest_m = 500, far_times = 3;
-constexpr std::int64_t many_different = 200;
+constexpr std::int64_t many_distinct = 200;
 
-constexpr std::string_view loose_marks =
+constexpr std::string_view unmasked_marks =
     "-32768 or -32767, which mark missing samples, with heights";
 
-// What makes overviews right that may have averaged marks.
-std::string way_to_overviews(const HeightBand& heights, const std::string& file) {
+// Advice that makes usable overviews of those that may have averaged marks.
+std::string overview_remedy(const HeightBand& heights, const std::string& file) {
   if (!heights.masks().empty() || heights.nodata()) return "";
   if (const auto declared = heights.declared()) {
     return fmt::format("; if {0} alone marks missing samples, say nodata = {0} ({1})", *declared,
@@ -46,7 +45,7 @@ std::string way_to_overviews(const HeightBand& heights, const std::string& file)
   return fmt::format("; declare first what marks them: gdal_edit.py -a_nodata -32768 {}", file);
 }
 
-// The words of a name, in small letters: "height", "slope" of "Height_Slope-2".
+// Words of a name, in lower case: "height", "slope" of "Height_Slope-2".
 std::set<std::string> words_of(const std::string& name) {
   std::set<std::string> words;
   std::string word;
@@ -60,8 +59,8 @@ std::set<std::string> words_of(const std::string& name) {
   return words;
 }
 
-// Ground reaches as far in km, and so little rise would leave whole numbers of them one or two
-// heights.
+// Whether heights may be in km: ground reaches as far, and they are not whole numbers, of which so
+// little rise would leave one or two.
 bool may_be_km(const HeightBand& heights, double farthest, const Body& body) {
   constexpr double m_per_km = 1000;
   if (farthest * m_per_km > ground_limit_m(body)) return false;
@@ -75,19 +74,18 @@ std::string overview_advice(const HeightBand& heights, const std::string& file) 
   GDALRasterBand& band = heights.band();
   const double cells = static_cast<double>(band.GetXSize()) * band.GetYSize();
   if (cells <= most_cells_without_overviews) return {};
-  const bool is_right = heights.is_averaged_right();
+  const bool is_right = heights.can_use_overviews();
   if (band.GetOverviewCount() > 0) {
     if (is_right) return {};
     return fmt::format(
         "raster '{}' has {} x {} cells, and a look from afar reads all of it: its overviews are "
         "not used, for they may have averaged {}{}",
-        file, band.GetXSize(), band.GetYSize(), loose_marks, way_to_overviews(heights, file));
+        file, band.GetXSize(), band.GetYSize(), unmasked_marks, overview_remedy(heights, file));
   }
   return fmt::format(
       "raster '{}' has {} x {} cells and no overviews, so that a look from afar reads all of it; "
       "make them once with: gdaladdo -r average {} 2 4 8 16{}",
-      file, band.GetXSize(), band.GetYSize(), file,
-      is_right ? "" : way_to_overviews(heights, file));
+      file, band.GetXSize(), band.GetYSize(), file, is_right ? "" : overview_remedy(heights, file));
 }
 
 std::string unit_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
@@ -107,7 +105,7 @@ std::string unit_advice(const Raster& raster, const RasterSurface& surface, cons
   if (rise <= 0) return {};
   if (rise >= std::min(smoothest_m, smoothest_share * across_m)) return {};
   const bool is_far = std::min(std::abs(low), std::abs(high)) > far_times * rise && low * high > 0;
-  const bool is_measured = range.different >= many_different;
+  const bool is_measured = range.distinct >= many_distinct;
   if (across_m < wide_m && !is_far && !is_measured) return {};
   if (!may_be_km(heights, std::max(std::abs(low), std::abs(high)), body)) return {};
   return fmt::format(
@@ -126,7 +124,7 @@ std::string extreme_advice(const Raster& raster, const RasterSurface& surface, c
     return sample * heights.scale().scale + heights.scale().offset_m;
   };
   const auto [low_m, high_m] = std::minmax({height_m(range.low), height_m(range.high)});
-  // Rims and spheres of reference differ a little from map to map.
+  // Rims and reference spheres differ a little from map to map.
   constexpr double room_m = 1000;
   if (low_m >= body.lowest_ground_m - room_m && high_m <= body.highest_ground_m + room_m) return {};
   return fmt::format(
@@ -138,14 +136,14 @@ std::string extreme_advice(const Raster& raster, const RasterSurface& surface, c
       option_of_raster("unit"));
 }
 
-std::string step_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
-                        const Body& body) {
+std::string quantisation_advice(const Raster& raster, const RasterSurface& surface,
+                                const HeightGrid& grid, const Body& body) {
   // A step of that share of a cell is a slope of 6 degrees, which is not there.
   constexpr double steepest_step = 0.1;
-  constexpr std::int64_t made_by_hand = 12;  // heights at most
+  constexpr std::int64_t made_by_hand = 12;  // distinct heights of such a raster, at most
   const HeightBand& heights = raster.band();
   const SampleRange& range = heights.seen();
-  if (range.different <= made_by_hand || !range.is_in_whole_numbers) return {};
+  if (range.distinct <= made_by_hand || !range.is_in_whole_numbers) return {};
   if (!picture_advice(raster, surface).empty()) return {};
   const CellSides sides = cell_sides(grid, body, centre(grid.extent()));
   const double cell_m = std::min(sides.along_row_m, sides.along_column_m);
@@ -170,7 +168,7 @@ std::string picture_advice(const Raster& raster, const RasterSurface& surface) {
 }
 
 std::string zero_advice(const Raster& raster, const RasterSurface& surface) {
-  // Ground does not leap so far from one sample to the next.
+  // Ground does not jump so far from one sample to the next.
   constexpr double leap_m = 50;
   const HeightBand& heights = raster.band();
   const SampleRange& range = heights.seen();
@@ -186,7 +184,7 @@ std::string zero_advice(const Raster& raster, const RasterSurface& surface) {
       range.nearest_to_zero, option_of_raster("nodata"));
 }
 
-std::string word_advice(const Raster& raster, const RasterSurface& surface) {
+std::string name_advice(const Raster& raster, const RasterSurface& surface) {
   static const std::set<std::string> others{
       "slope",       "slopes", "aspect", "hillshade", "albedo",  "abundance",    "roughness",
       "temperature", "error",  "errors", "quality",   "azimuth", "illumination", "count"};
@@ -194,9 +192,9 @@ std::string word_advice(const Raster& raster, const RasterSurface& surface) {
                                              "dtm",    "dsm",     "topo",      "topography"};
   if (names_unit(raster.band().band(), surface)) return {};
   const std::string band = raster.band().band().GetDescription();
-  // Who has chosen a band knows the file, not always what the band is.
+  // A user who has chosen a band knows the file, but not always what the band holds.
   const std::string file =
-      surface.is_band_said ? "" : std::filesystem::path(surface.file).stem().string();
+      surface.is_band_given ? "" : std::filesystem::path(surface.file).stem().string();
   for (const std::string& name : {band, file}) {
     const std::set<std::string> words = words_of(name);
     const auto is_one_of = [&](const std::set<std::string>& known) {
@@ -216,7 +214,7 @@ std::string word_advice(const Raster& raster, const RasterSurface& surface) {
 std::string band_advice(const Raster& raster, const RasterSurface& surface) {
   GDALRasterBand& band = raster.band().band();
   GDALDataset* dataset = band.GetDataset();
-  if (surface.is_band_said || dataset == nullptr || *band.GetDescription() != '\0') return {};
+  if (surface.is_band_given || dataset == nullptr || *band.GetDescription() != '\0') return {};
   int others = 0;
   for (int k = 1; k <= dataset->GetRasterCount(); ++k) {
     const bool is_mask = dataset->GetRasterBand(k)->GetColorInterpretation() == GCI_AlphaBand;

@@ -32,7 +32,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// As the CRS, its geographic base or its datum names it: "GCS_Phobos", "D_Titan", ...
+// Name of the body in the CRS, its geographic base or its datum: "GCS_Phobos", "D_Titan", ...
 std::string name_in(const OGRSpatialReference& crs) {
   constexpr std::array names{"Mercury", "Venus",    "Phobos",   "Deimos",  "Ceres",   "Vesta",
                              "Europa",  "Ganymede", "Callisto", "Io",      "Titan",   "Enceladus",
@@ -44,7 +44,7 @@ std::string name_in(const OGRSpatialReference& crs) {
     const char* value = crs.GetAttrValue(node);
     if (value != nullptr) text += lower(value) + " ";
   }
-  // Whole words alone: "Io" is part of many.
+  // Only whole words count: "Io" is part of many.
   std::ranges::replace_if(
       text, [](unsigned char c) { return std::isalpha(c) == 0; }, ' ');
   for (const char* name : names) {
@@ -78,8 +78,8 @@ bool is_radius_of(const Body& body, double length_m) {
   return std::abs(length_m / body.equatorial_radius_m - 1) < radius_tolerance;
 }
 
-// The largest are Olympus Mons (21.2 km, Smith et al. 2001) and the poles of Mars seen from its
-// equatorial sphere (-20 km). Small bodies are lumps.
+// The greatest distances are Olympus Mons (21.2 km, Smith et al. 2001) and the poles of Mars seen
+// from its equatorial sphere (-20 km). Small bodies are lumps.
 double ground_limit_m(const Body& body) { return std::min(25e3, 0.5 * body.equatorial_radius_m); }
 
 }  // namespace lsos

@@ -10,7 +10,7 @@ class OGRSpatialReference;
 
 namespace lsos {
 
-// A body with a name of its own, which the body refers to: neither copied nor moved.
+// A body with its own copy of the name, to which `body` refers: neither copied nor moved.
 struct MapBody {
   std::string name;
   Body body;
@@ -29,10 +29,10 @@ MapBody body_of(const OGRSpatialReference& crs, const RasterName& name);
 // Refuses a CRS of another body.
 void check_body(const OGRSpatialReference& crs, const Body& body, const RasterName& name);
 
-// A length is that of the body's radius.
+// Whether a length is the body's radius, within 0.65 %.
 bool is_radius_of(const Body& body, double length_m);
 
-// No ground of that body is farther above or below its reference surface.
+// Greatest distance of the body's ground from its reference surface, m.
 double ground_limit_m(const Body& body);
 
 }  // namespace lsos

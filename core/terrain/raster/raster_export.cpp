@@ -72,13 +72,13 @@ GDALDatasetUniquePtr in_memory(const MapGrid& grid, const Body& body,
   return dataset;
 }
 
-// Unit of the map; a degree where it is geographic.
+// Length of the map's unit, or of a degree where the map is geographic, m.
 double unit_m(const OGRSpatialReference& crs, const Body& body) {
   if (crs.IsGeographic()) return body.equatorial_radius_m * std::numbers::pi / 180;
   return crs.GetLinearUnits();
 }
 
-// gdaldem's, which takes a unit of the map for a metre unless it is told.
+// Hillshade by gdaldem, which takes the map's unit for a metre unless a scale is given.
 GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   CPLStringList words;
   for (const char* word : {"-of", "MEM", "-compute_edges"}) words.AddString(word);
@@ -96,7 +96,7 @@ GDALDatasetUniquePtr hillshade(GDALDataset& heights, const Body& body) {
   return shade;
 }
 
-// Under another name until it is whole.
+// Writes a GeoTIFF under another name until it is whole.
 void write_cog(GDALDataset& dataset, const std::string& file) {
   CPLStringList options;
   options.SetNameValue("COMPRESS", "DEFLATE");

@@ -1,4 +1,4 @@
-// Heights as a file that every GIS opens.
+// Export of heights to a file that every GIS opens.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace lsos {
 
 struct RasterExport {
   std::string file;
-  bool is_hillshade = false;  // a picture of them, lit from the north-west as gdaldem has it
+  bool is_hillshade = false;  // the file is a hillshade, lit from the north-west as by gdaldem
 };
 
 struct MapBand {
@@ -21,14 +21,13 @@ struct MapBand {
   std::string unit;  // "": none
 };
 
-// Writes a cloud-optimised GeoTIFF with CRS: heights in m, missing where `height_m` answers NaN, as
-// 32-bit numbers. Under another name until it is whole. Throws InputError when it cannot be
-// written.
+// Writes a cloud-optimised GeoTIFF with CRS: heights in m, as 32-bit numbers, missing where
+// `height_m` returns NaN. It has another name until it is whole. Throws InputError when that fails.
 void write_raster(const RasterExport& to, const MapGrid& grid, const Body& body,
                   const std::function<double(const Geodetic&)>& height_m);
 
-// The same of anything: `values` of the places of a row answers a value a band and place, band
-// after band; places that the map does not have are absent.
+// Writes a map of any values: `values` gets the places of a row, absent where the map has none, and
+// returns one value for each band and place, band after band.
 using MapRow = std::function<std::vector<double>(std::span<const std::optional<Geodetic>>)>;
 void write_map(const std::string& file, const MapGrid& grid, const Body& body,
                const std::vector<MapBand>& bands, const MapRow& values);

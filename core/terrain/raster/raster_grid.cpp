@@ -34,7 +34,8 @@ class RasterGrid : public HeightGrid {
     const std::lock_guard lock(mutex_);
     return raster_tile(key, raster_);
   }
-  // A few nodes remain; where the raster goes around, as many on each side of its seam.
+  // A few nodes remain at the coarsest level. Where the raster goes around the body, 2^level
+  // divides its columns, so that nodes meet at the seam.
   int coarsest_level() const override {
     const auto sixteenths = static_cast<unsigned>(std::min(raster_.columns(), raster_.rows()) / 16);
     const int level = sixteenths == 0 ? 0 : std::bit_width(sixteenths) - 1;
@@ -75,15 +76,16 @@ class RasterGrid : public HeightGrid {
   }
   std::vector<std::string> advice() const override {
     const std::lock_guard lock(mutex_);
-    std::vector<std::string> all{overview_advice(raster_.band(), surface_.file),
-                                 unit_advice(raster_, surface_, *this, plane_.site().body()),
-                                 extreme_advice(raster_, surface_, plane_.site().body()),
-                                 step_advice(raster_, surface_, *this, plane_.site().body()),
-                                 picture_advice(raster_, surface_),
-                                 band_advice(raster_, surface_),
-                                 zero_advice(raster_, surface_),
-                                 word_advice(raster_, surface_),
-                                 spike_advice(raster_, surface_, *this, plane_.site().body())};
+    std::vector<std::string> all{
+        overview_advice(raster_.band(), surface_.file),
+        unit_advice(raster_, surface_, *this, plane_.site().body()),
+        extreme_advice(raster_, surface_, plane_.site().body()),
+        quantisation_advice(raster_, surface_, *this, plane_.site().body()),
+        picture_advice(raster_, surface_),
+        band_advice(raster_, surface_),
+        zero_advice(raster_, surface_),
+        name_advice(raster_, surface_),
+        spike_advice(raster_, surface_, *this, plane_.site().body())};
     std::erase(all, "");
     return all;
   }

@@ -19,7 +19,7 @@ namespace {
 // 32 MB of 32-bit samples: half a second where they are compressed (measured: DEFLATE).
 constexpr std::int64_t most_cells = std::int64_t{1} << 23;
 
-// "" of overviews that are part of another file.
+// File of a band; "" for overviews that are part of another file.
 const char* file_of(GDALRasterBand& band) {
   return band.GetDataset() != nullptr ? band.GetDataset()->GetDescription() : "";
 }
@@ -45,7 +45,7 @@ void add_some(GDALRasterBand& band, std::int64_t cells, Sha256& hash) {
                           GDALGetDataTypeSizeBytes(type));
   const GdalSilence silence;
   for (const RasterBlock& at : spread.blocks) {
-    // Blocks at the edge hold cells beyond the raster, which drivers leave as they were.
+    // Blocks at the edge hold cells beyond the raster, which drivers leave unchanged.
     std::fill(block.begin(), block.end(), 0);
     if (band.RasterIO(GF_Read, at.column, at.row, at.columns, at.rows, block.data(), at.columns,
                       at.rows, type, 0, 0, nullptr) != CE_None) {

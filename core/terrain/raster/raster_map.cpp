@@ -27,8 +27,8 @@ bool is_cylindrical(const OGRSpatialReference& crs) {
 
 }  // namespace
 
-// From longitude and latitude of the raster's own datum to its CRS. No transformation between
-// bodies or spheres is ever asked of PROJ, which refuses them: a place has the same planetocentric
+// Projection from longitude and latitude of the raster's own datum to its CRS. PROJ never gets a
+// transformation between bodies or spheres, which it refuses: a place has the same planetocentric
 // longitude and latitude on every sphere of one body.
 struct RasterMap::Projection {
   OGRSpatialReference crs;
@@ -102,8 +102,8 @@ RasterMap::~RasterMap() = default;
 void RasterMap::find_period(int columns) {
   const bool is_north_up = geotransform_[2] == 0 && geotransform_[4] == 0;
   if (!is_north_up || !is_cylindrical(projection_->crs)) return;
-  // Half a turn apart, and on the same side of wherever the projection is cut: of all pairs of
-  // longitudes 90 degrees apart, the cut widens one at most.
+  // Two quarter turns are measured. The projection may be cut anywhere, but the cut widens one of
+  // them at most, and the smaller counts.
   double smallest_px = std::numeric_limits<double>::infinity();
   for (int quarter = 0; quarter < 2; ++quarter) {
     const double lon_rad = 0.1 + quarter * std::numbers::pi / 2;
@@ -113,8 +113,8 @@ void RasterMap::find_period(int columns) {
     smallest_px = std::min(smallest_px, std::abs(b->u - a->u));
   }
   period_px_ = 4 * smallest_px;
-  // A raster that means to go around, but whose cell size was rounded, does go around; also one
-  // whose last columns repeat its first.
+  // A raster that is meant to go around, but whose cell size was rounded, does go around; so does
+  // one whose last columns repeat its first.
   const double whole_px = std::round(period_px_);
   if (whole_px <= columns && std::abs(period_px_ - whole_px) < 1e-3 * columns / 360) {
     period_px_ = whole_px;
@@ -138,7 +138,7 @@ std::optional<GridCoordinates> RasterMap::coordinates(const Geodetic& place) con
     projection.forward->Transform(1, &x, &y, nullptr, &success);
   }
   if (!success || !std::isfinite(x) || !std::isfinite(y)) return {};
-  // Geotransforms count from the corner of the first cell, we from its centre.
+  // Geotransforms count from the corner of the first cell, grid coordinates from its centre.
   return GridCoordinates{inverse_[0] + inverse_[1] * x + inverse_[2] * y - 0.5,
                          inverse_[3] + inverse_[4] * x + inverse_[5] * y - 0.5};
 }

@@ -1,4 +1,4 @@
-// Where places of the body lie on a raster: its CRS and geotransform.
+// Map between places of the body and cells of a raster: its CRS and geotransform.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class OGRSpatialReference;
 
 namespace lsos {
 
-// In the axes and units of a CRS: x is east or longitude.
+// Point in the axes and units of a CRS; x is east or longitude.
 struct MapPoint {
   double x = 0;
   double y = 0;
@@ -31,10 +31,10 @@ class RasterMap {
   // Column and row, whole numbers at cell centres, perhaps outside the raster; nullopt where the
   // projection knows no such place. May be called from any thread.
   std::optional<GridCoordinates> coordinates(const Geodetic& place) const;
-  // The reverse, with height 0; nullopt beyond a pole and where the projection ends.
+  // Inverse of coordinates(), with height 0; nullopt beyond a pole and where the projection ends.
   std::optional<Geodetic> place(const GridCoordinates& at) const;
 
-  // The same in coordinates of the CRS.
+  // The point in coordinates of the CRS.
   MapPoint map_point(const GridCoordinates& at) const;
   const OGRSpatialReference& crs() const;
   const std::array<double, 6>& geotransform() const { return geotransform_; }
@@ -42,7 +42,7 @@ class RasterMap {
   // Columns once around the body where the projection repeats itself along rows; else 0.
   double period_px() const { return period_px_; }
 
-  // All of it that decides where heights lie.
+  // Text of all that decides where heights lie.
   std::string description() const;
 
  private:

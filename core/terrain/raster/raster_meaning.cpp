@@ -24,7 +24,7 @@ std::string vertical_unit(GDALDataset& dataset) {
   return unit != nullptr ? unit : "";
 }
 
-// Metres a unit of the band; nullopt where nothing says.
+// Metres per unit of the band; nullopt where nothing states it.
 std::optional<double> unit_m(GDALRasterBand& band, const RasterSurface& surface,
                              const RasterName& name) {
   const std::string allowed = fmt::format(
@@ -71,7 +71,7 @@ HeightScale scale_of(GDALRasterBand& band, const RasterSurface& surface, const B
   return result;
 }
 
-// The samples' range of heights.
+// Range of the samples' heights.
 struct HeightRange {
   double low_m;
   double high_m;
@@ -84,7 +84,7 @@ struct HeightRange {
   }
 };
 
-// Said by the user, or by an offset or by samples of the body's size.
+// Whether samples are radii: said by the user, or shown by an offset or samples of the body's size.
 bool are_radii(const RasterSurface& surface, const Body& body, const HeightScale& scale,
                const HeightRange& range) {
   if (surface.is_radius) return *surface.is_radius;
@@ -106,7 +106,7 @@ void refuse_unclear_unit(GDALRasterBand& band, const RasterSurface& surface, con
 
 void refuse_marks(const HeightBand& heights, const SampleRange& range, const RasterName& name) {
   if (heights.nodata()) return;
-  // Far below everything else, so that no valley leads there.
+  // A mark lies far below everything else, so that no valley leads there.
   constexpr double gap = 1000;
   for (const double mark : {-9999.0, -99999.0}) {
     if (range.low != mark || range.second_low < mark + gap || !std::isfinite(range.second_low)) {
@@ -139,8 +139,8 @@ bool names_unit(GDALRasterBand& band, const RasterSurface& surface) {
          length_unit_m(vertical_unit(*band.GetDataset())).has_value();
 }
 
-HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
-                      const RasterName& name) {
+HeightBand interpret_band(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
+                          const RasterName& name) {
   HeightScale scale = surface.has_classes ? HeightScale{} : scale_of(band, surface, body, name);
   HeightBand heights(band, scale, surface.nodata);
   SampleRange range;

@@ -1,4 +1,4 @@
-// A raster as messages name it.
+// Name of a raster in messages.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace lsos {
 
 struct RasterName {
-  Place place;  // of what asks for it
+  Place place;  // position of what requests it
   std::string file;
 
   [[noreturn]] void refuse(const std::string& why) const {

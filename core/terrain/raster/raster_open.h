@@ -19,14 +19,14 @@ namespace lsos {
 std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const RasterName& name);
 GDALRasterBand& chosen_band(GDALDataset& dataset, const RasterSurface& surface,
                             const RasterName& name);
-// Without a vertical part; x is east or longitude.
+// CRS without a vertical part; x is east or longitude.
 OGRSpatialReference crs_of(GDALDataset& dataset, const RasterSurface& surface,
                            const RasterName& name);
 std::array<double, 6> geotransform_of(GDALDataset& dataset, const RasterName& name);
 // Whether the user, the band or its CRS says what unit the heights have.
 bool names_unit(GDALRasterBand& band, const RasterSurface& surface);
-// Classes are taken as they are written, whatever they are.
-HeightBand understood(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
-                      const RasterName& name);
+// Heights of a band, or a refusal; classes are taken as they are written, whatever they are.
+HeightBand interpret_band(GDALRasterBand& band, const RasterSurface& surface, const Body& body,
+                          const RasterName& name);
 
 }  // namespace lsos

@@ -21,7 +21,7 @@ double azimuth_rad(double east, double north) {
   return azimuth < 0 ? azimuth + full_turn_rad : azimuth;
 }
 
-// Where `to` lies from `from`, east and north, m. Both on the reference surface.
+// Position of `to` as seen from `from`, east and north, m. Both lie on the reference surface.
 struct Offset {
   double east_m, north_m;
 
@@ -34,7 +34,7 @@ struct Offset {
   }
 };
 
-// Rises a column and a row, from three rows of three samples, in the order of gdaldem's sums.
+// Horn's rises per column and per row from three rows of three samples, summed in gdaldem's order.
 template <class Sum>
 std::pair<double, double> horn_differences(const std::array<double, 9>& samples) {
   std::array<Sum, 9> z{};
@@ -79,7 +79,7 @@ std::optional<RasterPoint> RasterReader::at(const Geodetic& place) const {
   return point;
 }
 
-// As it is written; NaN beyond the raster and where it is missing.
+// Sample as it is written; NaN beyond the raster and where it is missing.
 double RasterReader::sample(int column, int row) const {
   const int columns = raster_.columns();
   if (raster_.goes_around()) column = (column % columns + columns) % columns;
@@ -91,7 +91,7 @@ double RasterReader::sample(int column, int row) const {
 }
 
 std::optional<double> RasterReader::bilinear_m(const GridCoordinates& at) const {
-  // A point given as a cell's centre, but for rounding, asks for that cell alone.
+  // A point given as a cell's centre, but for rounding, uses that cell alone.
   constexpr double rounding = 1e-6;
   const auto split = [](double value, int& cell) {
     cell = static_cast<int>(std::floor(value));
@@ -115,10 +115,10 @@ std::optional<double> RasterReader::bilinear_m(const GridCoordinates& at) const 
   return std::isnan(mean) ? std::nullopt : std::optional(mean * scale.scale + scale.offset_m);
 }
 
-// Horn (1981): weights 1, 2, 1 across the difference. At the raster's edge and beside missing
-// samples there is none, as gdaldem has it. Floating-point samples are added as gdaldem adds them,
-// in 32 bits: at 4 km of height that turns a gentle slope's aspect by 0.1 degrees, and who compares
-// must find the same. The ground's normal is free of it.
+// Slope and aspect by Horn (1981): weights 1, 2, 1 across the difference. At the raster's edge and
+// beside missing samples there is none, as in gdaldem. Floating-point samples are added as gdaldem
+// adds them, in 32 bits: at 4 km of height that turns a gentle slope's aspect by 0.1 degrees, and
+// who compares must find the same. The ground's normal is free of it.
 void RasterReader::add_horn(const GridCoordinates& at, RasterPoint& point) const {
   const auto nearest = [](double value, int count) {
     return std::clamp(static_cast<int>(std::floor(value + 0.5)), 0, count - 1);
@@ -180,7 +180,7 @@ std::optional<double> RasterReader::north_azimuth_rad(const GridCoordinates& cel
   const RasterMap& map = raster_.map();
   if (map.crs().IsGeographic()) return 0;
   const auto& g = map.geotransform();
-  // Half a cell's height along the y axis: column and row that lead there.
+  // Half a cell's height along the y axis, as steps in column and row.
   const double determinant = g[1] * g[5] - g[2] * g[4];
   const double half = std::sqrt(std::abs(determinant)) / 2;
   const double by_u = -g[2] / determinant * half;

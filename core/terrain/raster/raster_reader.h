@@ -1,5 +1,5 @@
-// A raster asked point by point, for instruments: what stands in it, and what GDAL's tools make
-// of that. Slow and exact; the ground that wheels feel is `Ground`.
+// A raster read point by point, for instruments: what it holds, and what GDAL's tools compute from
+// it. Slow and exact; the ground that wheels roll on is `Ground`.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@ namespace lsos {
 struct RasterPoint {
   MapPoint map;  // in the raster's CRS
   // Absent beyond the raster and where a sample that counts is missing.
-  std::optional<double> height_m;  // bilinear between cell centres, those outermost going on level
-  // Slope and aspect by Horn's formula at the nearest cell, as gdaldem has them: on the map, without its
-  // distortion. Aspect is where it falls to, clockwise from the map's y axis and from true north;
-  // absent on level ground.
+  std::optional<double> height_m;  // bilinear between cell centres, level beyond the outermost ones
+  // Slope and aspect by Horn's formula at the nearest cell, as in gdaldem: on the map, whose
+  // distortion is not removed. Aspect is the direction of descent, clockwise from the map's y axis
+  // and from true north; absent on level ground.
   std::optional<double> slope_rad;
   std::optional<double> aspect_grid_rad;
   std::optional<double> aspect_rad;
@@ -23,18 +23,19 @@ struct RasterPoint {
 
 class RasterReader {
  public:
-  // On its own body unless one is given. Throws InputError at `place`.
+  // Opens it on its own body unless one is given. Throws InputError at `place`.
   RasterReader(const RasterSurface& surface, const Place& place, const Body* body = nullptr);
 
   const Raster& raster() const { return raster_; }
   const Body& own_body() const { return raster_.own_body(); }
-  // "m", "deg", ...
+  // Unit of the CRS: "m", "deg", ...
   std::string crs_unit() const;
   // nullopt where the projection knows no such place.
   std::optional<RasterPoint> at(const Geodetic& place) const;
 
  private:
-  // East and north a column and a row, m: of the map, or of the ground where the map is in degrees.
+  // Steps to east and north per column and per row, m: of the map, or of the ground where the map
+  // is in degrees.
   struct CellSize {
     double east_by_column_m, east_by_row_m, north_by_column_m, north_by_row_m;
   };

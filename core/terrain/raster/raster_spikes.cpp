@@ -18,13 +18,13 @@ namespace lsos {
 
 namespace {
 
-// A spike reaches at most so many cells each way from its middle.
+// Greatest reach of a spike from its middle, in cells each way.
 constexpr int widest = 2;
-// It differs from every cell of a ring about it by more than so much, and by more than a slope of
-// 76 degrees does over the ring's distance. Needles of rock on the Moon and Mars do not; on Earth
+// A spike differs from every cell of a ring about it by more than this, plus what a slope of 76
+// degrees rises over the ring's distance. Needles of rock on the Moon and Mars do not; on Earth
 // masts, towers and trees do.
 constexpr double least_m = 20, least_on_earth_m = 150, steepest = 4;
-// With more, the ground is made so: by hand, or of buildings.
+// Where a larger share is spikes, the ground is made so: by hand, or of buildings.
 constexpr double most_share = 0.01;
 
 class Window {
@@ -36,8 +36,8 @@ class Window {
   std::vector<double> heights_m;
 
   double operator()(int column, int row) const { return heights_m[index(column, row)]; }
-  // What is counted once is missing from then on.
-  void leave_out(int column, int row, int around) {
+  // Marks counted cells as missing, so that they count once.
+  void mark_missing(int column, int row, int around) {
     for (int i = -around; i <= around; ++i) {
       for (int k = -around; k <= around; ++k) {
         heights_m[index(column + k, row + i)] = std::numeric_limits<double>::quiet_NaN();
@@ -52,8 +52,7 @@ class Window {
   }
 };
 
-// How far a cell stands above all of the ring, negative: below; 0: neither, or the ring is not
-// whole.
+// Height of a cell above all of the ring, m; negative: below; 0: neither, or the ring has holes.
 double above_ring_m(const Window& window, int column, int row, int ring) {
   const double here = window(column, row);
   double above_m = std::numeric_limits<double>::infinity(), below_m = above_m;
@@ -70,8 +69,8 @@ double above_ring_m(const Window& window, int column, int row, int ring) {
   return below_m > 0 ? -below_m : 0;
 }
 
-// All of a small raster; of a large one four windows of as many cells, counted in whole blocks, for
-// one cell of a block costs as much as all of it.
+// All of a small raster; for a large one four windows of as many cells, counted in whole blocks,
+// for one cell of a block costs as much as all of it.
 std::vector<RasterBlock> spread_windows(const Raster& raster) {
   constexpr std::int64_t most_cells = std::int64_t{1} << 20;  // of a window
   constexpr int least_rows = 16;
@@ -98,9 +97,9 @@ std::vector<RasterBlock> spread_windows(const Raster& raster) {
 
 struct Spikes {
   int count = 0;         // places
-  double cells = 0;      // looked at
-  double highest_m = 0;  // of the largest, negative: a pit
-  GridCoordinates at{};  // of that one
+  double cells = 0;      // examined
+  double highest_m = 0;  // of the largest; negative: a pit
+  GridCoordinates at{};  // cell of that one
 };
 
 void add_spikes(Window& window, double cell_m, double threshold_m, Spikes& spikes) {
@@ -109,7 +108,7 @@ void add_spikes(Window& window, double cell_m, double threshold_m, Spikes& spike
     for (int column = edge; column < window.at.columns - edge; ++column) {
       for (int ring = 1; ring <= edge; ++ring) {
         const double least = threshold_m + steepest * ring * cell_m;
-        // Seldom more than this first look.
+        // This first comparison seldom passes.
         const double beside_m = window(column, row) - window(column - ring, row);
         if (!(std::abs(beside_m) > least)) continue;
         const double above_m = above_ring_m(window, column, row, ring);
@@ -120,7 +119,7 @@ void add_spikes(Window& window, double cell_m, double threshold_m, Spikes& spike
           spikes.at = {static_cast<double>(window.at.column + column),
                        static_cast<double>(window.at.row + row)};
         }
-        window.leave_out(column, row, ring - 1);
+        window.mark_missing(column, row, ring - 1);
         break;
       }
     }

@@ -8,8 +8,8 @@
 
 namespace lsos {
 
-// What is left of missing samples, of clouds and of faults in matching. Looks at all of a small
-// raster and at a spread of windows of a large one. "" for good ones.
+// Warns of spikes left by missing samples, clouds and faults in matching. Examines all of a small
+// raster and a spread of windows of a large one; "" for good ones.
 std::string spike_advice(const Raster& raster, const RasterSurface& surface, const HeightGrid& grid,
                          const Body& body);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-// Nodes around a tile. Two passes of filling look two nodes away each.
+// Nodes around a tile: two passes of filling reach two nodes each.
 constexpr int halo = 4;
 constexpr int side = HeightTile::nodes + 2 * halo;
 
@@ -28,7 +28,7 @@ class RawWindow {
 
   double at(int i, int j) const { return height_m_[j * side + i]; }
 
-  // Takes over what the raster has, `turns` whole widths east of where it lies.
+  // Copies the raster's nodes to where they lie `turns` whole widths farther east.
   void read(const Raster& raster, std::int64_t turns) {
     const std::int64_t east = turns * columns_;
     const auto column_low = std::max<std::int64_t>(first_column_, east);
@@ -50,7 +50,7 @@ class RawWindow {
     }
   }
 
-  // The same once for every turn that the window meets.
+  // Reads the raster once for every turn that the window meets.
   void read_around(const Raster& raster) {
     const auto turn_of = [this](std::int64_t column) {
       return (column - (column % columns_ + columns_) % columns_) / columns_;
@@ -73,7 +73,7 @@ class RawWindow {
     }
   }
 
-  // One pass over the holes.
+  // Fills the holes beside ground, in one pass.
   void fill_holes() {
     std::vector<double> filled = height_m_;
     for (int j = 0; j < side; ++j) {
@@ -85,8 +85,8 @@ class RawWindow {
   }
 
  private:
-  // Nodes of one line of the window: `start`, and `stride` apart; `first` is the raster's number
-  // of the first of them, `size` the raster's size along the line.
+  // Continues the nodes of one line of the window: at `start`, and `stride` apart; `first` is the
+  // raster's number of the first of them, `size` the raster's size along the line.
   void continue_line(std::int64_t first, std::int64_t size, int start, int stride) {
     const auto node = [&](std::int64_t number) -> double& {
       return height_m_[start + (number - first) * stride];
@@ -108,7 +108,7 @@ class RawWindow {
   double continued(int i, int j) const {
     double sum_m = 0;
     int count = 0;
-    const auto look = [&](int di, int dj) {
+    const auto add_continuation = [&](int di, int dj) {
       const int far_i = i + 2 * di;
       const int far_j = j + 2 * dj;
       if (far_i < 0 || far_i >= side || far_j < 0 || far_j >= side) return;
@@ -117,10 +117,10 @@ class RawWindow {
       sum_m += height_m;
       ++count;
     };
-    look(1, 0);
-    look(-1, 0);
-    look(0, 1);
-    look(0, -1);
+    add_continuation(1, 0);
+    add_continuation(-1, 0);
+    add_continuation(0, 1);
+    add_continuation(0, -1);
     return count > 0 ? sum_m / count : missing;
   }
 

@@ -7,7 +7,7 @@
 
 namespace lsos {
 
-// From fine to coarse; none for generated ground.
+// Rasters of a terrain from fine to coarse; none for generated ground.
 inline std::vector<RasterSurface> rasters_of(const TerrainSpec& spec) {
   std::vector<RasterSurface> rasters;
   for (const Surface& layer : spec.layers) {

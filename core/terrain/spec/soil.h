@@ -5,7 +5,7 @@
 
 namespace lsos {
 
-// How a soil bears pressure and shear. Its pressure-sinkage law is Bekker's (1969),
+// Parameters of a soil under pressure and shear. Its pressure-sinkage law is Bekker's (1969),
 // p = (k_c/b + k_phi) z^n, where k_phi is given, and Terzaghi's bearing capacity (1943) where not.
 struct Soil {
   std::string name = {};

@@ -26,9 +26,9 @@ struct Landform {
   std::string name;
   double lon_rad = 0;
   double lat_rad = 0;
-  double diameter_m = 0;    // of the rim's crest; of a mountain's foot
+  double diameter_m = 0;    // diameter of the rim's crest, or of a mountain's foot
   double depth_m = 0;       // from the rim's crest to the floor; 0: a mountain
-  double rim_height_m = 0;  // of the crest, or of a mountain's top, above the ground around
+  double rim_height_m = 0;  // height of the crest, or of a mountain's top, above the ground around
 };
 
 // Ground around a place of the body, computed from the landforms on it.
@@ -42,15 +42,15 @@ struct ReliefSurface {
 
 using Surface = std::variant<PlaneSurface, ReliefSurface, RasterSurface>;
 
-// Craters at random places. With an age their numbers are those that a surface of this age has,
-// but no more than equilibrium allows; without, more than D a m2 are
-// density * (D/diameter_min)^-exponent.
+// Craters at random places. With an age their numbers are those that a surface of this age has, but
+// no more than equilibrium allows; without, density * (D / diameter_min)^-exponent per m2 are
+// larger than D.
 struct CraterPopulation {
   double diameter_min_m = 3;
   double diameter_max_m = 60;
   std::optional<double> age_gyr;
   double exponent = 2;
-  double density_pm2 = 2e-4;         // craters larger than diameter_min a m2
+  double density_pm2 = 2e-4;         // number per m2 of craters larger than diameter_min
   double depth_to_diameter = 0.196;  // of a fresh one
   // 0: all fresh; 1: of all ages up to the end of their lives. Absent: 1 with an age, else 0.
   std::optional<double> degradation;
@@ -77,7 +77,7 @@ struct Detail {
   std::optional<CraterPopulation> craters;
   std::optional<RockPopulation> rocks;
   std::optional<Roughness> roughness;
-  double spacing_m = 0.25;  // of the finest heights, about
+  double spacing_m = 0.25;  // approximate spacing of the finest heights
 };
 
 // Ground of another soil: within the polygon, or where the raster band holds one of the values.
@@ -91,23 +91,23 @@ struct SoilPatch {
 // Layers of another terrain, which takes over where the terrain's own ones end.
 struct TerrainBeyond {
   std::string name;
-  std::size_t first_layer = 0;    // of the spec's layers
+  std::size_t first_layer = 0;    // index among the spec's layers
   bool has_detail_alone = false;  // the spec's detail belongs to these layers only
-  bool names_planet = false;      // the terrain itself lies on any
+  bool names_planet = false;      // the planet is named by it alone; the terrain itself lies on any
 };
 
 struct TerrainSpec {
   std::string name;
   std::string doc;
-  std::string planet;           // that it is on; "": any
-  Place place;                  // of the script or the plan's Terrain field
+  std::string planet;           // body that it lies on; "": any
+  Place place;                  // position of the script or of the plan's Terrain field
   std::vector<Surface> layers;  // fine to coarse
   std::optional<TerrainBeyond> beyond;
   std::optional<Detail> detail;
   Soil soil;
   std::vector<SoilPatch> soil_patches;  // the first that holds a place decides
-  std::optional<Soil> rock_soil;        // of rocks; default: a rigid one
-  std::optional<double> optical_depth;  // of dust in the air, straight up
+  std::optional<Soil> rock_soil;        // soil of rocks; default: a rigid one
+  std::optional<double> optical_depth;  // vertical optical depth of dust in the air
   bool is_synthetic = true;
 };
 

@@ -15,8 +15,8 @@ namespace {
 // each. Five strips err by less than 1 % of the disc.
 constexpr int strips = 5;
 
-constexpr int steps_refined = 8;  // per step on either side of the highest ground
-constexpr double eye_m = 1e-3;    // above the ground, so that rounding does not hide the eye
+constexpr int steps_refined = 8;     // per step on either side of the highest ground
+constexpr double eye_lift_m = 1e-3;  // above the ground, so that rounding does not hide the eye
 
 // x of the vertical cut through a unit disc that leaves that share of its area to the left.
 double cut_at(double share) {
@@ -82,7 +82,7 @@ std::optional<GroundLight> GroundLightProbe::at(const Geodetic& place, const Vec
   const GroundSample ground = probe(0).sample(site.p_S_m({place.lon_rad, place.lat_rad, 0}));
   if (!ground.is_ground()) return {};
   const Vec3 eye_S_m =
-      site.p_S_m({place.lon_rad, place.lat_rad, ground.elevation_m + height_m + eye_m});
+      site.p_S_m({place.lon_rad, place.lat_rad, ground.elevation_m + height_m + eye_lift_m});
   const Vec3 up_S = site.up_S(eye_S_m);
   const Eye eye{eye_S_m, up_S, site.height_m(eye_S_m), ground.elevation_m};
   GroundLight light;
@@ -100,10 +100,10 @@ std::optional<GroundLight> GroundLightProbe::at(const Geodetic& place, const Vec
     // Half height of the rectangle that has the strip's width and area.
     const double half_rad = disc_rad * std::numbers::pi / strips / (2 * (to - from));
     const double aside_rad = disc_rad * middle / std::max(0.05, std::cos(sun_rad));
-    const Vec3 way_S = std::cos(aside_rad) * along_S + std::sin(aside_rad) * across_S;
+    const Vec3 ray_S = std::cos(aside_rad) * along_S + std::sin(aside_rad) * across_S;
     GroundEndTracker tracker;
     const double horizon =
-        horizon_rad(eye, way_S, sun_rad - half_rad, sun_rad + half_rad, matters_m, tracker);
+        horizon_rad(eye, ray_S, sun_rad - half_rad, sun_rad + half_rad, matters_m, tracker);
     const double seen = std::clamp((sun_rad + half_rad - horizon) / (2 * half_rad), 0.0, 1.0);
     light.sun_fraction += seen / strips;
     const auto end_m = tracker.end_m();

@@ -51,7 +51,7 @@ class Strip {
   }
   bool is_past_reach(double x_m) const { return x_m > 2 * column_.reach_m; }
   // Ground that is seen at a steeper slope than this hides the whole disc.
-  double top_ray() const {
+  double top_ray_slope() const {
     return std::tan(std::clamp(elevation_rad_ + column_.disc_rad, -1.5, 1.5));
   }
   // Height of the lowest ray to the Sun from any part of the lit object.
@@ -96,7 +96,8 @@ class Strip {
     const auto found = first_probes_.find(octave);
     if (found != first_probes_.end()) return found->second;
     const double resolution_m = std::ldexp(first_rows_m, octave);
-    return first_probes_.emplace(octave, Ground::Probe::rough(ground_, resolution_m)).first->second;
+    return first_probes_.emplace(octave, Ground::Probe::with_sparse_detail(ground_, resolution_m))
+        .first->second;
   }
 
   const Ground& ground_;
@@ -160,7 +161,7 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
   StripMesh mesh(strip);
   bool is_open = false;  // the last row added is where this stretch begins
   double x_m = 0, z_m = strip.first_point(0).z();  // of the middle line
-  while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray()) {
+  while (x_m < farthest_m && !strip.is_beyond(x_m) && mesh.ridge() < strip.top_ray_slope()) {
     const double next_m = x_m + std::max(first_rows_m, first_share * x_m);
     const double next_z_m = strip.first_point(next_m).z(), height_m = std::max(z_m, next_z_m);
     z_m = next_z_m;

@@ -83,14 +83,14 @@ Gpu::Context::Context(GpuChoice choice) {
   if (!epoxy_has_egl()) refuse("there is no libEGL");
   for (const EGLDisplay on : displays(choice)) {
     if (on == EGL_NO_DISPLAY || !eglInitialize(on, nullptr, nullptr)) continue;
-    const EGLContext made = context_on(on);
-    if (made == EGL_NO_CONTEXT) continue;
-    if (!eglMakeCurrent(on, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
-      eglDestroyContext(on, made);
+    const EGLContext created = context_on(on);
+    if (created == EGL_NO_CONTEXT) continue;
+    if (!eglMakeCurrent(on, EGL_NO_SURFACE, EGL_NO_SURFACE, created)) {
+      eglDestroyContext(on, created);
       continue;
     }
     display = on;
-    context = made;
+    context = created;
     name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     return;
   }

@@ -22,7 +22,8 @@ Ground::Probe& GroundEndProbe::probe(double step_m) {
   const auto found = probes_.find(octave);
   if (found != probes_.end()) return found->second;
   const double resolution_m = octave == 0 ? 0 : std::ldexp(1.0, octave);
-  return probes_.emplace(octave, Ground::Probe::rough(*ground_, resolution_m)).first->second;
+  return probes_.emplace(octave, Ground::Probe::with_sparse_detail(*ground_, resolution_m))
+      .first->second;
 }
 
 std::optional<GroundEnd> GroundEndProbe::towards(const Vec3& eye_S_m, const Vec3& direction_S,
@@ -37,7 +38,7 @@ std::optional<GroundEnd> GroundEndProbe::towards(const Vec3& eye_S_m, const Vec3
   const double elevation_rad = std::asin(sine);
   const double matters_m =
       horizon_reach_m(site.body(), site.height_m(eye_S_m), elevation_rad - disc_rad);
-  const double hides = std::tan(elevation_rad + disc_rad);
+  const double top_slope = std::tan(elevation_rad + disc_rad);
   GroundEndTracker tracker;
   for (double x_m = step_least_m; x_m < matters_m; x_m += step_m(x_m)) {
     const Vec3 p_S_m = eye_S_m + x_m * along_S;
@@ -46,7 +47,7 @@ std::optional<GroundEnd> GroundEndProbe::towards(const Vec3& eye_S_m, const Vec3
     tracker.add(x_m, found.is_ground());
     if (!found.is_ground()) continue;
     const Vec3 to_m = p_S_m - found.gap_m * found.up_S - eye_S_m;
-    if (to_m.dot(up_S) > hides * to_m.dot(along_S)) return {};
+    if (to_m.dot(up_S) > top_slope * to_m.dot(along_S)) return {};
   }
   const auto end_m = tracker.end_m();
   if (!end_m) return {};
@@ -62,10 +63,10 @@ std::optional<GroundEnd> GroundEndProbe::between(const Vec3& from_S_m, const Vec
                                                  double margin_m) {
   if (!ground_->has_end()) return {};
   const SiteFrame& site = ground_->site();
-  const Vec3 way_m = to_S_m - from_S_m;
-  const double length_m = way_m.norm();
+  const Vec3 line_m = to_S_m - from_S_m;
+  const double length_m = line_m.norm();
   if (length_m < step_least_m) return {};
-  const Vec3 along_S = way_m / length_m;
+  const Vec3 along_S = line_m / length_m;
   const auto ground_height_m = [&](const Vec3& end_S_m) {
     const GroundSample below = sample(end_S_m, 0);
     return below.is_ground() ? below.elevation_m : site.height_m(end_S_m);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double rounding_px = 1e-5;  // rounding error of projections
 
-double on_line(double px) {
+double snapped_px(double px) {
   const double line = std::round(px);
   return std::abs(px - line) < rounding_px ? line : px;
 }
@@ -21,7 +21,7 @@ MapHeights::MapHeights(const MapGrid& grid, const Body& body)
     : map_(grid.map(body)),
       columns_(static_cast<std::size_t>(grid.columns)),
       rows_(static_cast<std::size_t>(grid.rows)),
-      goes_around_(map_.period_px() == grid.columns),
+      is_periodic_(map_.period_px() == grid.columns),
       heights_m_(columns_ * rows_, std::numeric_limits<float>::quiet_NaN()) {}
 
 // Wraps a column into one revolution, on maps whose columns go around the body.
@@ -40,12 +40,12 @@ bool MapHeights::holds(const std::optional<GridCoordinates>& at) const {
 std::optional<double> MapHeights::height_m(const GridCoordinates& at) const {
   const double columns = static_cast<double>(columns_), rows = static_cast<double>(rows_);
   double u = in_period(at.u);
-  if (goes_around_ && u < 0) u += columns;
-  const double last_u = goes_around_ ? columns : columns - 1;
+  if (is_periodic_ && u < 0) u += columns;
+  const double last_u = is_periodic_ ? columns : columns - 1;
   if (!(u >= 0 && u <= last_u && at.v >= 0 && at.v <= rows - 1)) return {};
   const auto left = std::min(static_cast<std::size_t>(u), columns_ - 1);
   const auto above = std::min(static_cast<std::size_t>(at.v), rows_ - 1);
-  const std::size_t right = left + 1 < columns_ ? left + 1 : (goes_around_ ? 0 : left);
+  const std::size_t right = left + 1 < columns_ ? left + 1 : (is_periodic_ ? 0 : left);
   const std::size_t below = std::min(above + 1, rows_ - 1);
   const double to_right = u - static_cast<double>(left);
   const double down = at.v - static_cast<double>(above);
@@ -63,7 +63,7 @@ std::optional<double> MapHeights::height_m(const GridCoordinates& at) const {
 
 std::optional<GridCoordinates> MapHeights::coordinates(const Geodetic& place) const {
   const auto at = map_.coordinates(place);
-  return at ? std::optional(GridCoordinates{on_line(at->u), on_line(at->v)}) : std::nullopt;
+  return at ? std::optional(GridCoordinates{snapped_px(at->u), snapped_px(at->v)}) : std::nullopt;
 }
 
 std::optional<double> MapHeights::height_m(const Geodetic& place) const {

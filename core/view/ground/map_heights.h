@@ -37,7 +37,7 @@ class MapHeights {
 
   RasterMap map_;
   std::size_t columns_, rows_;
-  bool goes_around_;
+  bool is_periodic_;
   std::vector<float> heights_m_;
 };
 

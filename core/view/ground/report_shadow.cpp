@@ -64,17 +64,17 @@ double share_above(double t) {
   return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / std::numbers::pi;
 }
 
-// Tangent of the elevation of the highest ground in direction (way_x, way_y), beyond the map's edge
-// too. Past its end the ground is taken to continue level. Ground at distance d that is higher by h
-// counts as h / d - d / (2 R), R = radius_m.
+// Tangent of the elevation of the highest ground in direction (direction_x, direction_y), beyond
+// the map's edge too. Past its end the ground is taken to continue level. Ground at distance d that
+// is higher by h counts as h / d - d / (2 R), R = radius_m.
 double horizon(const std::vector<Level>& levels, const Vec3& from_S_m, double height_m,
-               double way_x, double way_y, double radius_m) {
+               double direction_x, double direction_y, double radius_m) {
   double highest = -1;
   double distance_m = levels.front().cells.cell_m, known_m = height_m;
   for (const Level& level : levels) {
     for (; distance_m < level.reach_m; distance_m += level.cells.cell_m) {
-      double there_m =
-          level.height_m(from_S_m.x() + distance_m * way_x, from_S_m.y() + distance_m * way_y);
+      double there_m = level.height_m(from_S_m.x() + distance_m * direction_x,
+                                      from_S_m.y() + distance_m * direction_y);
       if (std::isnan(there_m) && &level == &levels.front()) break;  // its edge
       if (std::isnan(there_m)) there_m = known_m;
       known_m = there_m;
@@ -108,7 +108,7 @@ std::vector<double> sunlit_shares(const Ground& ground, const MapCells& cells, I
   const Sunlight sun = sunlight(site.body(), site.geodetic(middle_S_m), at, 0);
   const Vec3 sun_S = direction_S(site, middle_S_m, sun.seen);
   const double level = std::max(1e-9, std::hypot(sun_S.x(), sun_S.y()));
-  const double way_x = sun_S.x() / level, way_y = sun_S.y() / level;
+  const double direction_x = sun_S.x() / level, direction_y = sun_S.y() / level;
   const std::vector<Level> levels = levels_of(ground, cells, threads);
   const std::vector<double>& heights_m = levels.front().heights_m;
   std::vector<double> shares(cells.size(), not_modelled);
@@ -120,8 +120,8 @@ std::vector<double> sunlit_shares(const Ground& ground, const MapCells& cells, I
         if (std::isnan(height_m)) continue;
         const Vec3 p_S_m = cells.p_S_m(column, row);
         const double elevation_rad = std::asin(std::clamp(sun_S.dot(site.up_S(p_S_m)), -1.0, 1.0));
-        const double over_rad = std::atan(
-            horizon(levels, p_S_m, height_m, way_x, way_y, site.body().equatorial_radius_m));
+        const double over_rad = std::atan(horizon(levels, p_S_m, height_m, direction_x, direction_y,
+                                                  site.body().equatorial_radius_m));
         shares[cells.index(column, row)] =
             share_above((elevation_rad - over_rad) / sun.disc_rad) * (1 - sun.eclipsed);
       }

@@ -25,9 +25,9 @@ class RowProbes {
     const auto found = probes_.find(octave);
     if (found != probes_.end()) return found->second;
     return probes_
-        .emplace(octave, octave == 0
-                             ? Ground::Probe(*ground_)
-                             : Ground::Probe::rough(*ground_, std::ldexp(least_m, octave - 2)))
+        .emplace(octave, octave == 0 ? Ground::Probe(*ground_)
+                                     : Ground::Probe::with_sparse_detail(
+                                           *ground_, std::ldexp(least_m, octave - 2)))
         .first->second;
   }
 

@@ -22,13 +22,13 @@ class SightGround::Strip {
  public:
   Strip(SightGround& sight, const Vec3& from_S_m, const Vec3& to_S_m, double half_m)
       : sight_(sight), from_S_m_(from_S_m), half_m_(half_m) {
-    const Vec3 up_S = sight.ground_->site().up_S(from_S_m), way_m = to_S_m - from_S_m;
-    const Vec3 level_m = way_m - way_m.dot(up_S) * up_S;
+    const Vec3 up_S = sight.ground_->site().up_S(from_S_m), line_m = to_S_m - from_S_m;
+    const Vec3 level_m = line_m - line_m.dot(up_S) * up_S;
     length_m_ = level_m.norm();
     if (length_m_ <= 0) return;
-    along_S_ = way_m / length_m_;
+    along_S_ = line_m / length_m_;
     across_S_ = up_S.cross(level_m / length_m_);
-    rise_max_ = rise_max + std::abs(way_m.dot(up_S)) / length_m_;
+    rise_max_ = rise_max + std::abs(line_m.dot(up_S)) / length_m_;
   }
 
   Mesh mesh() {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "view/ground/ground_ladder.h"
 #include "view/ground/highest_ground.h"
-#include "view/ground/shared_rows.h"
+#include "view/ground/lod_probes.h"
+#include "view/ground/parallel_rows.h"
 
 namespace lsos {
 
@@ -17,7 +17,7 @@ constexpr double finest_half_m = 24;
 constexpr double farthest_half_m = 7e3;
 constexpr double resolution_cells = 16;  // detail is then drawn on nodes not much closer than these
 // Beyond the squares rays towards the Sun are marched, from this many places of their edge.
-constexpr int marches = 33;
+constexpr int edge_rays = 33;
 constexpr double march_share = 0.01, march_resolution_share = 0.01;  // of the distance
 constexpr double steepest = 30;      // slope of rays; a higher Sun casts negligible shadows
 constexpr double soft_cells = 0.02;  // shadow edges are no sharper than the nodes resolve
@@ -66,7 +66,7 @@ std::array<double, std::tuple_size_v<Limits>> between(const Limits& a, const Lim
 }
 
 template <std::size_t count>
-std::array<float, count> kept(const std::array<double, count>& limits_m) {
+std::array<float, count> as_floats(const std::array<double, count>& limits_m) {
   std::array<float, count> floats;
   std::ranges::transform(limits_m, floats.begin(), [](double h) { return static_cast<float>(h); });
   return floats;
@@ -107,7 +107,7 @@ TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& ey
   level.ground_m.assign(node_at(nodes, 0), none);
   const double radius_m = ground.site().body().equatorial_radius_m;
   const Level* finer = levels_.empty() ? nullptr : &levels_.back();
-  const auto row = [&](GroundLadder& look, int j) {
+  const auto row = [&](LodProbes& probes, int j) {
     for (int i = first_seen(level, j); i < nodes; ++i) {
       float& height_m = level.ground_m[node_at(j, i)];
       // The finer square has nodes at the same places.
@@ -119,13 +119,13 @@ TerrainShadow::Level TerrainShadow::sampled(const Ground& ground, const Vec3& ey
       const double x_m = i * level.cell_m - half_m, y_m = j * level.cell_m - half_m;
       const double drop_m = (x_m * x_m + y_m * y_m) / (2 * radius_m);
       const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
-      const GroundSample sample = look.at_octave(eye_S_m + p_m, resolution_cells * level.cell_m);
+      const GroundSample sample = probes.at_octave(eye_S_m + p_m, resolution_cells * level.cell_m);
       if (!sample.is_ground()) continue;
       height_m = static_cast<float>((p_m - sample.gap_m * sample.up_S).dot(up_S_));
     }
   };
-  share_rows(
-      nodes, [&] { return GroundLadder(ground); }, row);
+  parallel_for_rows(
+      nodes, [&] { return LodProbes(ground); }, row);
   return level;
 }
 
@@ -148,16 +148,16 @@ void TerrainShadow::march(const Ground& ground, const Vec3& eye_S_m) {
   const Level& last = levels_.back();
   const Body& body = ground.site().body();
   const double over_m = body.highest_ground_m - ground.site().height_m(eye_S_m);
-  edge_.assign(marches, unobstructed());
-  const auto one = [&](GroundLadder& look, int k) {
+  edge_.assign(edge_rays, unobstructed());
+  const auto one = [&](LodProbes& probes, int k) {
     Limits& limits_m = edge_[static_cast<std::size_t>(k)];
-    const double y_m = last.half_m * (2.0 * k / (marches - 1) - 1);
+    const double y_m = last.half_m * (2.0 * k / (edge_rays - 1) - 1);
     for (double x_m = last.half_m;; x_m *= 1 + march_share) {
       const double drop_m = (x_m * x_m + y_m * y_m) / (2 * body.equatorial_radius_m);
       const double from_edge_m = x_m - last.half_m;
       if (from_edge_m * slopes_.front() + drop_m > over_m + last.half_m) break;
       const Vec3 p_m = x_m * along_S_ + y_m * across_S_ - drop_m * up_S_;
-      const GroundSample sample = look.at_octave(eye_S_m + p_m, march_resolution_share * x_m);
+      const GroundSample sample = probes.at_octave(eye_S_m + p_m, march_resolution_share * x_m);
       if (!sample.is_ground()) continue;
       const double height_m = (p_m - sample.gap_m * sample.up_S).dot(up_S_);
       for (int s = 0; s <= slices; ++s) {
@@ -165,13 +165,13 @@ void TerrainShadow::march(const Ground& ground, const Vec3& eye_S_m) {
       }
     }
   };
-  share_rows(
-      marches, [&] { return GroundLadder(ground); }, one);
+  parallel_for_rows(
+      edge_rays, [&] { return LodProbes(ground); }, one);
 }
 
 TerrainShadow::Limits TerrainShadow::at_edge(double across_m) const {
-  const double k = (across_m / levels_.back().half_m + 1) / 2 * (marches - 1);
-  const auto low = static_cast<std::size_t>(std::clamp(k, 0.0, marches - 2.0));
+  const double k = (across_m / levels_.back().half_m + 1) / 2 * (edge_rays - 1);
+  const auto low = static_cast<std::size_t>(std::clamp(k, 0.0, edge_rays - 2.0));
   const double up = k - static_cast<double>(low);
   return between(edge_[low], edge_[low + 1], up);
 }
@@ -195,15 +195,16 @@ double TerrainShadow::share_of(double height_m, const Limits& limits_m, double c
 }
 
 void TerrainShadow::sweep(Level& level, const Level* coarser) const {
-  level.limits_m.assign(level.ground_m.size(), kept(unobstructed()));
+  level.limits_m.assign(level.ground_m.size(), as_floats(unobstructed()));
   level.share.assign(level.ground_m.size(), 1);
   const double under_eye_m =
       std::max<double>(-10, levels_.front().ground_m[node_at((nodes - 1) / 2, (nodes - 1) / 2)]);
   for (int j = 0; j < nodes; ++j) {
     const double across_m = j * level.cell_m - level.half_m;
-    Limits limits_m = coarser ? limits_at(spot(level.half_m, across_m,
-                                               static_cast<std::size_t>(coarser - levels_.data())))
-                              : at_edge(across_m);
+    Limits limits_m =
+        coarser ? limits_at(grid_position(level.half_m, across_m,
+                                          static_cast<std::size_t>(coarser - levels_.data())))
+                : at_edge(across_m);
     for (int i = nodes - 1, end = first_seen(level, j); i >= end; --i) {
       const std::size_t k = node_at(j, i);
       const double ground_m = level.ground_m[k];
@@ -211,12 +212,12 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
         // Unknown ground is taken to lie as high as that below the eye, and casts no shadow.
         const double along_m = i * level.cell_m - level.half_m;
         const double drop_m = (along_m * along_m + across_m * across_m) / (2 * radius_m_);
-        level.limits_m[k] = kept(limits_m);
+        level.limits_m[k] = as_floats(limits_m);
         level.share[k] = static_cast<float>(share_of(under_eye_m - drop_m, limits_m, level.cell_m));
         lower(limits_m, level.cell_m);
         continue;
       }
-      level.limits_m[k] = kept(limits_m);
+      level.limits_m[k] = as_floats(limits_m);
       level.share[k] = static_cast<float>(share_of(ground_m, limits_m, level.cell_m));
       raise(limits_m, ground_m);
       lower(limits_m, level.cell_m);
@@ -225,7 +226,8 @@ void TerrainShadow::sweep(Level& level, const Level* coarser) const {
   smooth(level.share);
 }
 
-TerrainShadow::Spot TerrainShadow::spot(double along_m, double across_m, std::size_t from) const {
+TerrainShadow::GridPosition TerrainShadow::grid_position(double along_m, double across_m,
+                                                         std::size_t from) const {
   for (std::size_t k = from; k < levels_.size(); ++k) {
     const Level& level = levels_[k];
     const double i = (along_m + level.half_m) / level.cell_m;
@@ -244,14 +246,14 @@ TerrainShadow::Limits TerrainShadow::unobstructed() {
   return limits_m;
 }
 
-TerrainShadow::Limits TerrainShadow::limits_at(const Spot& spot) {
-  const std::vector<KeptLimits>& at = spot.level->limits_m;
-  const std::size_t k = spot.node;
-  return between(between(at[k], at[k + 1], spot.right),
-                 between(at[k + nodes], at[k + nodes + 1], spot.right), spot.up);
+TerrainShadow::Limits TerrainShadow::limits_at(const GridPosition& grid_position) {
+  const std::vector<StoredLimits>& at = grid_position.level->limits_m;
+  const std::size_t k = grid_position.node;
+  return between(between(at[k], at[k + 1], grid_position.right),
+                 between(at[k + nodes], at[k + nodes + 1], grid_position.right), grid_position.up);
 }
 
-double TerrainShadow::share_at(const Spot& at) {
+double TerrainShadow::share_at(const GridPosition& at) {
   const std::vector<float>& share = at.level->share;
   const std::size_t k = at.node;
   return std::lerp(std::lerp(share[k], share[k + 1], at.right),
@@ -260,18 +262,18 @@ double TerrainShadow::share_at(const Spot& at) {
 
 double TerrainShadow::on_ground(const Vec3& p_m) const {
   const double along_m = p_m.dot(along_S_), across_m = p_m.dot(across_S_);
-  const Spot at = spot(along_m, across_m);
+  const GridPosition at = grid_position(along_m, across_m);
   if (!at.level) return slopes_.front() > 0 ? 1 : 0;
   // Blends into the coarser square, in which small features cast no shadow.
   const double out = std::max(std::abs(along_m), std::abs(across_m)) / at.level->half_m;
   const double coarse = (out - faded_from) / (1 - faded_from);
   const auto next = static_cast<std::size_t>(at.level - levels_.data()) + 1;
   if (coarse <= 0 || next == levels_.size()) return share_at(at);
-  return std::lerp(share_at(at), share_at(spot(along_m, across_m, next)), coarse);
+  return std::lerp(share_at(at), share_at(grid_position(along_m, across_m, next)), coarse);
 }
 
 double TerrainShadow::at(const Vec3& p_m) const {
-  const Spot at = spot(p_m.dot(along_S_), p_m.dot(across_S_));
+  const GridPosition at = grid_position(p_m.dot(along_S_), p_m.dot(across_S_));
   if (!at.level) return slopes_.front() > 0 ? 1 : 0;
   return share_of(p_m.dot(up_S_), limits_at(at), at.level->cell_m);
 }

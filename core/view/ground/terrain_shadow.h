@@ -35,15 +35,15 @@ class TerrainShadow {
   // Heights at one place above the eye's plane. From limit k upwards a ray to the lower edge of
   // slice k clears all terrain; the last limit is that of the top of the disc.
   using Limits = std::array<double, slices + 1>;
-  using KeptLimits = std::array<float, slices + 1>;
+  using StoredLimits = std::array<float, slices + 1>;
   // A square grid whose rows run towards the Sun.
   struct Level {
     double half_m = 0, cell_m = 0;
     std::vector<float> ground_m;  // above the eye's plane
-    std::vector<KeptLimits> limits_m;
+    std::vector<StoredLimits> limits_m;
     std::vector<float> share;  // of the disc, seen by the ground
   };
-  struct Spot {
+  struct GridPosition {
     const Level* level;
     std::size_t node;
     double right, up;  // shares of a cell
@@ -62,10 +62,10 @@ class TerrainShadow {
   void sweep(Level& level, const Level* coarser) const;
   // The position in the finest level that holds it, from level `from` on; `level` is nullptr beyond
   // all levels.
-  Spot spot(double along_m, double across_m, std::size_t from = 0) const;
+  GridPosition grid_position(double along_m, double across_m, std::size_t from = 0) const;
   static Limits unobstructed();
-  static Limits limits_at(const Spot& spot);
-  static double share_at(const Spot& spot);
+  static Limits limits_at(const GridPosition& grid_position);
+  static double share_at(const GridPosition& grid_position);
 
   Vec3 up_S_, along_S_, across_S_;
   std::array<double, slices + 1> slopes_;  // of the rays

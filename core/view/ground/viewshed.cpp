@@ -34,11 +34,13 @@ constexpr double reach_rad = 0.9;
 constexpr float none = -std::numeric_limits<float>::infinity();
 
 // Clockwise from north.
-double azimuth_rad(const Vec3& way, const Vec3& east, const Vec3& north) {
-  return std::atan2(way.dot(east), way.dot(north));
+double azimuth_rad(const Vec3& direction, const Vec3& east, const Vec3& north) {
+  return std::atan2(direction.dot(east), direction.dot(north));
 }
 
-double in_turn(double angle_rad) { return angle_rad - turn_rad * std::floor(angle_rad / turn_rad); }
+double wrapped_rad(double angle_rad) {
+  return angle_rad - turn_rad * std::floor(angle_rad / turn_rad);
+}
 
 bool holds(const MapGrid& grid, const RasterMap& map, const Geodetic& place) {
   const auto at = map.coordinates(place);
@@ -117,9 +119,9 @@ Viewshed::Viewshed(const Ground& ground, const MapHeights* heights, const Observ
 
 void Viewshed::spread_rays() {
   const double cell_m = observer_.cell_m;
-  fineness_ = std::clamp(sector_.farthest_m / cell_m / cells_to_whole, finest_cells, 1.0);
+  cells_per_sample_ = std::clamp(sector_.farthest_m / cell_m / cells_to_whole, finest_cells, 1.0);
   const double wanted_rad =
-      std::min(turn_rad / 64, fineness_ * cell_m / std::max(sector_.farthest_m, cell_m));
+      std::min(turn_rad / 64, cells_per_sample_ * cell_m / std::max(sector_.farthest_m, cell_m));
   if (sector_.width_rad < turn_rad) {
     sector_.azimuth_low_rad -= wanted_rad;
     sector_.width_rad = std::min(turn_rad, sector_.width_rad + 2 * wanted_rad);
@@ -128,7 +130,7 @@ void Viewshed::spread_rays() {
   spacing_rad_ = sector_.width_rad / gaps;
   ray_count_ = static_cast<std::size_t>(gaps) + 1;
   add_distances();
-  highest_.resize(ray_count_);
+  max_slopes_.resize(ray_count_);
 }
 
 double Viewshed::reach_m() const { return reach_rad * radius_m_; }
@@ -136,7 +138,8 @@ double Viewshed::reach_m() const { return reach_rad * radius_m_; }
 void Viewshed::add_distances() {
   const double cell_m = observer_.cell_m;
   const auto step_m = [&](double x_m) {
-    const double plain_m = std::clamp(near_share * x_m, near_cells * cell_m, fineness_ * cell_m);
+    const double plain_m =
+        std::clamp(near_share * x_m, near_cells * cell_m, cells_per_sample_ * cell_m);
     return std::max(plain_m, far_share * std::min(x_m, sector_.nearest_m - x_m));
   };
   for (double x_m = step_m(0); x_m <= sector_.farthest_m; x_m += step_m(x_m)) {
@@ -145,8 +148,9 @@ void Viewshed::add_distances() {
 }
 
 Viewshed::Polar Viewshed::polar(const Vec3& p_S_m) const {
-  const Vec3 way_m = p_S_m - eye_S_m_;
-  const double east_m = way_m.dot(east_S_), north_m = way_m.dot(north_S_), up_m = way_m.dot(up_S_);
+  const Vec3 line_m = p_S_m - eye_S_m_;
+  const double east_m = line_m.dot(east_S_), north_m = line_m.dot(north_S_),
+               up_m = line_m.dot(up_S_);
   const double level_m = std::hypot(east_m, north_m);
   Polar polar;
   polar.azimuth_rad = std::atan2(east_m, north_m);
@@ -271,7 +275,7 @@ void Viewshed::march(std::size_t ray, GroundProbes& probes) {
   // Ground beyond the map hides nothing on it.
   std::size_t count = track.size();
   while (heights_ != nullptr && count > 0 && !heights_->holds(track[count - 1])) --count;
-  std::vector<float>& highest = highest_[ray];
+  std::vector<float>& highest = max_slopes_[ray];
   highest.resize(count);
   float so_far = none;
   double before_m = 0;
@@ -304,13 +308,13 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
   const auto beyond = std::ranges::upper_bound(distances_m_, before_m);
   if (beyond == distances_m_.begin()) return true;
   const auto sample = static_cast<std::size_t>(beyond - distances_m_.begin()) - 1;
-  const double at = in_turn(target.azimuth_rad - sector_.azimuth_low_rad) / spacing_rad_;
+  const double at = wrapped_rad(target.azimuth_rad - sector_.azimuth_low_rad) / spacing_rad_;
   const std::size_t ray = std::min(static_cast<std::size_t>(at), ray_count_ - 2);
   const double share = std::clamp(at - static_cast<double>(ray), 0.0, 1.0);
   const auto highest_of = [&](const std::vector<float>& highest) {
     return highest.empty() ? none : highest[std::min(sample, highest.size() - 1)];
   };
-  const float left = highest_of(highest_[ray]), right = highest_of(highest_[ray + 1]);
+  const float left = highest_of(max_slopes_[ray]), right = highest_of(max_slopes_[ray + 1]);
   // Without ground on one side the other side decides.
   if (left == none || right == none) return target.slope >= std::max(left, right);
   return target.slope >= (1 - share) * left + share * right;

@@ -83,9 +83,9 @@ class Viewshed {
   std::optional<GridCoordinates> eye_px_;  // absent: rays are marched
   std::size_t ray_count_ = 0;
   double spacing_rad_ = 0;
-  double fineness_ = 1;                      // cells between samples
-  std::vector<double> distances_m_;          // of a ray's samples
-  std::vector<std::vector<float>> highest_;  // slope so far, by ray, as far as the map goes
+  double cells_per_sample_ = 1;                 // cells between samples
+  std::vector<double> distances_m_;             // of a ray's samples
+  std::vector<std::vector<float>> max_slopes_;  // slope so far, by ray, as far as the map goes
 };
 
 }  // namespace lsos

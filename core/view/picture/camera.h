@@ -17,7 +17,7 @@ struct Camera {
   double focal_px = 1000;
 
   Vec3 right_S() const { return ahead_S.cross(up_S); }
-  double metres_a_pixel(double distance_m) const { return distance_m / focal_px; }
+  double metres_per_pixel(double distance_m) const { return distance_m / focal_px; }
 };
 
 inline double focal_of(int width_px, double width_rad) {
@@ -26,7 +26,7 @@ inline double focal_of(int width_px, double width_rad) {
 
 // A camera at the eye that points at the target. `up_S` is the approximate up direction of the
 // picture and must not be parallel to the line of sight.
-inline Camera look(const Vec3& eye_S_m, const Vec3& target_S_m, const Vec3& up_S) {
+inline Camera camera_towards(const Vec3& eye_S_m, const Vec3& target_S_m, const Vec3& up_S) {
   Camera camera;
   camera.eye_S_m = eye_S_m;
   camera.ahead_S = (target_S_m - eye_S_m).normalized();

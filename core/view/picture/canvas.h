@@ -13,24 +13,24 @@ namespace lsos {
 // The constructor binds the framebuffer, the destructor deletes it.
 struct Canvas {
   GLuint framebuffer = 0;
-  std::array<GLuint, 2> layers{};
+  std::array<GLuint, 2> renderbuffers{};
 
   Canvas(int width_px, int height_px) {
     glGenFramebuffers(1, &framebuffer);
-    glGenRenderbuffers(2, layers.data());
+    glGenRenderbuffers(2, renderbuffers.data());
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     const std::array<std::pair<GLenum, GLenum>, 2> uses{
         {{GL_RGBA8, GL_COLOR_ATTACHMENT0}, {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT}}};
-    for (std::size_t k = 0; k < layers.size(); ++k) {
-      glBindRenderbuffer(GL_RENDERBUFFER, layers[k]);
+    for (std::size_t k = 0; k < renderbuffers.size(); ++k) {
+      glBindRenderbuffer(GL_RENDERBUFFER, renderbuffers[k]);
       glRenderbufferStorage(GL_RENDERBUFFER, uses[k].first, width_px, height_px);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, uses[k].second, GL_RENDERBUFFER, layers[k]);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, uses[k].second, GL_RENDERBUFFER, renderbuffers[k]);
     }
     LSOS_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
   }
   ~Canvas() {
     glDeleteFramebuffers(1, &framebuffer);
-    glDeleteRenderbuffers(2, layers.data());
+    glDeleteRenderbuffers(2, renderbuffers.data());
   }
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "view/ground/ground_ladder.h"
 #include "view/ground/highest_ground.h"
-#include "view/ground/shared_rows.h"
+#include "view/ground/lod_probes.h"
+#include "view/ground/parallel_rows.h"
 
 namespace lsos {
 
@@ -67,7 +67,7 @@ Lattice fan(const SiteFrame& site, const Camera& camera, double eye_gap_m) {
 // A rectangle under a camera that looks down.
 Lattice square(const Camera& camera, double eye_gap_m) {
   const double slant = -1 / camera.ahead_S.z();
-  const double cell_m = camera.metres_a_pixel(eye_gap_m) * across_px;
+  const double cell_m = camera.metres_per_pixel(eye_gap_m) * across_px;
   const double margin = 1.15 * slant;  // for ground that rises or falls
   const int rows = static_cast<int>(margin * camera.height_px / across_px);
   const int columns = static_cast<int>(margin * camera.width_px / across_px);
@@ -141,19 +141,19 @@ SceneMesh ground_view(const Ground& ground, const Camera& camera, const TerrainS
     vertex.sun_share = static_cast<float>(shadow.on_ground(at_m));
     is_ground[k] = 1;
   };
-  const auto row = [&](GroundLadder& look, int j) {
+  const auto row = [&](LodProbes& probes, int j) {
     const auto at = static_cast<std::size_t>(j);
     for (std::size_t i = 0; i < columns; ++i) {
       const Vec3& p_m = lattice.rows[at][i];
       const GroundSample sample =
-          look.sample(camera.eye_S_m + p_m, resolution_steps * lattice.step_m[at]);
+          probes.sample(camera.eye_S_m + p_m, resolution_steps * lattice.step_m[at]);
       if (!sample.is_ground()) continue;
       gap_m[at * columns + i] = sample.gap_m;
       place(at * columns + i, p_m, sample.normal_S, sample.up_S);
     }
   };
-  share_rows(
-      static_cast<int>(rows), [&] { return GroundLadder(ground); }, row);
+  parallel_for_rows(
+      static_cast<int>(rows), [&] { return LodProbes(ground); }, row);
   for (std::size_t k = columns; k < rows * columns; ++k) {
     if (is_ground[k] != 0 || is_ground[k - columns] == 0) continue;
     gap_m[k] = gap_m[k - columns];

@@ -16,9 +16,10 @@ namespace {
 
 // Supersampling factor in width and height, for smooth edges. On small triangles this is far
 // quicker in software than several samples per pixel.
-constexpr int finer = 2;
+constexpr int supersampling = 2;
 constexpr double nearest_m = 0.2, farthest_m = 500e3;
-constexpr double level_ground = 0.30;  // its brightness in the picture before tone mapping
+constexpr double level_ground_brightness =
+    0.30;  // its brightness in the picture before tone mapping
 constexpr double exposure_max = 6;
 constexpr double margin_share = 0.02;  // of the distance: allows for the spacing of ground vertices
 
@@ -42,13 +43,14 @@ Matrix to_picture(const Camera& camera) {
   return m.cast<float>();
 }
 
-// Exposure at which sunlit level ground, seen somewhat from above, is as bright as `level_ground`.
+// Exposure at which sunlit level ground, seen somewhat from above, is as bright as
+// `level_ground_brightness`.
 double exposure(const Scene& scene) {
   constexpr double seen = 0.3;
   const double facing = std::max(1e-3, scene.sun_S.dot(scene.up_S));
   const double moon = facing / (facing + seen) + 0.5 * facing;
   const double law = scene.air.moonlike * moon + (1 - scene.air.moonlike) * facing;
-  return std::clamp(level_ground / (law * scene.air.ground.mean()), 0.5, exposure_max);
+  return std::clamp(level_ground_brightness / (law * scene.air.ground.mean()), 0.5, exposure_max);
 }
 
 void draw_sky(const Scene& scene, const Camera& camera) {
@@ -161,10 +163,10 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
     bodies.push_back(owned.back().get());
   }
   const DepthMaps maps(scene, bodies);
-  const Canvas canvas(finer * camera.width_px, finer * camera.height_px),
+  const Canvas canvas(supersampling * camera.width_px, supersampling * camera.height_px),
       flat(camera.width_px, camera.height_px);
   glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
-  glViewport(0, 0, finer * camera.width_px, finer * camera.height_px);
+  glViewport(0, 0, supersampling * camera.width_px, supersampling * camera.height_px);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   draw_sky(scene, camera);
   const auto [shaded, plain] = split(scene, maps);
@@ -185,8 +187,8 @@ RgbPicture draw(const Gpu&, const Scene& scene, const Camera& camera) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas.framebuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, flat.framebuffer);
   // Each pixel becomes the mean of 2 x 2.
-  glBlitFramebuffer(0, 0, finer * camera.width_px, finer * camera.height_px, 0, 0, camera.width_px,
-                    camera.height_px, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glBlitFramebuffer(0, 0, supersampling * camera.width_px, supersampling * camera.height_px, 0, 0,
+                    camera.width_px, camera.height_px, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, flat.framebuffer);
   return read(camera);
 }

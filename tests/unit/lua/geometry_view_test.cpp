@@ -17,33 +17,36 @@ EventArguments area() {
 }
 
 // The reason that a phase with this text gives to lsos.fail.
-std::string said(const std::string& text, const EventArguments& arguments = area()) {
+std::string fail_reason(const std::string& text, const EventArguments& arguments = area()) {
   return std::get<Fail>(EventRun::of_phase(text, arguments)->run()).reason;
 }
 
 TEST(Geometry, of_a_polygon_has_its_holes) {
-  EXPECT_EQ(said("local h = ev.geometry.holes return lsos.fail('%d %d %g', #h, #h[1], h[1][3].x)"),
-            "1 4 25");
-  EXPECT_EQ(said("return lsos.fail('%d', #ev.geometry.holes)", {}), "0");
+  EXPECT_EQ(
+      fail_reason("local h = ev.geometry.holes return lsos.fail('%d %d %g', #h, #h[1], h[1][3].x)"),
+      "1 4 25");
+  EXPECT_EQ(fail_reason("return lsos.fail('%d', #ev.geometry.holes)", {}), "0");
 }
 
 TEST(Geometry, cuts_a_line_at_the_margin_of_its_holes) {
-  EXPECT_EQ(said("local p = ev.geometry:parts(lsos.vec3(-5, 10), lsos.vec3(50, 10), 2)\n"
-                 "return lsos.fail('%d: %.9g to %.9g, %.9g to %.9g', #p, p[1][1].x, p[1][2].x, "
-                 "p[2][1].x, p[2][2].x)"),
-            "2: 0 to 13, 27 to 40");
+  EXPECT_EQ(
+      fail_reason("local p = ev.geometry:parts(lsos.vec3(-5, 10), lsos.vec3(50, 10), 2)\n"
+                  "return lsos.fail('%d: %.9g to %.9g, %.9g to %.9g', #p, p[1][1].x, p[1][2].x, "
+                  "p[2][1].x, p[2][2].x)"),
+      "2: 0 to 13, 27 to 40");
 }
 
 TEST(Geometry, knows_a_path_round_its_holes) {
-  EXPECT_EQ(said("local w, m = ev.geometry:path(lsos.vec3(5, 9), lsos.vec3(35, 9), 2)\n"
-                 "return lsos.fail('%d: %g,%g %g,%g %g,%g by %g', #w, w[1].x, w[1].y, w[2].x, "
-                 "w[2].y, w[3].x, w[3].y, m)"),
-            "3: 13,3 27,3 35,9 by 2");
+  EXPECT_EQ(
+      fail_reason("local w, m = ev.geometry:path(lsos.vec3(5, 9), lsos.vec3(35, 9), 2)\n"
+                  "return lsos.fail('%d: %g,%g %g,%g %g,%g by %g', #w, w[1].x, w[1].y, w[2].x, "
+                  "w[2].y, w[3].x, w[3].y, m)"),
+      "3: 13,3 27,3 35,9 by 2");
 }
 
 TEST(Geometry, says_why_there_is_no_path) {
-  EXPECT_EQ(said("local way, why = ev.geometry:path(lsos.vec3(5, 9), lsos.vec3(20, 10))\n"
-                 "return lsos.fail('%s: %s', way, why)"),
+  EXPECT_EQ(fail_reason("local way, why = ev.geometry:path(lsos.vec3(5, 9), lsos.vec3(20, 10))\n"
+                        "return lsos.fail('%s: %s', way, why)"),
             "nil: there is no path within the polygon, round its holes");
   // A comb of bays 100 m long and 2 m wide.
   EventArguments comb;
@@ -56,9 +59,9 @@ TEST(Geometry, says_why_there_is_no_path) {
   comb.geometry_S_m.emplace_back(10000, -50, 0);
   comb.geometry_S_m.emplace_back(-2, -50, 0);
   comb.geometry_S_m.emplace_back(-2, 100, 0);
-  EXPECT_EQ(said("local way, why = ev.geometry:path(lsos.vec3(3, 90), lsos.vec3(9003, 90))\n"
-                 "return lsos.fail('%s: %s', way, why)",
-                 comb),
+  EXPECT_EQ(fail_reason("local way, why = ev.geometry:path(lsos.vec3(3, 90), lsos.vec3(9003, 90))\n"
+                        "return lsos.fail('%s: %s', way, why)",
+                        comb),
             "nil: the polygon has too many corners (10004) to find paths in; simplify it");
 }
 

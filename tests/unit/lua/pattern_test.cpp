@@ -187,7 +187,7 @@ TEST(PatternMatcher, counts_its_steps) {
     steps = 0;
     PatternMatcher matcher(subject, pattern, [&](std::int64_t more) { steps += more; });
     matcher.match_at(0);
-    matcher.tell_steps();
+    matcher.report_steps();
     return steps;
   };
   EXPECT_LT(steps_of("aaa", "a*"), 20);

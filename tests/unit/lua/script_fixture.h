@@ -26,9 +26,9 @@ class RecordingRover : public RoverPort {
   Path3 path;
   FollowSettings settings;
   RouteSettings route;
-  PlannedWay way;
+  PlannedRoute planned;
   RoverPower energy{{}, 1, {}};
-  bool moves = true;  // whether deploying an antenna has an effect
+  bool antenna_moves = true;  // whether deploying an antenna has an effect
 
   const RoverView& view() const override { return rover; }
   DriveState drive() const override { return drive_state; }
@@ -41,14 +41,14 @@ class RecordingRover : public RoverPort {
   Deployment deploy_antenna(const std::string& antenna, bool up,
                             std::optional<double> duration_s) override {
     calls.push_back((up ? "deploy '" : "stow '") + antenna + "'");
-    return {duration_s.value_or(60), moves};
+    return {duration_s.value_or(60), antenna_moves};
   }
-  PlannedWay plan_path(const Path3& waypoints_S_m, std::int64_t first,
-                       const RouteSettings& with) override {
+  PlannedRoute plan_path(const Path3& waypoints_S_m, std::int64_t first,
+                         const RouteSettings& with) override {
     route = with;
     calls.push_back("plan from " + std::to_string(first) + " of " +
                     std::to_string(waypoints_S_m.size()));
-    return way;
+    return planned;
   }
   std::optional<GroundView> ground_at(const Vec3& p_S_m) const override {
     return GroundView{{p_S_m.x(), p_S_m.y(), 7}, 107, 0.1, "ApolloNominal"};

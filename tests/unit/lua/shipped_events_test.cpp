@@ -69,8 +69,9 @@ class PathPlanRoute : public ShippedEvents {
                         {"stray_max_m", 4.0},
                         {"replans", std::int64_t{1}}};
     arguments.geometry_S_m = {Vec3(10, 0, 0), Vec3(20, 0, 0), Vec3(30, 0, 0)};
-    rover.way.path_S_m = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(20, 1, 0), Vec3(30, 0, 0)};
-    rover.way.legs = {{1, 1, 10, 10, 1e4, 0.1}, {2, 2, 10, 10, 1e4, 0.1}, {3, 3, 10, 10, 1e4, 0.2}};
+    rover.planned.path_S_m = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(20, 1, 0), Vec3(30, 0, 0)};
+    rover.planned.legs = {
+        {1, 1, 10, 10, 1e4, 0.1}, {2, 2, 10, 10, 1e4, 0.1}, {3, 3, 10, 10, 1e4, 0.2}};
     rover.rover.length_m = 4;
     instance = host.begin("PathPlanRoute", arguments);
   }
@@ -92,7 +93,7 @@ TEST_F(PathPlanRoute, follows_the_way_that_is_planned) {
   EXPECT_EQ(rover.route.slope_max_rad, 0.25);
   EXPECT_EQ(rover.route.arrival_radius_m, 1.5);
   EXPECT_EQ(rover.route.speed_mps, std::nullopt);
-  EXPECT_EQ(rover.settings.stray_max_m, 4);
+  EXPECT_EQ(rover.settings.cross_track_max_m, 4);
   rover.drive_state.status = DriveState::Status::driving;
   EXPECT_TRUE(std::holds_alternative<Arrival>(run("drive")));
   rover.drive_state.status = DriveState::Status::arrived;
@@ -108,8 +109,8 @@ TEST_F(PathPlanRoute, asks_for_the_same_before_the_run) {
 }
 
 TEST_F(PathPlanRoute, fails_with_the_reason_when_there_is_no_way) {
-  rover.way = {};
-  rover.way.reason = "the goal is on a slope of 31 degrees";
+  rover.planned = {};
+  rover.planned.reason = "the goal is on a slope of 31 degrees";
   EXPECT_EQ(std::get<Fail>(run("plan")).reason, "the goal is on a slope of 31 degrees");
 }
 

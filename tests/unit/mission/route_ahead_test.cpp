@@ -23,7 +23,7 @@ void dig(Mission& mission, double east_m) {
 }
 
 const std::vector<LegAhead>& legs(const Mission& mission) {
-  return mission.simulation_->ways_ahead().front().legs;
+  return mission.simulation_->routes_ahead().front().legs;
 }
 
 TEST(RouteAhead, begins_each_event_where_the_last_one_ends) {
@@ -111,7 +111,7 @@ TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   const auto plans_anew = [&](double off_m, std::int64_t sequence, const RouteSettings& settings) {
     RoverRoutes asked(vehicle, {}, 0, *ground, planned);
     asked.set_ahead(ahead);
-    const PlannedWay way =
+    const PlannedRoute way =
         asked.plan("A", SimTime{}, sequence, {{0, off_m, 0}, 0}, {goal_m}, 1, settings);
     EXPECT_TRUE(way.is_found());
     return !asked.take_rows().empty();
@@ -138,7 +138,7 @@ TEST(RouteAhead, logs_each_leg_with_the_number_of_its_attempt) {
   RoverRoutes routes(vehicle, {}, 0, *ground, planned);
   const Path3 waypoints{{0.4, 0, 0}, {30, 0, 0}, {30, 30, 0}};
   const SimTime now = milliseconds(4200);
-  const PlannedWay way = routes.plan("A", now, 2, {{0, 0, 0}, 0}, waypoints, 1, {});
+  const PlannedRoute way = routes.plan("A", now, 2, {{0, 0, 0}, 0}, waypoints, 1, {});
   ASSERT_EQ(way.legs.size(), 2u) << "it stands on the first waypoint";
   EXPECT_EQ(way.legs[0].waypoint, 2);
   EXPECT_EQ(way.legs[1].last_point, way.path_S_m.size() - 1);

@@ -58,7 +58,7 @@ inline std::unique_ptr<ScriptHost> make_host() {
   });
   host->set_drives("Drive");
   host->add("Plan", "plan", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
-    const PlannedWay way = c.rover.plan_path(i.arguments.geometry_S_m, 1, mock_route_settings());
+    const PlannedRoute way = c.rover.plan_path(i.arguments.geometry_S_m, 1, mock_route_settings());
     if (!way.is_found()) return Fail{way.reason};
     c.rover.follow(way.path_S_m, {});
     return GoTo{"arrive"};

@@ -27,13 +27,13 @@ std::string folder(const std::string& name, const std::string& inner) {
 
 struct Read {
   Plan plan;
-  std::string said;
+  std::string faults_text;
 };
 
 Read read(const std::string& placemarks) {
   Faults faults;
   Plan plan = read_plan(test::write_file(test::document(placemarks)), test::declarations(), faults);
-  return {std::move(plan), test::said(faults)};
+  return {std::move(plan), test::faults_text(faults)};
 }
 
 const Fields mission_fields_text{
@@ -55,7 +55,7 @@ TEST(MapTools, a_type_in_data_says_what_a_placemark_is) {
   const Read data_only = read(marked("m", data(typed("MissionInfo", mission_fields_text))) +
                               marked("r", data(typed("Rover", rover_fields_text)) + test::point()) +
                               marked("leg", data(typed("Route", route_fields)) + test::line()));
-  EXPECT_EQ(data_only.said, "");
+  EXPECT_EQ(data_only.faults_text, "");
   EXPECT_EQ(data_only.plan.hash(), read(plain()).plan.hash());
 }
 
@@ -64,7 +64,7 @@ TEST(MapTools, a_folder_says_what_its_placemarks_are) {
       read(folder("MissionInfo", marked("m", data(mission_fields_text))) +
            folder("Rover", folder("today", marked("r", data(rover_fields_text) + test::point()))) +
            folder("Pause", folder("Route", marked("leg", data(route_fields) + test::line()))));
-  EXPECT_EQ(folders.said, "");
+  EXPECT_EQ(folders.faults_text, "");
   EXPECT_EQ(folders.plan.hash(), read(plain()).plan.hash());
 }
 
@@ -80,7 +80,7 @@ TEST(MapTools, a_type_counts_where_the_schema_is_named_after_a_layer) {
   const Read layer = read(stamped("m", typed("MissionInfo", mission_fields_text), "") +
                           stamped("r", typed("Rover", rover_fields_text), test::point()) +
                           stamped("leg", route, test::line()));
-  EXPECT_EQ(layer.said, "");
+  EXPECT_EQ(layer.faults_text, "");
   EXPECT_EQ(layer.plan.hash(), read(plain()).plan.hash());
 }
 
@@ -93,14 +93,14 @@ TEST(MapTools, data_beside_schema_data_are_fields_too) {
                "<Data name=\"Sequence\"><value>10</value></Data>" +
                    at + test::line());
   const Read joined = read(test::mission() + test::rover() + both);
-  EXPECT_EQ(joined.said, "");
+  EXPECT_EQ(joined.faults_text, "");
   EXPECT_EQ(joined.plan.hash(), read(plain()).plan.hash());
 }
 
 TEST(MapTools, foreign_types_and_data_are_decoration) {
   const Read decorated =
       read(plain() + marked("trail", data({{"Type", "asphalt"}, {"width", "3"}}) + test::line()));
-  EXPECT_EQ(decorated.said, "");
+  EXPECT_EQ(decorated.faults_text, "");
   EXPECT_EQ(decorated.plan.decoration_count, 1);
 }
 

@@ -39,7 +39,7 @@ TEST_P(BadPlan, says_what_is_expected_and_nothing_else) {
   ASSERT_FALSE(expected.empty());
   Faults faults;
   read_plan(file, test::declarations(), faults);
-  const std::string text = test::said(faults);
+  const std::string text = test::faults_text(faults);
   for (const std::string& each : expected) EXPECT_THAT(text, ::testing::HasSubstr(each));
   EXPECT_EQ(faults.sorted().size(), expected.size()) << text;
 }

@@ -123,7 +123,7 @@ inline std::string write_file(const std::string& bytes, const std::string& endin
 }
 
 // The faults of reading a plan, one per line, without the folder of the file.
-inline std::string said(const Faults& faults) {
+inline std::string faults_text(const Faults& faults) {
   std::string text;
   for (Fault fault : faults.sorted()) {
     fault.place.file.erase(0, fault.place.file.rfind('/') + 1);

@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <numbers>
 #include <random>
@@ -37,11 +36,11 @@ Read read(const std::string& placemarks, const Declarations& known = test::decla
 
 Plan good(const std::string& placemarks) {
   Read result = read(placemarks);
-  EXPECT_EQ(test::said(result.faults), "");
+  EXPECT_EQ(test::faults_text(result.faults), "");
   return result.plan;
 }
 
-std::string faults_of(const std::string& placemarks) { return test::said(read(placemarks).faults); }
+std::string faults_of(const std::string& plan) { return test::faults_text(read(plan).faults); }
 
 TEST(PlanReader, reads_a_mission_in_si) {
   const Plan plan = good(mission({{"Seed", "7"},
@@ -172,7 +171,7 @@ TEST(PlanReader, a_value_above_its_only_bound_is_refused) {
   speed.max_si = 5;
   const Read result = read(
       mission() + rover() + event("Route", "a", "A", 1, {{"Speed", "36 km/h"}}, line()), known);
-  EXPECT_THAT(test::said(result.faults),
+  EXPECT_THAT(test::faults_text(result.faults),
               HasSubstr("Route 'a': Speed = '36 km/h': must be at most 5 m/s"));
 }
 
@@ -241,11 +240,11 @@ TEST(PlanReader, rovers_that_wait_for_each_other_in_turn_make_no_circle) {
 }
 
 TEST(PlanReader, two_separate_circles_are_both_reported) {
-  const std::string said =
-      faults_of(mission() + rover("A") + rover("B") + pause("a", "A", 1, {{"StartAfter", "a"}}) +
-                pause("b", "B", 1, {{"StartAfter", "b"}}));
-  EXPECT_THAT(said, HasSubstr("Pause 'a' (A/1) waits for Pause 'a' (A/1)"));
-  EXPECT_THAT(said, HasSubstr("Pause 'b' (B/1) waits for Pause 'b' (B/1)"));
+  const std::string a = pause("a", "A", 1, {{"StartAfter", "a"}});
+  const std::string b = pause("b", "B", 1, {{"StartAfter", "b"}});
+  const std::string text = faults_of(mission() + rover("A") + rover("B") + a + b);
+  EXPECT_THAT(text, HasSubstr("Pause 'a' (A/1) waits for Pause 'a' (A/1)"));
+  EXPECT_THAT(text, HasSubstr("Pause 'b' (B/1) waits for Pause 'b' (B/1)"));
 }
 
 TEST(PlanReader, a_stationary_point_is_compared_with_the_end_of_the_drive_before) {
@@ -268,18 +267,18 @@ TEST(PlanReader, assets_are_read_where_there_are_types_of_them) {
                      point());
   };
   const Read fine = read(mission() + rover() + asset("Base", "Habitat"), known);
-  EXPECT_EQ(test::said(fine.faults), "");
+  EXPECT_EQ(test::faults_text(fine.faults), "");
   ASSERT_EQ(fine.plan.assets.size(), 1u);
   EXPECT_EQ(fine.plan.assets[0].id, "Base");
   EXPECT_DOUBLE_EQ(fine.plan.assets[0].antenna_height_m.value(), 3);
   const Read wrong = read(mission() + rover() + asset("A", "SEV") + rover("B", {}), known);
-  EXPECT_THAT(test::said(wrong.faults), HasSubstr("Asset 'A': AssetId = 'A': is taken"));
-  EXPECT_THAT(test::said(wrong.faults),
+  EXPECT_THAT(test::faults_text(wrong.faults), HasSubstr("Asset 'A': AssetId = 'A': is taken"));
+  EXPECT_THAT(test::faults_text(wrong.faults),
               HasSubstr("AssetType = 'SEV': is no asset; there are Habitat"));
   const Read swapped = read(
       mission() + placemark("", "#Rover", {{"RoverId", "A"}, {"RoverType", "Habitat"}}, point()),
       known);
-  EXPECT_THAT(test::said(swapped.faults),
+  EXPECT_THAT(test::faults_text(swapped.faults),
               HasSubstr("RoverType = 'Habitat': is no rover; there are SEV"));
 }
 
@@ -287,7 +286,8 @@ TEST(PlanReader, an_unreadable_plan_is_one_fault) {
   Faults faults;
   const Plan plan =
       read_plan(::testing::TempDir() + "lsos_no_such.kml", test::declarations(), faults);
-  EXPECT_EQ(test::said(faults), "lsos_no_such.kml: cannot be opened: No such file or directory\n");
+  EXPECT_EQ(test::faults_text(faults),
+            "lsos_no_such.kml: cannot be opened: No such file or directory\n");
   EXPECT_TRUE(plan.events.empty());
 }
 

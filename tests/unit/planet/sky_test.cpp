@@ -66,7 +66,7 @@ class Epochs {
 };
 
 // Angle between two directions.
-double apart_deg(double lon_a_deg, double lat_a_deg, double lon_b_deg, double lat_b_deg) {
+double separation_deg(double lon_a_deg, double lat_a_deg, double lon_b_deg, double lat_b_deg) {
   const auto direction = [](double lon_deg, double lat_deg) {
     return Vec3(std::cos(lat_deg * deg) * std::cos(lon_deg * deg),
                 std::cos(lat_deg * deg) * std::sin(lon_deg * deg), std::sin(lat_deg * deg));
@@ -92,8 +92,8 @@ TEST(Sky, has_sun_and_earth_over_the_places_of_the_table) {
     const Instant at = epochs.at(row);
     const Sky seen = sky(body, {0, 0, 0}, at);
     const double error_deg =
-        apart_deg(lon_deg(seen.sub_solar), lat_deg(seen.sub_solar),
-                  number(row, "subsolar_lonE_app_deg"), number(row, "subsolar_lat_app_deg"));
+        separation_deg(lon_deg(seen.sub_solar), lat_deg(seen.sub_solar),
+                       number(row, "subsolar_lonE_app_deg"), number(row, "subsolar_lat_app_deg"));
     EXPECT_LT(error_deg, limit_deg(name));
     worst_deg[name] = std::max(worst_deg[name], error_deg);
 
@@ -103,9 +103,9 @@ TEST(Sky, has_sun_and_earth_over_the_places_of_the_table) {
     if (name == "Earth") continue;
     const Sighting earth = sighting(body, Vec3::Zero(), CelestialBody::earth, at);
     const double earth_deg =
-        apart_deg(std::atan2(earth.direction_F.y(), earth.direction_F.x()) / deg,
-                  std::asin(earth.direction_F.z()) / deg, number(row, "subearth_lonE_deg"),
-                  number(row, "subearth_lat_deg"));
+        separation_deg(std::atan2(earth.direction_F.y(), earth.direction_F.x()) / deg,
+                       std::asin(earth.direction_F.z()) / deg, number(row, "subearth_lonE_deg"),
+                       number(row, "subearth_lat_deg"));
     EXPECT_LT(earth_deg, limit_deg(name));
     worst_earth_deg[name] = std::max(worst_earth_deg[name], earth_deg);
     EXPECT_NEAR(earth.distance_m / 1000 / number(row, "earth_dist_km"), 1, 1e-4);
@@ -138,16 +138,17 @@ TEST(Sky, has_sun_and_earth_at_the_sites_of_the_table) {
     const Sky seen =
         sky(*find_body(name),
             geodetic_from_degrees(number(row, "lonE_deg"), number(row, "lat_deg")), epochs.at(row));
-    const double error_deg = apart_deg(seen.sun.azimuth_rad / deg, seen.sun.elevation_rad / deg,
-                                       number(row, "sun_az_deg"), number(row, "sun_el_centre_deg"));
+    const double error_deg =
+        separation_deg(seen.sun.azimuth_rad / deg, seen.sun.elevation_rad / deg,
+                       number(row, "sun_az_deg"), number(row, "sun_el_centre_deg"));
     EXPECT_LT(error_deg, limit_deg(name));
     worst_deg[name] = std::max(worst_deg[name], error_deg);
     EXPECT_NEAR(seen.sun_distance_m / 1000 / number(row, "sun_dist_km"), 1, 5e-5);
     EXPECT_NEAR(2 * seen.sun_disc_rad / deg, number(row, "sun_ang_diam_deg"), 1e-4);
     if (row.contains("earth_az_deg") && !row.at("earth_az_deg").empty()) {
       const double earth_deg =
-          apart_deg(seen.earth->azimuth_rad / deg, seen.earth->elevation_rad / deg,
-                    number(row, "earth_az_deg"), number(row, "earth_el_deg"));
+          separation_deg(seen.earth->azimuth_rad / deg, seen.earth->elevation_rad / deg,
+                         number(row, "earth_az_deg"), number(row, "earth_el_deg"));
       EXPECT_LT(earth_deg, limit_deg(name));
       worst_earth_deg[name] = std::max(worst_earth_deg[name], earth_deg);
     } else {
@@ -169,8 +170,8 @@ TEST(Rotation, of_moon_and_mars_has_the_poles_and_meridians_of_the_table) {
     SCOPED_TRACE(name + " " + row.at("epoch_utc"));
     const Mat3 R = R_FI(*find_body(name), epochs.at(row));
     const Vec3 pole_I = R.row(2);
-    EXPECT_LT(apart_deg(std::atan2(pole_I.y(), pole_I.x()) / deg, std::asin(pole_I.z()) / deg,
-                        number(row, "pole_ra_deg"), number(row, "pole_dec_deg")),
+    EXPECT_LT(separation_deg(std::atan2(pole_I.y(), pole_I.x()) / deg, std::asin(pole_I.z()) / deg,
+                             number(row, "pole_ra_deg"), number(row, "pole_dec_deg")),
               name == "Mars" ? 1e-3 : 1e-5);
     // Angle from the ascending node of the equator on ICRF's to the prime meridian.
     const Vec3 node_F = R * Vec3::UnitZ().cross(pole_I).normalized();

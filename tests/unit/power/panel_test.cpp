@@ -79,9 +79,9 @@ TEST(Panel, with_one_axis_or_narrow_limits_comes_as_near_as_it_can) {
 
 TEST(Panel, turns_the_shorter_way_round_at_its_rate) {
   const PanelAngles from{3, 0.5}, to{-3, 0.6};
-  const double way_rad = 2 * pi - 6;
-  EXPECT_NEAR(turn_s(panel(), from, to), way_rad / 0.1, 1e-12);
-  const PanelAngles half = turned(panel(), from, to, way_rad / 0.1 / 2);
+  const double turn_rad = 2 * pi - 6;
+  EXPECT_NEAR(turn_s(panel(), from, to), turn_rad / 0.1, 1e-12);
+  const PanelAngles half = turned(panel(), from, to, turn_rad / 0.1 / 2);
   EXPECT_NEAR(std::abs(half.azimuth_rad), pi, 1e-9);
   EXPECT_NEAR(half.elevation_rad, 0.6, 1e-12);
   EXPECT_NEAR(turned(panel(), from, to, 100).azimuth_rad, -3, 1e-12);

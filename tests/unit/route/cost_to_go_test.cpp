@@ -25,7 +25,7 @@ class Plain {
 TEST(CostToGo, is_what_the_way_there_costs) {
   const Plain plain;
   GroundMap map = plain.map();
-  LegCosts costs(map, plain.finder(), RouteAim::energy);
+  RouteCost costs(map, plain.finder(), RouteAim::energy);
   const Vec2 start_m(0, 0), goal_m(100, 0);
   CostToGo to_go(costs, start_m, goal_m);
   // The least of four nodes is nearer by at most the diagonal of a cell, on the level.
@@ -42,7 +42,7 @@ TEST(CostToGo, is_what_the_way_there_costs) {
 TEST(CostToGo, is_not_looked_for_beyond_its_limit) {
   const Plain plain;
   GroundMap map = plain.map();
-  LegCosts costs(map, plain.finder(), RouteAim::energy);
+  RouteCost costs(map, plain.finder(), RouteAim::energy);
   const Vec2 start_m(0, 0), goal_m(100, 0), behind_m(-60, 0);
   CostToGo to_go(costs, start_m, goal_m);
   const double least = to_go.at(start_m);
@@ -58,12 +58,12 @@ TEST(CostToGo, is_not_looked_for_beyond_its_limit) {
 TEST(CostToGo, is_looked_for_only_within_a_tube) {
   const Plain plain;
   GroundMap map = plain.map();
-  LegCosts costs(map, plain.finder(), RouteAim::energy);
+  RouteCost costs(map, plain.finder(), RouteAim::energy);
   const Vec2 start_m(0, 0), goal_m(100, 0);
-  const Tube tube(map, search_grid(costs, start_m, goal_m).line, 12);
+  const Corridor corridor(map, search_grid(costs, start_m, goal_m).line, 12);
   GroundMap fresh = plain.map();
-  LegCosts fresh_costs(fresh, plain.finder(), RouteAim::energy);
-  CostToGo within(fresh_costs, start_m, goal_m, &tube), whole(costs, start_m, goal_m);
+  RouteCost fresh_costs(fresh, plain.finder(), RouteAim::energy);
+  CostToGo within(fresh_costs, start_m, goal_m, &corridor), whole(costs, start_m, goal_m);
   constexpr double cell_j = 1.5 * 1000;  // the first known of four nodes
   EXPECT_NEAR(within.at(start_m), whole.at(start_m), cell_j) << "the cheapest way lies in it";
   EXPECT_FALSE(std::isfinite(within.at({50, -70})));

@@ -16,7 +16,7 @@ std::string told(const Stance& stance, Hazard expected) {
   const DriveCost cost = simple_rover();
   const Hazard found = hazard(stance, cost);
   EXPECT_EQ(found, expected);
-  return say(found, stance, cost);
+  return describe(found, stance, cost);
 }
 
 Stance on_slope(double pitch_rad, double bank_rad) {
@@ -46,13 +46,13 @@ TEST(Explain, says_which_way_a_rover_slides) {
   for (SlopeDrive& drive : cost.soils[0].by_slope) drive.slip *= 2;
   const Stance across = on_slope(0, 24 * deg);
   ASSERT_EQ(hazard(across, cost), Hazard::slide);
-  EXPECT_EQ(say(Hazard::slide, across, cost), "across a slope of 24 degrees, where it slides");
+  EXPECT_EQ(describe(Hazard::slide, across, cost), "across a slope of 24 degrees, where it slides");
   const Stance down = on_slope(-28 * deg, 0);
-  EXPECT_EQ(say(Hazard::slide, down, cost),
+  EXPECT_EQ(describe(Hazard::slide, down, cost),
             "down a slope of 28 degrees, where brakes do not hold it");
   const Stance up = on_slope(24.5 * deg, 0);
   ASSERT_EQ(hazard(up, cost), Hazard::climb);
-  EXPECT_EQ(say(Hazard::climb, up, cost),
+  EXPECT_EQ(describe(Hazard::climb, up, cost),
             "up a slope of 24.5 degrees, its wheels climb 23.8 on this soil");
 }
 

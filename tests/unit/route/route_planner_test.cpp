@@ -23,7 +23,7 @@ std::vector<Form> rough() {
 }
 
 // Dijkstra's search over all edges, without a heuristic and without lazy evaluation.
-double dijkstra_cost(LegCosts& costs, const Vec2& goal_m) {
+double dijkstra_cost(RouteCost& costs, const Vec2& goal_m) {
   GroundMap& map = costs.map();
   const auto number = [&](int x, int y) { return static_cast<std::size_t>(y * map.columns() + x); };
   std::vector<double> cost(static_cast<std::size_t>(map.columns() * map.rows()),
@@ -67,7 +67,7 @@ TEST(GridSearch, finds_what_dijkstra_finds) {
     for (const Vec2& goal_m : {Vec2(100, 0), Vec2(90.3, 20.7), Vec2(60, 25), Vec2(70.2, 0)}) {
       GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -40}, {120, 40},
                     0.5);
-      LegCosts costs(map, finder, aim);
+      RouteCost costs(map, finder, aim);
       const GridRoute route = search_grid(costs, {0, 0}, goal_m);
       const double other = dijkstra_cost(costs, goal_m);
       ASSERT_TRUE(std::isfinite(other));
@@ -90,10 +90,10 @@ TEST(GridSearch, goes_around_what_a_coarser_map_does_not_show) {
   for (double y_m = -30; y_m <= 30; y_m += 0.5) wall.push_back({{50.5, y_m}, 0.4});
   GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-20, -40}, {120, 40},
                 0.5);
-  LegCosts costs(map, finder, RouteAim::energy, wall);
+  RouteCost costs(map, finder, RouteAim::energy, wall);
   const Vec2 goal_m(100, 0);
   GroundMap coarser_map = map.coarser(4);
-  LegCosts coarser = costs.over(coarser_map);
+  RouteCost coarser = costs.over(coarser_map);
   ASSERT_LT(search_grid(coarser, {0, 0}, goal_m).cost, 1.01 * 100 * 1000) << "it is not shown";
   const GridRoute route = search_grid(costs, {0, 0}, goal_m);
   ASSERT_FALSE(route.line.empty());
@@ -122,7 +122,7 @@ TEST(PlanLeg, goes_around_what_is_too_steep_and_costs_less_than_the_grid) {
     const StanceFinder finder(cost);
     GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-40, -40}, {140, 40},
                   map_spacing_m(cost));
-    LegCosts costs(map, finder, aim);
+    RouteCost costs(map, finder, aim);
     EXPECT_LT(leg.cost, search_grid(costs, {0, 0}, {100, 0}).cost);
   }
 }

@@ -10,7 +10,7 @@
 namespace lsos {
 namespace {
 
-constexpr double fresh_depth_m = 19.6, fresh_rim_m = 3.6;  // Pike 1977, of 100 m
+constexpr double fresh_depth_m = 19.6, fresh_rim_m = 3.6;  // crater of 100 m, Pike 1977
 
 TEST(CraterProfile, has_its_depth_and_rim) {
   EXPECT_EQ(crater_height_m(1, fresh_depth_m, fresh_rim_m), fresh_rim_m);
@@ -75,7 +75,6 @@ TEST(CraterField, has_the_volume_that_is_expected) {
   EXPECT_NEAR(drawn_m3 / 225e4 / crater_volume_pm2(p, 1.5, 3), 1, 0.03);
 }
 
-// Lines through the bowl, beside it, and along its edge; parts of them; points that are far apart.
 TEST(CraterRows, of_no_points_change_nothing) {
   for (const int high : {2, 1, -5}) {
     std::vector<double> heights_m(5, 7.0);
@@ -83,6 +82,7 @@ TEST(CraterRows, of_no_points_change_nothing) {
     EXPECT_EQ(heights_m, std::vector<double>(5, 7.0)) << high;
   }
 }
+// Lines through the bowl, beside it, and along its edge; parts of them; points that are far apart.
 
 TEST(CraterRows, are_the_profile_at_each_point) {
   for (const double past : {0.0, 0.3, 0.8, 0.9999, 1.0, 1.7, 2.9}) {
@@ -94,7 +94,7 @@ TEST(CraterRows, are_the_profile_at_each_point) {
       for (int i = 0; i < static_cast<int>(heights_m.size()); ++i) {
         const double x = line.x + i * line.x_step, y = line.y + i * line.y_step;
         const double r = std::hypot(x, y);
-        if (r >= crater_reach) continue;  // the caller asks for none
+        if (r >= crater_reach) continue;  // the caller requests none there
         const double added_m = i < low || i > high ? 0 : crater_height_m(r, 0.2, 0.04);
         ASSERT_NEAR(heights_m[static_cast<std::size_t>(i)], 7 + added_m, 1e-14) << past << " " << i;
       }
@@ -132,7 +132,7 @@ TEST(CraterField, counts_follow_the_power_law) {
     CraterPopulation population = field();
     population.exponent = exponent;
     const auto craters = inside(craters_touching(population, 42, area), area);
-    // None is larger than the largest, so its share is missing everywhere.
+    // None is larger than the largest, so that the share of larger ones is missing everywhere.
     const auto law = [&](double diameter_m) {
       return population.density_pm2 * 4000 * 4000 *
              (std::pow(diameter_m / 3, -exponent) - std::pow(60.0 / 3, -exponent));
@@ -148,12 +148,12 @@ TEST(CraterField, counts_follow_the_power_law) {
 
 // N(1 km) of dated surfaces as recalled, sources not seen: hence the wide bounds.
 TEST(CraterProduction, is_that_of_the_lunar_chronology) {
-  // The chronology by hand: 8.38e-4 T with the exponential added. Dated surfaces: Apollo 12 3.6e-3
-  // at 3.2 Gyr, Fra Mauro 3.7e-2 at 3.9 Gyr.
+  // The chronology: 8.38e-4 T plus the exponential. Dated surfaces: Apollo 12 3.6e-3 at 3.2 Gyr,
+  // Fra Mauro 3.7e-2 at 3.9 Gyr.
   EXPECT_NEAR(crater_production_pm2(3.2, 1000) * 1e6, 3.0e-3, 0.4e-3);
   EXPECT_NEAR(crater_production_pm2(1, 1000) * 1e6, 0.84e-3, 0.02e-3);
   EXPECT_NEAR(crater_production_pm2(3.9, 1000) * 1e6, 3.3e-2, 0.5e-2);
-  // Steep below a kilometre, flatter above, as the curve is known for: exponents about -3.6 around
+  // The curve is known to be steep below a kilometre and flatter above: exponents about -3.6 around
   // 1 km, and nearer to -2 around 30 km.
   const auto exponent = [](double diameter_m) {
     return std::log10(crater_production_pm2(1, 1.1 * diameter_m) /
@@ -173,7 +173,7 @@ TEST(CraterField, of_an_old_surface_is_in_equilibrium_and_of_a_young_one_not) {
   const PlaneRectangle area{{0, 0}, {2000, 2000}};
   const auto craters = inside(craters_touching(old, 5, area), area);
   for (const double diameter_m : {2.5, 5.0, 10.0, 20.0}) {
-    // Trask 1966: 10^-1.1 D^-2 a m2.
+    // Trask 1966: 10^-1.1 D^-2 per m2.
     const double expected = 0.0794 * 4e6 * (1 / (diameter_m * diameter_m) - 1 / (200.0 * 200.0));
     EXPECT_NEAR(larger(craters, diameter_m) / expected, 1, 0.01 + 4 / std::sqrt(expected));
   }
@@ -186,8 +186,8 @@ TEST(CraterField, of_an_old_surface_is_in_equilibrium_and_of_a_young_one_not) {
   EXPECT_NEAR(larger(few, 20), expected, 4 * std::sqrt(expected));
 }
 
-// In equilibrium as many are young as old: depths from 0.04 to 0.196 of the diameter, most of them
-// shallow. The mean by hand: 0.196 ln 5 / 4.
+// In equilibrium there are as many young as old craters: depths from 0.04 to 0.196 of the diameter,
+// most of them shallow. The mean in closed form: 0.196 ln 5 / 4.
 TEST(CraterField, wears_with_age) {
   CraterPopulation old;
   old.age_gyr = 3.9;
@@ -210,7 +210,7 @@ TEST(CraterField, wears_with_age) {
 
 TEST(CraterField, positions_are_uniform) {
   const auto craters = craters_touching(field(), 7, {{0, 0}, {4000, 4000}});
-  // Sixteen squares of 1 km2 with 200 craters each but for the largest.
+  // Sixteen squares of 1 km2 with 200 craters each, less the largest.
   std::array<int, 16> counts{};
   for (const Crater& c : craters) {
     const int column = static_cast<int>(std::floor(c.centre.x_m / 1000));
@@ -220,7 +220,7 @@ TEST(CraterField, positions_are_uniform) {
   double chi2 = 0;
   for (const int count : counts) chi2 += (count - 199.5) * (count - 199.5) / 199.5;
   EXPECT_LT(chi2, 39);  // 16 degrees of freedom: exceeded once in a thousand fields
-  EXPECT_GT(chi2, 4);   // and a regular pattern would be no chance either
+  EXPECT_GT(chi2, 4);   // a regular pattern would not be random either
 }
 
 TEST(CraterField, a_look_at_a_part_finds_the_same_craters) {
@@ -235,7 +235,7 @@ TEST(CraterField, a_look_at_a_part_finds_the_same_craters) {
   std::vector<double> found, in_two;
   for (const Crater& c : craters_touching(field(), 3, part)) found.push_back(c.centre.x_m);
   EXPECT_EQ(found, expected);
-  // Large and small ones apart are all of them.
+  // Small and large ones together are all of them.
   const auto small = craters_touching(field(), 3, part, 0, 10);
   const auto large = craters_touching(field(), 3, part, 10);
   EXPECT_EQ(small.size() + large.size(), found.size());
@@ -258,14 +258,14 @@ TEST(CraterGround, has_the_profile_of_its_craters) {
   double lowest_m = 0;
   for (double x = -200; x < 200; x += 13.7) {
     for (double y = -200; y < 200; y += 11.3) {
-      // The site plane's metres are (R + 800)/R of the map's.
+      // Metres of the site plane are (R + 800)/R of the map's.
       const double by = 1737400.0 / 1738200.0;
       double expected_m = 0;
       for (const Crater& c : craters) {
         const double distance_m = std::hypot(x * by - c.centre.x_m, y * by - c.centre.y_m);
         expected_m += crater_height_m(distance_m / (c.diameter_m / 2), c.depth_m, c.rim_m);
       }
-      // z such that the gnomonic coordinates are x, y: the tangent plane itself.
+      // z lies on the tangent plane itself, so that the gnomonic coordinates are x, y.
       const double found_m =
           probe.sample({x, y, 0}).elevation_m - flat.sample({x, y, 0}).elevation_m;
       EXPECT_NEAR(found_m, expected_m, 0.01);

@@ -1,4 +1,4 @@
-// Roughness, rocks and craters below a raster's resolution.
+// Detail below a raster's resolution: roughness, rocks and craters.
 #include "terrain/detail/rocks.h"
 #include "terrain/detail/roughness.h"
 
@@ -12,7 +12,7 @@
 namespace lsos {
 namespace {
 
-// Heights of a block of nodes as tiles give them.
+// Heights of a block of nodes, from several tiles.
 std::vector<std::vector<double>> heights(const RoughnessField& field, int tiles) {
   std::vector<std::vector<double>> result(64 * tiles, std::vector<double>(64 * tiles));
   for (int row = 0; row < tiles; ++row) {
@@ -81,15 +81,15 @@ Detail all_detail(bool with_rocks) {
   return detail;
 }
 
-// What detail adds to the raster's heights, at so many places of a cell on each axis.
+// Relief that detail adds to a raster's heights, at so many places of a cell on each axis.
 struct AddedRelief {
   static constexpr int samples = 12, cells = 40, side = samples * cells;
   std::vector<double> heights_m = std::vector<double>(std::size_t{side} * side);
 
   double at(int i, int j) const { return heights_m[static_cast<std::size_t>(j * side + i)]; }
-  // Spread of the means over squares of so many samples a side, at every place.
+  // RMS of the means over squares of so many samples a side, at every place.
   double rms_m(int across) const {
-    std::vector<double> sums(std::size_t{side + 1} * (side + 1), 0);  // of all before i and j
+    std::vector<double> sums(std::size_t{side + 1} * (side + 1), 0);  // sums of all before i and j
     const auto sum = [&](int i, int j) -> double& {
       return sums[static_cast<std::size_t>(j * (side + 1) + i)];
     };
@@ -137,7 +137,7 @@ class EnhancedRaster : public ::testing::TestWithParam<Case> {
         -90 + 2 * std::atan(std::hypot(x, y) / (2 * 1737400)) * 180 / std::numbers::pi;
     return site_on("Moon", std::atan2(x, y) * 180 / std::numbers::pi, lat_deg);
   }
-  // What is smaller is seldom hit by the samples and takes long.
+  // Smaller craters and rocks are seldom hit by the samples and take long.
   Detail coarse_detail(bool with_rocks) const {
     Detail detail = all_detail(with_rocks);
     detail.craters->diameter_min_m = GetParam().cell_m / 4;
@@ -162,7 +162,7 @@ class EnhancedRaster : public ::testing::TestWithParam<Case> {
     }
     return added;
   }
-  // The cell's centre, and points of it in shares of its side.
+  // Place of a cell's centre, or of a point of the cell in shares of its side.
   Geodetic place(double column, double row) const {
     const double x = 100000 + (column + 0.5) * GetParam().cell_m;
     const double y = 50000 - (row + 0.5) * GetParam().cell_m;
@@ -178,7 +178,7 @@ TEST_P(EnhancedRaster, adds_nothing_at_the_scale_of_its_cells) {
     const AddedRelief added = added_relief(detail);
     const double rms_m = added.rms_m(1);
     EXPECT_GT(rms_m, detail.craters ? 0.005 * GetParam().cell_m : 0.01);  // there is something
-    // Over two cells by two, anywhere.
+    // The means are those over two cells by two, anywhere.
     EXPECT_LT(added.rms_m(2 * AddedRelief::samples), 0.1 * rms_m);
     double sum_m = 0;
     for (const double height_m : added.heights_m) sum_m += height_m;
@@ -186,13 +186,13 @@ TEST_P(EnhancedRaster, adds_nothing_at_the_scale_of_its_cells) {
   }
 }
 
-// Neither cells' centres nor their rows and columns show.
+// Neither the centres of cells nor their rows and columns show.
 TEST_P(EnhancedRaster, is_rough_alike_anywhere_in_a_cell_and_in_any_direction) {
   const AddedRelief added = added_relief(coarse_detail(false));
   constexpr int samples = AddedRelief::samples, side = AddedRelief::side;
   double middle = 0, all = 0;                       // mean squares
-  int in_middle = 0, count = 0;                     // of cells
-  double straight = 0, slanted = 0;                 // mean square rise to a place as far away
+  int in_middle = 0, count = 0;                     // samples
+  double straight = 0, slanted = 0;                 // mean square rise to an equally distant place
   constexpr int straight_lag = 7, slanted_lag = 5;  // 7 and 7.07 samples
   for (int j = slanted_lag; j < side - straight_lag; ++j) {
     for (int i = 0; i < side - straight_lag; ++i) {
@@ -236,7 +236,7 @@ TEST_P(EnhancedRaster, has_the_same_bits_whichever_tile_is_asked_first) {
   EXPECT_EQ(forward, backward);
 }
 
-// What is much larger than the nodes of a look from afar is there, and lowers no cell as a whole.
+// Features much larger than the nodes of a coarse level remain, and lower no cell as a whole.
 TEST_P(EnhancedRaster, is_from_afar_what_it_is_from_close_by) {
   TerrainSpec spec = this->spec(true);
   spec.detail->roughness.reset();
@@ -245,7 +245,7 @@ TEST_P(EnhancedRaster, is_from_afar_what_it_is_from_close_by) {
   Ground::Probe close(ground);
   for (const double nodes_per_cell : {64, 32, 16, 8, 4, 2}) {
     const double node_m = GetParam().cell_m / nodes_per_cell;
-    Ground::Probe far = Ground::Probe::rough(ground, node_m);
+    Ground::Probe far = Ground::Probe::with_sparse_detail(ground, node_m);
     double rms_m = 0;
     constexpr int count = 2000;
     for (int k = 0; k < count; ++k) {
@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(Cells, EnhancedRaster,
                                            Case{"forty_metres", 40}),
                          [](const auto& test) { return test.param.name; });
 
-// Fresh craters of one size, so few that most stand alone: depth, rim and outline.
+// Fresh craters of one size are so few that most stand alone: depth, rim and outline are checked.
 TEST(Detail, over_a_raster_has_craters_that_are_round_and_as_deep_as_published) {
   const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-60,1,0,60,0,-1", "",
                           rows_of(120, 120, [](int, int) { return 5; })};
@@ -272,7 +272,7 @@ TEST(Detail, over_a_raster_has_craters_that_are_round_and_as_deep_as_published) 
   CraterPopulation craters;
   craters.diameter_min_m = diameter_m;
   craters.diameter_max_m = 1.001 * diameter_m;
-  craters.density_pm2 = 20;  // of those, one in 500 is in that range
+  craters.density_pm2 = 20;  // of craters, one in 500 is in that range
   spec.detail = Detail{.craters = craters, .rocks = {}, .roughness = {}};
   const SiteFrame site = site_on("Moon", 0, 0);
   const Ground ground(spec, site, 4);
@@ -302,7 +302,7 @@ TEST(Detail, over_a_raster_has_craters_that_are_round_and_as_deep_as_published) 
       low_m = std::min(low_m, crest_m), high_m = std::max(high_m, crest_m);
       half_low_m = std::min(half_low_m, half_m), half_high_m = std::max(half_high_m, half_m);
     }
-    // Rim to floor; above the ground far around; and all around.
+    // From rim to floor; above the ground far around; and all around.
     EXPECT_NEAR((mean_m - height_m(0, 0)) / depth_m, 1, 0.08);
     EXPECT_NEAR(height_m(1.45, 0.4), 0, 0.1 * rim_m);
     EXPECT_LT(high_m - low_m, 0.12 * depth_m);
@@ -341,7 +341,7 @@ TEST(Detail, has_rocks_that_the_sample_knows_of) {
   EXPECT_NEAR(static_cast<double>(on_rock) / all, rock_cover(p, 0.4), 0.006);
 }
 
-// A cell's side is found by distances, whose last digits differ from site to site.
+// A cell's side is found from distances, whose last digits differ from site to site.
 TEST(Roughness, has_as_many_waves_whatever_the_last_digit_of_the_spacing) {
   HeightTile low({3, 5}), high({3, 5});
   RoughnessField({0.02, 0.7, 16}, 9, {0.25 * (1 - 1e-9)}).add_to(low, {200, 300, 1});

@@ -1,4 +1,4 @@
-// From grid coordinates back to places: the reverse of what every lookup does.
+// From grid coordinates back to places: the inverse of what every lookup does.
 #include <cmath>
 
 #include "ground_fixture.h"
@@ -69,7 +69,7 @@ TEST(GridPlace, is_where_closed_forms_say) {
   EXPECT_NEAR(lon_deg(*place), 135, 1e-12);
   EXPECT_NEAR(place->lat_rad + M_PI / 2, 2 * std::atan(30000 * std::sqrt(2) / (2 * 1737400)),
               1e-12);
-  // Planetographic rows of Mars, planetocentric answers: tan(centric) = (1 - f)^2 tan(graphic).
+  // Planetographic rows of Mars, planetocentric results: tan(centric) = (1 - f)^2 tan(graphic).
   const Grid mars("+proj=longlat +a=3396190 +rf=169.894447223612", "9.9, 0.01, 0, 45.1, 0, -0.01",
                   site_on("Mars", 10, 45));
   const double polar_share = 1 - 1 / 169.894447223612;
@@ -77,7 +77,7 @@ TEST(GridPlace, is_where_closed_forms_say) {
 }
 
 TEST(GridPlace, ends_at_the_pole_and_where_the_projection_does) {
-  // 1 degree a row from 10 degrees north of the pole's latitude downwards.
+  // One degree per row from 10 degrees north of the pole's latitude downwards.
   const Grid geographic("IAU_2015:30100", "-180, 1, 0, 100, 0, -1", site_on("Moon", 0, 80));
   EXPECT_FALSE(geographic.grid->place({5, 9}));
   EXPECT_TRUE(geographic.grid->place({5, 10}));

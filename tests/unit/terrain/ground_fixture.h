@@ -1,4 +1,4 @@
-// What the terrain tests share: sites, rasters written as text, and a normal found without ours.
+// Shared by the terrain tests: sites, rasters written as text, and a normal found by differences.
 #pragma once
 
 #include <filesystem>
@@ -33,13 +33,13 @@ inline TerrainSpec raster_terrain(const std::string& file, int band = 1) {
 }
 
 // A raster as an ESRI ASCII grid with a GDAL virtual raster on top, which gives it any CRS,
-// geotransform and band description. Rows are written from the top. Answers the VRT's path.
+// geotransform and band description. Rows are written from the top. write() returns the VRT's path.
 struct TextRaster {
   std::string crs;           // anything that GDAL reads; "" for none
   std::string geotransform;  // six numbers with commas; "" for none
   std::string band;          // XML inside the band: NoDataValue, Scale, Offset, UnitType
   std::vector<std::vector<double>> rows;
-  std::string type = "Float64";  // of the samples
+  std::string type = "Float64";  // type of the samples
 
   std::string write(const std::string& name) const {
     const std::string folder = ::testing::TempDir() + "lsos_terrain_" +
@@ -66,7 +66,7 @@ struct TextRaster {
   }
 };
 
-// Rows of `f(column, row)`.
+// Rows of heights f(column, row).
 template <class F>
 std::vector<std::vector<double>> rows_of(int columns, int rows, const F& f) {
   std::vector<std::vector<double>> result(rows, std::vector<double>(columns));
@@ -86,7 +86,7 @@ inline Vec3 normal_by_differences(Ground::Probe& probe, const Vec3& p_S_m, doubl
   return gradient.normalized();
 }
 
-// The point of the surface below p.
+// Point of the surface below p.
 inline Vec3 on_surface(const Ground& ground, Ground::Probe& probe, const Vec3& p_S_m) {
   return p_S_m - probe.sample(p_S_m).gap_m * ground.site().up_S(p_S_m);
 }

@@ -1,4 +1,4 @@
-// Finer layers over coarser ones.
+// Blending of finer layers over coarser ones.
 #include <cmath>
 
 #include "ground_fixture.h"
@@ -18,7 +18,7 @@ TEST(Layers, blend_without_a_step) {
   const Ground both(spec, site, 0), only_fine(raster_terrain(fine.write("fine")), site, 0),
       only_coarse(raster_terrain(coarse.write("coarse")), site, 0);
   Ground::Probe probe(both), fine_probe(only_fine), coarse_probe(only_coarse);
-  // In the middle the fine one, outside the coarse one, and in between no step and no kink.
+  // The fine layer is in the middle, the coarse one outside, with neither step nor kink between.
   EXPECT_EQ(probe.sample({3, 5, 0}).elevation_m, fine_probe.sample({3, 5, 0}).elevation_m);
   EXPECT_EQ(probe.sample({130, 5, 0}).elevation_m, coarse_probe.sample({130, 5, 0}).elevation_m);
   double before_m = probe.sample({20, 5, 0}).elevation_m, slope_before = 0;
@@ -37,7 +37,7 @@ TEST(Layers, blend_without_a_step) {
   EXPECT_FALSE(probe.sample({1200, 5, 0}).is_ground());
 }
 
-// The coarse one has a hole where the fine one fades: that takes over without a step.
+// The coarse layer has a hole where the fine one fades: the fine one takes over without a step.
 TEST(Layers, end_without_a_step_where_the_last_has_a_hole) {
   const char* nodata = "<NoDataValue>-9999</NoDataValue>";
   const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-100,2,0,100,0,-2", "",
@@ -62,7 +62,7 @@ TEST(Layers, end_without_a_step_where_the_last_has_a_hole) {
   EXPECT_NEAR(probe.sample({-399, 5, 0}).elevation_m, 40, 1e-9);
 }
 
-// Both end at the same box: near it the fine one is let go within a few of its cells.
+// Both layers end at the same box: near it the fine one fades out within a few of its cells.
 TEST(Layers, end_without_a_step_where_both_end) {
   const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-100,2,0,100,0,-2", "",
                         rows_of(100, 100, [](int, int) { return 50; })};

@@ -1,4 +1,4 @@
-// Grids of maps, and the maps that are written on them.
+// Grids of maps, and the maps written on them.
 #include "terrain/raster/map_grid.h"
 
 #include <gdal_priv.h>
@@ -22,7 +22,7 @@ std::string why_refused(const std::function<void()>& make) {
 }
 
 TEST(MapGrid, has_fewer_cells_where_more_is_held_of_each) {
-  // 30.3 km square.
+  // The window is 30.3 km square.
   const MapWindow window{0, 0, 1, 1};
   const Body& moon = *find_body("Moon");
   const auto of_window = [&](int values) {
@@ -50,7 +50,7 @@ TEST(MapGrid, has_fewer_cells_where_more_is_held_of_each) {
   EXPECT_THAT(of_raster(2), HasSubstr("134217728 are allowed at once"));
 }
 
-// The map has waves 80 m high, in cells of 30.48 m.
+// The map has waves 80 m high in cells of 30.48 m.
 std::vector<std::uint8_t> hillshade(const char* unit, double unit_m) {
   OGRSpatialReference crs;
   crs.importFromProj4((std::string("+proj=eqc +R=1737400 +units=") + unit).c_str());

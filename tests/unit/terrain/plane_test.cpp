@@ -22,7 +22,7 @@ TEST(Plane, level_ground_follows_the_body) {
 
 TEST(Plane, slopes_down_towards_its_azimuth) {
   const double slope_rad = 0.3;
-  // Falling towards the east.
+  // The ground falls towards the east.
   const Ground ground(plane_terrain(200, slope_rad, M_PI / 2), site_on("Mars", 0, 50, 200), 0);
   Ground::Probe probe(ground);
   const GroundSample here = probe.sample({0, 0, 2});
@@ -33,7 +33,7 @@ TEST(Plane, slopes_down_towards_its_azimuth) {
 }
 
 TEST(Plane, has_its_slope_also_far_above_the_reference_surface) {
-  // The site at the reference surface, the ground 20 km above it.
+  // The site lies at the reference surface, the ground 20 km above it.
   const Ground ground(plane_terrain(20000, 0.2, 0), site_on("Moon", 0, 50, 0), 0);
   Ground::Probe probe(ground);
   const GroundSample here = probe.sample({0, 0, 20000});
@@ -46,7 +46,7 @@ TEST(Plane, is_linear_in_the_tangent_plane) {
   Ground::Probe probe(ground);
   for (double x : {-731.3, -16.0, 0.7, 512.0}) {
     for (double y : {-200.1, 33.3}) {
-      // Straight above the tangent plane's point on the line to the body's centre.
+      // The point lies straight above the tangent plane's, on the line to the body's centre.
       const double expected = -std::tan(0.1) * (x * std::sin(1.0) + y * std::cos(1.0));
       EXPECT_NEAR(probe.sample({x, y, 0}).elevation_m, expected, 1e-11);
     }

@@ -1,4 +1,4 @@
-// What is told of rasters that can be read and yet are not what they seem.
+// Warnings about rasters that can be read and yet are not what they seem.
 #include "terrain/raster/raster_advice.h"
 
 #include <cstdlib>
@@ -10,7 +10,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A globe of that many cells a degree.
+// A globe of that many cells per degree.
 TerrainSpec globe(double cells) {
   const int columns = static_cast<int>(360 * cells), rows = static_cast<int>(180 * cells);
   const TextRaster raster{
@@ -25,7 +25,7 @@ TEST(Slivers, are_the_cells_next_to_a_pole) {
     const TerrainSpec spec = globe(cells);
     for (const double side : {-1, 1}) {
       const Ground ground(spec, site_on("Moon", 20, side * 85), 0);
-      // 1 : 19.6 at 87.08 degrees.
+      // The cells at 87.08 degrees are 1 : 19.6.
       for (const double lat_deg : {0.0, 60.0, 80.0, 86.0, 87.08}) {
         EXPECT_EQ(ground.slivers(geodetic_from_degrees(20, side * lat_deg)), "") << lat_deg;
       }
@@ -51,7 +51,7 @@ TEST(Slivers, do_not_matter_under_a_polar_map) {
   EXPECT_THAT(ground.slivers(geodetic_from_degrees(40, -89)), HasSubstr("slivers"));
 }
 
-// Hills of that many units over 400 km.
+// Hills that rise by that many units over 400 km.
 std::vector<Fault> advice_of(double rise, const std::string& band, const std::string& unit = "") {
   const TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-200000,10000,0,200000,0,-10000", band,
                           rows_of(40, 40, [&](int column, int row) {
@@ -70,7 +70,7 @@ TEST(RasterUnit, of_heights_that_may_be_in_km_is_asked_for) {
   EXPECT_THAT(asked[0].what, HasSubstr("say the unit (unit in lsos.raster, or --unit)"));
   EXPECT_EQ(advice_of(6, "<UnitType>m</UnitType>").size(), 0u);
   EXPECT_EQ(advice_of(6, "", "km").size(), 0u);
-  // Metres as whole numbers, and a scale that makes km of them.
+  // Metres as whole numbers, with a scale that makes km of them.
   EXPECT_EQ(advice_of(6000, "<Scale>0.001</Scale>").size(), 1u);
   EXPECT_EQ(advice_of(600, "").size(), 0u);
   EXPECT_EQ(advice_of(0, "").size(), 0u);  // level, made by hand
@@ -110,7 +110,7 @@ TEST(RasterUnit, is_asked_for_of_measured_ground_that_is_too_level) {
   EXPECT_EQ(low_hills_advices(0.1, 1e-2), 0u) << "made by hand";
 }
 
-// 2 km of hills with one height of another size, or a rock of so many cells.
+// 2 km of hills with one cell of another height, or with a rock of so many cells.
 std::vector<Fault> spiked_advice(double spike_m, int cells, double cell_m = 10) {
   const auto height = [&](int column, int row) {
     const bool is_in = column >= 50 && column < 50 + cells && row >= 70 && row < 70 + cells;
@@ -125,11 +125,12 @@ std::vector<Fault> spiked_advice(double spike_m, int cells, double cell_m = 10) 
 
 TEST(RasterSpike, is_told_with_its_place) {
   for (const double spike_m : {3000.0, -3000.0}) {
-    const auto told = spiked_advice(spike_m, 1);
-    ASSERT_EQ(told.size(), 1u);
-    // 495 m west of the datum and 295 m north of it: pixels' centres.
-    EXPECT_THAT(told[0].what, HasSubstr("from one cell to the next and back at longitude -0.0163241"
-                                        ", latitude 0.00972848: a fault of the map?"));
+    const auto warnings = spiked_advice(spike_m, 1);
+    ASSERT_EQ(warnings.size(), 1u);
+    // The spike lies 495 m west of the datum and 295 m north of it: pixels' centres.
+    EXPECT_THAT(warnings[0].what,
+                HasSubstr("from one cell to the next and back at longitude -0.0163241"
+                          ", latitude 0.00972848: a fault of the map?"));
   }
   const auto of_three_cells = spiked_advice(900, 3);
   ASSERT_EQ(of_three_cells.size(), 1u);
@@ -149,7 +150,7 @@ std::vector<Fault> advice_of_heights(const std::string& band, double cell_m,
                           "-" + half + "," + cell + ",0," + half + ",0,-" + cell, band,
                           rows_of(100, 100, height)};
   TerrainSpec spec = raster_terrain(raster.write("heights"));
-  std::get<RasterSurface>(spec.layers[0]).is_band_said = true;
+  std::get<RasterSurface>(spec.layers[0]).is_band_given = true;
   return Ground(spec, site_on("Moon", 0, 0), 0).advice();
 }
 
@@ -157,9 +158,9 @@ TEST(RasterExtremes, are_told_where_the_body_has_no_such_heights) {
   const auto relief = [](double size) {
     return [size](int column, int row) { return size * std::sin(1 + 0.1 * column + 0.05 * row); };
   };
-  const auto told = advice_of_heights("", 5000, relief(18000));
-  ASSERT_EQ(told.size(), 1u) << told[1].what;
-  EXPECT_THAT(told[0].what,
+  const auto warnings = advice_of_heights("", 5000, relief(18000));
+  ASSERT_EQ(warnings.size(), 1u) << warnings[1].what;
+  EXPECT_THAT(warnings[0].what,
               HasSubstr("heights of -18000 to 18000 m, where Moon has -9200 to 10800"));
   EXPECT_EQ(advice_of_heights("", 5000, relief(9500)).size(), 0u);
 }
@@ -168,9 +169,9 @@ TEST(RasterSteps, of_whole_numbers_on_small_cells_are_told) {
   const auto hills = [](int column, int row) {
     return std::round(12 * std::sin(0.05 * column) + 8 * std::cos(0.03 * row));
   };
-  const auto told = advice_of_heights("", 1, hills);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0].what, HasSubstr("in steps of 1 m on cells of 1 m"));
+  const auto warnings = advice_of_heights("", 1, hills);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].what, HasSubstr("in steps of 1 m on cells of 1 m"));
   EXPECT_EQ(advice_of_heights("", 30, hills).size(), 0u) << "a step of 2 degrees";
   EXPECT_EQ(advice_of_heights("<Scale>0.01</Scale>", 1, hills).size(), 0u);
   EXPECT_EQ(advice_of_heights("", 1, [](int column, int) { return column; }).size(), 0u)
@@ -179,9 +180,9 @@ TEST(RasterSteps, of_whole_numbers_on_small_cells_are_told) {
 
 TEST(RasterWord, of_a_band_that_was_chosen_counts) {
   const auto slopes = [](int column, int row) { return 10 + 0.1 * column + 0.03 * row; };
-  const auto told = advice_of_heights("<Description>map_slope</Description>", 10, slopes);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0].what, HasSubstr("band 1 is called 'map_slope'"));
+  const auto warnings = advice_of_heights("<Description>map_slope</Description>", 10, slopes);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].what, HasSubstr("band 1 is called 'map_slope'"));
   EXPECT_EQ(advice_of_heights("<Description>map_height</Description>", 10, slopes).size(), 0u);
 }
 
@@ -199,7 +200,7 @@ TEST(CoarseGround, is_what_no_rover_can_be_said_to_drive_on) {
   EXPECT_THAT(coarseness(7600), HasSubstr("by cells of 7.6 km alone"));
 }
 
-// 8 bits that are no picture name their unit or have a scale.
+// Samples of 8 bits that are no picture name their unit or have a scale.
 TEST(RasterKind, of_8_bits_without_a_unit_is_asked_for) {
   const auto advice = [](const std::string& band) {
     TextRaster raster{"+proj=eqc +R=1737400 +units=m", "-200,4,0,200,0,-4", band,
@@ -221,15 +222,15 @@ TEST(RasterBand, of_several_that_nobody_has_named_is_asked_for) {
                 ("gdalbuildvrt -q -separate '" + two + "' '" + file + "' '" + file + "'").c_str()),
             0);
   TerrainSpec spec = raster_terrain(two);
-  const auto told = Ground(spec, site_on("Moon", 0, 0), 0).advice();
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0].what,
+  const auto warnings = Ground(spec, site_on("Moon", 0, 0), 0).advice();
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].what,
               HasSubstr("has 1 more band, and nothing says which are heights: band 1"));
-  std::get<RasterSurface>(spec.layers[0]).is_band_said = true;
+  std::get<RasterSurface>(spec.layers[0]).is_band_given = true;
   EXPECT_EQ(Ground(spec, site_on("Moon", 0, 0), 0).advice().size(), 0u);
 }
 
-// A fine raster whose heights are so much above those of a coarse one around it.
+// A fine raster whose heights lie that much above those of a coarse one around it.
 std::vector<Fault> step_advice_of(double step_m) {
   const auto hills = [](int column, int row) { return 2 * std::sin(column) + std::cos(row); };
   const TextRaster fine{"+proj=eqc +R=1737400 +units=m", "-200,4,0,200,0,-4", "",
@@ -244,10 +245,10 @@ std::vector<Fault> step_advice_of(double step_m) {
 TEST(RasterStep, between_heights_of_two_references_is_told) {
   EXPECT_EQ(step_advice_of(0).size(), 0u);
   EXPECT_EQ(step_advice_of(2).size(), 0u);
-  const auto told = step_advice_of(-500);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_THAT(told[0].what, HasSubstr("m below '"));
-  EXPECT_THAT(told[0].what, HasSubstr("are they heights above two references?"));
+  const auto warnings = step_advice_of(-500);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].what, HasSubstr("m below '"));
+  EXPECT_THAT(warnings[0].what, HasSubstr("are they heights above two references?"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ std::string refusal(const std::string& file, const SiteFrame& site, int band = 1
 const std::vector<std::vector<double>> ramp =
     rows_of(40, 30, [](int column, int row) { return 100 + 2.0 * column - 0.5 * row; });
 
-// A raster of 1 m around the origin of a projection centred at the site.
+// Geotransform of a raster of 1 m around the origin of a projection centred at the site.
 constexpr char centred_moon[] = "+proj=laea +lat_0=20 +lon_0=-30 +R=1737400 +units=m";
 constexpr char centred_transform[] = "-20, 1, 0, 15, 0, -1";
 
@@ -50,7 +50,7 @@ TEST(RasterErrors, name_the_file_and_the_reason) {
 
 TEST(RasterErrors, name_the_file_whose_samples_cannot_be_read) {
   const std::string file = TextRaster{centred_moon, centred_transform, "", ramp}.write("gone");
-  // The virtual raster stays, the grid behind it goes.
+  // The virtual raster stays, the grid behind it is deleted.
   std::filesystem::remove(file.substr(0, file.size() - 3) + "asc");
   EXPECT_THAT(refusal(file, site_on("Moon", -30, 20)),
               AllOf(HasSubstr("raster '" + file + "' cannot be read: "), HasSubstr("gone.asc")));
@@ -70,12 +70,12 @@ TEST(RasterErrors, name_both_bodies) {
               HasSubstr("lies on another body (semi-major axis 11100 m), the site on Mars"));
 }
 
-// The centre of the raster at (lon, lat) on each CRS must be found at that place.
+// The centre of the raster at (lon, lat) in each CRS must be found at that place.
 TEST(RasterCrs, a_slightly_different_sphere_is_entered_by_longitude_and_latitude) {
   const std::string other = "+proj=laea +lat_0=20 +lon_0=-30 +R=1738000 +units=m";
   const Ground ground(raster_terrain(TextRaster{other, centred_transform, "", ramp}.write("r")),
                       site_on("Moon", -30, 20), 0);
-  // 10 m east on the larger sphere.
+  // The point lies 10 m east on the larger sphere.
   const double lon_deg = -30 + 10 / (1738000 * std::cos(20 * M_PI / 180)) * 180 / M_PI;
   EXPECT_NEAR(*ground.elevation_m(geodetic_from_degrees(lon_deg, 20)), 100 + 2 * 29.5 - 0.5 * 14.5,
               1e-5);
@@ -94,7 +94,7 @@ TEST(RasterCrs, longitudes_may_count_from_0_to_360) {
 }
 
 TEST(RasterCrs, a_projection_may_run_past_its_own_longitude_range) {
-  // Equidistant cylindrical about longitude 0, yet 0..360: x of 330 degrees.
+  // Equidistant cylindrical about longitude 0, yet 0..360: the x of 330 degrees.
   const double metre_per_deg = 1737400 * M_PI / 180;
   TextRaster raster{"+proj=eqc +R=1737400", "", "", ramp};
   raster.geotransform = std::to_string(330 * metre_per_deg - 10) + ", 1, 0, " +
@@ -116,7 +116,7 @@ TEST(RasterCrs, a_raster_around_the_body_has_no_seam) {
   EXPECT_NEAR(west.elevation_m, 0, 1e-3);
   EXPECT_NEAR(west.elevation_m, east.elevation_m, 1e-5);
   EXPECT_LT((west.normal_S - east.normal_S).norm(), 1e-8);
-  // Rising eastwards by 1000 m a radian of longitude, but for interpolation.
+  // The ground rises eastwards by 1000 m per radian of longitude, but for interpolation.
   EXPECT_NEAR(-east.normal_S.x() / east.normal_S.z(), 1000 / 1737400.0, 1e-5);
 }
 
@@ -164,7 +164,7 @@ TEST(RasterCrs, a_rotated_raster_is_read_along_its_own_axes) {
 }
 
 TEST(RasterCrs, a_geographic_raster_works_at_the_pole) {
-  // 1 degree of longitude, 1e-4 degrees of latitude (3 m); a cone 1 m a row high.
+  // 1 degree of longitude by 1e-4 degrees of latitude (3 m); a cone that rises 1 m per row.
   const auto rows = rows_of(360, 50, [](int, int row) { return 500.0 - row; });
   const Ground ground(
       raster_terrain(

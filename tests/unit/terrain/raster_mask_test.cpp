@@ -1,4 +1,4 @@
-// Samples that a band beside them says are missing: an alpha band, the file's mask.
+// Samples that another band marks as missing: an alpha band, or the file's mask.
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
@@ -97,7 +97,7 @@ TEST(RasterMask, leaves_no_ground_from_close_by_and_from_afar) {
   }
 }
 
-// A nodata value that the user says replaces the file's, not its alpha band.
+// A nodata value given by the user replaces the file's, not its alpha band.
 TEST(RasterMask, stays_when_the_user_says_what_stands_for_none) {
   TerrainSpec spec = raster_terrain(MaskedRaster{Mask::alpha, true}.write("said"));
   std::get<RasterSurface>(spec.layers[0]).nodata = -9999;

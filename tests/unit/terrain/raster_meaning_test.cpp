@@ -1,4 +1,4 @@
-// What the samples of a raster mean, and what is asked for where that cannot be known.
+// Meaning of a raster's samples, and the questions where that cannot be known.
 #include <cmath>
 
 #include "ground_fixture.h"
@@ -100,7 +100,7 @@ TEST(RasterRadii, in_kilometres_without_a_unit_are_asked_for) {
   EXPECT_NEAR(*height_m(surface), 1738.2, 1e-9);
 }
 
-// One cell of the mark, in the south-western corner; the others are 5 m.
+// One cell has the mark, in the south-western corner; the others are 5 m.
 std::vector<std::vector<double>> marked(double mark) {
   auto rows = samples(5);
   rows[19][0] = mark;
@@ -121,7 +121,7 @@ TEST(RasterMarks, of_missing_samples_are_known_without_a_tag) {
   EXPECT_FALSE(corner_m(raster("f", marked(-3.4028227e38), "", "Float32")));
   EXPECT_FALSE(corner_m(raster("g", marked(NAN), "", "Float32")));
   EXPECT_FALSE(corner_m(raster("h", marked(-1234), "<NoDataValue>-1234</NoDataValue>", "Float32")));
-  // Millimetres, where it is a height.
+  // The value is millimetres, where it is a height.
   EXPECT_EQ(corner_m(raster("i", marked(-32768), "<UnitType>mm</UnitType>", "Int32")), -32.768);
 }
 
@@ -148,7 +148,7 @@ TEST(RasterMarks, that_cannot_be_known_are_asked_for) {
                                       HasSubstr("nodata in lsos.raster, or --nodata")));
   surface.nodata = -9999;
   EXPECT_EQ(refusal(surface), "accepted");
-  // A valley that leads there is one.
+  // A valley that leads there is real.
   auto slope = samples(-9990);
   slope[3][3] = -9999;
   EXPECT_EQ(refusal(raster("b", slope)), "accepted");

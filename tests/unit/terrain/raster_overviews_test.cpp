@@ -1,4 +1,4 @@
-// A file's overviews are looked at from afar where none can have averaged marks of missing samples.
+// Overviews of a file serve coarse levels where none can have averaged marks of missing samples.
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr double ground_m = 100;
 constexpr double overview_m = 77;
-// A raster this wide is seen whole when it is opened, and one that is not.
+// Side of a raster that is read whole when it is opened, and of one that is not.
 constexpr int small = 256, large = 1280;
 
 // Level ground of 1 m about 0, 0 on the Moon. One cell in 256 may hold a mark instead.
@@ -20,7 +20,7 @@ struct OverviewRaster {
   bool has_mask = false;
   int side = large;
 
-  // With overviews of another height, so that a look tells whether it was through them.
+  // Writes overviews of another height, so that a sample shows whether it came from them.
   std::string write_aside(double height_m = overview_m) const {
     const auto [file, dataset] = create("aside");
     build(*dataset, "NONE");
@@ -34,7 +34,7 @@ struct OverviewRaster {
     return file;
   }
 
-  // With overviews as gdaladdo makes them.
+  // Writes overviews as gdaladdo makes them.
   std::string write_averaged() const {
     const auto [file, dataset] = create("averaged");
     build(*dataset, "AVERAGE");
@@ -68,13 +68,14 @@ struct OverviewRaster {
     return {file, std::move(dataset)};
   }
 
-  static void build(GDALDataset& dataset, const char* way) {
+  static void build(GDALDataset& dataset, const char* resampling) {
     const int factors[] = {2, 4, 8};
-    EXPECT_EQ(dataset.BuildOverviews(way, 3, factors, 0, nullptr, nullptr, nullptr), CE_None);
+    EXPECT_EQ(dataset.BuildOverviews(resampling, 3, factors, 0, nullptr, nullptr, nullptr),
+              CE_None);
   }
 };
 
-// Lowest height that a look from afar finds, m.
+// Lowest height at a coarse level, m.
 double lowest_m(const Ground& ground, int side) {
   Ground::Probe far(ground, 8);
   double lowest_m = std::numeric_limits<double>::infinity();
@@ -123,7 +124,7 @@ TEST(RasterOverviews, are_used_where_gdal_leaves_out_all_marks) {
   EXPECT_TRUE(is_used({.type = GDT_Int16, .declared = -32768}));
   EXPECT_TRUE(is_used({.type = GDT_Int16, .declared = -32767}));
   EXPECT_TRUE(is_used({.declared = -32768}));
-  // What a user says stands for all marks.
+  // A value given by the user stands for all marks.
   EXPECT_TRUE(is_used({.declared = -9999}, -9999));
   EXPECT_TRUE(is_used({.type = GDT_Int16, .declared = -9999}, -9999));
 }

@@ -1,4 +1,4 @@
-// Heights, slopes and aspects as GDAL's own tools find them.
+// Heights, slopes and aspects as GDAL's own tools compute them.
 #include "terrain/raster/raster_reader.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double deg = M_PI / 180;
 
-// Rows of a file of reference data by column name, and by raster.
+// Rows of a file of reference data by column name, grouped by raster.
 using Row = std::map<std::string, std::string>;
 std::map<std::string, std::vector<Row>> rows_by_raster(const std::string& file) {
   std::map<std::string, std::vector<Row>> rows;
@@ -105,8 +105,8 @@ RasterReader reader_of(const std::string& crs, const std::string& geotransform,
 }
 
 TEST(RasterReader, turns_aspects_from_the_map_to_true_north) {
-  // Falls along -y on a south polar map: at longitude L true north is turned clockwise by L from
-  // the map's y axis, so that -y is 180 degrees less L.
+  // The ground falls along -y on a south polar map: at longitude L true north is turned clockwise
+  // by L from the map's y axis, so that -y is 180 degrees less L.
   const auto rows = rows_of(20, 20, [](int, int row) { return 100 - 0.125 * row; });
   const RasterReader reader = reader_of("IAU_2015:30135", "99990, 1, 0, 100010, 0, -1", rows);
   const auto place = reader.raster().map().place({10, 10});
@@ -120,8 +120,8 @@ TEST(RasterReader, turns_aspects_from_the_map_to_true_north) {
 }
 
 TEST(RasterReader, measures_cells_in_degrees_on_the_ground) {
-  // At 60 degrees of latitude a degree of longitude is half as long. Falls east by 1 m a cell of
-  // 0.001 degrees: 15.16 m.
+  // At 60 degrees of latitude a degree of longitude is half as long. The ground falls east by 1 m
+  // per cell of 0.001 degrees: 15.16 m.
   const auto rows = rows_of(20, 20, [](int column, int) { return 100.0 - column; });
   const RasterReader reader =
       reader_of("IAU_2015:30100", "-0.01, 0.001, 0, 60.0105, 0, -0.001", rows);
@@ -136,7 +136,7 @@ TEST(RasterReader, knows_cells_that_are_not_square_and_maps_in_feet) {
   const RasterReader reader = reader_of("+proj=tmerc +lat_0=40 +lon_0=-100 +datum=WGS84 +units=ft",
                                         "-50, 5, 0, 100, 0, -10", rows);
   const auto found = reader.at(*reader.raster().map().place({10, 10}));
-  const double rise = 1 / (5 * 0.3048);  // alike along both axes
+  const double rise = 1 / (5 * 0.3048);  // the same along both axes
   EXPECT_NEAR(*found->slope_rad, std::atan(std::sqrt(2) * rise), 1e-9);
   EXPECT_NEAR(*found->aspect_grid_rad / deg, 135, 1e-9);
   EXPECT_EQ(reader.own_body().name, "Earth");
@@ -166,7 +166,7 @@ TEST(RasterReader, goes_on_across_the_seam_of_a_raster_around_the_body) {
     return 1000 * std::cos((column + 0.5) * 10 * deg) + 10 * row;
   });
   const RasterReader reader = reader_of("IAU_2015:30100", "-180, 10, 0, 90, 0, -10", rows);
-  // Between the last column and the first.
+  // The point lies between the last column and the first.
   EXPECT_NEAR(*reader.at(geodetic_from_degrees(180, 5))->height_m,
               1000 * std::cos(5 * deg) + 10 * 8, 1e-6);
   EXPECT_NEAR(*reader.at(geodetic_from_degrees(177, 5))->height_m,

@@ -97,7 +97,7 @@ TEST(RasterSamples, hash_follows_samples_and_georeference) {
   EXPECT_NE(hash(centred("e", rows)), first);
 }
 
-// Bits must not depend on what was asked before, nor on other threads.
+// Bits must depend neither on what was sampled before, nor on other threads.
 TEST(RasterSamples, are_equal_in_any_order_and_on_any_thread) {
   const auto rows = rows_of(300, 300, [](int column, int row) {
     return 20 * std::sin(0.11 * column) * std::cos(0.07 * row);

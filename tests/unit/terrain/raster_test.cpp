@@ -52,7 +52,7 @@ TEST_F(Nobile, is_met_at_cell_centres_within_a_millimetre) {
     } else if (truth.pixel == 500 && truth.line == 500) {
       EXPECT_NEAR(*elevation_m, truth.bilinear, 0.1);
     } else {
-      // Bilinear and bicubic differ by the curvature within a cell.
+      // Bilinear and bicubic heights differ by the curvature within a cell.
       EXPECT_NEAR(*elevation_m, truth.bilinear, 0.05) << truth.pixel << " " << truth.line;
     }
   }
@@ -67,7 +67,7 @@ TEST_F(Nobile, normals_are_gradients_of_the_gap) {
       const Vec3 p = on_surface(ground, probe, {x, y, 0});
       EXPECT_NEAR(probe.sample(p).gap_m, 0, 1e-8);
       EXPECT_LT((probe.sample(p).normal_S - normal_by_differences(probe, p, 1e-4)).norm(), 1e-5);
-      // The normal is that of the surface, also asked from above.
+      // The normal is that of the surface, also when sampled from above.
       const Vec3 above = p + 500 * site.up_S(p);
       EXPECT_LT((probe.sample(above).normal_S - probe.sample(p).normal_S).norm(), 1e-9);
     }
@@ -83,7 +83,7 @@ TEST_F(Nobile, is_smooth_across_tiles_and_patches) {
     for (double y = -200; y < 0; y += 0.37) {
       const GroundSample before = probe.sample({x - 1e-7, y, 0});
       const GroundSample after = probe.sample({x + 1e-7, y, 0});
-      // 2e-7 m on slopes below 1/2; what is above that would be a step.
+      // The rise over 2e-7 m on slopes below 1/2; what is above that would be a step.
       EXPECT_NEAR(before.elevation_m, after.elevation_m, 1.1e-7);
       EXPECT_LT((before.normal_S - after.normal_S).norm(), 1e-6);
     }
@@ -108,7 +108,7 @@ TEST_F(Nobile, slopes_are_near_those_of_gdaldem) {
     std::getline(std::getline(std::getline(std::getline(cells, name, ','), pixel, ','), row, ','),
                  horn, ',');
     if (name != nobile) continue;
-    // Polar stereographic, true scale at the pole: place of the cell in closed form.
+    // Place of the cell in closed form: polar stereographic, true scale at the pole.
     const double east_m = 158699 + std::stod(pixel) + 0.5;
     const double north_m = 95500 - std::stod(row) - 0.5;
     const double colatitude_rad = 2 * std::atan(std::hypot(east_m, north_m) / (2 * 1737400));

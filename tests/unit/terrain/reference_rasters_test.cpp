@@ -1,4 +1,4 @@
-// Every raster of the reference data is read right, or refused with a reason.
+// Every raster of the reference data is read correctly, or refused with a reason.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,14 +11,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// As gdalinfo and gdal_translate have them, with what the file means by them.
+// Values by gdalinfo and gdal_translate, in the meaning of the file.
 struct Read {
   const char* body;
   double low_m, high_m;
   double valid_share;
 };
 struct Expected {
-  std::string refusal;  // part of it; "" where it is read
+  std::string refusal;  // part of the message; "" where it is read
   Read read{};
 };
 Expected refused(const char* why) { return {why}; }
@@ -62,13 +62,13 @@ const std::map<std::string, Expected>& expected() {
        heights("Earth", -1, 36, 0.2821)},
       {"formats/gdal_usgsdem/usgsdem_with_spaces_after_byte_864.dem", refused("has 1 x 468 cells")},
       {"formats/gz_dem_nodata.dem", heights("Earth", 682, 2932, 0.9773)},
-      // Untagged -32768 in 32-bit floating point.
+      // -32768 in 32-bit floating point, without a tag.
       {"formats/gz_dem_unfinished.tif", heights("Earth", -10, 1909, 807 / 1089.0)},
       {"formats/rasterio_float_nan.tif", refused("has no coordinate reference system")},
       {"mars/Phobos_ME_HRSC_DEM_Global_2ppd.tiff", heights("Phobos", -2940, 2917)},
       {"mars/gale_hirise_1m_missionDEM.tif", heights("Mars", -4472.670, -4437.883)},
       {"moon/LDEM_4.IMG", refused("its label '")},
-      // 0.5 m a digit, and radii.
+      // The samples are radii, of 0.5 m a digit.
       {"moon/LDEM_4.LBL", heights("Moon", -8878.5, 10504)},
       {"moon/aristarchus_IMP_4p76m_height_slope_rock.tif", heights("Moon", -1393.268, -1297.310)},
       {"moon/coordflux_100pts_outline33_centerlast_R1_F1_stdlimbdark.txt",
@@ -118,7 +118,7 @@ void expect_no_cliff(const std::string& file, const Read& expected) {
       EXPECT_LE(*height_m, expected.high_m + margin_m);
     }
   }
-  // Ground wants four neighbours; a file cut off after a few samples has none.
+  // Ground needs four neighbours; a file cut off after a few samples has none.
   EXPECT_TRUE(found > 0 || expected.valid_share < 0.1);
 }
 

@@ -8,7 +8,7 @@
 namespace lsos {
 namespace {
 
-// The formula by hand, and the rocks drawn against it. No measured field of rocks is at hand.
+// Values of the formula, and the rocks drawn against it. No measured field of rocks is available.
 TEST(Rocks, cover_as_much_as_published) {
   RockPopulation p;
   p.cover = 0.1;
@@ -43,8 +43,6 @@ TEST(Rocks, have_the_volume_of_their_shapes) {
   }
   EXPECT_NEAR(drawn_m3 / 9e4 / rock_volume_pm2(p, 0.3, 0.7), 1, 0.02);
 }
-
-// Heights of a block of nodes as tiles give them.
 
 }  // namespace
 }  // namespace lsos

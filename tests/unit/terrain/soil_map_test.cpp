@@ -41,7 +41,7 @@ TEST(Soils, lie_where_the_script_says) {
   EXPECT_EQ(soil_at(0.5, 0.5), "own");
 }
 
-// Two classes of 2 in a row would make a missing sample beside them 2 as well, were they heights.
+// Two classes of 2 in a row would make a missing sample beside them 2 as well if they were heights.
 TEST(Soils, are_the_own_one_where_the_class_is_missing) {
   const TextRaster classes{"+proj=longlat +R=1737400",
                            "-0.02,0.01,0,0.02,0,-0.01",
@@ -68,7 +68,7 @@ TEST(Soils, are_the_own_one_where_the_class_is_missing) {
   EXPECT_EQ(soil_at(0.0205, 0.015), "own");
 }
 
-// What would be impossible of heights: a palette, numbers of any size, a unit that is no length.
+// Impossible as heights would be a palette, numbers of any size, a unit that is no length.
 TEST(Soils, are_read_from_classes_that_could_be_no_heights) {
   for (const char* band :
        {"<ColorInterp>Palette</ColorInterp>", "<UnitType>class</UnitType>", "<Scale>0</Scale>"}) {

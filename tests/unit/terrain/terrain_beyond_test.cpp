@@ -65,7 +65,7 @@ TEST(TerrainBeyond, keeps_what_a_script_says) {
   EXPECT_FALSE(both.beyond->has_detail_alone);
 }
 
-// The raster was never to get any craters; they are the other terrain's own.
+// The raster itself gets no craters; those are the other terrain's own.
 TEST(TerrainBeyond, is_not_said_to_add_no_craters_to_the_raster) {
   TerrainSpec cratered = rough("Cratered");
   cratered.detail->craters.emplace().diameter_min_m = 10;

@@ -78,7 +78,7 @@ TEST(PathFollower, holds_a_line_with_corners_and_stops_at_its_end) {
 // The rover is placed, not driven: 1 m/s along x at a distance from the line.
 TEST(PathFollower, fails_when_it_strays_farther_than_it_may) {
   FollowerLimits limits;
-  limits.stray_max_m = 2;
+  limits.cross_track_max_m = 2;
   const Path3 path{{10, 0, 0}, {20, 0, 0}, {20, 10, 0}};
   PathFollower follower(path, {{0, 0}, 0, 1, 0}, limits);
   follower.update({{4, 1.9}, 0, 1, 0}, period_s);
@@ -89,7 +89,7 @@ TEST(PathFollower, fails_when_it_strays_farther_than_it_may) {
   EXPECT_EQ(follower.next_waypoint(), 1u);
   follower.update({{13, -2.1}, 0, 1, 0}, period_s);
   EXPECT_EQ(follower.status(), PathFollower::Status::failed);
-  EXPECT_TRUE(follower.has_strayed());
+  EXPECT_TRUE(follower.is_off_line());
   EXPECT_FALSE(follower.is_stuck());
   EXPECT_EQ(follower.reason(), "strayed 2.1 m from its path, 17.0 m before the end");
   EXPECT_EQ(follower.next_waypoint(), 1u);
@@ -176,7 +176,7 @@ struct Slide {
 };
 Slide slid(double pitch_rad, double piece_m, bool is_crabbing = false) {
   FollowerLimits limits;
-  limits.speed_mps = limits.full_speed_mps = 2.5;
+  limits.speed_mps = limits.level_speed_mps = 2.5;
   limits.acceleration_mps2 = 0.5;
   limits.gravity_mps2 = g;
   limits.is_crabbing = is_crabbing;

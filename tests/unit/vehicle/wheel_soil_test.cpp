@@ -217,7 +217,7 @@ TEST(WheelSoil, a_wheel_in_the_air_feels_nothing_and_forgets_the_soil) {
   input.load_n = 0;
   const WheelContactForces forces = lrv().forces(input, 1e-3, state);
   EXPECT_EQ(forces.traction_S_n, Vec3::Zero());
-  EXPECT_EQ(forces.at_hub_S_n, Vec3::Zero());
+  EXPECT_EQ(forces.hub_force_S_n, Vec3::Zero());
   EXPECT_EQ(state.shear_S_m, Vec3::Zero());
   EXPECT_EQ(state.sinkage_m, 0);
 }

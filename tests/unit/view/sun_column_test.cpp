@@ -53,12 +53,14 @@ struct Probes {
 
 // Steps are 1/500 of the distance, or 0.3 of the ray's height above the ground if that is more.
 bool is_lit(Probes& probes, const Vec3& from_S_m, const Vec3& towards) {
-  for (double way_m = 0.05; way_m < 150e3;) {
-    Ground::Probe& probe = way_m < 100 ? probes.near : way_m < 3000 ? probes.middle : probes.far;
-    const GroundSample ground = probe.sample(from_S_m + way_m * towards);
+  for (double distance_m = 0.05; distance_m < 150e3;) {
+    Ground::Probe& probe = distance_m < 100    ? probes.near
+                           : distance_m < 3000 ? probes.middle
+                                               : probes.far;
+    const GroundSample ground = probe.sample(from_S_m + distance_m * towards);
     if (!ground.is_ground() || ground.gap_m > 12000) return true;
     if (ground.gap_m < 0) return false;
-    way_m += std::max({0.05, 0.002 * way_m, 0.3 * ground.gap_m});
+    distance_m += std::max({0.05, 0.002 * distance_m, 0.3 * ground.gap_m});
   }
   return true;
 }

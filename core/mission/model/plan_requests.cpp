@@ -1,0 +1,261 @@
+#include "mission/model/plan_requests.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mission/model/model_doubts.h"
+#include "plan/field_reader.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+// Length of time for messages: "1.5 h", "45 s".
+std::string span_text(SimTime span) {
+  const double whole_s = std::abs(seconds(span));
+  if (whole_s >= 86400) return fmt::format("{:.4g} d", whole_s / 86400);
+  if (whole_s >= 3600) return fmt::format("{:.4g} h", whole_s / 3600);
+  if (whole_s >= 60) return fmt::format("{:.4g} min", whole_s / 60);
+  return fmt::format("{:.4g} s", whole_s);
+}
+
+void check_times(const Plan& plan, const Declarations& declarations, Faults& faults) {
+  const MissionInfo& mission = plan.mission;
+  for (const PlanEvent& event : plan.events) {
+    if (!event.is_enabled) continue;
+    const auto check = [&](const std::string& field, Instant time) {
+      const SimTime at = time - mission.start_time;
+      const auto warn = [&](const std::string& what) {
+        faults.warning(event.place, fmt::format("{} '{}': {} = {}: {}", event.type, event.label,
+                                                field, format_utc(time), what));
+      };
+      if (at < SimTime{}) {
+        warn(fmt::format("is {} before the mission's StartTime, {}: nothing waits for it",
+                         span_text(at), format_utc(mission.start_time)));
+      } else if (mission.has_max_duration && at > mission.max_duration) {
+        warn(fmt::format("is {} after the mission's end by its MaxDuration, {}: it never comes",
+                         span_text(at - mission.max_duration),
+                         format_utc(mission.start_time + mission.max_duration)));
+      }
+    };
+    if (event.start_time) check("StartTime", *event.start_time);
+    for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
+      const auto value = event.params.find(field.key);
+      if (field.kind != FieldKind::utc || value == event.params.end()) continue;
+      check(field.name, std::get<Instant>(value->second));
+    }
+  }
+}
+
+// Sum of the durations among its fields.
+double durations_s(const PlanEvent& event, const EventDeclaration& declaration) {
+  double sum_s = 0;
+  for (const FieldDeclaration& field : declaration.fields) {
+    if (field.kind != FieldKind::duration) continue;
+    const double* duration_s = find_value<double>(event.params, field.key);
+    sum_s += duration_s == nullptr ? 0 : *duration_s;
+  }
+  return sum_s;
+}
+
+// Lower bound of an event's driving time: straight from `at` through its points, at the event's
+// Speed or the rover's cruise speed; 0 when neither is known. `at`: place of the rover, updated to
+// that at the end; absent: not known.
+double least_drive_s(const PlanEvent& event, const Body& body,
+                     std::optional<double> cruise_speed_mps, std::optional<Geodetic>& at) {
+  double length_m = 0;
+  for (const Geodetic& point : event.geometry.points) {
+    if (at) length_m += surface_distance_m(body, *at, point);
+    at = point;
+  }
+  // Within a polygon the rover may stop anywhere; without a geometry it follows what moves.
+  const bool is_known =
+      event.geometry.kind == GeometryKind::point || event.geometry.kind == GeometryKind::line;
+  if (!is_known) {
+    at.reset();
+    return 0;
+  }
+  const double* speed_mps = find_value<double>(event.params, "speed_mps");
+  if (speed_mps != nullptr && *speed_mps > 0) return length_m / *speed_mps;
+  return cruise_speed_mps ? length_m / *cruise_speed_mps : 0;
+}
+
+void check_timeouts(const Plan& plan, const Declarations& declarations,
+                    const std::map<std::string, RoverModel>& rovers, Faults& faults) {
+  for (const PlanEvent& event : plan.events) {
+    if (!event.is_enabled || !event.timeout || !event.stop_when.text.empty()) continue;
+    const EventDeclaration& declaration = declarations.events.at(event.type);
+    const auto warn = [&](double needed_s, const char* what) {
+      if (from_seconds(needed_s) <= *event.timeout) return;
+      faults.warning(event.place, fmt::format("{} '{}': Timeout = {}: is less than the {} {}",
+                                              event.type, event.label, span_text(*event.timeout),
+                                              span_text(from_seconds(needed_s)), what));
+    };
+    warn(durations_s(event, declaration), "of its durations");
+    if (plan.mission.planet == nullptr) continue;
+    const PlanRover* rover = rover_of(plan, event.rover_id);
+    const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
+    std::optional<double> cruise_speed_mps;
+    if (model != rovers.end()) cruise_speed_mps = model->second.spec.vehicle.cruise_speed_mps;
+    const bool has_speed = find_value<double>(event.params, "speed_mps") != nullptr;
+    std::optional<Geodetic> at;  // absent: only the line counts
+    const double line_s =
+        declaration.drives ? least_drive_s(event, *plan.mission.planet, cruise_speed_mps, at) : 0;
+    warn(line_s, has_speed ? "that its line takes at its Speed"
+                           : "that its line takes at the rover's cruise speed");
+  }
+}
+
+// Warns about StartTimes earlier than that of an event before it of the same rover.
+void check_order_of_times(const Plan& plan, Faults& faults) {
+  const PlanEvent* latest = nullptr;
+  for (const PlanEvent& event : plan.events) {
+    if (!event.is_enabled || !event.start_time) continue;
+    if (latest != nullptr && latest->rover_id == event.rover_id &&
+        *event.start_time < *latest->start_time) {
+      faults.warning(event.place,
+                     fmt::format("{} '{}': StartTime = {}: '{}' comes first by its Sequence, and "
+                                 "starts at {}",
+                                 event.type, event.label, format_utc(*event.start_time),
+                                 latest->label, format_utc(*latest->start_time)));
+      continue;
+    }
+    latest = &event;
+  }
+}
+
+// Tracks, pictures and overlay are straight between two rows of the log.
+void check_log_interval(const Plan& plan, const Declarations& declarations,
+                        const std::map<std::string, RoverModel>& rovers, Faults& faults) {
+  constexpr double longest_m = 100;
+  const double interval_s = seconds(plan.mission.log_interval);
+  for (const PlanRover& rover : plan.rovers) {
+    const auto model = rovers.find(rover.model());
+    const bool drives = std::ranges::any_of(plan.events, [&](const PlanEvent& event) {
+      return event.rover_id == rover.id && declarations.events.at(event.type).drives;
+    });
+    if (model == rovers.end() || !drives) continue;
+    const double between_m = interval_s * model->second.spec.vehicle.cruise_speed_mps;
+    if (between_m <= longest_m) continue;
+    faults.warning(
+        plan.mission.place,
+        fmt::format(
+            "MissionInfo: LogInterval = {}: at its usual speed {} drives {:.0f} m from row to row; "
+            "its track on maps and in pictures is straight between them",
+            span_text(plan.mission.log_interval), quoted(rover.id), between_m));
+    return;
+  }
+}
+
+void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& rovers,
+                   Faults& faults) {
+  for (const PlanRover& rover : plan.rovers) {
+    const auto model = rovers.find(rover.model());
+    if (model == rovers.end() || rover.initial_charge == 1) continue;
+    if (const auto& battery = model->second.power.battery) {
+      if (rover.initial_charge >= battery->reserve) continue;
+      faults.warning(
+          rover.place,
+          fmt::format("Rover '{}': InitialCharge = {:g} %: is below the reserve of {}, "
+                      "{:g} %",
+                      rover.id, 100 * rover.initial_charge, rover.type, 100 * battery->reserve));
+      continue;
+    }
+    faults.warning(rover.place, fmt::format("Rover '{}': InitialCharge = {}: {} has no battery",
+                                            rover.id, rover.initial_charge, rover.type));
+  }
+}
+
+void check_masts(const Plan& plan, Faults& faults) {
+  for (const PlanAsset& asset : plan.assets) {
+    if (!asset.antenna_height_m || *asset.antenna_height_m <= highest_mast_m) continue;
+    faults.warning(
+        asset.place,
+        fmt::format("Asset '{}': Height = {:g} m: its antenna would stand on a mast that "
+                    "high; is it in cm?",
+                    asset.id, *asset.antenna_height_m));
+  }
+}
+
+// Checks what is requested from an asset whose power is known: one without panels.
+void check_supplies(const Plan& plan, const Declarations& declarations,
+                    const std::map<std::string, AssetModel>& assets, Faults& faults) {
+  for (const PlanEvent& event : plan.events) {
+    const auto& fields = declarations.events.at(event.type).fields;
+    const auto source = std::ranges::find(fields, NameOf::power_source, &FieldDeclaration::names);
+    if (source == fields.end() || !event.is_enabled) continue;
+    const auto* asset_id = find_value<std::string>(event.params, source->key);
+    if (asset_id == nullptr) continue;
+    const auto asset = std::ranges::find(plan.assets, *asset_id, &PlanAsset::id);
+    if (asset == plan.assets.end() || !assets.contains(asset->type)) continue;
+    const AssetModel& model = assets.at(asset->type);
+    if (!model.panels.empty()) continue;
+    for (const FieldDeclaration& field : fields) {
+      const bool is_power = field.unit != nullptr && field.unit->suffix == "w";
+      const double* asked_w = is_power ? find_value<double>(event.params, field.key) : nullptr;
+      if (asked_w == nullptr || *asked_w <= model.supply_w) continue;
+      faults.warning(event.place,
+                     fmt::format("{} '{}': {} = {:g} W: '{}' has {:g} W to give", event.type,
+                                 event.label, field.name, *asked_w, *asset_id, model.supply_w));
+    }
+  }
+}
+
+}  // namespace
+
+void check_plan_spans(const Plan& plan, const Declarations& declarations,
+                      const std::map<std::string, RoverModel>& rovers, Faults& faults) {
+  if (plan.mission.planet == nullptr) return;
+  for (const PlanRover& rover : plan.rovers) {
+    const auto model = rovers.find(rover.model());
+    std::optional<Geodetic> at;
+    if (!plan.gaps.unplaced_rovers.contains(rover.id)) at = rover.start;
+    double sum_s = 0;
+    for (const PlanEvent& event : plan.events) {
+      if (event.rover_id != rover.id || !event.is_enabled) continue;
+      const EventDeclaration& declaration = declarations.events.at(event.type);
+      if (!event.stop_when.text.empty() || !event.skip_when.text.empty()) {
+        if (declaration.drives) at.reset();  // it may have arrived, or not
+        continue;
+      }
+      sum_s += durations_s(event, declaration);
+      if (!declaration.drives || model == rovers.end()) continue;
+      sum_s += least_drive_s(event, *plan.mission.planet,
+                             model->second.spec.vehicle.cruise_speed_mps, at);
+    }
+    if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
+    faults.warning(plan.mission.place,
+                   fmt::format("MissionInfo: MaxDuration = {}{}: the durations and drives of the "
+                               "events of rover {} alone come to {} if none ends early; those that "
+                               "the time does not suffice for end as incomplete",
+                               span_text(plan.mission.max_duration),
+                               plan.mission.has_max_duration ? "" : " (the default)",
+                               quoted(rover.id), span_text(from_seconds(sum_s))));
+  }
+}
+
+void check_for_events(const Plan& plan, Faults& faults) {
+  if (faults.has_errors()) return;
+  if (std::ranges::any_of(plan.events, &PlanEvent::is_enabled)) return;
+  faults.warning(plan.mission.place,
+                 fmt::format("MissionInfo: {}: the rovers only stand where they start",
+                             plan.events.empty() ? "the plan has no event"
+                                                 : "all events of the plan are disabled"));
+}
+
+void check_plan_requests(const Plan& plan, const Declarations& declarations,
+                         const std::map<std::string, RoverModel>& rovers,
+                         const std::map<std::string, AssetModel>& assets, Faults& faults) {
+  if (!plan.gaps.start_time) check_times(plan, declarations, faults);
+  check_order_of_times(plan, faults);
+  check_timeouts(plan, declarations, rovers, faults);
+  check_log_interval(plan, declarations, rovers, faults);
+  check_charges(plan, rovers, faults);
+  check_masts(plan, faults);
+  check_supplies(plan, declarations, assets, faults);
+}
+
+}  // namespace lsos

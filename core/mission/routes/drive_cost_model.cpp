@@ -1,0 +1,343 @@
+#include "mission/routes/drive_cost_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+#include "vehicle/drive_control.h"
+#include "vehicle/part_pose.h"
+#include "vehicle/single_wheel.h"
+
+namespace lsos {
+
+namespace {
+
+// Slopes of the table: -40 to 40 degrees in steps of 1.25 degrees.
+const double first_rad = radians(-40), step_rad = radians(1.25);
+constexpr int rows_max = 65;
+// The slip of a driven wheel is searched in this many steps from `slip_least` to the limit; the
+// least that pulls enough is taken.
+constexpr int slip_steps = 24;
+constexpr double slip_least = -0.5;
+
+// Limits for rovers whose script gives none: `tip_share` of the slope that tips the rover over at
+// rest, `clearance_share` of its clearance, `uneven_radii` of its smallest wheel.
+constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, uneven_radii = 1;
+
+// Resistance of rough ground as a share of the weight, for each metre of roughness: a constant
+// part, and a part that grows with the square of speed. Fitted to simulated drives of SEV and LRV
+// on LunarSouthPole (the test RoughGround says how well).
+constexpr double rough_share_1pm = 0.8, rough_share_s2pm3 = 0.12;
+// Rough ground tilts a rover by its height over half the track, the more suddenly the shorter the
+// wheelbase. The rover slides to and fro, which slows it like a cross slope whose sine is
+// `rough_tilt_m` times roughness / (wheelbase * track / 2). Fitted to the times of LRV and SEV,
+// driven straight over LunarSouthPole (6 and 2 per metre of roughness; RoughGround).
+constexpr double rough_tilt_m = 12, least_base_m = 0.1;
+
+struct WheelDrive {
+  Wheel wheel;
+  std::optional<DriveMotor> motor;  // absent: it turns freely or, locked, not at all
+  bool is_locked = false;
+};
+
+std::vector<WheelDrive> wheels_of(const VehicleConfig& vehicle) {
+  std::vector<WheelDrive> wheels;
+  for (const LinkConfig& link : vehicle.links) {
+    if (!link.wheel) continue;
+    const bool is_driven = link.drive && link.wheel_mode == WheelMode::driven;
+    wheels.push_back(
+        {*link.wheel, is_driven ? link.drive : std::nullopt, link.wheel_mode == WheelMode::locked});
+  }
+  return wheels;
+}
+
+// Linear interpolation between two states of a wheel.
+SingleWheelPoint between(const SingleWheelPoint& low, const SingleWheelPoint& high, double share) {
+  SingleWheelPoint point;
+  point.slip = low.slip + share * (high.slip - low.slip);
+  point.torque_n_m = low.torque_n_m + share * (high.torque_n_m - low.torque_n_m);
+  return point;
+}
+
+// Resistance of a wheel without a motor, which rolls freely or is locked (slip -1).
+double drag_n(const WheelDrive& wheel, const Soil& soil, double load_n, double gravity_mps2) {
+  const double slip = wheel.is_locked ? -1 : 0;
+  const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
+  return std::max(0.0, -single_wheel(on_soil, load_n, slip, 0).drawbar_pull_n);
+}
+
+// State at which one driven wheel pulls `pull_n` with the least slip; absent when it cannot.
+std::optional<SingleWheelPoint> state_at_pull(const WheelSoil& wheel, double load_n, double pull_n,
+                                              double slip_max) {
+  SingleWheelPoint before = single_wheel(wheel, load_n, slip_least, 0);
+  if (before.drawbar_pull_n >= pull_n) return before;
+  for (int k = 1; k <= slip_steps; ++k) {
+    const double slip = slip_least + (slip_max - slip_least) * k / slip_steps;
+    const SingleWheelPoint now = single_wheel(wheel, load_n, slip, 0);
+    if (now.drawbar_pull_n >= pull_n) {
+      const double rise_n = now.drawbar_pull_n - before.drawbar_pull_n;
+      return between(before, now, (pull_n - before.drawbar_pull_n) / rise_n);
+    }
+    before = now;
+  }
+  return std::nullopt;
+}
+
+// Travel speed at which the motor still gives the torque of `point`, m/s; absent when it cannot.
+std::optional<double> motor_speed_max_mps(const DriveMotor& motor, const SingleWheelPoint& point,
+                                          double radius_m) {
+  if (point.torque_n_m <= 0) return std::numeric_limits<double>::infinity();
+  if (point.torque_n_m >= motor.torque_max_n_m) return std::nullopt;
+  double spin_radps = motor.power_max_w / point.torque_n_m;
+  if (std::isfinite(motor.no_load_speed_radps)) {
+    spin_radps = std::min(
+        spin_radps, motor.no_load_speed_radps * (1 - point.torque_n_m / motor.torque_max_n_m));
+  }
+  return spin_radps * radius_m * (1 - std::max(0.0, point.slip));
+}
+
+std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
+                                      const std::vector<WheelDrive>& wheels, const Soil& soil,
+                                      double gravity_mps2, double speed_mps, double slip_max,
+                                      double slope_rad) {
+  const double weight_n = vehicle.mass_kg() * gravity_mps2;
+  const auto count = static_cast<double>(wheels.size());
+  const auto driven = static_cast<double>(
+      std::ranges::count_if(wheels, [](const WheelDrive& w) { return w.motor.has_value(); }));
+  if (driven == 0) return std::nullopt;
+  const double load_n = weight_n * std::cos(slope_rad) / count;
+  double held_n = weight_n * std::sin(slope_rad);
+  for (const WheelDrive& wheel : wheels) {
+    if (!wheel.motor) held_n += drag_n(wheel, soil, load_n, gravity_mps2);
+  }
+  const double pull_n = held_n / driven;
+  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity(), 0};
+  // Successive wheels that are alike are computed once.
+  std::optional<SingleWheelPoint> point;
+  const WheelDrive* of = nullptr;
+  for (const WheelDrive& wheel : wheels) {
+    if (!wheel.motor) continue;
+    const double radius_m = wheel.wheel.radius_m;
+    if (of == nullptr || of->wheel != wheel.wheel)
+      point = state_at_pull(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, pull_n, slip_max);
+    of = &wheel;
+    if (!point) return std::nullopt;
+    const std::optional<double> left_mps = motor_speed_max_mps(*wheel.motor, *point, radius_m);
+    if (!left_mps) return std::nullopt;
+    const double slip = std::max(0.0, point->slip);
+    drive.slip = std::max(drive.slip, slip);
+    // Rim travel per metre of ground: 1 / (1 - slip) driving, 1 + slip braking. The rims turn at
+    // the requested speed.
+    const double rim_per_travel = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
+    drive.speed_mps = std::min({drive.speed_mps, *left_mps, speed_mps / rim_per_travel});
+    const double energy_jpm =
+        point->torque_n_m / radius_m * rim_per_travel / wheel.motor->efficiency;
+    (energy_jpm > 0 ? drive.energy_jpm : drive.spare_jpm) += std::abs(energy_jpm);
+  }
+  drive.energy_jpm *= vehicle.drive_calibration;
+  drive.spare_jpm *= vehicle.drive_calibration;
+  if (drive.speed_mps <= 0) return std::nullopt;
+  return drive;
+}
+
+SoilDrive soil_drive(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
+                     const Soil& soil, double gravity_mps2, double speed_mps, double slip_max) {
+  SoilDrive drive{first_rad, step_rad, {}};
+  for (int k = 0; k < rows_max; ++k) {
+    const auto row = slope_drive(vehicle, wheels, soil, gravity_mps2, speed_mps, slip_max,
+                                 first_rad + k * step_rad);
+    if (!row) break;
+    drive.by_slope.push_back(*row);
+  }
+  return drive;
+}
+
+// A rock lies under one or two wheels while the others stand in the soil around it, so driving on
+// rock costs no less than on the soil.
+void raise_to_soil_cost(SoilDrive& rock, const SoilDrive& soil) {
+  const std::size_t rows = std::min(rock.by_slope.size(), soil.by_slope.size());
+  rock.by_slope.resize(rows);
+  for (std::size_t k = 0; k < rows; ++k) {
+    rock.by_slope[k].energy_jpm =
+        std::max(rock.by_slope[k].energy_jpm, soil.by_slope[k].energy_jpm);
+    rock.by_slope[k].spare_jpm = std::min(rock.by_slope[k].spare_jpm, soil.by_slope[k].spare_jpm);
+    rock.by_slope[k].slip = std::max(rock.by_slope[k].slip, soil.by_slope[k].slip);
+  }
+}
+
+// Static tipping angle: the slope at which the centre of mass stands above a side of the rectangle
+// of the wheels.
+double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels_B_m) {
+  Vec2 low_m = wheels_B_m.front(), high_m = low_m;
+  for (const Vec2& wheel : wheels_B_m) {
+    low_m = low_m.cwiseMin(wheel);
+    high_m = high_m.cwiseMax(wheel);
+  }
+  Vec3 sum = vehicle.chassis.mass_kg * vehicle.p_BC_m;
+  const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    sum += vehicle.links[i].inertia.mass_kg * centres_B_m[i + 1];
+  }
+  const Vec3 centre_B_m = sum / vehicle.mass_kg();
+  const double nearest_m = std::min({centre_B_m.x() - low_m.x(), high_m.x() - centre_B_m.x(),
+                                     centre_B_m.y() - low_m.y(), high_m.y() - centre_B_m.y()});
+  return std::atan2(nearest_m, centre_B_m.z());
+}
+
+// Side force of all wheels per radian of slip angle, at least 1 N/rad.
+double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
+                          const Soil& soil, double gravity_mps2) {
+  constexpr double angle_rad = 0.05;
+  const double load_n = vehicle.mass_kg() * gravity_mps2 / static_cast<double>(wheels.size());
+  double side_n = 0;
+  for (const WheelDrive& wheel : wheels) {
+    const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
+    side_n += std::abs(single_wheel(on_soil, load_n, 0, angle_rad).side_force_n);
+  }
+  return std::max(1.0, side_n / angle_rad);
+}
+
+// Time that speeding up from rest to speed V loses against driving at V: the integral of (1 - v /
+// V) / a(v) dv. The rims accelerate as commanded or as the motors' power allows; the rover lags
+// behind them by its slip.
+double speeding_up_s(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
+                     double drag_n, double slip, double speed_mps) {
+  constexpr int steps = 50;
+  double lost_s = 0;
+  for (int k = 0; k < steps; ++k) {
+    const double now_mps = speed_mps * (k + 0.5) / steps;
+    double pull_n = 0;
+    for (const WheelDrive& wheel : wheels) {
+      if (!wheel.motor) continue;
+      pull_n += std::min(wheel.motor->torque_max_n_m / wheel.wheel.radius_m,
+                         wheel.motor->power_max_w / now_mps);
+    }
+    const double left_mps2 = (pull_n - drag_n) / vehicle.mass_kg();
+    const double gained_mps2 =
+        std::clamp(left_mps2, 0.1 * vehicle.acceleration_mps2, vehicle.acceleration_mps2);
+    lost_s += speed_mps / steps / gained_mps2 * (1 - now_mps / speed_mps);
+  }
+  return lost_s + slip * speed_mps / vehicle.acceleration_mps2 / 2;
+}
+
+// Time to steer the wheels for a turn on the spot, and back. Driving begins before they point
+// there, which saves about the time for `driven_rad`, see wheel_targets().
+double steer_s(const VehicleConfig& vehicle) {
+  constexpr double driven_rad = 0.5;
+  const WheelLayout layout = wheel_layout(vehicle);
+  double longest_s = 0;
+  for (const WheelLayout::Steering& steering : layout.steerings) {
+    const Vec2 at_m(steering.p_B_m.x() - layout.turning_x_B_m, steering.p_B_m.y());
+    const double angle_rad = std::atan2(std::abs(at_m.x()), std::abs(at_m.y()));
+    const auto& motor = vehicle.links[static_cast<std::size_t>(steering.link)].steering;
+    longest_s = std::max(longest_s, (angle_rad - driven_rad) / motor->rate_max_radps);
+  }
+  return 2 * longest_s;
+}
+
+// Adds what corners, arcs and rough ground cost beyond steady straight driving: the speed lost by
+// stopping, and wheels that roll round the centre in a turn on the spot. Wheels that cannot steer
+// are dragged there, which is not counted.
+void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
+                 const Soil& soil, double gravity_mps2, DriveCost& cost) {
+  double efficiency = 1;
+  for (const WheelDrive& wheel : wheels) {
+    if (wheel.motor) efficiency = std::min(efficiency, wheel.motor->efficiency);
+  }
+  double reach_m = 0;
+  for (const Vec2& wheel : cost.wheels_B_m) reach_m += wheel.norm();
+  reach_m /= static_cast<double>(cost.wheels_B_m.size());
+  // Electrical energy per mechanical energy.
+  const double electrical_per_mechanical = vehicle.drive_calibration / efficiency;
+  const double mass_kg = vehicle.mass_kg(), speed2 = cost.speed_mps * cost.speed_mps;
+  const double braking_n = mass_kg * vehicle.acceleration_mps2;
+  // Drag of the soil: the speed that it takes is not lost in the brakes.
+  double drag_n = 0;
+  if (!cost.soils.front().by_slope.empty()) {
+    drag_n = cost.soils.front().at(0).energy_jpm / electrical_per_mechanical;
+  }
+  cost.slow_j = electrical_per_mechanical * mass_kg * speed2 / 2 *
+                std::max(0.0, braking_n - drag_n) / braking_n;
+  cost.stop_j = electrical_per_mechanical * mass_kg * speed2 / 2 * braking_n / (braking_n + drag_n);
+  cost.acceleration_mps2 = vehicle.acceleration_mps2;
+  const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
+  cost.side_slip_s2pm = mass_kg / side_npr;
+  cost.gravity_mps2 = gravity_mps2;
+  Vec2 low_m = cost.wheels_B_m.front(), high_m = low_m;
+  for (const Vec2& wheel : cost.wheels_B_m) {
+    low_m = low_m.cwiseMin(wheel);
+    high_m = high_m.cwiseMax(wheel);
+  }
+  const Vec2 base_m = (high_m - low_m).cwiseMax(least_base_m);
+  cost.rough_tilt_1pm = rough_tilt_m / (base_m.x() * base_m.y() / 2);
+  cost.arc_drag_jmprad = electrical_per_mechanical * mass_kg * mass_kg * speed2 * speed2 / side_npr;
+  cost.rough_jpm2 = electrical_per_mechanical * mass_kg * gravity_mps2 * rough_share_1pm;
+  cost.rough_js2pm4 = electrical_per_mechanical * mass_kg * gravity_mps2 * rough_share_s2pm3;
+  const double braking_s = cost.speed_mps / vehicle.acceleration_mps2 / 2;
+  cost.stop_s = 2 * braking_s;
+  if (!cost.soils.front().by_slope.empty()) {
+    const double as_steep_rad = std::atan(vehicle.acceleration_mps2 / gravity_mps2);
+    const double slip =
+        std::max(0.0, cost.soils.front().at(as_steep_rad).slip - cost.soils.front().at(0).slip);
+    cost.stop_s = speeding_up_s(vehicle, wheels, drag_n, slip, cost.speed_mps) + braking_s;
+    cost.turn_jprad = cost.soils.front().at(0).energy_jpm * reach_m;
+  }
+  cost.turn_sprad = 1 / turn_rate_radps(vehicle);
+  cost.steer_s = steer_s(vehicle);
+}
+
+}  // namespace
+
+DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soils,
+                     double gravity_mps2, double speed_mps, const GroundLimits& limits) {
+  DriveCost cost;
+  cost.limits.slip_max = limits.slip_max.value_or(usual_slip_max);
+  const std::vector<WheelDrive> wheels = wheels_of(vehicle);
+  for (const Soil& soil : soils) {
+    cost.soils.push_back(
+        soil_drive(vehicle, wheels, soil, gravity_mps2, speed_mps, cost.limits.slip_max));
+    if (soil.is_rigid && cost.soils.size() > 1)
+      raise_to_soil_cost(cost.soils.back(), cost.soils.front());
+  }
+  const std::vector<Vec3> centres_B_m = centres_at_rest_B_m(vehicle);
+  double radius_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    if (!vehicle.links[i].wheel) continue;
+    cost.wheels_B_m.push_back(centres_B_m[i + 1].head<2>());
+    radius_m = std::min(radius_m, vehicle.links[i].wheel->radius_m);
+  }
+  const Vec2 half_m = vehicle.chassis_size_m.head<2>() / 2;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      cost.underside_B_m.push_back({x * half_m.x(), y * half_m.y(), vehicle.chassis_clearance_m});
+    }
+  }
+  cost.limits.slope_max_rad =
+      limits.slope_max_rad.value_or(tip_share * tipping_rad(vehicle, cost.wheels_B_m));
+  cost.limits.clearance_min_m =
+      limits.clearance_min_m.value_or(clearance_share * vehicle.chassis_clearance_m);
+  cost.limits.unevenness_max_m = limits.unevenness_max_m.value_or(uneven_radii * radius_m);
+  cost.turning_radius_min_m = vehicle.turning_radius_min_m;
+  cost.can_turn_on_spot = vehicle.can_turn_on_spot;
+  cost.speed_mps = speed_mps;
+  cost.level_speed_mps = std::max(speed_mps, vehicle.cruise_speed_mps);
+  add_corners(vehicle, wheels, soils.front(), gravity_mps2, cost);
+  return cost;
+}
+
+double wheel_reach_m(const VehicleConfig& vehicle) {
+  double reach_m = 0.3;
+  for (const WheelLayout::WheelPlace& wheel : wheel_layout(vehicle).wheels) {
+    reach_m = std::max(reach_m, wheel.p_B_m.norm());
+  }
+  return reach_m;
+}
+
+double turn_rate_radps(const VehicleConfig& vehicle) {
+  // In a turn on the spot the farthest wheel runs at this share of the cruise speed, of which at
+  // most `speed_max_mps` counts.
+  constexpr double wheels_share = 0.4, speed_max_mps = 1;
+  return wheels_share * std::min(vehicle.cruise_speed_mps, speed_max_mps) / wheel_reach_m(vehicle);
+}
+
+}  // namespace lsos

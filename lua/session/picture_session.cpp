@@ -1,0 +1,48 @@
+#include "lua/session/picture_session.h"
+
+#include <memory>
+
+#include "picture/png.h"
+
+namespace lsos {
+
+namespace {
+
+// The simulation as a run to draw: rovers in their present state, with tracks from the log.
+PictureRun run_of(SimSession& session) {
+  Simulation& simulation = session.simulation();
+  const SimTime now = session.now();
+  const MissionInfo& mission = session.files().plan.mission;
+  PictureRun run;
+  run.files = session.files();
+  run.ground = std::shared_ptr<const Ground>(std::shared_ptr<const Ground>(), &simulation.ground());
+  run.start = mission.start_time;
+  run.end = now;
+  run.times = {now};
+  session.commit_log();
+  const LogReader log(session.folder() + "/log.gpkg");
+  run.logged = read_logged(log, run.times, *run.ground, mission.log_interval);
+  LoggedMoment& moment = run.logged.moments.front();
+  moment.clear();
+  for (const std::string& id : simulation.rover_ids()) {
+    const RoverAgent& agent = *simulation.agent(id);
+    const EventSequence& sequence = *simulation.sequence(id);
+    moment.push_back({agent.sample(now, sequence.event_label(), sequence.phase()),
+                      agent.joints(now), agent.panels(now)});
+    run.logged.tracks[id].push_back({now, moment.back().sample.p_S_m});
+    run.rovers.push_back(id);
+  }
+  return run;
+}
+
+}  // namespace
+
+void write_picture(SimSession& session, const PictureRequest& request, const std::string& file) {
+  const PictureRun run = run_of(session);
+  const Gpu gpu;
+  Lettering letters;
+  const PictureFrameOut out = picture_of(run, 0, request, gpu, letters);
+  write_png(file, out.picture.width_px, out.picture.height_px, out.picture.rgb);
+}
+
+}  // namespace lsos

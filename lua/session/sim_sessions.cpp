@@ -1,0 +1,76 @@
+#include "lua/session/sim_sessions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lua/host/plan_table.h"
+#include "plan/kml_text.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr ScriptInstance rovers_max = 1 << 20;  // of one simulation
+
+ScriptInstance next_number = 0;
+
+}  // namespace
+
+ScriptInstance SimSessions::add(PlanSource source, std::shared_ptr<const Catalog> catalog) {
+  const std::string folder = fmt::format("{}/sim{}", folder_, sessions_.size() + 1);
+  auto session = std::make_unique<SimSession>(std::move(source), std::move(catalog), folder);
+  std::vector<Fault> warnings = session->files().faults.sorted();
+  const std::vector<Fault> advice = session->simulation().advice();
+  warnings.insert(warnings.end(), advice.begin(), advice.end());
+  for (const Fault& warning : warnings) say_(to_string(warning));
+  sessions_[next_number] = std::move(session);
+  return next_number++;
+}
+
+SimSession& SimSessions::at(ScriptInstance number) {
+  const auto found = sessions_.find(number);
+  if (found == sessions_.end()) {
+    throw std::runtime_error("this simulation has ended with the scenario that made it");
+  }
+  return *found->second;
+}
+
+ScriptInstance SimSessions::open(const std::string& plan_file) {
+  return add(read_plan_source(plan_file), read_catalog(plan_file));
+}
+
+ScriptInstance SimSessions::open(lua_State* L, int table, const Place& place) {
+  const PlanTable plan = read_plan_table(L, table, place);
+  if (!catalog_) catalog_ = read_catalog("");
+  return add({plan.source.file, plan.source, plan.soil, kml_of(plan.source), false}, catalog_);
+}
+
+std::vector<std::string> SimSessions::take_news() {
+  std::vector<std::string> news;
+  for (const auto& [number, session] : sessions_) {
+    for (std::string& line : session->take_news()) news.push_back(std::move(line));
+  }
+  return news;
+}
+
+ScriptInstance SimSessions::handle(ScriptInstance number, const std::string& rover_id) {
+  const std::vector<std::string> ids = at(number).simulation().rover_ids();
+  return -1 - number * rovers_max - (std::ranges::find(ids, rover_id) - ids.begin());
+}
+
+RoverPort& SimSessions::rover(ScriptInstance handle) {
+  Simulation& simulation = at((-1 - handle) / rovers_max).simulation();
+  const auto index = static_cast<std::size_t>((-1 - handle) % rovers_max);
+  return *simulation.agent(simulation.rover_ids()[index]);
+}
+
+SimSessions& running_sessions(lua_State* L, const char* what) {
+  auto* sims = dynamic_cast<SimSessions*>(context(L).interactive_rovers);
+  if (sims == nullptr) {
+    throw std::runtime_error(fmt::format("{} works only in scenarios and at the prompt", what));
+  }
+  return *sims;
+}
+
+}  // namespace lsos

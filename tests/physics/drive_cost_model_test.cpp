@@ -1,0 +1,106 @@
+// The drive cost model that planning uses, against shipped rovers driven up the same slopes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "mission/routes/drive_cost_model.h"
+#include "physics/drive.h"
+#include "planet/ellipsoid.h"
+
+namespace lsos::test {
+namespace {
+
+struct Climb {
+  const char *rover, *planet, *soil;
+  double speed_mps, length_m, slopes_deg[3];
+};
+
+class DriveTable : public testing::TestWithParam<Climb> {};
+
+double rover_efficiency(const VehicleConfig& rover) {
+  for (const LinkConfig& link : rover.links) {
+    if (link.drive) return link.drive->efficiency;
+  }
+  return 0;
+}
+
+// The difference of two lengths of drive excludes starting and stopping. The wheels of a vehicle
+// carry unequal loads, those of the table equal ones.
+TEST_P(DriveTable, has_the_energy_of_the_simulated_rover) {
+  const Climb& climb = GetParam();
+  for (const double slope_deg : climb.slopes_deg) {
+    const auto slope =
+        ground({climb.planet, PlaneSurface{0, radians(slope_deg), radians(180)}, climb.soil});
+    const VehicleConfig rover = rover_on(climb.rover, *slope, climb.planet);
+    const double g_mps2 = gravity_mps2(*find_body(climb.planet), start);
+    const DriveCost cost = drive_cost(rover, slope->soils(), g_mps2, climb.speed_mps);
+    ASSERT_GT(cost.soils[0].last_rad(), radians(slope_deg));
+    const SlopeDrive table = cost.soils[0].at(radians(slope_deg));
+    const double level = std::cos(radians(slope_deg));
+    const auto go = [&](double length_m) {
+      return drive(rover, *slope, {{0, length_m * level}}, climb.speed_mps);
+    };
+    const DriveResult far = go(2 * climb.length_m), near = go(climb.length_m);
+    ASSERT_EQ(far.failure + near.failure, "");
+    const double driven_jpm = (far.drive_j - near.drive_j) / (far.distance_m - near.distance_m);
+    const std::string what = fmt::format("{} {} deg: table {:.1f} J/m, driven {:.1f}", climb.rover,
+                                         slope_deg, table.energy_jpm, driven_jpm);
+    RecordProperty(fmt::format("slope_{}", slope_deg), what);
+    EXPECT_NEAR(table.energy_jpm, driven_jpm, 0.02 * driven_jpm) << what;
+    const double driven_mps =
+        (far.distance_m - near.distance_m) / (far.duration_s - near.duration_s);
+    EXPECT_NEAR(table.speed_mps, driven_mps, 0.02 * driven_mps) << what;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
+                         testing::Values(Climb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
+                                         Climb{"LRV", "Moon", "ApolloNominal", 1, 60, {0, 8, 15}},
+                                         Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
+                                         Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
+                         [](const auto& tested) { return std::string(tested.param.rover); });
+
+// `spare_jpm` is the energy that brakes and motors take up downhill, as the electrical energy that
+// it stands for.
+TEST(DriveTableDownhill, spares_what_the_brakes_of_the_simulated_rover_take) {
+  for (const char* name : {"SEV", "LRV"}) {
+    for (const double slope_deg : {-10.0, -15.0}) {
+      const auto slope =
+          ground({"Moon", PlaneSurface{0, radians(slope_deg), radians(180)}, "ApolloNominal"});
+      const VehicleConfig rover = rover_on(name, *slope, "Moon");
+      const double g_mps2 = gravity_mps2(*find_body("Moon"), start);
+      const DriveCost cost = drive_cost(rover, slope->soils(), g_mps2, 1);
+      const SlopeDrive table = cost.soils[0].at(radians(slope_deg));
+      EXPECT_EQ(table.energy_jpm, 0);
+      const auto go = [&](double length_m) {
+        return drive(rover, *slope, {{0, length_m * std::cos(radians(slope_deg))}}, 1);
+      };
+      const DriveResult far = go(60), near = go(30);
+      ASSERT_EQ(far.failure + near.failure, "");
+      const auto taken_j = [](const DriveResult& r) { return -r.work.motors_j - r.work.brakes_j; };
+      const double taken_jpm = (taken_j(far) - taken_j(near)) / (far.distance_m - near.distance_m);
+      const double spared_jpm = table.spare_jpm * rover_efficiency(rover) / rover.drive_calibration;
+      const std::string what = fmt::format("{} {} deg: table {:.1f} J/m, driven {:.1f}", name,
+                                           slope_deg, spared_jpm, taken_jpm);
+      RecordProperty(fmt::format("{}_{}", name, slope_deg), what);
+      EXPECT_NEAR(spared_jpm, taken_jpm, 0.03 * taken_jpm) << what;
+    }
+  }
+}
+
+// Spirit drove on five wheels for years, dragging the sixth, which costs the pull that drags it.
+TEST(DriveTableOfSpirit, with_a_locked_wheel_costs_more_and_climbs_less) {
+  const auto level = ground({"Mars", PlaneSurface{}, "MMS"});
+  const double g_mps2 = gravity_mps2(*find_body("Mars"), start);
+  const auto soil = [&](const char* configuration) {
+    const VehicleConfig rover = rover_on("MER", *level, "Mars", configuration);
+    return drive_cost(rover, level->soils(), g_mps2, 0.035).soils[0];
+  };
+  const SoilDrive whole = soil(""), lame = soil("RightFrontLocked");
+  EXPECT_GT(lame.at(0).energy_jpm, 1.5 * whole.at(0).energy_jpm);
+  EXPECT_GT(lame.at(0).slip, whole.at(0).slip);
+  EXPECT_LT(lame.last_rad(), whole.last_rad());
+}
+
+}  // namespace
+}  // namespace lsos::test
