@@ -30,8 +30,10 @@ local function level_fault(p, rover)
   local capacity_j = rover.battery_capacity_j
   local wanted_j = level_j(p.energy_level, capacity_j)
   if wanted_j and wanted_j > capacity_j * rounding then
-    return ("EnergyLevel = '%s': the battery of %s holds %g kWh")
-      :format(p.energy_level, rover.type, capacity_j / joules.kWh)
+    local number, unit = parts(p.energy_level)
+    local share = unit == '' and number <= 100 and ("; did you mean '%g%%'?"):format(number) or ''
+    return ("EnergyLevel = '%s': the battery of %s holds %g kWh%s")
+      :format(p.energy_level, rover.type, capacity_j / joules.kWh, share)
   end
 end
 
@@ -42,6 +44,15 @@ local function as_share(p)
     return ("EnergyLevel = '%s': is %g kWh; did you mean '%g%%'?"):format(p.energy_level, number,
       100 * number)
   end
+end
+
+-- A round number without a unit that may as well be a share.
+local function ambiguous(p, capacity_j)
+  local number, unit = parts(p.energy_level or '')
+  if not number or unit ~= '' or number < 10 or number > 100 or number % 5 ~= 0 then return nil end
+  local percent = 100 * number * joules.kWh / capacity_j
+  return ("EnergyLevel = '%s': is %g kWh, %.0f %% of what the battery holds; write '%g kWh', or "
+    .. "'%g%%' for a share"):format(p.energy_level, number, percent, number, number)
 end
 
 -- A level that was meant as what is to be reached.
@@ -93,7 +104,7 @@ local function check(p, rover)
   if not rover.battery_capacity_j then return rover.type .. ' has no battery' end
   local fault = p.energy_level and level_fault(p, rover)
   if fault then return fault end
-  return nil, as_share(p) or twice(p) or vain(p, rover)
+  return nil, as_share(p) or ambiguous(p, rover.battery_capacity_j) or twice(p) or vain(p, rover)
 end
 
 local function start(ev, rover)

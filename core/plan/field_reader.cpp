@@ -159,12 +159,28 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
   }
 }
 
+namespace {
+
+// "2026-07-01T07:20:00": somebody may have meant the time of another zone.
+bool is_time_without_zone(const FieldDeclaration& declaration, std::string_view text) {
+  if (declaration.kind != FieldKind::utc) return false;
+  const std::size_t time = text.find(':');
+  return time != std::string_view::npos &&
+         text.find_first_of("Zz+-", time) == std::string_view::npos;
+}
+
+}  // namespace
+
 FieldValues FieldReader::read(std::span<const FieldDeclaration> declarations,
                               std::vector<std::string>* defaults) {
   FieldValues values;
   for (const FieldDeclaration& declaration : declarations) {
     if (const SourceField* field = find(declaration.name)) {
       if (auto value = parse(declaration, *field)) values[declaration.key] = std::move(*value);
+      if (defaults != nullptr && is_time_without_zone(declaration, field->text)) {
+        defaults->push_back(fmt::format("{}: {} = {} has no zone: UTC", subject_.name,
+                                        declaration.name, shown(field->text)));
+      }
     } else if (declaration.is_required) {
       // The field is given under a misspelt name, which has been reported.
       const std::string hint = fmt::format("; did you mean '{}'?", declaration.name);
