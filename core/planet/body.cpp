@@ -19,8 +19,9 @@ constexpr double day_s = 86400;
 // Radii: IAU 2015 (Archinal et al. 2018) for the Moon and for the sphere that Mars maps in
 // IAU_2015:49900 use; WGS84 for Earth. GM: DE440 (Park et al. 2021) for the Moon, Konopliv et al.
 // 2016 for Mars without its moons, WGS84 for Earth.
-// Rotation: Archinal et al. 2018, WGS84 for Earth. Ground: LOLA, MOLA (above the sphere, which lies
-// 20 km over the poles), Challenger Deep and Mount Everest.
+// Rotation: Archinal et al. 2018, WGS84 for Earth. Ground: LOLA, MOLA, Challenger Deep and Mount
+// Everest. Mars is flattened but its reference surface is not: the northern plains, 5 km below the
+// areoid, lie up to 24.3 km below that sphere.
 constexpr std::array<Body, 3> bodies{{
     {.id = BodyId::moon,
      .name = "Moon",
@@ -50,7 +51,7 @@ constexpr std::array<Body, 3> bodies{{
      .solar_day_s = 88775.244,
      .sun_step_deg = 0.25,
      .earth_interval_s = 123.3,
-     .lowest_ground_m = -20e3,
+     .lowest_ground_m = -25e3,
      .highest_ground_m = 21.3e3,
      .air = Air::dusty,
      .assumed_soil = "Ding2011_planetary_simulant"},

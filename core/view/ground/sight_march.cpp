@@ -29,7 +29,8 @@ SightMarch::SightMarch(const Ground& ground)
 double SightMarch::clearance_m(const Vec3& p_S_m, double step_m) {
   const GroundSample sample = probes_.at(coarse_share * step_m).sample(p_S_m);
   if (sample.is_ground()) return sample.gap_m;
-  const double above_lowest_m = ground_->site().height_m(p_S_m) - lowest_ground_m;
+  const SiteFrame& site = ground_->site();
+  const double above_lowest_m = site.height_m(p_S_m) - ground_bound_m(site.body());
   return above_lowest_m < 0 ? above_lowest_m : std::numeric_limits<double>::infinity();
 }
 
@@ -49,10 +50,10 @@ double SightMarch::least_clearance_m(const Vec3& end_S_m, const Vec3& along_S, d
 }
 
 SightLine SightMarch::march(const Vec3& from_S_m, const Vec3& to_S_m, double enough_m) {
-  const Vec3 way_m = to_S_m - from_S_m;
-  const double half_m = way_m.norm() / 2;
+  const Vec3 line_m = to_S_m - from_S_m;
+  const double half_m = line_m.norm() / 2;
   if (half_m == 0) return {clearance_m(from_S_m, step_least_m)};
-  const Vec3 along_S = way_m / (2 * half_m);
+  const Vec3 along_S = line_m / (2 * half_m);
   const double first_m = least_clearance_m(from_S_m, along_S, half_m, enough_m);
   if (first_m <= enough_m) return {first_m};
   return {std::min(first_m, least_clearance_m(to_S_m, -along_S, half_m, enough_m))};

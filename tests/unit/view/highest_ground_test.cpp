@@ -17,5 +17,15 @@ TEST(HighestGround, a_line_over_13_degrees_passes_under_all_ground) {
   EXPECT_FALSE(passes_under_ground(site, at(0), site.p_S_m(geodetic_from_degrees(0, 0, 1e8))));
 }
 
+// The north cap of Mars lies 20 km below its sphere, the plains around it 24 km.
+TEST(HighestGround, polar_ground_of_mars_is_ground) {
+  const Body& mars = *find_body("Mars");
+  for (const double height_m : {-20e3, -24.3e3}) {
+    const SiteFrame site(mars, geodetic_from_degrees(0, 80, height_m));
+    EXPECT_FALSE(passes_under_ground(site, {0, 0, 2}, {500, 0, 2})) << height_m;
+    EXPECT_GT(horizon_dip_rad(mars, height_m + 100), 0) << height_m;
+  }
+}
+
 }  // namespace
 }  // namespace lsos
