@@ -1,25 +1,7 @@
 -- Put a solar panel up.
 
 local lsos = require 'lsos'
-
-local function start(ev, rover)
-  rover:brake()
-  local takes_s, moves = rover.panels:deploy(ev.params.panel, ev.params.duration_s)
-  ev.state.takes_s = takes_s
-  if not moves then
-    local name = ev.params.panel
-    ev:warn('%s up already: nothing was done', name and ("'%s' is"):format(name) or 'all are')
-  end
-  return 'deploy'
-end
-
--- One that got stuck on its way says so when it is told again.
-local function deploy(ev, rover)
-  local left_s = ev.state.takes_s - ev.phase_elapsed_s
-  if left_s > 0 then return lsos.sleep(left_s) end
-  if ev.state.takes_s > 0 then rover.panels:deploy(ev.params.panel) end
-  return lsos.done
-end
+local stowing = require 'lib/stowing'
 
 return lsos.event {
   api    = 1,
@@ -40,11 +22,7 @@ return lsos.event {
   deploys = 'panel',
 
   start  = 'start',
-  phases = { start = start, deploy = deploy },
+  phases = stowing.phases('deploy', 'panels', 'panel'),
 
-  -- What moves is not stopped.
-  on_abort = function(ev, _)
-    local left_s = (ev.state.takes_s or 0) - ev.elapsed_s
-    if left_s > 0 then return ('it goes on moving for %.4g s'):format(left_s) end
-  end,
+  on_abort = stowing.on_abort,
 }

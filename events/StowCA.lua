@@ -1,23 +1,7 @@
 -- Lower a comm asset.
 
 local lsos = require 'lsos'
-
-local function start(ev, rover)
-  rover:brake()
-  local takes_s, moves = rover.antennas:stow(ev.params.asset, ev.params.duration_s)
-  ev.state.takes_s = takes_s
-  if not moves then
-    local name = ev.params.asset
-    ev:warn('%s stowed already: nothing was done', name and ("'%s' is"):format(name) or 'all are')
-  end
-  return 'stow'
-end
-
-local function stow(ev, _)
-  local left_s = ev.state.takes_s - ev.phase_elapsed_s
-  if left_s <= 0 then return lsos.done end
-  return lsos.sleep(left_s)
-end
+local stowing = require 'lib/stowing'
 
 return lsos.event {
   api    = 1,
@@ -38,11 +22,7 @@ return lsos.event {
   stows = 'asset',
 
   start  = 'start',
-  phases = { start = start, stow = stow },
+  phases = stowing.phases('stow', 'antennas', 'asset'),
 
-  -- What moves is not stopped.
-  on_abort = function(ev, _)
-    local left_s = (ev.state.takes_s or 0) - ev.elapsed_s
-    if left_s > 0 then return ('it goes on moving for %.4g s'):format(left_s) end
-  end,
+  on_abort = stowing.on_abort,
 }

@@ -1,25 +1,7 @@
 -- Fold a solar panel away.
 
 local lsos = require 'lsos'
-
-local function start(ev, rover)
-  rover:brake()
-  local takes_s, moves = rover.panels:stow(ev.params.panel, ev.params.duration_s)
-  ev.state.takes_s = takes_s
-  if not moves then
-    local name = ev.params.panel
-    ev:warn('%s stowed already: nothing was done', name and ("'%s' is"):format(name) or 'all are')
-  end
-  return 'stow'
-end
-
--- One that got stuck on its way says so when it is told again.
-local function stow(ev, rover)
-  local left_s = ev.state.takes_s - ev.phase_elapsed_s
-  if left_s > 0 then return lsos.sleep(left_s) end
-  if ev.state.takes_s > 0 then rover.panels:stow(ev.params.panel) end
-  return lsos.done
-end
+local stowing = require 'lib/stowing'
 
 return lsos.event {
   api    = 1,
@@ -40,11 +22,7 @@ return lsos.event {
   stows = 'panel',
 
   start  = 'start',
-  phases = { start = start, stow = stow },
+  phases = stowing.phases('stow', 'panels', 'panel'),
 
-  -- What moves is not stopped.
-  on_abort = function(ev, _)
-    local left_s = (ev.state.takes_s or 0) - ev.elapsed_s
-    if left_s > 0 then return ('it goes on moving for %.4g s'):format(left_s) end
-  end,
+  on_abort = stowing.on_abort,
 }

@@ -3,17 +3,9 @@
 -- (A): our assumption, which summary.json repeats.
 
 local lsos = require 'lsos'
+local drawn = require 'lib/shapes'
 local vec = lsos.vec3
-
-local function box(size_m, position_m, colour)
-  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
-end
-
-local function tube(radius_m, length_m, axis, position_m, colour)
-  return lsos.shape {
-    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
-  }
-end
+local box, tube = drawn.box, drawn.tube
 
 local white, grey, dark = '#e8e8e4', '#9a9a98', '#30343a'
 

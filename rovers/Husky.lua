@@ -7,11 +7,9 @@
 -- A200 user manual of 2011.
 
 local lsos = require 'lsos'
+local drawn = require 'lib/shapes'
 local vec = lsos.vec3
-
-local function box(size_m, position_m, colour)
-  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
-end
+local box = drawn.box
 
 local total_kg    = 50      -- R: maker's data sheet
 local wheel_kg    = 2.637   -- V: model

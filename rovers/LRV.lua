@@ -5,17 +5,9 @@
 -- (D) computed from those, (A) our assumption, which summary.json repeats.
 
 local lsos = require 'lsos'
+local drawn = require 'lib/shapes'
 local vec = lsos.vec3
-
-local function box(size_m, position_m, colour)
-  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
-end
-
-local function tube(radius_m, length_m, axis, position_m, colour)
-  return lsos.shape {
-    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
-  }
-end
+local box, tube = drawn.box, drawn.tube
 
 local gross_kg    = 697     -- V: Apollo 15, encyclopedia articles on the LRV
 local empty_kg    = 210     -- V: the same

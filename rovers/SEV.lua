@@ -5,17 +5,9 @@
 -- (D) computed from those, (A) our assumption, which summary.json repeats.
 
 local lsos = require 'lsos'
+local drawn = require 'lib/shapes'
 local vec = lsos.vec3
-
-local function box(size_m, position_m, colour)
-  return lsos.shape { size_m = size_m, position_m = position_m, colour = colour }
-end
-
-local function tube(radius_m, length_m, axis, position_m, colour)
-  return lsos.shape {
-    radius_m = radius_m, length_m = length_m, axis = axis, position_m = position_m, colour = colour,
-  }
-end
+local box, tube = drawn.box, drawn.tube
 
 local payload_kg   = 1000                -- R: NASA SEV fact sheet
 local total_kg     = 3000 + payload_kg   -- V: 3000 kg, NASA lunar science LER page

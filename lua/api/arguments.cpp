@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "lua/runtime/environment.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/read_only.h"
 #include "lua/runtime/reader.h"
-#include "lua/runtime/sandbox.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"
 #include "lua/runtime/vec3.h"

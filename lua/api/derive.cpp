@@ -11,10 +11,10 @@
 #include "lua/api/constructors.h"
 #include "lua/api/rover_constructors.h"
 #include "lua/runtime/constructed_value.h"
+#include "lua/runtime/environment.h"
 #include "lua/runtime/loader.h"
 #include "lua/runtime/module.h"
 #include "lua/runtime/reader.h"
-#include "lua/runtime/sandbox.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"
 #include "lua/runtime/vec3.h"
@@ -258,7 +258,8 @@ void add_assumptions(lua_State* L, int keys, int changes, const std::vector<std:
 const ConstructedValue& push_base(lua_State* L, const std::string& name) {
   LuaContext& ctx = context(L);
   load_faults(L, "derive");
-  if (ctx.scripts == nullptr) throw std::runtime_error("lsos.derive works only in rovers/");
+  if (ctx.scripts == nullptr || ctx.loading->kind != ScriptKind::rover)
+    throw std::runtime_error("lsos.derive works only in rovers/");
   const auto is_base = [&](const Script& script) {
     return script.kind == ScriptKind::rover && script.name == name;
   };
@@ -279,12 +280,7 @@ const ConstructedValue& push_base(lua_State* L, const std::string& name) {
   }
   ctx.deriving.push_back(name);
   ctx.bases.insert(name);
-  if (const auto failure = load_text(L, script->source, script->file)) {
-    throw std::runtime_error(failure->message);
-  }
-  push_environment(L);
-  lua_setupvalue(L, -2, 1);  // _ENV
-  lua_call(L, 0, 1);
+  run_within(L, *script);
   ctx.deriving.pop_back();
   const ConstructedValue* made = to_constructed(L, -1);
   if (made == nullptr || (made->kind != rover_kind && made->kind != asset_kind)) {

@@ -38,7 +38,7 @@ Written written_now(const std::string& plan_file) {
   };
   add(plan_file);
   for (const ScriptFolder& folder : script_folders(plan_file)) {
-    for (const char* kind : {"events", "rovers", "terrain", "terrain/soils"}) {
+    for (const char* kind : {"events", "rovers", "terrain", "terrain/soils", "lib"}) {
       std::error_code absent;
       for (const auto& entry : fs::directory_iterator(fs::path(folder.path) / kind, absent)) {
         if (entry.path().extension() == ".lua") add(entry.path());

@@ -11,13 +11,15 @@ namespace lsos {
 
 namespace {
 
-// Rover scripts and ground of the run that differ from those of today.
+// Rover scripts, what they may share, and ground of the run that differ from those of today.
 std::vector<std::string> changed_since(const MissionFiles& files, const Ground& ground,
                                        const std::map<std::string, std::string>& run) {
   std::vector<std::string> changed;
   for (const Script& script : files.catalog->scripts()) {
-    if (script.kind != ScriptKind::rover) continue;
-    const auto hash = run.find(fmt::format("rover_{}_sha256", script.name));
+    const bool is_shared = script.kind == ScriptKind::shared;
+    if (script.kind != ScriptKind::rover && !is_shared) continue;
+    const auto hash =
+        run.find(fmt::format("{}_{}_sha256", is_shared ? "lib" : "rover", script.name));
     if (hash == run.end() || hash->second == script.sha256) continue;
     changed.push_back(script.file);
   }

@@ -18,7 +18,8 @@ namespace {
 constexpr std::pair<ScriptKind, const char*> kind_folders[] = {{ScriptKind::event, "events"},
                                                                {ScriptKind::rover, "rovers"},
                                                                {ScriptKind::soil, "terrain/soils"},
-                                                               {ScriptKind::terrain, "terrain"}};
+                                                               {ScriptKind::terrain, "terrain"},
+                                                               {ScriptKind::shared, "lib"}};
 
 std::string read_bytes(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);

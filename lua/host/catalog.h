@@ -1,5 +1,5 @@
-// Catalog of the scripts in events/, rovers/, terrain/ and terrain/soils/ of several folders. Where
-// two scripts have the same name, the one in the earlier folder is used.
+// Catalog of the scripts in events/, rovers/, terrain/, terrain/soils/ and lib/ of several folders.
+// Where two scripts have the same name, the one in the earlier folder is used.
 #pragma once
 
 #include <map>
@@ -43,6 +43,8 @@ class Catalog {
                           const std::string& what, const Place& requested_at, Faults& faults) const;
   // Names of the scripts in rovers/ that the script `name` is derived from.
   std::set<std::string> bases_of(const std::string& name) const;
+  // Names of the scripts in lib/ that a script requires, also through others.
+  std::set<std::string> required_by(ScriptKind kind, const std::string& name) const;
   AssetModel load_asset(const std::string& name, const Place& requested_at = {}) const;
   TerrainSpec load_terrain(const std::string& name, const Place& requested_at = {}) const;
   Soil load_soil(const std::string& name, const Place& requested_at = {}) const;
@@ -67,6 +69,7 @@ class Catalog {
   std::map<std::string, RoverModel> rovers_;
   std::map<std::string, AssetModel> assets_;
   std::map<std::string, std::set<std::string>> bases_;  // by name of the derived rover
+  std::map<Key, std::set<std::string>> required_;       // scripts of lib/
   std::map<std::string, TerrainSpec> terrains_;
   std::map<std::string, Soil> soils_;
 };

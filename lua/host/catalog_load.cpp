@@ -27,6 +27,8 @@ const char* noun(ScriptKind kind) {
       return "terrain";
     case ScriptKind::soil:
       return "soil";
+    case ScriptKind::shared:
+      return "shared script";
   }
   return "";
 }
@@ -130,7 +132,6 @@ void Catalog::add_broken(const Script& script, const Faults& faults) {
 
 // A script in rovers/ makes a rover or an asset.
 void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& faults) {
-  lua.context().scripts = &scripts_;
   lua.context().bases.clear();
   lua.context().deriving.clear();  // what a script that failed may have left
   lua.run([&](lua_State* L) {
@@ -159,6 +160,7 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
 // Terrains name soils, so soils come before terrains in scripts_.
 void Catalog::load_all() {
   EventLibrary library;
+  library.lua().context().scripts = &scripts_;
   std::map<std::string, Faults> event_faults;
   for (const Script& script : scripts_) {
     Faults faults;
@@ -180,7 +182,10 @@ void Catalog::load_all() {
           if (!faults.has_errors()) terrains_[script.name] = std::move(terrain->spec);
         }
         break;
+      case ScriptKind::shared:
+        continue;  // runs for the scripts that require it
     }
+    required_[{script.kind, script.name}] = library.lua().context().required;
     add_broken(script, faults);
   }
   library.check_sub_events(event_faults);
@@ -251,6 +256,11 @@ RoverModel Catalog::load_variant(const std::string& name, const std::string& cha
 std::set<std::string> Catalog::bases_of(const std::string& name) const {
   const auto found = bases_.find(name);
   return found == bases_.end() ? std::set<std::string>{} : found->second;
+}
+
+std::set<std::string> Catalog::required_by(ScriptKind kind, const std::string& name) const {
+  const auto found = required_.find({kind, name});
+  return found == required_.end() ? std::set<std::string>{} : found->second;
 }
 
 AssetModel Catalog::load_asset(const std::string& name, const Place& requested_at) const {

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "lua/runtime/sandbox.h"
+#include "lua/runtime/environment.h"
 #include "lua/runtime/state.h"
 #include "record/quantities.h"
 

@@ -25,8 +25,16 @@ void add_parts(const Events& events, const std::string& name, std::set<std::stri
 }
 
 // A script that commands panels or antennas contains one of these words.
-bool may_deploy(const std::string& source) {
-  return source.find("deploy") != std::string::npos || source.find("stow") != std::string::npos;
+bool may_deploy(const Script& script, const LuaContext& context) {
+  const auto says = [](const std::string& source) {
+    return source.find("deploy") != std::string::npos || source.find("stow") != std::string::npos;
+  };
+  return says(script.source) || (context.scripts != nullptr &&
+                                 std::ranges::any_of(*context.scripts, [&](const Script& other) {
+                                   return other.kind == ScriptKind::shared &&
+                                          context.required.contains(other.name) &&
+                                          says(other.source);
+                                 }));
 }
 
 void check_event(const Events& events, const EventDeclaration& event, Faults& faults) {
@@ -53,7 +61,7 @@ void EventLibrary::load(const Script& script, Faults& faults) {
     if (made == nullptr) return;
     EventScript event;
     event.declaration = std::any_cast<const EventDeclaration&>(made->value);
-    event.declaration.may_deploy_unsaid = may_deploy(script.source);
+    event.declaration.may_deploy_unsaid = may_deploy(script, lua_.context());
     event.file = script.file;
     lua_getiuservalue(L, -1, 1);
     event.locals = FileLocals(L, -1);

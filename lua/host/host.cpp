@@ -181,11 +181,13 @@ LuaHost::LuaHost(const Catalog& catalog, const Limits& limits)
     : impl_(std::make_unique<Impl>(limits)) {
   impl_->declarations = catalog.declarations();
   Faults faults;
+  impl_->library.lua().context().scripts = &catalog.scripts();
   for (const Script& script : catalog.scripts()) {
     if (script.kind == ScriptKind::event && impl_->declarations.events.contains(script.name)) {
       impl_->library.load(script, faults);
     }
   }
+  impl_->library.lua().context().scripts = nullptr;
   LSOS_ASSERT(!faults.has_errors());  // the catalog has loaded the same sources
 }
 

@@ -28,7 +28,7 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
   const ScriptUse use(*files.catalog, files.plan, files.terrain);
   for (const Script& script : files.catalog->scripts()) {
     if (!use.has(script)) continue;
-    constexpr const char* kinds[] = {"event", "rover", "terrain", "soil"};
+    constexpr const char* kinds[] = {"event", "rover", "terrain", "soil", "lib"};
     values[fmt::format("{}_{}_sha256", kinds[static_cast<int>(script.kind)], script.name)] =
         script.sha256;
   }

@@ -42,6 +42,13 @@ ScriptUse::ScriptUse(const Catalog& catalog, const Plan& plan, const TerrainSpec
   };
   is_any_event_ = is_broken(ScriptKind::event, events_);
   is_any_soil_ = is_broken(ScriptKind::terrain, terrains_);
+  is_any_shared_ = is_any_event_ || is_any_soil_ || is_broken(ScriptKind::rover, rovers_) ||
+                   is_broken(ScriptKind::soil, soils_);
+  for (const Script& script : catalog.scripts()) {
+    if (script.kind != ScriptKind::shared && has(script)) {
+      shared_.merge(catalog.required_by(script.kind, script.name));
+    }
+  }
 }
 
 bool ScriptUse::has(const Script& script) const {
@@ -54,6 +61,8 @@ bool ScriptUse::has(const Script& script) const {
       return terrains_.contains(script.name);
     case ScriptKind::soil:
       return is_any_soil_ || soils_.contains(script.name);
+    case ScriptKind::shared:
+      return is_any_shared_ || shared_.contains(script.name);
   }
   return true;
 }

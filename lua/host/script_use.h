@@ -17,9 +17,9 @@ class ScriptUse {
   bool has(const Script& script) const;
 
  private:
-  std::set<std::string> events_, rovers_, terrains_, soils_;
+  std::set<std::string> events_, rovers_, terrains_, soils_, shared_;
   // The scripts that a broken script names are not known; they may be any.
-  bool is_any_event_ = false, is_any_soil_ = false;
+  bool is_any_event_ = false, is_any_soil_ = false, is_any_shared_ = false;
 };
 
 // Adds warnings for scripts that the plan uses and that hide another or are broken. Scripts that

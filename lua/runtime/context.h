@@ -82,10 +82,15 @@ struct LuaContext {
   // Message of the call's last EquipmentFault, which travels through Lua as an error.
   std::optional<std::string> equipment_fault;
 
-  Faults* load_faults = nullptr;  // while a script loads
-  // While scripts of rovers/ load: all scripts, the bases whose scripts are running, and the bases
-  // that have run since the set was last cleared.
+  Faults* load_faults = nullptr;    // while a script loads
+  const Script* loading = nullptr;  // the same; what it requires or is derived from is not loading
+  // Scripts that the one that loads may use; nullptr for none.
   const std::vector<Script>* scripts = nullptr;
+  // Scripts of lib/ that are running, and those that the last script that loaded has required.
+  std::vector<std::string> requiring;
+  std::set<std::string> required;
+  // The bases whose scripts are running, and the bases that have run since the set was last
+  // cleared.
   std::vector<std::string> deriving;
   std::set<std::string> bases;
   std::vector<std::string> doubts;                  // changes that are likely to be mistakes

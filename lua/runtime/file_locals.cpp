@@ -97,7 +97,7 @@ void add_functions(lua_State* L, int list, int deep) {
 }
 
 // Whether the table at the top is empty and protected. Libraries are such tables: their contents
-// are behind them, and they cannot be written to.
+// are behind them, and they cannot be written to, though functions of lib/ may have locals.
 bool is_library(lua_State* L) {
   if (luaL_getmetafield(L, -1, "__metatable") == LUA_TNIL) return false;
   lua_pop(L, 1);
@@ -139,9 +139,9 @@ FileLocals::FileLocals(lua_State* L, int index) {
         lua_pop(L, 1);
         continue;
       }
-      if (lua_istable(L, -1) && !is_library(L)) {
+      if (lua_istable(L, -1)) {
         add_functions(L, list, tables_deep);
-        add_table(L, kept, name, tables_deep);
+        if (!is_library(L)) add_table(L, kept, name, tables_deep);
       }
       locals_.push_back({name, n, keep(L, kept, function)});
     }

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "lua/runtime/sandbox.h"
+#include "lua/runtime/environment.h"
+#include "lua/runtime/shared_script.h"
 #include "lua/runtime/state.h"
 
 namespace lsos {
@@ -25,6 +26,7 @@ void add_failure(const Script& script, const LuaFailure& failure, Faults& faults
 }  // namespace
 
 bool run_script(lua_State* L, const Script& script, Faults& faults) {
+  forget_shared_scripts(L);
   if (const auto failure = load_text(L, script.source, script.file)) {
     add_failure(script, *failure, faults);
     return false;
@@ -33,8 +35,10 @@ bool run_script(lua_State* L, const Script& script, Faults& faults) {
   lua_setupvalue(L, -2, 1);  // _ENV
   Faults found;
   context(L).load_faults = &found;
+  context(L).loading = &script;
   const auto failure = call_script(L, 0, 1);
   context(L).load_faults = nullptr;
+  context(L).loading = nullptr;
   faults.add(found.sorted());
   if (failure) add_failure(script, *failure, faults);
   if (!failure && found.has_errors()) lua_pop(L, 1);

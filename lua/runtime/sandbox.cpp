@@ -1,5 +1,7 @@
 #include "lua/runtime/sandbox.h"
 
+#include "lua/runtime/environment.h"
+
 #include <fmt/format.h>
 
 #include <string>
@@ -20,8 +22,6 @@ constexpr const char* base_functions[] = {"assert", "error",  "ipairs", "rawequa
 // for binary code (dump).
 constexpr const char* math_absent[] = {"random", "randomseed"};
 constexpr const char* string_absent[] = {"dump"};
-
-constexpr const char* environment_key = "lsos.environment";
 
 void push_library(lua_State* L, const char* name, lua_CFunction open) {
   luaL_requiref(L, name, open, 0);
@@ -78,30 +78,7 @@ void make_sandbox(lua_State* L) {
   lua_setfield(L, -2, "utf8");
 
   make_read_only(L, "");
-  lua_setfield(L, LUA_REGISTRYINDEX, environment_key);
-}
-
-// The environment is an empty table in front of the shared one, so that a script's own raw writes
-// reach no other script.
-void push_environment(lua_State* L) {
-  lua_newtable(L);
-  lua_newtable(L);
-  lua_getfield(L, LUA_REGISTRYINDEX, environment_key);
-  lua_setfield(L, -2, "__index");
-  lua_pushliteral(L, "");
-  lua_pushcclosure(L, guard<refuse_assignment>, 1);
-  lua_setfield(L, -2, "__newindex");
-  lua_pushboolean(L, 0);
-  lua_setfield(L, -2, "__metatable");
-  lua_setmetatable(L, -2);
-}
-
-void push_open_environment(lua_State* L) {
-  lua_newtable(L);
-  lua_newtable(L);
-  lua_getfield(L, LUA_REGISTRYINDEX, environment_key);
-  lua_setfield(L, -2, "__index");
-  lua_setmetatable(L, -2);
+  keep_globals(L);
 }
 
 }  // namespace lsos

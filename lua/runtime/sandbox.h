@@ -9,11 +9,6 @@ namespace lsos {
 // Makes the shared, read-only libraries; called once for each state, before any script runs.
 void make_sandbox(lua_State* L);
 
-// Pushes a new environment for one script file.
-void push_environment(lua_State* L);
-// Pushes an environment that accepts globals, for a prompt.
-void push_open_environment(lua_State* L);
-
 // Replacements, each in its own file; `L`'s top is the library's table.
 void replace_string_functions(lua_State* L);
 void replace_pattern_functions(lua_State* L);

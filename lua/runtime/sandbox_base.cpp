@@ -10,6 +10,7 @@
 
 #include "lua/runtime/json.h"
 #include "lua/runtime/module.h"
+#include "lua/runtime/shared_script.h"
 #include "lua/runtime/sorted_keys.h"
 #include "lua/runtime/state.h"
 #include "lua/runtime/value_text.h"
@@ -161,10 +162,11 @@ int raw_set(lua_State* L) {
 
 int require(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
-  if (name != "lsos") {
-    throw std::runtime_error(fmt::format("require '{}': only 'lsos' can be required", name));
+  if (name == "lsos") {
+    push_lsos_module(L);
+  } else {
+    push_shared_script(L, name);
   }
-  push_lsos_module(L);
   return 1;
 }
 

@@ -5,7 +5,7 @@
 
 namespace lsos {
 
-enum class ScriptKind { event, rover, terrain, soil };
+enum class ScriptKind { event, rover, terrain, soil, shared };  // shared: in lib/
 
 struct Script {
   ScriptKind kind = ScriptKind::event;

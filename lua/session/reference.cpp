@@ -1,9 +1,9 @@
 #include "lua/session/reference.h"
-#include "lua/runtime/handle.h"
 
 #include <fmt/format.h>
 
 #include "lua/host/condition.h"
+#include "lua/runtime/handle.h"
 #include "lua/session/scenario.h"
 #include "lua/session/session_api.h"
 #include "lua/session/sim_sessions.h"
@@ -19,6 +19,10 @@ One file is one thing: `events/Route.lua` is the event type `Route`, `rovers/SEV
 everything by `local lsos = require 'lsos'` and returns what one constructor made. Scripts are looked
 for beside the plan (in the working folder, where there is no plan), then in each folder of
 `LSOS_PATH`, then among the shipped ones; the first wins.
+
+What several scripts have in common stands in `lib/`, beside those folders: `local shapes = require
+'lib/shapes'` at the head of a file gives the table that `lib/shapes.lua` returns, for reading only.
+Each file that requires it gets a copy of its own.
 
 Everything is in SI units, and a name says which: `speed_mps`, `friction_rad`. Positions are in the
 site frame: metres to the east, north and up.

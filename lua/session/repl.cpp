@@ -7,9 +7,9 @@
 #include <csignal>
 #include <regex>
 
+#include "lua/runtime/environment.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/module.h"
-#include "lua/runtime/sandbox.h"
 #include "lua/session/line_names.h"
 #include "lua/session/prompt_help.h"
 #include "lua/session/session_api.h"

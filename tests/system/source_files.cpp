@@ -20,7 +20,8 @@ std::vector<std::string> read_lines(const fs::path& file) {
 
 std::vector<SourceFile> source_files(const std::vector<std::string>& extensions) {
   std::vector<SourceFile> files;
-  for (const char* folder : {"core", "lua", "events", "rovers", "terrain", "tests", "bench"}) {
+  for (const char* folder :
+       {"core", "lua", "events", "rovers", "terrain", "lib", "tests", "bench"}) {
     if (!fs::exists(repository() / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(repository() / folder)) {
       const std::string extension = entry.path().extension().string();

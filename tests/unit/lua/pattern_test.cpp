@@ -10,7 +10,7 @@
 #include <string>
 
 #include "lua/api/api.h"
-#include "lua/runtime/sandbox.h"
+#include "lua/runtime/environment.h"
 #include "lua/runtime/state.h"
 
 namespace lsos {
