@@ -45,5 +45,16 @@ TEST(Corridor, holds_what_is_near_a_line_and_nothing_far_from_it) {
   EXPECT_GT(far, 20'000);
 }
 
+TEST(Corridor, is_beyond_the_edges_of_the_map_as_at_them) {
+  const Site site({});
+  const GroundMap map(site.ground(), MapFrame(site.ground().site(), {0, 0, 0}), {-50, -40},
+                      {50, 40}, 0.7);
+  const Corridor corridor(map, {{-48, -38}, {-48, 38}}, 9);
+  EXPECT_TRUE(corridor.holds({-51, -38}));
+  EXPECT_TRUE(corridor.holds({-48, -41}));
+  EXPECT_TRUE(corridor.holds({-500, 0}));
+  EXPECT_FALSE(corridor.holds({51, 0}));
+}
+
 }  // namespace
 }  // namespace lsos::test
