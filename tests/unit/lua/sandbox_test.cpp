@@ -60,8 +60,9 @@ TEST(Sandbox, reading_an_unknown_global_suggests_the_nearest) {
   EXPECT_THAT(error_of("return maths.pi"), HasSubstr("no global 'maths'; did you mean 'math'?"));
 }
 
-TEST(Sandbox, only_lsos_can_be_required) {
-  EXPECT_THAT(error_of("require 'io'"), HasSubstr("require 'io': only 'lsos' can be required"));
+TEST(Sandbox, only_lsos_and_shared_scripts_can_be_required) {
+  EXPECT_THAT(error_of("require 'io'"),
+              HasSubstr("require 'io': 'lsos' and scripts of lib/ ('lib/NAME') can be required"));
 }
 
 TEST(Sandbox, pairs_goes_through_numbers_then_texts_in_order) {
