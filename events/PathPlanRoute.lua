@@ -111,7 +111,7 @@ return lsos.event {
     },
     stray_max_m = lsos.number {
       kml = 'MaxStray', unit = 'm', min = 0.5, max = 1000, default = 3,
-      doc = 'Farther than this from the planned way the rover has strayed.',
+      doc = 'Farther than this from the planned route the rover has strayed.',
     },
   },
 

@@ -112,14 +112,14 @@
 ---@field deploy fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Puts up the panel of that name (nil: all). Answers how long that takes, s, and whether any moves: false when all are up.
 ---@field stow fun(self: lsos.rover.panels, name?: string, duration_s?: number): number, boolean Folds it away; the same.
 ---@field steer fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', azimuth_rad?: number, elevation_rad?: number }) Turns it (nil: all): 'track' follows the Sun, 'point' faces an azimuth and elevation, 'fixed' angles about the rover.
----@field misses fun(self: lsos.rover.panels): table[] Panels that have turned and do not face the way asked: a limit has stopped them, or they are stuck; one that follows the Sun only when it is stuck. A list of { panel = , is_stuck = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.
+---@field misses fun(self: lsos.rover.panels): table[] Panels that have turned and do not face the requested direction: a limit has stopped them, or they are stuck; one that follows the Sun only when it is stuck. A list of { panel = , is_stuck = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , wanted_elevation_rad = , off_rad = }.
 
 ---The rover's antennas.
 ---@class lsos.rover.antennas
 ---@field deploy fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number, boolean Raises the one with that name (nil: all that can be stowed), in that time or its own. Answers how long it takes, s, and whether any moves: false when all are up.
 ---@field stow fun(self: lsos.rover.antennas, name?: string, duration_s?: number): number, boolean The reverse.
 
----A simulation in hand: of a scenario or the prompt. It stands still between two calls.
+---An interactive simulation: of a scenario or the prompt. It stands still between two calls.
 ---@class lsos.sim
 ---@field time_s number Since the mission's start.
 ---@field is_finished boolean No event is left.
@@ -163,7 +163,7 @@
 ---@field start? string The first phase; may be left out if there is one.
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
 ---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
----@field route? any For an event that plans its ways: gives what rover:plan_path will be told, so that they are planned and checked before the run.
+---@field route? any For an event that plans its routes: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
 ---@field deploys? string Key of the text that names the panel or antenna that it deploys, so that a plan is checked for what is up already.
@@ -251,7 +251,7 @@
 ---@field can_crab? boolean Drives in any direction without turning (default false).
 ---@field turning_radius_min_m? number While driving (default 5).
 ---@field crew? integer How many it carries, whom EVA sends out.
----@field limits? any Ground that planned ways keep off.
+---@field limits? any Ground that planned routes keep off.
 ---@field drive_calibration? number Electrical drive power is multiplied by this to match measurements (default 1).
 ---@field drive_calibration_source? string The measurements; required unless drive_calibration is 1.
 ---@field battery? any Without one the energy balance is not modelled (default).
@@ -555,7 +555,7 @@
 ---@field random fun(low?: number, high?: number): number A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed.
 ---@field is_empty fun(table: table): boolean Whether a table has no entry.
 ---@field derive fun(base: string, changes: table): lsos.made In rovers/: the rover or asset of that name with changes: `{ doc = '...', battery = { capacity_j = 2e8 }, panels = { Roof = { efficiency = 0.32 } }, loads = { radio = false } }`. Its `assumptions` are added to those of the base.
----@field sim fun(plan: string|table): lsos.sim A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
+---@field sim fun(plan: string|table): lsos.sim An interactive simulation, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
 ---@field scenario fun(name: string, scenario: fun(t: lsos.t)) One more scenario of this file; `lsos-host test` runs them.
 ---@field done lsos.answer Answer: the event is completed.
 ---@field arrival lsos.answer Answer: call this phase again when rover:follow has ended (rover.drive says how).
@@ -570,7 +570,7 @@
 ---@field utc fun(keys: lsos.utc.keys): lsos.made A moment; in the script seconds since the mission's start; the key ends in _s.
 ---@field rover fun(keys: lsos.rover.keys): lsos.made What a script in rovers/ returns.
 ---@field chassis fun(keys: lsos.chassis.keys): lsos.made The body that the suspension carries.
----@field limits fun(keys: lsos.limits.keys): lsos.made Ground that planned ways keep off.
+---@field limits fun(keys: lsos.limits.keys): lsos.made Ground that planned routes keep off.
 ---@field configuration fun(keys: lsos.configuration.keys): lsos.made How a rover may stand and be loaded at the start.
 ---@field wishbone fun(keys: lsos.wishbone.keys): lsos.made Suspension: independently sprung wheel modules, each with its wheels.
 ---@field module fun(keys: lsos.module.keys): lsos.made One wheel module's place.

@@ -351,7 +351,7 @@ std::vector<std::string> Simulation::assumptions() const {
       routes_ahead_, [](const RoverRoutesAhead& way) { return !way.legs.empty(); });
   if (has_routes) {
     assumptions.push_back(
-        "planned ways: wheels share the load evenly, and all roll when turning on the spot");
+        "planned routes: wheels share the load evenly, and all roll when turning on the spot");
   }
   add_light_assumptions(assumptions);
   if (setup_.terrain.is_synthetic) {

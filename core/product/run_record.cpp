@@ -32,7 +32,7 @@ std::string slip_warning(const RoverResult& result) {
   }
   return fmt::format(
       "{}: its slip is not in the summary: in {:.3g} min of driving it was never faster than half "
-      "the speed asked for; its wheels slipped by {:.2f} at most, in the mean over a second",
+      "the requested speed; its wheels slipped by {:.2f} at most, in the mean over a second",
       result.id, result.driven_s / 60, result.slip_rolling);
 }
 

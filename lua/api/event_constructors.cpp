@@ -259,7 +259,7 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
       "leave it open.",
       functions);
   read_function(t, "route", "function(params)",
-                "For an event that plans its ways: gives what rover:plan_path will be told, so "
+                "For an event that plans its routes: gives what rover:plan_path will be told, so "
                 "that they are planned and checked before the run.",
                 functions);
   read_function(t, "on_abort", "function(ev, rover)",

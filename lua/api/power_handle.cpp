@@ -203,7 +203,8 @@ const HandleType& panels_handle_type() {
         "fun(self: lsos.rover.panels, name?: string, how: { mode: 'track'|'point'|'fixed', "
         "azimuth_rad?: number, elevation_rad?: number })"},
        {"misses", guard<misses>, "panels:misses()",
-        "Panels that have turned and do not face the way asked: a limit has stopped them, or they "
+        "Panels that have turned and do not face the requested direction: a limit has stopped "
+        "them, or they "
         "are stuck; one that follows the Sun only when it is stuck. A list of { panel = , "
         "is_stuck = , azimuth_rad = , elevation_rad = , wanted_azimuth_rad = , "
         "wanted_elevation_rad = , off_rad = }.",

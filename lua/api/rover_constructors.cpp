@@ -165,7 +165,7 @@ void read_rover(TableReader& t, RoverModel& model) {
   t.number(optional, "turning_radius_min_m", vehicle.turning_radius_min_m, not_negative,
            "While driving (default 5).");
   t.integer(optional, "crew", model.crew, {0, 100}, "How many it carries, whom EVA sends out.");
-  t.made(optional, "limits", "limits", model.limits, "Ground that planned ways keep off.");
+  t.made(optional, "limits", "limits", model.limits, "Ground that planned routes keep off.");
   t.number(optional, "drive_calibration", vehicle.drive_calibration, positive,
            "Electrical drive power is multiplied by this to match measurements (default 1).");
   t.text(optional, "drive_calibration_source", vehicle.drive_calibration_source,
@@ -219,7 +219,7 @@ std::vector<Constructor> rover_constructors() {
   std::vector<Constructor> all{
       constructor<RoverModel, read_rover>(rover_kind, "What a script in rovers/ returns."),
       constructor<Chassis, read_chassis>("chassis", "The body that the suspension carries."),
-      constructor<GroundLimits, read_limits>("limits", "Ground that planned ways keep off."),
+      constructor<GroundLimits, read_limits>("limits", "Ground that planned routes keep off."),
       constructor<RoverConfiguration, read_configuration>(
           "configuration", "How a rover may stand and be loaded at the start.")};
   for (auto&& more : {suspension_constructors(), power_constructors(), antenna_constructors(),

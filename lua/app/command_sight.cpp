@@ -97,7 +97,7 @@ void check_kind(const SightOptions& options, Faults& faults) {
     faults.error({}, "-o: --height H is missing: of what is looked for, m above the ground");
   }
   if (!is_map && options.to.empty()) {
-    faults.error({}, "sight: nothing is asked; --to LON,LAT,H or --height H -o OUT.tif is wanted");
+    faults.error({}, "sight: nothing is requested; give --to LON,LAT,H or --height H -o OUT.tif");
   }
 }
 

@@ -39,7 +39,7 @@ void check_export(const TerrainOptions& options, Faults& faults) {
   needs_export("--resolution", options.resolution_m.has_value());
   needs_export("--hillshade", options.is_hillshade);
   if (!is_export && options.at.empty()) {
-    faults.error({}, "terrain: nothing is asked; --at LON,LAT or --export OUT.tif is wanted");
+    faults.error({}, "terrain: nothing is requested; give --at LON,LAT or --export OUT.tif");
   }
   check_resolution(options, faults);
 }

@@ -9,7 +9,7 @@ const std::vector<Command>& commands() {
       {"fsm", "The machine synthesised from a plan, as Graphviz DOT", prepare_fsm},
       {"list", "What a plan can name", prepare_list},
       {"test", "Run scenarios: scripts that say what must come of a mission", prepare_test},
-      {"repl", "A prompt with a simulation in hand; piped input is a script", prepare_repl},
+      {"repl", "A prompt with an interactive simulation; piped input is a script", prepare_repl},
       {"schema", "KML <Schema> elements of events, and a plan with one Placemark of each",
        prepare_schema},
       {"new", "A plan or script that works, to begin from", prepare_new},

@@ -45,7 +45,7 @@ std::vector<Fault> cached_legs_advice(const std::string& plan_file) {
   }
   return {{Severity::warning,
            {file, 0},
-           "it is no file: planned ways would be kept under this name, and are not"}};
+           "it is no file: planned routes would be kept under this name, and are not"}};
 }
 
 std::vector<Fault> cache_legs(const std::string& plan_file, const std::string& bytes) {

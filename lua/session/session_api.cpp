@@ -9,7 +9,8 @@ namespace lsos {
 const std::vector<ApiFunction>& session_functions() {
   static const std::vector<ApiFunction> functions{
       {"sim", guard<make_sim>, "lsos.sim(plan)",
-       "A simulation in hand, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, "
+       "An interactive simulation, of a plan's file or a table: `planet`, `terrain`, "
+       "`terrain_beyond`, "
        "`soil`, `start`, "
        "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
        "Id "

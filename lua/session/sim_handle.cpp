@@ -103,7 +103,7 @@ int make_sim(lua_State* L) {
 const HandleType& sim_handle_type() {
   static const HandleType type{
       "sim",
-      "A simulation in hand: of a scenario or the prompt. It stands still between two calls.",
+      "An interactive simulation: of a scenario or the prompt. It stands still between two calls.",
       {{"time_s", guard<sim_time_s>, "number", "Since the mission's start."},
        {"is_finished", guard<sim_is_finished>, "boolean", "No event is left."},
        {"rovers", guard<sim_rovers>, "table of rover",

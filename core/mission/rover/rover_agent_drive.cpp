@@ -136,7 +136,7 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   const VehicleConfig& config = vehicle_.config();
   if (settings.speed_mps && *settings.speed_mps > config.speed_max_mps) {
     warnings_.push_back(
-        fmt::format("{}: asked to drive at {:.3g} m/s, a {} does {:.3g} m/s at most", rover_.id,
+        fmt::format("{}: commanded to drive at {:.3g} m/s, a {} does {:.3g} m/s at most", rover_.id,
                     *settings.speed_mps, config.type, config.speed_max_mps));
   }
   FollowerLimits limits;
@@ -153,8 +153,8 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   limits.cross_track_max_m = settings.cross_track_max_m;
   limits.is_crabbing = settings.is_crabbing && config.can_crab;
   if (settings.is_crabbing && !config.can_crab) {
-    warnings_.push_back(
-        fmt::format("{}: asked to crab, a {} cannot; it turns instead", rover_.id, config.type));
+    warnings_.push_back(fmt::format("{}: commanded to crab, a {} cannot; it turns instead",
+                                    rover_.id, config.type));
   }
   drive_failure_.clear();
   may_touch_with_chassis_ = report_.is_chassis_on_ground;

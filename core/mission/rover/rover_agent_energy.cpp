@@ -77,7 +77,7 @@ void RoverAgent::report_short_supply() {
     warn(fmt::format("{}: at {} s {} has no power left to give", rover_.id, seconds(now_), from));
     return;
   }
-  warn(fmt::format("{}: at {} s {:.0f} W come from {}, {:.0f} W are asked for", rover_.id,
+  warn(fmt::format("{}: at {} s {:.0f} W come from {}, {:.0f} W are requested", rover_.id,
                    seconds(now_), got_w, from, asked_w));
 }
 

@@ -120,7 +120,7 @@ TEST(Simulation, warns_of_a_speed_that_the_rover_does_not_reach) {
   mission.drive(5).params["speed_mps"] = 50.0;
   mission.run();
   ASSERT_EQ(mission.simulation_->warnings().size(), 1u);
-  EXPECT_THAT(mission.simulation_->warnings()[0], HasSubstr("asked to drive at 50 m/s"));
+  EXPECT_THAT(mission.simulation_->warnings()[0], HasSubstr("commanded to drive at 50 m/s"));
 }
 
 // Final state, as a fingerprint, of two rovers that drive and wait for each other.
