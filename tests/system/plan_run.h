@@ -1,6 +1,7 @@
 // Runs a plan with the program and reads its results.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "record/log.h"
