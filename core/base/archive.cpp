@@ -4,12 +4,43 @@
 
 namespace lsos {
 
+Archive Archive::locator(std::size_t offset) {
+  Archive a = writer();
+  a.offset_ = offset;
+  return a;
+}
+
+std::string_view Archive::take_name(std::string_view& names) {
+  const std::size_t comma = std::min(names.find(','), names.size());
+  const std::string_view name = names.substr(0, comma);
+  names.remove_prefix(std::min(comma + 2, names.size()));  // and the blank after the comma
+  return name;
+}
+
+std::string Archive::path() const {
+  std::string text;
+  for (const Step& step : path_) {
+    if (step.name.empty()) {
+      text += fmt::format("[{}]", step.number);
+    } else {
+      text += fmt::format("{}{}", text.empty() ? "" : ".", step.name);
+    }
+  }
+  return text;
+}
+
+void Archive::refuse(const std::string& why) const {
+  throw Mismatch(path_.empty() ? why : fmt::format("{}: {}", path(), why));
+}
+
 void Archive::raw(void* data, std::size_t size) {
   if (!reading_) {
+    const bool is_before = offset_ && bytes_.size() <= *offset_;
     bytes_.append(static_cast<const char*>(data), size);
+    if (is_before && bytes_.size() > *offset_) located_ = path();
     return;
   }
-  if (bytes_.size() - position_ < size) throw Mismatch("saved state ends too early");
+  if (bytes_.size() - position_ < size) refuse("saved state ends too early");
   std::memcpy(data, bytes_.data() + position_, size);
   position_ += size;
 }
@@ -17,7 +48,7 @@ void Archive::raw(void* data, std::size_t size) {
 Archive& Archive::operator()(bool& value) {
   std::uint8_t byte = value ? 1 : 0;
   (*this)(byte);
-  if (byte > 1) throw Mismatch("saved state holds a truth value that is neither 0 nor 1");
+  if (byte > 1) refuse("saved state holds a truth value that is neither 0 nor 1");
   value = byte == 1;
   return *this;
 }
@@ -26,7 +57,7 @@ std::size_t Archive::size(std::size_t size) {
   auto count = static_cast<std::uint64_t>(size);
   (*this)(count);
   // Every element takes at least a byte; a larger count is damage and must not allocate.
-  if (reading_ && count > bytes_.size() - position_) throw Mismatch("saved state ends too early");
+  if (reading_ && count > bytes_.size() - position_) refuse("saved state ends too early");
   return static_cast<std::size_t>(count);
 }
 
@@ -40,7 +71,7 @@ Archive& Archive::tag(std::string_view word) {
   std::string found(word);
   (*this)(found);
   if (found != word) {
-    throw Mismatch(fmt::format("saved state holds '{}' where '{}' belongs", found, word));
+    refuse(fmt::format("saved state holds '{}' where '{}' belongs", found, word));
   }
   return *this;
 }

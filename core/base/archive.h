@@ -1,8 +1,10 @@
 // Serialisation of simulation state. Each type with state lists its members once, in
-// `void archive(Archive& a) { a(x_m)(count)(name); }`, and that one function both writes and reads,
-// which keeps the two directions in step.
+// `void archive(Archive& a) { LSOS_ARCHIVE(a, x_m, count, name); }`, and that one function both
+// writes and reads, which keeps the two directions in step. The names are not saved; they say where
+// a saved state that does not fit differs: "rovers[0].vehicle_.wheels_[2].slip".
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <optional>
@@ -10,10 +12,14 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/sim_time.h"
 #include "base/vector.h"
+
+// Archives several values under the names that stand in the call.
+#define LSOS_ARCHIVE(a, ...) (a).fields(#__VA_ARGS__, __VA_ARGS__)
 
 namespace lsos {
 
@@ -26,6 +32,9 @@ class Archive {
 
   static Archive writer() { return Archive({}, false); }
   static Archive reader(std::string bytes) { return Archive(std::move(bytes), true); }
+  // A writer that remembers which field the byte at `offset` belongs to, see located().
+  static Archive locator(std::size_t offset);
+  const std::string& located() const { return located_; }
 
   bool is_reading() const { return reading_; }
   // Everything written until now.
@@ -36,6 +45,28 @@ class Archive {
   // Separates parts by a word; reading a different word in its place throws Mismatch, which names
   // both.
   Archive& tag(std::string_view word);
+
+  // While it lives, what is archived belongs to the part of this name, which must outlive it. An
+  // element of a list has a number in place of a name.
+  class Part {
+   public:
+    Part(Archive& a, std::string_view name, std::size_t number = 0) : archive_(a) {
+      archive_.path_.push_back({name, number});
+    }
+    ~Part() { archive_.path_.pop_back(); }
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+
+   private:
+    Archive& archive_;
+  };
+
+  // Called by LSOS_ARCHIVE. `names`: one for each value, separated by commas.
+  template <class... T>
+  Archive& fields(std::string_view names, T&... values) {
+    (field(take_name(names), values), ...);
+    return *this;
+  }
 
   template <class T>
   requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) Archive& operator()(T& value) {
@@ -57,7 +88,10 @@ class Archive {
   template <class T>
   Archive& operator()(std::vector<T>& values) {
     values.resize(size(values.size()));
-    for (T& value : values) (*this)(value);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const Part element(*this, {}, i);
+      (*this)(values[i]);
+    }
     return *this;
   }
   template <class T>
@@ -73,7 +107,9 @@ class Archive {
   Archive& operator()(std::map<K, V>& values) {
     const std::size_t count = size(values.size());
     if (!reading_) {
+      std::size_t number = 0;
       for (auto& [key, value] : values) {
+        const Part element(*this, {}, number++);
         K copy = key;
         (*this)(copy)(value);
       }
@@ -81,6 +117,7 @@ class Archive {
     }
     values.clear();
     for (std::size_t i = 0; i < count; ++i) {
+      const Part element(*this, {}, i);
       K key{};
       (*this)(key);
       (*this)(values[key]);
@@ -95,8 +132,22 @@ class Archive {
   }
 
  private:
+  struct Step {
+    std::string_view name;   // empty: an element of a list
+    std::size_t number = 0;  // of the element
+  };
+
   Archive(std::string bytes, bool reading) : bytes_(std::move(bytes)), reading_(reading) {}
 
+  template <class T>
+  void field(std::string_view name, T& value) {
+    const Part part(*this, name);
+    (*this)(value);
+  }
+  // Removes the first name from a list of names.
+  static std::string_view take_name(std::string_view& names);
+  [[noreturn]] void refuse(const std::string& why) const;
+  std::string path() const;
   void raw(void* data, std::size_t size);
   // Writes the size, or reads one and throws Mismatch if it cannot fit into the bytes left.
   std::size_t size(std::size_t size);
@@ -104,6 +155,21 @@ class Archive {
   std::string bytes_;
   std::size_t position_ = 0;
   bool reading_;
+  std::vector<Step> path_;  // parts within which something is archived now, outermost first
+  std::optional<std::size_t> offset_;
+  std::string located_;
 };
+
+// Name of the field in which two saved states first differ. `save` archives the first of them.
+template <class Save>
+std::string first_difference(const std::string& first, const std::string& second, Save&& save) {
+  std::size_t offset = 0;
+  while (offset < std::min(first.size(), second.size()) && first[offset] == second[offset]) {
+    ++offset;
+  }
+  Archive locator = Archive::locator(offset);
+  std::forward<Save>(save)(locator);
+  return locator.located();
+}
 
 }  // namespace lsos

@@ -23,7 +23,7 @@ class RandomStream {
   // Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  void archive(Archive& a) { a(state_); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, state_); }
 
  private:
   std::uint64_t state_ = 0;

@@ -18,7 +18,7 @@ struct PanelAngles {
   double azimuth_rad = 0;
   double elevation_rad = std::numbers::pi / 2;
 
-  void archive(Archive& a) { a(azimuth_rad)(elevation_rad); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, azimuth_rad, elevation_rad); }
 };
 
 struct AngleLimits {

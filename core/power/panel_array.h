@@ -18,7 +18,7 @@ struct Steering {
   SteerMode mode = SteerMode::fixed;
   PanelAngles angles;  // used by fixed and point
 
-  void archive(Archive& a) { a(mode)(angles); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, mode, angles); }
 };
 
 // Directions of the Sun and of the compass, frame B.
@@ -27,7 +27,7 @@ struct PanelSurroundings {
   bool is_sun_up = false;
   Vec3 north_B = Vec3::UnitX(), up_B = Vec3::UnitZ();
 
-  void archive(Archive& a) { a(sun_B)(is_sun_up)(north_B)(up_B); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, sun_B, is_sun_up, north_B, up_B); }
 };
 
 // A panel that does not face the commanded direction: it has stopped at a limit, or is stuck.
@@ -74,7 +74,10 @@ class PanelArray {
   std::optional<SimTime> last_end(SimTime now) const;
   double motors_w(SimTime now) const;
 
-  void archive(Archive& a) { a.tag("panels")(states_)(around_); }
+  void archive(Archive& a) {
+    a.tag("panels");
+    LSOS_ARCHIVE(a, states_, around_);
+  }
 
  private:
   struct State {
@@ -86,7 +89,7 @@ class PanelArray {
     Steering steering;
 
     void archive(Archive& a) {
-      a(goes_up)(is_stuck)(ready)(from)(to)(turn_start)(turn_end)(steering);
+      LSOS_ARCHIVE(a, goes_up, is_stuck, ready, from, to, turn_start, turn_end, steering);
     }
   };
 

@@ -136,7 +136,8 @@ struct NoteRow {
   Geodetic place;
 
   void archive(Archive& a) {
-    a(time)(rover_id)(sequence)(name)(fields_json)(place.lon_rad)(place.lat_rad)(place.height_m);
+    LSOS_ARCHIVE(a, time, rover_id, sequence, name, fields_json, place.lon_rad, place.lat_rad,
+                 place.height_m);
   }
 };
 

@@ -17,7 +17,7 @@ struct DriveCommand {
   bool is_braking = true;     // brakes on; the other members are then ignored
   double left_mps = 0;        // sideways, for vehicles that can crab
 
-  void archive(Archive& a) { a(speed_mps)(yaw_rate_radps)(is_braking)(left_mps); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, speed_mps, yaw_rate_radps, is_braking, left_mps); }
 };
 
 // Positions of steering joints and wheels, from the configuration's tree of links.

@@ -195,7 +195,7 @@ void Multibody::archive(Archive& a) {
   Vec3 velocity = eigen(body.getBaseVel()), omega = eigen(body.getBaseOmega());
   const btQuaternion& q = body.getWorldToBaseRot();
   Quat rotation(q.w(), q.x(), q.y(), q.z());
-  a(position)(rotation)(velocity)(omega);
+  LSOS_ARCHIVE(a, position, rotation, velocity, omega);
   if (a.is_reading()) {
     body.setBasePos(bt(position));
     body.setWorldToBaseRot(btQuaternion(rotation.x(), rotation.y(), rotation.z(), rotation.w()));
@@ -204,7 +204,7 @@ void Multibody::archive(Archive& a) {
   }
   for (int i = 0; i < body.getNumLinks(); ++i) {
     double joint = body.getJointPos(i), rate = body.getJointVel(i);
-    a(joint)(rate);
+    LSOS_ARCHIVE(a, joint, rate);
     if (a.is_reading()) {
       body.setJointPos(i, joint);
       body.setJointVel(i, rate);

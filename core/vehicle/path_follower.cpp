@@ -342,11 +342,11 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
 }
 
 void PathFollower::archive(Archive& a) {
-  a.tag("follower")(waypoints_S_m_)(
-      limits_)(leg_)(is_turning_)(is_stopping_)(command_mps_)(command_curvature_1pm_)(side_slip_rad_)(incline_
-                                                                                                          .pitch_rad)(
-      incline_.bank_rad)(
-      heading_rad_)(remaining_m_)(best_remaining_m_)(best_heading_error_rad_)(stopping_s_)(since_progress_s_)(status_)(reason_)(is_stuck_)(is_off_line_)(passed_);
+  a.tag("follower");
+  LSOS_ARCHIVE(a, waypoints_S_m_, limits_, leg_, is_turning_, is_stopping_, command_mps_,
+               command_curvature_1pm_, side_slip_rad_, incline_.pitch_rad, incline_.bank_rad,
+               heading_rad_, remaining_m_, best_remaining_m_, best_heading_error_rad_, stopping_s_,
+               since_progress_s_, status_, reason_, is_stuck_, is_off_line_, passed_);
   if (a.is_reading()) build_line();
 }
 

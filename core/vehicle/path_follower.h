@@ -30,8 +30,9 @@ struct FollowerLimits {
   double cross_track_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
-    a(speed_mps)(level_speed_mps)(
-        acceleration_mps2)(gravity_mps2)(arrival_radius_m)(radius_min_m)(turn_rate_radps)(can_turn_on_spot)(lookahead_min_m)(is_crabbing)(cross_track_max_m);
+    LSOS_ARCHIVE(a, speed_mps, level_speed_mps, acceleration_mps2, gravity_mps2, arrival_radius_m,
+                 radius_min_m, turn_rate_radps, can_turn_on_spot, lookahead_min_m, is_crabbing,
+                 cross_track_max_m);
   }
 };
 

@@ -271,8 +271,9 @@ std::vector<double> Vehicle::joint_positions() const {
 }
 
 void Vehicle::archive(Archive& a) {
-  a.tag("vehicle")(bodies_)(
-      wheels_)(steerings_)(command_)(ground_normal_S_)(is_chassis_on_ground_)(distance_m_)(drive_j_)(drive_w_)(work_)(steps_)(fault_);
+  a.tag("vehicle");
+  LSOS_ARCHIVE(a, bodies_, wheels_, steerings_, command_, ground_normal_S_, is_chassis_on_ground_,
+               distance_m_, drive_j_, drive_w_, work_, steps_, fault_);
 }
 
 }  // namespace lsos

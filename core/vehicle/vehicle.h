@@ -34,8 +34,9 @@ struct VehicleReport {
   bool is_finite = true;
 
   void archive(Archive& a) {
-    a(p_S_m)(v_S_mps)(
-        heading_rad)(pitch_rad)(roll_rad)(yaw_rad)(yaw_rate_radps)(speed_mps)(slope_rad)(slip)(slip_max)(sinkage_m)(elevation_m)(is_on_ground_data)(is_chassis_on_ground)(is_finite);
+    LSOS_ARCHIVE(a, p_S_m, v_S_mps, heading_rad, pitch_rad, roll_rad, yaw_rad, yaw_rate_radps,
+                 speed_mps, slope_rad, slip, slip_max, sinkage_m, elevation_m, is_on_ground_data,
+                 is_chassis_on_ground, is_finite);
   }
 };
 
@@ -52,7 +53,9 @@ struct WorkDone {
   double sum_j() const {
     return motors_j + brakes_j + steering_j + suspension_j + soil_j + chassis_j;
   }
-  void archive(Archive& a) { a(motors_j)(brakes_j)(steering_j)(suspension_j)(soil_j)(chassis_j); }
+  void archive(Archive& a) {
+    LSOS_ARCHIVE(a, motors_j, brakes_j, steering_j, suspension_j, soil_j, chassis_j);
+  }
 };
 
 class Vehicle {
@@ -110,15 +113,15 @@ class Vehicle {
     double load_n = 0, sinkage_m = 0, slip = not_modelled, torque_n_m = 0;
 
     void archive(Archive& a) {
-      a(contact)(mode)(
-          spin_target_radps)(servo_integral_rad)(smooth_spin_radps)(brake_anchor_rad)(search_S)(load_n)(sinkage_m)(slip)(torque_n_m);
+      LSOS_ARCHIVE(a, contact, mode, spin_target_radps, servo_integral_rad, smooth_spin_radps,
+                   brake_anchor_rad, search_S, load_n, sinkage_m, slip, torque_n_m);
     }
   };
   struct SteeringState {
     double target_rad = 0;    // angle commanded
     double setpoint_rad = 0;  // angle on the way to the target, at the motor's rate
 
-    void archive(Archive& a) { a(target_rad)(setpoint_rad); }
+    void archive(Archive& a) { LSOS_ARCHIVE(a, target_rad, setpoint_rad); }
   };
 
   struct WheelPart {

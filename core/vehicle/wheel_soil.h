@@ -50,7 +50,7 @@ struct WheelContactState {
   double rolled_m = 0;  // travel into the soil ahead, -rolling_mobilised_m..rolling_mobilised_m
   double sinkage_m = 0;
 
-  void archive(Archive& a) { a(shear_S_m)(rolled_m)(sinkage_m); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, shear_S_m, rolled_m, sinkage_m); }
 };
 
 // State of a wheel relative to the ground in one step. Vectors are in the site frame.

@@ -26,8 +26,9 @@ class SightOverEnd {
   std::optional<std::string> warning(Instant start) const;
 
   void archive(Archive& a) {
-    a.tag("over_end")(sight_count_)(
-        over_end_count_)(id_)(time_)(reaches_m_)(matters_m_)(elevation_rad_);
+    a.tag("over_end");
+    LSOS_ARCHIVE(a, sight_count_, over_end_count_, id_, time_, reaches_m_, matters_m_,
+                 elevation_rad_);
   }
 
  private:

@@ -29,7 +29,7 @@ struct OpenInterval {
   SimTime start{};
   double light_time_s = 0;
 
-  void archive(Archive& a) { a(start)(light_time_s); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, start, light_time_s); }
 };
 
 // One end of a line of sight at an exchange.
@@ -71,7 +71,10 @@ class SightWatch {
   const SightOverEnd& earth_over_end() const { return earth_over_end_; }
   const SightOverEnd& pairs_over_end() const { return pairs_over_end_; }
 
-  void archive(Archive& a) { a.tag("sight")(pairs_)(earth_over_end_)(pairs_over_end_); }
+  void archive(Archive& a) {
+    a.tag("sight");
+    LSOS_ARCHIVE(a, pairs_, earth_over_end_, pairs_over_end_);
+  }
 
  private:
   // Ends by number, Earth last. The results hold until the next evaluation.
@@ -84,7 +87,8 @@ class SightWatch {
     std::optional<OpenInterval> visible, linked;
 
     void archive(Archive& a) {
-      a(from)(to)(time)(is_visible)(is_linked)(fraction)(is_near_turning)(visible)(linked);
+      LSOS_ARCHIVE(a, from, to, time, is_visible, is_linked, fraction, is_near_turning, visible,
+                   linked);
     }
   };
 

@@ -141,6 +141,9 @@ bool AntennaArray::has_changed(SimTime now) const {
   });
 }
 
-void AntennaArray::archive(Archive& a) { a.tag("antennas")(states_)(is_silent_)(silenced_); }
+void AntennaArray::archive(Archive& a) {
+  a.tag("antennas");
+  LSOS_ARCHIVE(a, states_, is_silent_, silenced_);
+}
 
 }  // namespace lsos

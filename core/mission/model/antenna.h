@@ -75,7 +75,7 @@ class AntennaArray {
     std::optional<SimTime> start, end;  // start and end of its last motion
 
     double share_up(SimTime now) const;
-    void archive(Archive& a) { a(goes_up)(from)(start)(end); }
+    void archive(Archive& a) { LSOS_ARCHIVE(a, goes_up, from, start, end); }
   };
   std::vector<AntennaSpec> specs_;
   std::vector<State> states_;

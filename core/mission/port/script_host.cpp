@@ -10,7 +10,7 @@ struct ArchivedValue {
 
   void archive(Archive& a) {
     std::uint8_t kind = static_cast<std::uint8_t>(value.index());
-    a(kind);
+    LSOS_ARCHIVE(a, kind);
     switch (kind) {
       case 0:
         through<bool>(a);
@@ -26,7 +26,7 @@ struct ArchivedValue {
         break;
       case 4: {
         Instant instant = a.is_reading() ? Instant{} : std::get<Instant>(value);
-        a(instant.tai_us);
+        LSOS_ARCHIVE(a, instant.tai_us);
         value = instant;
         break;
       }
@@ -38,7 +38,7 @@ struct ArchivedValue {
   template <class T>
   void through(Archive& a) {
     T alternative = a.is_reading() ? T{} : std::get<T>(value);
-    a(alternative);
+    LSOS_ARCHIVE(a, alternative);
     value = alternative;
   }
 };
@@ -48,7 +48,7 @@ struct ArchivedValue {
 void EventArguments::archive(Archive& a) {
   std::map<std::string, ArchivedValue> values;
   for (const auto& [key, value] : params) values[key] = {value};
-  a(values)(geometry_S_m)(holes_S_m);
+  LSOS_ARCHIVE(a, values, geometry_S_m, holes_S_m);
   params.clear();
   for (const auto& [key, value] : values) params[key] = value.value;
 }

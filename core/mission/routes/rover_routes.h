@@ -65,7 +65,7 @@ class RoverRoutes {
   std::vector<PlannedPathRow> take_rows();
   std::vector<std::string> take_warnings();
 
-  void archive(Archive& a) { a(attempts_); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, attempts_); }
 
  private:
   const LegAhead* ahead(std::int64_t sequence, std::int64_t waypoint, const LegStart& start,

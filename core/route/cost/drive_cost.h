@@ -18,7 +18,7 @@ struct SlopeDrive {
   // electrical energy. Brakes dissipate it, unless something else holds the rover back.
   double spare_jpm = 0;
 
-  void archive(Archive& a) { a(slip)(energy_jpm)(speed_mps)(spare_jpm); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, slip, energy_jpm, speed_mps, spare_jpm); }
 };
 
 // Driving on one soil, straight up slopes from `first_rad` (negative: down) in equal steps. The
@@ -36,7 +36,7 @@ struct SoilDrive {
   // climbs above last_rad(): check that first.
   SlopeDrive at(double slope_rad) const;
 
-  void archive(Archive& a) { a(first_rad)(step_rad)(by_slope); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, first_rad, step_rad, by_slope); }
 };
 
 // Limits on where the rover may stand and on how hard it may work.
@@ -46,7 +46,9 @@ struct DriveLimits {
   double clearance_min_m = 0.05;  // between its underside and the ground
   double unevenness_max_m = 0.1;  // of the ground at a wheel from the plane under the others
 
-  void archive(Archive& a) { a(slope_max_rad)(slip_max)(clearance_min_m)(unevenness_max_m); }
+  void archive(Archive& a) {
+    LSOS_ARCHIVE(a, slope_max_rad, slip_max, clearance_min_m, unevenness_max_m);
+  }
 };
 
 struct DriveCost {
@@ -88,8 +90,10 @@ struct DriveCost {
   double rough_tilt_1pm = 0;
 
   void archive(Archive& a) {
-    a(soils)(wheels_B_m)(
-        underside_B_m)(limits)(turning_radius_min_m)(can_turn_on_spot)(speed_mps)(level_speed_mps)(stop_j)(stop_s)(slow_j)(turn_jprad)(turn_sprad)(steer_s)(acceleration_mps2)(arc_drag_jmprad)(side_slip_s2pm)(gravity_mps2)(rough_jpm2)(rough_js2pm4)(rough_tilt_1pm)(load_w);
+    LSOS_ARCHIVE(a, soils, wheels_B_m, underside_B_m, limits, turning_radius_min_m,
+                 can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, turn_jprad,
+                 turn_sprad, steer_s, acceleration_mps2, arc_drag_jmprad, side_slip_s2pm,
+                 gravity_mps2, rough_jpm2, rough_js2pm4, rough_tilt_1pm, load_w);
   }
 };
 

@@ -23,7 +23,7 @@ struct AvoidedDisc {
   double radius_m = 0;
 
   bool operator==(const AvoidedDisc&) const = default;
-  void archive(Archive& a) { a(center_S_m)(radius_m); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, center_S_m, radius_m); }
 };
 
 // An object that stands on the ground, as a rectangle seen from above.
@@ -33,7 +33,7 @@ struct Obstacle {
   Vec3 ahead_S = Vec3::UnitX();  // unit vector, horizontal there
   Vec2 half_m = Vec2::Zero();    // half sizes along `ahead_S` and across it
 
-  void archive(Archive& a) { a(id)(center_S_m)(ahead_S)(half_m); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, id, center_S_m, ahead_S, half_m); }
 };
 
 // Objects that a leg goes round, and the footprint of the rover: reference point at the origin,
@@ -46,7 +46,7 @@ struct Obstacles {
   // obstacles.
   void archive(Archive& a) {
     if (standing.empty()) return;
-    a(standing)(rover_at_rest.center_S_m)(rover_at_rest.half_m);
+    LSOS_ARCHIVE(a, standing, rover_at_rest.center_S_m, rover_at_rest.half_m);
   }
 };
 
@@ -63,7 +63,8 @@ struct LegRequest {
   Obstacles obstacles = {};
 
   void archive(Archive& a) {
-    a(start_S_m)(goal_S_m)(aim)(seed)(start_heading_rad)(starts_at_rest)(avoided)(obstacles);
+    LSOS_ARCHIVE(a, start_S_m, goal_S_m, aim, seed, start_heading_rad, starts_at_rest, avoided,
+                 obstacles);
   }
 };
 
@@ -81,8 +82,8 @@ struct PlannedLeg {
 
   bool is_found() const { return !path_S_m.empty(); }
   void archive(Archive& a) {
-    a(path_S_m)(cost)(
-        length_m)(duration_s)(energy_j)(slope_max_rad)(steepest_S_m)(end_heading_rad)(messages)(reason)(nearest_S_m);
+    LSOS_ARCHIVE(a, path_S_m, cost, length_m, duration_s, energy_j, slope_max_rad, steepest_S_m,
+                 end_heading_rad, messages, reason, nearest_S_m);
   }
 };
 

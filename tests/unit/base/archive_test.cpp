@@ -18,7 +18,7 @@ struct Wheel {
   double slip = 0;
   std::optional<Vec3> anchor_m;
 
-  void archive(Archive& a) { a(slip)(anchor_m); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, slip, anchor_m); }
   bool operator==(const Wheel&) const = default;
 };
 
@@ -35,7 +35,8 @@ struct State {
   std::map<std::string, std::vector<double>> totals;
 
   void archive(Archive& a) {
-    a.tag("state")(parked)(gear)(fid)(wake)(phase)(p_m)(attitude)(wheels)(totals);
+    a.tag("state");
+    LSOS_ARCHIVE(a, parked, gear, fid, wake, phase, p_m, attitude, wheels, totals);
   }
 };
 
@@ -129,6 +130,41 @@ TEST(Archive, names_both_words_when_another_part_stands_there) {
   } catch (const Archive::Mismatch& mismatch) {
     EXPECT_THAT(mismatch.what(), AllOf(HasSubstr("'battery'"), HasSubstr("'wheels'")));
   }
+}
+
+TEST(Archive, says_which_field_does_not_fit) {
+  std::string bytes = written(example());
+  bytes.resize(bytes.find("drive") + 3);
+  try {
+    read<State>(bytes);
+    FAIL() << "nothing was thrown";
+  } catch (const Archive::Mismatch& mismatch) {
+    EXPECT_STREQ(mismatch.what(), "phase: saved state ends too early");
+  }
+  bytes = written(example());
+  // The second wheel's optional anchor follows its slip, the last -0.0.
+  bytes.replace(bytes.find(std::string("\0\0\0\0\0\0\0\x80", 8)) + 8, 1, "\2");
+  try {
+    read<State>(bytes);
+    FAIL() << "nothing was thrown";
+  } catch (const Archive::Mismatch& mismatch) {
+    EXPECT_THAT(mismatch.what(), HasSubstr("wheels[1].anchor_m: "));
+  }
+}
+
+TEST(Archive, names_the_field_in_which_two_states_differ) {
+  State one = example(), other = example();
+  other.wheels[0].anchor_m->y() = 2.5;
+  const auto difference = [&] {
+    return first_difference(written(one), written(other), [&](Archive& a) { a(one); });
+  };
+  EXPECT_EQ(difference(), "wheels[0].anchor_m");
+  other.totals["a"] = {1};
+  EXPECT_EQ(difference(), "wheels[0].anchor_m");
+  one.wheels = other.wheels;
+  EXPECT_EQ(difference(), "totals[0]");
+  one.parked = false;
+  EXPECT_EQ(difference(), "parked");
 }
 
 // A damaged count must be refused before memory is requested: these would take exabytes.
