@@ -41,8 +41,7 @@ class LineBuilder {
     if (2 * half < straight_rad) return go_to(corner, 0);
     // This corner may use half of the next side; the rest belongs to the next corner.
     const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
-    double radius_m =
-        fillet_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.fillet_offset_m);
+    double radius_m = fillet_radius_m(2 * half, std::min(before_m, 0.5 * after_m), fillet_offset_m);
     if (radius_m < limits_.radius_min_m) {
       const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
       if (limits_.can_turn_on_spot || !has_room) {

@@ -12,7 +12,6 @@ struct DrivingLimits {
   double speed_mps = 1;            // greatest along the line
   double acceleration_mps2 = 0.2;  // along the line, speeding up and slowing down
   double lateral_mps2 = 0.2;       // across the line, in arcs
-  double fillet_offset_m = 0.2;    // greatest distance of an arc inside its corner
   double radius_min_m = 5;         // least radius of an arc
   bool can_turn_on_spot = true;
 };

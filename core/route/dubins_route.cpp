@@ -89,14 +89,11 @@ class Planner {
     const RouteSteering sharp = RouteSteering::on_the_spot();
     std::vector<Pose2> poses;
     for (const Vec2& at_m : corners(over_lattice)) poses.push_back({at_m, 0});
-    costs_.set_rounding(true);
-    poses = shortcut(costs_, sharp, std::move(poses));
-    costs_.set_rounding(false);
+    RouteCost rounding = costs_.of_rounded_corners();
+    poses = shortcut(rounding, sharp, std::move(poses));
     std::vector<Pose2> arcs = rounded(sharp.line(poses));
     if (driven(arcs) == infinite) return;
-    costs_.set_rounding(true);
-    const Line2 better = perturb(costs_, sharp, poses, seed_).line;
-    costs_.set_rounding(false);
+    const Line2 better = perturb(rounding, sharp, poses, seed_).line;
     std::vector<Pose2> other = rounded(better);
     if (driven(other) < driven(arcs)) arcs = std::move(other);
     offer_optimised(arcs);

@@ -79,7 +79,6 @@ void PathFollower::build_line() {
   limits.acceleration_mps2 = limits.lateral_mps2 = limits_.acceleration_mps2;
   limits.radius_min_m = limits_.radius_min_m;
   limits.can_turn_on_spot = limits_.can_turn_on_spot;
-  limits.fillet_offset_m = fillet_offset_m;
   line_ = driving_line(waypoints_S_m_, limits);
 }
 

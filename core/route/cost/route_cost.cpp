@@ -93,6 +93,12 @@ RouteCost RouteCost::over(GroundMap& map) const {
   return costs;
 }
 
+RouteCost RouteCost::of_rounded_corners() const {
+  RouteCost costs = *this;
+  costs.is_rounding_ = true;
+  return costs;
+}
+
 Hazard RouteCost::hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead) {
   const auto holds = [&](const Disc2& disc) { return disc.holds(at_m); };
   if (std::ranges::any_of(avoided_, holds) || is_occupied(at_m, ahead)) return Hazard::avoided;

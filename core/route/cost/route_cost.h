@@ -95,7 +95,7 @@ class RouteCost {
   }
   // Cost of the corner `at_m` of a line: slowing down for its fillet, and the fillet; where there
   // is no room for one, stopping there and turning on the spot. It is 0 for rovers that cannot turn
-  // on the spot, whose lines consist of arcs, unless set_rounding() is in force.
+  // on the spot, whose lines consist of arcs, except in of_rounded_corners().
   double corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const;
   // Energy and time that a corner adds; turning(): of turning on the spot, from rest to rest.
   struct CornerCost {
@@ -122,9 +122,9 @@ class RouteCost {
   double arcs(ArcState& speeds, const Line2& line) const {
     return price(arcs_driven(speeds, line));
   }
-  // For lines of such a rover whose corners are rounded later, by the widest arcs that have room:
-  // while set, corner() returns what those arcs cost.
-  void set_rounding(bool is_rounding) { is_rounding_ = is_rounding; }
+  // The same costs for lines of such a rover whose corners are rounded later: corner() returns what
+  // the widest arcs that have room cost.
+  RouteCost of_rounded_corners() const;
   // driven(), with length, duration, energy, steepest slope and first hazard.
   LegSummary of(const Line2& line);
   // Places of a line where a limit is exceeded, more than `apart_m` apart. The line is sampled

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/units.h"
+#include "driving/fillet.h"
 #include "test_rover.h"
 #include "vehicle/vehicle.h"
 
@@ -113,7 +114,7 @@ TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_
     points.push_back(leg.from_S_m + leg.length_m * leg.along_S);
     stops += leg.ends_in_stop;
   }
-  EXPECT_NEAR(distance_to_line_m({40, 0}, points), 0.2, 0.03);
+  EXPECT_NEAR(distance_to_line_m({40, 0}, points), fillet_offset_m, 0.015);
   EXPECT_EQ(stops, 2);  // the sharp corner and the end
   // Every leg can be driven: speeds change no faster than the acceleration allows.
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
