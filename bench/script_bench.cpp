@@ -37,7 +37,7 @@ class TemporaryFolder {
 class StandingRover : public lsos::RoverPort {
  public:
   const lsos::RoverView& view() const override { return view_; }
-  lsos::DriveState drive() const override { return {}; }
+  lsos::DriveState drive_state() const override { return {}; }
   void follow(const lsos::Path3&, const lsos::FollowSettings&) override {}
   lsos::PlannedRoute plan_path(const lsos::Path3&, std::int64_t,
                                const lsos::RouteSettings&) override {

@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mission/ahead/equipment_warnings.h"
+#include "mission/ahead/ground_end_warnings.h"
+#include "mission/fleet/avoidance.h"
+#include "mission/fleet/power_sharing.h"
+#include "mission/fleet/solids.h"
+#include "mission/light/sky_view.h"
+#include "mission/model/mission_span.h"
 #include "mission/model/site.h"
-#include "planet/ellipsoid.h"
 
 namespace lsos {
 
@@ -21,125 +25,78 @@ constexpr SimTime coming_to_rest{60'000'000};
 
 Simulation::Simulation(SimulationSetup setup)
     : setup_(std::move(setup)),
+      site_(make_site(setup_)),
+      log_(setup_.plan.mission),
       pool_(std::min(setup_.threads, static_cast<int>(setup_.plan.rovers.size()))) {
-  LSOS_ASSERT(!setup_.plan.rovers.empty());
-  const Geodetic start = setup_.plan.rovers.front().start;
-  ground_ = drivable_ground_at(setup_.terrain, *setup_.plan.mission.planet, start,
-                               setup_.plan.mission.seed);
-  const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
-  for (const PlanRover& rover : setup_.plan.rovers) {
-    vehicles_[{rover.model(), rover.configuration}] =
-        make_vehicle(setup_.rover_models.at(rover.model()).spec, rover.configuration, g_mps2);
-  }
-  check_soil();
-  legs_ = std::make_unique<PlannedLegs>(*ground_, setup_.plan.mission.seed);
-  legs_->recall(setup_.cached_legs);
-  place_assets();
+  fleet_.assets = place_assets(setup_, site_);
   build();
-  place_rovers();
+  Faults faults = place_rovers(fleet_, machine_, *site_.ground, *host_);
+  throw_with_advice(faults);
   plan_routes();
-  make_light();
-  make_sight();
-}
-
-void Simulation::check_soil() const {
-  Faults faults;
-  const double g_mps2 = gravity_mps2(*setup_.plan.mission.planet, ground_->site().origin());
-  for (const PlanRover& rover : setup_.plan.rovers) {
-    const VehicleConfig& vehicle = vehicles_.at({rover.model(), rover.configuration});
-    const auto wheels = std::ranges::count_if(
-        vehicle.links, [](const LinkConfig& link) { return link.wheel.has_value(); });
-    const double load_n = vehicle.mass_kg() * g_mps2 / static_cast<double>(wheels);
-    for (const LinkConfig& link : vehicle.links) {
-      if (!link.wheel) continue;
-      std::string fault;
-      for (const Soil& soil : ground_->soils()) {
-        if (fault.empty()) fault = soil_fault(soil, *link.wheel, load_n, g_mps2);
-      }
-      if (fault.empty()) continue;
-      faults.error(rover.place, fmt::format("Rover '{}': {}", rover.id, fault));
-      break;
-    }
-  }
-  faults.throw_if_errors();
+  make_light_and_sight();
 }
 
 Simulation::~Simulation() = default;
 
 void Simulation::build() {
-  rovers_.clear();
+  fleet_.rovers.clear();
   host_ = setup_.make_host();
   machine_ = synthesise(setup_.plan, host_->declarations());
   for (const RoverMachine& rover : machine_.rovers) {
-    rovers_.push_back({std::make_unique<RoverAgent>(
-                           rover.rover, setup_.rover_models.at(rover.rover.model()),
-                           vehicles_.at({rover.rover.model(), rover.rover.configuration}), *ground_,
-                           sources_, *legs_, static_cast<const Surroundings&>(*this)),
-                       EventSequence(rover, machine_.mission, *ground_),
-                       SimTime{},
-                       {},
-                       true});
-    if (routes_ahead_.empty()) continue;
-    rovers_.back().agent->routes().set_ahead(routes_ahead_[rovers_.size() - 1].legs);
+    fleet_.rovers.push_back(
+        {std::make_unique<RoverAgent>(rover.rover, setup_.rover_models.at(rover.rover.model()),
+                                      site_.vehicle(rover.rover), *site_.ground, site_.sources,
+                                      *site_.legs, static_cast<const Surroundings&>(*this)),
+         EventSequence(rover, *site_.ground)});
+  }
+  hand_out_routes();
+}
+
+void Simulation::hand_out_routes() {
+  for (std::size_t i = 0; i < routes_ahead_.rovers.size(); ++i) {
+    fleet_.rovers[i].agent->routes().set_ahead(routes_ahead_.rovers[i].legs);
   }
 }
 
-void Simulation::place_rovers() {
-  Faults faults;
-  const auto plans_its_route = [&](const PlanEvent& event) {
-    try {
-      return host_->route_settings(event.type, {event.params, {}}, machine_.mission.start_time)
-          .has_value();
-    } catch (const ScriptError&) {
-      return false;  // plan_routes() reports it
-    }
-  };
-  for (std::size_t i = 0; i < rovers_.size(); ++i) {
-    try {
-      rovers_[i].agent->place(default_heading_rad(machine_.rovers[i], ground_->site()));
-    } catch (const InputError& error) {
-      faults.add(error.faults());
-    }
-    faults.add(site_faults(machine_.rovers[i], *ground_, plans_its_route));
+void Simulation::make_light_and_sight() {
+  const auto has_panels = [](const StandingAsset& asset) { return !asset.model.panels.empty(); };
+  const auto needs_sun = [](const FleetRover& rover) { return rover.agent->power().needs_sun(); };
+  const bool is_lit = std::ranges::any_of(fleet_.rovers, needs_sun) ||
+                      std::ranges::any_of(fleet_.assets, has_panels);
+  const bool is_earth_seen = site_.ground->site().body().name != earth_id;
+  const bool has_sight =
+      setup_.keeps_sight && (fleet_.rovers.size() + fleet_.assets.size() > 1 || is_earth_seen);
+  if (is_lit || has_sight) renderer_ = std::make_unique<Renderer>();
+  if (is_lit) {
+    sunlight_ =
+        std::make_unique<FleetSunlight>(*site_.ground, *renderer_, setup_.terrain.optical_depth);
   }
-  if (!faults.has_errors()) check_starts_overlap(faults);
-  throw_with_advice(faults);
+  if (has_sight) sight_ = std::make_unique<FleetSight>(*site_.ground, *renderer_, fleet_);
 }
 
 // Warnings about the ground explain errors that it causes, so they are reported together.
 void Simulation::throw_with_advice(Faults& faults) const {
   if (!faults.has_errors()) return;
-  faults.add(ground_->advice());
+  faults.add(site_.ground->advice());
   throw InputError(faults.sorted());
 }
 
 void Simulation::plan_routes() {
   if (!setup_.plans_ahead) return;
-  Faults faults;
-  routes_ahead_.resize(rovers_.size());
-  for (std::size_t i = 0; i < rovers_.size(); ++i) {
-    RoverAgent& agent = *rovers_[i].agent;
-    RouteAhead ahead = plan_ahead(machine_.rovers[i], machine_.mission, agent.view().heading_rad,
-                                  *host_, *ground_, agent.routes(), sources_, setup_.on_planning);
-    faults.add(ahead.faults);
-    const PlanRover& rover = machine_.rovers[i].rover;
-    faults.add(equipment_warnings(machine_.rovers[i], machine_.mission,
-                                  setup_.rover_models.at(rover.model()), *host_, ground_->site()));
-    routes_ahead_[i] = {agent.id(), std::move(ahead.legs), std::move(ahead.passed),
-                        std::move(ahead.drawn)};
-    agent.routes().set_ahead(routes_ahead_[i].legs);
-  }
+  routes_ahead_ = lsos::plan_routes(fleet_, machine_, site_, setup_, *host_);
+  hand_out_routes();
   // Legs are kept also when one has no route: finding that out takes longest.
-  if (setup_.cache_legs) setup_.cache_legs(legs_->kept());
+  if (setup_.cache_legs) setup_.cache_legs(site_.legs->kept());
+  Faults faults;
+  faults.add(routes_ahead_.faults);
   throw_with_advice(faults);
-  route_faults_ = faults.sorted();
 }
 
 std::vector<Fault> Simulation::advice() const {
-  std::vector<Fault> advice = ground_->advice();
-  advice.insert(advice.end(), route_faults_.begin(), route_faults_.end());
+  std::vector<Fault> advice = site_.ground->advice();
+  advice.insert(advice.end(), routes_ahead_.faults.begin(), routes_ahead_.faults.end());
   for (const RoverMachine& rover : machine_.rovers) {
-    const std::vector<Fault> coarse = coarse_ground(rover, *ground_);
+    const std::vector<Fault> coarse = coarse_ground(rover, *site_.ground);
     if (coarse.empty()) continue;
     advice.insert(advice.end(), coarse.begin(), coarse.end());
     break;
@@ -148,15 +105,19 @@ std::vector<Fault> Simulation::advice() const {
 }
 
 void Simulation::start() {
-  for (Rover& rover : rovers_) {
+  for (FleetRover& rover : fleet_.rovers) {
     rover.agent->routes().log_ahead(rover.agent->id());
     rover.agent->observe();
   }
   // Sunlight and sight are evaluated first, so that the first decisions of scripts know them.
-  if (light_) update_sunlight();
-  if (sight_) update_sight();
-  for (Rover& rover : rovers_) rover.agent->update_flows();
+  update_light_and_sight();
+  for (FleetRover& rover : fleet_.rovers) rover.agent->update_flows();
   exchange();
+}
+
+void Simulation::update_light_and_sight() {
+  if (sunlight_) sunlight_->update(fleet_, moment());
+  if (sight_) log_.write(sight_->update(fleet_, moment()));
 }
 
 void Simulation::advance(std::optional<SimTime> until) {
@@ -165,7 +126,7 @@ void Simulation::advance(std::optional<SimTime> until) {
   if (next > setup_.plan.mission.max_duration) {
     // The clock stops at the last exchange within MaxDuration.
     now_ = setup_.plan.mission.max_duration - setup_.plan.mission.max_duration % exchange_period;
-    for (Rover& rover : rovers_) rover.agent->update_energy(now_);
+    for (FleetRover& rover : fleet_.rovers) rover.agent->update_energy(now_);
     stop(setup_.plan.mission.has_max_duration
              ? "MaxDuration is over"
              : fmt::format("MaxDuration is over, {:.0f} h by default",
@@ -174,7 +135,7 @@ void Simulation::advance(std::optional<SimTime> until) {
   }
   LSOS_ASSERT(next > now_);
   std::vector<RoverAgent*> active;
-  for (Rover& rover : rovers_) {
+  for (FleetRover& rover : fleet_.rovers) {
     if (!rover.agent->is_parked()) active.push_back(rover.agent.get());
   }
   LSOS_ASSERT(active.empty() || next == now_ + exchange_period);
@@ -183,29 +144,29 @@ void Simulation::advance(std::optional<SimTime> until) {
   exchange();
 }
 
-SimTime Simulation::next_time() {
+SimTime Simulation::next_time() const {
   std::optional<SimTime> wake, next;
   bool may_wake = false;
   const auto earlier = [](std::optional<SimTime>& first, std::optional<SimTime> other) {
     if (other && (!first || *other < *first)) first = other;
   };
-  for (const Rover& rover : rovers_) {
+  for (const FleetRover& rover : fleet_.rovers) {
     if (!rover.agent->is_parked()) return now_ + exchange_period;
     may_wake |= rover.wake || rover.agent->power().waits_for_reserve();
     earlier(wake, rover.wake);
     earlier(wake, quiet_wake(rover));
-    earlier(next, next_sample(rover));
+    earlier(next, log_.next_sample(rover, now_));
   }
   if (!may_wake || !wake) {
     // Every rover waits for another. Cycles in the plan are found before the run, so a script waits
     // for something that never comes: until MaxDuration nothing happens but rows of the log.
     wake = setup_.plan.mission.max_duration + exchange_period;
   }
-  return log_ == nullptr ? *wake : std::min(*wake, *next);
+  return log_.is_open() ? std::min(*wake, *next) : *wake;
 }
 
 void Simulation::exchange() {
-  for (Rover& rover : rovers_) {
+  for (FleetRover& rover : fleet_.rovers) {
     rover.was_parked = rover.agent->is_parked();
     rover.agent->observe();
     rover.agent->update_energy(now_);
@@ -214,11 +175,11 @@ void Simulation::exchange() {
     const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
-  avoid_rovers();
-  avoid_assets();
+  avoid_rovers(fleet_);
+  avoid_assets(fleet_);
   run_scripts();
-  for (Rover& rover : rovers_) rover.agent->control();
-  for (const Rover& rover : rovers_) {
+  for (FleetRover& rover : fleet_.rovers) rover.agent->control();
+  for (const FleetRover& rover : fleet_.rovers) {
     if (rover.sequence.aborts_mission().empty()) continue;
     stop(fmt::format("'{}' of {} failed and aborts the mission", rover.sequence.aborts_mission(),
                      rover.agent->id()),
@@ -226,37 +187,36 @@ void Simulation::exchange() {
     break;
   }
   // The motion of all rovers is set before any is evaluated, so that their order does not matter.
-  for (Rover& rover : rovers_) rover.motion = motion_of(rover);
-  if (light_) update_sunlight();
-  if (sight_) update_sight();
-  share_power();
-  for (Rover& rover : rovers_) rover.agent->settle_energy();
+  for (FleetRover& rover : fleet_.rovers) rover.motion = motion_of(rover, now_);
+  update_light_and_sight();
+  share_power(fleet_, sunlight_.get(), moment());
+  for (FleetRover& rover : fleet_.rovers) rover.agent->settle_energy();
   // Rovers that still roll come to rest first, so that the last rows show where they stop.
-  is_finished_ =
-      is_finished_ || std::ranges::all_of(rovers_, [&](const Rover& rover) {
-        return rover.sequence.is_finished() &&
-               (rover.agent->is_parked() || now_ - rover.sequence.last_end() > coming_to_rest);
-      });
-  log_rows();
-  if (setup_.save_every_exchange) {
-    const std::string state = save();
-    build();
-    restore(state);
-  }
+  is_finished_ = is_finished_ || std::ranges::all_of(fleet_.rovers, [&](const FleetRover& rover) {
+                   return rover.sequence.is_finished() &&
+                          (rover.agent->is_parked() ||
+                           now_ - rover.sequence.records().last_end() > coming_to_rest);
+                 });
+  log_.write(fleet_, sight_.get(), moment());
+  if (setup_.save_every_exchange) save_and_restore();
+}
+
+Turn Simulation::turn_of(const FleetRover& rover) const {
+  return {now_, machine_.mission, *rover.agent, *host_, fleet_};
 }
 
 void Simulation::run_scripts() {
-  const std::size_t ended_before = events_ended();
-  for (Rover& rover : rovers_) {
+  const std::size_t ended_before = fleet_.events_ended();
+  for (FleetRover& rover : fleet_.rovers) {
     const bool is_due = rover.wake && *rover.wake <= now_;
     if (rover.sequence.is_finished() || (rover.agent->is_parked() && !is_due)) continue;
-    rover.sequence.run(now_, *rover.agent, *host_, *this);
-    rover.wake = rover.sequence.wake(now_);
+    rover.sequence.run(turn_of(rover));
+    rover.wake = rover.sequence.wake(now_, machine_.mission.start_time);
     take_warnings(rover);
   }
   // An event that waits for one that has ended may start at the next exchange.
-  if (events_ended() == ended_before) return;
-  for (Rover& rover : rovers_) {
+  if (fleet_.events_ended() == ended_before) return;
+  for (FleetRover& rover : fleet_.rovers) {
     if (!rover.sequence.is_finished()) {
       rover.wake = std::min(rover.wake.value_or(now_ + exchange_period), now_ + exchange_period);
     }
@@ -264,22 +224,23 @@ void Simulation::run_scripts() {
 }
 
 void Simulation::stop(const std::string& reason, bool is_failure) {
-  for (Rover& rover : rovers_) {
-    rover.sequence.stop(now_, *rover.agent, *host_, *this, reason, is_failure);
+  for (FleetRover& rover : fleet_.rovers) {
+    rover.sequence.stop(turn_of(rover), reason, is_failure);
     take_warnings(rover);
   }
   is_finished_ = true;
 }
 
-void Simulation::take_warnings(Rover& rover) {
-  for (const auto& warnings : {rover.sequence.take_warnings(), rover.agent->take_warnings()}) {
+void Simulation::take_warnings(FleetRover& rover) {
+  for (const auto& warnings :
+       {rover.sequence.take_warnings(), rover.agent->journal().take_warnings()}) {
     warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
   }
 }
 
 std::vector<EventRow> Simulation::events() const {
   std::vector<EventRow> rows;
-  for (const Rover& rover : rovers_) {
+  for (const FleetRover& rover : fleet_.rovers) {
     for (std::size_t i = 0; i < rover.sequence.records().size(); ++i) {
       rows.push_back(rover.sequence.row(i));
     }
@@ -288,58 +249,21 @@ std::vector<EventRow> Simulation::events() const {
 }
 
 double Simulation::progress() const {
-  double ended = static_cast<double>(events_ended());
-  for (const Rover& rover : rovers_) ended += rover.agent->drive_share();
+  auto ended = static_cast<double>(fleet_.events_ended());
+  for (const FleetRover& rover : fleet_.rovers) ended += rover.agent->drive().share();
   const auto events = static_cast<double>(setup_.plan.events.size());
   return events > 0 ? std::min(1.0, ended / events) : 1;
 }
 
-std::size_t Simulation::events_ended() const {
-  std::size_t count = 0;
-  for (const Rover& rover : rovers_) {
-    count += static_cast<std::size_t>(std::ranges::count_if(
-        rover.sequence.records(), [](const EventRecord& r) { return r.end.has_value(); }));
-  }
-  return count;
-}
-
 std::vector<RoverResult> Simulation::results() const {
   std::vector<RoverResult> results;
-  for (const Rover& rover : rovers_) {
-    const RoverAgent& agent = *rover.agent;
-    RoverResult result;
-    result.id = agent.id();
-    result.distance_m = agent.view().distance_m;
-    for (const EventRecord& record : rover.sequence.records()) {
-      if (record.ready && record.end) {
-        result.duration_s = std::max(result.duration_s, seconds(*record.end));
-      }
-    }
-    result.drive_s = agent.drive_s();
-    result.elevation_gain_m = agent.elevation_gain_m();
-    result.slope_max_rad = agent.slope_max_rad();
-    result.slip_greatest = agent.slip().greatest();
-    result.slip_p95 = agent.slip().p95();
-    result.slip_rolling = agent.slip().greatest_rolling();
-    result.driven_s = agent.slip().driven_s();
-    result.mean_mps = agent.slip().mean_mps();
-    result.mean_requested_mps = agent.slip().mean_requested_mps();
-    if (agent.power().has_battery()) {
-      result.energy_start_j = agent.power().energy_at_start_j();
-      result.energy_end_j = agent.power().account().energy_j;
-      result.energy_used_j = agent.energy_used_j();
-      result.solar_j = agent.solar_j();
-      result.external_j = agent.power().view().external_j;
-    }
-    result.resources = agent.power().resources();
-    results.push_back(result);
-  }
+  for (const FleetRover& rover : fleet_.rovers) results.push_back(result_of(rover));
   return results;
 }
 
 std::vector<std::string> Simulation::assumptions() const {
   std::vector<std::string> assumptions;
-  for (const auto& [key, vehicle] : vehicles_) {
+  for (const auto& [key, vehicle] : site_.vehicles) {
     for (const std::string& assumption : vehicle.assumptions) {
       // Configurations of one type share their assumptions.
       if (std::ranges::find(assumptions, assumption) == assumptions.end()) {
@@ -348,12 +272,16 @@ std::vector<std::string> Simulation::assumptions() const {
     }
   }
   const bool has_routes = std::ranges::any_of(
-      routes_ahead_, [](const RoverRoutesAhead& way) { return !way.legs.empty(); });
+      routes_ahead_.rovers, [](const RoverRoutesAhead& routes) { return !routes.legs.empty(); });
   if (has_routes) {
     assumptions.push_back(
         "planned routes: wheels share the load evenly, and all roll when turning on the spot");
   }
-  add_light_assumptions(assumptions);
+  const auto add = [&](const std::vector<std::string>& more) {
+    assumptions.insert(assumptions.end(), more.begin(), more.end());
+  };
+  for (const auto& [type, model] : setup_.asset_models) add(model.assumptions);
+  if (sunlight_) add(sunlight_->assumptions());
   if (setup_.terrain.is_synthetic) {
     const bool is_placed = std::holds_alternative<ReliefSurface>(setup_.terrain.layers.back());
     assumptions.push_back(fmt::format("{}: the terrain is synthetic{}", setup_.terrain.name,
@@ -364,32 +292,109 @@ std::vector<std::string> Simulation::assumptions() const {
   return assumptions;
 }
 
-std::string Simulation::save() {
-  Archive a = Archive::writer();
-  a.tag("simulation")(now_)(is_finished_)(warnings_);
-  for (StandingAsset& asset : assets_) a(asset.sun);
-  if (sun_over_end_) a(*sun_over_end_);
-  if (sight_) sight_->archive(a);
-  a(assets_logged_);
-  for (Rover& rover : rovers_) {
-    a (*rover.agent)(rover.wake)(rover.logged);
+std::vector<Fault> Simulation::ground_end_warnings() const {
+  return lsos::ground_end_warnings(machine_, *site_.ground, sunlight_ != nullptr);
+}
+
+void Simulation::warn_of_ends() {
+  const auto add = [&](const SightOverEnd& looks) {
+    const auto warning = looks.warning(setup_.plan.mission.start_time);
+    if (warning) warnings_.push_back(*warning);
+  };
+  if (sunlight_) add(sunlight_->over_end());
+  if (!sight_) return;
+  add(sight_->watch().earth_over_end());
+  add(sight_->watch().pairs_over_end());
+}
+
+void Simulation::terminate() {
+  log_.write(fleet_, sight_.get(), moment());
+  warn_of_ends();
+  log_.finish(fleet_, sight_.get(), moment());
+}
+
+std::optional<SimTime> Simulation::quiet_wake(const FleetRover& rover) const {
+  std::optional<SimTime> wake = rover.agent->power().wake();
+  const auto at = [&](std::optional<SimTime> time) {
+    if (time) wake = std::min(wake.value_or(*time), *time);
+  };
+  if (sunlight_) at(sunlight_->wake(*rover.agent, fleet_, now_));
+  if (sight_) at(sight_->wake());
+  at(rover.agent->antennas().next_end(now_));
+  if (wake) wake = std::max(*wake, now_ + exchange_period);
+  return wake;
+}
+
+SkyView Simulation::sky(const Geodetic& place) const {
+  return sky_view(*setup_.plan.mission.planet, place, moment().utc);
+}
+
+std::optional<PairSight> Simulation::sight(const std::string& id, const std::string& other) const {
+  if (!sight_) return {};
+  return sight_->between(fleet_, id, other);
+}
+
+void Simulation::dispatch(const PlanEvent& event) {
+  FleetRover* rover = fleet_.find(event.rover_id);
+  if (rover == nullptr) {
+    throw InputError(event.place, "there is no rover '" + event.rover_id + "'");
+  }
+  rover->sequence.add({event, host_->declarations().events.at(event.type)});
+  rover->wake = now_ + exchange_period;
+  is_finished_ = false;
+  std::vector<PlanEvent>& events = setup_.plan.events;
+  const auto at = std::ranges::find_if(events, [&](const PlanEvent& other) {
+    return std::tie(other.rover_id, other.sequence) > std::tie(event.rover_id, event.sequence);
+  });
+  events.insert(at, event);
+  // The default MaxDuration counts the events of the plan alone, so it no longer applies.
+  MissionInfo& mission = setup_.plan.mission;
+  if (!mission.has_max_duration) mission.max_duration = longest_mission;
+}
+
+void Simulation::note_interactive(const std::string& rover_id, const std::string& name,
+                                  const std::string& fields_json) {
+  const FleetRover* rover = fleet_.find(rover_id);
+  LSOS_ASSERT(rover != nullptr);
+  log_.write(NoteRow{now_, rover_id, 0, name, fields_json, rover->agent->motion().place()});
+}
+
+void Simulation::archive(Archive& a) {
+  a.tag("simulation");
+  LSOS_ARCHIVE(a, now_, is_finished_, warnings_, log_);
+  for (StandingAsset& asset : fleet_.assets) {
+    const Archive::Part part(a, asset.plan.id);
+    LSOS_ARCHIVE(a, asset.sun);
+  }
+  if (sunlight_) LSOS_ARCHIVE(a, *sunlight_);
+  if (sight_) LSOS_ARCHIVE(a, *sight_);
+  for (FleetRover& rover : fleet_.rovers) {
+    const Archive::Part part(a, rover.agent->id());
+    LSOS_ARCHIVE(a, *rover.agent, rover.wake, rover.logged);
     rover.sequence.archive(a, *host_);
   }
+}
+
+std::string Simulation::save() {
+  Archive a = Archive::writer();
+  archive(a);
   return a.bytes();
 }
 
 void Simulation::restore(const std::string& bytes) {
   Archive a = Archive::reader(bytes);
-  a.tag("simulation")(now_)(is_finished_)(warnings_);
-  for (StandingAsset& asset : assets_) a(asset.sun);
-  if (sun_over_end_) a(*sun_over_end_);
-  if (sight_) sight_->archive(a);
-  a(assets_logged_);
-  for (Rover& rover : rovers_) {
-    a (*rover.agent)(rover.wake)(rover.logged);
-    rover.sequence.archive(a, *host_);
-  }
+  archive(a);
   if (!a.is_exhausted()) throw Archive::Mismatch("saved state is longer than the program expects");
+}
+
+void Simulation::save_and_restore() {
+  const std::string state = save();
+  build();
+  restore(state);
+  const std::string again = save();
+  if (again == state) return;
+  throw InternalError(fmt::format("state differs after it was written out and read back, in {}",
+                                  first_difference(state, again, [&](Archive& a) { archive(a); })));
 }
 
 }  // namespace lsos

@@ -202,7 +202,7 @@ int distance_to_m(lua_State* L) {
   return 1;
 }
 
-DriveState drive_of(lua_State* L) { return handle_rover(L, drive_handle_type()).drive(); }
+DriveState drive_of(lua_State* L) { return handle_rover(L, drive_handle_type()).drive_state(); }
 
 int place_of(lua_State* L) {
   const std::optional<Vec3> p_S_m = rover_of(L).place_of_S_m(luaL_checkstring(L, 2));

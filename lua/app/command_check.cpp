@@ -45,7 +45,7 @@ std::string label_of(const Simulation& simulation, const std::string& rover_id,
 
 std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
   std::vector<PlannedLegLine> lines;
-  for (const Simulation::RoverRoutesAhead& routes : simulation.routes_ahead()) {
+  for (const RoverRoutesAhead& routes : simulation.routes_ahead()) {
     const auto label = [&](std::int64_t sequence) {
       return label_of(simulation, routes.rover_id, sequence);
     };
@@ -72,7 +72,7 @@ std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
 
 std::vector<DrawnEventLine> drawn_lines(const Simulation& simulation) {
   std::vector<DrawnEventLine> lines;
-  for (const Simulation::RoverRoutesAhead& routes : simulation.routes_ahead()) {
+  for (const RoverRoutesAhead& routes : simulation.routes_ahead()) {
     for (const DrawnLine& drawn : routes.drawn) {
       lines.push_back(
           {routes.rover_id, label_of(simulation, routes.rover_id, drawn.sequence), drawn});

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "mission/rover/rover_rows.h"
 #include "picture/png.h"
 
 namespace lsos {
@@ -24,13 +25,13 @@ PictureRun run_of(SimSession& session) {
   run.logged = read_logged(log, run.times, *run.ground, mission.log_interval);
   LoggedMoment& moment = run.logged.moments.front();
   moment.clear();
-  for (const std::string& id : simulation.rover_ids()) {
-    const RoverAgent& agent = *simulation.agent(id);
-    const EventSequence& sequence = *simulation.sequence(id);
-    moment.push_back({agent.sample(now, sequence.event_label(), sequence.phase()),
-                      agent.joints(now), agent.panels(now)});
-    run.logged.tracks[id].push_back({now, moment.back().sample.p_S_m});
-    run.rovers.push_back(id);
+  for (const FleetRover& rover : simulation.fleet().rovers) {
+    const RoverAgent& agent = *rover.agent;
+    const EventSequence& sequence = rover.sequence;
+    moment.push_back({sample_row(agent, now, sequence.event_label(), sequence.phase()),
+                      joint_rows(agent, now), panel_rows(agent, now)});
+    run.logged.tracks[agent.id()].push_back({now, moment.back().sample.p_S_m});
+    run.rovers.push_back(agent.id());
   }
   return run;
 }

@@ -13,14 +13,14 @@ namespace lsos {
 namespace {
 
 RoverAgent& agent_of(lua_State* L, int argument) {
-  Simulation& simulation = sim_session(L).simulation();
+  const Fleet& fleet = sim_session(L).simulation().fleet();
   const std::string id = luaL_checkstring(L, argument);
-  RoverAgent* agent = simulation.agent(id);
-  if (agent == nullptr) {
+  const FleetRover* rover = fleet.find(id);
+  if (rover == nullptr) {
     throw std::runtime_error(
-        fmt::format("there is no rover '{}'{}", id, did_you_mean(id, simulation.rover_ids())));
+        fmt::format("there is no rover '{}'{}", id, did_you_mean(id, fleet.rover_ids())));
   }
-  return *agent;
+  return *rover->agent;
 }
 
 // Logs an interactive change to a rover as a note.
@@ -97,7 +97,7 @@ int sim_silence(lua_State* L) {
 int sim_set_soil(lua_State* L) {
   const std::string soil = luaL_checkstring(L, 2);
   sim_session(L).set_soil(soil);
-  for (const std::string& id : sim_session(L).simulation().rover_ids()) {
+  for (const std::string& id : sim_session(L).simulation().fleet().rover_ids()) {
     note(L, id, "soil_set", {{"soil", soil}});
   }
   return 0;

@@ -66,9 +66,8 @@ void push_event(lua_State* L, const EventRow& row, const EventRecord& record) {
 
 template <class Visit>
 void for_each_event(lua_State* L, const Visit& visit) {
-  Simulation& simulation = sim_session(L).simulation();
-  for (const std::string& id : simulation.rover_ids()) {
-    const EventSequence& sequence = *simulation.sequence(id);
+  for (const FleetRover& rover : sim_session(L).simulation().fleet().rovers) {
+    const EventSequence& sequence = rover.sequence;
     for (std::size_t i = 0; i < sequence.records().size(); ++i) {
       if (visit(sequence.row(i), sequence.records()[i])) return;
     }
@@ -137,7 +136,7 @@ int sim_rovers(lua_State* L) {
   lua_pushcfunction(L, guard<refuse_rover>);
   lua_setfield(L, -2, "__index");
   lua_setmetatable(L, -2);
-  for (const std::string& id : sims.at(number).simulation().rover_ids()) {
+  for (const std::string& id : sims.at(number).simulation().fleet().rover_ids()) {
     push_handle(L, rover_handle_type(), sims.handle(number, id));
     lua_setfield(L, -2, id.c_str());
   }
@@ -199,17 +198,17 @@ int sim_where(lua_State* L) {
   SimSession& session = sim_session(L);
   std::string text = fmt::format("{} s", seconds(session.now()));
   if (session.simulation().is_finished()) text += ", the mission has ended";
-  for (const std::string& id : session.simulation().rover_ids()) {
-    const RoverAgent& agent = *session.simulation().agent(id);
-    const EventSequence& sequence = *session.simulation().sequence(id);
+  for (const FleetRover& rover : session.simulation().fleet().rovers) {
+    const RoverAgent& agent = *rover.agent;
+    const EventSequence& sequence = rover.sequence;
     const RoverView& view = agent.view();
     const std::string doing =
         sequence.event_label().empty()
             ? sequence.is_finished() ? "has no event left" : "waits"
             : fmt::format("'{}' in {}", sequence.event_label(), sequence.phase());
-    const Geodetic place = agent.place_now();
-    text += fmt::format("\n{}  {}  {:.6f},{:.6f} deg  {:.2f} m/s  {:.1f} m driven", id, doing,
-                        lon_deg(place), lat_deg(place), view.speed_mps, view.distance_m);
+    const Geodetic place = agent.motion().place();
+    text += fmt::format("\n{}  {}  {:.6f},{:.6f} deg  {:.2f} m/s  {:.1f} m driven", agent.id(),
+                        doing, lon_deg(place), lat_deg(place), view.speed_mps, view.distance_m);
     const double charge = agent.power().view().charge;
     if (agent.power().has_battery()) text += fmt::format("  charge {:.1f} %", 100 * charge);
   }

@@ -137,8 +137,8 @@ void SimSession::run() {
 
 std::vector<std::string> SimSession::phases() const {
   std::vector<std::string> phases;
-  for (const std::string& id : simulation_->rover_ids()) {
-    const EventSequence& sequence = *simulation_->sequence(id);
+  for (const FleetRover& rover : simulation_->fleet().rovers) {
+    const EventSequence& sequence = rover.sequence;
     phases.push_back(sequence.event_label() + '\n' + sequence.phase());
   }
   return phases;
@@ -164,11 +164,13 @@ std::set<std::int64_t> SimSession::dispatched_to(const std::string& rover_id) co
 }
 
 std::int64_t SimSession::dispatch(const std::string& rover_id, SourcePlacemark placemark) {
-  const EventSequence* sequence = simulation_->sequence(rover_id);
-  if (sequence == nullptr) {
+  const Fleet& fleet = simulation_->fleet();
+  const FleetRover* rover = fleet.find(rover_id);
+  if (rover == nullptr) {
     throw InputError({}, fmt::format("there is no rover '{}'{}", rover_id,
-                                     did_you_mean(rover_id, simulation_->rover_ids())));
+                                     did_you_mean(rover_id, fleet.rover_ids())));
   }
+  const EventSequence* sequence = &rover->sequence;
   std::vector<SourceField>& fields = placemark.data.front().fields;
   fields.push_back({"RoverId", rover_id, 0});
   if (std::ranges::find(fields, "Sequence", &SourceField::name) == fields.end()) {
@@ -209,12 +211,12 @@ void SimSession::set_soil(const std::string& name) {
 
 std::vector<std::string> SimSession::take_news() {
   std::vector<std::string> news;
-  for (const std::string& id : simulation_->rover_ids()) {
-    const EventSequence& sequence = *simulation_->sequence(id);
+  for (const FleetRover& rover : simulation_->fleet().rovers) {
+    const EventSequence& sequence = rover.sequence;
     for (std::size_t i = 0; i < sequence.events().size(); ++i) {
       const EventRecord& record = sequence.records()[i];
       const PlanEvent& event = sequence.events()[i].event;
-      const std::string name = fmt::format("{}/{}", id, event.sequence);
+      const std::string name = fmt::format("{}/{}", rover.agent->id(), event.sequence);
       if (record.status != EventStatus::failed || !reported_.insert(name).second) continue;
       news.push_back(fmt::format("{} '{}' failed at {} s: {}", name, event.label,
                                  seconds(record.end.value_or(now())), record.reason));

@@ -55,14 +55,14 @@ std::vector<std::string> SimSessions::take_news() {
 }
 
 ScriptInstance SimSessions::handle(ScriptInstance number, const std::string& rover_id) {
-  const std::vector<std::string> ids = at(number).simulation().rover_ids();
+  const std::vector<std::string> ids = at(number).simulation().fleet().rover_ids();
   return -1 - number * rovers_max - (std::ranges::find(ids, rover_id) - ids.begin());
 }
 
 RoverPort& SimSessions::rover(ScriptInstance handle) {
   Simulation& simulation = at((-1 - handle) / rovers_max).simulation();
   const auto index = static_cast<std::size_t>((-1 - handle) % rovers_max);
-  return *simulation.agent(simulation.rover_ids()[index]);
+  return *simulation.fleet().rovers[index].agent;
 }
 
 SimSessions& running_sessions(lua_State* L, const char* what) {

@@ -33,7 +33,8 @@ const std::map<std::string, std::map<std::string, int>> rooms = {
       {"events", 4},
       {"light", 4},
       {"ahead", 5},
-      {"", 6}}},
+      {"fleet", 6},
+      {"", 7}}},
     {"lua", {{"runtime", 0}, {"api", 1}, {"host", 2}, {"session", 3}, {"app", 4}}},
 };
 

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/units.h"
+#include "mission/events/awaited.h"
+#include "mission/events/event_warnings.h"
 #include "mission/model/site.h"
 #include "mission/port/note_json.h"
 
@@ -14,34 +15,11 @@ namespace lsos {
 namespace {
 
 constexpr int phase_changes_max = 100;  // at one exchange; more means an endless loop
-constexpr SimTime condition_period{1'000'000};
-// A stationary event whose Point is farther from the rover than this gets a warning.
-constexpr double far_from_point_m = 50;
-
-bool has_ended(const EventRecord& record) {
-  switch (record.status) {
-    case EventStatus::completed:
-    case EventStatus::failed:
-    case EventStatus::skipped:
-    case EventStatus::disabled:
-      return true;
-    default:
-      return false;
-  }
-}
 
 }  // namespace
 
-void EventRecord::archive(Archive& a) {
-  a(status)(reason)(
-      ready)(start)(end)(distance_start_m)(distance_m)(used_start_j)(energy_used_j)(solar_start_j)(solar_j)(place
-                                                                                                                .lon_rad)(
-      place.lat_rad)(place.height_m)(is_prevented)(is_written);
-}
-
-EventSequence::EventSequence(const RoverMachine& machine, const MissionInfo& mission,
-                             const Ground& ground)
-    : machine_(machine), mission_(mission), ground_(&ground), records_(machine.events.size()) {
+EventSequence::EventSequence(const RoverMachine& machine, const Ground& ground)
+    : machine_(machine), ground_(&ground), records_(machine.events.size()) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
     if (machine_.events[i].event.is_enabled) continue;
     records_[i].status = EventStatus::disabled;
@@ -49,79 +27,84 @@ EventSequence::EventSequence(const RoverMachine& machine, const MissionInfo& mis
   }
 }
 
-void EventSequence::run(SimTime now, RoverAgent& agent, ScriptHost& host,
-                        const EventLookup& others) {
+void EventSequence::run(const Turn& turn) {
   int changes = 0;
   while (!is_finished_) {
-    if (!has_turn_ && !give_turn(now, agent)) return;
+    if (!has_turn_ && !give_turn(turn)) return;
     if (!running_) {
-      std::string impossible;
-      if (is_met("SkipWhen", event().skip_when, now == *current().ready, now, agent, host,
-                 impossible)) {
-        note("skip_when", event().skip_when, agent);
-        end(EventStatus::skipped, "SkipWhen: " + event().skip_when.text, now, agent);
-        continue;
-      }
-      if (impossible.empty() && may_start(now, agent, host, others, impossible)) {
-        start(now, agent, host);
-        changes = 0;
-      } else if (impossible.empty()) {
-        return;
-      } else {
-        end(EventStatus::failed, impossible, now, agent);
-        continue;
-      }
-    }
-    std::string hindered = hindrance(agent);
-    if (hindered.empty() && is_met("StopWhen", event().stop_when, now == *current().start, now,
-                                   agent, host, hindered)) {
-      note("stop_when", event().stop_when, agent);
-      hindered = "StopWhen: " + event().stop_when.text;
-    }
-    if (++changes > phase_changes_max) {
-      const Fault fault{Severity::error, running_->phase_place(host),
-                        fmt::format("its phases go round without time passing, now in '{}' of {}",
-                                    running_->phase(), event().type)};
-      hindered = to_string(fault);
-    }
-    const bool is_due = running_->is_due(now, agent);
-    // An event that ends exactly at its timeout has not exceeded it.
-    if (hindered.empty() && !is_due && is_timed_out(now)) {
-      hindered = fmt::format("timed out after {} s", seconds(*event().timeout));
-    }
-    if (!hindered.empty()) {
-      const std::string state = abort(now, agent, host);
-      if (!state.empty()) hindered += "; " + state;
-      end(EventStatus::failed, hindered, now, agent);
-      if (agent.is_broken()) finish(now, hindered, true);
+      if (!begin(turn)) return;
+      changes = 0;
       continue;
     }
-    if (!is_due) return;
-    const RunningEvent::Progress progress = running_->call(now, mission_, agent, host);
-    if (const std::string advice = running_->take_advice(); !advice.empty()) {
-      warnings_.push_back(advice);
-    }
-    switch (progress) {
-      case RunningEvent::Progress::waits:
-        if (is_timed_out(now)) break;
-        return;
-      case RunningEvent::Progress::goes_on:
-        break;
-      case RunningEvent::Progress::completed:
-        warn_of_unfinished_drive(agent);
-        end(EventStatus::completed, "", now, agent);
-        break;
-      case RunningEvent::Progress::failed:
-        end(EventStatus::failed, running_->reason(), now, agent);
-        break;
-    }
+    if (!go_on(turn, changes)) return;
   }
+}
+
+bool EventSequence::begin(const Turn& turn) {
+  std::string impossible;
+  if (is_met("SkipWhen", event().skip_when, turn.now == *current().ready, turn, impossible)) {
+    note("skip_when", event().skip_when, turn.agent);
+    end(EventStatus::skipped, "SkipWhen: " + event().skip_when.text, turn);
+    return true;
+  }
+  if (impossible.empty() && may_start(turn, impossible)) {
+    start(turn);
+    return true;
+  }
+  if (impossible.empty()) return false;
+  end(EventStatus::failed, impossible, turn);
+  return true;
+}
+
+bool EventSequence::go_on(const Turn& turn, int& changes) {
+  std::string hindered = hindrance(turn.agent);
+  if (hindered.empty() &&
+      is_met("StopWhen", event().stop_when, turn.now == *current().start, turn, hindered)) {
+    note("stop_when", event().stop_when, turn.agent);
+    hindered = "StopWhen: " + event().stop_when.text;
+  }
+  if (++changes > phase_changes_max) {
+    const Fault fault{Severity::error, running_->phase_place(turn.host),
+                      fmt::format("its phases go round without time passing, now in '{}' of {}",
+                                  running_->phase(), event().type)};
+    hindered = to_string(fault);
+  }
+  const bool is_due = running_->is_due(turn);
+  // An event that ends exactly at its timeout has not exceeded it.
+  if (hindered.empty() && !is_due && is_timed_out(turn.now)) {
+    hindered = fmt::format("timed out after {} s", seconds(*event().timeout));
+  }
+  if (!hindered.empty()) {
+    const std::string state = abort(turn);
+    if (!state.empty()) hindered += "; " + state;
+    end(EventStatus::failed, hindered, turn);
+    if (turn.agent.motion().is_broken()) finish(turn.now, hindered, true);
+    return true;
+  }
+  if (!is_due) return false;
+  const RunningEvent::Progress progress = running_->call(turn);
+  if (const std::string advice = running_->take_advice(); !advice.empty()) warn(advice);
+  switch (progress) {
+    case RunningEvent::Progress::waits:
+      return is_timed_out(turn.now);
+    case RunningEvent::Progress::goes_on:
+      break;
+    case RunningEvent::Progress::completed:
+      warn(unfinished_drive_warning(event(), turn.agent));
+      end(EventStatus::completed, "", turn);
+      break;
+    case RunningEvent::Progress::failed:
+      end(EventStatus::failed, running_->reason(), turn);
+      break;
+  }
+  return true;
 }
 
 std::string EventSequence::hindrance(const RoverAgent& agent) const {
   if (is_powerless(agent)) return "the battery is empty";
-  const bool drives = agent.drive().status != DriveState::Status::none;
-  return !agent.fault().empty() && (drives || agent.is_broken()) ? agent.fault() : "";
+  const bool drives = agent.drive_state().status != DriveState::Status::none;
+  const RoverMotion& motion = agent.motion();
+  return !motion.fault().empty() && (drives || motion.is_broken()) ? motion.fault() : "";
 }
 
 bool EventSequence::is_timed_out(SimTime now) const {
@@ -129,7 +112,7 @@ bool EventSequence::is_timed_out(SimTime now) const {
 }
 
 // Gives the next enabled event its turn; false when there is none.
-bool EventSequence::give_turn(SimTime now, const RoverAgent& agent) {
+bool EventSequence::give_turn(const Turn& turn) {
   // Events that will not start any more have an end.
   while (index_ < records_.size() &&
          (current().status != EventStatus::not_started || current().end)) {
@@ -142,9 +125,9 @@ bool EventSequence::give_turn(SimTime now, const RoverAgent& agent) {
   has_turn_ = true;
   waits_for_condition_ = waits_for_charge_ = false;
   current().status = EventStatus::waiting;
-  current().ready = now;
-  current().place = agent.place_now();
-  changed(index_);
+  current().ready = turn.now;
+  current().place = turn.agent.motion().place();
+  records_.mark_changed(index_);
   return true;
 }
 
@@ -154,19 +137,18 @@ bool EventSequence::is_powerless(const RoverAgent& agent) const {
          !machine_.events[index_].declaration.goes_on_without_power;
 }
 
-bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
-                              const EventLookup& others, std::string& impossible) {
+bool EventSequence::may_start(const Turn& turn, std::string& impossible) {
   // An end counts from the next exchange on, so that the order of rovers within one exchange does
   // not matter.
   waits_for_others_ = false;
   bool is_late = false;
   for (const PlanEvent::Reference& awaited : event().start_after) {
-    const EventRecord& record = others.record(awaited);
+    const EventRecord& record = turn.others.record(awaited);
     if (!record.end) {
       waits_for_others_ = true;
-    } else if (*record.end >= now) {
+    } else if (*record.end >= turn.now) {
       is_late = true;
-    } else if (!has_ended(record)) {
+    } else if (!record.has_ended()) {
       impossible = fmt::format("{}/{}, which it waits for, can no longer run", awaited.rover_id,
                                awaited.sequence);
       return false;
@@ -178,43 +160,33 @@ bool EventSequence::may_start(SimTime now, RoverAgent& agent, ScriptHost& host,
     waits_for_others_ = !is_late;
     return false;
   }
-  const bool did_wait_for_charge = std::exchange(waits_for_charge_, is_powerless(agent));
+  const bool did_wait_for_charge = std::exchange(waits_for_charge_, is_powerless(turn.agent));
   if (waits_for_charge_ && !did_wait_for_charge) {
-    agent.set_noting_sequence(event().sequence);
-    agent.note("waits_for_charge", "{}");
+    turn.agent.journal().set_sequence(event().sequence);
+    turn.agent.note("waits_for_charge", "{}");
   }
   if (waits_for_charge_) return false;
-  if (event().start_time && *event().start_time - mission_.start_time > now) return false;
+  if (event().start_time && *event().start_time - turn.mission.start_time > turn.now) return false;
   if (event().start_when.text.empty()) return true;
   const bool did_wait = waits_for_condition_;
-  waits_for_condition_ =
-      !is_met("StartWhen", event().start_when, !did_wait, now, agent, host, impossible);
+  waits_for_condition_ = !is_met("StartWhen", event().start_when, !did_wait, turn, impossible);
   if (!waits_for_condition_) {
-    note("start_when", event().start_when, agent);
+    note("start_when", event().start_when, turn.agent);
   } else if (!did_wait) {
-    note("waits_for", event().start_when, agent);
+    note("waits_for", event().start_when, turn.agent);
   }
   return !waits_for_condition_;
 }
 
 bool EventSequence::is_met(const char* name, const PlanEvent::Condition& condition, bool is_first,
-                           SimTime now, const RoverAgent& agent, ScriptHost& host,
-                           std::string& fault) {
-  if (condition.text.empty() || (!is_first && now % condition_period != SimTime{})) return false;
-  try {
-    return host.holds(condition.text, agent.condition_sample(now, event_label(), phase()), agent);
-  } catch (const ScriptError& error) {
-    fault = to_string({Severity::error,
-                       {event().place.file, condition.line},
-                       fmt::format("{} '{}' at {} s: {} = {}: {}", event().type, event().label,
-                                   seconds(now), name, condition.text, error.what())});
-    return false;
-  }
+                           const Turn& turn, std::string& fault) const {
+  const bool is_due = is_first || turn.now % condition_period == SimTime{};
+  return !condition.text.empty() && is_due && holds(name, condition, event(), phase(), turn, fault);
 }
 
 void EventSequence::note(const char* decision, const PlanEvent::Condition& condition,
                          RoverAgent& agent) const {
-  agent.set_noting_sequence(event().sequence);
+  agent.journal().set_sequence(event().sequence);
   agent.note(decision, fmt::format(R"({{"condition":{}}})", note_json(condition.text)));
 }
 
@@ -232,43 +204,36 @@ void EventSequence::add(const EventMachine& machine) {
                                           : "what comes later has begun already"));
   }
   machine_.events.insert(at, machine);
-  records_.insert(records_.begin() + static_cast<std::ptrdiff_t>(index), EventRecord{});
+  records_.insert(index);
   is_finished_ = false;
 }
 
-void EventSequence::start(SimTime now, const RoverAgent& agent, ScriptHost& host) {
+void EventSequence::start(const Turn& turn) {
+  const RoverAgent& agent = turn.agent;
   current().status = EventStatus::running;
-  current().start = now;
+  current().start = turn.now;
   current().distance_start_m = agent.view().distance_m;
-  current().used_start_j = agent.energy_used_j();
-  current().solar_start_j = agent.solar_j();
-  current().place = agent.place_now();
-  changed(index_);
-  warn_of_late_start(now);
-  const EventMachine& machine = machine_.events[index_];
+  current().used_start_j = agent.power().energy_used_j();
+  current().solar_start_j = agent.power().solar_j();
+  current().place = agent.motion().place();
+  records_.mark_changed(index_);
+  warn(late_start_warning(event(), current(), turn));
   EventArguments arguments{event().params, on_ground_S_m(event().geometry.points, *ground_)};
   for (const std::vector<Geodetic>& hole : event().geometry.holes) {
     arguments.holes_S_m.push_back(on_ground_S_m(hole, *ground_));
   }
-  if (!machine.declaration.drives && event().geometry.kind == GeometryKind::point) {
-    const double away_m =
-        surface_distance_m(*mission_.planet, agent.place_now(), event().geometry.points.front());
-    if (away_m > far_from_point_m) {
-      warnings_.push_back(fmt::format("{} of {}: the rover is {:.0f} m from the event's Point",
-                                      event().label, event().rover_id, away_m));
-    }
-  }
-  running_.emplace(event(), arguments, now, host);
+  if (!machine_.events[index_].declaration.drives) warn(far_start_warning(event(), turn));
+  running_.emplace(event(), arguments, turn);
 }
 
-std::string EventSequence::abort(SimTime now, RoverAgent& agent, ScriptHost& host) {
-  RunningEvent::Ending ending = running_->abort(now, mission_, agent, host);
+std::string EventSequence::abort(const Turn& turn) {
+  RunningEvent::Ending ending = running_->abort(turn);
   for (std::string& fault : ending.faults) warnings_.push_back(std::move(fault));
   return ending.state;
 }
 
-void EventSequence::end(EventStatus status, const std::string& reason, SimTime now,
-                        RoverAgent& agent) {
+void EventSequence::end(EventStatus status, const std::string& reason, const Turn& turn) {
+  RoverAgent& agent = turn.agent;
   agent.release();  // stops whatever its script left under way
   EventRecord& record = current();
   if (running_) {
@@ -278,17 +243,17 @@ void EventSequence::end(EventStatus status, const std::string& reason, SimTime n
   // The reason is the first line; a script's traceback goes to the warnings.
   record.reason = reason.substr(0, reason.find('\n'));
   if (record.reason != reason) warnings_.push_back(reason);
-  record.end = now;
-  record.place = agent.place_now();
+  record.end = turn.now;
+  record.place = agent.motion().place();
   if (record.start) {
     record.distance_m = agent.view().distance_m - record.distance_start_m;
-    record.energy_used_j = agent.energy_used_j() - record.used_start_j;
-    record.solar_j = agent.solar_j() - record.solar_start_j;
+    record.energy_used_j = agent.power().energy_used_j() - record.used_start_j;
+    record.solar_j = agent.power().solar_j() - record.solar_start_j;
   }
-  changed(index_);
+  records_.mark_changed(index_);
   has_turn_ = false;
   running_.reset();
-  if (status == EventStatus::failed) after_failure(now);
+  if (status == EventStatus::failed) after_failure(turn.now);
 }
 
 void EventSequence::after_failure(SimTime now) {
@@ -312,16 +277,10 @@ void EventSequence::after_failure(SimTime now) {
   }
 }
 
-// Starts no more events. Those that have not started get an end, which events waiting for them read
-// as never to run.
+// Starts no more events.
 void EventSequence::finish(SimTime now, const std::string& reason, bool is_failure) {
   is_finished_ = true;
-  for (std::size_t i = 0; i < records_.size(); ++i) {
-    if (records_[i].status != EventStatus::not_started || records_[i].end) continue;
-    records_[i].end = now;
-    records_[i].reason = reason;
-    records_[i].is_prevented = is_failure;
-  }
+  records_.prevent_rest(now, reason, is_failure);
 }
 
 void EventSequence::skip_to(std::size_t index, SimTime now) {
@@ -336,7 +295,7 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
   index_ = index;
 }
 
-std::optional<SimTime> EventSequence::wake(SimTime now) const {
+std::optional<SimTime> EventSequence::wake(SimTime now, Instant mission_start) const {
   if (is_finished_) return std::nullopt;
   const SimTime next = now + exchange_period;
   const SimTime next_evaluation = (now / condition_period + 1) * condition_period;
@@ -357,7 +316,7 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
   if (!waits_for_others_ && !waits_for_charge_) {
     wake = next;
     if (event().start_time) {
-      wake = std::max(next, round_up_to_exchange(*event().start_time - mission_.start_time));
+      wake = std::max(next, round_up_to_exchange(*event().start_time - mission_start));
     }
   }
   if (!event().skip_when.text.empty())
@@ -365,19 +324,68 @@ std::optional<SimTime> EventSequence::wake(SimTime now) const {
   return wake;
 }
 
-SimTime EventSequence::last_end() const {
-  SimTime last{};
-  for (const EventRecord& record : records_) last = std::max(last, record.end.value_or(SimTime{}));
-  return last;
+std::string EventSequence::progress_until(const Turn& turn) {
+  std::string text = fmt::format("in phase '{}' since {:.0f} s", running_->phase(),
+                                 seconds(running_->phase_start()));
+  const DriveState drive = turn.agent.drive_state();
+  std::string state = abort(turn);
+  if (state.empty() && drive.status == DriveState::Status::driving) {
+    state = fmt::format("{:.0f} m are left to drive", drive.remaining_m);
+  }
+  return state.empty() ? text : text + "; " + state;
+}
+
+void EventSequence::stop(const Turn& turn, const std::string& why, bool is_failure) {
+  std::string reason = why, of_the_rest = why;
+  if (has_turn_ && !is_failure) {
+    of_the_rest += fmt::format("; its turn did not come, '{}' {}", event().label,
+                               running_ ? "was under way" : "waited to start");
+  }
+  if (running_ && is_failure) {
+    abort(turn);
+  } else if (running_) {
+    reason += ", " + progress_until(turn);
+  } else if (has_turn_ && !is_failure) {
+    const std::string awaited = awaited_text(event(), waits_for_charge_, turn);
+    if (!awaited.empty()) reason += "; it waited for " + awaited;
+  }
+  if (has_turn_) {
+    const bool has_started = current().start.has_value();
+    current().is_prevented = is_failure && !has_started;
+    end(has_started ? EventStatus::incomplete : EventStatus::not_started, reason, turn);
+  }
+  finish(turn.now, of_the_rest, is_failure);
+}
+
+std::string EventSequence::event_label() const { return running_ ? event().label : ""; }
+std::string EventSequence::phase() const { return running_ ? running_->phase() : ""; }
+
+EventRow EventSequence::row(std::size_t index) const {
+  return event_row(machine_.events[index].event, records_[index]);
+}
+
+std::vector<PhaseRow> EventSequence::take_phases() {
+  if (running_) {
+    for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));
+  }
+  return std::exchange(phases_, {});
+}
+
+std::vector<std::string> EventSequence::take_warnings() { return std::exchange(warnings_, {}); }
+
+void EventSequence::warn(std::optional<std::string> warning) {
+  if (warning) warnings_.push_back(std::move(*warning));
 }
 
 void EventSequence::archive(Archive& a, ScriptHost& host) {
-  a.tag("events")(records_)(
-      index_)(has_turn_)(waits_for_others_)(waits_for_charge_)(waits_for_condition_)(is_finished_)(aborts_mission_);
   bool is_running = running_.has_value();
-  a(is_running);
+  a.tag("events");
+  LSOS_ARCHIVE(a, records_, index_, has_turn_, waits_for_others_, waits_for_charge_,
+               waits_for_condition_, is_finished_, aborts_mission_, is_running);
   if (a.is_reading() && is_running) running_.emplace(event());
-  if (is_running) running_->archive(a, host);
+  if (!is_running) return;
+  const Archive::Part part(a, "running_");
+  running_->archive(a, host);
 }
 
 }  // namespace lsos

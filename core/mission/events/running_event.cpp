@@ -20,59 +20,57 @@ RunningEvent::RunningEvent(const PlanEvent& event)
       sequence_(event.sequence),
       place_(event.place) {}
 
-RunningEvent::RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
-                           ScriptHost& host)
+RunningEvent::RunningEvent(const PlanEvent& event, const EventArguments& arguments,
+                           const Turn& turn)
     : RunningEvent(event) {
-  push(event.type, arguments, "", now, host);
+  push(event.type, arguments, "", turn);
 }
 
-bool RunningEvent::is_due(SimTime now, const RoverAgent& agent) const {
+bool RunningEvent::is_due(const Turn& turn) const {
   switch (wake_) {
     case Wake::next_exchange:
       return true;
     case Wake::at_time:
-      return now >= wake_at_ || agent.power().has_reached_charge();
+      return turn.now >= wake_at_ || turn.agent.power().has_reached_charge();
     case Wake::arrival:
-      return agent.drive().status != DriveState::Status::driving;
+      return turn.agent.drive_state().status != DriveState::Status::driving;
   }
   return true;
 }
 
-RunningEvent::Progress RunningEvent::call(SimTime now, const MissionInfo& mission,
-                                          RoverAgent& agent, ScriptHost& host) {
-  PhaseContext called = context(now, mission, agent);
-  agent.set_noting_sequence(sequence_);
+RunningEvent::Progress RunningEvent::call(const Turn& turn) {
+  PhaseContext called = context(turn);
+  turn.agent.journal().set_sequence(sequence_);
   PhaseAnswer answer;
   try {
-    answer = host.run_phase(frames_.back().instance, frames_.back().phase, called);
+    answer = turn.host.run_phase(frames_.back().instance, frames_.back().phase, called);
   } catch (const ScriptError& error) {
-    return fail(error.what(), now, mission, agent, host);
+    return fail(error.what(), turn);
   }
   if (const auto* failure = std::get_if<Fail>(&answer)) {
-    return fail(failure->reason, now, mission, agent, host);
+    return fail(failure->reason, turn);
   }
   if (std::holds_alternative<RunEvent>(answer) && frames_.size() >= frames_max) {
-    return fail(fmt::format("events within events more than {} deep", frames_max), now, mission,
-                agent, host);
+    return fail(fmt::format("events within events more than {} deep", frames_max), turn);
   }
-  if (std::holds_alternative<Arrival>(answer) && agent.drive().status == DriveState::Status::none) {
-    return fail("it answers lsos.arrival, and nothing drives: rover:follow was not called", now,
-                mission, agent, host);
+  if (std::holds_alternative<Arrival>(answer) &&
+      turn.agent.drive_state().status == DriveState::Status::none) {
+    return fail("it answers lsos.arrival, and nothing drives: rover:follow was not called", turn);
   }
   const bool waits = std::holds_alternative<Stay>(answer) ||
                      std::holds_alternative<SleepUntil>(answer) ||
                      std::holds_alternative<Arrival>(answer);
-  return waits ? wait(answer, now, agent) : go_on(answer, now, agent, host);
+  return waits ? wait(answer, turn) : go_on(answer, turn);
 }
 
-RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now,
-                                          const RoverAgent& agent) {
+RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, const Turn& turn) {
   wake_ = Wake::at_time;
-  wake_at_ = now + exchange_period;
+  wake_at_ = turn.now + exchange_period;
   // The advice is given once, at the exchange at which the hour is over.
-  const SimTime stayed = now - frames_.back().phase_start;
+  const SimTime stayed = turn.now - frames_.back().phase_start;
   if (std::holds_alternative<Stay>(answer) && stayed >= long_stay &&
-      stayed - exchange_period < long_stay && agent.drive().status != DriveState::Status::driving) {
+      stayed - exchange_period < long_stay &&
+      turn.agent.drive_state().status != DriveState::Status::driving) {
     advice_ = fmt::format(
         "{}:{}: {} '{}': phase '{}' of {} has answered nothing for an hour and is called every "
         "0.1 s, while nothing drives; does a 'return lsos.done' lack, or an lsos.sleep?",
@@ -83,58 +81,54 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, SimTime now
   }
   // When nothing drives, the phase is called again at the next exchange rather than never.
   if (std::holds_alternative<Arrival>(answer) &&
-      agent.drive().status == DriveState::Status::driving) {
+      turn.agent.drive_state().status == DriveState::Status::driving) {
     wake_ = Wake::arrival;
   }
   return Progress::waits;
 }
 
-RunningEvent::Progress RunningEvent::go_on(const PhaseAnswer& answer, SimTime now,
-                                           RoverAgent& agent, ScriptHost& host) {
+RunningEvent::Progress RunningEvent::go_on(const PhaseAnswer& answer, const Turn& turn) {
   wake_ = Wake::next_exchange;
   if (const auto* go = std::get_if<GoTo>(&answer)) {
-    enter_phase(go->phase, now);
+    enter_phase(go->phase, turn.now);
     return Progress::goes_on;
   }
   if (const auto* inner = std::get_if<RunEvent>(&answer)) {
-    push(inner->type, inner->arguments, inner->next, now, host);
-    frames_.back().outer = agent.power().claims();
+    push(inner->type, inner->arguments, inner->next, turn);
+    frames_.back().outer = turn.agent.power().claims();
     return Progress::goes_on;
   }
   // Done ends this event and every outer event whose last phase it was.
   std::string next;
   while (!frames_.empty() && next.empty()) {
     next = frames_.back().next;
-    pop(now, agent, host);
+    pop(turn);
   }
   if (frames_.empty()) return Progress::completed;
-  enter_phase(next, now);
+  enter_phase(next, turn.now);
   return Progress::goes_on;
 }
 
-RunningEvent::Progress RunningEvent::fail(const std::string& reason, SimTime now,
-                                          const MissionInfo& mission, RoverAgent& agent,
-                                          ScriptHost& host) {
+RunningEvent::Progress RunningEvent::fail(const std::string& reason, const Turn& turn) {
   reason_ = reason;
-  for (const std::string& fault : abort(now, mission, agent, host).faults) reason_ += "; " + fault;
+  for (const std::string& fault : abort(turn).faults) reason_ += "; " + fault;
   return Progress::failed;
 }
 
-RunningEvent::Ending RunningEvent::abort(SimTime now, const MissionInfo& mission, RoverAgent& agent,
-                                         ScriptHost& host) {
+RunningEvent::Ending RunningEvent::abort(const Turn& turn) {
   Ending ending;
-  agent.set_noting_sequence(sequence_);
+  turn.agent.journal().set_sequence(sequence_);
   while (!frames_.empty()) {
-    PhaseContext called = context(now, mission, agent);
+    PhaseContext called = context(turn);
     try {
-      const std::string state = host.run_abort(frames_.back().instance, called);
+      const std::string state = turn.host.run_abort(frames_.back().instance, called);
       if (!state.empty()) ending.state += (ending.state.empty() ? "" : "; ") + state;
     } catch (const ScriptError& error) {
       ending.faults.push_back(error.what());
     }
-    pop(now, agent, host);
+    pop(turn);
   }
-  agent.brake();
+  turn.agent.brake();
   return ending;
 }
 
@@ -150,14 +144,13 @@ std::optional<SimTime> RunningEvent::wake(SimTime now) const {
   return std::nullopt;
 }
 
-PhaseContext RunningEvent::context(SimTime now, const MissionInfo& mission,
-                                   RoverAgent& agent) const {
-  return {.rover = agent,
-          .now = now,
+PhaseContext RunningEvent::context(const Turn& turn) const {
+  return {.rover = turn.agent,
+          .now = turn.now,
           .phase_start = frames_.back().phase_start,
           .event_start = frames_.back().start,
-          .mission_start = mission.start_time,
-          .seed = mission.seed,
+          .mission_start = turn.mission.start_time,
+          .seed = turn.mission.seed,
           .rover_id = rover_id_,
           .sequence = sequence_,
           .label = label_,
@@ -173,22 +166,22 @@ Place RunningEvent::phase_place(const ScriptHost& host) const {
 }
 
 void RunningEvent::push(const std::string& type, const EventArguments& arguments,
-                        const std::string& next, SimTime now, ScriptHost& host) {
+                        const std::string& next, const Turn& turn) {
   Frame frame;
   frame.type = type;
   frame.arguments = arguments;
-  frame.phase = host.declarations().events.at(type).start_phase;
+  frame.phase = turn.host.declarations().events.at(type).start_phase;
   frame.next = next;
-  frame.start = frame.phase_start = now;
+  frame.start = frame.phase_start = turn.now;
   frame.number = begun_++;
-  frame.instance = host.begin(type, arguments);
+  frame.instance = turn.host.begin(type, arguments);
   frames_.push_back(std::move(frame));
 }
 
-void RunningEvent::pop(SimTime now, RoverAgent& agent, ScriptHost& host) {
-  end_phase(now);
-  host.end(frames_.back().instance);
-  agent.power().set_claims(frames_.back().outer);
+void RunningEvent::pop(const Turn& turn) {
+  end_phase(turn.now);
+  turn.host.end(frames_.back().instance);
+  turn.agent.power().set_claims(frames_.back().outer);
   frames_.pop_back();
 }
 
@@ -207,15 +200,14 @@ void RunningEvent::end_phase(SimTime now) {
 std::vector<PhaseRow> RunningEvent::take_phases() { return std::exchange(phases_, {}); }
 
 void RunningEvent::archive(Archive& a, ScriptHost& host) {
-  a.tag("running")(begun_)(wake_)(wake_at_);
+  a.tag("running");
   std::uint64_t depth = frames_.size();
-  a(depth);
+  LSOS_ARCHIVE(a, begun_, wake_, wake_at_, depth);
   if (a.is_reading()) frames_.resize(depth);
   for (Frame& frame : frames_) {
-    a(frame.type)(frame.phase)(frame.next)(frame.start)(frame.phase_start)(frame.number)(
-        frame.outer)(frame.arguments);
     std::string state = a.is_reading() ? "" : host.save(frame.instance);
-    a(state);
+    LSOS_ARCHIVE(a, frame.type, frame.phase, frame.next, frame.start, frame.phase_start,
+                 frame.number, frame.outer, frame.arguments, state);
     if (a.is_reading()) {
       frame.instance = host.begin(frame.type, frame.arguments);
       host.restore(frame.instance, state);

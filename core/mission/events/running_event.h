@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mission/port/script_host.h"
-#include "mission/rover/rover_agent.h"
-#include "plan/plan.h"
+#include "mission/events/turn.h"
 
 namespace lsos {
 
@@ -18,20 +16,19 @@ class RunningEvent {
   enum class Progress { waits, goes_on, completed, failed };
 
   explicit RunningEvent(const PlanEvent& event);  // to be read from an archive
-  RunningEvent(const PlanEvent& event, const EventArguments& arguments, SimTime now,
-               ScriptHost& host);
+  RunningEvent(const PlanEvent& event, const EventArguments& arguments, const Turn& turn);
 
-  // Whether the script is due at `now`.
-  bool is_due(SimTime now, const RoverAgent& agent) const;
+  // Whether the script is due now.
+  bool is_due(const Turn& turn) const;
   // Calls the present phase once. `goes_on`: another call is due at this exchange. After
   // `completed` and `failed` (with the reason) no script runs any more.
-  Progress call(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
+  Progress call(const Turn& turn);
   // Ends the event from outside, innermost first: each script may clean up and report its progress.
   struct Ending {
     std::vector<std::string> faults;  // errors of scripts while cleaning up
     std::string state;                // "charge was 0.42, UntilCharge is 0.8"; "": not reported
   };
-  Ending abort(SimTime now, const MissionInfo& mission, RoverAgent& agent, ScriptHost& host);
+  Ending abort(const Turn& turn);
 
   // When it is due even if nothing else happens; nullopt: at an arrival.
   std::optional<SimTime> wake(SimTime now) const;
@@ -63,15 +60,14 @@ class RunningEvent {
   };
   enum class Wake { next_exchange, at_time, arrival };
 
-  PhaseContext context(SimTime now, const MissionInfo& mission, RoverAgent& agent) const;
-  Progress fail(const std::string& reason, SimTime now, const MissionInfo& mission,
-                RoverAgent& agent, ScriptHost& host);
-  Progress wait(const PhaseAnswer& answer, SimTime now, const RoverAgent& agent);
-  Progress go_on(const PhaseAnswer& answer, SimTime now, RoverAgent& agent, ScriptHost& host);
+  PhaseContext context(const Turn& turn) const;
+  Progress fail(const std::string& reason, const Turn& turn);
+  Progress wait(const PhaseAnswer& answer, const Turn& turn);
+  Progress go_on(const PhaseAnswer& answer, const Turn& turn);
   void enter_phase(const std::string& phase, SimTime now);
   void push(const std::string& type, const EventArguments& arguments, const std::string& next,
-            SimTime now, ScriptHost& host);
-  void pop(SimTime now, RoverAgent& agent, ScriptHost& host);
+            const Turn& turn);
+  void pop(const Turn& turn);
   void end_phase(SimTime now);
 
   std::string rover_id_, label_;

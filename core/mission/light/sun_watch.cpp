@@ -34,7 +34,7 @@ void append_masts(Mesh& mesh, const RoverAgent& rover, const std::vector<PartPos
 }  // namespace
 
 void append_solids(Mesh& mesh, const RoverAgent& rover, const Vec3& eye_S_m, SimTime now) {
-  const std::vector<PartPose> poses = rover.part_poses();
+  const std::vector<PartPose> poses = rover.motion().part_poses();
   rover.shape().append_to(mesh, poses, eye_S_m);
   append_masts(mesh, rover, poses, eye_S_m, now);
   const PanelArray& panels = rover.power().panels();
@@ -56,7 +56,7 @@ void append_solids(Mesh& mesh, const StandingAsset& asset, const Vec3& eye_S_m, 
 void aim_panels(const Ground& ground, RoverAgent& rover, const Sunlight& sun, SimTime now) {
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = rover.view().p_S_m;
-  const Mat3 R_BS = rover.part_poses()[0].R_SB.transpose();
+  const Mat3 R_BS = rover.motion().part_poses()[0].R_SB.transpose();
   rover.power().panels().aim(
       {R_BS * direction_S(site, p_S_m, sun.seen), sun.seen.elevation_rad + sun.disc_rad > 0,
        R_BS * site.north_S(p_S_m), R_BS * site.up_S(p_S_m)},
@@ -68,7 +68,7 @@ PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const RoverA
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = rover.view().p_S_m;
   const Vec3 sun_S = direction_S(site, p_S_m, sun.seen);
-  const std::vector<PartPose> poses = rover.part_poses();
+  const std::vector<PartPose> poses = rover.motion().part_poses();
   const Mat3& R_SB = poses[0].R_SB;
   const PanelArray& panels = rover.power().panels();
 

@@ -101,7 +101,7 @@ class RoverPort {
   virtual ~RoverPort() = default;
 
   virtual const RoverView& view() const = 0;
-  virtual DriveState drive() const = 0;
+  virtual DriveState drive_state() const = 0;
 
   // Drives along waypoints (site frame), beginning with the first; replaces the path it was
   // following.

@@ -31,8 +31,8 @@ double SecondMean::value() const {
 }
 
 void SecondMean::archive(Archive& a) {
-  for (double& value : last_) a(value);
-  a(count_);
+  for (double& value : last_) LSOS_ARCHIVE(a, value);
+  LSOS_ARCHIVE(a, count_);
 }
 
 void SlipHistogram::add(double slip) {

@@ -39,7 +39,7 @@ class SlipHistogram {
   // at most half a bin off. NaN without any.
   double quantile(double share) const;
 
-  void archive(Archive& a) { a(exchanges_); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, exchanges_); }
 
  private:
   std::map<std::int32_t, std::int64_t>
@@ -82,8 +82,9 @@ class DriveSlip {
   double mean_requested_mps() const { return requested_m_ / driven_s(); }
 
   void archive(Archive& a) {
-    a(driving_)(now_)(now_max_)(histogram_)(greatest_)(rolling_exchanges_)(greatest_rolling_);
-    a(rolling_m_)(requested_m_);
+    LSOS_ARCHIVE(a, driving_, now_, now_max_, histogram_, greatest_, rolling_exchanges_,
+                 greatest_rolling_);
+    LSOS_ARCHIVE(a, rolling_m_, requested_m_);
   }
 
  private:

@@ -112,6 +112,14 @@ EnergyAccount RoverPower::account() const {
   return after(*spec_.battery, at_start_, demand_, seconds(now_ - start_));
 }
 
+double RoverPower::energy_used_j() const {
+  if (!has_battery()) return not_modelled;
+  const EnergyAccount account = this->account();
+  return account.load_j + account.drive_j + account.loss_j;
+}
+
+double RoverPower::solar_j() const { return has_battery() ? account().solar_j : not_modelled; }
+
 PowerFlows RoverPower::flows() const {
   return power_flows(*spec_.battery, account().energy_j, demand_);
 }
@@ -359,15 +367,12 @@ void RoverPower::steer_panel(const std::string& name, const Steering& steering) 
 }
 
 void RoverPower::archive(Archive& a) {
-  a.tag("power")(panels_)(now_)(p_S_m_)(start_);
-  for (double* value :
-       {&at_start_.energy_j, &at_start_.solar_j, &at_start_.external_j, &at_start_.load_j,
-        &at_start_.drive_j, &at_start_.loss_j, &demand_.solar_available_w, &demand_.external_w,
-        &demand_.load_w, &demand_.drive_w}) {
-    a(*value);
-  }
-  a(sun_)(claims_)(given_w_)(injected_at_)(sun_share_)(resources_);
-  a(waits_for_reserve_)(has_reserve_changed_)(has_reached_charge_)(has_panel_command_);
+  a.tag("power");
+  LSOS_ARCHIVE(a, panels_, now_, p_S_m_, start_, at_start_.energy_j, at_start_.solar_j,
+               at_start_.external_j, at_start_.load_j, at_start_.drive_j, at_start_.loss_j,
+               demand_.solar_available_w, demand_.external_w, demand_.load_w, demand_.drive_w, sun_,
+               claims_, given_w_, injected_at_, sun_share_, resources_, waits_for_reserve_,
+               has_reserve_changed_, has_reached_charge_, has_panel_command_);
 }
 
 }  // namespace lsos

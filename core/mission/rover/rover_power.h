@@ -29,13 +29,13 @@ struct PanelSunlight {
   struct Panel {
     double sun_fraction = 0, cosine = 0, power_w = 0;
 
-    void archive(Archive& a) { a(sun_fraction)(cosine)(power_w); }
+    void archive(Archive& a) { LSOS_ARCHIVE(a, sun_fraction, cosine, power_w); }
   };
   SimTime time{};
   bool is_dark = false;  // no sunlight falls on the rover
   std::vector<Panel> panels;
 
-  void archive(Archive& a) { a(time)(is_dark)(panels); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, time, is_dark, panels); }
 };
 
 // What the running event has requested; it holds until the event ends.
@@ -47,7 +47,7 @@ struct PowerClaims {
   bool is_short_reported = false;  // whether short supply has been reported
 
   void archive(Archive& a) {
-    a(supply_w)(work_w)(plugged_into)(asked_w)(charge_awaited)(is_short_reported);
+    LSOS_ARCHIVE(a, supply_w, work_w, plugged_into, asked_w, charge_awaited, is_short_reported);
   }
 };
 
@@ -103,6 +103,10 @@ class RoverPower : public PowerPort {
 
   double energy_at_start_j() const { return energy_at_start_j_; }
   EnergyAccount account() const;
+  // Energy of loads, drives and losses since the start, and energy from panels; NaN without a
+  // battery.
+  double energy_used_j() const;
+  double solar_j() const;
   PowerFlows flows() const;
   double solar_available_w() const { return demand_.solar_available_w; }
   const std::map<std::string, double>& resources() const { return resources_; }

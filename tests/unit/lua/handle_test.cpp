@@ -44,7 +44,7 @@ TEST(Handle, drive_tells_what_became_of_follow) {
     assert(rover.drive.status == 'failed' and rover.drive.reason == 'stuck')
     assert(rover.drive.remaining_m == 12.5)
     return lsos.done)");
-  run->rover.drive_state = {DriveState::Status::failed, "stuck", 12.5};
+  run->rover.driving = {DriveState::Status::failed, "stuck", 12.5};
   expect_done(*run);
 }
 

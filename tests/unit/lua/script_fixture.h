@@ -21,7 +21,7 @@ namespace lsos {
 class RecordingRover : public RoverPort {
  public:
   RoverView rover;
-  DriveState drive_state;
+  DriveState driving;
   std::vector<std::string> calls;  // "brake", "follow 2 points", "note NAME JSON"
   Path3 path;
   FollowSettings settings;
@@ -31,7 +31,7 @@ class RecordingRover : public RoverPort {
   bool antenna_moves = true;  // whether deploying an antenna has an effect
 
   const RoverView& view() const override { return rover; }
-  DriveState drive() const override { return drive_state; }
+  DriveState drive_state() const override { return driving; }
   void follow(const Path3& path_S_m, const FollowSettings& with) override {
     path = path_S_m;
     settings = with;

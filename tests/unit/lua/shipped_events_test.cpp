@@ -32,9 +32,9 @@ TEST_F(ShippedEvents, route_follows_its_line_and_brakes_at_the_end) {
   EXPECT_EQ(rover.path, arguments.geometry_S_m);
   EXPECT_EQ(rover.settings.speed_mps, 2.0);
   EXPECT_EQ(rover.settings.arrival_radius_m, 1.5);
-  rover.drive_state.status = DriveState::Status::driving;
+  rover.driving.status = DriveState::Status::driving;
   EXPECT_TRUE(std::holds_alternative<Arrival>(run("drive")));
-  rover.drive_state.status = DriveState::Status::arrived;
+  rover.driving.status = DriveState::Status::arrived;
   EXPECT_EQ(std::get<GoTo>(run("drive")).phase, "stop");
   EXPECT_TRUE(std::holds_alternative<Done>(run("stop")));
   EXPECT_THAT(rover.calls, ElementsAre("follow 2 points", "brake"));
@@ -55,8 +55,8 @@ TEST_F(ShippedEvents, route_fails_with_the_reason_of_the_drive) {
   arguments.geometry_S_m = {Vec3(10, 0, 0)};
   instance = host.begin("Route", arguments);
   run("start");
-  rover.drive_state.status = DriveState::Status::failed;
-  rover.drive_state.reason = "stuck: slip 100 %";
+  rover.driving.status = DriveState::Status::failed;
+  rover.driving.reason = "stuck: slip 100 %";
   EXPECT_EQ(std::get<Fail>(run("drive")).reason, "stuck: slip 100 %");
 }
 
@@ -78,10 +78,10 @@ class PathPlanRoute : public ShippedEvents {
 
   // Lets the drive fail on the leg to a point of the path; the first point is 0.
   void fail_drive(bool is_blocked, std::size_t next_point) {
-    rover.drive_state.status = DriveState::Status::failed;
-    rover.drive_state.reason = "stuck";
-    rover.drive_state.is_blocked = is_blocked;
-    rover.drive_state.next_point = next_point;
+    rover.driving.status = DriveState::Status::failed;
+    rover.driving.reason = "stuck";
+    rover.driving.is_blocked = is_blocked;
+    rover.driving.next_point = next_point;
   }
 
   EventArguments arguments;
@@ -94,9 +94,9 @@ TEST_F(PathPlanRoute, follows_the_way_that_is_planned) {
   EXPECT_EQ(rover.route.arrival_radius_m, 1.5);
   EXPECT_EQ(rover.route.speed_mps, std::nullopt);
   EXPECT_EQ(rover.settings.cross_track_max_m, 4);
-  rover.drive_state.status = DriveState::Status::driving;
+  rover.driving.status = DriveState::Status::driving;
   EXPECT_TRUE(std::holds_alternative<Arrival>(run("drive")));
-  rover.drive_state.status = DriveState::Status::arrived;
+  rover.driving.status = DriveState::Status::arrived;
   EXPECT_EQ(std::get<GoTo>(run("drive")).phase, "stop");
   EXPECT_THAT(rover.calls, ElementsAre("plan from 1 of 3", "follow 4 points"));
 }

@@ -51,7 +51,7 @@ inline std::unique_ptr<ScriptHost> make_host() {
   });
   host->set_drives("Leave");
   host->add("Drive", "arrive", [](MockInstance&, PhaseContext& c) -> PhaseAnswer {
-    const DriveState drive = c.rover.drive();
+    const DriveState drive = c.rover.drive_state();
     if (drive.status == DriveState::Status::failed) return Fail{drive.reason};
     if (drive.status == DriveState::Status::arrived) return Done{};
     return Arrival{};
@@ -64,7 +64,7 @@ inline std::unique_ptr<ScriptHost> make_host() {
     return GoTo{"arrive"};
   });
   host->add("Plan", "arrive", [](MockInstance&, PhaseContext& c) -> PhaseAnswer {
-    const DriveState drive = c.rover.drive();
+    const DriveState drive = c.rover.drive_state();
     if (drive.status == DriveState::Status::failed) return Fail{drive.reason};
     if (drive.status == DriveState::Status::arrived) return Done{};
     return Arrival{};

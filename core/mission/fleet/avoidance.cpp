@@ -1,0 +1,84 @@
+#include "mission/fleet/avoidance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace lsos {
+
+namespace {
+
+template <class Touches>
+bool any_of(const RoverAgent& rover, const Touches& touches) {
+  return std::ranges::any_of(rover.drive().footprints_ahead(), touches);
+}
+
+// Bound on how far the centre of a rover moves before it rests; from 5 m/s that is some 60 m.
+// Smaller: fast rovers are stopped too late, larger: more pairs are checked.
+constexpr double stopping_reach_m = 100;
+
+}  // namespace
+
+std::vector<Fault> overlapping_starts(const Fleet& fleet, const MissionMachine& machine) {
+  Faults faults;
+  for (std::size_t i = 0; i < fleet.rovers.size(); ++i) {
+    const RoverAgent& rover = *fleet.rovers[i].agent;
+    for (const StandingAsset& asset : fleet.assets) {
+      if (gap_m(asset, rover.motion().footprint()) > 0) continue;
+      faults.error(
+          machine.rovers[i].rover.place,
+          fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre", rover.id(),
+                      asset.plan.id, (rover.view().p_S_m - asset.pose.p_S_m).norm()));
+    }
+    for (std::size_t k = i + 1; k < fleet.rovers.size(); ++k) {
+      const RoverAgent &a = *fleet.rovers[i].agent, &b = *fleet.rovers[k].agent;
+      if (!overlap(a.motion().footprint(), b.motion().footprint())) continue;
+      faults.error(machine.rovers[k].rover.place,
+                   fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre",
+                               b.id(), a.id(), (b.view().p_S_m - a.view().p_S_m).norm()));
+    }
+  }
+  return faults.sorted();
+}
+
+void avoid_rovers(Fleet& fleet) {
+  for (std::size_t i = 0; i < fleet.rovers.size(); ++i) {
+    for (std::size_t k = i + 1; k < fleet.rovers.size(); ++k) {
+      RoverAgent &a = *fleet.rovers[i].agent, &b = *fleet.rovers[k].agent;
+      if (a.is_parked() && b.is_parked()) continue;
+      const Footprint of_a = a.motion().footprint(), of_b = b.motion().footprint();
+      const double now_m = gap_m(of_a, of_b), apart_m = (of_b.center_S_m - of_a.center_S_m).norm();
+      if (now_m > 2 * stopping_reach_m) continue;
+      const bool would_touch =
+          any_of(a, [&](const Footprint& a_then) { return overlap(a_then, of_b); }) ||
+          any_of(b, [&](const Footprint& b_then) {
+            return overlap(of_a, b_then) ||
+                   any_of(a, [&](const Footprint& a_then) { return overlap(a_then, b_then); });
+          });
+      if (!would_touch) continue;
+      const double period_s = seconds(exchange_period);
+      if (gap_m(a.motion().footprint(period_s), of_b) < now_m)
+        a.drive().end_before(b.id(), apart_m);
+      if (gap_m(of_a, b.motion().footprint(period_s)) < now_m)
+        b.drive().end_before(a.id(), apart_m);
+    }
+  }
+}
+
+void avoid_assets(Fleet& fleet) {
+  for (const FleetRover& rover : fleet.rovers) {
+    RoverAgent& agent = *rover.agent;
+    if (agent.is_parked()) continue;
+    for (const StandingAsset& asset : fleet.assets) {
+      const double apart_m = (agent.view().p_S_m - asset.pose.p_S_m).norm();
+      if (apart_m > asset.shape.reach_m() + stopping_reach_m) continue;
+      if (!any_of(agent, [&](const Footprint& then) { return gap_m(asset, then) <= 0; })) continue;
+      const double now_m = gap_m(asset, agent.motion().footprint());
+      if (gap_m(asset, agent.motion().footprint(seconds(exchange_period))) < now_m) {
+        agent.drive().end_before(asset.plan.id, apart_m);
+      }
+    }
+  }
+}
+
+}  // namespace lsos

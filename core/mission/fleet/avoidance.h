@@ -1,0 +1,18 @@
+// Rovers do not touch each other or an asset: starts that overlap are refused, and drives end in
+// time.
+#pragma once
+
+#include "mission/fleet/fleet.h"
+
+namespace lsos {
+
+// Errors for rovers that start where another or an asset stands.
+std::vector<Fault> overlapping_starts(const Fleet& fleet, const MissionMachine& machine);
+
+// Ends the drive of each rover that could not stop before another, or would turn into it, if its
+// own motion brings it nearer. Rovers that move apart drive on.
+void avoid_rovers(Fleet& fleet);
+// The same for assets, which do not move.
+void avoid_assets(Fleet& fleet);
+
+}  // namespace lsos

@@ -1,0 +1,37 @@
+// Lines of sight between the rovers and assets of a mission, and Earth.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mission/fleet/fleet.h"
+#include "mission/light/sight_watch.h"
+
+namespace lsos {
+
+class FleetSight {
+ public:
+  // `ground` and `renderer` must outlive it.
+  FleetSight(const Ground& ground, Renderer& renderer, const Fleet& fleet);
+
+  // Evaluates the pairs that are due. Returns the intervals that end now.
+  std::vector<SightIntervalRow> update(const Fleet& fleet, const Moment& moment);
+  // Rows of the last results from one end to those after it: rovers first, then assets.
+  std::vector<PairRow> rows(const Fleet& fleet, const Moment& moment, std::size_t from) const;
+  // Ends all open intervals and returns them.
+  std::vector<SightIntervalRow> finish(const Fleet& fleet, SimTime now);
+  // Last result between two of rovers, assets and Earth; absent: there is none yet.
+  std::optional<PairSight> between(const Fleet& fleet, const std::string& one,
+                                   const std::string& other) const;
+  // When a pair is next due if nothing moves; absent: never.
+  std::optional<SimTime> wake() const { return watch_.wake(); }
+  const SightWatch& watch() const { return watch_; }
+
+  void archive(Archive& a) { LSOS_ARCHIVE(a, watch_); }
+
+ private:
+  const Ground* ground_;
+  SightWatch watch_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,123 @@
+#include "mission/fleet/fleet_sunlight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mission/fleet/solids.h"
+#include "mission/light/sun_watch.h"
+#include "planet/sunlight.h"
+
+namespace lsos {
+
+namespace {
+
+// Optical depth of dust on Mars when the terrain script gives none; listed among the assumptions.
+constexpr double mars_optical_depth = 0.5;
+
+}  // namespace
+
+FleetSunlight::FleetSunlight(const Ground& ground, Renderer& renderer,
+                             std::optional<double> optical_depth)
+    : ground_(&ground), light_(ground, renderer), over_end_(ground, "the Sun") {
+  is_depth_assumed_ = body().air == Air::dusty && !optical_depth;
+  optical_depth_ = optical_depth.value_or(is_depth_assumed_ ? mars_optical_depth : 0);
+}
+
+std::vector<std::string> FleetSunlight::assumptions() const {
+  std::vector<std::string> assumptions;
+  if (is_depth_assumed_) {
+    assumptions.push_back(
+        fmt::format("Mars: dust with an optical depth of {} is assumed; a terrain script's "
+                    "optical_depth says another",
+                    mars_optical_depth));
+  }
+  if (body().air == Air::clear) {
+    assumptions.push_back("Earth: a clear sky is assumed, 0.7^(air mass^0.678) of direct light");
+  }
+  assumptions.push_back(
+      "light: panels use the Sun's direct light alone, not what air or ground "
+      "scatter");
+  return assumptions;
+}
+
+Sunlight FleetSunlight::sunlight_at(const Geodetic& place, const Moment& moment) const {
+  return sunlight(body(), place, moment.utc, optical_depth_);
+}
+
+// The Sun has moved far enough; the rover or something near it moves, at whole multiples of the
+// period; or motion has just ended.
+bool FleetSunlight::is_due(const RoverAgent& rover, SimTime now, Motion near) const {
+  const RoverPower& power = rover.power();
+  if (!power.needs_sun()) return false;
+  const std::optional<PanelSunlight>& sun = power.sun();
+  if (!sun || now >= sun->time + sun_interval(body())) return true;
+  if (near == Motion::has_ended) return true;
+  const bool moves = !rover.is_parked() || near == Motion::goes_on || power.is_panel_turning();
+  if (moves && now > sun->time && now % moving_update_period == SimTime{}) return true;
+  const std::optional<SimTime> motion_end = power.panels().last_end(now);
+  return rover.drive().has_motion_ended() || power.has_panel_command() ||
+         (motion_end && *motion_end > sun->time);
+}
+
+bool FleetSunlight::is_due(const StandingAsset& asset, SimTime now, Motion near) const {
+  return !asset.sun || now >= asset.sun->time + sun_interval(body()) || near == Motion::has_ended ||
+         (near == Motion::goes_on && now % moving_update_period == SimTime{});
+}
+
+void FleetSunlight::update(Fleet& fleet, const Moment& moment) {
+  const SimTime now = moment.now;
+  const SiteFrame& site = ground_->site();
+  const bool is_whole = now % moving_update_period == SimTime{};
+  for (FleetRover& rover : fleet.rovers) {
+    RoverAgent& agent = *rover.agent;
+    const Vec3& p_S_m = agent.view().p_S_m;
+    if (!is_due(agent, now, motion_near(fleet, p_S_m, &agent))) continue;
+    const Sunlight sun = sunlight_at(agent.motion().place(), moment);
+    if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now);
+    // Turning panels are evaluated at whole multiples of the period and when they arrive.
+    if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
+    const PanelSunlight value = evaluate_sunlight(
+        light_, *ground_, agent, solids_near(fleet, site, p_S_m, agent.id(), sun, now), sun, now);
+    agent.power().set_sun(value);
+    agent.power().clear_panel_command();
+    agent.drive().clear_motion_ended();
+    if (value.is_dark) continue;
+    const Vec3 eye_S_m = p_S_m + agent.shape().top_m() * site.up_S(p_S_m);
+    over_end_.add_towards(eye_S_m, direction_S(site, p_S_m, sun.seen), sun.disc_rad, agent.id(),
+                          now);
+  }
+}
+
+void FleetSunlight::update(StandingAsset& asset, const Fleet& fleet, const Moment& moment) {
+  const SimTime now = moment.now;
+  const SiteFrame& site = ground_->site();
+  const Vec3& p_S_m = asset.pose.p_S_m;
+  if (!is_due(asset, now, motion_near(fleet, p_S_m, nullptr))) return;
+  const Sunlight sun = sunlight_at(site.geodetic(p_S_m), moment);
+  asset.sun = evaluate_sunlight(light_, *ground_, asset,
+                                solids_near(fleet, site, p_S_m, asset.plan.id, sun, now), sun, now);
+  if (asset.sun->is_dark) return;
+  over_end_.add_towards(p_S_m + asset.shape.top_m() * site.up_S(p_S_m),
+                        direction_S(site, p_S_m, sun.seen), sun.disc_rad, asset.plan.id, now);
+}
+
+std::optional<SimTime> FleetSunlight::wake(const RoverAgent& rover, const Fleet& fleet,
+                                           SimTime now) const {
+  std::optional<SimTime> wake;
+  const RoverPower& power = rover.power();
+  if (power.needs_sun() && power.sun()) {
+    // Turning panels are also evaluated when they arrive, which RoverPower::wake() covers.
+    wake = power.is_panel_turning()
+               ? (now / moving_update_period + 1) * moving_update_period
+               : round_up_to_exchange(power.sun()->time + sun_interval(body()));
+  }
+  for (const StandingAsset& asset : fleet.assets) {
+    if (!asset.sun || power.plugged_into() != asset.plan.id) continue;
+    const SimTime due = round_up_to_exchange(asset.sun->time + sun_interval(body()));
+    wake = std::min(wake.value_or(due), due);
+  }
+  return wake;
+}
+
+}  // namespace lsos

@@ -1,0 +1,46 @@
+// Sunlight on the panels of rovers and assets: evaluated when it is due, else it holds.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mission/fleet/fleet.h"
+#include "mission/light/light.h"
+#include "mission/light/sight_over_end.h"
+
+namespace lsos {
+
+class FleetSunlight {
+ public:
+  // Both must outlive it. `optical_depth`: of the air's dust; absent: a default on Mars.
+  FleetSunlight(const Ground& ground, Renderer& renderer, std::optional<double> optical_depth);
+
+  // Evaluates the rovers that are due.
+  void update(Fleet& fleet, const Moment& moment);
+  // Evaluates an asset's panels when it is due.
+  void update(StandingAsset& asset, const Fleet& fleet, const Moment& moment);
+  // When a parked rover, or the asset that it is plugged into, is next due if nothing else happens;
+  // absent: never.
+  std::optional<SimTime> wake(const RoverAgent& rover, const Fleet& fleet, SimTime now) const;
+
+  // Sights of the Sun over the end of the known ground.
+  const SightOverEnd& over_end() const { return over_end_; }
+  std::vector<std::string> assumptions() const;
+
+  void archive(Archive& a) { LSOS_ARCHIVE(a, over_end_); }
+
+ private:
+  const Body& body() const { return ground_->site().body(); }
+  bool is_due(const RoverAgent& rover, SimTime now, Motion near) const;
+  bool is_due(const StandingAsset& asset, SimTime now, Motion near) const;
+  Sunlight sunlight_at(const Geodetic& place, const Moment& moment) const;
+
+  const Ground* ground_;
+  Light light_;
+  SightOverEnd over_end_;
+  double optical_depth_ = 0;
+  bool is_depth_assumed_ = false;
+};
+
+}  // namespace lsos

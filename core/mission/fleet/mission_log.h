@@ -1,0 +1,51 @@
+// The log of a mission: which rows are written at an exchange, and in which order.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "mission/fleet/fleet_sight.h"
+#include "record/log.h"
+
+namespace lsos {
+
+class MissionLog {
+ public:
+  explicit MissionLog(const MissionInfo& mission)
+      : interval_(mission.log_interval), parked_interval_(mission.parked_log_interval) {}
+
+  // Sets the log that rows are written to, nullptr for none; a new log receives the events that
+  // have started or ended by then.
+  void set_writer(LogWriter* writer, Fleet& fleet);
+  bool is_open() const { return writer_ != nullptr; }
+  // Sets the listener that is called with each note.
+  void set_listener(std::function<void(const NoteRow&)> listener) {
+    listener_ = std::move(listener);
+  }
+
+  // Writes the rows of an exchange; `sight` may be nullptr.
+  void write(Fleet& fleet, const FleetSight* sight, const Moment& moment);
+  void write(const NoteRow& note);
+  void write(const std::vector<SightIntervalRow>& intervals);
+  // Writes the last samples, open intervals of sight, and the events that had no turn.
+  void finish(Fleet& fleet, FleetSight* sight, const Moment& moment);
+  // When a rover's next sample is due.
+  SimTime next_sample(const FleetRover& rover, SimTime now) const;
+
+  void archive(Archive& a) { LSOS_ARCHIVE(a, assets_logged_); }
+
+ private:
+  SimTime interval(const FleetRover& rover) const;
+  void write_changes(FleetRover& rover, SimTime now);
+  void write_sample(Fleet& fleet, const FleetSight* sight, const Moment& moment,
+                    std::size_t number);
+  void write_pairs(const Fleet& fleet, const FleetSight& sight, const Moment& moment,
+                   std::size_t from);
+
+  SimTime interval_, parked_interval_;
+  LogWriter* writer_ = nullptr;
+  std::function<void(const NoteRow&)> listener_;
+  std::optional<SimTime> assets_logged_;  // when pairs of assets were last logged
+};
+
+}  // namespace lsos

@@ -1,0 +1,39 @@
+// What a simulation is made from.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "mission/model/rover_model.h"
+#include "mission/port/script_host.h"
+#include "plan/plan.h"
+#include "terrain/ground.h"
+
+namespace lsos {
+
+struct SimulationSetup {
+  Plan plan;
+  std::map<std::string, RoverModel> rover_models;  // key: PlanRover::model()
+  std::map<std::string, AssetModel> asset_models;  // key: AssetType
+  TerrainSpec terrain;
+  std::function<std::unique_ptr<ScriptHost>()> make_host;
+  int threads = 1;
+  // Torture mode: at each exchange all state is written out, thrown away, read back and compared.
+  bool save_every_exchange = false;
+  // Whether lines of sight are evaluated, for the layers `pairs` and `sight_intervals` of the log.
+  bool keeps_sight = false;
+  // Legs planned by an earlier run, see PlannedLegs.
+  std::string cached_legs = {};
+  // Whether routes are planned before the start. A simulation that resumes a saved state needs
+  // none.
+  bool plans_ahead = true;
+  // Called once the routes are planned with the legs to keep for later runs, also when a leg has no
+  // route.
+  std::function<void(const std::string& bytes)> cache_legs = {};
+  // Called with a description as the planning of each leg begins, and with "" when it ends.
+  std::function<void(const std::string& what)> on_planning = {};
+};
+
+}  // namespace lsos

@@ -1,0 +1,210 @@
+#include "mission/rover/rover_drive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mission/port/note_json.h"
+#include "mission/routes/drive_cost_model.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double at_rest_mps = 0.005;      // speed below which a braked rover is at rest
+constexpr int exchanges_until_parked = 5;  // exchanges at rest after which it is parked
+constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follower, for small rovers
+
+FollowerPose pose_of(const VehicleReport& report) {
+  const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
+  return {report.p_S_m.head<2>(), report.yaw_rad,
+          report.speed_mps,       left_S.dot(report.v_S_mps.head<2>()),
+          report.pitch_rad,       report.roll_rad};
+}
+
+}  // namespace
+
+bool RoverDrive::is_driving() const {
+  return follower_ && follower_->status() == PathFollower::Status::driving && failure_.empty();
+}
+
+DriveState RoverDrive::state() const {
+  if (!follower_) return {};
+  DriveState state{DriveState::Status::failed, motion_->fault(), follower_->remaining_m()};
+  state.next_point = follower_->next_waypoint();
+  if (!motion_->fault().empty()) return state;
+  state.reason = failure_;
+  state.is_blocked = !failure_.empty();
+  if (state.is_blocked) return state;
+  state.reason = follower_->reason();
+  state.is_blocked = follower_->is_stuck();
+  if (follower_->status() == PathFollower::Status::driving) {
+    state.status = DriveState::Status::driving;
+  } else if (follower_->status() == PathFollower::Status::arrived) {
+    state.status = DriveState::Status::arrived;
+    state.remaining_m = 0;
+  }
+  return state;
+}
+
+void RoverDrive::give(const DriveCommand& command) {
+  command_ = command;
+  has_new_command_ = true;
+}
+
+void RoverDrive::observe() {
+  update_slip();
+  if (motion_->fault().empty()) motion_->find_fault(*journal_);
+  if (!motion_->fault().empty()) return give({});
+  if (is_driving()) find_hindrances();
+  if (!is_driving()) return;
+  const VehicleReport& report = motion_->report();
+  give(follower_->update(pose_of(report), seconds(exchange_period)));
+  if (follower_->is_stuck()) {
+    journal_->note("stuck", fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
+                                        note_json(follower_->remaining_m()),
+                                        note_json(report.sinkage_m), note_json(report.slip)));
+  } else if (follower_->is_off_line()) {
+    journal_->note("strayed",
+                   fmt::format(R"({{"remaining_m":{}}})", note_json(follower_->remaining_m())));
+  }
+}
+
+// Counts the slip of the period just ended, under the command given before it.
+void RoverDrive::update_slip() {
+  const VehicleReport& report = motion_->report();
+  DriveSlip::Motion motion;
+  motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
+  motion.is_commanded = is_driving() && !command_.is_braking && motion.command_mps > 0;
+  if (motion.is_commanded) motion.requested_mps = follower_->requested_mps();
+  motion.cruise_mps = motion_->config().cruise_speed_mps;
+  motion.speed_mps = report.speed_mps;
+  motion.slip = report.slip;
+  motion.slip_max = report.slip_max;
+  slip_.add(motion);
+}
+
+// Finds failures that end the drive alone: a script may try again on another route.
+void RoverDrive::find_hindrances() {
+  if (!motion_->report().is_chassis_on_ground) {
+    may_touch_with_chassis_ = false;
+  } else if (!may_touch_with_chassis_) {
+    fail_with_note(
+        fmt::format("high-centred: its chassis touches the ground, {:.1f} m before the end",
+                    follower_->remaining_m()),
+        "high_centred",
+        fmt::format(R"({{"remaining_m":{}}})", note_json(follower_->remaining_m())));
+  }
+}
+
+void RoverDrive::fail(const std::string& reason) {
+  if (!is_driving()) return;
+  failure_ = reason;
+  give({});
+}
+
+void RoverDrive::fail_with_note(const std::string& reason, const std::string& finding,
+                                const std::string& fields_json) {
+  fail(reason);
+  journal_->note(finding, fields_json);
+}
+
+void RoverDrive::end_before(const std::string& other_id, double distance_m) {
+  if (!is_driving()) return;
+  fail_with_note(
+      fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m),
+      "would_touch",
+      fmt::format(R"({{"distance_m":{},"other":{}}})", note_json(distance_m), note_json(other_id)));
+}
+
+void RoverDrive::control() {
+  if (has_new_command_) {
+    if (!command_.is_braking) is_parked_ = false;
+    if (!is_parked_) motion_->vehicle().command(command_);
+    has_new_command_ = false;
+  }
+  if (is_parked_) return;
+  const bool rests =
+      command_.is_braking && !is_driving() && motion_->report().speed_mps < at_rest_mps;
+  exchanges_at_rest_ = rests ? exchanges_at_rest_ + 1 : 0;
+  if (exchanges_at_rest_ >= exchanges_until_parked || !motion_->fault().empty()) {
+    is_parked_ = has_motion_ended_ = true;
+    exchanges_at_rest_ = 0;
+    motion_->vehicle().halt();
+    if (!motion_->is_broken()) motion_->read();
+  }
+}
+
+void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
+  const VehicleConfig& config = motion_->config();
+  if (settings.speed_mps && *settings.speed_mps > config.speed_max_mps) {
+    journal_->warn(fmt::format("{}: commanded to drive at {:.3g} m/s, a {} does {:.3g} m/s at most",
+                               journal_->rover_id(), *settings.speed_mps, config.type,
+                               config.speed_max_mps));
+  }
+  FollowerLimits limits;
+  limits.speed_mps =
+      std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
+  limits.level_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
+  limits.acceleration_mps2 = config.acceleration_mps2;
+  limits.gravity_mps2 = motion_->ground().site().gravity_S_mps2(Vec3::Zero()).norm();
+  limits.arrival_radius_m = settings.arrival_radius_m;
+  limits.can_turn_on_spot = config.can_turn_on_spot;
+  limits.radius_min_m = config.turning_radius_min_m;
+  limits.turn_rate_radps = turn_rate_radps(config);
+  limits.lookahead_min_m = std::max(lookahead_least_m, wheel_reach_m(config));
+  limits.cross_track_max_m = settings.cross_track_max_m;
+  limits.is_crabbing = settings.is_crabbing && config.can_crab;
+  if (settings.is_crabbing && !config.can_crab) {
+    journal_->warn(fmt::format("{}: commanded to crab, a {} cannot; it turns instead",
+                               journal_->rover_id(), config.type));
+  }
+  const VehicleReport& report = motion_->report();
+  failure_.clear();
+  may_touch_with_chassis_ = report.is_chassis_on_ground;
+  follower_.emplace(path_S_m, pose_of(report), limits);
+  if (!motion_->fault().empty()) return;
+  give(follower_->update(pose_of(report), seconds(exchange_period)));
+}
+
+void RoverDrive::brake() {
+  follower_.reset();
+  failure_.clear();
+  give({});
+}
+
+std::vector<Footprint> RoverDrive::footprints_ahead() const {
+  constexpr double step_m = 0.25, turning_s = 1;
+  constexpr double turning_mps = 0.1;  // below this speed a rover that turns does so on the spot
+  const VehicleReport& report = motion_->report();
+  const Footprint& at_rest = motion_->footprint_at_rest();
+  const Vec2 p_m = report.p_S_m.head<2>(), v_mps = report.v_S_mps.head<2>();
+  const double braking_s =
+      v_mps.norm() / (2 * motion_->config().acceleration_mps2) + seconds(exchange_period);
+  const double braking_m = braking_s * v_mps.norm();
+  std::vector<Footprint> footprints;
+  if (v_mps.norm() < turning_mps) {
+    double turn_rad = turning_s * report.yaw_rate_radps;
+    if (is_driving()) {
+      const double left_rad = follower_->turn_remaining_rad(report.yaw_rad);
+      turn_rad = std::clamp(turn_rad, std::min(0.0, left_rad), std::max(0.0, left_rad));
+    }
+    footprints.push_back(moved(at_rest, p_m, report.yaw_rad + turn_rad));
+  }
+  if (is_driving()) {
+    for (const FollowerPose& pose : follower_->poses_ahead(pose_of(report), braking_m, step_m)) {
+      footprints.push_back(moved(at_rest, pose.p_S_m, pose.yaw_rad));
+    }
+  } else {
+    footprints.push_back(moved(at_rest, p_m, report.yaw_rad, braking_s * v_mps));
+  }
+  return footprints;
+}
+
+void RoverDrive::archive(Archive& a) {
+  LSOS_ARCHIVE(a, follower_, command_, has_new_command_, failure_, may_touch_with_chassis_,
+               is_parked_, exchanges_at_rest_, has_motion_ended_, slip_);
+}
+
+}  // namespace lsos

@@ -1,0 +1,71 @@
+// Drives of a rover: the path that it follows, the command to its vehicle, what ends a drive early,
+// and whether the rover is parked.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mission/port/rover_port.h"
+#include "mission/rover/drive_slip.h"
+#include "mission/rover/rover_motion.h"
+#include "vehicle/path_follower.h"
+
+namespace lsos {
+
+class RoverDrive {
+ public:
+  // Both must outlive it.
+  RoverDrive(RoverMotion& motion, RoverJournal& journal) : motion_(&motion), journal_(&journal) {}
+
+  bool is_parked() const { return is_parked_; }
+  bool is_driving() const;
+  DriveState state() const;
+  // Share 0..1 of the followed line that lies behind; 0 when it follows none.
+  double share() const { return follower_ ? follower_->share() : 0; }
+  const DriveSlip& slip() const { return slip_; }
+
+  // At an exchange, after the motion was read: counts slip, finds faults and hindrances, and
+  // updates the path follower.
+  void observe();
+  // At an exchange, after scripts ran: gives the vehicle its command, and parks it when it rests.
+  void control();
+
+  void follow(const Path3& path_S_m, const FollowSettings& settings);
+  void brake();
+  // Ends the drive, when there is one, for a reason that it does not note.
+  void fail(const std::string& reason);
+  // Ends the drive because the rover would touch another, whose centre is `distance_m` away.
+  void end_before(const std::string& other_id, double distance_m);
+
+  // Footprints, in order, up to where the rover would rest if it braked now: on its line when it
+  // follows one, else straight ahead; while it turns on the spot, within a second.
+  std::vector<Footprint> footprints_ahead() const;
+
+  // Whether motion has ended since this was last cleared.
+  bool has_motion_ended() const { return has_motion_ended_; }
+  void clear_motion_ended() { has_motion_ended_ = false; }
+
+  void archive(Archive& a);
+
+ private:
+  void update_slip();
+  void find_hindrances();
+  void give(const DriveCommand& command);
+  void fail_with_note(const std::string& reason, const std::string& finding,
+                      const std::string& fields_json);
+
+  RoverMotion* motion_;
+  RoverJournal* journal_;
+  std::optional<PathFollower> follower_;
+  DriveCommand command_;
+  bool has_new_command_ = false;
+  std::string failure_;                  // why the present drive ended early, "" when it did not
+  bool may_touch_with_chassis_ = false;  // high-centred when this drive began; may drive free
+  bool is_parked_ = true;
+  int exchanges_at_rest_ = 0;
+  bool has_motion_ended_ = false;
+  DriveSlip slip_;
+};
+
+}  // namespace lsos

@@ -1,0 +1,66 @@
+#include "mission/rover/rover_motion.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/units.h"
+#include "mission/port/note_json.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr double rolled_over_rad = 1.2;  // tilt of the chassis (69 deg)
+
+}  // namespace
+
+void RoverMotion::read() {
+  const VehicleReport report = vehicle_.report();
+  if (!report.is_finite) {
+    report_.is_finite = false;  // keep the last finite numbers for the log
+    return;
+  }
+  report_ = report;
+  joints_ = vehicle_.joint_positions();
+  distance_m_ = vehicle_.distance_m();
+  drive_w_ = vehicle_.drive_w();
+  drive_j_ = vehicle_.drive_j();
+}
+
+std::vector<PartPose> RoverMotion::part_poses() const {
+  if (!is_broken_) return vehicle_.part_poses();
+  return lsos::part_poses(vehicle_.config(),
+                          chassis_pose(ground_->site(), report_.p_S_m, report_.heading_rad,
+                                       report_.pitch_rad, report_.roll_rad),
+                          joints_);
+}
+
+Footprint RoverMotion::footprint(double ahead_s) const {
+  return moved(at_rest_, (report_.p_S_m + ahead_s * report_.v_S_mps).head<2>(),
+               report_.yaw_rad + ahead_s * report_.yaw_rate_radps, Vec2::Zero());
+}
+
+void RoverMotion::find_fault(RoverJournal& journal) {
+  if (!report_.is_finite) {
+    is_broken_ = true;
+    fault_ = vehicle_.fault();
+    journal.note("broken_dynamics", "{}");
+  } else if (!report_.is_on_ground_data) {
+    fault_ = fmt::format("left the terrain that is known at {:.6f},{:.6f}", lon_deg(place()),
+                         lat_deg(place()));
+    journal.note("left_terrain", "{}");
+  } else if (std::hypot(report_.pitch_rad, report_.roll_rad) > rolled_over_rad) {
+    fault_ = fmt::format("rolled over (pitch {:.0f} deg, roll {:.0f} deg)",
+                         degrees(report_.pitch_rad), degrees(report_.roll_rad));
+    journal.note("rollover",
+                 fmt::format(R"({{"pitch_rad":{},"roll_rad":{}}})", note_json(report_.pitch_rad),
+                             note_json(report_.roll_rad)));
+  }
+}
+
+void RoverMotion::archive(Archive& a) {
+  LSOS_ARCHIVE(a, vehicle_, report_, joints_, distance_m_, drive_w_, drive_j_, fault_, is_broken_);
+}
+
+}  // namespace lsos

@@ -1,0 +1,59 @@
+// The state of a rover's vehicle as of the last exchange, and why it can no longer drive.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/archive.h"
+#include "mission/rover/rover_journal.h"
+#include "terrain/ground.h"
+#include "vehicle/footprint.h"
+#include "vehicle/part_pose.h"
+#include "vehicle/vehicle.h"
+
+namespace lsos {
+
+class RoverMotion {
+ public:
+  // `config` must have all its links and, like `ground`, outlive it.
+  RoverMotion(const VehicleConfig& config, const Ground& ground)
+      : ground_(&ground), vehicle_(config, ground), at_rest_(lsos::footprint_at_rest(config)) {}
+
+  Vehicle& vehicle() { return vehicle_; }
+  const VehicleConfig& config() const { return vehicle_.config(); }
+  const Ground& ground() const { return *ground_; }
+
+  // Reads the state of the vehicle. When its numbers are not finite, the last finite ones stay.
+  void read();
+  const VehicleReport& report() const { return report_; }
+  const std::vector<double>& joints() const { return joints_; }  // m or rad
+  double distance_m() const { return distance_m_; }
+  double drive_w() const { return drive_w_; }
+  double drive_j() const { return drive_j_; }
+  Geodetic place() const { return ground_->site().geodetic(report_.p_S_m); }
+  // Poses of the chassis and each link; with broken dynamics the last finite ones.
+  std::vector<PartPose> part_poses() const;
+  // Footprint after another `ahead_s` of the present motion.
+  Footprint footprint(double ahead_s = 0) const;
+  const Footprint& footprint_at_rest() const { return at_rest_; }
+
+  // Finds a fault after which the rover can no longer drive, and notes it.
+  void find_fault(RoverJournal& journal);
+  // Rolled over, left the terrain, numbers not finite; else "".
+  const std::string& fault() const { return fault_; }
+  bool is_broken() const { return is_broken_; }  // numbers are not finite: it stays where it is
+
+  void archive(Archive& a);
+
+ private:
+  const Ground* ground_;
+  Vehicle vehicle_;
+  Footprint at_rest_;
+  VehicleReport report_;
+  std::vector<double> joints_;
+  double distance_m_ = 0, drive_w_ = 0, drive_j_ = 0;
+  std::string fault_;
+  bool is_broken_ = false;
+};
+
+}  // namespace lsos
