@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "vehicle/drive_power.h"
 #include "vehicle/vehicle.h"
 
 namespace lsos {
@@ -172,7 +173,7 @@ double Vehicle::apply_drives(double step_s) {
           std::clamp(wheel.torque_n_m, -part.motor->torque_max_n_m, part.motor->torque_max_n_m);
       work_.motors_j += motor_n_m * spin_radps * step_s;
       work_.brakes_j += (wheel.torque_n_m - motor_n_m) * spin_radps * step_s;
-      electrical_w += std::max(0.0, wheel.torque_n_m * spin_radps) / part.motor->efficiency;
+      electrical_w += drive_power_w(*part.motor, motor_n_m, spin_radps);
     }
     bodies_.add_joint_force(part.link, wheel.torque_n_m);
   }

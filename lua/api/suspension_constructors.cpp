@@ -93,8 +93,18 @@ void read_drive(TableReader& t, DriveMotor& motor) {
   t.number(optional, "no_load_speed_radps", motor.no_load_speed_radps, positive,
            "Of the wheel: the motor's torque falls linearly to nothing there (default: it does "
            "not).");
-  t.number(required, "efficiency", motor.efficiency, {0, 1, true},
-           "Mechanical out over electrical in.");
+  t.number(
+      required, "efficiency", motor.efficiency, {0, 1, true},
+      "Of the gears: work at the wheel over work of the motor. Without the losses that follow, "
+      "mechanical out over electrical in.");
+  t.number(optional, "winding_loss_w_pn2m2", motor.winding_loss_w_pn2m2, not_negative,
+           "Electrical loss of the motor per torque at the wheel squared (default 0).");
+  t.number(optional, "friction_n_m", motor.friction_n_m, not_negative,
+           "Torque at the wheel that bearings, seals and gears take whenever it turns, as "
+           "electrical loss (default 0).");
+  t.number(optional, "idle_w", motor.idle_w, not_negative,
+           "Power of the motor's controller while the brake is open, driving or braking "
+           "(default 0).");
   t.number(required, "servo_gain_n_m_sprad", motor.servo_gain_n_m_sprad, positive,
            "Torque per speed error.");
   t.number(required, "servo_integral_n_m_prad", motor.servo_integral_n_m_prad, not_negative,

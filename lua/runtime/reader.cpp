@@ -21,7 +21,7 @@ constexpr std::int64_t api_version_min = 1, api_version_max = 1;
 // Suffixes of units that have no symbol in plans.
 constexpr std::pair<std::string_view, std::string_view> compound_units[] = {
     {"_npm", "N/m"},    {"_nspm", "N s/m"}, {"_n_m_prad", "N m/rad"}, {"_n_m_sprad", "N m s/rad"},
-    {"_kgm2", "kg m2"}, {"_pm2", "1/m2"}};
+    {"_kgm2", "kg m2"}, {"_pm2", "1/m2"},   {"_w_pn2m2", "W/(N m)^2"}};
 
 constexpr std::int64_t instructions_per_key = 10;
 constexpr int faults_max = 50;  // of one table

@@ -111,10 +111,11 @@ std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
     if (!wheel.motor) held_n += drag_n(wheel, soil, load_n, gravity_mps2);
   }
   const double pull_n = held_n / driven;
-  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity(), 0};
+  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
   // Successive wheels that are alike are computed once.
   std::optional<SingleWheelPoint> point;
   const WheelDrive* of = nullptr;
+  double winding_w = 0;
   for (const WheelDrive& wheel : wheels) {
     if (!wheel.motor) continue;
     const double radius_m = wheel.wheel.radius_m;
@@ -133,10 +134,19 @@ std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
     const double energy_jpm =
         point->torque_n_m / radius_m * rim_per_travel / wheel.motor->efficiency;
     (energy_jpm > 0 ? drive.energy_jpm : drive.spare_jpm) += std::abs(energy_jpm);
+    drive.lost_jpm += wheel.motor->friction_n_m / radius_m * rim_per_travel;
+    winding_w += wheel.motor->winding_loss_w_pn2m2 * point->torque_n_m * point->torque_n_m;
   }
-  drive.energy_jpm *= vehicle.drive_calibration;
-  drive.spare_jpm *= vehicle.drive_calibration;
   if (drive.speed_mps <= 0) return std::nullopt;
+  drive.lost_jpm += winding_w / drive.speed_mps;
+  // What the motors of a braking rover generate covers their losses, see drive_power.h.
+  const double covered_jpm = std::min(drive.spare_jpm, drive.lost_jpm);
+  drive.spare_jpm -= covered_jpm;
+  drive.lost_jpm -= covered_jpm;
+  drive.energy_jpm += drive.lost_jpm;
+  drive.energy_jpm *= vehicle.drive_calibration;
+  drive.lost_jpm *= vehicle.drive_calibration;
+  drive.spare_jpm *= vehicle.drive_calibration;
   return drive;
 }
 
@@ -160,6 +170,7 @@ void raise_to_soil_cost(SoilDrive& rock, const SoilDrive& soil) {
   for (std::size_t k = 0; k < rows; ++k) {
     rock.by_slope[k].energy_jpm =
         std::max(rock.by_slope[k].energy_jpm, soil.by_slope[k].energy_jpm);
+    rock.by_slope[k].lost_jpm = std::max(rock.by_slope[k].lost_jpm, soil.by_slope[k].lost_jpm);
     rock.by_slope[k].spare_jpm = std::min(rock.by_slope[k].spare_jpm, soil.by_slope[k].spare_jpm);
     rock.by_slope[k].slip = std::max(rock.by_slope[k].slip, soil.by_slope[k].slip);
   }
@@ -242,7 +253,9 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
                  const Soil& soil, double gravity_mps2, DriveCost& cost) {
   double efficiency = 1;
   for (const WheelDrive& wheel : wheels) {
-    if (wheel.motor) efficiency = std::min(efficiency, wheel.motor->efficiency);
+    if (!wheel.motor) continue;
+    efficiency = std::min(efficiency, wheel.motor->efficiency);
+    cost.idle_w += vehicle.drive_calibration * wheel.motor->idle_w;
   }
   double reach_m = 0;
   for (const Vec2& wheel : cost.wheels_B_m) reach_m += wheel.norm();
@@ -254,7 +267,8 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
   // Drag of the soil: the speed that it takes is not lost in the brakes.
   double drag_n = 0;
   if (!cost.soils.front().by_slope.empty()) {
-    drag_n = cost.soils.front().at(0).energy_jpm / electrical_per_mechanical;
+    const SlopeDrive level = cost.soils.front().at(0);
+    drag_n = (level.energy_jpm - level.lost_jpm) / electrical_per_mechanical;
   }
   cost.slow_j = electrical_per_mechanical * mass_kg * speed2 / 2 *
                 std::max(0.0, braking_n - drag_n) / braking_n;

@@ -14,7 +14,8 @@ SlopeDrive SoilDrive::at(double slope_rad) const {
   return {low.slip + share * (high.slip - low.slip),
           low.energy_jpm + share * (high.energy_jpm - low.energy_jpm),
           low.speed_mps + share * (high.speed_mps - low.speed_mps),
-          low.spare_jpm + share * (high.spare_jpm - low.spare_jpm)};
+          low.spare_jpm + share * (high.spare_jpm - low.spare_jpm),
+          low.lost_jpm + share * (high.lost_jpm - low.lost_jpm)};
 }
 
 }  // namespace lsos

@@ -17,8 +17,10 @@ struct SlopeDrive {
   // What gravity supplies per metre downhill beyond the rolling resistance, as equivalent
   // electrical energy. Brakes dissipate it, unless something else holds the rover back.
   double spare_jpm = 0;
+  // The part of the energy that the motors' windings and friction lose; it is no drag.
+  double lost_jpm = 0;
 
-  void archive(Archive& a) { LSOS_ARCHIVE(a, slip, energy_jpm, speed_mps, spare_jpm); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, slip, energy_jpm, speed_mps, spare_jpm, lost_jpm); }
 };
 
 // Driving on one soil, straight up slopes from `first_rad` (negative: down) in equal steps. The
@@ -78,6 +80,8 @@ struct DriveCost {
   // Greatest acceleration, along the route and, in an arc, across it. At full speed a radian of an
   // arc costs arc_drag_jmprad / radius: wheels that hold the rover in it roll at a slip angle.
   double acceleration_mps2 = 0.2, arc_drag_jmprad = 0;
+  // Power of the drives' controllers while the rover drives or turns.
+  double idle_w = 0;
   // Power of all loads but the drives, charged for the time that an arc takes longer. Without it a
   // rover that has slowed down once would wind on slowly at no cost. Time lost on slopes is not
   // charged.
@@ -93,7 +97,7 @@ struct DriveCost {
     LSOS_ARCHIVE(a, soils, wheels_B_m, underside_B_m, limits, turning_radius_min_m,
                  can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, turn_jprad,
                  turn_sprad, steer_s, acceleration_mps2, arc_drag_jmprad, side_slip_s2pm,
-                 gravity_mps2, rough_jpm2, rough_js2pm4, rough_tilt_1pm, load_w);
+                 gravity_mps2, rough_jpm2, rough_js2pm4, rough_tilt_1pm, idle_w, load_w);
   }
 };
 

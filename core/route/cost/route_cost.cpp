@@ -126,7 +126,9 @@ void RouteCost::find_least() {
     for (const SoilDrive& soil : finder_.cost().soils) {
       for (std::size_t k = 0; k < soil.by_slope.size(); ++k) {
         const double slope_rad = soil.first_rad + soil.step_rad * static_cast<double>(k);
-        least = std::min(least, soil.by_slope[k].energy_jpm - per_rise * std::sin(slope_rad));
+        const SlopeDrive& drive = soil.by_slope[k];
+        const double energy_jpm = drive.energy_jpm + finder_.cost().idle_w / drive.speed_mps;
+        least = std::min(least, energy_jpm - per_rise * std::sin(slope_rad));
       }
     }
     return least;
@@ -190,6 +192,7 @@ SlopeDrive RouteCost::drive_at(const Stance& stance) const {
   // more_jpm, it exceeds gravity's spare energy s by E[max(0, X - s)] = m exp(-s / m) in the mean.
   more_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
   if (more_jpm > 0) drive.energy_jpm += more_jpm * std::exp(-drive.spare_jpm / more_jpm);
+  if (cost.idle_w > 0) drive.energy_jpm += cost.idle_w / drive.speed_mps;
   return drive;
 }
 
@@ -225,13 +228,17 @@ RouteCost::CornerCost RouteCost::corner_cost(const Vec2& before_m, const Vec2& a
   const double radius_m = fillet_radius_m(bend_rad, room_m, fillet_offset_m);
   if (radius_m < cost.turning_radius_min_m) {
     const CornerCost turned = turning(bend_rad);
-    return {cost.stop_j + turned.energy_j, cost.stop_s + turned.duration_s};
+    return {cost.stop_j + cost.idle_w * cost.stop_s + turned.energy_j,
+            cost.stop_s + turned.duration_s};
   }
   const double arc_mps = arc_speed_mps(cost, radius_m);
   const double share = arc_mps / cost.speed_mps, left = 1 - share;
+  const double longer_s =
+      cost.stop_s * left * left + radius_m * bend_rad * (1 / arc_mps - 1 / cost.speed_mps);
   return {cost.stop_j * (1 - share * share) +
-              cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m,
-          cost.stop_s * left * left + radius_m * bend_rad * (1 / arc_mps - 1 / cost.speed_mps)};
+              cost.arc_drag_jmprad * std::pow(share, 4) * bend_rad / radius_m +
+              cost.idle_w * longer_s,
+          longer_s};
 }
 
 // Cost of rounding a corner by an arc that begins `room_m` before it.
@@ -252,7 +259,8 @@ RouteCost::CornerCost RouteCost::turning(double by_rad) const {
   constexpr double straight_rad = 0.03;  // as in PathFollower
   const DriveCost& cost = finder_.cost();
   if (by_rad < straight_rad) return {};
-  return {cost.turn_jprad * by_rad, cost.steer_s + cost.turn_sprad * by_rad};
+  const double turning_s = cost.steer_s + cost.turn_sprad * by_rad;
+  return {cost.turn_jprad * by_rad + cost.idle_w * turning_s, turning_s};
 }
 
 double RouteCost::corner(const Vec2& before_m, const Vec2& at_m, const Vec2& after_m) const {
@@ -292,10 +300,12 @@ RouteCost::CornerCost RouteCost::arc_driven(ArcState& speeds, double radius_m,
   speeds.share = now;
   speeds.free_m = 0;
   const double now2 = now * now;
-  return {
-      cost.slow_j * (peak * peak - now2) + cost.arc_drag_jmprad * now2 * now2 * bend_rad / radius_m,
+  const double longer_s =
       cost.stop_s * (2 * peak - was - now) +
-          ((free_m - changing_m) / peak - free_m + length_m / now - length_m) / cost.speed_mps};
+      ((free_m - changing_m) / peak - free_m + length_m / now - length_m) / cost.speed_mps;
+  return {cost.slow_j * (peak * peak - now2) +
+              cost.arc_drag_jmprad * now2 * now2 * bend_rad / radius_m + cost.idle_w * longer_s,
+          longer_s};
 }
 
 RouteCost::CornerCost RouteCost::arcs_driven(ArcState& speeds, const Line2& line) const {
