@@ -44,6 +44,7 @@ return lsos.event {
   api    = 1,
   schema = 'Consume',
   doc    = 'Use energy, or something that the rover carries.',
+  kind   = 'science',
 
   params = {
     power_w    = lsos.number {

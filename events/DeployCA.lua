@@ -7,6 +7,7 @@ return lsos.event {
   api    = 1,
   schema = 'DeployCA',
   doc    = 'Raise a comm asset.',
+  kind   = 'communication',
 
   params = {
     asset      = lsos.text {

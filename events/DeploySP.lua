@@ -7,6 +7,7 @@ return lsos.event {
   api    = 1,
   schema = 'DeploySP',
   doc    = 'Put a solar panel up.',
+  kind   = 'energy',
 
   params = {
     panel      = lsos.text {

@@ -31,6 +31,7 @@ return lsos.event {
   api    = 1,
   schema = 'Drill',
   doc    = 'Drill into the ground, standing still.',
+  kind   = 'science',
 
   params = {
     duration_s = lsos.duration {

@@ -45,6 +45,7 @@ return lsos.event {
   api    = 1,
   schema = 'EVA',
   doc    = 'Crew members leave the rover, work outside, and come back.',
+  kind   = 'crew',
 
   params = {
     exit_duration_s     = lsos.duration {

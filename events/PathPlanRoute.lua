@@ -85,6 +85,7 @@ return lsos.event {
   api    = 1,
   schema = 'PathPlanRoute',
   doc    = 'Plan a way to each waypoint on the ground that the rover will meet, and drive it.',
+  kind   = 'driving',
 
   geometry = { 'line', 'point' },
   drives   = true,

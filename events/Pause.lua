@@ -18,6 +18,7 @@ return lsos.event {
   api    = 1,
   schema = 'Pause',
   doc    = 'Stand still for a given time.',
+  kind   = 'waiting',
 
   goes_on_without_power = true,
   params = {

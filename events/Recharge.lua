@@ -182,6 +182,7 @@ return lsos.event {
   api    = 1,
   schema = 'Recharge',
   doc    = 'Fill the battery: to a level, from outside, from an asset, or by waiting for the Sun.',
+  kind   = 'energy',
 
   goes_on_without_power = true,
   params = {

@@ -69,6 +69,7 @@ return lsos.event {
   api    = 1,
   schema = 'Rendezvous',
   doc    = 'Drive until near another rover or an asset, wherever it goes meanwhile.',
+  kind   = 'driving',
 
   geometry = 'none',
   drives   = true,

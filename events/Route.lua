@@ -39,6 +39,7 @@ return lsos.event {
   api    = 1,
   schema = 'Route',
   doc    = 'Drive along the waypoints as drawn.',
+  kind   = 'driving',
 
   geometry = { 'line', 'point' },
   drives   = true,

@@ -26,6 +26,7 @@ return lsos.event {
   api    = 1,
   schema = 'Sample',
   doc    = 'Take a sample of the ground, standing still.',
+  kind   = 'science',
 
   params = {
     duration_s = lsos.duration {

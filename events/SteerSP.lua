@@ -104,6 +104,7 @@ return lsos.event {
   api    = 1,
   schema = 'SteerSP',
   doc    = 'Turn a solar panel, once or after the Sun.',
+  kind   = 'energy',
 
   params = {
     panel = lsos.text {

@@ -7,6 +7,7 @@ return lsos.event {
   api    = 1,
   schema = 'StowCA',
   doc    = 'Lower a comm asset.',
+  kind   = 'communication',
 
   params = {
     asset      = lsos.text {

@@ -7,6 +7,7 @@ return lsos.event {
   api    = 1,
   schema = 'StowSP',
   doc    = 'Fold a solar panel away.',
+  kind   = 'energy',
 
   params = {
     panel      = lsos.text {

@@ -132,6 +132,7 @@ return lsos.event {
   api    = 1,
   schema = 'Survey',
   doc    = 'Cover an area in parallel lines, there and back and round its holes, taking samples.',
+  kind   = 'science',
 
   geometry = 'polygon',
   drives   = true,

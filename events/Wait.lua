@@ -16,6 +16,7 @@ return lsos.event {
   api    = 1,
   schema = 'Wait',
   doc    = 'Stand still until a given moment.',
+  kind   = 'waiting',
 
   goes_on_without_power = true,
   params = {

@@ -55,15 +55,19 @@ struct FieldDeclaration {
 enum class GeometryKind { none, point, line, polygon };
 
 // One event type: the script events/NAME.lua.
+// What an event mostly is. Plots give each a colour.
+enum class Activity { none, driving, waiting, energy, communication, crew, science };
+
 struct EventDeclaration {
   std::string name;
   std::string doc;
   Place place;                           // where its script declares it
   std::vector<FieldDeclaration> fields;  // without the common ones (common_event_fields)
   std::vector<GeometryKind> geometries;  // allowed; `none` among them: may have no geometry
-  bool drives = false;                   // the rover drives to a Point from where it stands
-  bool goes_on_without_power = false;    // it runs on when the rover's battery is empty
-  std::optional<bool> is_open_ended;     // no field gives its end; absent: its fields decide
+  Activity activity = Activity::none;
+  bool drives = false;                 // the rover drives to a Point from where it stands
+  bool goes_on_without_power = false;  // it runs on when the rover's battery is empty
+  std::optional<bool> is_open_ended;   // no field gives its end; absent: its fields decide
   // Keys of the text fields that name the panel or antenna that the event deploys, stows, or needs
   // deployed; "" for none. A field that the plan omits stands for all that can be stowed.
   std::string deploys, stows, needs_deployed;

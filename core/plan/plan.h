@@ -117,11 +117,12 @@ struct PlanGaps {
 struct Plan {
   std::string file;
   MissionInfo mission;
-  std::vector<PlanRover> rovers;      // in byte order of id
-  std::vector<PlanEvent> events;      // sorted by rover id, then sequence
-  std::vector<PlanAsset> assets;      // in byte order of id
-  int decoration_count = 0;           // Placemarks that do not belong to the plan
-  std::vector<std::string> defaults;  // values filled in: "Route 'leg 2': Speed = 1 m/s"
+  std::vector<PlanRover> rovers;               // in byte order of id
+  std::vector<PlanEvent> events;               // sorted by rover id, then sequence
+  std::vector<PlanAsset> assets;               // in byte order of id
+  int decoration_count = 0;                    // Placemarks that do not belong to the plan
+  std::vector<std::string> defaults;           // values filled in: "Route 'leg 2': Speed = 1 m/s"
+  std::map<std::string, Activity> activities;  // by event type, of the types that say one
   PlanGaps gaps;
 
   // SHA-256 of the plan's contents in a fixed order, without file name and lines.

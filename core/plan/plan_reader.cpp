@@ -99,6 +99,9 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
                Faults& faults) {
   Plan plan;
   plan.file = file;
+  for (const auto& [type, event] : declarations.events) {
+    if (event.activity != Activity::none) plan.activities[type] = event.activity;
+  }
   const Classified ours = classify(source, declarations, faults);
   plan.decoration_count = ours.decoration_count;
   if (has_no_plan_placemark(ours) && !faults.has_errors()) {

@@ -5,22 +5,18 @@
 
 namespace lsos {
 
-std::vector<EventKind> event_kinds(const std::vector<EventRow>& events) {
-  std::vector<EventKind> kinds{
-      {"driving", "#7ea3c7", {"Route", "PathPlanRoute", "Rendezvous"}},
-      {"waiting", "#cfd5db", {"Wait", "Pause"}},
-      {"energy", "#ecc15a", {"Recharge", "DeploySP", "StowSP", "SteerSP"}},
-      {"communication", "#b3a2d8", {"DeployCA", "StowCA"}},
-      {"crew", "#7cc2a6", {"EVA"}},
-      {"science and use", "#d9a47a", {"Sample", "Drill", "Survey", "Consume"}},
-  };
-  const auto is_known = [&](const std::string& type) {
-    return std::ranges::any_of(
-        kinds, [&](const EventKind& kind) { return std::ranges::count(kind.types, type) > 0; });
-  };
+std::vector<EventKind> event_kinds(const std::vector<EventRow>& events,
+                                   const std::map<std::string, Activity>& activities) {
+  // In the order of Activity.
+  std::vector<EventKind> kinds{{"driving", "#7ea3c7", {}}, {"waiting", "#cfd5db", {}},
+                               {"energy", "#ecc15a", {}},  {"communication", "#b3a2d8", {}},
+                               {"crew", "#7cc2a6", {}},    {"science and use", "#d9a47a", {}}};
+  for (const auto& [type, activity] : activities) {
+    kinds[static_cast<std::size_t>(activity) - 1].types.push_back(type);
+  }
   std::set<std::string> own;
   for (const EventRow& event : events) {
-    if (!is_known(event.type)) own.insert(event.type);
+    if (!activities.contains(event.type)) own.insert(event.type);
   }
   constexpr std::string_view colours_of_own[] = {"#d58aa8", "#8f9a54", "#5fb3b8", "#b5774f",
                                                  "#6f7fc1"};

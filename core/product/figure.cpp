@@ -142,7 +142,7 @@ class Figure {
   Figure(const ReportData& data, int dpi)
       : data_(data),
         unit_(time_unit(data.end_s)),
-        kinds_(event_kinds(data.events)),
+        kinds_(event_kinds(data.events, data.activities)),
         ruler_(std::make_unique<FigurePen>(1, 1, dpi)),
         top_mm_(top_least_mm + (data.rovers.empty() ? 0 : rover_legend_places().back().y_mm)),
         map_mm_(map_height_mm()),

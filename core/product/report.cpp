@@ -225,7 +225,7 @@ Json assets(const ReportData& data) {
 
 Json kinds(const ReportData& data) {
   Json array = Json::array();
-  for (const EventKind& kind : event_kinds(data.events)) {
+  for (const EventKind& kind : event_kinds(data.events, data.activities)) {
     array.push_back({{"name", kind.name}, {"colour", kind.colour}, {"types", kind.types}});
   }
   return array;

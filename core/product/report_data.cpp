@@ -227,6 +227,7 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
   data.end_s = seconds(log.last_sample_time());
   data.run = log.run();
   data.events = log.events();
+  data.activities = plan.activities;
   std::ranges::sort(data.events, {}, [](const EventRow& event) {
     return std::pair(event.rover_id, event.sequence);
   });

@@ -66,8 +66,9 @@ struct ReportAsset {
 struct ReportData {
   Instant start;
   double end_s = 0;
-  std::vector<ReportRover> rovers;  // in order of ids
-  std::vector<EventRow> events;     // by rover, then sequence
+  std::vector<ReportRover> rovers;             // in order of ids
+  std::vector<EventRow> events;                // by rover, then sequence
+  std::map<std::string, Activity> activities;  // by event type
   ThinnedNotes notes;
   std::vector<ReportPair> pairs;
   std::vector<ReportDistance> distances;  // between rovers

@@ -238,6 +238,13 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
   t.api_version();
   t.text(optional, "schema", schema, "The file's name, for readers; nothing else is allowed.");
   t.text(required, "doc", event.doc, "One sentence that a mission planner understands.");
+  constexpr std::pair<const char*, Activity> kinds[] = {
+      {"driving", Activity::driving}, {"waiting", Activity::waiting},
+      {"energy", Activity::energy},   {"communication", Activity::communication},
+      {"crew", Activity::crew},       {"science", Activity::science}};
+  t.word(optional, "kind", kinds, event.activity,
+         "What it mostly is: 'driving', 'waiting', 'energy', 'communication', 'crew' or 'science'. "
+         "Events of a kind share a colour in plots (default: a colour of its own).");
   read_params(t, event);
   read_geometry(t, event);
   t.boolean(optional, "drives", event.drives,

@@ -160,10 +160,12 @@ TEST_F(ReportTest, names_types_of_a_users_own) {
     event.type = type;
     return event;
   };
-  const auto kinds = event_kinds({row("Route"), row("Trench"), row("Beacon"), row("Trench")});
+  const auto kinds = event_kinds({row("Route"), row("Trench"), row("Beacon"), row("Trench")},
+                                 {{"Route", Activity::driving}, {"Scoop", Activity::science}});
   EXPECT_EQ(kind_of(kinds, "Route").name, "driving");
   EXPECT_EQ(kind_of(kinds, "Trench").name, "Trench");
   EXPECT_NE(kind_of(kinds, "Trench").colour, kind_of(kinds, "Beacon").colour);
+  EXPECT_EQ(kind_of(kinds, "Scoop").name, "science and use");
   EXPECT_EQ(kind_of(kinds, "Another").name, "other");
 }
 
