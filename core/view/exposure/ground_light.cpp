@@ -32,7 +32,7 @@ double cut_at(double share) {
 }  // namespace
 
 GroundLightProbe::GroundLightProbe(const Ground& ground, double resolution_m)
-    : ground_(&ground), resolution_m_(resolution_m), probes_(ground, resolution_m) {}
+    : ground_(&ground), resolution_m_(resolution_m), probes_(ground) {}
 
 GroundLightProbe::Elevation GroundLightProbe::elevation(Eye& eye, const Vec3& along_S,
                                                         double distance_m) {

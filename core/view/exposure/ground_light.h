@@ -49,7 +49,7 @@ class GroundLightProbe {
   };
   Elevation elevation(Eye& eye, const Vec3& along_S, double distance_m);
   Ground::Probe& probe(double distance_m) {
-    return probes_.at(coarse_share * step_share * distance_m);
+    return probes_.at(octave_above_m(resolution_m_, coarse_share * step_share * distance_m));
   }
 
   const Ground* ground_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "view/ground/highest_ground.h"
@@ -24,7 +23,10 @@ constexpr double farthest_m = 400e3;
 class Strip {
  public:
   Strip(const Ground& ground, const SunColumn& column)
-      : ground_(ground), column_(column), probes_(ground) {
+      : ground_(ground),
+        column_(column),
+        probes_(ground),
+        first_probes_(ground, ProbeDetail::sparse) {
     const Vec3 up_S = ground.site().up_S(column.eye_S_m);
     const double sine = column.sun_S.dot(up_S);
     const Vec3 level_S = column.sun_S - sine * up_S;
@@ -92,12 +94,7 @@ class Strip {
   }
   // The probe for coarse rows at that distance, one per octave.
   Ground::Probe& first_probe(double x_m) {
-    const int octave = std::ilogb(std::max(1.0, first_share * x_m / first_rows_m));
-    const auto found = first_probes_.find(octave);
-    if (found != first_probes_.end()) return found->second;
-    const double resolution_m = std::ldexp(first_rows_m, octave);
-    return first_probes_.emplace(octave, Ground::Probe::with_sparse_detail(ground_, resolution_m))
-        .first->second;
+    return first_probes_.at(octave_below_m(first_rows_m, first_share * x_m));
   }
 
   const Ground& ground_;
@@ -106,7 +103,7 @@ class Strip {
   double elevation_rad_ = 0;
   double last_height_m_ = 0;
   RowProbes probes_;
-  std::map<int, Ground::Probe> first_probes_;
+  GroundProbes first_probes_;
 };
 
 // The mesh, built row by row across the strip; a row may be joined to the one before it.

@@ -10,6 +10,7 @@ namespace lsos {
 namespace {
 
 constexpr double step_least_m = 1, step_share = 0.02;  // of the distance
+constexpr double full_up_to_m = 2;                     // shorter steps sample the ground in full
 constexpr double hole_steps = 3;  // shorter holes between two places are ignored
 constexpr int halvings = 8;       // bisections of the step in which the ground ends
 
@@ -17,13 +18,8 @@ double step_m(double distance_m) { return std::max(step_least_m, step_share * di
 
 }  // namespace
 
-Ground::Probe& GroundEndProbe::probe(double step_m) {
-  const int octave = std::ilogb(std::max(1.0, step_m));
-  const auto found = probes_.find(octave);
-  if (found != probes_.end()) return found->second;
-  const double resolution_m = octave == 0 ? 0 : std::ldexp(1.0, octave);
-  return probes_.emplace(octave, Ground::Probe::with_sparse_detail(*ground_, resolution_m))
-      .first->second;
+GroundSample GroundEndProbe::sample(const Vec3& p_S_m, double step_m) {
+  return probes_.at(step_m < full_up_to_m ? 0 : octave_below_m(1, step_m)).sample(p_S_m);
 }
 
 std::optional<GroundEnd> GroundEndProbe::towards(const Vec3& eye_S_m, const Vec3& direction_S,

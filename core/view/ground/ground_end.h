@@ -3,10 +3,9 @@
 // ray that leaves the reach of the site (Ground::reaches) does not count as an end.
 #pragma once
 
-#include <map>
 #include <optional>
 
-#include "terrain/ground.h"
+#include "view/ground/ground_probes.h"
 
 namespace lsos {
 
@@ -39,7 +38,8 @@ class GroundEndTracker {
 class GroundEndProbe {
  public:
   // `ground` must outlive it.
-  explicit GroundEndProbe(const Ground& ground) : ground_(&ground) {}
+  explicit GroundEndProbe(const Ground& ground)
+      : ground_(&ground), probes_(ground, ProbeDetail::sparse) {}
 
   const SiteFrame& site() const { return ground_->site(); }
 
@@ -52,12 +52,10 @@ class GroundEndProbe {
   std::optional<GroundEnd> between(const Vec3& from_S_m, const Vec3& to_S_m, double margin_m = 0);
 
  private:
-  // The probe for a step of that length.
-  Ground::Probe& probe(double step_m);
-  GroundSample sample(const Vec3& p_S_m, double step_m) { return probe(step_m).sample(p_S_m); }
+  GroundSample sample(const Vec3& p_S_m, double step_m);
 
   const Ground* ground_;
-  std::map<int, Ground::Probe> probes_;  // by octave
+  GroundProbes probes_;
 };
 
 }  // namespace lsos

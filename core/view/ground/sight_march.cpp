@@ -23,11 +23,11 @@ constexpr double rounding_m = 1e-3;
 
 bool SightLine::is_free() const { return clearance_m > -rounding_m; }
 
-SightMarch::SightMarch(const Ground& ground)
-    : ground_(&ground), probes_(ground, coarse_share * step_least_m) {}
+SightMarch::SightMarch(const Ground& ground) : ground_(&ground), probes_(ground) {}
 
 double SightMarch::clearance_m(const Vec3& p_S_m, double step_m) {
-  const GroundSample sample = probes_.at(coarse_share * step_m).sample(p_S_m);
+  const double resolution_m = octave_above_m(coarse_share * step_least_m, coarse_share * step_m);
+  const GroundSample sample = probes_.at(resolution_m).sample(p_S_m);
   if (sample.is_ground()) return sample.gap_m;
   const SiteFrame& site = ground_->site();
   const double above_lowest_m = site.height_m(p_S_m) - ground_bound_m(site.body());

@@ -287,7 +287,8 @@ void Viewshed::march(std::size_t ray, GroundProbes& probes) {
     if (height_m) {
       slope = ground_slope(over_S_m, *height_m);
     } else {
-      const GroundSample ground = probes.at(coarse_share * (x_m - before_m)).sample(over_S_m);
+      const double resolution_m = octave_above_m(observer_.cell_m, coarse_share * (x_m - before_m));
+      const GroundSample ground = probes.at(resolution_m).sample(over_S_m);
       if (ground.is_ground()) slope = polar(over_S_m - ground.gap_m * ground.up_S).slope;
     }
     so_far = std::max(so_far, static_cast<float>(slope));

@@ -40,7 +40,7 @@ class Viewshed {
   // Rays may be marched in parallel, each thread with its own probes; all must be marched before
   // sees() is called. Small maps need none.
   std::size_t ray_count() const { return ray_count_; }
-  GroundProbes probes() const { return {*ground_, observer_.cell_m}; }
+  GroundProbes probes() const { return GroundProbes(*ground_); }
   void march(std::size_t ray, GroundProbes& probes);
 
   // The target must lie in the sector, and on the map if one is given. Nothing beyond reach_m() is
