@@ -59,10 +59,7 @@ bool contains(const Ring& ring, const Vec2& p_m) {
 }
 
 Vec2 nearest_on_segment(const Vec2& a_m, const Vec2& b_m, const Vec2& p_m) {
-  const Vec2 along_m = b_m - a_m;
-  const double length2_m2 = along_m.squaredNorm();
-  if (length2_m2 == 0) return a_m;
-  return a_m + std::clamp((p_m - a_m).dot(along_m) / length2_m2, 0.0, 1.0) * along_m;
+  return a_m + nearest_share(a_m, b_m, p_m) * (b_m - a_m);
 }
 
 Vec2 nearest_on_ring(const Ring& ring, const Vec2& p_m) {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/vector.h"
+#include "base/segment.h"
 
 namespace lsos {
 
@@ -11,9 +11,6 @@ using Ring = std::vector<Vec2>;  // vertices in order, each once; three or more
 
 // The end of the side that begins at vertex `i`.
 inline const Vec2& after(const Ring& ring, std::size_t i) { return ring[(i + 1) % ring.size()]; }
-
-// z component of a x b: positive where b points to the left of a.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 // Whether the point lies in the ring, by counting the sides that a ray crosses. For a point on a
 // side the result may be either.

@@ -1,22 +1,11 @@
 #include "base/polyline.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
+#include "base/segment.h"
+
 namespace lsos {
-
-namespace {
-
-double segment_distance_m(const Vec2& at_m, const Vec2& from_m, const Vec2& to_m) {
-  const Vec2 segment_m = to_m - from_m;
-  const double squared = segment_m.squaredNorm();
-  const double share =
-      squared > 0 ? std::clamp((at_m - from_m).dot(segment_m) / squared, 0.0, 1.0) : 0;
-  return (at_m - from_m - share * segment_m).norm();
-}
-
-}  // namespace
 
 std::vector<Vec2> simplified(const std::vector<Vec2>& line_m, double tolerance_m) {
   if (line_m.size() < 3) return line_m;
@@ -29,7 +18,7 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& line_m, double tolerance_m
     std::size_t farthest = first;
     double greatest_m = tolerance_m;
     for (std::size_t k = first + 1; k < last; ++k) {
-      const double distance_m = segment_distance_m(line_m[k], line_m[first], line_m[last]);
+      const double distance_m = point_distance_m(line_m[first], line_m[last], line_m[k]);
       if (distance_m <= greatest_m) continue;
       greatest_m = distance_m;
       farthest = k;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
 #include "driving/fillet.h"
 
 namespace lsos {
@@ -12,10 +13,6 @@ namespace {
 constexpr double same_point_m = 0.01;
 constexpr double straight_rad = 0.01;  // bends below this need no arc
 constexpr double arc_step_rad = 0.1;
-
-double bend_rad(const Vec2& in, const Vec2& out) {
-  return std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
-}
 
 class LineBuilder {
  public:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/segment.h"
 #include "route/cost/explain.h"
 #include "route/cost/standing_obstacles.h"
 #include "route/dubins_route.h"
@@ -321,8 +322,7 @@ class LegPlanner {
     const Vec2 first_m = line[1] - line[0];
     const double heading_rad = request_.start_heading_rad;
     const Vec2 ahead(std::sin(heading_rad), std::cos(heading_rad));
-    const double bend_rad =
-        std::abs(std::atan2(ahead.x() * first_m.y() - ahead.y() * first_m.x(), ahead.dot(first_m)));
+    const double bend_rad = std::abs(lsos::bend_rad(ahead, first_m));
     const RouteCost::CornerCost turn =
         request_.starts_at_rest
             ? costs.turning(bend_rad)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/segment.h"
 #include "mission/light/sun_watch.h"
 
 namespace lsos {
@@ -52,13 +53,9 @@ Mesh solids_near(const Fleet& fleet, const SiteFrame& site, const Vec3& eye_S_m,
 
 Mesh solids_between(const Fleet& fleet, const SiteFrame& site, const Vec3& from_S_m,
                     const Vec3& to_S_m, const Moment& moment) {
-  const Vec3 line_m = to_S_m - from_S_m;
-  const double length_m = line_m.norm(), aside_m = length_m > 0 ? panels_reach_m : shading_reach_m;
+  const double aside_m = from_S_m == to_S_m ? shading_reach_m : panels_reach_m;
   const auto is_near = [&](const Vec3& p_S_m, double reach_m) {
-    const double share =
-        length_m > 0 ? std::clamp((p_S_m - from_S_m).dot(line_m) / (length_m * length_m), 0.0, 1.0)
-                     : 0;
-    return (p_S_m - from_S_m - share * line_m).norm() < reach_m + aside_m;
+    return point_distance_m(from_S_m, to_S_m, p_S_m) < reach_m + aside_m;
   };
   Mesh mesh;
   for (const FleetRover& rover : fleet.rovers) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
 #include "mission/light/sun_watch.h"
 #include "planet/sky.h"
 
@@ -16,13 +17,6 @@ constexpr double speed_of_light_mps = 299792458;
 
 // A moving body may block a line when it is nearer to it than its own reach plus this.
 constexpr double near_line_m = 10;
-
-double distance_to_line_m(const Vec3& p, const Vec3& from, const Vec3& to) {
-  const Vec3 way = to - from;
-  const double length2 = way.squaredNorm();
-  const double share = length2 > 0 ? std::clamp((p - from).dot(way) / length2, 0.0, 1.0) : 0;
-  return (p - from - share * way).norm();
-}
 
 }  // namespace
 
@@ -48,7 +42,7 @@ bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
                          const std::vector<SightEnd>& ends) const {
   const Vec3& from_S_m = ends[pair.from].antenna_S_m;
   if (pair.to == earth_) return (other.p_S_m - from_S_m).norm() < shading_reach_m + other.reach_m;
-  return distance_to_line_m(other.p_S_m, from_S_m, ends[pair.to].antenna_S_m) <
+  return point_distance_m(from_S_m, ends[pair.to].antenna_S_m, other.p_S_m) <
          near_line_m + other.reach_m;
 }
 

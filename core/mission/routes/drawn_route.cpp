@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/segment.h"
 #include "mission/routes/drawn_leg.h"
 #include "plan/field_reader.h"
 #include "route/cost/standing_obstacles.h"
@@ -129,10 +130,8 @@ class DrawnRoute {
 
   // Whether the corner has room for a fillet that begins before it (driving_line.h).
   bool has_fillet_room(const Vec2& ahead, const Vec2& leg_m, double before_m) const {
-    const Vec2 out = leg_m.normalized();
-    const double bend_rad =
-        std::abs(std::atan2(ahead.x() * out.y() - ahead.y() * out.x(), ahead.dot(out)));
-    return cost_.turning_radius_min_m * std::tan(bend_rad / 2) <= std::min(before_m, leg_m.norm());
+    const double bend = std::abs(bend_rad(ahead, leg_m.normalized()));
+    return cost_.turning_radius_min_m * std::tan(bend / 2) <= std::min(before_m, leg_m.norm());
   }
 
   void warn(const std::string& what) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/segment.h"
 #include "driving/fillet.h"
 #include "driving/side_slip.h"
 #include "driving/slope_speed.h"
@@ -219,8 +220,7 @@ RouteCost::CornerCost RouteCost::corner_cost(const Vec2& before_m, const Vec2& a
   const DriveCost& cost = finder_.cost();
   if (!cost.can_turn_on_spot && !is_rounding_) return {};
   const Vec2 in_m = at_m - before_m, out_m = after_m - at_m;
-  const double bend_rad =
-      std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
+  const double bend_rad = std::abs(lsos::bend_rad(in_m, out_m));
   constexpr double straight_rad = 0.01;
   if (bend_rad < straight_rad) return {};
   const double room_m = std::min(in_m.norm(), out_m.norm()) / 2;
@@ -316,8 +316,7 @@ RouteCost::CornerCost RouteCost::arcs_driven(ArcState& speeds, const Line2& line
     const Vec2 in_m = std::exchange(speeds.in_m, out_m);
     if (in_m.isZero(0)) continue;
     speeds.free_m += in_m.norm();
-    const double bend_rad =
-        std::abs(std::atan2(in_m.x() * out_m.y() - in_m.y() * out_m.x(), in_m.dot(out_m)));
+    const double bend_rad = std::abs(lsos::bend_rad(in_m, out_m));
     constexpr double straight_rad = 0.01;  // driving_line() lays no arc there
     if (bend_rad < straight_rad) continue;
     const double length_m = std::min(in_m.norm(), out_m.norm());

@@ -279,7 +279,7 @@ std::vector<FreeArea::Turn> FreeArea::corners(const Limits& limits) const {
       const Vec2 in = corner - before, out = after(ring, i) - corner;
       if (in.norm() == 0 || out.norm() == 0) continue;
       // Free ground lies to the left of a side, so the ring turns right at a protruding corner.
-      const double turn_rad = -std::atan2(cross(in, out), in.dot(out));
+      const double turn_rad = -bend_rad(in, out);
       if (turn_rad <= 0) continue;
       const int count =
           std::max(1, static_cast<int>(std::ceil(turn_rad / (std::numbers::pi / 2) - 1e-9)));
