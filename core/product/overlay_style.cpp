@@ -39,7 +39,6 @@ RoverStyle::RoverStyle(std::size_t i)
     : plan_id(fmt::format("plan-{}", i)),
       planned_id(fmt::format("planned-{}", i)),
       driven_id(fmt::format("driven-{}", i)),
-      event_id(fmt::format("event-{}", i)),
       sample_id(fmt::format("sample-{}", i)),
       track_id(fmt::format("track-{}", i)),
       color_(rover_colors[i % rover_colors.size()]) {}
@@ -55,10 +54,6 @@ void RoverStyle::add_to(std::vector<KmlStyle>& styles, IconPlace icon_href) cons
   KmlStyle driven;
   driven.id = driven_id;
   driven.line_color_abgr = "ff" + color_;
-  KmlStyle event;
-  event.id = event_id;
-  event.icon_color_abgr = "ff" + color_;
-  event.icon_href = icon_href(OverlayIcon::arrow);
   KmlStyle sample;
   sample.id = sample_id;
   sample.icon_color_abgr = "c0" + color_;
@@ -66,10 +61,12 @@ void RoverStyle::add_to(std::vector<KmlStyle>& styles, IconPlace icon_href) cons
   sample.icon_scale = 0.35;
   sample.label_scale = 0;  // thousands of labels would hide the ground
   // The line behind the moving icon has the same colour.
-  KmlStyle track = event;
+  KmlStyle track;
   track.id = track_id;
+  track.icon_color_abgr = "ff" + color_;
+  track.icon_href = icon_href(OverlayIcon::arrow);
   track.line_color_abgr = "ff" + color_;
-  styles.insert(styles.end(), {plan, planned, driven, event, sample, track});
+  styles.insert(styles.end(), {plan, planned, driven, sample, track});
 }
 
 }  // namespace lsos

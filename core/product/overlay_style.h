@@ -17,7 +17,7 @@ KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href);
 
 // The styles of one rover. Its colour depends on its index `i` among the rovers.
 struct RoverStyle {
-  std::string plan_id, planned_id, driven_id, event_id, sample_id, track_id;
+  std::string plan_id, planned_id, driven_id, sample_id, track_id;
 
   explicit RoverStyle(std::size_t i);
   void add_to(std::vector<KmlStyle>& styles, IconPlace icon_href) const;
