@@ -45,10 +45,10 @@ struct DriveMotor {
   // not fall.
   double no_load_speed_radps = std::numeric_limits<double>::infinity();
   // Losses, see drive_power.h.
-  double efficiency = 1;            // of the gears: work at the wheel / work of the motor, 0..1
-  double winding_loss_w_pn2m2 = 0;  // W per (N m)^2 of torque at the wheel
-  double friction_n_m = 0;          // torque lost whenever it turns
-  double idle_w = 0;                // of the controller while the brake is open
+  double efficiency = 1;               // of the gears: work at the wheel / work of the motor, 0..1
+  double winding_loss_w_pn2m2 = 0;     // W per (N m)^2 of torque at the wheel
+  double friction_n_m = 0;             // torque lost whenever it turns
+  double idle_w = 0;                   // of the controller while the brake is open
   double servo_gain_n_m_sprad = 0;     // torque per rad/s of speed error
   double servo_integral_n_m_prad = 0;  // torque per rad of accumulated speed error
   double brake_torque_max_n_m = 0;
