@@ -156,6 +156,7 @@
 ---@field api integer Version of this interface: 1.
 ---@field schema? string The file's name, for readers; nothing else is allowed.
 ---@field doc string One sentence that a mission planner understands.
+---@field kind? string What it mostly is: 'driving', 'waiting', 'energy', 'communication', 'crew' or 'science'. Events of a kind share a colour in plots (default: a colour of its own).
 ---@field params? table Script key = lsos.number {...} or another field.
 ---@field geometry? any 'none', 'point', 'line', 'polygon' or several (default { 'none', 'point' }).
 ---@field drives? boolean A Point in the plan means: drive there (default false).
@@ -383,7 +384,10 @@
 ---@field torque_max_n_m number At the wheel.
 ---@field power_max_w number Mechanical, at the wheel.
 ---@field no_load_speed_radps? number Of the wheel: the motor's torque falls linearly to nothing there (default: it does not).
----@field efficiency number Mechanical out over electrical in.
+---@field efficiency number Of the gears: work at the wheel over work of the motor. Without the losses that follow, mechanical out over electrical in.
+---@field winding_loss_w_pn2m2? number Electrical loss of the motor per torque at the wheel squared (default 0).
+---@field friction_n_m? number Torque at the wheel that bearings, seals and gears take whenever it turns, as electrical loss (default 0).
+---@field idle_w? number Power of the motor's controller while the brake is open, driving or braking (default 0).
 ---@field servo_gain_n_m_sprad number Torque per speed error.
 ---@field servo_integral_n_m_prad number Torque per accumulated speed error.
 ---@field brake_torque_max_n_m number Of the brake, at the wheel.
