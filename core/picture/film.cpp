@@ -1,18 +1,15 @@
 #include "picture/film.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
-#include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -34,18 +31,6 @@ std::string ffmpeg() {
                    "install ffmpeg");
 }
 
-// Runs in the child, which reads pictures from its standard input. In its own process group it does
-// not receive a terminal's Ctrl-C; this program handles that.
-[[noreturn]] void exec_child(const std::vector<std::string>& words, int from_parent) {
-  setpgid(0, 0);
-  std::signal(SIGPIPE, SIG_DFL);
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  if (dup2(from_parent, STDIN_FILENO) >= 0) execv(argv[0], argv.data());
-  _exit(127);
-}
-
 }  // namespace
 
 Film::Film(const std::string& file, int width_px, int height_px)
@@ -61,44 +46,31 @@ Film::Film(const std::string& file, int width_px, int height_px)
                                        "-movflags",    "+faststart",
                                        "-f",           "mp4",
                                        "file:" + part_};
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error(std::strerror(errno));
-  child_ = fork();
-  if (child_ == 0) exec_child(words, ends[0]);
-  close(ends[0]);
-  to_child_ = ends[1];
-  if (child_ < 0) throw std::runtime_error(std::strerror(errno));
+  int pictures = -1;
+  std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::to_child, pictures);
+  if (!process) run_program(words, pictures);
+  ffmpeg_.emplace(std::move(*process));
 }
 
 Film::~Film() {
-  if (child_ < 0) return;
-  kill(child_, SIGKILL);
-  end();
+  if (!ffmpeg_) return;
+  ffmpeg_.reset();
   std::remove(part_.c_str());
 }
 
-int Film::end() {
-  close(to_child_);
-  int status = 0;
-  while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-  }
-  child_ = -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 void Film::add(std::span<const std::uint8_t> rgb) {
-  while (!rgb.empty()) {
-    const ssize_t written = write(to_child_, rgb.data(), rgb.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) throw OutputError(fmt::format("{}: ffmpeg has ended", file_));
-    rgb = rgb.subspan(static_cast<std::size_t>(written));
-  }
+  const std::string_view bytes(reinterpret_cast<const char*>(rgb.data()), rgb.size());
+  if (!ffmpeg_->write(bytes)) throw OutputError(fmt::format("{}: ffmpeg has ended", file_));
 }
 
 void Film::finish() {
-  const int code = end();
-  if (code == 0 && std::rename(part_.c_str(), file_.c_str()) == 0) return;
-  const std::string why = code == 0 ? std::strerror(errno) : fmt::format("ffmpeg's code {}", code);
+  const ChildProcess::Ending ending = ffmpeg_->wait();
+  ffmpeg_.reset();
+  if (ending.is_success() && std::rename(part_.c_str(), file_.c_str()) == 0) return;
+  const std::string why =
+      ending.is_success()
+          ? std::strerror(errno)
+          : fmt::format("ffmpeg's code {}", ending.code.value_or(128 + *ending.signal));
   std::remove(part_.c_str());
   throw OutputError(fmt::format("{}: cannot be made: {}", file_, why));
 }

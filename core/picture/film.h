@@ -1,12 +1,13 @@
 // A film, encoded from pictures by the program ffmpeg.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "base/child_process.h"
 
 namespace lsos {
 
@@ -27,12 +28,8 @@ class Film {
   void finish();
 
  private:
-  // Waits for ffmpeg and returns its exit code.
-  int end();
-
   std::string file_, part_;
-  pid_t child_ = -1;
-  int to_child_ = -1;
+  std::optional<ChildProcess> ffmpeg_;  // absent once it has ended
 };
 
 }  // namespace lsos

@@ -1,6 +1,5 @@
 // `lsos-host test`: runs scenarios, each file in a separate process.
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/child_process.h"
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -35,8 +35,7 @@ namespace fs = std::filesystem;
 // A file whose scenarios run in another process, which writes a line of JSON for each scenario.
 struct Worker {
   std::string file;
-  pid_t process = 0;
-  int pipe = -1;
+  ChildProcess process;
 };
 
 nlohmann::json to_json(const ScenarioResult& r) {
@@ -63,35 +62,11 @@ std::vector<ScenarioResult> from_lines(const std::string& text) {
   return results;
 }
 
-void write_all(int file, const std::string& bytes) {
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t count = write(file, bytes.data() + done, bytes.size() - done);
-    if (count <= 0) return;
-    done += static_cast<std::size_t>(count);
-  }
-}
-
-std::string read_all(int file) {
-  std::string bytes;
-  char buffer[4096];
-  for (ssize_t count = 0; (count = read(file, buffer, sizeof buffer)) > 0;) {
-    bytes.append(buffer, static_cast<std::size_t>(count));
-  }
-  return bytes;
-}
-
 Worker start(const std::string& file, const std::string& folder, const TestOptions& options) {
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe for a scenario's process");
-  std::fflush(nullptr);
-  const pid_t process = fork();
-  if (process < 0) throw std::runtime_error("no process for a scenario");
-  if (process > 0) {
-    close(ends[1]);
-    return {file, process, ends[0]};
-  }
-  close(ends[0]);
-  const auto report = [&](const ScenarioResult& result) { write_all(ends[1], line_of(result)); };
+  int lines = -1;
+  std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::from_child, lines);
+  if (process) return {file, std::move(*process)};
+  const auto report = [&](const ScenarioResult& result) { write_all(lines, line_of(result)); };
   try {
     run_scenarios(file, options.filter, folder, report);
   } catch (const std::exception& error) {
@@ -101,15 +76,12 @@ Worker start(const std::string& file, const std::string& folder, const TestOptio
   _exit(0);
 }
 
-std::vector<ScenarioResult> wait_for(const Worker& worker) {
-  const std::string bytes = read_all(worker.pipe);
-  close(worker.pipe);
-  int status = 0;
-  waitpid(worker.process, &status, 0);
-  std::vector<ScenarioResult> results = from_lines(bytes);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return results;
-  const std::string how = WIFSIGNALED(status) ? fmt::format("signal {}", WTERMSIG(status))
-                                              : "a fault inside the program";
+std::vector<ScenarioResult> wait_for(Worker& worker) {
+  std::vector<ScenarioResult> results = from_lines(worker.process.read_all());
+  const ChildProcess::Ending ending = worker.process.wait();
+  if (ending.is_success()) return results;
+  const std::string how =
+      ending.signal ? fmt::format("signal {}", *ending.signal) : "a fault inside the program";
   results.push_back({worker.file, "",
                      fmt::format("{}: ended by {} in the scenario after these", worker.file, how),
                      "", 0});
@@ -233,7 +205,7 @@ int test_command(const TestOptions& options) {
   const std::vector<std::string> files = files_of(options.paths);
   std::vector<ScenarioResult> results;
   if (!options.is_json) print_result("TAP version 14\n");
-  const auto add = [&](const Worker& worker) {
+  const auto add = [&](Worker& worker) {
     for (ScenarioResult& result : wait_for(worker)) {
       results.push_back(std::move(result));
       if (!options.is_json) print_result("{}", tap(results.size(), results.back()));
@@ -250,7 +222,7 @@ int test_command(const TestOptions& options) {
     }
     running.push_back(start(files[i], folders[i], options));
   }
-  for (const Worker& worker : running) add(worker);
+  for (Worker& worker : running) add(worker);
   if (!options.is_json) print_result("1..{}\n", results.size());
   if (options.is_json) {
     nlohmann::json list = nlohmann::json::array();

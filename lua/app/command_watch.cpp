@@ -2,7 +2,6 @@
 // stopped.
 #include <fmt/format.h>
 #include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -10,6 +9,7 @@
 #include <filesystem>
 #include <map>
 
+#include "base/child_process.h"
 #include "base/console.h"
 #include "base/error.h"
 #include "lua/app/run_options.h"
@@ -89,23 +89,6 @@ void end_with_parent(pid_t parent) {
   if (getppid() != parent) _exit(0);
 }
 
-// Forks with both signals blocked, so that none reaches the child while the parent's handler is
-// still installed there and would swallow it.
-pid_t fork_with_own_signals() {
-  sigset_t both, before;
-  sigemptyset(&both);
-  sigaddset(&both, SIGINT);
-  sigaddset(&both, SIGTERM);
-  sigprocmask(SIG_BLOCK, &both, &before);
-  const pid_t process = fork();
-  if (process == 0) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-  }
-  sigprocmask(SIG_SETMASK, &before, nullptr);
-  return process;
-}
-
 }  // namespace
 
 int watch_command(RunOptions options) {
@@ -115,20 +98,19 @@ int watch_command(RunOptions options) {
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
   for (;;) {
-    std::fflush(nullptr);
     const std::string kept_plan =
         (options.folder.empty() ? default_run_folder(options.plan) : options.folder) + "/plan.kml";
     const auto kept_before = modified(kept_plan);
-    const pid_t process = fork_with_own_signals();
-    if (process < 0) throw std::runtime_error("no process for a run");
-    if (process == 0) {
+    int no_pipe = -1;
+    std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::none, no_pipe);
+    if (!process) {
       end_with_parent(self);
       return run_command(options);
     }
     const std::string changed = wait_for_change(options.plan, written);
     // A run still going is out of date and is stopped; one that has ended is not affected.
-    kill(process, stop_signal != 0 ? static_cast<int>(stop_signal) : SIGTERM);
-    waitpid(process, nullptr, 0);
+    process->send(stop_signal != 0 ? static_cast<int>(stop_signal) : SIGTERM);
+    process->wait();
     if (stop_signal != 0) return 128 + stop_signal;
     // A run that took the folder has written its plan there, so what is left in it may be replaced.
     options.is_forced |= modified(kept_plan) != kept_before;

@@ -1,0 +1,123 @@
+#include "base/child_process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace lsos {
+
+namespace {
+
+[[noreturn]] void refuse(const char* what) {
+  throw std::runtime_error(fmt::format("no {}: {}", what, std::strerror(errno)));
+}
+
+// Forks with both signals blocked, so that none reaches the child while a handler of the parent is
+// still installed there and would swallow it.
+pid_t fork_with_default_signals() {
+  sigset_t both, before;
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  sigprocmask(SIG_BLOCK, &both, &before);
+  const pid_t id = ::fork();
+  if (id == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  return id;
+}
+
+}  // namespace
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+void run_program(const std::vector<std::string>& words, int input) {
+  setpgid(0, 0);
+  std::signal(SIGPIPE, SIG_DFL);
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  if (dup2(input, STDIN_FILENO) >= 0) execv(argv[0], argv.data());
+  _exit(127);
+}
+
+std::optional<ChildProcess> ChildProcess::fork(Pipe pipe, int& pipe_end) {
+  std::array<int, 2> ends{-1, -1};  // the first is read from, the second written to
+  if (pipe != Pipe::none && pipe2(ends.data(), O_CLOEXEC) != 0) refuse("pipe for a process");
+  const auto [childs, ours] =
+      pipe == Pipe::to_child ? std::pair(ends[0], ends[1]) : std::pair(ends[1], ends[0]);
+  std::fflush(nullptr);  // what stands in buffers is not written twice
+  const pid_t id = fork_with_default_signals();
+  const int error = errno;
+  if (pipe != Pipe::none) close(id == 0 ? ours : childs);
+  if (id < 0) {
+    if (pipe != Pipe::none) close(ours);
+    errno = error;
+    refuse("further process");
+  }
+  pipe_end = childs;
+  if (id == 0) return {};
+  return ChildProcess(id, ours);
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : id_(std::exchange(other.id_, -1)), pipe_end_(std::exchange(other.pipe_end_, -1)) {}
+
+ChildProcess::~ChildProcess() {
+  if (id_ < 0) return;
+  send(SIGKILL);
+  wait();
+}
+
+void ChildProcess::close_pipe() {
+  if (pipe_end_ >= 0) close(pipe_end_);
+  pipe_end_ = -1;
+}
+
+bool ChildProcess::write(std::string_view bytes) { return write_all(pipe_end_, bytes); }
+
+std::string ChildProcess::read_all() {
+  std::string bytes;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = read(pipe_end_, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+void ChildProcess::send(int signal) const { kill(id_, signal); }
+
+ChildProcess::Ending ChildProcess::wait() {
+  close_pipe();
+  int status = 0;
+  while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {
+  }
+  id_ = -1;
+  Ending ending;
+  if (WIFEXITED(status)) ending.code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
+  return ending;
+}
+
+}  // namespace lsos

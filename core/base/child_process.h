@@ -1,0 +1,56 @@
+// A process forked from this one, with a pipe to or from it.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lsos {
+
+class ChildProcess {
+ public:
+  enum class Pipe { none, to_child, from_child };
+
+  // How a child has ended: by an exit code, or by a signal.
+  struct Ending {
+    std::optional<int> code, signal;
+
+    bool is_success() const { return code == 0; }
+  };
+
+  // Forks. Returns absent in the child, where `pipe_end` is its end of the pipe (-1: none) and
+  // SIGINT and SIGTERM have their default effect. Throws std::runtime_error.
+  static std::optional<ChildProcess> fork(Pipe pipe, int& pipe_end);
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&&) = delete;
+  // Kills a child that has not been waited for.
+  ~ChildProcess();
+
+  // Writes to the child; false when it no longer reads.
+  bool write(std::string_view bytes);
+  // Everything that the child writes until it closes its end.
+  std::string read_all();
+  void send(int signal) const;
+  // Closes the pipe and waits. To be called once.
+  Ending wait();
+
+ private:
+  ChildProcess(pid_t id, int pipe_end) : id_(id), pipe_end_(pipe_end) {}
+
+  void close_pipe();
+
+  pid_t id_ = -1;  // -1: it has been waited for
+  int pipe_end_ = -1;
+};
+
+// Writes all bytes to a file descriptor; false when that fails.
+bool write_all(int file, std::string_view bytes);
+
+// In a child: runs a program with `input` as its standard input. In its own process group it does
+// not receive a terminal's Ctrl-C. Ends the process with code 127 when it cannot be run.
+[[noreturn]] void run_program(const std::vector<std::string>& words, int input);
+
+}  // namespace lsos
