@@ -66,6 +66,17 @@ void Process::signal(int number) {
   if (is_running_) kill(pid_, number);
 }
 
+std::string Process::err_so_far() {
+  std::string text;
+  char buffer[4096];
+  // Read by place, as the program writes at the file's own.
+  for (ssize_t count = 0; (count = pread(fileno(err_.get()), buffer, sizeof buffer,
+                                         static_cast<off_t>(text.size()))) > 0;) {
+    text.append(buffer, static_cast<std::size_t>(count));
+  }
+  return text;
+}
+
 Outcome Process::wait() {
   reap(0);
   Outcome outcome;

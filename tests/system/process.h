@@ -35,6 +35,8 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   bool is_running();
+  // What it has written to standard error so far.
+  std::string err_so_far();
   void signal(int number);
   // Waits until the program has ended.
   Outcome wait();

@@ -50,7 +50,9 @@ TEST(Watch, runs_again_when_plan_or_script_changes_and_ends_at_a_signal) {
   ASSERT_TRUE(comes(summary, "completed"));
 
   folder.write("say.kml", "<kml>");  // a fault: it is reported, and the watch goes on
-  std::this_thread::sleep_for(std::chrono::milliseconds(3000));
+  for (int k = 0; k < 200 && watched.err_so_far().find("say.kml:1: ") == std::string::npos; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
   EXPECT_TRUE(watched.is_running());
   folder.write("events/Say.lua", event_of(33));
   folder.write("say.kml", form.out);
