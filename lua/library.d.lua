@@ -385,7 +385,7 @@
 ---@field power_max_w number Mechanical, at the wheel.
 ---@field no_load_speed_radps? number Of the wheel: the motor's torque falls linearly to nothing there (default: it does not).
 ---@field efficiency number Of the gears: work at the wheel over work of the motor. Without the losses that follow, mechanical out over electrical in.
----@field winding_loss_w_pn2m2? number Electrical loss of the motor per torque at the wheel squared (default 0).
+---@field winding_loss_w_pn2m2? number Electrical loss of the motor per torque at the wheel squared: R / (i k_t)^2 for windings of R ohm, a torque constant k_t and a gear ratio i (default 0).
 ---@field friction_n_m? number Torque at the wheel that bearings, seals and gears take whenever it turns, as electrical loss (default 0).
 ---@field idle_w? number Power of the motor's controller while the brake is open, driving or braking (default 0).
 ---@field servo_gain_n_m_sprad number Torque per speed error.

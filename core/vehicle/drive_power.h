@@ -12,11 +12,11 @@ namespace lsos {
 // With torque T and spin w at the wheel, after gearing:
 //  driving (T w > 0):  P = T w / eta + k T^2 + T_f |w| + P_0,
 //  braking (T w < 0):  P = max(P_0, eta T w + k T^2 + T_f |w| + P_0).
-// eta: gears, in proportion to what they carry; k T^2: current in the windings of a motor whose
-// torque is in proportion to its current; T_f: bearings, seals and gears that turn without a load;
-// P_0: the controller while the brake is open. A motor that brakes works as a generator, whose
-// output covers the drive's own losses; nothing is fed back to the battery. (Loss terms of a DC
-// drive as in Hughes and Drury, Electric Motors and Drives, 2013, chapter 3.)
+// eta: gears, in proportion to what they carry; k T^2: current in the windings, k = R / (i k_t)^2
+// for windings of R ohm, a torque constant k_t in N m/A and a gear ratio i; T_f: bearings, seals
+// and gears that turn without a load; P_0: the controller while the brake is open. A motor that
+// brakes works as a generator, whose output covers the drive's own losses; nothing is fed back to
+// the battery.
 inline double drive_power_w(const DriveMotor& motor, double torque_n_m, double spin_radps) {
   const double work_w = torque_n_m * spin_radps;
   const double through_gears_w = work_w > 0 ? work_w / motor.efficiency : work_w * motor.efficiency;

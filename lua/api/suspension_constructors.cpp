@@ -97,8 +97,10 @@ void read_drive(TableReader& t, DriveMotor& motor) {
       required, "efficiency", motor.efficiency, {0, 1, true},
       "Of the gears: work at the wheel over work of the motor. Without the losses that follow, "
       "mechanical out over electrical in.");
-  t.number(optional, "winding_loss_w_pn2m2", motor.winding_loss_w_pn2m2, not_negative,
-           "Electrical loss of the motor per torque at the wheel squared (default 0).");
+  t.number(
+      optional, "winding_loss_w_pn2m2", motor.winding_loss_w_pn2m2, not_negative,
+      "Electrical loss of the motor per torque at the wheel squared: R / (i k_t)^2 for windings "
+      "of R ohm, a torque constant k_t and a gear ratio i (default 0).");
   t.number(optional, "friction_n_m", motor.friction_n_m, not_negative,
            "Torque at the wheel that bearings, seals and gears take whenever it turns, as "
            "electrical loss (default 0).");

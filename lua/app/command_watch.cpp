@@ -101,8 +101,7 @@ int watch_command(RunOptions options) {
     const std::string kept_plan =
         (options.folder.empty() ? default_run_folder(options.plan) : options.folder) + "/plan.kml";
     const auto kept_before = modified(kept_plan);
-    int no_pipe = -1;
-    std::optional<ChildProcess> process = ChildProcess::fork(ChildProcess::Pipe::none, no_pipe);
+    std::optional<ChildProcess> process = ChildProcess::fork();
     if (!process) {
       end_with_parent(self);
       return run_command(options);

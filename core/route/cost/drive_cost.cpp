@@ -18,4 +18,11 @@ SlopeDrive SoilDrive::at(double slope_rad) const {
           low.lost_jpm + share * (high.lost_jpm - low.lost_jpm)};
 }
 
+double DriveCost::level_jpm() const {
+  const SoilDrive& soil = soils.front();
+  if (soil.by_slope.empty()) return 0;
+  const SlopeDrive level = soil.at(0);
+  return level.energy_jpm + idle_w / level.speed_mps;
+}
+
 }  // namespace lsos

@@ -93,6 +93,9 @@ struct DriveCost {
   // `Stance::roughness_m`: on rough ground the side slip angle keeps changing its sign.
   double rough_tilt_1pm = 0;
 
+  // Energy of a metre on the level, controllers included, J/m; 0 where its wheels cannot drive.
+  double level_jpm() const;
+
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, soils, wheels_B_m, underside_B_m, limits, turning_radius_min_m,
                  can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, turn_jprad,

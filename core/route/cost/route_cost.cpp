@@ -56,15 +56,14 @@ double ArcCost::of(double bend_rad) const {
 ArcCost arc_cost_j(const DriveCost& cost, double radius_m) {
   const double share = arc_speed_mps(cost, radius_m) / cost.speed_mps;
   const double longer_spm = (1 / share - 1) / cost.speed_mps;
-  return {
-      cost.slow_j * (1 - share * share) + cost.load_w * cost.stop_s * (1 - share) * (1 - share),
-      cost.arc_drag_jmprad * std::pow(share, 4) / radius_m + cost.load_w * radius_m * longer_spm};
+  const double powers_w = cost.load_w + cost.idle_w;
+  return {cost.slow_j * (1 - share * share) + powers_w * cost.stop_s * (1 - share) * (1 - share),
+          cost.arc_drag_jmprad * std::pow(share, 4) / radius_m + powers_w * radius_m * longer_spm};
 }
 
 ArcCost arc_price_m(const DriveCost& cost, double radius_m) {
-  const SoilDrive& soil = cost.soils.front();
-  if (soil.by_slope.empty()) return {};
-  const double level_jpm = std::max(1e-9, soil.at(0).energy_jpm);
+  if (cost.soils.front().by_slope.empty()) return {};
+  const double level_jpm = std::max(1e-9, cost.level_jpm());
   const ArcCost of_j = arc_cost_j(cost, radius_m);
   return {of_j.slowing / level_jpm, of_j.per_rad / level_jpm};
 }
@@ -76,9 +75,8 @@ RouteCost::RouteCost(GroundMap& map, const StanceFinder& finder, RouteAim aim,
   border_m_ = finder.reach_m() + 2 * map.spacing_m();
   // For RouteAim::risk the energy of a corner counts as the distance that it would drive on the
   // level.
-  const SoilDrive& soil = finder_.cost().soils.front();
-  if (aim_ == RouteAim::risk && !soil.by_slope.empty()) {
-    cost_per_j_ = 1 / std::max(1e-9, soil.at(0).energy_jpm);
+  if (aim_ == RouteAim::risk && !finder_.cost().soils.front().by_slope.empty()) {
+    cost_per_j_ = 1 / std::max(1e-9, finder_.cost().level_jpm());
   }
 }
 
@@ -148,9 +146,8 @@ void RouteCost::find_least() {
     per_rise_ = per_rise;
   }
   least_per_metre_ = std::max(0.0, least_per_metre_);
-  const SoilDrive& soil = finder_.cost().soils.front();
-  if (soil.by_slope.empty()) return;
-  steep_per_metre_ = std::max(0.0, soil.at(0).energy_jpm) +
+  if (finder_.cost().soils.front().by_slope.empty()) return;
+  steep_per_metre_ = std::max(0.0, finder_.cost().level_jpm()) +
                      per_rise_ * std::sin(finder_.cost().limits.slope_max_rad);
 }
 
@@ -249,9 +246,7 @@ RouteCost::CornerCost RouteCost::rounding(double bend_rad, double room_m) const 
   if (radius_m >= cost.turning_radius_min_m) return {arc_j, 0};
   // Where the tightest arc has no room, more than any arc costs, growing as the room shrinks; also
   // where slowing down is free because the soil's drag does it.
-  const SoilDrive& soil = cost.soils.front();
-  const double radius_j =
-      soil.by_slope.empty() ? 0 : soil.at(0).energy_jpm * cost.turning_radius_min_m;
+  const double radius_j = cost.level_jpm() * cost.turning_radius_min_m;
   return {arc_j + std::max(cost.slow_j, radius_j) * cost.turning_radius_min_m / radius_m, 0};
 }
 
