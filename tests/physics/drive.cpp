@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/segment.h"
 #include "lua/host/mission_reader.h"
 #include "mission/model/site.h"
 #include "planet/ellipsoid.h"
+#include "vehicle/follower_pose.h"
 
 namespace lsos::test {
 
@@ -19,18 +21,9 @@ const Catalog& catalog() {
 double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
   double nearest_m = 1e9;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 along = line[i + 1] - line[i];
-    const double t = std::clamp((p - line[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    nearest_m = std::min(nearest_m, (p - line[i] - t * along).norm());
+    nearest_m = std::min(nearest_m, point_distance_m(line[i], line[i + 1], p));
   }
   return nearest_m;
-}
-
-FollowerPose pose_of(const VehicleReport& report) {
-  const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
-  return {report.p_S_m.head<2>(), report.yaw_rad,
-          report.speed_mps,       left_S.dot(report.v_S_mps.head<2>()),
-          report.pitch_rad,       report.roll_rad};
 }
 
 }  // namespace
@@ -84,10 +77,10 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
   }
   limits.lookahead_min_m = reach_m;
   limits.turn_rate_radps = 0.4 * std::min(config.cruise_speed_mps, 1.0) / reach_m;
-  PathFollower follower(path, pose_of(vehicle.report()), limits);
+  PathFollower follower(path, follower_pose(vehicle.report()), limits);
   VehicleReport report = vehicle.report();
   while (follower.status() == PathFollower::Status::driving) {
-    vehicle.command(follower.update(pose_of(report), seconds(exchange_period)));
+    vehicle.command(follower.update(follower_pose(report), seconds(exchange_period)));
     vehicle.advance(exchange_period);
     report = vehicle.report();
     result.duration_s += seconds(exchange_period);

@@ -7,6 +7,7 @@
 
 #include "mission/port/note_json.h"
 #include "mission/routes/drive_cost_model.h"
+#include "vehicle/follower_pose.h"
 
 namespace lsos {
 
@@ -15,13 +16,6 @@ namespace {
 constexpr double at_rest_mps = 0.005;      // speed below which a braked rover is at rest
 constexpr int exchanges_until_parked = 5;  // exchanges at rest after which it is parked
 constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follower, for small rovers
-
-FollowerPose pose_of(const VehicleReport& report) {
-  const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
-  return {report.p_S_m.head<2>(), report.yaw_rad,
-          report.speed_mps,       left_S.dot(report.v_S_mps.head<2>()),
-          report.pitch_rad,       report.roll_rad};
-}
 
 }  // namespace
 
@@ -60,7 +54,7 @@ void RoverDrive::observe() {
   if (is_driving()) find_hindrances();
   if (!is_driving()) return;
   const VehicleReport& report = motion_->report();
-  give(follower_->update(pose_of(report), seconds(exchange_period)));
+  give(follower_->update(follower_pose(report), seconds(exchange_period)));
   if (follower_->is_stuck()) {
     journal_->note("stuck", fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
                                         note_json(follower_->remaining_m()),
@@ -163,9 +157,9 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   const VehicleReport& report = motion_->report();
   failure_.clear();
   may_touch_with_chassis_ = report.is_chassis_on_ground;
-  follower_.emplace(path_S_m, pose_of(report), limits);
+  follower_.emplace(path_S_m, follower_pose(report), limits);
   if (!motion_->fault().empty()) return;
-  give(follower_->update(pose_of(report), seconds(exchange_period)));
+  give(follower_->update(follower_pose(report), seconds(exchange_period)));
 }
 
 void RoverDrive::brake() {
@@ -193,7 +187,8 @@ std::vector<Footprint> RoverDrive::footprints_ahead() const {
     footprints.push_back(moved(at_rest, p_m, report.yaw_rad + turn_rad));
   }
   if (is_driving()) {
-    for (const FollowerPose& pose : follower_->poses_ahead(pose_of(report), braking_m, step_m)) {
+    for (const FollowerPose& pose :
+         follower_->poses_ahead(follower_pose(report), braking_m, step_m)) {
       footprints.push_back(moved(at_rest, pose.p_S_m, pose.yaw_rad));
     }
   } else {

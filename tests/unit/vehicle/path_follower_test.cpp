@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/segment.h"
 #include "base/units.h"
 #include "driving/fillet.h"
 #include "test_rover.h"
@@ -18,9 +19,7 @@ constexpr double period_s = 0.1;
 double distance_to_line_m(const Vec2& p, const std::vector<Vec2>& line) {
   double nearest = 1e9;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 along = line[i + 1] - line[i];
-    const double t = std::clamp((p - line[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (p - line[i] - t * along).norm());
+    nearest = std::min(nearest, point_distance_m(line[i], line[i + 1], p));
   }
   return nearest;
 }
