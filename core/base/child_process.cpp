@@ -79,6 +79,11 @@ std::optional<ChildProcess> ChildProcess::fork(Pipe pipe, int& pipe_end) {
   return ChildProcess(id, ours);
 }
 
+std::optional<ChildProcess> ChildProcess::fork() {
+  int pipe_end = -1;
+  return fork(Pipe::none, pipe_end);
+}
+
 ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : id_(std::exchange(other.id_, -1)), pipe_end_(std::exchange(other.pipe_end_, -1)) {}
 

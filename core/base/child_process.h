@@ -24,6 +24,7 @@ class ChildProcess {
   // Forks. Returns absent in the child, where `pipe_end` is its end of the pipe (-1: none) and
   // SIGINT and SIGTERM have their default effect. Throws std::runtime_error.
   static std::optional<ChildProcess> fork(Pipe pipe, int& pipe_end);
+  static std::optional<ChildProcess> fork();  // without a pipe
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&&) = delete;
   // Kills a child that has not been waited for.

@@ -78,9 +78,8 @@ class Simulation : private Surroundings {
   // way.
   double progress() const;
 
-  // Interactive control by a prompt or a scenario, between exchanges.
+  // Interactive control by a prompt or a scenario, between exchanges: rovers may be commanded.
   const Fleet& fleet() const { return fleet_; }
-  Fleet& fleet() { return fleet_; }
   // Adds an event of a rover. Throws InputError when its sequence is taken or its turn is over, or
   // when there is no such rover.
   void dispatch(const PlanEvent& event);
