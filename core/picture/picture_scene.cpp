@@ -14,6 +14,8 @@ namespace {
 
 const Vec3 panel_front(0.03, 0.05, 0.16), panel_back(0.45, 0.45, 0.47);
 constexpr double panel_half_m = 0.006;  // half thickness of a drawn panel
+// Wheels that turn stay within it, so that the shadow maps of a film keep their scale.
+constexpr double bound_slack_m = 0.1;
 
 constexpr double ribbon_half_px = 0.9;
 // Ribbons lie on the ground that wheels drive on; the drawn ground is a little coarser, so ribbons
@@ -65,7 +67,8 @@ std::vector<DrawnBody> drawn_bodies(const MissionModel& files, const Ground& gro
       faces.back().centre_m += sample.p_S_m - eye_S_m;
     }
     add_panels(body, faces, eye_S_m, site.up_S(sample.p_S_m));
-    body.bound_m = std::max(body.reach_m, raised.reach_m());
+    body.bound_m =
+        std::max(std::max(body.reach_m, raised.reach_m()) + bound_slack_m, shape.reach_m(poses));
     bodies.push_back(std::move(body));
   }
   for (const PlanAsset& planned : files.plan.assets) {
@@ -74,14 +77,14 @@ std::vector<DrawnBody> drawn_bodies(const MissionModel& files, const Ground& gro
                    0,          asset.shape.top_m()};
     add_solids(body, asset.shape.solids({asset.pose}, eye_S_m));
     add_panels(body, asset.panel_faces(eye_S_m, sun_S), eye_S_m, site.up_S(body.p_S_m));
-    body.bound_m = body.reach_m;
+    body.bound_m = body.reach_m + bound_slack_m;
     bodies.push_back(std::move(body));
   }
   return bodies;
 }
 
 SceneBody scene_body(const DrawnBody& body, const Vec3& eye_S_m, const TerrainShadow& shadow) {
-  SceneBody scene{{}, body.p_S_m - eye_S_m, body.bound_m + 0.1};
+  SceneBody scene{{}, body.p_S_m - eye_S_m, body.bound_m};
   for (const PictureSolid& solid : body.solids) {
     append(scene.mesh, solid.mesh, solid.colour, &shadow);
   }

@@ -19,7 +19,7 @@ struct DrawnBody {
   std::vector<PictureSolid> solids;  // relative to the eye, without panels
   std::vector<PanelFace> panels;     // relative to the eye
   double reach_m = 1;                // radius about the reference point that holds all but masts
-  double bound_m = 1;                // radius that holds masts too
+  double bound_m = 1;                // radius that holds masts and moved limbs too
   double top_m = 1;                  // height above the reference point
 };
 

@@ -49,6 +49,15 @@ std::vector<Shape> AntennaArray::masts(SimTime now) const {
   return shapes;
 }
 
+double AntennaArray::mast_reach_m() const {
+  double reach_m = 0;
+  for (const AntennaSpec& spec : specs_) {
+    if (!spec.is_stowable()) continue;
+    reach_m = std::max({reach_m, spec.p_B_m.norm() + head_m, spec.stowed_p_B_m->norm() + head_m});
+  }
+  return reach_m;
+}
+
 void AntennaArray::set_silent(bool is_silent, SimTime now) {
   is_silent_ = is_silent;
   silenced_ = now;

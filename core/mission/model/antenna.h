@@ -53,6 +53,8 @@ class AntennaArray {
   double extension_m(std::size_t i, SimTime now) const;
   // Shapes of all stowable antennas.
   std::vector<Shape> masts(SimTime now) const;
+  // Radius about the reference point that holds all stowable antennas, stowed and up.
+  double mast_reach_m() const;
   // Power that all use, W.
   double power_w(SimTime now) const;
 

@@ -89,6 +89,19 @@ void BodyShape::add_piece(std::size_t part, const Mesh& mesh, const Mat3& R, con
   }
 }
 
+double BodyShape::reach_m(const std::vector<PartPose>& poses) const {
+  double reach_m = reach_m_;
+  for (const Piece& piece : pieces_) {
+    if (piece.part == 0) continue;  // does not move about the reference point
+    const PartPose& pose = poses[piece.part];
+    for (const auto& vertex : piece.mesh.vertices) {
+      const Vec3 at_S_m = pose.point_S_m(Vec3(vertex[0], vertex[1], vertex[2]));
+      reach_m = std::max(reach_m, (at_S_m - poses.front().p_S_m).norm());
+    }
+  }
+  return reach_m;
+}
+
 void BodyShape::append_to(Mesh& mesh, const std::vector<PartPose>& poses,
                           const Vec3& eye_S_m) const {
   for (const Piece& piece : pieces_) {

@@ -31,6 +31,8 @@ class BodyShape {
   std::vector<Solid> solids(const std::vector<PartPose>& poses, const Vec3& eye_S_m) const;
   // Radius about the reference point that holds all shapes, at rest.
   double reach_m() const { return reach_m_; }
+  // The same in poses as append_to() takes them.
+  double reach_m(const std::vector<PartPose>& poses) const;
   double top_m() const { return top_m_; }  // above the reference point, at rest
 
  private:
