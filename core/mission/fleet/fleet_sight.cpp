@@ -18,7 +18,7 @@ std::vector<SightEnd> ends_of(const Fleet& fleet, SimTime now) {
     ends.push_back({rover.agent->id(), rover.agent->view().p_S_m, rover.agent->antenna_S_m(),
                     antennas.has_link(in_use, now), antenna.range_max_m, antenna.reaches_earth,
                     antennas.has_changed(now) ? Motion::has_ended : rover.motion,
-                    rover.agent->shape().reach_m(), false});
+                    reach_m(*rover.agent), false});
   }
   for (const StandingAsset& asset : fleet.assets) {
     const double height_m = asset.plan.antenna_height_m.value_or(asset.model.antenna_height_m);

@@ -3,16 +3,14 @@
 #include <algorithm>
 
 #include "base/segment.h"
+#include "mission/light/sight_watch.h"
 #include "mission/light/sun_watch.h"
 
 namespace lsos {
 
-namespace {
-
-// Distance by which panels may stand out of a body's shapes.
-constexpr double panels_reach_m = 10;
-
-}  // namespace
+double reach_m(const RoverAgent& rover) {
+  return std::max(rover.shape().reach_m(), rover.antennas().mast_reach_m() - beyond_reach_m);
+}
 
 Motion motion_of(const FleetRover& rover, SimTime now) {
   const RoverPower& power = rover.agent->power();
@@ -53,13 +51,13 @@ Mesh solids_near(const Fleet& fleet, const SiteFrame& site, const Vec3& eye_S_m,
 
 Mesh solids_between(const Fleet& fleet, const SiteFrame& site, const Vec3& from_S_m,
                     const Vec3& to_S_m, const Moment& moment) {
-  const double aside_m = from_S_m == to_S_m ? shading_reach_m : panels_reach_m;
-  const auto is_near = [&](const Vec3& p_S_m, double reach_m) {
-    return point_distance_m(from_S_m, to_S_m, p_S_m) < reach_m + aside_m;
+  const double aside_m = from_S_m == to_S_m ? shading_reach_m : beyond_reach_m;
+  const auto is_near = [&](const Vec3& p_S_m, double body_m) {
+    return point_distance_m(from_S_m, to_S_m, p_S_m) < body_m + aside_m;
   };
   Mesh mesh;
   for (const FleetRover& rover : fleet.rovers) {
-    if (!is_near(rover.agent->view().p_S_m, rover.agent->shape().reach_m())) continue;
+    if (!is_near(rover.agent->view().p_S_m, reach_m(*rover.agent))) continue;
     append_solids(mesh, *rover.agent, from_S_m, moment.now);
   }
   for (const StandingAsset& asset : fleet.assets) {

@@ -8,6 +8,9 @@
 
 namespace lsos {
 
+// Radius about the reference point that, with beyond_reach_m, holds a rover's body at rest and its
+// masts, stowed and up.
+double reach_m(const RoverAgent& rover);
 // Motion of a rover or its panels at this exchange.
 Motion motion_of(const FleetRover& rover, SimTime now);
 // Motion of rovers that may shade a place; `except` does not count, nullptr: all do.

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double speed_of_light_mps = 299792458;
 
-// A moving body may block a line when it is nearer to it than its own reach plus this.
-constexpr double near_line_m = 10;
-
 }  // namespace
 
 SimTime earth_interval(const Body& body) { return from_seconds(body.earth_interval_s); }
@@ -43,7 +40,7 @@ bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
   const Vec3& from_S_m = ends[pair.from].antenna_S_m;
   if (pair.to == earth_) return (other.p_S_m - from_S_m).norm() < shading_reach_m + other.reach_m;
   return point_distance_m(from_S_m, ends[pair.to].antenna_S_m, other.p_S_m) <
-         near_line_m + other.reach_m;
+         other.reach_m + beyond_reach_m;
 }
 
 // How long a result between parked ends holds.

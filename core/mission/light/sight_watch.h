@@ -32,6 +32,10 @@ struct OpenInterval {
   void archive(Archive& a) { LSOS_ARCHIVE(a, start, light_time_s); }
 };
 
+// Distance by which panels, and limbs that have moved from their rest, may stand out of the reach
+// of a body. A body blocks no line that passes it farther away.
+inline constexpr double beyond_reach_m = 10;
+
 // One end of a line of sight at an exchange.
 struct SightEnd {
   std::string id;
@@ -41,7 +45,7 @@ struct SightEnd {
   double range_max_m = std::numeric_limits<double>::infinity();
   bool reaches_earth = true;
   Motion motion = Motion::none;
-  double reach_m = 0;           // radius about the reference point that holds its body
+  double reach_m = 0;           // radius about the reference point that holds its body at rest
   bool turns_with_sun = false;  // its panels follow the Sun, though it stands still
 };
 
