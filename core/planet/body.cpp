@@ -21,7 +21,8 @@ constexpr double day_s = 86400;
 // 2016 for Mars without its moons, WGS84 for Earth.
 // Rotation: Archinal et al. 2018, WGS84 for Earth. Ground: LOLA, MOLA, Challenger Deep and Mount
 // Everest. Mars is flattened but its reference surface is not: the northern plains, 5 km below the
-// areoid, lie up to 24.3 km below that sphere.
+// areoid, lie up to 24.3 km below that sphere. Albedo: Mars as a whole (recalled), and the usual
+// value for Earth of models of solar energy (Bird and Hulstrom 1981).
 constexpr std::array<Body, 3> bodies{{
     {.id = BodyId::moon,
      .name = "Moon",
@@ -54,6 +55,8 @@ constexpr std::array<Body, 3> bodies{{
      .lowest_ground_m = -25e3,
      .highest_ground_m = 21.3e3,
      .air = Air::dusty,
+     .assumed_optical_depth = 0.5,
+     .assumed_albedo = 0.25,
      .assumed_soil = "Ding2011_planetary_simulant"},
     {.id = BodyId::earth,
      .name = "Earth",
@@ -70,6 +73,7 @@ constexpr std::array<Body, 3> bodies{{
      .lowest_ground_m = -11.1e3,
      .highest_ground_m = 8.9e3,
      .air = Air::clear,
+     .assumed_albedo = 0.2,
      .assumed_soil = "DrySand"},
 }};
 

@@ -27,6 +27,10 @@ struct Body {
   double sun_step_deg = 0, earth_interval_s = 0;
   double lowest_ground_m = 0, highest_ground_m = 0;  // above the reference surface
   Air air = Air::none;
+  // Where a terrain script says nothing: vertical optical depth of dust, and share of light that
+  // the ground reflects. 0 on the Moon: a panel there sees its reflected light as less than 1 % of
+  // the Sun's where rovers follow it near a pole, and ground in shadow would give it too.
+  double assumed_optical_depth = 0, assumed_albedo = 0;
   std::string_view assumed_soil;  // of ground of which nothing says what it is made of
 };
 

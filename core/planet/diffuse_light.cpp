@@ -90,6 +90,8 @@ LayerLight dusty_light(const Dust& dust, double optical_depth, double sine, doub
   return light;
 }
 
-double clear_sky_diffuse_share(double direct_share) { return 0.271 - 0.294 * direct_share; }
+double clear_sky_diffuse_share(double direct_share) {
+  return std::max(0.0, 0.271 - 0.294 * direct_share);
+}
 
 }  // namespace lsos

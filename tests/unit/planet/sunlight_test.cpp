@@ -58,6 +58,51 @@ TEST(Sunlight, through_dust_follows_beers_law) {
   EXPECT_EQ(dusty_sky_share(rad(-1), 0), 1);
 }
 
+// At optical depth 0.65 half of the light on level ground comes from the sky, at 3 nearly all.
+TEST(Sunlight, on_mars_comes_from_the_sky_too) {
+  const Body& mars = *find_body("Mars");
+  const Geodetic place = geodetic_from_degrees(-5.5, -2);
+  const Instant noon = *parse_utc("2012-10-17T10:30:00Z").value;
+  const auto scattered_share = [&](double optical_depth) {
+    const Sunlight light = sunlight(mars, place, noon, optical_depth);
+    EXPECT_GT(light.seen.elevation_rad, rad(45));
+    const double direct_wpm2 = light.irradiance_wpm2 * std::sin(light.seen.elevation_rad);
+    return 1 - direct_wpm2 / level_wpm2(light);
+  };
+  EXPECT_EQ(scattered_share(0), 0);
+  EXPECT_NEAR(scattered_share(0.65), 0.4, 0.1);
+  EXPECT_GT(scattered_share(3), 0.9);
+  const Sunlight over_bright = sunlight(mars, place, noon, 0.65, 0.4);
+  EXPECT_NEAR(over_bright.ground_wpm2, 0.4 * level_wpm2(over_bright), 1e-9);
+  EXPECT_GT(over_bright.sky_wpm2, sunlight(mars, place, noon, 0.65).sky_wpm2);
+}
+
+TEST(Sunlight, is_none_at_night_from_the_sky_either) {
+  for (const char* name : {"Mars", "Earth"}) {
+    const Body& body = *find_body(name);
+    bool is_any_night = false;
+    for (int hour = 0; hour < 24; ++hour) {
+      const Instant at = *parse_utc("2026-05-01T00:00:00Z").value + from_seconds(3600. * hour);
+      const Sunlight light = sunlight(body, geodetic_from_degrees(10, 5), at, 0.5, 0.3);
+      EXPECT_EQ(level_wpm2(light) > 0, light.seen.elevation_rad > 0) << name << hour;
+      EXPECT_EQ(light.ground_wpm2 > 0, light.seen.elevation_rad > 0) << name << hour;
+      is_any_night |= light.seen.elevation_rad < rad(-20);
+    }
+    EXPECT_TRUE(is_any_night);
+  }
+}
+
+TEST(Sunlight, on_the_moon_comes_from_the_sun_and_the_ground_alone) {
+  const Body& moon = *find_body("Moon");
+  const Geodetic place = geodetic_from_degrees(30, 10);
+  const Instant at = *parse_utc("2026-01-01T00:00:00Z").value;
+  const Sunlight light = sunlight(moon, place, at, 0, 0.12);
+  EXPECT_EQ(light.aureole_wpm2, 0);
+  EXPECT_EQ(light.sky_wpm2, 0);
+  EXPECT_NEAR(light.ground_wpm2, 0.12 * light.irradiance_wpm2 * std::sin(light.seen.elevation_rad),
+              1e-9);
+}
+
 TEST(Sunlight, says_what_the_sky_says) {
   const Instant at = *parse_utc("2026-05-01T07:00:00Z").value;
   const Geodetic place = geodetic_from_degrees(-20, -60, 1200);
