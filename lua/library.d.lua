@@ -475,6 +475,7 @@
 ---@field soil any A script in terrain/soils/, or the soil.
 ---@field rock_soil? any Of rocks (default bare rock with friction 0.7).
 ---@field optical_depth? number Of dust in the air, straight up (default 0.5 on Mars, else none).
+---@field albedo? number Share of sunlight that the ground reflects onto panels that see it (default 0.25 on Mars, 0.2 on Earth, 0 on the Moon).
 ---@field soil_patches? table[] Ground of other soils; the first that holds a place decides.
 
 ---@class lsos.plane.keys

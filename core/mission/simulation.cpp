@@ -68,8 +68,8 @@ void Simulation::make_light_and_sight() {
       setup_.keeps_sight && (fleet_.rovers.size() + fleet_.assets.size() > 1 || is_earth_seen);
   if (is_lit || has_sight) renderer_ = std::make_unique<Renderer>();
   if (is_lit) {
-    sunlight_ =
-        std::make_unique<FleetSunlight>(*site_.ground, *renderer_, setup_.terrain.optical_depth);
+    sunlight_ = std::make_unique<FleetSunlight>(
+        *site_.ground, *renderer_, setup_.terrain.optical_depth, setup_.terrain.albedo);
   }
   if (has_sight) sight_ = std::make_unique<FleetSight>(*site_.ground, *renderer_, fleet_);
 }

@@ -91,4 +91,8 @@ double panel_power_w(const PanelSpec& panel, double sun_fraction, double cosine,
          irradiance_wpm2;
 }
 
+double panel_diffuse_power_w(const PanelSpec& panel, double diffuse_wpm2) {
+  return panel_power_w(panel, 1, 1, diffuse_wpm2);
+}
+
 }  // namespace lsos

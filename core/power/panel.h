@@ -71,5 +71,8 @@ PanelAngles turned(const PanelSpec& panel, const PanelAngles& from, const PanelA
 // across the light; `sun_fraction`: visible share of the Sun's disc.
 double panel_power_w(const PanelSpec& panel, double sun_fraction, double cosine,
                      double irradiance_wpm2);
+// The same of light that comes from all sides, W/m2 on the panel's surface. Cells are taken to use
+// it as well as direct light.
+double panel_diffuse_power_w(const PanelSpec& panel, double diffuse_wpm2);
 
 }  // namespace lsos

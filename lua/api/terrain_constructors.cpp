@@ -264,6 +264,9 @@ void read_terrain(TableReader& t, TerrainScript& terrain) {
       read_soil_choice(t, optional, "rock_soil", "Of rocks (default bare rock with friction 0.7).");
   t.number(optional, "optical_depth", terrain.spec.optical_depth, not_negative,
            "Of dust in the air, straight up (default 0.5 on Mars, else none).");
+  t.number(optional, "albedo", terrain.spec.albedo, {0, 1},
+           "Share of sunlight that the ground reflects onto panels that see it (default 0.25 on "
+           "Mars, 0.2 on Earth, 0 on the Moon).");
   t.list(optional, "soil_patches", "soil_patch", terrain.soil_patches,
          "Ground of other soils; the first that holds a place decides.");
 }

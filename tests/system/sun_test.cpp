@@ -71,5 +71,30 @@ TEST(Sun, on_mars_shows_earth) {
   EXPECT_TRUE(row["eclipsed"].is_null());
 }
 
+// The sky's share on Mars grows with the dust; on the Moon there is none.
+TEST(Sun, has_direct_and_diffuse_light) {
+  const Words noon_on_mars{"--planet", "Mars", "--site", "-5.5,-2", "--at", "2012-10-17T10:30Z"};
+  const auto with = [&](const Words& more) {
+    Words words = noon_on_mars;
+    words.insert(words.end(), more.begin(), more.end());
+    return sun(words)[0];
+  };
+  const json clear = with({"--optical-depth", "0"}), usual = with({});
+  EXPECT_EQ(clear["diffuse_wpm2"], 0);
+  EXPECT_EQ(usual["optical_depth"], 0.5);
+  EXPECT_EQ(usual, with({"--optical-depth", "0.5", "--albedo", "0.25"}));
+  const double level_wpm2 = usual["level_wpm2"];
+  EXPECT_LT(level_wpm2, clear["level_wpm2"].get<double>());
+  EXPECT_NEAR(usual["diffuse_wpm2"].get<double>() / level_wpm2, 0.35, 0.1);
+  EXPECT_NEAR(usual["reflected_wpm2"].get<double>(), 0.25 * level_wpm2, 0.01);
+
+  const json moon = sun({"--planet", "Moon", "--site", "30,10", "--at", "2026-01-01T00:00Z"})[0];
+  EXPECT_NEAR(moon["direct_wpm2"].get<double>(), 1404, 5);
+  EXPECT_EQ(moon["diffuse_wpm2"], 0);
+  EXPECT_EQ(moon["reflected_wpm2"], 0);
+  const json night = sun({"--planet", "Moon", "--site", "210,10", "--at", "2026-01-01T00:00Z"})[0];
+  EXPECT_EQ(night["direct_wpm2"], 0);
+}
+
 }  // namespace
 }  // namespace lsos::test

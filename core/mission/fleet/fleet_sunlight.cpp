@@ -12,17 +12,34 @@ namespace lsos {
 
 namespace {
 
-// Optical depth of dust on Mars when the terrain script gives none; listed among the assumptions.
-constexpr double mars_optical_depth = 0.5;
+// What panels get besides direct light.
+std::string diffuse_light_assumption(const Body& body, double optical_depth, double albedo) {
+  const std::string ground = fmt::format("ground of albedo {}", albedo);
+  if (body.air == Air::clear) {
+    return fmt::format("diffuse light: clear sky (Liu and Jordan 1960), {}; no twilight", ground);
+  }
+  if (optical_depth > 0) {
+    return fmt::format(
+        "diffuse light: two-stream, optical depth {}, Viking's dust (Pollack et al. 1979), {}; no "
+        "twilight",
+        optical_depth, ground);
+  }
+  if (albedo > 0) {
+    return fmt::format("diffuse light: {} alone, as if all of it were lit; no sky", ground);
+  }
+  return "light: panels use the Sun's direct light alone, not what air or ground scatter";
+}
 
 }  // namespace
 
 FleetSunlight::FleetSunlight(const Ground& ground, Renderer& renderer,
-                             std::optional<double> optical_depth)
-    : ground_(&ground), light_(ground, renderer), over_end_(ground, "the Sun") {
-  is_depth_assumed_ = body().air == Air::dusty && !optical_depth;
-  optical_depth_ = optical_depth.value_or(is_depth_assumed_ ? mars_optical_depth : 0);
-}
+                             std::optional<double> optical_depth, std::optional<double> albedo)
+    : ground_(&ground),
+      light_(ground, renderer),
+      over_end_(ground, "the Sun"),
+      optical_depth_(optical_depth.value_or(body().assumed_optical_depth)),
+      albedo_(albedo.value_or(body().assumed_albedo)),
+      is_depth_assumed_(body().air == Air::dusty && !optical_depth) {}
 
 std::vector<std::string> FleetSunlight::assumptions() const {
   std::vector<std::string> assumptions;
@@ -30,19 +47,17 @@ std::vector<std::string> FleetSunlight::assumptions() const {
     assumptions.push_back(
         fmt::format("Mars: dust with an optical depth of {} is assumed; a terrain script's "
                     "optical_depth says another",
-                    mars_optical_depth));
+                    optical_depth_));
   }
   if (body().air == Air::clear) {
     assumptions.push_back("Earth: a clear sky is assumed, 0.7^(air mass^0.678) of direct light");
   }
-  assumptions.push_back(
-      "light: panels use the Sun's direct light alone, not what air or ground "
-      "scatter");
+  assumptions.push_back(diffuse_light_assumption(body(), optical_depth_, albedo_));
   return assumptions;
 }
 
 Sunlight FleetSunlight::sunlight_at(const Geodetic& place, const Moment& moment) const {
-  return sunlight(body(), place, moment.utc, optical_depth_);
+  return sunlight(body(), place, moment.utc, optical_depth_, albedo_);
 }
 
 // The Sun has moved far enough; the rover or something near it moves, at whole multiples of the

@@ -13,8 +13,10 @@ namespace lsos {
 
 class FleetSunlight {
  public:
-  // Both must outlive it. `optical_depth`: of the air's dust; absent: a default on Mars.
-  FleetSunlight(const Ground& ground, Renderer& renderer, std::optional<double> optical_depth);
+  // Ground and renderer must outlive it. `optical_depth`: of the air's dust, straight up; `albedo`:
+  // share of sunlight that the ground reflects; absent: what the body assumes.
+  FleetSunlight(const Ground& ground, Renderer& renderer, std::optional<double> optical_depth,
+                std::optional<double> albedo);
 
   // Evaluates the rovers that are due.
   void update(Fleet& fleet, const Moment& moment);
@@ -39,7 +41,7 @@ class FleetSunlight {
   const Ground* ground_;
   Light light_;
   SightOverEnd over_end_;
-  double optical_depth_ = 0;
+  double optical_depth_ = 0, albedo_ = 0;
   bool is_depth_assumed_ = false;
 };
 

@@ -16,13 +16,23 @@ PanelFace face_of(const PanelPose& pose, const Mat3& R_SB) {
   return {R_SB * pose.p_B_m, R_SB * pose.half_u_B_m, R_SB * pose.half_v_B_m};
 }
 
+// What hides the disc is taken to hide the aureole too.
 PanelSunlight::Panel lit(const PanelSpec& panel, const PanelFace& face, double sun_fraction,
-                         const Vec3& sun_S, const Sunlight& light) {
+                         const DiffuseView& view, const Vec3& sun_S, const Sunlight& light) {
   PanelSunlight::Panel value;
   value.sun_fraction = sun_fraction;
   value.cosine = face.normal().dot(sun_S);
-  value.power_w = panel_power_w(panel, sun_fraction, value.cosine, light.irradiance_wpm2);
+  value.power_w =
+      panel_power_w(panel, sun_fraction, value.cosine, light.irradiance_wpm2 + light.aureole_wpm2) +
+      panel_diffuse_power_w(panel, view.sky * light.sky_wpm2 + view.ground * light.ground_wpm2);
   return value;
+}
+
+// Views of the first `count` faces; none where there is nothing to see.
+std::vector<DiffuseView> diffuse_views(Light& light, const std::string& id, const LitScene& scene,
+                                       std::size_t count, const Sunlight& sun) {
+  if (sun.sky_wpm2 <= 0 && sun.ground_wpm2 <= 0) return std::vector<DiffuseView>(count);
+  return light.diffuse_views().of(id, scene, count);
 }
 
 void append_masts(Mesh& mesh, const RoverAgent& rover, const std::vector<PartPose>& poses,
@@ -89,12 +99,14 @@ PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const RoverA
         {R_SB * Vec3(0, 0, rover.shape().top_m() + probe_above_m), u, sun_S.cross(u)});
   }
   const std::vector<double> fractions = light.sun_fractions(scene, sun);
+  const std::vector<DiffuseView> views = diffuse_views(light, rover.id(), scene, up.size(), sun);
 
   PanelSunlight value;
   value.time = now;
   value.panels.resize(panels.specs().size());
   for (std::size_t k = 0; k < up.size(); ++k) {
-    value.panels[up[k]] = lit(panels.specs()[up[k]], scene.faces[k], fractions[k], sun_S, sun);
+    value.panels[up[k]] =
+        lit(panels.specs()[up[k]], scene.faces[k], fractions[k], views[k], sun_S, sun);
   }
   value.is_dark = std::ranges::all_of(fractions, [](double fraction) { return fraction <= 0; });
   return value;
@@ -108,9 +120,12 @@ PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const Standi
   LitScene scene{p_S_m, asset.panel_faces(p_S_m, sun_S), others};
   asset.shape.append_to(scene.near, {asset.pose}, p_S_m);
   const std::vector<double> fractions = light.sun_fractions(scene, sun);
+  const std::vector<DiffuseView> views =
+      diffuse_views(light, asset.plan.id, scene, scene.faces.size(), sun);
   PanelSunlight value{now, false, {}};
   for (std::size_t k = 0; k < scene.faces.size(); ++k) {
-    value.panels.push_back(lit(asset.model.panels[k], scene.faces[k], fractions[k], sun_S, sun));
+    value.panels.push_back(
+        lit(asset.model.panels[k], scene.faces[k], fractions[k], views[k], sun_S, sun));
   }
   return value;
 }

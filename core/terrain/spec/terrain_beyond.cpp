@@ -44,6 +44,7 @@ TerrainSpec with_beyond(TerrainSpec terrain, const TerrainSpec& beyond) {
   terrain.soil_patches = beyond.soil_patches;
   terrain.rock_soil = beyond.rock_soil;
   terrain.optical_depth = beyond.optical_depth;
+  terrain.albedo = beyond.albedo;
   return terrain;
 }
 

@@ -108,6 +108,7 @@ struct TerrainSpec {
   std::vector<SoilPatch> soil_patches;  // the first that holds a place decides
   std::optional<Soil> rock_soil;        // soil of rocks; default: a rigid one
   std::optional<double> optical_depth;  // vertical optical depth of dust in the air
+  std::optional<double> albedo;         // share of sunlight that the ground reflects
   bool is_synthetic = true;
 };
 
