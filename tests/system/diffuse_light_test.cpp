@@ -87,8 +87,8 @@ TEST(DiffuseLight, reaches_a_panel_in_the_shade) {
   const SampleRow alone = first(""), shaded = first("-5.4999,-2");  // 5.9 m to the east
   EXPECT_GT(alone.sun_fraction, 0.7);
   EXPECT_LT(shaded.sun_fraction, 0.3);
-  // The share of a level panel's light that is diffuse. More than half of that is the aureole, which
-  // is hidden with the Sun, and the other rover hides a part of the sky.
+  // The share of a level panel's light that is diffuse. More than half of that is the aureole,
+  // which is hidden with the Sun, and the other rover hides a part of the sky.
   const json light = light_at({"--planet", "Mars", "--site", meridiani, "--at", morning});
   const double diffuse = light["diffuse_wpm2"].get<double>() / light["level_wpm2"].get<double>();
   EXPECT_GT(shaded.solar_available_w, 0.25 * diffuse * alone.solar_available_w);
