@@ -1,22 +1,24 @@
-// `lsos-host sight`: whether places see each other over the ground, and maps of what one sees.
+// `lsos-host sight`: whether places see each other over the ground, maps of what one sees, and its
+// horizon.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/console.h"
-#include "base/output_file.h"
 #include "base/rounded_distance.h"
 #include "base/rounding.h"
 #include "base/units.h"
 #include "base/worker_pool.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
+#include "lua/app/horizon_answer.h"
 #include "lua/app/instrument_answer.h"
-#include "lua/app/place_options.h"
-#include "lua/app/terrain_source.h"
+#include "lua/app/progress.h"
+#include "lua/app/sight_options.h"
 #include "mission/light/sight.h"
 #include "terrain/raster/raster_export.h"
 #include "view/ground/ground_end.h"
@@ -26,100 +28,7 @@ namespace lsos {
 
 namespace {
 
-struct SightOptions {
-  TerrainOptions terrain;          // of these name, raster, planet, site, seed, window, resolution
-  std::string from;                // "LON,LAT,H", H above the ground
-  std::vector<std::string> to;     // the same
-  std::optional<double> height_m;  // of targets all over a map, above the ground
-  std::string file;                // OUT.tif; "": no map
-  bool is_flat = false;
-  int threads = 1;
-};
-
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-// Greatest height above the ground, m. A higher observer may see ground that is too far away to be
-// sampled around one site.
-constexpr double highest_m = 100e3;
-
-// A place given on the command line; its height is above the ground.
-struct PlaceOption {
-  std::string option;  // "--to 30,10,2"
-  Geodetic place;
-};
-
-struct Question {
-  std::optional<PlaceOption> from;
-  std::vector<PlaceOption> to;
-  double target_m = 0;
-  std::optional<Geodetic> site;
-  std::optional<MapWindow> window;
-};
-
-void check_height(const std::string& option, double height_m, Faults& faults) {
-  if (height_m >= 0 && height_m <= highest_m) return;
-  faults.error({}, fmt::format("{}: a height of 0..{:.0f} m above the ground is allowed", option,
-                               highest_m));
-}
-
-std::optional<PlaceOption> read_place_option(const std::string& option, const std::string& text,
-                                             Faults& faults) {
-  const std::string asked = fmt::format("{} {}", option, text);
-  if (std::ranges::count(text, ',') != 2) {
-    faults.error({},
-                 fmt::format("{}: LON,LAT,H is wanted: degrees, and m above the ground", asked));
-    return {};
-  }
-  const auto place = option_site(option, text, faults);
-  if (!place) return {};
-  check_height(asked, place->height_m, faults);
-  return PlaceOption{asked, *place};
-}
-
-// Adds faults unless either lines of sight or a map is requested.
-void check_kind(const SightOptions& options, Faults& faults) {
-  const bool is_map = !options.file.empty();
-  const auto needs_map = [&](const char* option, bool is_given) {
-    if (is_given && !is_map) {
-      faults.error({}, fmt::format("{}: is for a map; -o OUT.tif is missing", option));
-    }
-  };
-  needs_map("--height", options.height_m.has_value());
-  needs_map("--flat", options.is_flat);
-  needs_map("--window", !options.terrain.window.empty());
-  needs_map("--resolution", options.terrain.resolution_m.has_value());
-  if (is_map && !options.to.empty()) {
-    faults.error({},
-                 "--to: is for lines of sight, and -o for a map of what is seen: one of them is "
-                 "allowed");
-  }
-  if (is_map && !options.height_m) {
-    faults.error({}, "-o: --height H is missing: of what is looked for, m above the ground");
-  }
-  if (!is_map && options.to.empty()) {
-    faults.error({}, "sight: nothing is requested; give --to LON,LAT,H or --height H -o OUT.tif");
-  }
-}
-
-// Reads the options. Throws InputError with all faults at once.
-Question question_of(const SightOptions& options) {
-  Faults faults;
-  Question question;
-  const TerrainOptions& terrain = options.terrain;
-  question.from = read_place_option("--from", options.from, faults);
-  for (const std::string& text : options.to) {
-    if (const auto place = read_place_option("--to", text, faults)) question.to.push_back(*place);
-  }
-  check_kind(options, faults);
-  question.target_m = options.height_m.value_or(0);
-  check_height(fmt::format("--height {}", question.target_m), question.target_m, faults);
-  if (!terrain.site.empty()) question.site = option_place("--site", terrain.site, faults);
-  if (!terrain.window.empty()) question.window = option_window(terrain.window, faults);
-  check_resolution(terrain, faults);
-  check_output("-o", options.file, {".tif", ".tiff"}, {options.terrain.name}, faults);
-  faults.throw_if_errors();
-  return question;
-}
 
 // Throws InputError where `from` is too far from the site, around which the ground is sampled.
 void check_near_site(const Body& body, const Geodetic& site, const PlaceOption& from) {
@@ -187,7 +96,7 @@ void add_end(const PlaceOption& to, const std::optional<GroundEnd>& end, AnswerR
 }
 
 // Lines of sight, rendered as in missions.
-AnswerRow lines(const Ground& ground, const Question& question) {
+AnswerRow lines(const Ground& ground, const SightQuestion& question) {
   Faults faults;
   const auto from = on_ground(ground, *question.from, 0, faults);
   std::vector<Vec3> to_S_m;
@@ -310,7 +219,7 @@ class SeenOverEnd {
   int asked_ = 0, over_ = 0;
 };
 
-AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Question& question,
+AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const SightQuestion& question,
                    const SightOptions& options) {
   const SiteFrame& site = ground.site();
   constexpr int values_of_cell = 2;  // height and visibility
@@ -325,10 +234,17 @@ AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Ques
   Viewshed view(ground, &heights, {eye, resolution_m, options.is_flat}, sector);
   if (options.is_flat) check_flat(sector, view);
   const auto parts = static_cast<std::size_t>(options.threads);
+  Progress progress(options.is_quiet);
+  std::atomic<std::size_t> marched = 0;
   pool.for_each(parts, [&](std::size_t part) {
     GroundProbes probes = view.probes();
-    for (std::size_t ray = part; ray < view.ray_count(); ray += parts) view.march(ray, probes);
+    for (std::size_t ray = part; ray < view.ray_count(); ray += parts) {
+      view.march(ray, probes);
+      const double share = static_cast<double>(++marched) / static_cast<double>(view.ray_count());
+      if (part == 0) progress.show(share);
+    }
   });
+  progress.finish();
 
   double seen = 0, cells = 0;
   SeenOverEnd over_end(ground, site.p_S_m(eye), std::size_t{1} * grid.columns * grid.rows,
@@ -367,7 +283,7 @@ AnswerRow viewshed(const TerrainSource& source, const Ground& ground, const Ques
 }
 
 int sight_command(const SightOptions& options) {
-  const Question question = question_of(options);
+  const SightQuestion question = question_of(options);
   const TerrainSource source = terrain_source(options.terrain);
   const bool is_map = !options.file.empty();
   if (is_map) check_grid(source, question.window, options.terrain.resolution_m);
@@ -376,8 +292,14 @@ int sight_command(const SightOptions& options) {
   const std::unique_ptr<Ground> ground =
       ground_of(source, {site.lon_rad, site.lat_rad, 0}, options.terrain.seed);
   print_advice(*ground);
-  const AnswerRow answer = is_map ? AnswerRow::array({viewshed(source, *ground, question, options)})
-                                  : lines(*ground, question);
+  AnswerRow answer;
+  if (options.is_horizon) {
+    answer = horizon_answer(*ground, question.from->place, options.step_deg.value_or(1));
+  } else if (is_map) {
+    answer = AnswerRow::array({viewshed(source, *ground, question, options)});
+  } else {
+    answer = lines(*ground, question);
+  }
   print_answer(answer, options.terrain.style);
   return 0;
 }
@@ -392,7 +314,10 @@ std::function<int()> prepare_sight(CommandOptions& command) {
   command.add_option("--height", options->height_m, "Target height in each cell, m above ground");
   command.add_option("-o,--output", options->file, "The GeoTIFF to write: 1 seen, 0 not");
   command.add_flag("--flat", options->is_flat, "The map as if the body did not curve");
+  command.add_flag("--horizon", options->is_horizon, "Elevation of the horizon by azimuth");
+  command.add_option("--step", options->step_deg, "Of the horizon's azimuths, deg (1)");
   add_threads(command, options->threads, "Threads that work on it");
+  command.add_flag("--quiet", options->is_quiet, "No progress");
   add_style(command, options->terrain.style);
   return [options] { return sight_command(*options); };
 }

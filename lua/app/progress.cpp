@@ -17,16 +17,20 @@ constexpr auto line_every = std::chrono::seconds(10);
 
 Progress::Progress(bool is_quiet) : is_quiet_(is_quiet), is_terminal_(isatty(STDERR_FILENO) != 0) {}
 
-void Progress::show(double share, double sim_s) {
+void Progress::show(double share, std::optional<double> sim_s) {
   const Clock::time_point now = Clock::now();
   if (is_quiet_ || now - drawn_ < (is_terminal_ ? redraw : Clock::duration(line_every))) return;
   drawn_ = now;
   const double wall_s = std::chrono::duration<double>(now - begin_).count();
   const int full = static_cast<int>(share * bar_width);
-  const std::string text =
-      fmt::format("[{:=<{}}{: <{}}] {:3.0f} %  {} simulated, {:.0f} x real time", "", full, "",
-                  bar_width - full, share * 100, clock_text(sim_s), sim_s / wall_s);
-  print_message("{}{}{}", is_terminal_ ? "\r" : "", text, is_terminal_ ? "\x1b[K" : "\n");
+  std::string state;
+  if (sim_s) {
+    state = fmt::format("{} simulated, {:.0f} x real time", clock_text(*sim_s), *sim_s / wall_s);
+  } else if (share > 0) {
+    state = fmt::format("{} left", clock_text(wall_s * (1 - share) / share));
+  }
+  print_message("{}[{:=<{}}{: <{}}] {:3.0f} %  {}{}", is_terminal_ ? "\r" : "", "", full, "",
+                bar_width - full, share * 100, state, is_terminal_ ? "\x1b[K" : "\n");
 }
 
 void Progress::finish() {

@@ -1,7 +1,8 @@
-// Progress of a run on standard error: a bar on a terminal, an occasional line elsewhere.
+// Progress of a command on standard error: a bar on a terminal, an occasional line elsewhere.
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace lsos {
@@ -10,8 +11,9 @@ class Progress {
  public:
   explicit Progress(bool is_quiet);
 
-  // `share`: completed part of the mission, 0..1. Draws at most ten times a second.
-  void show(double share, double sim_s);
+  // `share`: completed part, 0..1. Draws at most ten times a second. With `sim_s`: of a mission,
+  // with the time simulated; without: with the time that is left.
+  void show(double share, std::optional<double> sim_s = {});
   // Removes the bar.
   void finish();
 
