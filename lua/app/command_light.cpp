@@ -42,6 +42,7 @@ constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 // More moments than this are a slip of the pen.
 constexpr std::int64_t moments_max = 100'000;
+constexpr double least_every_s = 1e-3;  // times are whole microseconds
 
 struct Question {
   Instant at;
@@ -93,8 +94,8 @@ Instant read_utc(const char* option, const std::string& text, Faults& faults) {
   return at.value.value_or(Instant{});
 }
 
-// The span of time; throws InputError where it is not one.
-void read_span(const LightOptions& options, Question& question) {
+// Reads the span of time, or adds its faults.
+void read_span(const LightOptions& options, Question& question, Faults& all) {
   Faults faults;
   if (!options.at.empty()) {
     faults.error({}, "--at: is for one moment, and --from, --to and --every for many: one of them");
@@ -107,21 +108,26 @@ void read_span(const LightOptions& options, Question& question) {
                                  "--every DURATION",
                                  option));
   }
-  faults.throw_if_errors();
-  question.from = read_utc("--from", options.from, faults);
-  question.to = read_utc("--to", options.to, faults);
-  const Parsed<double> every_s = parse_quantity(options.every, *find_unit("s"));
-  if (!every_s) faults.error({}, fmt::format("--every {}: {}", options.every, every_s.why));
-  faults.throw_if_errors();
-  if (question.to <= question.from) {
-    throw InputError({}, fmt::format("--to {}: must be later than --from", options.to));
+  if (!options.from.empty()) question.from = read_utc("--from", options.from, faults);
+  if (!options.to.empty()) question.to = read_utc("--to", options.to, faults);
+  double every_s = 0;
+  if (!options.every.empty()) {
+    const Parsed<double> every = parse_quantity(options.every, *find_unit("s"));
+    if (!every) faults.error({}, fmt::format("--every {}: {}", options.every, every.why));
+    every_s = every.value.value_or(0);
   }
-  const double span_s = seconds(question.to - question.from);
-  if (*every_s.value < span_s / moments_max || *every_s.value > span_s) {
-    throw InputError({}, fmt::format("--every {}: {:.3g} s to {:.6g} s are allowed in that span",
-                                     options.every, span_s / moments_max, span_s));
+  if (!faults.has_errors()) {
+    const double span_s = seconds(question.to - question.from);
+    const double least_s = std::max(least_every_s, span_s / moments_max);
+    if (span_s <= 0) {
+      faults.error({}, fmt::format("--to {}: must be later than --from", options.to));
+    } else if (every_s < least_s || every_s > span_s) {
+      faults.error({}, fmt::format("--every {}: {:.3g} s to {:.6g} s are allowed in that span",
+                                   options.every, least_s, span_s));
+    }
+    question.every = from_seconds(every_s);
   }
-  question.every = from_seconds(*every_s.value);
+  all.add(faults.sorted());
 }
 
 Question question_of(const LightOptions& options) {
@@ -129,7 +135,7 @@ Question question_of(const LightOptions& options) {
   Question question;
   const TerrainOptions& terrain = options.terrain;
   if (is_span(options)) {
-    read_span(options, question);
+    read_span(options, question, faults);
   } else if (options.at.empty()) {
     faults.error({}, "light: no time is given; --at UTC, or --from UTC --to UTC --every DURATION");
   } else {

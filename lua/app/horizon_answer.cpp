@@ -41,7 +41,8 @@ AnswerRow horizon_answer(const Ground& ground, const Geodetic& from, double step
     const HorizonPoint found = march.towards(*eye, along_S, -dip_rad, straight_up_rad, far_m);
     AnswerRow row{{"azimuth_deg", computed(k * step_deg)},
                   {"elevation_deg", computed(degrees(found.elevation_rad))},
-                  {"distance_m", computed(found.distance_m)}};
+                  {"distance_m", nullptr}};
+    if (found.is_known) row["distance_m"] = computed(found.distance_m);
     const double matters_m = horizon_reach_m(site.body(), eye->height_m, found.elevation_rad);
     if (found.end_m && *found.end_m < matters_m) {
       row["ground_reaches_m"] = std::round(*found.end_m);

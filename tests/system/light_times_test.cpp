@@ -88,6 +88,13 @@ TEST(LightTimes, refuse_what_is_no_span_of_time) {
               HasSubstr("--to 2026-07-01: must be later than --from"));
   EXPECT_THAT(refused({"--from", "2026-07-01", "--to", "2026-07-02", "--every", "2 d"}),
               HasSubstr("--every 2 d: 0.864 s to 86400 s are allowed in that span"));
+  EXPECT_THAT(refused({"--from", "2026-07-01", "--to", "2026-07-02", "--every", "1e-9 s", "--site",
+                       "nowhere"}),
+              AllOf(HasSubstr("--every 1e-9 s: 0.864 s to"), HasSubstr("--site nowhere")));
+  // Rounded to whole microseconds it would be no time at all.
+  EXPECT_THAT(refused({"--from", "2026-07-01T00:00:00Z", "--to", "2026-07-01T00:00:00.010Z",
+                       "--every", "1e-7 s"}),
+              HasSubstr("--every 1e-7 s: 0.001 s to 0.01 s are allowed"));
   EXPECT_THAT(refused({"--from", "2026-07-01", "--to", "2026-07-02", "--every", "soon"}),
               HasSubstr("--every soon: "));
 }
