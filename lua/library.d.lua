@@ -377,7 +377,8 @@
 ---@field tangential_damping_nspm number Along the ground.
 ---@field grouser_height_m? number From the rim (default 0: smooth).
 ---@field grouser_count? integer Round the rim (default 0).
----@field interface_friction_ratio? number Friction of rim on soil over friction within the soil; rough rims and treads have 1 (default 0.8).
+---@field interface_friction_ratio? number Friction of rim on soil over friction within the soil; rough rims and treads have 1 (default 0.65: bare metal on sand).
+---@field carcass_stiffness_npm? number How much load flattens the wheel by a metre: mesh and tyres lie on soil with a longer contact (default: a rigid wheel).
 ---@field rolling_resistance? number Of the wheel itself, a share of its load (default 0).
 
 ---@class lsos.drive.keys
@@ -550,7 +551,7 @@
 ---@field density_kgpm3 number Bulk density.
 ---@field shear_modulus_x_m number Janosi and Hanamoto's K along the wheel: the displacement over which shear builds up.
 ---@field shear_modulus_y_m? number The same across the wheel (default: as along it).
----@field slip_sinkage? number How fast sinkage grows with shear under the wheel, see core/vehicle (default 1).
+---@field slip_sinkage? number How fast sinkage grows with shear under the wheel, see core/vehicle (default 2.7, the geometric mean of three measured soils).
 
 ---@class lsos
 ---@field fail fun(format: string, ...: any): lsos.answer Answer: the event has failed; the reason as string.format makes it.

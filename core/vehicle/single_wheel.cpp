@@ -6,12 +6,19 @@ namespace lsos {
 
 namespace {
 
-constexpr double speed_mps = 0.1;  // the faster of rim and travel speed; forces do not depend on it
+constexpr double speed_mps =
+    0.1;  // the faster of rolling and travel speed; forces do not depend on it
 constexpr double step_s = 0.01;
 constexpr int steps_max = 1'000'000;
 constexpr double steady = 1e-12;  // relative change of the sinkage in one step
 
 }  // namespace
+
+double slip_by(double radius_m, double slip, double slip_radius_m) {
+  const double travel = slip > 0 ? 1 - slip : 1;
+  const double rolling = (slip < 0 ? 1 + slip : 1) * radius_m / slip_radius_m;
+  return rolling >= travel ? 1 - travel / rolling : rolling / travel - 1;
+}
 
 SingleWheelPoint single_wheel(const WheelSoil& wheel_soil, double load_n, double slip,
                               double slip_angle_rad) {
@@ -26,7 +33,9 @@ SingleWheelPoint single_wheel(const WheelSoil& wheel_soil, double load_n, double
   input.heading_S = Vec3::UnitX();
   input.hub_velocity_S_mps =
       travel_mps * Vec3(std::cos(slip_angle_rad), std::sin(slip_angle_rad), 0);
-  input.rolling_speed_mps = slip < 0 ? speed_mps * (1 + slip) : speed_mps;
+  const double rolling_mps = slip < 0 ? speed_mps * (1 + slip) : speed_mps;
+  input.rim_speed_mps =
+      rolling_mps * wheel_soil.shear_radius_m() / wheel_soil.rolling_radius_m(load_n);
 
   // A wheel at full slip has been rolling before: the resistance of the soil ahead is built up.
   WheelContactState state;

@@ -37,12 +37,14 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
     if (config_.links[i].spring) spring_links_.push_back(static_cast<int>(i));
   }
   const double g_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
+  const double share_n = config_.mass_kg() * g_mps2 / static_cast<double>(layout_.wheels.size());
   for (const WheelLayout::WheelPlace& place : layout_.wheels) {
     const LinkConfig& link = config_.links[static_cast<std::size_t>(place.link)];
-    parts_.push_back({place.link, &*link.wheel, link.drive ? &*link.drive : nullptr, {}});
+    parts_.push_back({place.link, &*link.wheel, link.drive ? &*link.drive : nullptr, {}, {}});
     wheels_[parts_.size() - 1].mode = link.wheel_mode;
     for (const Soil& soil : ground.soils()) {
-      parts_.back().soils.emplace_back(soil, *link.wheel, g_mps2);
+      const WheelSoil& on_soil = parts_.back().soils.emplace_back(soil, *link.wheel, g_mps2);
+      parts_.back().rolling_radii_m.push_back(on_soil.rolling_radius_m(share_n));
     }
   }
   const Vec3& size_m = config_.chassis_size_m;

@@ -127,8 +127,9 @@ class Vehicle {
   struct WheelPart {
     int link = 0;
     const Wheel* shape = nullptr;
-    const DriveMotor* motor = nullptr;  // nullptr: a wheel without a motor
-    std::vector<WheelSoil> soils;       // by soil number of the ground
+    const DriveMotor* motor = nullptr;    // nullptr: a wheel without a motor
+    std::vector<WheelSoil> soils;         // by soil number of the ground
+    std::vector<double> rolling_radii_m;  // likewise, under an equal share of the weight
   };
 
   // Cached contact plane of the ground under a wheel; sampled in each step while the wheel brakes.

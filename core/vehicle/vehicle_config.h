@@ -68,8 +68,12 @@ struct Wheel {
   double grouser_height_m = 0;
   int grouser_count = 0;
   // Friction between rim and soil over friction within the soil, tan(delta)/tan(phi), 0..1. It is 1
-  // for rough rims and treads, which shear soil on soil.
-  double interface_friction_ratio = 0.8;
+  // for rough rims and treads, which shear soil on soil; steel on sand has delta = 2/3 phi
+  // (Potyondy 1961), which is 0.6 to 0.65 for sands.
+  double interface_friction_ratio = 0.65;
+  // Stiffness of the carcass against the load, N/m: the load flattens the wheel by W over it, which
+  // lengthens the contact with soil. Infinite: a rigid wheel.
+  double carcass_stiffness_npm = std::numeric_limits<double>::infinity();
   double rolling_resistance = 0;  // flexing of the wheel itself, as a share of its load
 
   bool operator==(const Wheel&) const = default;

@@ -223,13 +223,16 @@ void Vehicle::apply_contacts(double step_s) {
     input.normal_S = normal;
     input.heading_S = axle.cross(normal).normalized();
     input.hub_velocity_S_mps = hub.v_C_S_mps - hub.v_C_S_mps.dot(normal) * normal;
-    input.rolling_speed_mps = part.shape->radius_m * bodies_.joint_velocity(part.link);
-    const WheelContactForces forces =
-        part.soils[static_cast<std::size_t>(ground.soil)].forces(input, step_s, wheel.contact);
+    const auto soil = static_cast<std::size_t>(ground.soil);
+    const WheelSoil& on_soil = part.soils[soil];
+    const double spin_radps = bodies_.joint_velocity(part.link);
+    input.rim_speed_mps = on_soil.shear_radius_m() * spin_radps;
+    const WheelContactForces forces = on_soil.forces(input, step_s, wheel.contact);
     if (input.load_n <= 0) continue;
     wheel.load_n = input.load_n;
     wheel.sinkage_m = forces.sinkage_m;
-    wheel.slip = slip_ratio(hub.v_C_S_mps.dot(input.heading_S), input.rolling_speed_mps);
+    wheel.slip =
+        slip_ratio(hub.v_C_S_mps.dot(input.heading_S), part.rolling_radii_m[soil] * spin_radps);
 
     const Vec3 force_n = input.load_n * normal + forces.traction_S_n + forces.hub_force_S_n;
     const Vec3 torque_n_m = down.cross(forces.arm_m * forces.traction_S_n +

@@ -62,7 +62,10 @@ void read_wheel(TableReader& t, WheelScript& script) {
   t.integer(optional, "grouser_count", grouser_count, {0, 1000}, "Round the rim (default 0).");
   t.number(optional, "interface_friction_ratio", wheel.interface_friction_ratio, fraction,
            "Friction of rim on soil over friction within the soil; rough rims and treads have 1 "
-           "(default 0.8).");
+           "(default 0.65: bare metal on sand).");
+  t.number(optional, "carcass_stiffness_npm", wheel.carcass_stiffness_npm, positive,
+           "How much load flattens the wheel by a metre: mesh and tyres lie on soil with a longer "
+           "contact (default: a rigid wheel).");
   t.number(optional, "rolling_resistance", wheel.rolling_resistance, fraction,
            "Of the wheel itself, a share of its load (default 0).");
   wheel.grouser_count = static_cast<int>(grouser_count);

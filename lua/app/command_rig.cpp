@@ -24,10 +24,12 @@ struct RigOptions {
   double radius_m = 0, width_m = 0, load_n = 0;
   double grouser_height_m = 0;
   int grouser_count = 0;
-  double interface_friction_ratio = 0.8;
+  double interface_friction_ratio = Wheel{}.interface_friction_ratio;
   std::optional<double> stiffness_npm;  // absent: the load flattens the wheel by 1 % of its radius
+  std::optional<double> carcass_npm;    // absent: a rigid wheel
   double gravity_mps2 = 9.80665;
   std::vector<double> slips;
+  bool is_rim_slip = false;  // slips are counted by the rim
   double slip_angle_deg = 0;
   AnswerStyle style = AnswerStyle::by_output;
 };
@@ -55,6 +57,12 @@ void check(const RigOptions& options, Faults& faults) {
          *options.stiffness_npm * options.radius_m >= options.load_n &&
              std::isfinite(*options.stiffness_npm),
          "so great that the load does not flatten the wheel by its radius");
+  }
+  if (options.carcass_npm) {
+    need("--carcass", *options.carcass_npm,
+         *options.carcass_npm * options.radius_m >= 2 * options.load_n &&
+             std::isfinite(*options.carcass_npm),
+         "so great that the load flattens the wheel by half its radius at most");
   }
   need("--gravity", options.gravity_mps2, within(options.gravity_mps2, 1000),
        "above 0, at most 1000 m/s2");
@@ -84,6 +92,7 @@ int rig_command(const RigOptions& options) {
   wheel.interface_friction_ratio = options.interface_friction_ratio;
   wheel.normal_stiffness_npm =
       options.stiffness_npm.value_or(options.load_n / (flattening * options.radius_m));
+  if (options.carcass_npm) wheel.carcass_stiffness_npm = *options.carcass_npm;
   if (const std::string fault = soil_fault(soil, wheel, 0, options.gravity_mps2); !fault.empty()) {
     throw InputError({options.soil, 0}, fault);
   }
@@ -91,17 +100,27 @@ int rig_command(const RigOptions& options) {
   if (!overload.empty()) print_message("{}: warning: {}\n", options.soil, overload);
   const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
   AnswerRow points = AnswerRow::array();
-  for (const double slip : options.slips) {
+  const double rolling_radius_m = wheel_soil.rolling_radius_m(options.load_n);
+  for (const double asked : options.slips) {
+    const double slip =
+        options.is_rim_slip ? slip_by(rolling_radius_m, asked, options.radius_m) : asked;
     const SingleWheelPoint point =
         single_wheel(wheel_soil, options.load_n, slip, radians(options.slip_angle_deg));
-    points.push_back({{"slip", slip},
+    if (point.drawbar_pull_n > pull_share_max * options.load_n) {
+      print_message(
+          "{}: warning: at slip {:.3g} the wheel pulls {:.2f} of its load; no measured wheel has "
+          "pulled more than {}, so the model is beyond what it was compared with\n",
+          options.soil, asked, point.drawbar_pull_n / options.load_n, pull_share_max);
+    }
+    points.push_back({{"slip", asked},
                       {"slip_angle_deg", options.slip_angle_deg},
                       {"load_n", options.load_n},
                       {"drawbar_pull_n", point.drawbar_pull_n},
                       {"side_force_n", point.side_force_n},
                       {"torque_n_m", point.torque_n_m},
                       {"sinkage_m", point.sinkage_m},
-                      {"traction_limit_n", point.traction_limit_n}});
+                      {"traction_limit_n", point.traction_limit_n},
+                      {"rolling_radius_m", rolling_radius_m}});
   }
   print_answer(points, options.style);
   return 0;
@@ -118,14 +137,20 @@ std::function<int()> prepare_rig(CommandOptions& command) {
   command.add_option("--slip", options->slips, "-1..1, one or several: 0,0.2,0.5")
       .required()
       .separated_by(',');
+  command.add_flag(
+      "--rim-slip", options->is_rim_slip,
+      "Count slip by the rim, as some rigs do; else by the rolling radius, at which the "
+      "wheel turns without torque");
   command.add_option("--slip-angle", options->slip_angle_deg,
                      "Of the travel from the heading, deg, to the left positive");
   command.add_option("--grouser-height", options->grouser_height_m, "m");
   command.add_option("--grouser-count", options->grouser_count, "Round the whole rim");
   command.add_option("--interface-friction", options->interface_friction_ratio,
-                     "Friction of soil on the rim over that in the soil, 0..1 (0.8)");
+                     "Friction of soil on the rim over that in the soil, 0..1 (0.65)");
   command.add_option("--stiffness", options->stiffness_npm,
                      "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
+  command.add_option("--carcass", options->carcass_npm,
+                     "Load that flattens a soft wheel by a metre, N/m (a rigid wheel)");
   command.add_option("--gravity", options->gravity_mps2, "m/s2 (9.80665)");
   add_style(command, options->style);
   return [options] { return rig_command(*options); };

@@ -27,7 +27,7 @@ TEST(Rig, answers_a_point_for_each_slip_with_the_fields_of_the_contract) {
   ASSERT_EQ(points.size(), 3u);
   for (const json& point : points) {
     for (const char* key : {"slip", "drawbar_pull_n", "side_force_n", "torque_n_m", "sinkage_m",
-                            "traction_limit_n"}) {
+                            "traction_limit_n", "rolling_radius_m"}) {
       EXPECT_TRUE(point[key].is_number()) << key;
     }
     EXPECT_EQ(point["side_force_n"], 0);
@@ -62,6 +62,50 @@ TEST(Rig, grousers_pull_more_and_lower_gravity_bears_less) {
   };
   // Soil of less weight has less bearing capacity (Terzaghi's law).
   EXPECT_GT(sinkage("1.62"), 2 * sinkage("9.80665"));
+}
+
+TEST(Rig, counts_slip_by_the_rolling_radius_or_by_the_rim) {
+  const Words lugs{"--soil",          "DrySand", "--grouser-height", "0.006",
+                   "--grouser-count", "15",      "--slip",           "0"};
+  const auto at_zero = [&](const Words& more) {
+    Words words = lugs;
+    words.insert(words.end(), more.begin(), more.end());
+    return rig(words)[0];
+  };
+  const json rolling = at_zero({}), rim = at_zero({"--rim-slip"});
+  // The soil between the grousers turns with the wheel: it drives at a rim that does not slip.
+  // Soil sheared by the curved rim carries the wheel a little further than that.
+  EXPECT_GT(rolling["rolling_radius_m"], 0.0625);
+  EXPECT_LT(rolling["rolling_radius_m"], 1.25 * (0.0625 + 0.006));
+  EXPECT_EQ(rolling["slip"], 0);
+  EXPECT_NEAR(rolling["torque_n_m"], 0, 1e-9);
+  EXPECT_LT(rolling["drawbar_pull_n"], 0);
+  EXPECT_EQ(rim["slip"], 0);
+  EXPECT_GT(rim["drawbar_pull_n"], rolling["drawbar_pull_n"]);
+}
+
+TEST(Rig, doubts_a_pull_that_no_wheel_was_measured_to_have) {
+  const TempFolder folder;
+  const std::string clay = folder.write(
+      "clay.lua",
+      "return { k_c = 13e3, k_phi = 692e3, n = 0.5, cohesion_pa = 20e3, friction_rad = "
+      "0.6, density_kgpm3 = 1600, shear_modulus_x_m = 0.005 }");
+  const Outcome outcome =
+      run({"rig", "--soil", clay, "--radius", "0.1", "--width", "0.1", "--load", "20", "--slip",
+           "0.8", "--grouser-height", "0.015", "--grouser-count", "14"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("no measured wheel has pulled more than 0.8"));
+}
+
+TEST(Rig, a_soft_carcass_sinks_less_and_pulls_more) {
+  const json rigid = rig({"--soil", "DrySand", "--slip", "0.2"})[0];
+  const json soft = rig({"--soil", "DrySand", "--slip", "0.2", "--carcass", "4000"})[0];
+  EXPECT_LT(soft["sinkage_m"], rigid["sinkage_m"]);
+  EXPECT_GT(soft["drawbar_pull_n"], rigid["drawbar_pull_n"]);
+  const Outcome flat = run({"rig", "--soil", "DrySand", "--radius", "0.1", "--width", "0.1",
+                            "--load", "10", "--slip", "0", "--carcass", "100"});
+  EXPECT_EQ(flat.exit_code, 2);
+  EXPECT_THAT(flat.err, HasSubstr("--carcass 100: must be so great that"));
 }
 
 TEST(Rig, takes_a_table_or_what_lsos_soil_makes) {

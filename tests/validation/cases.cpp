@@ -10,9 +10,10 @@ namespace lsos::validation {
 
 namespace {
 
-void fit(Case& c) {
+// `start`: what is not fitted, and where the search begins.
+void fit(Case& c, const Soil& start) {
   c.straight = rolling_at(c.tests, 0);
-  c.fit = fit_soil(c.published, c.tests.wheel, c.straight, c.parameters);
+  c.fit = fit_soil(start, c.tests.wheel, c.straight, c.parameters);
 }
 
 Constant interface_ratio() {
@@ -27,7 +28,8 @@ constexpr const char* scaled = "as published, but for the common factor";
 Case cmu_case(const std::string& folder) {
   Case c;
   c.name = "CMU sand";
-  c.tests = read_cmu_tests(folder);
+  c.tests = read_cmu_tests(folder, false);
+  c.grousered = read_cmu_tests(folder, true);
   // Dry sand of the Land Locomotion Laboratory (Wong): the sand of the rig is not characterised.
   c.published = {.name = "DrySand",
                  .k_c = 990,
@@ -38,22 +40,27 @@ Case cmu_case(const std::string& folder) {
                  .density_kgpm3 = 1600,
                  .shear_modulus_x_m = 0.015,
                  .shear_modulus_y_m = 0.015};
-  c.parameters = {stiffness_factor(0.7, 1.4, 0.01), cohesion(c.published, 0, 1040, 10),
-                  friction(c.published, 28, 36, 0.1),
+  // Straight rolling says little about cohesion: over 0 to 1040 Pa the error of the pull changes by
+  // a hundredth of the load.
+  Soil start = c.published;
+  start.cohesion_pa = 520;
+  c.parameters = {stiffness_factor(0.7, 1.4, 0.01), friction(c.published, 28, 36, 0.1),
                   shear_modulus(c.published, 0.010, 0.025, 0.0001), slip_sinkage(0.3, 3, 0.01)};
-  c.parameters[3].published = "10 to 25";
+  c.parameters[2].published = "10 to 25";
   c.constants = {{"k_c, k_phi, n", "990, 1528430, 1.1", scaled},
+                 {"cohesion, Pa", "1040", "520, the middle of 0 to 1040"},
                  {"density, kg/m3", "-", "1600, assumed"},
                  interface_ratio(),
                  {"wheel width, mm", "-", "60, recalled, not in the data"}};
-  fit(c);
+  fit(c, start);
   return c;
 }
 
 Case ding_case(const std::string& folder) {
   Case c;
   c.name = "Ding 2011";
-  c.tests = read_published_tests(folder, "ding2011");
+  c.tests = read_published_tests(folder, "ding2011", false);
+  c.grousered = read_published_tests(folder, "ding2011", true);
   c.published = {.name = "Ding2011_planetary_simulant",
                  .k_c = 15.6e3,
                  .k_phi = 2407.4e3,
@@ -70,14 +77,14 @@ Case ding_case(const std::string& folder) {
                  {"cohesion, Pa", "250", "as published"},
                  {"density, kg/m3", "1605", "as published"},
                  interface_ratio()};
-  fit(c);
+  fit(c, c.published);
   return c;
 }
 
 Case kls_case(const std::string& folder) {
   Case c;
   c.name = "KLS-1";
-  c.tests = read_published_tests(folder, "wang_han_2016_kls1");
+  c.tests = read_published_tests(folder, "wang_han_2016_kls1", false);
   c.published = {.name = "KLS-1",
                  .k_c = -44055.4,
                  .k_phi = 3581810.6,
@@ -93,7 +100,7 @@ Case kls_case(const std::string& folder) {
                  {"cohesion, Pa", "1716", "as published"},
                  {"density, kg/m3", "1600", "as published"},
                  interface_ratio()};
-  fit(c);
+  fit(c, c.published);
   return c;
 }
 

@@ -20,6 +20,7 @@ struct Case {
   std::vector<FitParameter> parameters;
   std::vector<Constant> constants;
   WheelTests tests;
+  WheelTests grousered;                 // on the same soil, never fitted; empty: none was measured
   std::vector<MeasuredPoint> straight;  // straight rolling, not locked; these are fitted
   Fit fit;
 };

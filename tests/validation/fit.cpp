@@ -156,7 +156,8 @@ std::vector<SingleWheelPoint> compute(const Soil& soil, const Wheel& wheel,
   const WheelSoil wheel_soil(soil, wheel, gravity_mps2);
   std::vector<SingleWheelPoint> computed;
   for (const MeasuredPoint& p : points) {
-    computed.push_back(single_wheel(wheel_soil, p.load_n, p.slip, p.slip_angle_rad));
+    const double slip = slip_by(wheel_soil.rolling_radius_m(p.load_n), p.slip, p.slip_radius_m);
+    computed.push_back(single_wheel(wheel_soil, p.load_n, slip, p.slip_angle_rad));
   }
   return computed;
 }

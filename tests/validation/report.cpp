@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "validation/skill.h"
 #include "validation/tables.h"
 
 namespace lsos::validation {
@@ -21,8 +22,9 @@ void introduction(Text& t) {
       "What `single_wheel.h` computes for the settings at which single wheels were measured in "
       "soil bins: slip, slip angle and the mean load of each point, on Earth. Each soil has one "
       "set of parameters for all of its points. Slip is 1 - v/(r w) when driving and r w/v - 1 "
-      "when braking, v the speed of travel; pull is along the heading, side force to the left "
-      "with travel to the left of the heading.");
+      "when braking, v the speed of travel and r the radius by which the rig counts; the model's "
+      "own slip is by the rolling radius of `wheel_soil.h`, and is converted. Pull is along the "
+      "heading, side force to the left with travel to the left of the heading.");
   t.paragraph(
       "A fit makes the mean square error of pull / load, in units of {}, and that of the "
       "logarithm of sinkage, in units of ln {}, least together: the two aims weigh alike. It "
@@ -44,8 +46,9 @@ void summary(Text& t, const Cases& cases) {
   t.add("\n## Summary");
   t.paragraph(
       "Errors are root mean squares over the points. The typical factor of sinkage is that of "
-      "the root mean square logarithm. \"Published\" is the soil as published with slip "
-      "sinkage 1, nothing fitted.");
+      "the root mean square logarithm. \"Published\" is the soil as published with "
+      "slip sinkage {}, the program's default, nothing fitted.",
+      Soil{}.slip_sinkage);
   summary_head(t);
   for (const Case* c : {&cases.cmu, &cases.ding, &cases.kls}) {
     summary_row(t, *c, c->name + ", straight", "published", c->published, c->straight);
@@ -100,16 +103,18 @@ void cmu(Text& t, const Case& c) {
       offset_high);
   t.paragraph(
       "The sand is not characterised. The start is dry sand of the Land Locomotion Laboratory "
-      "(after Wong), and the bounds allow for another dry sand, down to no cohesion. Only "
-      "straight rolling is fitted. One shear modulus serves along and across the wheel.");
+      "(after Wong), and the bounds allow for another dry sand. Only straight rolling is fitted. "
+      "It "
+      "says little about cohesion, for which the middle between that sand's and none is taken. One "
+      "shear modulus serves along and across the wheel.");
   parameters(t, c);
   t.add("\n![pull and sinkage against slip](validation/cmu_straight.svg)");
   straight_table(t, c, c.straight);
   t.add("\n### Slip angles to 45 deg, not refitted");
   t.paragraph(
       "No parameter is fitted to these points. They are no blind prediction all the same: that "
-      "sinkage grows with the shear displacement, and how that growth bends, was chosen with "
-      "all measurements of this rig in view.");
+      "sinkage grows with the shear displacement, how that growth bends, that the side wall rubs, "
+      "and the cohesion were chosen with all measurements of this rig in view.");
   t.add("\n![pull, side force and sinkage at slip angles](validation/cmu_slip_angles.svg)");
   turned_table(t, c, rolling_at(c.tests, {15, 30, 45}));
   t.add("\n### Beyond the model: 60 to 90 deg, and the locked wheel");
@@ -184,17 +189,17 @@ void kls(Text& t, const Case& c) {
   };
   t.paragraph(
       "{} With the published soil, torque agrees to {:.1f} % of load x radius and the computed "
-      "sinkage is above the measured one by nearly the same at every slip, {} mm. That is how "
-      "it would look if the rig counted sinkage from the resting wheel; the data do not say. "
-      "They are used as they stand.",
+      "sinkage is above the measured one by {} mm, as it would be if the rig counted sinkage from "
+      "the resting wheel; the data do not say. They are used as they stand.",
       resistances(c), 100 * published.torque, range(c, c.published, 1, deeper_mm));
 }
 
 void grousers(Text& t, const Cases& cases) {
-  t.add("\n## Grousers: predicted, not measured");
+  t.add("\n## Grousers of other heights");
   t.paragraph(
-      "No wheel with grousers is among the measurements. Computed on the fitted soils under the "
-      "mean load:");
+      "Measured wheels with grousers are in the tables of skill; nothing is fitted to them. "
+      "Computed "
+      "on the fitted soils under the mean load, slip by the rolling radius:");
   t.add("\n![pull of wheels with grousers](validation/grousers.svg)");
   t.add(
       "\n| wheel | grousers | pull / load at slip 0.2 | at 0.5 | at 0.9 |\n|---|---|---|---|---|");
@@ -262,6 +267,7 @@ Files report(const Cases& cases) {
   Text t;
   introduction(t);
   summary(t, cases);
+  skill(t, cases);
   cmu(t, cases.cmu);
   ding(t, cases.ding);
   kls(t, cases.kls);

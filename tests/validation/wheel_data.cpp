@@ -85,15 +85,24 @@ std::string data_folder() {
   return std::string(set != nullptr ? set : LSOS_SOURCE_DIR "/../shared/data") + "/terramech";
 }
 
-WheelTests read_cmu_tests(const std::string& folder) {
+WheelTests read_cmu_tests(const std::string& folder, bool has_grousers) {
+  constexpr double tip_radius_m = 0.0625;
   WheelTests tests;
-  tests.wheel = {.radius_m = 0.0625, .width_m = 0.060, .normal_stiffness_npm = rigid_npm};
+  tests.wheel = {.radius_m = tip_radius_m, .width_m = 0.060, .normal_stiffness_npm = rigid_npm};
+  if (has_grousers) {  // by the rig's mesh
+    tests.wheel.radius_m = 0.0574;
+    tests.wheel.grouser_height_m = 0.0049;
+    tests.wheel.grouser_count = 24;
+  }
+  const char* file =
+      has_grousers ? "/cmu_single_wheel_grouser.csv" : "/cmu_single_wheel_smooth.csv";
   std::map<std::pair<double, double>, std::vector<MeasuredPoint>> by_setting;
-  for (const Row& row : read_rows(folder + "/cmu_single_wheel_smooth.csv")) {
+  for (const Row& row : read_rows(folder + file)) {
     const double slip_angle_deg = number(row, "beta_deg");
     // The sensor's axes are rotated against those of the wheel.
     by_setting[{slip_angle_deg, number(row, "rim_speed_cmd_mm_s")}].push_back(
         {.slip = number(row, "slip_reported"),
+         .slip_radius_m = tip_radius_m,
          .slip_angle_rad = radians(slip_angle_deg),
          .load_n = -number(row, "Fz_sensor_N"),
          .drawbar_pull_n = -number(row, "Fy_sensor_N"),
@@ -105,9 +114,12 @@ WheelTests read_cmu_tests(const std::string& folder) {
   return tests;
 }
 
-WheelTests read_published_tests(const std::string& folder, const std::string& source) {
+WheelTests read_published_tests(const std::string& folder, const std::string& source,
+                                bool has_grousers) {
   WheelTests tests;
-  for (const Row& row : read_rows(folder + "/single_wheel_smooth_published.csv")) {
+  const char* file =
+      has_grousers ? "/single_wheel_grousered_published.csv" : "/single_wheel_smooth_published.csv";
+  for (const Row& row : read_rows(folder + file)) {
     if (row.at("source") != source) continue;
     tests.wheel = {.radius_m = number(row, "wheel_radius_m"),
                    .width_m = number(row, "wheel_width_m"),
@@ -115,6 +127,7 @@ WheelTests read_published_tests(const std::string& folder, const std::string& so
                    .grouser_height_m = number(row, "grouser_height_m"),
                    .grouser_count = std::stoi(row.at("grouser_count"))};
     tests.points.push_back({.slip = number(row, "slip"),
+                            .slip_radius_m = tests.wheel.radius_m,
                             .load_n = number(row, "vertical_load_n"),
                             .drawbar_pull_n = number(row, "meas_drawbar_pull_n"),
                             .torque_n_m = number(row, "meas_torque_nm"),

@@ -14,7 +14,8 @@ inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 // One setting of the rig, averaged over its repeats.
 struct MeasuredPoint {
-  double slip = 0;  // as single_wheel.h defines it
+  double slip = 0;  // as single_wheel.h defines it, but by slip_radius_m
+  double slip_radius_m = 0;
   double slip_angle_rad = 0;
   int repeats = 1;
   double load_n = 0;
@@ -34,9 +35,12 @@ struct WheelTests {
 // Folder of the data (LSOS_REFERENCE_DATA or ../shared/data, then terramech); may not exist.
 std::string data_folder();
 
-// Throws std::runtime_error when the folder has no such file or the file no such column.
-WheelTests read_cmu_tests(const std::string& folder);
-// `source`: a value of the column of that name, "ding2011" or "wang_han_2016_kls1".
-WheelTests read_published_tests(const std::string& folder, const std::string& source);
+// Both throw std::runtime_error when the folder has no such file or the file no such column.
+// The CMU rig counts slip by half the diameter of 125 mm, over the tips of grousers.
+WheelTests read_cmu_tests(const std::string& folder, bool has_grousers);
+// `source`: a value of the column of that name, "ding2011" or "wang_han_2016_kls1". Slip is counted
+// by the rim.
+WheelTests read_published_tests(const std::string& folder, const std::string& source,
+                                bool has_grousers);
 
 }  // namespace lsos::validation

@@ -19,6 +19,7 @@ constexpr int rows_max = 65;
 // least that pulls enough is taken.
 constexpr int slip_steps = 24;
 constexpr double slip_least = -0.5;
+constexpr int halvings = 5;
 
 // Limits for rovers whose script gives none: `tip_share` of the slope that tips the rover over at
 // rest, `clearance_share` of its clearance, `uneven_radii` of its smallest wheel.
@@ -66,6 +67,19 @@ double drag_n(const WheelDrive& wheel, const Soil& soil, double load_n, double g
   return std::max(0.0, -single_wheel(on_soil, load_n, slip, 0).drawbar_pull_n);
 }
 
+// State of that pull between two states that pull less and enough. A wheel without slip sinks
+// least, so that pull and torque have a kink there; the interval is halved before it is
+// interpolated.
+SingleWheelPoint between_at_pull(const WheelSoil& wheel, double load_n, double pull_n,
+                                 SingleWheelPoint low, SingleWheelPoint high) {
+  for (int k = 0; k < halvings; ++k) {
+    const SingleWheelPoint middle = single_wheel(wheel, load_n, (low.slip + high.slip) / 2, 0);
+    (middle.drawbar_pull_n >= pull_n ? high : low) = middle;
+  }
+  const double rise_n = high.drawbar_pull_n - low.drawbar_pull_n;
+  return between(low, high, (pull_n - low.drawbar_pull_n) / rise_n);
+}
+
 // State at which one driven wheel pulls `pull_n` with the least slip; absent when it cannot.
 std::optional<SingleWheelPoint> state_at_pull(const WheelSoil& wheel, double load_n, double pull_n,
                                               double slip_max) {
@@ -74,10 +88,7 @@ std::optional<SingleWheelPoint> state_at_pull(const WheelSoil& wheel, double loa
   for (int k = 1; k <= slip_steps; ++k) {
     const double slip = slip_least + (slip_max - slip_least) * k / slip_steps;
     const SingleWheelPoint now = single_wheel(wheel, load_n, slip, 0);
-    if (now.drawbar_pull_n >= pull_n) {
-      const double rise_n = now.drawbar_pull_n - before.drawbar_pull_n;
-      return between(before, now, (pull_n - before.drawbar_pull_n) / rise_n);
-    }
+    if (now.drawbar_pull_n >= pull_n) return between_at_pull(wheel, load_n, pull_n, before, now);
     before = now;
   }
   return std::nullopt;
@@ -118,23 +129,26 @@ std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
   double winding_w = 0;
   for (const WheelDrive& wheel : wheels) {
     if (!wheel.motor) continue;
-    const double radius_m = wheel.wheel.radius_m;
-    if (of == nullptr || of->wheel != wheel.wheel)
-      point = state_at_pull(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, pull_n, slip_max);
+    const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
+    const double radius_m = on_soil.rolling_radius_m(load_n);
+    if (of == nullptr || of->wheel != wheel.wheel) {
+      point = state_at_pull(on_soil, load_n, pull_n, slip_max);
+    }
     of = &wheel;
     if (!point) return std::nullopt;
     const std::optional<double> left_mps = motor_speed_max_mps(*wheel.motor, *point, radius_m);
     if (!left_mps) return std::nullopt;
     const double slip = std::max(0.0, point->slip);
     drive.slip = std::max(drive.slip, slip);
-    // Rim travel per metre of ground: 1 / (1 - slip) driving, 1 + slip braking. The rims turn at
-    // the requested speed.
-    const double rim_per_travel = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
-    drive.speed_mps = std::min({drive.speed_mps, *left_mps, speed_mps / rim_per_travel});
+    // Metres rolled per metre of ground: 1 / (1 - slip) driving, 1 + slip braking. The rims, whose
+    // radius is less than the rolling radius, turn at the requested speed.
+    const double rolled_per_travel = point->slip > 0 ? 1 / (1 - point->slip) : 1 + point->slip;
+    const double rolled_mps = speed_mps * radius_m / wheel.wheel.radius_m;
+    drive.speed_mps = std::min({drive.speed_mps, *left_mps, rolled_mps / rolled_per_travel});
     const double energy_jpm =
-        point->torque_n_m / radius_m * rim_per_travel / wheel.motor->efficiency;
+        point->torque_n_m / radius_m * rolled_per_travel / wheel.motor->efficiency;
     (energy_jpm > 0 ? drive.energy_jpm : drive.spare_jpm) += std::abs(energy_jpm);
-    drive.lost_jpm += wheel.motor->friction_n_m / radius_m * rim_per_travel;
+    drive.lost_jpm += wheel.motor->friction_n_m / radius_m * rolled_per_travel;
     winding_w += wheel.motor->winding_loss_w_pn2m2 * point->torque_n_m * point->torque_n_m;
   }
   if (drive.speed_mps <= 0) return std::nullopt;
@@ -203,7 +217,11 @@ double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<WheelD
   double side_n = 0;
   for (const WheelDrive& wheel : wheels) {
     const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
-    side_n += std::abs(single_wheel(on_soil, load_n, 0, angle_rad).side_force_n);
+    // A wheel that drives itself has less strength left for the side than one that is towed.
+    const auto driving = wheel.motor ? state_at_pull(on_soil, load_n, 0, usual_slip_max)
+                                     : std::optional<SingleWheelPoint>{};
+    const double slip = driving ? std::max(0.0, driving->slip) : 0;
+    side_n += std::abs(single_wheel(on_soil, load_n, slip, angle_rad).side_force_n);
   }
   return std::max(1.0, side_n / angle_rad);
 }

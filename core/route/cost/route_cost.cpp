@@ -132,19 +132,24 @@ void RouteCost::find_least() {
     }
     return least;
   };
-  least_per_metre_ = least_with(0);
   double most_jpm = 0;
   for (const SoilDrive& soil : finder_.cost().soils) {
     for (const SlopeDrive& drive : soil.by_slope) most_jpm = std::max(most_jpm, drive.energy_jpm);
   }
-  constexpr int tries = 64;
-  for (int k = 1; k <= tries; ++k) {
-    const double per_rise = 4 * most_jpm * k / tries;
-    const double least = least_with(per_rise);
-    if (least <= least_per_metre_) continue;
-    least_per_metre_ = least;
-    per_rise_ = per_rise;
+  // The bound is concave in the share of the climb. Where energy is convex by slope its greatest
+  // value is that of a level metre, so that on level ground the bound is exact.
+  double low = 0, high = 4 * most_jpm;
+  constexpr int thirds = 100;
+  for (int k = 0; k < thirds; ++k) {
+    const double left = low + (high - low) / 3, right = high - (high - low) / 3;
+    if (least_with(left) < least_with(right)) {
+      low = left;
+    } else {
+      high = right;
+    }
   }
+  per_rise_ = (low + high) / 2;
+  least_per_metre_ = least_with(per_rise_);
   least_per_metre_ = std::max(0.0, least_per_metre_);
   if (finder_.cost().soils.front().by_slope.empty()) return;
   steep_per_metre_ = std::max(0.0, finder_.cost().level_jpm()) +

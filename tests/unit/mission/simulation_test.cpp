@@ -101,16 +101,16 @@ TEST(Simulation, drives_a_rover_to_its_point) {
 
 TEST(Simulation, refuses_a_start_too_steep_to_stand_on) {
   Mission mission;
-  mission.setup_.terrain.layers = {PlaneSurface{0, 0.7, 0}};
+  mission.setup_.terrain.layers = {PlaneSurface{0, 0.9, 0}};
   mission.rover("A");
   mission.event("Hold", 1);
   try {
     mission.run();
-    FAIL() << "the rover stands on 40 degrees";
+    FAIL() << "the rover stands on 52 degrees";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
                 AllOf(HasSubstr("does not come to rest there: after 20 s it still moves at "),
-                      HasSubstr(" m/s; the plane under its wheels slopes by 40 deg")));
+                      HasSubstr(" m/s; the plane under its wheels slopes by 52 deg")));
   }
 }
 

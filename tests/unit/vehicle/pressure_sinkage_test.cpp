@@ -87,5 +87,52 @@ TEST(PressureSinkage, cohesion_alone_and_friction_alone_carry_a_wheel) {
   }
 }
 
+// A wheel that yields sinks less, the more so the softer it is; the rigid one is its limit.
+TEST(PressureSinkage, a_wheel_that_yields_lies_longer_and_sinks_less) {
+  for (const auto& [soil, weight_n] :
+       {std::pair(test::soil(), 283.5), std::pair(terzaghi(), 4000.)}) {
+    const PressureSinkage law(soil, radius_m, width_m, g_mps2);
+    double before_m = law.static_sinkage_m(weight_n), resisted_n = weight_n;
+    EXPECT_NEAR(law.static_sinkage_m(weight_n, 1e-9), before_m, 1e-3 * before_m);
+    for (const double yields_m : {0.005, 0.02, 0.05}) {
+      const double z_m = law.static_sinkage_m(weight_n, yields_m);
+      EXPECT_NEAR(law.load_n(z_m, yields_m), weight_n, 1e-5 * weight_n);
+      EXPECT_LT(z_m, before_m);
+      EXPECT_GT(law.contact_length_m(z_m, yields_m), law.contact_length_m(before_m));
+      const double resistance_n = law.compaction_resistance_n(z_m, weight_n, yields_m);
+      EXPECT_LT(resistance_n, resisted_n);
+      before_m = z_m;
+      resisted_n = resistance_n;
+    }
+  }
+}
+
+TEST(PressureSinkage, cohesion_bears_a_soft_wheel_without_sinkage) {
+  const PressureSinkage law(terzaghi(), radius_m, width_m, g_mps2);
+  EXPECT_EQ(law.static_sinkage_m(100, 0.05), 0);
+  EXPECT_EQ(law.compaction_resistance_n(0, 100, 0.05), 0);
+}
+
+// Second method: pressure over the wheel's outline, level in the middle and a circle ahead of it,
+// by the midpoint rule; the formula takes the circle for a parabola, as Bekker does: 3 % at 0.05 m.
+TEST(PressureSinkage, of_a_wheel_that_yields_is_the_integral_over_its_outline) {
+  const Soil soil = test::soil();
+  const PressureSinkage law(soil, radius_m, width_m, g_mps2);
+  for (const double yields_m : {0.01, 0.05}) {
+    const double z_m = law.static_sinkage_m(load_n, yields_m);
+    const double level_m = std::sqrt(yields_m * (2 * radius_m - yields_m));
+    const double entry_m = std::sqrt((z_m + yields_m) * (2 * radius_m - z_m - yields_m));
+    const double k = soil.k_c + width_m * soil.k_phi;
+    double carried_n = k * std::pow(z_m, soil.n) * 2 * level_m;
+    constexpr int parts = 10000;
+    for (int i = 0; i < parts; ++i) {
+      const double x = level_m + (i + 0.5) * (entry_m - level_m) / parts;
+      const double up_m = radius_m - yields_m - std::sqrt(radius_m * radius_m - x * x);
+      carried_n += k * std::pow(std::max(0.0, z_m - up_m), soil.n) * (entry_m - level_m) / parts;
+    }
+    EXPECT_NEAR(carried_n, load_n, 0.035 * load_n);
+  }
+}
+
 }  // namespace
 }  // namespace lsos

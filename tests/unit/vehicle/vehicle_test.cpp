@@ -45,12 +45,17 @@ TEST(Vehicle, keeps_the_heading_that_was_asked_on_a_slope) {
 
 TEST(Vehicle, drives_straight_at_the_speed_it_was_told) {
   const auto ground = test::moon();
-  Vehicle vehicle(test::rover(g), *ground);
+  const VehicleConfig config = test::rover(g);
+  Vehicle vehicle(config, *ground);
   ASSERT_EQ(vehicle.place(start, radians(90)), "");
   vehicle.command({1.5, 0, false});
   run(vehicle, 20);
   const VehicleReport report = vehicle.report();
-  EXPECT_NEAR(report.speed_mps, 1.5 * (1 - report.slip), 0.01);
+  // The rims turn at 1.5 m/s, and slip is counted by the rolling radius.
+  const Wheel& wheel = *config.links[2].wheel;
+  const double rolling_radius_m =
+      WheelSoil(test::soil(), wheel, g).rolling_radius_m(config.mass_kg() * g / 12);
+  EXPECT_NEAR(report.speed_mps, 1.5 * rolling_radius_m / wheel.radius_m * (1 - report.slip), 0.01);
   EXPECT_NEAR(report.p_S_m.y(), 0, 0.01);
   EXPECT_NEAR(report.p_S_m.x(), vehicle.distance_m(), 0.01);
   EXPECT_GT(report.slip, 0);
@@ -69,7 +74,7 @@ TEST(Vehicle, steady_drive_power_is_the_rolling_resistance) {
   const PressureSinkage law(test::soil(), wheel.radius_m, wheel.width_m, g);
   const double load_n = config.mass_kg() * g / 12;
   const double resistance_n = 12 * law.compaction_resistance_n(vehicle.report().sinkage_m, load_n);
-  EXPECT_NEAR(vehicle.report().sinkage_m, law.static_sinkage_m(load_n), 0.0015);  // slip adds to it
+  EXPECT_NEAR(vehicle.report().sinkage_m, law.static_sinkage_m(load_n), 0.0025);  // slip adds to it
   // Rims turn at the 1 m/s commanded; the ground passes slower by the slip.
   const double expected_w = resistance_n * 1.0 / 0.8;
   EXPECT_NEAR(vehicle.drive_w(), expected_w, 0.03 * expected_w);
