@@ -43,7 +43,10 @@ local suspension = lsos.skid_steer {
     torque_max_n_m           = 50,   -- A: all the grip a wheel has with its payload
     power_max_w              = 100,  -- R: 400 W for four wheels
     no_load_speed_radps      = 9,    -- A: half as much again as at the greatest speed
-    efficiency               = 0.6,  -- A: motor, gear and belt
+    efficiency               = 0.7,  -- A: gear and belt
+    winding_loss_w_pn2m2     = 0.02, -- A: 8 W at 20 N m, a steep climb
+    friction_n_m             = 1,    -- A: gear and belt
+    idle_w                   = 3,    -- A: of the controller
     servo_gain_n_m_sprad     = 5,    -- A: 0.6 of what the step allows (D)
     servo_integral_n_m_prad  = 20,   -- A: a lasting load is made up in 0.25 s
     brake_torque_max_n_m     = 60,   -- A
@@ -99,8 +102,9 @@ return lsos.rover {
       .. 'flexing and shear soil on soil are assumed',
     'Husky: it turns as if its track were 1.875 times as wide, the value of its maker\'s '
       .. 'controller; soils differ',
-    'Husky: drives of 50 N m and 100 W a wheel, 9 rad/s without load and an efficiency of 0.6 are '
-      .. 'assumed',
+    'Husky: drives of 50 N m and 100 W a wheel and 9 rad/s without load are assumed, whose gears '
+      .. 'have an efficiency of 0.7, and which lose 0.02 W/(N m)2 in their windings, 1 N m by '
+      .. 'friction and 3 W in their controllers',
     'Husky: drive servos, brakes and their springs, a cruise speed of 0.7 m/s and an acceleration '
       .. 'of 0.5 m/s2 are assumed',
   },

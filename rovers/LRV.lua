@@ -63,20 +63,24 @@ local suspension = lsos.wishbone {
     radius_m                 = 0.41,    -- V: 82 cm diameter, sservi.nasa.gov
     width_m                  = 0.23,    -- V: 23 cm, the same
     mass_kg                  = wheel_kg,
-    normal_stiffness_npm     = 5e4,     -- A: 6 mm under its lunar load; the mesh itself is softer
+    normal_stiffness_npm     = 5e4,     -- A: along the contact's normal, for the step
     normal_damping_nspm      = 500,     -- A
     tangential_damping_nspm  = 200,     -- A
-    interface_friction_ratio = 1,       -- A: mesh and chevrons shear soil on soil
+    interface_friction_ratio = 0.8,     -- A: chevrons on half of the mesh shear soil on soil
+    carcass_stiffness_npm    = 5500,    -- A: mesh flattened by 5 cm under its lunar load
+    rolling_resistance       = 0.08,    -- D: 39 Wh/km on the level; A: the mesh's own flexing
   },
 
   drive = lsos.drive {
     -- A: at the rims more than its whole lunar weight, so that grip ends a climb and torque does
-    -- not; D: 20 degrees take 50 N m a wheel and 25 degrees 59, both with a tenth of its load lost
-    -- in the soil
+    -- not
     torque_max_n_m           = 120,
     power_max_w              = 186,   -- V: 0.25 hp, encyclopedia articles; at the wheel: A
     no_load_speed_radps      = 13.1,  -- R: motor to 10,000 rpm; V: 80:1
-    efficiency               = 0.7,   -- A: motor and harmonic drive
+    efficiency               = 0.8,   -- A: harmonic drive
+    winding_loss_w_pn2m2     = 0.04,  -- A: 4 W at 10 N m, the torque on the level
+    friction_n_m             = 2,     -- A: seals and harmonic drive
+    idle_w                   = 5,     -- A: of the controller
     servo_gain_n_m_sprad     = 60,    -- A: full torque at 2 rad/s too slow
     servo_integral_n_m_prad  = 60,    -- A: a lasting load is made up in a second
     brake_torque_max_n_m     = 200,   -- A: holds any wheel that has grip
@@ -144,11 +148,12 @@ return lsos.rover {
     'LRV: a battery efficiency of 0.95 and 80 W for communications and navigation are assumed',
     'LRV: 74 kg of wheels, arms and traction drives, the load at 0.85 m and the centre of mass at '
       .. '0.75 m are assumed',
-    'LRV: wheels are rigid in soil with 50 kN/m along its normal and shear soil on soil; flexing '
-      .. 'of their mesh is left out',
+    'LRV: a mesh of 5.5 kN/m, which loses 8 % of its load in flexing, and an interface friction '
+      .. 'of 0.8 are assumed',
     'LRV: springs of 2.6 kN/m follow from the clearance loaded and empty; dampers at half of '
       .. 'critical, 0.15 m of travel either way and steering servos are assumed',
-    'LRV: drives of 120 N m a wheel with an efficiency of 0.7 are assumed',
+    'LRV: drives of 120 N m a wheel are assumed, whose gears have an efficiency of 0.8, and which '
+      .. 'lose 0.04 W/(N m)2 in their windings, 2 N m by friction and 5 W in their controllers',
     'LRV: drive servos, brakes and their springs, a cruise speed of 2.5 m/s and an acceleration of '
       .. '0.5 m/s2 are assumed',
   },

@@ -91,7 +91,10 @@ local suspension = lsos.rocker_bogie {
     torque_max_n_m           = 30,    -- A: at the rims twice the rover's weight on Mars (D)
     power_max_w              = 8,     -- A
     no_load_speed_radps      = 0.55,  -- A: a third above the greatest speed
-    efficiency               = 0.5,   -- A: motor and three gears
+    efficiency               = 0.6,   -- A: three gears
+    winding_loss_w_pn2m2     = 0.02,  -- A: 0.5 W at 5 N m, a climb of 10 degrees
+    friction_n_m             = 0.3,   -- A: gears in their lubricant
+    idle_w                   = 0.2,   -- A: of the controller
     servo_gain_n_m_sprad     = 4,     -- A: three quarters of what the step allows (D)
     servo_integral_n_m_prad  = 30,    -- A: a lasting load is made up in 0.13 s
     brake_torque_max_n_m     = 40,    -- A: gears hold the wheel
@@ -181,8 +184,9 @@ return lsos.rover {
     'MER: pivots, stops, bearings and a differential of 10 kN m/rad are assumed',
     'MER: 24 grousers of 6 mm, bare metal between them (interface friction 0.8) and 30 kN/m along '
       .. 'the normal are assumed for the wheels',
-    'MER: drives of 30 N m a wheel, 0.55 rad/s without load and an efficiency of 0.5 are assumed, '
-      .. 'as are the steering servos',
+    'MER: drives of 30 N m a wheel and 0.55 rad/s without load are assumed, whose gears have an '
+      .. 'efficiency of 0.6, and which lose 0.02 W/(N m)2 in their windings, 0.3 N m by friction '
+      .. 'and 0.2 W in their controllers, as are the steering servos',
     'MER: drive servos, brakes and their springs, a cruise speed of 0.0375 m/s and an acceleration '
       .. 'of 0.02 m/s2 are assumed',
   },

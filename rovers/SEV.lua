@@ -68,7 +68,10 @@ local suspension = lsos.wishbone {
   drive = lsos.drive {
     torque_max_n_m           = 730,    -- D: 4000 lbf in low gear (V: Chariot, 2007) on 12 wheels
     power_max_w              = 1500,   -- A
-    efficiency               = 0.8,    -- A: motor and gear
+    efficiency               = 0.9,    -- A: gears
+    winding_loss_w_pn2m2     = 0.002,  -- A: 2 W at 35 N m, the torque on the level
+    friction_n_m             = 2,      -- A: seals and gears
+    idle_w                   = 5,      -- A: of the controller
     servo_gain_n_m_sprad     = 300,    -- A: full torque at 2.4 rad/s too slow
     servo_integral_n_m_prad  = 300,    -- A: a lasting load is made up in a second
     brake_torque_max_n_m     = 1500,   -- A: holds twice what the motor gives
@@ -184,8 +187,9 @@ return lsos.rover {
       .. 'mass at 1.3 m are assumed',
     'SEV: springs of 10 kN/m with 0.25 m of travel either way and 0.7 of critical damping are '
       .. 'assumed',
-    'SEV: motors of 1.5 kW a wheel with an efficiency of 0.8 are assumed; their torque is that of '
-      .. 'the Chariot chassis in low gear',
+    'SEV: motors of 1.5 kW a wheel are assumed, whose gears have an efficiency of 0.9, and which '
+      .. 'lose 0.002 W/(N m)2 in their windings, 2 N m by friction and 5 W in their controllers; '
+      .. 'their torque is that of the Chariot chassis in low gear',
     'SEV: drive and steering servos, brakes and their springs, a cruise speed of 2 m/s and an '
       .. 'acceleration of 0.3 m/s2 are assumed',
     'SEV: treads that shear soil on soil (interface friction 1) are assumed',

@@ -61,19 +61,22 @@ double PressureSinkage::carrying_length_m(double sinkage_m, double deflection_m)
   return std::sqrt(diameter_m_) * (2 * flat + round * (entry - flat));
 }
 
-// Newton's method from above in y = log z, in which the logarithm of the load rises evenly, with a
-// slope between n and n + 1/2.
+// Newton's method in the logarithm of the load, which rises with that of z at a slope between n and
+// n + 1/2. A rigid wheel and a level plate, each of which is but a part of this one, sink deeper:
+// the lesser of both depths is near the solution.
 double PressureSinkage::yielding_sinkage_m(double load_n, double deflection_m) const {
   const double deepest_m = diameter_m_ / 2;
-  double z = std::pow(scale_ * load_n, exponent_);  // of a rigid wheel
+  const double plate_n = 2 * k_npm_ * std::sqrt(diameter_m_ * deflection_m);  // at a depth of 1 m
+  double z =
+      std::min(std::pow(scale_ * load_n, exponent_), std::pow(load_n / plate_n, 1 / soil_.n));
   for (int i = 0; i < 20; ++i) {
-    const double carried_n = this->load_n(z, deflection_m);
-    const double entry = std::sqrt(z + deflection_m);
+    const double length_m = carrying_length_m(z, deflection_m);
+    const double carried_n = k_npm_ * std::pow(z, soil_.n) * length_m;
     const double slope = soil_.n + (1 - soil_.n / 3) * std::sqrt(diameter_m_) * z /
-                                       (2 * entry * carrying_length_m(z, deflection_m));
-    const double ratio = std::pow(load_n / carried_n, 1 / slope);
-    z *= ratio;
-    if (std::abs(ratio - 1) < 1e-9) break;
+                                       (2 * std::sqrt(z + deflection_m) * length_m);
+    const double change = std::max(-0.5, (load_n / carried_n - 1) / slope);
+    z *= 1 + change;
+    if (std::abs(change) < 1e-9) break;
   }
   return std::min(z, deepest_m);
 }

@@ -68,6 +68,8 @@ struct DriveCost {
   // rough_jpm2 + rough_js2pm4 v^2. Wheels that roll down from a bump give back less than those that
   // climb one take.
   double rough_jpm2 = 0, rough_js2pm4 = 0;
+  // Power that the motors' windings lose there, per square metre of roughness.
+  double rough_loss_w_pm2 = 0;
   // Energy and time of stopping at a corner and setting off again.
   double stop_j = 0, stop_s = 0;
   // Energy of slowing down for an arc and speeding up again, from full speed to almost zero: the
@@ -100,7 +102,8 @@ struct DriveCost {
     LSOS_ARCHIVE(a, soils, wheels_B_m, underside_B_m, limits, turning_radius_min_m,
                  can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, turn_jprad,
                  turn_sprad, steer_s, acceleration_mps2, arc_drag_jmprad, side_slip_s2pm,
-                 gravity_mps2, rough_jpm2, rough_js2pm4, rough_tilt_1pm, idle_w, load_w);
+                 gravity_mps2, rough_jpm2, rough_js2pm4, rough_loss_w_pm2, rough_tilt_1pm, idle_w,
+                 load_w);
   }
 };
 

@@ -193,9 +193,10 @@ SlopeDrive RouteCost::drive_at(const Stance& stance) const {
   const double speed2 = drive.speed_mps * drive.speed_mps;
   // The resistance X of bumps comes in bursts. Distributed exponentially about its mean m =
   // more_jpm, it exceeds gravity's spare energy s by E[max(0, X - s)] = m exp(-s / m) in the mean.
-  more_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * stance.roughness_m;
+  const double rough_m = stance.roughness_m;
+  more_jpm += (cost.rough_jpm2 + cost.rough_js2pm4 * speed2) * rough_m;
   if (more_jpm > 0) drive.energy_jpm += more_jpm * std::exp(-drive.spare_jpm / more_jpm);
-  if (cost.idle_w > 0) drive.energy_jpm += cost.idle_w / drive.speed_mps;
+  drive.energy_jpm += (cost.idle_w + cost.rough_loss_w_pm2 * rough_m * rough_m) / drive.speed_mps;
   return drive;
 }
 
