@@ -2,10 +2,21 @@
 // where wheels need a slip angle to produce side force: on cross slopes and in arcs.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace lsos {
+
+// Side slip angle at a lateral acceleration of either sign. The side force of wheels in soil rises
+// with their slip angle b to a greatest one, as shear stress does with shear (Janosi and Hanamoto
+// 1961):
+//  F = F_max (1 - exp(-C b / F_max)),  side_slip_s2pm = m / C,  side_grip_mps2 = F_max / m.
+inline double side_slip_rad(double lateral_mps2, double side_slip_s2pm, double side_grip_mps2) {
+  constexpr double used_max = 0.95;
+  const double used = std::min(used_max, std::abs(lateral_mps2) / side_grip_mps2);
+  return -side_slip_s2pm * side_grip_mps2 * std::log1p(-used);
+}
 
 // Limit on speed times the square root of the side slip angle. The slip angle changes with the
 // cross slope, and until the heading has followed, the rover leaves its line by a distance that
@@ -20,12 +31,20 @@ inline double side_slip_speed_mps(double side_slip_rad) {
   return side_slip_limit_mps / std::sqrt(std::abs(side_slip_rad));
 }
 
-// The same limit in an arc, for a rover whose side slip angle is `side_slip_s2pm` rad per m/s2 of
-// lateral acceleration:
-//  slip angle = side_slip_s2pm v^2 / R,  v^4 = side_slip_limit_mps^2 R / side_slip_s2pm.
-inline double side_slip_arc_speed_mps(double radius_m, double side_slip_s2pm) {
+// The same limit in an arc, whose lateral acceleration is v^2 / R; infinite without side slip. By
+// iteration over the angle per lateral acceleration b / a at the last speed:
+//  v^4 = side_slip_limit_mps^2 R / (b / a).
+inline double side_slip_arc_speed_mps(double radius_m, double side_slip_s2pm,
+                                      double side_grip_mps2) {
   if (side_slip_s2pm <= 0) return std::numeric_limits<double>::infinity();
-  return std::pow(side_slip_limit_mps * side_slip_limit_mps * radius_m / side_slip_s2pm, 0.25);
+  constexpr int iterations = 4;
+  double per_lateral_s2pm = side_slip_s2pm, speed2 = 0;
+  for (int k = 0; k < iterations; ++k) {
+    speed2 = side_slip_limit_mps * std::sqrt(radius_m / per_lateral_s2pm);
+    const double lateral_mps2 = speed2 / radius_m;
+    per_lateral_s2pm = side_slip_rad(lateral_mps2, side_slip_s2pm, side_grip_mps2) / lateral_mps2;
+  }
+  return std::sqrt(speed2);
 }
 
 }  // namespace lsos

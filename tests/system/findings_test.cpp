@@ -135,7 +135,7 @@ TEST(Findings, wheels_that_spin_without_progress_are_stuck) {
   const auto fields =
       nlohmann::json::parse(query(result.log, "select fields from notes where name = 'stuck'"));
   EXPECT_GT(fields["slip"], 0.9);
-  EXPECT_GT(fields["sinkage_m"], 0.02);
+  EXPECT_GT(fields["sinkage_m"], 0.015);
 }
 
 TEST(Findings, two_rovers_that_would_touch_stop_before) {

@@ -42,13 +42,13 @@ Slips slips_of(const std::vector<SampleRow>& rows, double requested_mps) {
 TEST(Slip, of_a_straight_drive_on_the_level_is_what_its_rows_say) {
   const PlanRun run(
       {mission({{"LogInterval", "0.1"}}), sev("R1", "31,12"),
-       event("Route", "R1", 10, {{"StopWhen", "slip &gt; 0.05"}}, line("31,12 31.0033715,12"))});
+       event("Route", "R1", 10, {{"StopWhen", "slip &gt; 0.13"}}, line("31,12 31.0033715,12"))});
   EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.out;
   const std::vector<SampleRow> rows = run.samples();
   // Conditions are evaluated at whole seconds.
   const auto after_a_second = std::ranges::find(rows, SimTime{1'000'000}, &SampleRow::time);
   ASSERT_NE(after_a_second, rows.end());
-  EXPECT_GT(after_a_second->slip, 0.05) << "it sets off";
+  EXPECT_GT(after_a_second->slip, 0.13) << "it sets off";
   const Slips slips = slips_of(rows, cruise_mps);
   const auto rover = run.summary()["rovers"]["R1"];
   EXPECT_NEAR(rover["max_slip"].get<double>(), slips.greatest_mean, 1e-9);
@@ -56,8 +56,8 @@ TEST(Slip, of_a_straight_drive_on_the_level_is_what_its_rows_say) {
       static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(slips.all.size())));
   EXPECT_NEAR(rover["p95_slip"].get<double>(), slips.all[rank - 1], 1e-4);
   EXPECT_GT(slips.all.size(), 300u);
-  // The drawbar pull of the wheels is nearly zero.
-  EXPECT_NEAR(slips.all[slips.all.size() / 2], 0.009, 0.005);
+  // One wheel of SEV pulls nothing at this slip, which is what driving on the level takes.
+  EXPECT_NEAR(slips.all[slips.all.size() / 2], 0.04, 0.005);
   EXPECT_LT(rover["max_slip"].get<double>(), 0.15) << "it speeds up from half its speed on";
   EXPECT_NEAR(run.summary()["events"][0]["distance_m"].get<double>(), 100, 2)
       << "setting off is no reason to stop";

@@ -20,16 +20,16 @@ constexpr double tip_share = 0.6, usual_slip_max = 0.6, clearance_share = 0.3, u
 // Resistance of rough ground as a share of the weight, for each metre of roughness: a constant
 // part, and a part that grows with the square of speed. Fitted to simulated drives of SEV and LRV
 // on LunarSouthPole (the test RoughGround says how well).
-constexpr double rough_share_1pm = 0.8, rough_share_s2pm3 = 0.12;
+constexpr double rough_share_1pm = 0.9, rough_share_s2pm3 = 0.12;
 // Pull of the wheels that climb bumps while others roll down, which cancels but for the losses in
 // the windings: its root mean square as a share of the weight, for each metre of roughness. Fitted
 // likewise.
-constexpr double rough_swing_1pm = 8;
-// Rough ground tilts a rover by its height over half the track, the more suddenly the shorter the
-// wheelbase. The rover slides to and fro, which slows it like a cross slope whose sine is
-// `rough_tilt_m` times roughness / (wheelbase * track / 2). Fitted to the times of LRV and SEV,
-// driven straight over LunarSouthPole (6 and 2 per metre of roughness; RoughGround).
-constexpr double rough_tilt_m = 12, least_base_m = 0.1;
+constexpr double rough_swing_1pm = 5;
+// Rough ground tilts a rover by its height over half the track, and the more suddenly the faster
+// the rover passes its own wheelbase: the sine of the tilt that makes it slide to either side has
+// the standard deviation `rough_tilt_s2` * roughness * (speed / wheelbase)^2 / (track / 2). Fitted
+// to the times that SEV and LRV take over LunarSouthPole (PlannedTurns).
+constexpr double rough_tilt_s2 = 12, least_base_m = 0.1;
 
 // Static tipping angle: the slope at which the centre of mass stands above a side of the rectangle
 // of the wheels.
@@ -48,23 +48,6 @@ double tipping_rad(const VehicleConfig& vehicle, const std::vector<Vec2>& wheels
   const double nearest_m = std::min({centre_B_m.x() - low_m.x(), high_m.x() - centre_B_m.x(),
                                      centre_B_m.y() - low_m.y(), high_m.y() - centre_B_m.y()});
   return std::atan2(nearest_m, centre_B_m.z());
-}
-
-// Side force of all wheels per radian of slip angle, at least 1 N/rad.
-double side_stiffness_npr(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
-                          const Soil& soil, double gravity_mps2) {
-  constexpr double angle_rad = 0.05;
-  const double load_n = vehicle.mass_kg() * gravity_mps2 / static_cast<double>(wheels.size());
-  double side_n = 0;
-  for (const WheelDrive& wheel : wheels) {
-    const WheelSoil on_soil(soil, wheel.wheel, gravity_mps2);
-    // A wheel that drives itself has less strength left for the side than one that is towed.
-    const auto driving = wheel.motor ? state_at_pull(on_soil, load_n, 0, usual_slip_max)
-                                     : std::optional<SingleWheelPoint>{};
-    const double slip = driving ? std::max(0.0, driving->slip) : 0;
-    side_n += std::abs(single_wheel(on_soil, load_n, slip, angle_rad).side_force_n);
-  }
-  return std::max(1.0, side_n / angle_rad);
 }
 
 // Time that speeding up from rest to speed V loses against driving at V: the integral of (1 - v /
@@ -109,7 +92,7 @@ double steer_s(const VehicleConfig& vehicle) {
 // stopping, and wheels that roll round the centre in a turn on the spot. Wheels that cannot steer
 // are dragged there, which is not counted.
 void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wheels,
-                 const Soil& soil, double gravity_mps2, DriveCost& cost) {
+                 double gravity_mps2, DriveCost& cost) {
   double efficiency = 1, driven = 0, winding_w_pn2 = 0;
   for (const WheelDrive& wheel : wheels) {
     if (!wheel.motor) continue;
@@ -139,6 +122,7 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
   // Beyond that, speeding up loses by the square of the pull that it takes, for V / a seconds.
   const double speeding_j = winding_w_pn2 * braking_n * mass_kg * cost.speed_mps;
   constexpr double slowing_share = 0.69;  // mean of (1 - s) / (1 - s^2) over speeds s V
+  cost.speeding_kg = electrical_per_mechanical * mass_kg;
   cost.slow_j = electrical_per_mechanical * mass_kg * speed2 / 2 *
                     std::max(0.0, braking_n - drag_n) / braking_n +
                 slowing_share * speeding_j;
@@ -146,8 +130,11 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
       electrical_per_mechanical * mass_kg * speed2 / 2 * braking_n / (braking_n + drag_n) +
       speeding_j;
   cost.acceleration_mps2 = vehicle.acceleration_mps2;
-  const double side_npr = side_stiffness_npr(vehicle, wheels, soil, gravity_mps2);
-  cost.side_slip_s2pm = mass_kg / side_npr;
+  if (!cost.soils.front().by_slope.empty()) {
+    const SlopeDrive level = cost.soils.front().at(0);
+    cost.side_slip_s2pm = level.side_slip_s2pm;
+    cost.side_grip_mps2 = level.side_grip_mps2;
+  }
   cost.gravity_mps2 = gravity_mps2;
   Vec2 low_m = cost.wheels_B_m.front(), high_m = low_m;
   for (const Vec2& wheel : cost.wheels_B_m) {
@@ -155,8 +142,10 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
     high_m = high_m.cwiseMax(wheel);
   }
   const Vec2 base_m = (high_m - low_m).cwiseMax(least_base_m);
-  cost.rough_tilt_1pm = rough_tilt_m / (base_m.x() * base_m.y() / 2);
-  cost.arc_drag_jmprad = electrical_per_mechanical * mass_kg * mass_kg * speed2 * speed2 / side_npr;
+  const double passing_1ps = cost.speed_mps / base_m.x();
+  cost.rough_tilt_1pm = rough_tilt_s2 * passing_1ps * passing_1ps / (base_m.y() / 2);
+  cost.arc_drag_jmprad =
+      electrical_per_mechanical * mass_kg * speed2 * speed2 * cost.side_slip_s2pm;
   cost.rough_jpm2 = electrical_per_mechanical * mass_kg * gravity_mps2 * rough_share_1pm;
   cost.rough_js2pm4 = electrical_per_mechanical * mass_kg * gravity_mps2 * rough_share_s2pm3;
   const double swinging_npm = mass_kg * gravity_mps2 * rough_swing_1pm;
@@ -209,7 +198,7 @@ DriveCost drive_cost(const VehicleConfig& vehicle, const std::vector<Soil>& soil
   cost.can_turn_on_spot = vehicle.can_turn_on_spot;
   cost.speed_mps = speed_mps;
   cost.level_speed_mps = std::max(speed_mps, vehicle.cruise_speed_mps);
-  add_corners(vehicle, wheels, soils.front(), gravity_mps2, cost);
+  add_corners(vehicle, wheels, gravity_mps2, cost);
   return cost;
 }
 

@@ -60,6 +60,28 @@ std::optional<double> motor_speed_max_mps(const DriveMotor& motor, const SingleW
   return spin_radps * radius_m * (1 - std::max(0.0, point.slip));
 }
 
+// Side force of one wheel at a slip angle and at twice that.
+struct SideForces {
+  double once_n = 0, twice_n = 0;
+};
+
+constexpr double tested_rad = 0.05;
+
+SideForces side_forces(const WheelSoil& wheel, double load_n, double slip) {
+  return {std::abs(single_wheel(wheel, load_n, slip, tested_rad).side_force_n),
+          std::abs(single_wheel(wheel, load_n, slip, 2 * tested_rad).side_force_n)};
+}
+
+// Fits the curve of driving/side_slip.h to the forces of all wheels: with e = F2 / F1 - 1,
+//  F_max = F1 / (1 - e),  C = -ln(e) F_max / angle.
+void set_side_slip(SlopeDrive& drive, const SideForces& sum, double mass_kg) {
+  constexpr double least_n = 0.05, least_e = 0.01;
+  const double once_n = std::max(least_n, sum.once_n);
+  const double e = std::clamp(sum.twice_n / once_n - 1, least_e, 1 - least_e);
+  drive.side_grip_mps2 = once_n / (1 - e) / mass_kg;
+  drive.side_slip_s2pm = tested_rad / (-std::log(e) * drive.side_grip_mps2);
+}
+
 std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
                                       const std::vector<WheelDrive>& wheels, const Soil& soil,
                                       double gravity_mps2, double speed_mps, double slip_max,
@@ -71,13 +93,21 @@ std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
   if (driven == 0) return std::nullopt;
   const double load_n = weight_n * std::cos(slope_rad) / count;
   double held_n = weight_n * std::sin(slope_rad);
+  SideForces sides_n;
   for (const WheelDrive& wheel : wheels) {
-    if (!wheel.motor) held_n += drag_n(wheel, soil, load_n, gravity_mps2);
+    if (wheel.motor) continue;
+    held_n += drag_n(wheel, soil, load_n, gravity_mps2);
+    const SideForces side =
+        side_forces(WheelSoil(soil, wheel.wheel, gravity_mps2), load_n, wheel.is_locked ? -1 : 0);
+    sides_n.once_n += side.once_n;
+    sides_n.twice_n += side.twice_n;
   }
   const double pull_n = held_n / driven;
-  SlopeDrive drive{0, 0, std::numeric_limits<double>::infinity(), 0, 0};
+  SlopeDrive drive;
+  drive.speed_mps = std::numeric_limits<double>::infinity();
   // Successive wheels that are alike are computed once.
   std::optional<SingleWheelPoint> point;
+  SideForces side_n;
   const WheelDrive* of = nullptr;
   double winding_w = 0, generated_jpm = 0;
   for (const WheelDrive& wheel : wheels) {
@@ -86,9 +116,12 @@ std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
     const double radius_m = on_soil.rolling_radius_m(load_n);
     if (of == nullptr || of->wheel != wheel.wheel) {
       point = state_at_pull(on_soil, load_n, pull_n, slip_max);
+      if (point) side_n = side_forces(on_soil, load_n, point->slip);
     }
     of = &wheel;
     if (!point) return std::nullopt;
+    sides_n.once_n += side_n.once_n;
+    sides_n.twice_n += side_n.twice_n;
     const std::optional<double> left_mps = motor_speed_max_mps(*wheel.motor, *point, radius_m);
     if (!left_mps) return std::nullopt;
     const double slip = std::max(0.0, point->slip);
@@ -120,6 +153,7 @@ std::optional<SlopeDrive> slope_drive(const VehicleConfig& vehicle,
   drive.energy_jpm *= vehicle.drive_calibration;
   drive.lost_jpm *= vehicle.drive_calibration;
   drive.spare_jpm *= vehicle.drive_calibration;
+  set_side_slip(drive, sides_n, vehicle.mass_kg());
   return drive;
 }
 
@@ -169,7 +203,12 @@ void raise_to_soil_cost(SoilDrive& rock, const SoilDrive& soil) {
         std::max(rock.by_slope[k].energy_jpm, soil.by_slope[k].energy_jpm);
     rock.by_slope[k].lost_jpm = std::max(rock.by_slope[k].lost_jpm, soil.by_slope[k].lost_jpm);
     rock.by_slope[k].spare_jpm = std::min(rock.by_slope[k].spare_jpm, soil.by_slope[k].spare_jpm);
+    rock.by_slope[k].speed_mps = std::min(rock.by_slope[k].speed_mps, soil.by_slope[k].speed_mps);
     rock.by_slope[k].slip = std::max(rock.by_slope[k].slip, soil.by_slope[k].slip);
+    rock.by_slope[k].side_slip_s2pm =
+        std::max(rock.by_slope[k].side_slip_s2pm, soil.by_slope[k].side_slip_s2pm);
+    rock.by_slope[k].side_grip_mps2 =
+        std::min(rock.by_slope[k].side_grip_mps2, soil.by_slope[k].side_grip_mps2);
   }
 }
 

@@ -11,11 +11,13 @@ SlopeDrive SoilDrive::at(double slope_rad) const {
   const auto k = std::min(static_cast<std::size_t>(steps), by_slope.size() - 2);
   const double share = steps - static_cast<double>(k);
   const SlopeDrive &low = by_slope[k], &high = by_slope[k + 1];
-  return {low.slip + share * (high.slip - low.slip),
-          low.energy_jpm + share * (high.energy_jpm - low.energy_jpm),
-          low.speed_mps + share * (high.speed_mps - low.speed_mps),
-          low.spare_jpm + share * (high.spare_jpm - low.spare_jpm),
-          low.lost_jpm + share * (high.lost_jpm - low.lost_jpm)};
+  const auto between = [&](double SlopeDrive::*value) {
+    return low.*value + share * (high.*value - low.*value);
+  };
+  return {between(&SlopeDrive::slip),          between(&SlopeDrive::energy_jpm),
+          between(&SlopeDrive::speed_mps),     between(&SlopeDrive::spare_jpm),
+          between(&SlopeDrive::lost_jpm),      between(&SlopeDrive::side_slip_s2pm),
+          between(&SlopeDrive::side_grip_mps2)};
 }
 
 double DriveCost::level_jpm() const {

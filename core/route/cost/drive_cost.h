@@ -19,8 +19,15 @@ struct SlopeDrive {
   double spare_jpm = 0;
   // The part of the energy that the motors' windings and friction lose; it is no drag.
   double lost_jpm = 0;
+  // Side slip angle per m/s2 of lateral acceleration where that is small, and the greatest lateral
+  // acceleration that the wheels bear, see driving/side_slip.h. Wheels that pull hard have less
+  // strength left for the side.
+  double side_slip_s2pm = 0, side_grip_mps2 = 1;
 
-  void archive(Archive& a) { LSOS_ARCHIVE(a, slip, energy_jpm, speed_mps, spare_jpm, lost_jpm); }
+  void archive(Archive& a) {
+    LSOS_ARCHIVE(a, slip, energy_jpm, speed_mps, spare_jpm, lost_jpm, side_slip_s2pm,
+                 side_grip_mps2);
+  }
 };
 
 // Driving on one soil, straight up slopes from `first_rad` (negative: down) in equal steps. The
@@ -75,6 +82,8 @@ struct DriveCost {
   // Energy of slowing down for an arc and speeding up again, from full speed to almost zero: the
   // part that brakes take, without that of the soil's drag.
   double slow_j = 0;
+  // Electrical energy per v^2 / 2 of speeding up.
+  double speeding_kg = 1;
   // Energy and time per radian of turning on the spot.
   double turn_jprad = 0, turn_sprad = 0;
   // Time of steering the wheels to where they turn the rover on the spot, and back.
@@ -88,11 +97,11 @@ struct DriveCost {
   // rover that has slowed down once would wind on slowly at no cost. Time lost on slopes is not
   // charged.
   double load_w = 0;
-  // Side slip angle per m/s2 of lateral acceleration, which comes from gravity on a cross slope and
-  // from speed in an arc.
-  double side_slip_s2pm = 0, gravity_mps2 = 9.81;
-  // Sine of the cross slope that slows the rover down as much as rough ground does, per metre of
-  // `Stance::roughness_m`: on rough ground the side slip angle keeps changing its sign.
+  // Those of SlopeDrive on the level, for arcs.
+  double side_slip_s2pm = 0, side_grip_mps2 = 1;
+  double gravity_mps2 = 9.81;
+  // Standard deviation of the cross slope's sine on rough ground, per metre of
+  // `Stance::roughness_m`.
   double rough_tilt_1pm = 0;
 
   // Energy of a metre on the level, controllers included, J/m; 0 where its wheels cannot drive.
@@ -100,10 +109,10 @@ struct DriveCost {
 
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, soils, wheels_B_m, underside_B_m, limits, turning_radius_min_m,
-                 can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, turn_jprad,
-                 turn_sprad, steer_s, acceleration_mps2, arc_drag_jmprad, side_slip_s2pm,
-                 gravity_mps2, rough_jpm2, rough_js2pm4, rough_loss_w_pm2, rough_tilt_1pm, idle_w,
-                 load_w);
+                 can_turn_on_spot, speed_mps, level_speed_mps, stop_j, stop_s, slow_j, speeding_kg,
+                 turn_jprad, turn_sprad, steer_s, acceleration_mps2, arc_drag_jmprad,
+                 side_slip_s2pm, side_grip_mps2, gravity_mps2, rough_jpm2, rough_js2pm4,
+                 rough_loss_w_pm2, rough_tilt_1pm, idle_w, load_w);
   }
 };
 
