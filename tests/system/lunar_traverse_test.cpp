@@ -98,7 +98,8 @@ std::vector<PlanePoint> densified(const std::vector<PlanePoint>& line) {
 }
 
 // Number of craters that the line crosses, of those about as large as the rover, 4.5 to 20 m, with
-// walls steeper than 18 degrees. The wall of a bowl of depth d and diameter D has slope 4 d / D.
+// walls steeper than SEV climbs in ApolloNominal, 22 degrees. The wall of a bowl of depth d and
+// diameter D has slope 4 d / D.
 int craters_on(const std::vector<PlanePoint>& line) {
   CraterPopulation population;  // of terrain/LunarSouthPole.lua
   population.age_gyr = 3.9;
@@ -112,7 +113,7 @@ int craters_on(const std::vector<PlanePoint>& line) {
   int through = 0, steep = 0;
   const std::vector<PlanePoint> points = densified(line);
   for (const Crater& crater : craters_touching(population, 0, box, 4.5, 20)) {
-    if (4 * crater.depth_m < std::tan(radians(18)) * crater.diameter_m) continue;
+    if (4 * crater.depth_m < std::tan(radians(22)) * crater.diameter_m) continue;
     ++steep;
     through += std::ranges::any_of(points, [&](const PlanePoint& p) {
       return std::hypot(p.x_m - crater.centre.x_m, p.y_m - crater.centre.y_m) <

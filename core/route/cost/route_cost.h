@@ -156,7 +156,6 @@ class RouteCost {
   CornerCost arc_driven(ArcState& speeds, double radius_m, double bend_rad) const;
   CornerCost arcs_driven(ArcState& speeds, const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
-  SlopeDrive drive_at(const Stance& stance) const;
   bool is_occupied(const Vec2& at_m, const Vec2& ahead) const;
   double rate(const Stance& stance) const;
   void find_least();
