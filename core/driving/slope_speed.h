@@ -6,8 +6,8 @@
 
 namespace lsos {
 
-// Coefficient of braking friction that a rover counts on, braking force over weight. It is four
-// fifths of 0.56, which `lsos-host rig` gives for LRV's wheel on ApolloNominal at a slip of -0.25.
+// Coefficient of braking friction that a rover counts on, braking force over weight. It is two
+// thirds of 0.67, which `lsos-host rig` gives for LRV's wheel on ApolloNominal at a slip of -0.25.
 inline constexpr double braking_friction = 0.45;
 // Least deceleration assumed on steep slopes, as a share of the greatest one.
 inline constexpr double braking_share_min = 0.2;
