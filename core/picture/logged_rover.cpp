@@ -10,8 +10,7 @@ namespace {
 
 // Inverse of direction_S().
 SkyPosition sky_position(const SiteFrame& site, const Vec3& p_S_m, const Vec3& direction_S) {
-  const double azimuth_rad =
-      std::atan2(direction_S.dot(site.east_S(p_S_m)), direction_S.dot(site.north_S(p_S_m)));
+  const double azimuth_rad = site.azimuth_rad(direction_S, p_S_m);
   return {azimuth_rad < 0 ? azimuth_rad + 2 * std::numbers::pi : azimuth_rad,
           std::asin(std::clamp(direction_S.dot(site.up_S(p_S_m)), -1.0, 1.0))};
 }

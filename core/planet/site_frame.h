@@ -2,6 +2,8 @@
 // curves away below its tangent plane, and "up" tilts with distance.
 #pragma once
 
+#include <cmath>
+
 #include "planet/body.h"
 
 namespace lsos {
@@ -35,6 +37,14 @@ class SiteFrame {
   // Unit vectors to local true north and east at p, horizontal there.
   Vec3 north_S(const Vec3& p_S_m) const;
   Vec3 east_S(const Vec3& p_S_m) const;
+  // Azimuth of a direction at p, -pi..pi clockwise from true north there.
+  double azimuth_rad(const Vec3& direction_S, const Vec3& p_S_m) const {
+    return std::atan2(direction_S.dot(east_S(p_S_m)), direction_S.dot(north_S(p_S_m)));
+  }
+  // Horizontal unit vector at p in an azimuth, clockwise from true north there.
+  Vec3 horizontal_S(double azimuth_rad, const Vec3& p_S_m) const {
+    return std::cos(azimuth_rad) * north_S(p_S_m) + std::sin(azimuth_rad) * east_S(p_S_m);
+  }
 
   // Gravity at p, along -up_S.
   Vec3 gravity_S_mps2(const Vec3& p_S_m) const;

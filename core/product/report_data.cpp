@@ -55,8 +55,7 @@ ReportLine map_line(const SiteFrame& site, const std::vector<Geodetic>& places) 
 
 // Heading relative to the map's axes: near a pole the local north turns with each step.
 double heading_on_map_rad(const SiteFrame& site, const SampleRow& row) {
-  const Vec3 ahead_S = std::sin(row.heading_rad) * site.east_S(row.p_S_m) +
-                       std::cos(row.heading_rad) * site.north_S(row.p_S_m);
+  const Vec3 ahead_S = site.horizontal_S(row.heading_rad, row.p_S_m);
   return std::atan2(ahead_S.x(), ahead_S.y());
 }
 

@@ -305,8 +305,7 @@ class LegPlanner {
     leg_.path_S_m.back() = request_.goal_S_m;
     const Vec3& goal_S_m = request_.goal_S_m;
     const Vec3 last_S_m = goal_S_m - leg_.path_S_m[leg_.path_S_m.size() - 2];
-    leg_.end_heading_rad = std::atan2(last_S_m.dot(ground_.site().east_S(goal_S_m)),
-                                      last_S_m.dot(ground_.site().north_S(goal_S_m)));
+    leg_.end_heading_rad = ground_.site().azimuth_rad(last_S_m, goal_S_m);
     if (goal_m_.norm() < same_m) leg_.end_heading_rad = request_.start_heading_rad;
   }
 

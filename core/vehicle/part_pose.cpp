@@ -7,8 +7,7 @@ namespace lsos {
 PartPose chassis_pose(const SiteFrame& site, const Vec3& p_S_m, double heading_rad,
                       double pitch_rad, double roll_rad) {
   const Vec3 up = site.up_S(p_S_m);
-  const Vec3 level =
-      std::sin(heading_rad) * site.east_S(p_S_m) + std::cos(heading_rad) * site.north_S(p_S_m);
+  const Vec3 level = site.horizontal_S(heading_rad, p_S_m);
   const Vec3 ahead = std::cos(pitch_rad) * level + std::sin(pitch_rad) * up;
   const Vec3 level_left = up.cross(level);
   const Vec3 left = std::cos(roll_rad) * level_left + std::sin(roll_rad) * ahead.cross(level_left);

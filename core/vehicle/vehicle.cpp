@@ -83,8 +83,7 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   if (!elevation_m) return "the terrain is not known there";
   const Vec3 p_S_m = site.p_S_m({at.lon_rad, at.lat_rad, *elevation_m});
   const Vec3 up = site.up_S(p_S_m);
-  const Vec3 ahead =
-      std::cos(heading_rad) * site.north_S(p_S_m) + std::sin(heading_rad) * site.east_S(p_S_m);
+  const Vec3 ahead = site.horizontal_S(heading_rad, p_S_m);
 
   // The plane through the ground under the wheels gives the initial attitude.
   std::vector<Vec3> feet_S_m;
@@ -215,8 +214,7 @@ VehicleReport Vehicle::report() {
   const Vec3 up = site.up_S(report.p_S_m);
   const Mat3& R_SB = bodies_.motion(Multibody::chassis).R_SL;
   const Vec3 ahead = R_SB.col(0), left = R_SB.col(1);
-  const double heading =
-      std::atan2(ahead.dot(site.east_S(report.p_S_m)), ahead.dot(site.north_S(report.p_S_m)));
+  const double heading = site.azimuth_rad(ahead, report.p_S_m);
   report.heading_rad = heading < 0 ? heading + 2 * std::numbers::pi : heading;
   if (report.heading_rad >= 2 * std::numbers::pi) report.heading_rad = 0;
   report.pitch_rad = std::asin(std::clamp(ahead.dot(up), -1.0, 1.0));

@@ -156,8 +156,7 @@ Vec3 RoverAgent::ahead_S_m(double distance_m) const {
   const Ground& ground = motion_.ground();
   const SiteFrame& site = ground.site();
   const Vec3& p_S_m = view_.p_S_m;
-  const Vec3 there_S_m = p_S_m + distance_m * (std::cos(view_.heading_rad) * site.north_S(p_S_m) +
-                                               std::sin(view_.heading_rad) * site.east_S(p_S_m));
+  const Vec3 there_S_m = p_S_m + distance_m * site.horizontal_S(view_.heading_rad, p_S_m);
   Geodetic there = site.geodetic(there_S_m);
   there.height_m = ground.elevation_m(there).value_or(there.height_m);
   return site.p_S_m(there);
