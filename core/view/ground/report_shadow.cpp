@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/worker_pool.h"
+#include "view/ground/disc_share.h"
 
 namespace lsos {
 
@@ -55,13 +55,6 @@ std::vector<Level> levels_of(const Ground& ground, const MapCells& cells, int th
     now.left_m = x_m - now.columns * now.cell_m / 2;
     now.top_m = y_m + now.rows * now.cell_m / 2;
   }
-}
-
-// Share of a disc above a straight horizon. `t`: height of its centre above the horizon, in radii.
-double share_above(double t) {
-  if (t >= 1) return 1;
-  if (t <= -1) return 0;
-  return 0.5 + (t * std::sqrt(1 - t * t) + std::asin(t)) / std::numbers::pi;
 }
 
 // Tangent of the elevation of the highest ground in direction (direction_x, direction_y), beyond
@@ -123,7 +116,7 @@ std::vector<double> sunlit_shares(const Ground& ground, const MapCells& cells, I
         const double over_rad = std::atan(horizon(levels, p_S_m, height_m, direction_x, direction_y,
                                                   site.body().equatorial_radius_m));
         shares[cells.index(column, row)] =
-            share_above((elevation_rad - over_rad) / sun.disc_rad) * (1 - sun.eclipsed);
+            disc_share((elevation_rad - over_rad) / sun.disc_rad) * (1 - sun.eclipsed);
       }
     }
   });

@@ -1,6 +1,7 @@
 // Share of the Sun's disc that the ground of a map sees, for a whole mission in about a second.
-// GroundLightProbe (view/) samples all directions of the disc at the ground's full detail; this
-// marches along the Sun's azimuth over grids that get coarser with distance.
+// GroundLightProbe (view/exposure/ground_light.h) samples all directions of the disc at the
+// ground's full detail; this marches along the Sun's azimuth over grids that get coarser with
+// distance.
 #pragma once
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "view/ground/disc_share.h"
 #include "view/ground/highest_ground.h"
 #include "view/ground/lod_probes.h"
 #include "view/ground/parallel_rows.h"
@@ -50,11 +51,6 @@ double slope_of(double elevation_rad) {
   return std::tan(std::clamp(elevation_rad, -highest_rad, highest_rad));
 }
 
-// Share of a unit disc's area below a horizontal line at `level`, -1..1.
-double area_under(double level) {
-  return 0.5 + (std::asin(level) + level * std::sqrt(1 - level * level)) / std::numbers::pi;
-}
-
 template <class Limits>
 std::array<double, std::tuple_size_v<Limits>> between(const Limits& a, const Limits& b,
                                                       double share) {
@@ -87,7 +83,7 @@ TerrainShadow::TerrainShadow(const Ground& ground, const Vec3& eye_S_m, const Ve
   const auto level_of = [](int edge) { return 2.0 * edge / slices - 1; };
   for (int k = 0; k <= slices; ++k) slopes_[k] = slope_of(elevation_rad + level_of(k) * disc_rad);
   for (int k = 0; k < slices; ++k)
-    areas_[k] = area_under(level_of(k + 1)) - area_under(level_of(k));
+    areas_[k] = disc_share(level_of(k + 1)) - disc_share(level_of(k));
   const Body& body = ground.site().body();
   const double over_m = body.highest_ground_m - ground.site().height_m(eye_S_m);
   for (double half_m = finest_half_m; half_m < farthest_half_m; half_m *= 2) {

@@ -38,7 +38,8 @@ double azimuth_rad(const Vec3& direction, const Vec3& east, const Vec3& north) {
   return std::atan2(direction.dot(east), direction.dot(north));
 }
 
-double wrapped_rad(double angle_rad) {
+// The same direction as an angle of 0..2 pi.
+double from_zero_rad(double angle_rad) {
   return angle_rad - turn_rad * std::floor(angle_rad / turn_rad);
 }
 
@@ -309,7 +310,7 @@ bool Viewshed::sees(const Vec3& target_S_m) const {
   const auto beyond = std::ranges::upper_bound(distances_m_, before_m);
   if (beyond == distances_m_.begin()) return true;
   const auto sample = static_cast<std::size_t>(beyond - distances_m_.begin()) - 1;
-  const double at = wrapped_rad(target.azimuth_rad - sector_.azimuth_low_rad) / spacing_rad_;
+  const double at = from_zero_rad(target.azimuth_rad - sector_.azimuth_low_rad) / spacing_rad_;
   const std::size_t ray = std::min(static_cast<std::size_t>(at), ray_count_ - 2);
   const double share = std::clamp(at - static_cast<double>(ray), 0.0, 1.0);
   const auto highest_of = [&](const std::vector<float>& highest) {
