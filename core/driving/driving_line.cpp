@@ -24,8 +24,8 @@ class LineBuilder {
     if (length_m < 1e-9) return;
     const double speed_mps =
         curvature_1pm == 0 ? limits_.speed_mps : arc_speed_mps(1 / std::abs(curvature_1pm));
-    legs_.push_back({at_, step_m / length_m, length_m, along_m_, curvature_1pm, speed_mps,
-                     limits_.speed_mps, false});
+    pieces_.push_back({at_, step_m / length_m, length_m, along_m_, curvature_1pm, speed_mps,
+                       limits_.speed_mps, false});
     along_m_ += length_m;
     at_ = point;
   }
@@ -43,9 +43,9 @@ class LineBuilder {
       const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
       if (limits_.can_turn_on_spot || !has_room) {
         go_to(corner, 0);
-        if (legs_.empty()) return;
-        legs_.back().ends_in_stop = limits_.can_turn_on_spot;
-        legs_.back().end_speed_mps = arc_speed_mps(limits_.radius_min_m);
+        if (pieces_.empty()) return;
+        pieces_.back().ends_in_stop = limits_.can_turn_on_spot;
+        pieces_.back().end_speed_mps = arc_speed_mps(limits_.radius_min_m);
         return;
       }
       radius_m = limits_.radius_min_m;
@@ -62,18 +62,18 @@ class LineBuilder {
     }
   }
 
-  std::vector<DrivingLeg> finished() {
+  std::vector<DrivingPiece> finished() {
     // Backward pass: each end speed is low enough to reach the next one's by decelerating.
     double end_mps = 0;
-    for (auto leg = legs_.rbegin(); leg != legs_.rend(); ++leg) {
-      if (leg->ends_in_stop) end_mps = 0;
-      leg->end_speed_mps = std::min({end_mps, leg->speed_max_mps, leg->end_speed_mps});
-      end_mps =
-          std::min(leg->speed_max_mps, std::sqrt(leg->end_speed_mps * leg->end_speed_mps +
-                                                 2 * limits_.acceleration_mps2 * leg->length_m));
+    for (auto piece = pieces_.rbegin(); piece != pieces_.rend(); ++piece) {
+      if (piece->ends_in_stop) end_mps = 0;
+      piece->end_speed_mps = std::min({end_mps, piece->speed_max_mps, piece->end_speed_mps});
+      end_mps = std::min(piece->speed_max_mps,
+                         std::sqrt(piece->end_speed_mps * piece->end_speed_mps +
+                                   2 * limits_.acceleration_mps2 * piece->length_m));
     }
-    if (!legs_.empty()) legs_.back().ends_in_stop = true;
-    return std::move(legs_);
+    if (!pieces_.empty()) pieces_.back().ends_in_stop = true;
+    return std::move(pieces_);
   }
 
  private:
@@ -84,13 +84,13 @@ class LineBuilder {
   DrivingLimits limits_;
   Vec2 at_;
   double along_m_ = 0;
-  std::vector<DrivingLeg> legs_;
+  std::vector<DrivingPiece> pieces_;
 };
 
 }  // namespace
 
-std::vector<DrivingLeg> driving_line(const std::vector<Vec2>& waypoints_S_m,
-                                     const DrivingLimits& limits) {
+std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
+                                       const DrivingLimits& limits) {
   std::vector<Vec2> points;
   for (const Vec2& p : waypoints_S_m) {
     if (points.empty() || (p - points.back()).norm() > same_point_m) points.push_back(p);

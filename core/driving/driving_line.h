@@ -18,18 +18,18 @@ struct DrivingLimits {
 
 // One straight piece of the line, in the horizontal plane of S; an arc consists of pieces of at
 // most 0.1 rad each.
-struct DrivingLeg {
+struct DrivingPiece {
   Vec2 from_S_m, along_S;  // along_S: unit
   double length_m = 0;
   double begin_m = 0;        // distance of its beginning along the line
   double curvature_1pm = 0;  // curvature of the arc it belongs to, left positive
-  double speed_max_mps = 0;  // on this leg
+  double speed_max_mps = 0;  // on this piece
   double end_speed_mps = 0;  // at its end, low enough for all that follows
   bool ends_in_stop = false;
 };
 
 // Waypoints within 1 cm of the previous one are left out; fewer than two give an empty line.
-std::vector<DrivingLeg> driving_line(const std::vector<Vec2>& waypoints_S_m,
+std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
                                      const DrivingLimits& limits);
 
 }  // namespace lsos

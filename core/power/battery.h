@@ -25,8 +25,8 @@ struct PowerDemand {
   bool operator==(const PowerDemand&) const = default;
 };
 
-// Power flows, W: energy_rate_w = solar_w + external_w - load_w - drive_w - loss_w. Of a surplus
-// beyond what is used and stored, solar power is left unused first, then external power. A deficit
+// Power flows, W: energy_rate_w = solar_w + external_w - load_w - drive_w - loss_w. A surplus
+// beyond what is used and stored is left unused: solar power first, then external power. A deficit
 // is shed: loads first, then drives.
 struct PowerFlows {
   double solar_w = 0;

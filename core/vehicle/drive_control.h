@@ -47,9 +47,10 @@ struct WheelTargets {
   std::vector<double> spin_radps;          // by wheel
 };
 
-// `steering_now_rad`: present angles. Of a wheel's two possible directions the nearer one is taken.
-// A command without motion keeps the angles. Wheel speeds fade to zero while a steering angle is
-// off its target (from 0.2 rad, fully at 0.8 rad), to keep wheels from working against each other.
+// `steering_now_rad`: present angles. A wheel turns to the nearer one of its two possible
+// directions. A command without motion keeps the angles. Wheel speeds fade to zero while a steering
+// angle is off its target (from 0.2 rad, fully at 0.8 rad), to keep wheels from working against
+// each other.
 WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
                            const std::vector<double>& steering_now_rad);
 

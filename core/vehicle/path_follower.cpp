@@ -89,19 +89,19 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
     return line_[leg_].along_S.dot(pose.p_S_m - line_[leg_].from_S_m);
   };
   while (leg_ + 1 < line_.size()) {
-    const DrivingLeg& leg = line_[leg_];
+    const DrivingPiece& leg = line_[leg_];
     if (travelled_m() < leg.length_m - (leg.ends_in_stop ? at_end_m : 0)) break;
     if (leg.ends_in_stop) is_turning_ = true;
     ++leg_;
     best_heading_error_rad_ = 2 * std::numbers::pi;
   }
-  const DrivingLeg& leg = line_[leg_];
+  const DrivingPiece& leg = line_[leg_];
   const Vec2 offset_m = pose.p_S_m - leg.from_S_m;
   const double cross_track_m = leg.along_S.x() * offset_m.y() - leg.along_S.y() * offset_m.x();
   const double to_end_m = leg.length_m - travelled_m();
   const double heading_error_rad =
       wrapped_rad(pose.yaw_rad - std::atan2(leg.along_S.y(), leg.along_S.x()));
-  const DrivingLeg& last = line_.back();
+  const DrivingPiece& last = line_.back();
   remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - travelled_m());
 
   if (std::abs(cross_track_m) > limits_.cross_track_max_m) {
@@ -133,7 +133,7 @@ DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
 }
 
 void PathFollower::ramp_speed(double to_end_m, double period_s) {
-  const DrivingLeg& leg = line_[leg_];
+  const DrivingPiece& leg = line_[leg_];
   command_mps_ = std::min({command_mps_ + limits_.acceleration_mps2 * period_s, leg.speed_max_mps,
                            std::max(creep_mps, braking_speed_mps(to_end_m))});
 }
@@ -226,7 +226,7 @@ DriveCommand PathFollower::crab(const FollowerPose& pose, double to_end_m, doubl
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
   ramp_speed(to_end_m, period_s);
   command_mps_ = std::min(command_mps_, std::max(slope_limit_mps(), slowed_mps));
-  const DrivingLeg& leg = line_[leg_];
+  const DrivingPiece& leg = line_[leg_];
   const Vec2 left_S(-leg.along_S.y(), leg.along_S.x());
   const double back_mps =
       std::clamp(-cross_track_m / lookahead_s, -0.5 * command_mps_, 0.5 * command_mps_);

@@ -100,7 +100,7 @@ class PathFollower {
 
   std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was
   FollowerLimits limits_;
-  std::vector<DrivingLeg> line_;  // derived from waypoints_S_m_ and limits_
+  std::vector<DrivingPiece> line_;  // derived from waypoints_S_m_ and limits_
 
   std::size_t leg_ = 0;
   bool is_turning_ = false;

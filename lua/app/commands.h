@@ -11,9 +11,9 @@ namespace lsos {
 struct Command {
   const char* name;
   const char* sentence;  // what it does, for help
-  // Adds its options, and returns what runs it once they are read. That returns the exit code:
-  // 0 completed, 1 an event failed or is incomplete, 130/143 stopped by a signal; it throws
-  // InputError where what it was given is wrong.
+  // Adds its options, and returns the function that runs it once they are read. This function
+  // returns the exit code: 0 completed, 1 an event failed or is incomplete, 130/143 stopped by a
+  // signal; it throws InputError where what it was given is wrong.
   std::function<int()> (*prepare)(CommandOptions& command);
 };
 

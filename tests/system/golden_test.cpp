@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 const fs::path golden = repository() / "tests/golden/digests.txt";
 
-// Digest of all layers. Of `run`, the values are left out that a new version or a comment in a
-// script changes.
+// Digest of all layers, without the values in `run` that a new version or a comment in a script
+// changes.
 std::string golden_digest(const fs::path& log) {
   const Outcome outcome = run_command(
       {"sqlite3", log.string(),

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mission/light/diffuse_views.h"
+#include "mission/light/diffuse_view_cache.h"
 #include "mission/light/lit_scene.h"
 #include "planet/sunlight.h"
 #include "terrain/ground.h"
@@ -27,12 +27,12 @@ class Light {
   // Share 0..1 of each face that is seen from the Sun, averaged over its disc. Near and far ground
   // counts.
   std::vector<double> sun_fractions(const LitScene& scene, const Sunlight& light);
-  DiffuseViews& diffuse_views() { return diffuse_views_; }
+  DiffuseViewCache& diffuse_views() { return diffuse_views_; }
 
  private:
   const Ground* ground_;
   Renderer* renderer_;
-  DiffuseViews diffuse_views_;
+  DiffuseViewCache diffuse_views_;
 };
 
 }  // namespace lsos

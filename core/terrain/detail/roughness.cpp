@@ -28,7 +28,7 @@ double normal(std::uint64_t key, std::int64_t column, std::int64_t row) {
   return (sum - mean) * (1 / deviation);
 }
 
-// Centred B-spline of an order, by its recurrence. That of order 8 (degree 7) is the
+// Centred B-spline of an order, by its recurrence. The spline of order 8 (degree 7) is the
 // autocorrelation of waves along one axis at a lag in lattice spacings, averaged over where in the
 // lattice it is taken.
 double b_spline_at(int order, double x) {  // support [-order/2, order/2]

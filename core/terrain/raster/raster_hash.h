@@ -7,8 +7,8 @@ class GDALRasterBand;
 
 namespace lsos {
 
-// Adds size, type, nodata value and samples, in the raster's own blocks. Of rasters with more than
-// 2^23 cells only that many are read, in blocks spread evenly, and the file's size is added: a hash
+// Adds size, type, nodata value and samples, in the raster's own blocks. At most 2^23 cells
+// are read, in blocks spread evenly over a larger raster, and the file's size is then added: a hash
 // that took minutes would be switched off, and a changed raster differs in many blocks.
 void add_samples(GDALRasterBand& band, Sha256& hash);
 // The same for an overview, of which at most a fourth as many cells are read.

@@ -11,8 +11,8 @@ namespace lsos {
 
 namespace {
 
-// Shares of a load at `p_B_m` that keep the modules in balance. Of all such shares those nearest to
-// equal ones are taken; they are linear in x and y. Without a solution the shares are equal.
+// Shares of a load at `p_B_m` that keep the modules in balance, and are as nearly equal as that
+// allows; they are linear in x and y. Without a solution the shares are equal.
 std::vector<double> shares_in_balance(const std::vector<WishboneModule>& modules,
                                       const Vec2& p_B_m) {
   Mat3 sums = Mat3::Zero();

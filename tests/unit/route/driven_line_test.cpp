@@ -33,9 +33,9 @@ double driven_s(const Line2& line, const DriveCost& cost) {
   limits.radius_min_m = cost.turning_radius_min_m;
   limits.can_turn_on_spot = cost.can_turn_on_spot;
   double time_s = 0, from_mps = 0;
-  const std::vector<DrivingLeg> legs = driving_line(line, limits);
+  const std::vector<DrivingPiece> legs = driving_line(line, limits);
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    const DrivingLeg& leg = legs[i];
+    const DrivingPiece& leg = legs[i];
     const double gain = 2 * cost.acceleration_mps2 * leg.length_m, from2 = from_mps * from_mps;
     const double to_mps = std::min(leg.end_speed_mps, std::sqrt(from2 + gain));
     const double to2 = to_mps * to_mps;

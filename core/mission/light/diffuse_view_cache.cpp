@@ -1,4 +1,4 @@
-#include "mission/light/diffuse_views.h"
+#include "mission/light/diffuse_view_cache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,9 @@ bool is_same(const Mesh& a, const Mesh& b) {
 
 }  // namespace
 
-DiffuseViews::Cell DiffuseViews::cell_of(const Vec3& eye_S_m, const std::vector<PanelFace>& faces,
-                                         const Vec3& up_S) {
+DiffuseViewCache::Cell DiffuseViewCache::cell_of(const Vec3& eye_S_m,
+                                                 const std::vector<PanelFace>& faces,
+                                                 const Vec3& up_S) {
   double highest_m = 0;
   for (const PanelFace& face : faces) highest_m = std::max(highest_m, face.centre_m.dot(up_S));
   const auto nearest = [](double value_m, double step_m) {
@@ -32,7 +33,7 @@ DiffuseViews::Cell DiffuseViews::cell_of(const Vec3& eye_S_m, const std::vector<
 
 // Depends on the cell alone, so that a run that is resumed finds the same horizon. Where the middle
 // of the cell has no ground, it is taken to be level.
-TerrainHorizon DiffuseViews::horizon(const Cell& cell) const {
+TerrainHorizon DiffuseViewCache::horizon(const Cell& cell) const {
   const Vec3 p_S_m(cell.x * cell_m, cell.y * cell_m, 0);
   const GroundSample below = Ground::Probe(*ground_).sample(p_S_m);
   if (!below.is_ground()) return {};
@@ -40,7 +41,7 @@ TerrainHorizon DiffuseViews::horizon(const Cell& cell) const {
                          p_S_m + (cell.height * cell_height_m - below.gap_m) * below.up_S);
 }
 
-std::vector<OpenShares> DiffuseViews::drawn(const LitScene& scene, std::size_t count) {
+std::vector<OpenShares> DiffuseViewCache::drawn(const LitScene& scene, std::size_t count) {
   std::vector<OpenShares> open;
   Mesh all = scene.near;
   const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
@@ -55,8 +56,8 @@ std::vector<OpenShares> DiffuseViews::drawn(const LitScene& scene, std::size_t c
   return open;
 }
 
-std::vector<DiffuseView> DiffuseViews::of(const std::string& id, const LitScene& scene,
-                                          std::size_t count) {
+std::vector<DiffuseView> DiffuseViewCache::of(const std::string& id, const LitScene& scene,
+                                              std::size_t count) {
   const SiteFrame& site = ground_->site();
   const Compass compass{site.north_S(scene.eye_S_m), site.east_S(scene.eye_S_m),
                         site.up_S(scene.eye_S_m)};

@@ -16,10 +16,11 @@ namespace lsos {
 // Results are pure functions of the scene: what is kept only saves drawing it again. A parked rover
 // is drawn once, one that drives at each look at the Sun, and the horizon is found again when it
 // has left its cell of 4 m.
-class DiffuseViews {
+class DiffuseViewCache {
  public:
   // Both must outlive it.
-  DiffuseViews(const Ground& ground, Renderer& renderer) : ground_(&ground), renderer_(&renderer) {}
+  DiffuseViewCache(const Ground& ground, Renderer& renderer)
+      : ground_(&ground), renderer_(&renderer) {}
 
   // Views of the first `count` faces. `id`: the rover or asset that they belong to.
   std::vector<DiffuseView> of(const std::string& id, const LitScene& scene, std::size_t count);
