@@ -103,7 +103,7 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
     cost.idle_w += vehicle.drive_calibration * wheel.motor->idle_w;
   }
   // Loss in all windings by the square of the whole pull, which the driven wheels share evenly.
-  winding_w_pn2 *= vehicle.drive_calibration / (driven * driven);
+  if (driven > 0) winding_w_pn2 *= vehicle.drive_calibration / (driven * driven);
   double reach_m = 0;
   for (const Vec2& wheel : cost.wheels_B_m) reach_m += wheel.norm();
   reach_m /= static_cast<double>(cost.wheels_B_m.size());

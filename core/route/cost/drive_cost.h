@@ -44,6 +44,12 @@ struct SoilDrive {
   // Linear interpolation. Slopes beyond the table have the values of its ends, although nothing
   // climbs above last_rad(): check that first.
   SlopeDrive at(double slope_rad) const;
+  // Speed at which wheels without slip roll, from the table's level row: the requested rim speed
+  // times rolling over rim radius, or what motors sustain.
+  double rolling_speed_mps() const {
+    const SlopeDrive level = at(0);
+    return level.speed_mps / (1 - level.slip);
+  }
 
   void archive(Archive& a) { LSOS_ARCHIVE(a, first_rad, step_rad, by_slope); }
 };

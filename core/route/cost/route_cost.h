@@ -152,11 +152,14 @@ class RouteCost {
 
  private:
   CornerCost rounding(double bend_rad, double room_m) const;
+  // Cost of arcs, from their energy and that of loads meanwhile, in units of the aim.
   double price(const CornerCost& arcs) const;
   CornerCost arc_driven(ArcState& speeds, double radius_m, double bend_rad) const;
   CornerCost arcs_driven(ArcState& speeds, const Line2& line) const;
   Hazard hazard_at(const Stance& stance, const Vec2& at_m, const Vec2& ahead);
   bool is_occupied(const Vec2& at_m, const Vec2& ahead) const;
+  // Cost of a metre along the ground on a stance: its energy in J, or for RouteAim::risk one over
+  // the share of the limits that is left.
   double rate(const Stance& stance) const;
   void find_least();
 

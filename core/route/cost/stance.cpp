@@ -41,10 +41,10 @@ double side_slip(const SoilDrive& soil, double bank_rad) {
   return std::max(0.0, soil.at(std::abs(bank_rad)).slip - soil.at(0).slip);
 }
 
-// Slip of wheels that brake: the rover is faster than their rims by this share of its speed.
-double braking_slip(const SoilDrive& soil, double pitch_rad, const DriveCost& cost) {
+// Slip of wheels that brake: the rover is faster than they roll by this share of its speed.
+double braking_slip(const SoilDrive& soil, double pitch_rad) {
   if (pitch_rad >= 0) return 0;
-  return std::max(0.0, 1 - cost.speed_mps / soil.at(pitch_rad).speed_mps);
+  return std::max(0.0, 1 - soil.rolling_speed_mps() / soil.at(pitch_rad).speed_mps);
 }
 
 // Greatest slope, along or across, that uses less than `far_share` of every limit on every soil;
@@ -57,7 +57,7 @@ double far_slope_rad(const DriveCost& cost) {
     return slope_rad < climb_max_rad(soil) &&
            soil.at(slope_rad).slip < StanceFinder::far_share * cost.limits.slip_max &&
            side_slip(soil, slope_rad) < StanceFinder::far_share * side_slip_max &&
-           braking_slip(soil, -slope_rad, cost) < StanceFinder::far_share * braking_slip_max;
+           braking_slip(soil, -slope_rad) < StanceFinder::far_share * braking_slip_max;
   };
   while (slope_rad < most_rad && std::ranges::all_of(cost.soils, is_far_from_limits))
     slope_rad += step_rad;
@@ -237,7 +237,7 @@ Hazard hazard(const Stance& stance, const DriveCost& cost, const DriveLimits& li
   if (stance.pitch_rad > 0 && stance.slope_rad > climb_max_rad(soil)) return Hazard::climb;
   if (std::abs(stance.bank_rad) > soil.last_rad() ||
       side_slip(soil, stance.bank_rad) > side_slip_max ||
-      braking_slip(soil, stance.pitch_rad, cost) > braking_slip_max) {
+      braking_slip(soil, stance.pitch_rad) > braking_slip_max) {
     return Hazard::slide;
   }
   return Hazard::none;
@@ -260,7 +260,7 @@ double limit_use(const Stance& stance, const DriveCost& cost) {
                    stance.unevenness_m / limits.unevenness_max_m,
                    stance.pitch_rad > 0 ? soil.at(stance.slope_rad).slip / limits.slip_max : 0,
                    side_slip(soil, stance.bank_rad) / side_slip_max,
-                   braking_slip(soil, stance.pitch_rad, cost) / braking_slip_max});
+                   braking_slip(soil, stance.pitch_rad) / braking_slip_max});
 }
 
 }  // namespace lsos

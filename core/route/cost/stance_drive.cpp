@@ -62,13 +62,13 @@ SlopeDrive stance_drive(const DriveCost& cost, const Stance& stance) {
     const double uphill = is_up ? stance.pitch_rad / held_rad : 0;
     const double share = uphill * uphill + across * (1 - uphill * uphill);
     more_jpm = share * std::max(0.0, held.energy_jpm * held.slip - level.energy_jpm * level.slip);
-    // Rims move along the route and up the slope; where they brake, the rover moves faster.
+    // Wheels roll along the route and up the slope; where they brake, the rover moves faster.
     const double slid = held.slip / std::max(0.05, 1 - held.slip);
-    const double rolled = cost.speed_mps / drive.speed_mps;
+    const double rolling_mps = soil.rolling_speed_mps(), rolled = rolling_mps / drive.speed_mps;
     const double along = is_up ? std::max(rolled, 1 + slid * uphill) : rolled;
     const double aside = across * slid;
     drive.speed_mps =
-        cost.speed_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
+        rolling_mps / std::sqrt(along * along + aside * aside * (1 - uphill * uphill));
   }
   // `braked_mps` limits the rim speed; the rover moves faster than its rims by the slip in the
   // table.
