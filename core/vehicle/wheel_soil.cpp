@@ -28,8 +28,8 @@ constexpr double carried_min = 0.3;
 // grousers carry it away. Measured: 16 mm at slip 0.9 with a layer of 2.9 mm.
 constexpr double digging_slip_max = 0.8;
 
-// Greatest thrust without slip over the compaction resistance: at 1 a driven wheel would roll on
-// level ground without slip.
+// Greatest thrust without slip of the shear radius over the compaction resistance: at 1 a driven
+// wheel would roll on level ground without it.
 constexpr double curvature_thrust_max = 0.95;
 
 // Greatest curvature: wheels sunk to the axle are beyond the model.
@@ -37,6 +37,9 @@ constexpr double curvature_max = 0.9;
 
 // A wheel that turns slower than this stands: rounding must not roll a parked rover off its anchor.
 constexpr double still_mps = 1e-5;
+
+// Flattening beyond which the carcass is no model of a wheel, m: half of its radius.
+double deflection_max_m(const Wheel& wheel) { return wheel.radius_m / 2; }
 
 // Plain norm: std::hypot guards against overflow, which costs more than the rest of a step.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -102,7 +105,8 @@ struct WheelSoil::Step {
   Vec2 K_m = Vec2::Zero();
   double shear_over_K = 0;
   double rolling_mobilised = 0;  // mobilised share of the rolling resistance, -1..1
-  Vec2 slip = Vec2::Zero();      // excess travel for each metre rolled; 0 in rolling without slip
+  // Excess travel for each metre that the shear radius rolls; c / (1 - c) at the rolling radius.
+  Vec2 slip = Vec2::Zero();
   double sinkage_m = 0;
   double tilt = 0, cos_tilt = 1;  // tan and cos of theta; tilt has the sign of the travel
   double normal_over_load = 1;    // N/W
@@ -236,7 +240,7 @@ Vec2 WheelSoil::resistance_n(const Step& step) const {
     }
     const double left_m = step.shear_m.y();
     if (left_m != 0) {
-      const double side_m = 2 * pressure_.contact_length_m(step.sinkage_m, step.deflection_m);
+      const double side_m = 2 * pressure_.contact_length_m(step.sinkage_m + step.deflection_m, 0);
       const double pushed = -std::expm1(-std::abs(left_m) / step.K_m.y());
       const double pushed_n = ploughing_n(side_m, step.sinkage_m) * pushed;
       side_n = -std::copysign(pushed_n, left_m);
@@ -252,7 +256,7 @@ Vec2 WheelSoil::resistance_n(const Step& step) const {
 WheelSoil::Step WheelSoil::standing(double load_n) const {
   Step step;
   step.load_n = load_n;
-  step.deflection_m = std::min(load_n / wheel_.carcass_stiffness_npm, wheel_.radius_m / 2);
+  step.deflection_m = std::min(load_n / wheel_.carcass_stiffness_npm, deflection_max_m(wheel_));
   step.static_sinkage_m = pressure_.static_sinkage_m(load_n, step.deflection_m);
   return step;
 }
@@ -308,6 +312,15 @@ WheelContactForces WheelSoil::forces(const WheelContactInput& input, double step
   forces.traction_S_n = in_S(step.traction_n);
   forces.hub_force_S_n = in_S(resistance_n(step));
   return forces;
+}
+
+std::string carcass_fault(const Wheel& wheel, double load_n) {
+  const double deflection_m = load_n / wheel.carcass_stiffness_npm;
+  if (deflection_m <= deflection_max_m(wheel)) return "";
+  return fmt::format(
+      "its wheels bear {:.4g} N each, which flattens them by {:.3g} m, more than half of their "
+      "radius: carcass_stiffness_npm is {:g}, must be at least {:.4g}",
+      load_n, deflection_m, wheel.carcass_stiffness_npm, load_n / deflection_max_m(wheel));
 }
 
 std::string soil_fault(const Soil& soil, const Wheel& wheel, double load_n, double gravity_mps2) {

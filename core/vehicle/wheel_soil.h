@@ -6,23 +6,24 @@
 // the sinkage of the rim, r its radius, b its width, W the load, h the height of the grousers, and
 // g, 0..1, the share of the rim that the soil wedges of the grousers fill.
 //
-//   Shear radius: r_s = r + g h, that of the soil body which turns with the wheel (r + lambda_s h
-//   of
-//     Ding et al. 2011), for j and torque. The wedge before a grouser is h tan(pi/4 + phi/2) long
-//     (passive slip line from its tip).
+//   Shear radius: r_s = r + g h, that of the soil body which turns with the wheel, for j and torque
+//     (Ding et al. 2011 have r + lambda_s h). The wedge before a grouser is h tan(pi/4 + phi/2)
+//     long (passive slip line from its tip).
 //   Rolling radius: r_s/(1 - c), by which slip is counted: v/w without net shear thrust. There the
 //     curved rim alone shears the soil, which carries the wheel ahead of its shear radius by
 //     c = 2 j0/l.
 //   Flattening: the carcass yields by d = W / its stiffness, which lengthens the contact
-//     (pressure_sinkage.h).
+//     (pressure_sinkage.h). Radius and torque arm stay those of the rigid wheel; a wheel that rolls
+//     as its rim's circumference does would turn some d/3 short of that.
 //   Static sinkage z0 and compaction: the soil's one pressure law (pressure_sinkage.h).
 //   Slip sinkage: z = z0 (1 + a u / (1 + u/2)), u = 2 |j| / l, a = Soil::slip_sinkage. Measured
 //     sinkages of a small wheel in sand under slip, skid and slip angles fall on one curve over u,
 //     which is why shear, not slip, is the variable; the form of the curve is a fit to them
 //     (VALIDATION.md). A wheel that is towed sinks least.
-//   Trench: the soil between grousers goes backwards with them, a layer g h thick that is carried
-//     s/(1 - s) metres for each metre of travel. Continuity of that flow digs a trench g h s/(1 -
-//     s) deep below z. It is cut, not pressed: it adds no resistance.
+//   Trench: the soil between grousers goes backwards with them, a layer g h thick that is carried,
+//     with s the slip by the shear radius, s/(1 - s) metres for each metre of travel. Continuity of
+//     that flow digs a trench g h s/(1 - s) deep below z. It is cut, not pressed: it adds no
+//     resistance.
 //   Shear strength: H_max = b l_r c (1 + 2 g h/b) + W tan(phi) (1 + 0.64 g (h/b) atan(b/h))
 //     (Bekker 1969 as in Li and Bingham's LTV paper; g is added here). Cohesion acts over the
 //     contact l_r of the rim, which presses the soil; ahead of it only tips cut unpressed soil.
@@ -37,9 +38,9 @@
 //     H_max / tangential stiffness.
 //   Braked wheel: a soil wedge sticks to it and moves along (Wong 1967), so soil shears on soil
 //     whatever the rim is made of; smooth and grousered wheels measured under braking are alike.
-//   Steady rolling: j = l/2 (r_s w - v)/(r_s w) + j0 over the contact l of the soil body, of
-//     sinkage z + g h. j0 = 2/3 z^2/l_r is what the curved rim shears without slip: r (theta - sin
-//     theta), theta the entry angle, to 2 % at z = r/4; Wong and Reece's j(theta) (1967) at the
+//   Steady rolling: j = l/2 (r_s w - v)/(r_s w) + j0 v/(r_s w), l the contact of the soil body, at
+//     a sinkage of z + g h. j0 = 2/3 z^2/l_r is what the curved rim shears without slip: r (theta -
+//     sin theta), theta the entry angle, to 3 % at z = r/4; Wong and Reece's j(theta) (1967) at the
 //     lowest point, where Bekker's pressure is highest. Its mean over the contact is 3/4 of that
 //     and would let towed wheels skid less than they do (VALIDATION.md). It is why a wheel whose
 //     rim does not slip resists less than a towed one. No measured wheel pulls there, while j0 on
@@ -145,6 +146,10 @@ class WheelSoil {
   double shear_per_area_pa_ = 0, shear_per_load_ = 0, wall_friction_ = 0;
   double wedge_ = 0;  // tan(pi/4 + phi/2): root of K_p, and the wedge's length over its depth
 };
+
+// Reason why such a wheel cannot bear this load, because its carcass yields by more than half of
+// its radius, else "".
+std::string carcass_fault(const Wheel& wheel, double load_n);
 
 // Reason why such a wheel with this load cannot stand on the soil ("k_c + b k_phi is ..., must be
 // above 0", "they sink to the axle"), else "".

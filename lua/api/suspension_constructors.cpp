@@ -60,7 +60,7 @@ void read_wheel(TableReader& t, WheelScript& script) {
   t.number(optional, "grouser_height_m", wheel.grouser_height_m, not_negative,
            "From the rim (default 0: smooth).");
   t.integer(optional, "grouser_count", grouser_count, {0, 1000}, "Round the rim (default 0).");
-  t.number(optional, "interface_friction_ratio", wheel.interface_friction_ratio, fraction,
+  t.number(optional, "interface_friction_ratio", wheel.interface_friction_ratio, {0, 1, true},
            "Friction of rim on soil over friction within the soil; rough rims and treads have 1 "
            "(default 0.65: bare metal on sand).");
   t.number(optional, "carcass_stiffness_npm", wheel.carcass_stiffness_npm, positive,

@@ -12,13 +12,15 @@ namespace lsos {
 
 namespace {
 
-// Why a soil of the ground does not bear one of the rover's wheels; "" when all do.
+// Why one of the rover's wheels bears no such load, or a soil of the ground does not bear it; ""
+// when all do.
 std::string bearing_fault(const VehicleConfig& vehicle, const Ground& ground, double gravity_mps2) {
   const auto wheels = std::ranges::count_if(
       vehicle.links, [](const LinkConfig& link) { return link.wheel.has_value(); });
   const double load_n = vehicle.mass_kg() * gravity_mps2 / static_cast<double>(wheels);
   for (const LinkConfig& link : vehicle.links) {
     if (!link.wheel) continue;
+    if (std::string fault = carcass_fault(*link.wheel, load_n); !fault.empty()) return fault;
     for (const Soil& soil : ground.soils()) {
       const std::string fault = soil_fault(soil, *link.wheel, load_n, gravity_mps2);
       if (!fault.empty()) return fault;
@@ -73,6 +75,18 @@ std::vector<StandingAsset> place_assets(const SimulationSetup& setup, MissionSit
   site.legs->set_standing(std::move(standing));
   faults.throw_if_errors();
   return assets;
+}
+
+std::vector<std::string> vehicle_assumptions(const MissionSite& site) {
+  std::vector<std::string> assumptions;
+  for (const auto& [key, vehicle] : site.vehicles) {
+    for (const std::string& assumption : vehicle.assumptions) {
+      if (std::ranges::find(assumptions, assumption) == assumptions.end()) {
+        assumptions.push_back(assumption);
+      }
+    }
+  }
+  return assumptions;
 }
 
 }  // namespace lsos

@@ -34,4 +34,7 @@ MissionSite make_site(const SimulationSetup& setup);
 // terrain at one is not known.
 std::vector<StandingAsset> place_assets(const SimulationSetup& setup, MissionSite& site);
 
+// What the vehicles' scripts assume; configurations of one type share it.
+std::vector<std::string> vehicle_assumptions(const MissionSite& site);
+
 }  // namespace lsos

@@ -241,6 +241,15 @@ TEST(SoilFault, names_what_a_soil_cannot_carry) {
               testing::HasSubstr("neither cohesion nor friction"));
 }
 
+TEST(CarcassFault, names_what_flattens_a_wheel_too_far) {
+  Wheel mesh = lrv_wheel();
+  EXPECT_EQ(carcass_fault(mesh, 1e9), "");  // rigid
+  mesh.carcass_stiffness_npm = 550;
+  const double limit_n = 550 * mesh.radius_m / 2;
+  EXPECT_EQ(carcass_fault(mesh, limit_n), "");
+  EXPECT_THAT(carcass_fault(mesh, 1.1 * limit_n), testing::HasSubstr("more than half"));
+}
+
 TEST(WheelSoil, ploughing_is_rankines_passive_pressure_on_a_wide_face) {
   // Manual computation: Kp = tan^2(45 + 35/2 deg) = 3.690; gamma = 1520 x 1.62 = 2462.4 N/m3; 0.1 m
   // deep and 10 m wide 10 (2462.4 x 0.01 x 3.690 / 2 + 2 x 170 x 0.1 x 1.921) = 1107.4 N, and the
