@@ -91,11 +91,12 @@ return lsos.event {
   drives   = true,
   params   = {
     speed_mps = lsos.number {
-      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20,
+      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20, role = 'drive_speed',
       doc = 'Driving speed; without it the rover type\'s cruise speed.',
     },
     arrival_radius_m = lsos.number {
       kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
+      role = 'arrival_radius',
       doc = 'Near enough to the last waypoint, which it drives up to all the same.',
     },
     slope_max_rad = lsos.number {

@@ -191,7 +191,7 @@ return lsos.event {
       doc = 'Set at once: kWh, or a percentage as 80%.',
     },
     energy_rate_w = lsos.number {
-      kml = 'EnergyRate', unit = 'W', min = 0, example = '500 W',
+      kml = 'EnergyRate', unit = 'W', min = 0, example = '500 W', role = 'outside_power',
       doc = 'Power from outside while the event runs; with From: what is asked of the asset.',
     },
     duration_s    = lsos.duration {

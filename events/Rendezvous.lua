@@ -79,11 +79,11 @@ return lsos.event {
       doc = 'RoverId or AssetId.',
     },
     distance_m = lsos.number {
-      kml = 'Distance', unit = 'm', min = 1, max = 1e5, default = 20,
+      kml = 'Distance', unit = 'm', min = 1, max = 1e5, default = 20, role = 'arrival_radius',
       doc = 'Near enough, between their reference points.',
     },
     speed_mps  = lsos.number {
-      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20,
+      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20, role = 'drive_speed',
       doc = 'Driving speed; without it the rover type\'s cruise speed.',
     },
     plans      = lsos.boolean {

@@ -155,7 +155,7 @@ return lsos.event {
         .. 'more for one that does not turn on the spot.',
     },
     speed_mps      = lsos.number {
-      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20,
+      kml = 'Speed', unit = 'm/s', min = 0.01, max = 20, role = 'drive_speed',
       doc = 'Driving speed; without it the rover type\'s cruise speed.',
     },
     duration_s     = lsos.duration {

@@ -262,15 +262,7 @@ std::vector<RoverResult> Simulation::results() const {
 }
 
 std::vector<std::string> Simulation::assumptions() const {
-  std::vector<std::string> assumptions;
-  for (const auto& [key, vehicle] : site_.vehicles) {
-    for (const std::string& assumption : vehicle.assumptions) {
-      // Configurations of one type share their assumptions.
-      if (std::ranges::find(assumptions, assumption) == assumptions.end()) {
-        assumptions.push_back(assumption);
-      }
-    }
-  }
+  std::vector<std::string> assumptions = vehicle_assumptions(site_);
   const bool has_routes = std::ranges::any_of(
       routes_ahead_.rovers, [](const RoverRoutesAhead& routes) { return !routes.legs.empty(); });
   if (has_routes) {
@@ -293,7 +285,8 @@ std::vector<std::string> Simulation::assumptions() const {
 }
 
 std::vector<Fault> Simulation::ground_end_warnings() const {
-  return lsos::ground_end_warnings(machine_, *site_.ground, sunlight_ != nullptr);
+  return lsos::ground_end_warnings(machine_, setup_.rover_models, *site_.ground,
+                                   sunlight_ != nullptr);
 }
 
 void Simulation::warn_of_ends() {

@@ -32,6 +32,14 @@ enum class NameOf {
   other,           // another rover of the plan, or an asset
 };
 
+// What the engine reads a number of an event for, before and beside its script.
+enum class NumberRole {
+  none,
+  drive_speed,     // speed that a drive requests
+  arrival_radius,  // distance from its target within which a drive has arrived
+  outside_power,   // power requested from outside the rover or from a power source
+};
+
 // A value of a field, in SI. Durations are numbers (seconds).
 using FieldValue = std::variant<bool, std::int64_t, double, std::string, Instant>;
 
@@ -41,12 +49,13 @@ struct FieldDeclaration {
   std::string key;   // in the script, with its SI suffix: "speed_mps"
   FieldKind kind = FieldKind::text;
   std::string doc;
-  const Unit* unit = nullptr;        // unit of a bare number (number and duration only)
-  std::optional<double> min_si;      // inclusive
-  std::optional<double> max_si;      // inclusive
-  std::vector<std::string> choices;  // choice only
-  NameOf names = NameOf::anything;   // text only
-  std::string amount_of;             // number only: key of the text that names the resource used up
+  const Unit* unit = nullptr;          // unit of a bare number (number and duration only)
+  std::optional<double> min_si;        // inclusive
+  std::optional<double> max_si;        // inclusive
+  std::vector<std::string> choices;    // choice only
+  NameOf names = NameOf::anything;     // text only
+  NumberRole role = NumberRole::none;  // number only; no two of an event have the same
+  std::string amount_of;  // number only: key of the text that names the resource used up
   bool is_required = false;
   std::optional<FieldValue> default_value;  // absent: the script sees nil
   std::string example = {};                 // value that a form shows; "": the default
@@ -54,10 +63,10 @@ struct FieldDeclaration {
 
 enum class GeometryKind { none, point, line, polygon };
 
-// One event type: the script events/NAME.lua.
 // What an event mostly is. Plots give each a colour.
 enum class Activity { none, driving, waiting, energy, communication, crew, science };
 
+// One event type: the script events/NAME.lua.
 struct EventDeclaration {
   std::string name;
   std::string doc;

@@ -267,4 +267,10 @@ Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
   LSOS_ASSERT(false);
 }
 
+const double* find_number(const FieldValues& values, const EventDeclaration& declaration,
+                          NumberRole role) {
+  const auto field = std::ranges::find(declaration.fields, role, &FieldDeclaration::role);
+  return field == declaration.fields.end() ? nullptr : find_value<double>(values, field->key);
+}
+
 }  // namespace lsos

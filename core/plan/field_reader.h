@@ -25,6 +25,11 @@ const T* find_value(const FieldValues& values, const std::string& key) {
   return found == values.end() ? nullptr : &std::get<T>(found->second);
 }
 
+// The value of the event's number with that role, in SI; nullptr when it has none or the plan gives
+// no value.
+const double* find_number(const FieldValues& values, const EventDeclaration& declaration,
+                          NumberRole role);
+
 // The subject of messages: "plan.kml", line of the Placemark, "Route 'leg 2'".
 struct Subject {
   Place place;

@@ -79,6 +79,11 @@ void read_params(TableReader& t, EventDeclaration& event) {
         std::ranges::any_of(event_identity_fields(), same_name)) {
       t.fault(fmt::format("params: '{}' is a field that every event has", field->name));
     }
+    const auto same_role = std::ranges::find(event.fields, field->role, &FieldDeclaration::role);
+    if (field->role != NumberRole::none && same_role != event.fields.end()) {
+      t.fault(fmt::format("params: '{}' and '{}' have the same role; one of them is allowed to",
+                          same_role->name, field->name));
+    }
     event.fields.push_back(*field);
     event.fields.back().key = key;
   });

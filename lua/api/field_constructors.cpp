@@ -66,10 +66,31 @@ void read_quantity(TableReader& t, FieldDeclaration& field, const char* unit_sym
   }
 }
 
+void read_role(TableReader& t, FieldDeclaration& field) {
+  constexpr std::pair<const char*, NumberRole> roles[] = {
+      {"drive_speed", NumberRole::drive_speed},
+      {"arrival_radius", NumberRole::arrival_radius},
+      {"outside_power", NumberRole::outside_power}};
+  t.word(optional, "role", roles, field.role,
+         "What checks and estimates before the run read it for: 'drive_speed', the speed that a "
+         "drive requests; 'arrival_radius', the distance from its target within which a drive has "
+         "arrived; 'outside_power', what it requests from outside or from a power source. At most "
+         "one number of an event has each.");
+  constexpr std::pair<NumberRole, const char*> kinds[] = {{NumberRole::drive_speed, "speed"},
+                                                          {NumberRole::arrival_radius, "length"},
+                                                          {NumberRole::outside_power, "power"}};
+  for (const auto& [role, kind] : kinds) {
+    if (field.role != role || field.unit->kind == kind) continue;
+    t.fault(fmt::format("'{}': its role needs a unit of {}, not '{}'", field.name, kind,
+                        field.unit->symbol));
+  }
+}
+
 void read_number(TableReader& t, FieldDeclaration& field) {
   field.kind = FieldKind::number;
   read_common(t, field);
   read_quantity(t, field, "1", "Unit of a bare number in plans, and of min, max, default here.");
+  read_role(t, field);
   t.text(optional, "amount_of", field.amount_of,
          "Key of the text that names a resource of the rover: so much of that is used up; checked "
          "before the run against what is aboard.");

@@ -47,6 +47,7 @@ class EquipmentPass {
       : mission_(mission),
         host_(host),
         site_(site),
+        vehicle_(model.spec.vehicle),
         at_(machine.rover.start),
         equipment_(equipment_of(model)) {}
 
@@ -101,7 +102,7 @@ class EquipmentPass {
                           !is_anywhere &&
                           !host_.is_open_ended(event.type, arguments(event), mission_.start_time);
     if (is_known && now_) {
-      now_ = expected_end(machine, *now_, mission_.start_time, site_, at_);
+      now_ = expected_end(machine, vehicle_, *now_, mission_.start_time, site_.body(), at_);
       return;
     }
     now_ = until(machine);
@@ -194,7 +195,8 @@ class EquipmentPass {
     if (!now_) return;
     constexpr int looks = 8;
     Geodetic place = at_;
-    const SimTime end = expected_end(machine, *now_, mission_.start_time, site_, place);
+    const SimTime end =
+        expected_end(machine, vehicle_, *now_, mission_.start_time, site_.body(), place);
     const SimTime wait = end > *now_ ? end - *now_ : from_seconds(86400);
     double highest_rad = -std::numbers::pi;
     for (int k = 0; k <= looks; ++k) {
@@ -231,6 +233,7 @@ class EquipmentPass {
   const MissionInfo& mission_;
   ScriptHost& host_;
   const SiteFrame& site_;
+  const VehicleConfig& vehicle_;
   std::optional<SimTime> now_ = SimTime{};  // when the next event begins; absent: not known
   Geodetic at_;
   std::map<std::string, Equipment> equipment_;

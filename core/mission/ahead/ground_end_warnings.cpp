@@ -63,16 +63,18 @@ std::optional<Fault> fault_of(const Worst& worst, const std::string& seen, const
                            end_text(*worst.end, seen, worst.elevation_rad))};
 }
 
-}  // namespace
-
-SimTime estimated_duration(const MissionMachine& machine, const SiteFrame& site) {
+// Estimated duration of the plan's events: that of the rover that takes longest, at most
+// MaxDuration.
+SimTime estimated_duration(const MissionMachine& machine,
+                           const std::map<std::string, RoverModel>& models, const Body& body) {
   SimTime longest{};
   for (const RoverMachine& rover : machine.rovers) {
     SimTime now{};
     Geodetic at = rover.rover.start;
+    const VehicleConfig& vehicle = models.at(rover.rover.model()).spec.vehicle;
     for (const EventMachine& event : rover.events) {
       if (event.event.is_enabled) {
-        now = expected_end(event, now, machine.mission.start_time, site, at);
+        now = expected_end(event, vehicle, now, machine.mission.start_time, body, at);
       }
     }
     longest = std::max(longest, now);
@@ -80,13 +82,16 @@ SimTime estimated_duration(const MissionMachine& machine, const SiteFrame& site)
   return std::min(longest, machine.mission.max_duration);
 }
 
-std::vector<Fault> ground_end_warnings(const MissionMachine& machine, const Ground& ground,
-                                       bool watches_sun) {
+}  // namespace
+
+std::vector<Fault> ground_end_warnings(const MissionMachine& machine,
+                                       const std::map<std::string, RoverModel>& models,
+                                       const Ground& ground, bool watches_sun) {
   if (!ground.has_end()) return {};
   const SiteFrame& site = ground.site();
   const Body& body = site.body();
   const std::vector<Stop> stops = stops_of(machine, ground);
-  const SimTime duration = estimated_duration(machine, site);
+  const SimTime duration = estimated_duration(machine, models, body);
   GroundEndProbe probe(ground);
   Worst of_sun, of_earth;
   const auto look = [&](const Stop& stop, Instant at, const Vec3& direction_S, double disc_rad,

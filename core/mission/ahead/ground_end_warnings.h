@@ -2,20 +2,20 @@
 // what they see of the Sun and of Earth.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "mission/model/machine.h"
+#include "mission/model/rover_model.h"
 #include "terrain/ground.h"
 
 namespace lsos {
 
-// Estimated duration of the plan's events: that of the rover that takes longest, from the durations
-// and times in the plan and its drives at the requested speeds, else at 1 m/s; at most MaxDuration.
-SimTime estimated_duration(const MissionMachine& machine, const SiteFrame& site);
-
 // At most one warning for the Sun and one for Earth, each for the stop and time at which ground
 // farthest away matters. `watches_sun`: something in the mission uses sunlight.
-std::vector<Fault> ground_end_warnings(const MissionMachine& machine, const Ground& ground,
-                                       bool watches_sun);
+std::vector<Fault> ground_end_warnings(const MissionMachine& machine,
+                                       const std::map<std::string, RoverModel>& models,
+                                       const Ground& ground, bool watches_sun);
 
 }  // namespace lsos

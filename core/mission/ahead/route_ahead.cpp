@@ -19,8 +19,7 @@ namespace {
 
 // Heading at the end of the line; near a pole the direction of north changes along it.
 double heading_from_to_rad(const SiteFrame& site, const Vec3& from_S_m, const Vec3& to_S_m) {
-  const Vec3 line_S_m = to_S_m - from_S_m;
-  return std::atan2(line_S_m.dot(site.east_S(to_S_m)), line_S_m.dot(site.north_S(to_S_m)));
+  return site.azimuth_rad(to_S_m - from_S_m, to_S_m);
 }
 
 // Warning about an area without ground; "" when a grid of samples finds ground throughout.
@@ -70,7 +69,7 @@ class RoutePass {
         heading_rad_(start.heading_rad) {}
 
   // Handles an event that drives as drawn, or to an unknown place.
-  void pass(const PlanEvent& event) {
+  void pass(const PlanEvent& event, const EventDeclaration& declaration) {
     const Path3 waypoints_S_m = on_ground_S_m(event.geometry.points, ground_);
     const bool is_anywhere = waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon;
     if (event.geometry.kind == GeometryKind::polygon) {
@@ -86,8 +85,8 @@ class RoutePass {
       heading_rad_.reset();
       return;
     }
-    for (Fault& warning :
-         drawn_route_warnings(event, waypoints_S_m, {place_S_m_, heading_rad_}, routes_, ground_)) {
+    for (Fault& warning : drawn_route_warnings(event, declaration, waypoints_S_m,
+                                               {place_S_m_, heading_rad_}, routes_, ground_)) {
       add_fault(std::move(warning));
     }
     add_line(event, waypoints_S_m);
@@ -127,12 +126,10 @@ class RoutePass {
   void find_near(const PlanEvent& event, const EventDeclaration& declaration) {
     if (!declaration.drives || !event.geometry.points.empty()) return;
     const std::string* id = nullptr;
-    const double* distance_m = nullptr;
     for (const FieldDeclaration& field : declaration.fields) {
       if (field.names == NameOf::other) id = find_value<std::string>(event.params, field.key);
-      const bool is_length = field.unit != nullptr && field.unit->kind == "length";
-      if (is_length) distance_m = find_value<double>(event.params, field.key);
     }
+    const double* distance_m = find_number(event.params, declaration, NumberRole::arrival_radius);
     if (id != nullptr && distance_m != nullptr) near_ = {*id, event.label, *distance_m};
   }
 
@@ -177,9 +174,8 @@ class RoutePass {
     return true;
   }
 
-  // The script's key for KML's Speed is "speed_mps".
-  void warn_of_speed(const PlanEvent& event) {
-    const double* speed_mps = find_value<double>(event.params, "speed_mps");
+  void warn_of_speed(const PlanEvent& event, const EventDeclaration& declaration) {
+    const double* speed_mps = find_number(event.params, declaration, NumberRole::drive_speed);
     if (speed_mps == nullptr || *speed_mps <= routes_.speed_max_mps()) return;
     add_fault(
         {Severity::warning, event.place,
@@ -246,7 +242,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
-    ahead.warn_of_speed(event.event);
+    ahead.warn_of_speed(event.event, event.declaration);
     ahead.find_cable(event.event, event.declaration, sources);
     std::optional<RouteSettings> settings;
     try {
@@ -263,7 +259,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
       if (next == OnFailure::stop || next == OnFailure::abort) break;
       if (next == OnFailure::go_to) gone_to = event.event.go_to_sequence;
     } else if (event.declaration.drives) {
-      ahead.pass(event.event);
+      ahead.pass(event.event, event.declaration);
       ahead.find_near(event.event, event.declaration);
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/model/event_times.h"
 #include "mission/model/model_doubts.h"
 #include "plan/field_reader.h"
 #include "plan/suggestions.h"
@@ -50,27 +51,11 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
   }
 }
 
-// Sum of the durations among its fields.
-double durations_s(const PlanEvent& event, const EventDeclaration& declaration) {
-  double sum_s = 0;
-  for (const FieldDeclaration& field : declaration.fields) {
-    if (field.kind != FieldKind::duration) continue;
-    const double* duration_s = find_value<double>(event.params, field.key);
-    sum_s += duration_s == nullptr ? 0 : *duration_s;
-  }
-  return sum_s;
-}
-
-// Lower bound of an event's driving time: straight from `at` through its points, at the event's
-// Speed or the rover's cruise speed; 0 when neither is known. `at`: place of the rover, updated to
-// that at the end; absent: not known.
-double least_drive_s(const PlanEvent& event, const Body& body,
-                     std::optional<double> cruise_speed_mps, std::optional<Geodetic>& at) {
-  double length_m = 0;
-  for (const Geodetic& point : event.geometry.points) {
-    if (at) length_m += surface_distance_m(body, *at, point);
-    at = point;
-  }
+// Lower bound of an event's driving time: straight from `at` through its points. `at`: place of the
+// rover, updated to that at the end; absent: not known.
+double least_drive_s(const PlanEvent& event, const EventDeclaration& declaration,
+                     const VehicleConfig& vehicle, const Body& body, std::optional<Geodetic>& at) {
+  const double length_m = drawn_m(event.geometry, body, at);
   // Within a polygon the rover may stop anywhere; without a geometry it follows what moves.
   const bool is_known =
       event.geometry.kind == GeometryKind::point || event.geometry.kind == GeometryKind::line;
@@ -78,9 +63,15 @@ double least_drive_s(const PlanEvent& event, const Body& body,
     at.reset();
     return 0;
   }
-  const double* speed_mps = find_value<double>(event.params, "speed_mps");
-  if (speed_mps != nullptr && *speed_mps > 0) return length_m / *speed_mps;
-  return cruise_speed_mps ? length_m / *cruise_speed_mps : 0;
+  return length_m / drive_speed_mps(event, declaration, vehicle);
+}
+
+// The speed of a drive, for messages.
+const char* speed_text(const PlanEvent& event, const EventDeclaration& declaration,
+                       const VehicleConfig& vehicle) {
+  const double* requested_mps = find_number(event.params, declaration, NumberRole::drive_speed);
+  if (requested_mps == nullptr) return "the rover's cruise speed";
+  return *requested_mps > vehicle.speed_max_mps ? "the rover's greatest speed" : "its Speed";
 }
 
 void check_timeouts(const Plan& plan, const Declarations& declarations,
@@ -88,24 +79,20 @@ void check_timeouts(const Plan& plan, const Declarations& declarations,
   for (const PlanEvent& event : plan.events) {
     if (!event.is_enabled || !event.timeout || !event.stop_when.text.empty()) continue;
     const EventDeclaration& declaration = declarations.events.at(event.type);
-    const auto warn = [&](double needed_s, const char* what) {
+    const auto warn = [&](double needed_s, const std::string& what) {
       if (from_seconds(needed_s) <= *event.timeout) return;
       faults.warning(event.place, fmt::format("{} '{}': Timeout = {}: is less than the {} {}",
                                               event.type, event.label, span_text(*event.timeout),
                                               span_text(from_seconds(needed_s)), what));
     };
     warn(durations_s(event, declaration), "of its durations");
-    if (plan.mission.planet == nullptr) continue;
     const PlanRover* rover = rover_of(plan, event.rover_id);
     const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
-    std::optional<double> cruise_speed_mps;
-    if (model != rovers.end()) cruise_speed_mps = model->second.spec.vehicle.cruise_speed_mps;
-    const bool has_speed = find_value<double>(event.params, "speed_mps") != nullptr;
+    if (!declaration.drives || plan.mission.planet == nullptr || model == rovers.end()) continue;
+    const VehicleConfig& vehicle = model->second.spec.vehicle;
     std::optional<Geodetic> at;  // absent: only the line counts
-    const double line_s =
-        declaration.drives ? least_drive_s(event, *plan.mission.planet, cruise_speed_mps, at) : 0;
-    warn(line_s, has_speed ? "that its line takes at its Speed"
-                           : "that its line takes at the rover's cruise speed");
+    warn(least_drive_s(event, declaration, vehicle, *plan.mission.planet, at),
+         fmt::format("that its line takes at {}", speed_text(event, declaration, vehicle)));
   }
 }
 
@@ -193,14 +180,14 @@ void check_supplies(const Plan& plan, const Declarations& declarations,
     if (asset == plan.assets.end() || !assets.contains(asset->type)) continue;
     const AssetModel& model = assets.at(asset->type);
     if (!model.panels.empty()) continue;
-    for (const FieldDeclaration& field : fields) {
-      const bool is_power = field.unit != nullptr && field.unit->suffix == "w";
-      const double* asked_w = is_power ? find_value<double>(event.params, field.key) : nullptr;
-      if (asked_w == nullptr || *asked_w <= model.supply_w) continue;
-      faults.warning(event.place,
-                     fmt::format("{} '{}': {} = {:g} W: '{}' has {:g} W to give", event.type,
-                                 event.label, field.name, *asked_w, *asset_id, model.supply_w));
-    }
+    const auto power =
+        std::ranges::find(fields, NumberRole::outside_power, &FieldDeclaration::role);
+    if (power == fields.end()) continue;
+    const double* requested_w = find_value<double>(event.params, power->key);
+    if (requested_w == nullptr || *requested_w <= model.supply_w) continue;
+    faults.warning(event.place,
+                   fmt::format("{} '{}': {} = {:g} W: '{}' has {:g} W to give", event.type,
+                               event.label, power->name, *requested_w, *asset_id, model.supply_w));
   }
 }
 
@@ -223,8 +210,8 @@ void check_plan_spans(const Plan& plan, const Declarations& declarations,
       }
       sum_s += durations_s(event, declaration);
       if (!declaration.drives || model == rovers.end()) continue;
-      sum_s += least_drive_s(event, *plan.mission.planet,
-                             model->second.spec.vehicle.cruise_speed_mps, at);
+      sum_s +=
+          least_drive_s(event, declaration, model->second.spec.vehicle, *plan.mission.planet, at);
     }
     if (from_seconds(sum_s) <= plan.mission.max_duration) continue;
     faults.warning(plan.mission.place,

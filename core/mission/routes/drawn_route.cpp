@@ -17,13 +17,11 @@ namespace lsos {
 
 namespace {
 
-// Reads the script's keys for KML's Speed and ArrivalRadius.
-RouteSettings settings_of(const PlanEvent& event) {
+RouteSettings settings_of(const PlanEvent& event, const EventDeclaration& declaration) {
+  const auto number = [&](NumberRole role) { return find_number(event.params, declaration, role); };
   RouteSettings settings;
-  if (const double* speed_mps = find_value<double>(event.params, "speed_mps")) {
-    settings.speed_mps = *speed_mps;
-  }
-  if (const double* radius_m = find_value<double>(event.params, "arrival_radius_m")) {
+  if (const double* speed_mps = number(NumberRole::drive_speed)) settings.speed_mps = *speed_mps;
+  if (const double* radius_m = number(NumberRole::arrival_radius)) {
     settings.arrival_radius_m = *radius_m;
   }
   return settings;
@@ -31,11 +29,12 @@ RouteSettings settings_of(const PlanEvent& event) {
 
 class DrawnRoute {
  public:
-  DrawnRoute(const PlanEvent& event, RoverRoutes& routes, const Ground& ground)
+  DrawnRoute(const PlanEvent& event, const EventDeclaration& declaration, RoverRoutes& routes,
+             const Ground& ground)
       : event_(event),
         routes_(routes),
         ground_(ground),
-        settings_(settings_of(event)),
+        settings_(settings_of(event, declaration)),
         cost_(routes.cost(settings_)) {}
 
   std::vector<Fault> look(const Path3& waypoints_S_m, const ExpectedPose& start) {
@@ -151,10 +150,10 @@ class DrawnRoute {
 
 }  // namespace
 
-std::vector<Fault> drawn_route_warnings(const PlanEvent& event, const Path3& waypoints_S_m,
-                                        const ExpectedPose& start, RoverRoutes& routes,
-                                        const Ground& ground) {
-  return DrawnRoute(event, routes, ground).look(waypoints_S_m, start);
+std::vector<Fault> drawn_route_warnings(const PlanEvent& event, const EventDeclaration& declaration,
+                                        const Path3& waypoints_S_m, const ExpectedPose& start,
+                                        RoverRoutes& routes, const Ground& ground) {
+  return DrawnRoute(event, declaration, routes, ground).look(waypoints_S_m, start);
 }
 
 }  // namespace lsos

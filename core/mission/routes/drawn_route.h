@@ -19,8 +19,8 @@ struct ExpectedPose {
 // Warnings about the first leg without ground, the first through an obstacle, the steepest ground
 // beyond the rover's limits, a lack of room to turn, the first waypoint inside the turning circle,
 // and a line that leads nowhere.
-std::vector<Fault> drawn_route_warnings(const PlanEvent& event, const Path3& waypoints_S_m,
-                                        const ExpectedPose& start, RoverRoutes& routes,
-                                        const Ground& ground);
+std::vector<Fault> drawn_route_warnings(const PlanEvent& event, const EventDeclaration& declaration,
+                                        const Path3& waypoints_S_m, const ExpectedPose& start,
+                                        RoverRoutes& routes, const Ground& ground);
 
 }  // namespace lsos

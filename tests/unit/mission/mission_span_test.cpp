@@ -22,6 +22,12 @@ double hours_of(Mission& mission, bool is_open_ended = false) {
     return field;
   }();
   declarations.events["Hold"].fields = {duration};
+  FieldDeclaration speed;
+  speed.name = "Speed";
+  speed.key = "speed_mps";
+  speed.kind = FieldKind::number;
+  speed.role = NumberRole::drive_speed;
+  declarations.events["Drive"].fields = {speed};
   declarations.events["Drive"].drives = true;
   return seconds(default_max_duration(mission.setup_.plan, declarations,
                                       mission.setup_.rover_models,
