@@ -133,8 +133,11 @@ SinkageGrowth sinkage_growth(const Case& c) {
   for (const MeasuredPoint& p : c.straight)
     load_n += p.load_n / static_cast<double>(c.straight.size());
   const WheelSoil wheel_soil(c.fit.soil, c.tests.wheel, gravity_mps2);
+  const double rolling_radius_m = wheel_soil.rolling_radius_m(load_n);
   const auto at = [&](int percent) {
-    return single_wheel(wheel_soil, load_n, percent / 100.0, 0).sinkage_m;
+    const double slip =
+        slip_by(rolling_radius_m, percent / 100.0, c.straight.front().slip_radius_m);
+    return single_wheel(wheel_soil, load_n, slip, 0).sinkage_m;
   };
   constexpr int stride = 2;
   SinkageGrowth growth{

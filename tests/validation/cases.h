@@ -37,7 +37,7 @@ std::vector<MeasuredPoint> rolling_at(const WheelTests& tests,
                                       const std::vector<double>& slip_angles_deg);
 std::vector<MeasuredPoint> locked(const WheelTests& tests);
 
-// Growth of the computed sinkage with slip, under the mean load of the straight points.
+// Growth of the computed sinkage with the rig's slip, under the mean load of the straight points.
 struct SinkageGrowth {
   double least_at_slip = 0;
   double at_least_m = 0, at_zero_m = 0;

@@ -1,5 +1,8 @@
 #include "validation/skill.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "validation/rim_integrals.h"
@@ -44,18 +47,30 @@ std::vector<double> best_constant(const std::vector<MeasuredPoint>& points) {
   return std::vector<double>(points.size(), mean);
 }
 
-void rows(Text& t, const std::string& name, const Case& c, const Wheel& wheel,
-          const std::vector<MeasuredPoint>& points, bool is_straight) {
+// Adds a set's rows. Returns the parts of the set in which an answer without a model errs less than
+// the model with the fitted soil: "", or "NAME (all, driven)".
+std::string rows(Text& t, const std::string& name, const Case& c, const Wheel& wheel,
+                 const std::vector<MeasuredPoint>& points, bool is_straight) {
   const auto row = [&](const char* method, const std::vector<double>& pulls) {
     const PullErrors e = pull_errors(points, pulls);
     t.add("| {} | {} | {} | {} | {} | {} | {} |", name, points.size(), method, percent(e.all),
           percent(e.driving), percent(e.braking), percent(e.small_slip));
+    return e;
   };
-  row("model, fitted soil", computed(c.fit.soil, wheel, points));
+  const PullErrors model = row("model, fitted soil", computed(c.fit.soil, wheel, points));
   row("model, published soil", computed(c.published, wheel, points));
   if (is_straight) row("rim integrals, published soil", by_integrals(c.published, wheel, points));
-  row("best constant", best_constant(points));
-  row("always zero", std::vector<double>(points.size(), 0));
+  const PullErrors constant = row("best constant", best_constant(points));
+  const PullErrors zero = row("always zero", std::vector<double>(points.size(), 0));
+  std::vector<std::string> parts;
+  const auto compare = [&](const char* part, double PullErrors::*error) {
+    if (model.*error > std::min(constant.*error, zero.*error)) parts.push_back(part);
+  };
+  compare("all", &PullErrors::all);
+  compare("driven", &PullErrors::driving);
+  compare("braked", &PullErrors::braking);
+  compare("small slip", &PullErrors::small_slip);
+  return parts.empty() ? "" : fmt::format("{} ({})", name, fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -88,19 +103,29 @@ void skill(Text& t, const Cases& cases) {
   t.add(
       "\n| measurements | points | answer | all | driven | braked | small slip |\n"
       "|---|---|---|---|---|---|---|");
-  rows(t, "CMU, smooth, straight", cases.cmu, cases.cmu.tests.wheel, cases.cmu.straight, true);
-  rows(t, "CMU, smooth, 0 to 45 deg", cases.cmu, cases.cmu.tests.wheel,
-       rolling_at(cases.cmu.tests, {0, 15, 30, 45}), false);
+  std::vector<std::string> without_skill;
+  const auto add = [&](const std::string& name, const Case& c, const Wheel& wheel,
+                       const std::vector<MeasuredPoint>& points, bool is_straight) {
+    const std::string parts = rows(t, name, c, wheel, points, is_straight);
+    if (!parts.empty()) without_skill.push_back(parts);
+  };
+  add("CMU, smooth, straight", cases.cmu, cases.cmu.tests.wheel, cases.cmu.straight, true);
+  add("CMU, smooth, 0 to 45 deg", cases.cmu, cases.cmu.tests.wheel,
+      rolling_at(cases.cmu.tests, {0, 15, 30, 45}), false);
   const WheelTests& cmu = cases.cmu.grousered;
-  rows(t, "CMU, 24 grousers of 4.9 mm, straight", cases.cmu, cmu.wheel, rolling_at(cmu, 0), true);
-  rows(t, "CMU, grousers, 0 to 45 deg", cases.cmu, cmu.wheel, rolling_at(cmu, {0, 15, 30, 45}),
-       false);
-  rows(t, "CMU, grousers, 0 to 90 deg", cases.cmu, cmu.wheel,
-       rolling_at(cmu, {0, 15, 30, 45, 60, 75, 90}), false);
-  rows(t, "Ding, smooth", cases.ding, cases.ding.tests.wheel, cases.ding.straight, true);
-  rows(t, "Ding, 30 lugs of 10 mm", cases.ding, cases.ding.grousered.wheel,
-       rolling_at(cases.ding.grousered, 0), true);
-  rows(t, "KLS-1, smooth", cases.kls, cases.kls.tests.wheel, cases.kls.straight, true);
+  add("CMU, 24 grousers of 4.9 mm, straight", cases.cmu, cmu.wheel, rolling_at(cmu, 0), true);
+  add("CMU, grousers, 0 to 45 deg", cases.cmu, cmu.wheel, rolling_at(cmu, {0, 15, 30, 45}), false);
+  add("CMU, grousers, 0 to 90 deg", cases.cmu, cmu.wheel,
+      rolling_at(cmu, {0, 15, 30, 45, 60, 75, 90}), false);
+  add("Ding, smooth", cases.ding, cases.ding.tests.wheel, cases.ding.straight, true);
+  add("Ding, 30 lugs of 10 mm", cases.ding, cases.ding.grousered.wheel,
+      rolling_at(cases.ding.grousered, 0), true);
+  add("KLS-1, smooth", cases.kls, cases.kls.tests.wheel, cases.kls.straight, true);
+  const std::string sets = fmt::format("{}", fmt::join(without_skill, "; "));
+  t.paragraph(
+      "Where one of the two constants is nearer, the model with the fitted soil shows no "
+      "skill: {}.",
+      sets.empty() ? "nowhere" : sets);
 }
 
 }  // namespace lsos::validation
