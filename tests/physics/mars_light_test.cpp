@@ -1,5 +1,6 @@
 // Energy that the panels of a Mars rover get in a sol, against what was reported from Mars. Nothing
-// of the model of light is fitted to these reports.
+// of the model of light is fitted to these reports; the panels' `factor` in MER.lua is set from the
+// energy of the first sols.
 #include <gtest/gtest.h>
 
 #include <algorithm>

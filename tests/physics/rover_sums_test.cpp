@@ -95,6 +95,8 @@ TEST(Lrv, climbs_20_degrees_but_not_35) {
   EXPECT_LE(climb("LRV", "Moon", "ApolloNominal", radians(35), 1, 60).speed_mps, 0.01);
 }
 
+// Measured: about 0.2 at 10 degrees, 0.4 to 0.6 at 15, near 1 at 20 (Lindemann and Voorhees 2005).
+// Computed: 0.23 at 10; the model stops at 15 already.
 TEST(Mer, slips_on_loose_dry_sand_as_in_tilt_bed_tests) {
   std::string table;
   double slip[6];

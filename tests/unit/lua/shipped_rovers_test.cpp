@@ -127,7 +127,8 @@ TEST_P(ShippedRover, stands_and_drives_in_every_configuration) {
     const double weight_n = rover.config().mass_kg() * g_mps2();
     EXPECT_NEAR(test::sum(test::wheel_loads_n(rover)), weight_n, 1e-3 * weight_n);
     // Rovers with seized wheels drive a short distance in a long time, as Spirit found.
-    EXPECT_GT(drive(rover, 1), 0.01) << configuration;
+    const bool is_seized = configuration.find("Locked") != std::string::npos;
+    EXPECT_GT(drive(rover, 1), is_seized ? 0.01 : 0.1) << configuration;
   }
 }
 
@@ -136,6 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Shipped{"SEV", "Moon", "ApolloNominal", 4000, 12, {"Unloaded"}},
         Shipped{"LRV", "Moon", "ApolloNominal", 697, 4, {"OneCrew", "Empty"}},
+        // A simulant of its planet's soil; in loose lunar soil 10 degrees stop its small wheels.
         Shipped{"MER", "Mars", "MMS", 180, 6, {"RightFrontLocked", "RightFrontAndRearLocked"}},
         Shipped{"Husky", "Earth", "ApolloDense", 50, 4, {"FullPayload"}}),
     [](const auto& test) { return test.param.name; });
