@@ -53,8 +53,8 @@ Geodetic geodetic_from_degrees(double lon_deg, double lat_deg, double height_m =
 Vec3 p_F_m(const Body& body, const Geodetic& place);
 Geodetic geodetic(const Body& body, const Vec3& p_F_m);
 
-// Shortest distance along the reference surface (sphere: great circle; Earth: geodesic
-// approximated to 0.5 %), m.
+// Shortest distance along the reference surface, m: a great circle; on Earth by Lambert's formula,
+// which leaves out the square of the flattening.
 double surface_distance_m(const Body& body, const Geodetic& a, const Geodetic& b);
 
 }  // namespace lsos

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "product/column_json.h"
 #include "product/quantity_text.h"
 
 namespace lsos {
@@ -137,13 +138,6 @@ Json json_of(const std::vector<Difference>& differences) {
   return array;
 }
 
-Json json_of(const ColumnValue& value) {
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return nullptr;
-}
-
 // A warning without a leading "file:line: ", as plans are named the way they were typed.
 std::string without_place(const Json& warning) {
   std::string text = warning.is_string() ? warning.get<std::string>() : warning.dump();
@@ -257,8 +251,8 @@ std::string to_json(const ExactComparison& found) {
                               {"row", at->row},
                               {"column", at->column.empty() ? Json() : Json(at->column)},
                               {"where", at->where},
-                              {"a", json_of(at->a)},
-                              {"b", json_of(at->b)}};
+                              {"a", json_value(at->a)},
+                              {"b", json_value(at->b)}};
   }
   return dumped(document);
 }

@@ -10,6 +10,7 @@
 #include "base/base64.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "product/column_json.h"
 #include "product/event_kinds.h"
 #include "record/columns.h"
 #include "record/quantities.h"
@@ -110,13 +111,6 @@ Json rovers(const ReportData& data, const ReportExtras& extras) {
   return array;
 }
 
-Json value_of(const ColumnValue& value) {
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return nullptr;
-}
-
 // All columns of each row, and its position on the map.
 template <class Row>
 Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
@@ -124,7 +118,7 @@ Json placed_rows(const std::vector<Row>& rows, const SiteFrame& site) {
   for (const Row& row : rows) {
     Json object = Json::object();
     for (const Column<Row>& column : columns<Row>()) {
-      object[std::string(column.name)] = value_of(column.value(row, {}));
+      object[std::string(column.name)] = json_value(column.value(row, {}));
     }
     if (const std::optional<Geodetic> place = row.place) {
       const Vec3 p_S_m = site.p_S_m(*place);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "product/column_json.h"
 #include "record/columns.h"
 
 namespace lsos {
@@ -15,17 +16,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* program = "lsos-host";
 
-Json json_of(const ColumnValue& value) {
-  if (const auto* number = std::get_if<std::int64_t>(&value)) return *number;
-  if (const auto* number = std::get_if<double>(&value)) return *number;
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  return nullptr;
-}
-
 Json json_of(const EventRow& event, Instant start) {
   Json object = Json::object();
   for (const Column<EventRow>& column : columns<EventRow>()) {
-    object[std::string(column.name)] = json_of(column.value(event, start));
+    object[std::string(column.name)] = json_value(column.value(event, start));
   }
   return object;
 }
