@@ -1,8 +1,8 @@
--- Plan a way over the ground to each waypoint in turn, for this rover, and drive it.
+-- Plan a route over the ground to each waypoint in turn, for this rover, and drive it.
 
 local lsos = require 'lsos'
 
--- What the ways keep to, when the mission is made and when they are driven.
+-- What the routes keep to, when the mission is made and when they are driven.
 local function route(params)
   return {
     speed_mps        = params.speed_mps,
@@ -25,13 +25,13 @@ local function plan(ev, rover)
   options.first = ev.state.next_waypoint
   options.avoid = ev.state.avoid
   options.avoid_radius_m = rover.length_m
-  local way, reason = rover:plan_path(ev.geometry, options)
-  if not way then
+  local found, reason = rover:plan_path(ev.geometry, options)
+  if not found then
     if not ev.state.blocked_by then return lsos.fail('%s', reason) end
     return lsos.fail('%s; planned anew: %s', ev.state.blocked_by, reason)
   end
-  ev.state.legs = way.legs
-  rover:follow(way.path, {
+  ev.state.legs = found.legs
+  rover:follow(found.path, {
     speed_mps        = ev.params.speed_mps,
     arrival_radius_m = ev.params.arrival_radius_m,
     stray_max_m      = ev.params.stray_max_m,
@@ -84,7 +84,7 @@ end
 return lsos.event {
   api    = 1,
   schema = 'PathPlanRoute',
-  doc    = 'Plan a way to each waypoint on the ground that the rover will meet, and drive it.',
+  doc    = 'Plan a route to each waypoint on the ground that the rover will meet, and drive it.',
   kind   = 'driving',
 
   geometry = { 'line', 'point' },

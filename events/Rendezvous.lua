@@ -2,7 +2,7 @@
 
 local lsos = require 'lsos'
 
--- The way is planned again when the other has moved by this share of what is left, or this far.
+-- The route is planned again when the other has moved by this share of what is left, or this far.
 local moved_share, moved_least_m = 0.2, 5
 
 -- No route leads to the place of an asset itself: then one to where it is near enough will do.
@@ -18,12 +18,12 @@ end
 
 local function plan(ev, rover, target)
   local options = { speed_mps = ev.params.speed_mps, arrival_radius_m = ev.params.distance_m }
-  local way, reason = rover:plan_path(target, options)
-  if way then return way end
+  local route, reason = rover:plan_path(target, options)
+  if route then return route end
   local back = rover.position - target
   local near = target + back * (near_share * ev.params.distance_m / back:length())
-  local near_way, near_reason = rover:plan_path(near, options)
-  if near_way then return near_way end
+  local near_route, near_reason = rover:plan_path(near, options)
+  if near_route then return near_route end
   if near_reason == reason then return nil, reason end
   return nil, ('%s; nor to within %g m of it: %s'):format(reason, ev.params.distance_m, near_reason)
 end
@@ -31,9 +31,9 @@ end
 local function aim(ev, rover, target)
   local path = target
   if ev.params.plans then
-    local way, reason = plan(ev, rover, target)
-    if not way then return lsos.fail('%s', reason) end
-    path = way.path
+    local route, reason = plan(ev, rover, target)
+    if not route then return lsos.fail('%s', reason) end
+    path = route.path
   end
   rover:follow(path, {
     speed_mps        = ev.params.speed_mps,
@@ -88,7 +88,7 @@ return lsos.event {
     },
     plans      = lsos.boolean {
       kml = 'Plan', default = true,
-      doc = 'Whether ways are planned over the ground; else it drives straight.',
+      doc = 'Whether routes are planned over the ground; else it drives straight.',
     },
   },
 

@@ -56,7 +56,7 @@ class Planner {
     // Where points are too close together the rover slows down for corners that do not exist.
     Line2 thin = simplified(best_->line, simplify_m);
     if (costs_.driven(thin) <= simplify_cost_ratio * least_) best_->line = std::move(thin);
-    answer.way = std::move(best_);
+    answer.route = std::move(best_);
     answer.before_optimising = std::move(before_optimising_);
     return answer;
   }
@@ -123,15 +123,15 @@ class Planner {
     const auto look = [&](std::size_t poses_left, const PoseGuide& guide) {
       return search_poses(costs_, start_, goal_m_, radius_m_, poses_left, guide);
     };
-    PoseRoute way = look(poses_to_better, {&corridor, true});
-    if (way.line.empty()) way = look(poses_to_better, {&corridor, false});
-    if (way.line.empty() && !way.is_exhausted) way = look(poses, {});
-    answer.is_at_border = way.is_at_border;
-    answer.nearest_m = way.nearest_m;
-    if (!way.line.empty()) {
-      offer_optimised(way.poses);
+    PoseRoute found = look(poses_to_better, {&corridor, true});
+    if (found.line.empty()) found = look(poses_to_better, {&corridor, false});
+    if (found.line.empty() && !found.is_exhausted) found = look(poses, {});
+    answer.is_at_border = found.is_at_border;
+    answer.nearest_m = found.nearest_m;
+    if (!found.line.empty()) {
+      offer_optimised(found.poses);
       // Steering between its poses may lead over other places than the line that was searched.
-      offer({way.line, {}});
+      offer({found.line, {}});
     }
     // The yaw at the goal is free, so one arc and a straight line may do.
     for (const bool to_left : {true, false}) {

@@ -10,7 +10,7 @@
 namespace lsos {
 
 struct DubinsRoute {
-  std::optional<OptimisedRoute> way;
+  std::optional<OptimisedRoute> route;
   std::vector<Pose2>
       before_optimising;  // its poses before refinement; empty where it was not refined
   // Without a route:

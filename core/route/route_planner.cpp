@@ -151,26 +151,26 @@ class LegPlanner {
       reach = find_reachability(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
       if (reach.answer != Reachability::Answer::joined) break;
-      const std::optional<OptimisedRoute> way = finder_.cost().can_turn_on_spot
-                                                    ? over_nodes(costs, nearest_m)
-                                                    : over_poses(costs, nearest_m);
-      if (!way || !std::isfinite(costs.along(way->line))) break;
+      const std::optional<OptimisedRoute> route = finder_.cost().can_turn_on_spot
+                                                      ? over_nodes(costs, nearest_m)
+                                                      : over_poses(costs, nearest_m);
+      if (!route || !std::isfinite(costs.along(route->line))) break;
       // A limit may be exceeded between the samples of the costs: the next attempt avoids those
       // places.
-      for (const Vec2& at_m : costs.hazards(way->line, step_m())) {
+      for (const Vec2& at_m : costs.hazards(route->line, step_m())) {
         if (is_near_end(at_m)) continue;
         passed_m = passed_m.value_or(at_m);
         avoided_.push_back({at_m, step_m()});
       }
       if (!passed_m && finder_.cost().can_turn_on_spot) {
-        if (const auto thing = blocked_turn(corners(way->line))) {
+        if (const auto thing = blocked_turn(corners(route->line))) {
           return refuse(map,
                         fmt::format("there is no room to turn beside '{}'", standing_.id(*thing)),
                         nearest_m);
         }
       }
       if (!passed_m) {
-        fill_result(map, costs, *way);
+        fill_result(map, costs, *route);
         return true;
       }
     }
@@ -186,7 +186,7 @@ class LegPlanner {
       const auto thing = standing_.near(*passed_m, RouteCost::cross_track_margin_m);
       if (thing && found == Hazard::none) where = fmt::format("beside '{}'", standing_.id(*thing));
       return refuse(map,
-                    fmt::format("of {} ways looked at each passes a limit somewhere, the last {}",
+                    fmt::format("each of {} routes examined passes a limit somewhere, the last {}",
                                 attempts, where),
                     *passed_m);
     }
@@ -205,10 +205,11 @@ class LegPlanner {
   }
 
   std::string why_cut_off(GroundMap& map, const Reachability& reach) const {
-    if (turns_too_wide_) return "there is a way, but none was found with turns as wide as it needs";
+    if (turns_too_wide_)
+      return "there is a route, but none was found with turns as wide as it needs";
     if (reach.answer == Reachability::Answer::start_enclosed) {
       const std::string at_start = fault_at(map, finder_, Vec2::Zero());
-      if (!at_start.empty()) return fmt::format("no way leads on from the start, {}", at_start);
+      if (!at_start.empty()) return fmt::format("no route leads on from the start, {}", at_start);
       const double goal_yaw_rad = std::atan2(goal_m_.y(), goal_m_.x());
       if (const auto thing = turn_room_.hindrance(goal_yaw_rad)) {
         return fmt::format("there is no room to turn beside '{}'", standing_.id(*thing));
@@ -227,11 +228,11 @@ class LegPlanner {
     const std::string reported = fmt::format("{:.{}f}", off_m, off_m < 10 ? 1 : 0);
     if (reach.answer == Reachability::Answer::given_up) {
       return fmt::format(
-          "no way was found among {:.1f} million places; the nearest that was "
+          "no route was found among {:.1f} million places; the nearest that was "
           "reached is {:.0f} m from the goal, {}",
           static_cast<double>(reach.expanded) / 1e6, off_m, beyond);
     }
-    return fmt::format("no way comes nearer to the goal than {} m; {}", reported, beyond);
+    return fmt::format("no route comes nearer to the goal than {} m; {}", reported, beyond);
   }
 
   // A rover that stands beyond a limit may leave over ground that is hardly worse.
@@ -266,11 +267,11 @@ class LegPlanner {
       return std::isfinite(costs.along(straight.line(before_optimising_)));
     };
     if (before_optimising_.empty() || !is_free()) {
-      const GridRoute way = search_grid(costs, Vec2::Zero(), goal_m_);
-      nearest_m = way.nearest_m;
-      if (way.line.empty()) return std::nullopt;
+      const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m_);
+      nearest_m = route.nearest_m;
+      if (route.line.empty()) return std::nullopt;
       before_optimising_.clear();
-      for (const Vec2& at_m : corners(way.line)) before_optimising_.push_back({at_m, 0});
+      for (const Vec2& at_m : corners(route.line)) before_optimising_.push_back({at_m, 0});
     }
     OptimisedRoute best = optimise(costs, straight, before_optimising_, request_.seed);
     if (!std::isfinite(costs.along(best.line))) best.line = straight.line(before_optimising_);
@@ -282,24 +283,24 @@ class LegPlanner {
     DubinsRoute found = dubins_route(costs, finder_.cost(), start, goal_m_, radius_m_,
                                      request_.seed, before_optimising_);
     before_optimising_ = std::move(found.before_optimising);
-    if (found.way) return std::move(found.way);
+    if (found.route) return std::move(found.route);
     nearest_m = found.nearest_m;
     turns_too_wide_ = found.is_turn_too_wide;
     are_turns_at_border_ = found.is_at_border;
     return std::nullopt;
   }
 
-  void fill_result(GroundMap& map, RouteCost& costs, const OptimisedRoute& way) {
-    const LegSummary reported = costs.of(way.line);
+  void fill_result(GroundMap& map, RouteCost& costs, const OptimisedRoute& route) {
+    const LegSummary reported = costs.of(route.line);
     leg_.cost = reported.cost;
     leg_.length_m = reported.length_m;
     leg_.duration_s = reported.duration_s;
     leg_.energy_j = reported.energy_j;
-    add_start(costs, way.line);
+    add_start(costs, route.line);
     leg_.slope_max_rad = reported.slope_max_rad;
     leg_.steepest_S_m = on_ground(map, probe_, reported.steepest_m);
-    leg_.messages = way.messages;
-    for (const Vec2& at_m : corners(way.line)) {
+    leg_.messages = route.messages;
+    for (const Vec2& at_m : corners(route.line)) {
       leg_.path_S_m.push_back(on_ground(map, probe_, at_m));
     }
     leg_.path_S_m.back() = request_.goal_S_m;

@@ -144,7 +144,7 @@ void charge_planning(lua_State* L, const Path3& waypoints, std::int64_t first,
   const LuaContext& ctx = context(L);
   if (ctx.is_charging && instructions > ctx.instructions_max) {
     throw std::runtime_error(
-        fmt::format("rover:plan_path: a way of {:.0f} km is more than one call may plan; plan it "
+        fmt::format("rover:plan_path: a route of {:.0f} km is more than one call may plan; plan it "
                     "in parts, each "
                     "in a call of its own",
                     std::min(length_m, length_max_m) / 1000));
@@ -345,7 +345,8 @@ const HandleType& rover_handle_type() {
         "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number })"},
        {"plan_path", guard<plan_path>,
         "rover:plan_path(waypoints, { speed_mps = , slope_max_rad = , aim = , ... })",
-        "A way over the ground through the waypoints from number `first` (default 1) on, with the "
+        "A route over the ground through the waypoints from number `first` (default 1) on, with "
+        "the "
         "least 'energy' (default) or 'risk', its aim; `arrival_radius_m` passes a first waypoint; "
         "`avoid` (list of vec3) and `avoid_radius_m` keep it off places. Gives { path = , legs = , "
         "length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and "

@@ -79,10 +79,10 @@ INSTANTIATE_TEST_SUITE_P(Rovers, PathPlanTime,
                                               tested.index);
                          });
 
-TEST(PathPlanTold, no_way_is_kept_and_told_at_once_the_second_time) {
+TEST(PathPlanReport, no_route_is_kept_and_reported_at_once_the_second_time) {
   const TempFolder folder;
   const std::string plan =
-      folder.write("plan.kml", read_text(repository() / "tests/messages/mission/no_way.kml"));
+      folder.write("plan.kml", read_text(repository() / "tests/messages/mission/no_route.kml"));
   folder.write("terrain/Walled.lua",
                read_text(repository() / "tests/messages/mission/terrain/Walled.lua"));
   const Outcome first = run({"check", plan});
@@ -98,7 +98,7 @@ TEST(PathPlanTold, no_way_is_kept_and_told_at_once_the_second_time) {
 
 // The goal is on the far wall of a bowl that cannot be crossed. The nearest reachable place lies on
 // the route around it, outside the corridor that is searched first.
-TEST(PathPlanTold, the_nearest_place_is_offered_also_where_the_way_there_is_round) {
+TEST(PathPlanReport, the_nearest_place_is_offered_also_where_the_way_there_is_round) {
   const TempFolder folder;
   folder.write(
       "terrain/Bowl.lua",
@@ -119,7 +119,7 @@ TEST(PathPlanTold, the_nearest_place_is_offered_also_where_the_way_there_is_roun
 }
 
 // A small rover is to drive 300 m to the floor of a pit.
-TEST(PathPlanTold, no_way_is_found_out_in_seconds) {
+TEST(PathPlanReport, no_route_is_found_out_in_seconds) {
   const TempFolder folder;
   folder.write("terrain/Pit.lua",
                "local lsos = require 'lsos'\n"
@@ -136,7 +136,7 @@ TEST(PathPlanTold, no_way_is_found_out_in_seconds) {
   EXPECT_LT(took.count(), 30) << "it took minutes";
 }
 
-TEST(PathPlanTold, a_folder_where_ways_would_be_kept_is_warned_of) {
+TEST(PathPlanReport, a_folder_where_routes_would_be_kept_is_warned_of) {
   const TempFolder folder;
   const std::string plan = folder.write("plan.kml", kml(route_plan("SEV", "Flat", {{20, 0}})));
   std::filesystem::create_directory(plan + ".routes");
@@ -146,7 +146,7 @@ TEST(PathPlanTold, a_folder_where_ways_would_be_kept_is_warned_of) {
   EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 1: "));
 }
 
-TEST(PathPlanTold, a_waypoint_that_it_stands_on_is_told_too) {
+TEST(PathPlanReport, a_waypoint_that_it_stands_on_is_reported_too) {
   const TempFolder folder;
   const Outcome check =
       run({"check", folder.write("plan.kml", kml(route_plan("SEV", "Flat", {{0, 0}, {20, 0}})))});
@@ -154,7 +154,7 @@ TEST(PathPlanTold, a_waypoint_that_it_stands_on_is_told_too) {
   EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 2: 20"));
 }
 
-TEST(PathPlanTold, lines_go_on_over_the_meridian) {
+TEST(PathPlanReport, lines_go_on_over_the_meridian) {
   const PlanRun run(route_plan("SEV", "Craters", {{0, 0}, {100, 30}}, 179.999, 10, {}));
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
   // No point of a line is written with a longitude on the other side of the antimeridian.

@@ -72,7 +72,7 @@ TEST(Handle, a_call_plans_some_1000_km) {
   EXPECT_EQ(error(250, 1), "no error");
   EXPECT_THAT(error(400, 1),
               HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: "
-                        "rover:plan_path: a way of 1200 km is more than one call may "
+                        "rover:plan_path: a route of 1200 km is more than one call may "
                         "plan; plan it in parts"));
   EXPECT_EQ(error(1, 10), "no error");
   EXPECT_THAT(error(1, 50), HasSubstr("events/Probe.lua:3: "));

@@ -108,7 +108,7 @@ TEST_F(PathPlanRoute, asks_for_the_same_before_the_run) {
   EXPECT_EQ(host.route_settings("Route", arguments, {}), std::nullopt);
 }
 
-TEST_F(PathPlanRoute, fails_with_the_reason_when_there_is_no_way) {
+TEST_F(PathPlanRoute, fails_with_the_reason_when_there_is_no_route) {
   rover.planned = {};
   rover.planned.reason = "the goal is on a slope of 31 degrees";
   EXPECT_EQ(std::get<Fail>(run("plan")).reason, "the goal is on a slope of 31 degrees");

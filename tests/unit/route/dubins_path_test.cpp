@@ -191,7 +191,7 @@ TEST(TurningPlan, says_that_a_ring_of_walls_is_in_the_way) {
   const Site site({{60, 0, 40, 14, 2}});
   const PlannedLeg leg = plan_leg(site.ground(), wide_turner(), towards({60, 0, 0}, pi / 2));
   EXPECT_FALSE(leg.is_found());
-  EXPECT_THAT(leg.reason, HasSubstr("no way comes nearer to the goal than "));
+  EXPECT_THAT(leg.reason, HasSubstr("no route comes nearer to the goal than "));
 }
 
 // Level ground from -10 to 60 m, `aside_m` to either side; discs that no route leads through.
@@ -272,7 +272,7 @@ TEST(SearchTurning, that_had_no_room_to_turn_round_says_that_the_map_was_too_nar
 }
 
 // Walls have gaps far to the left and to the right alternately: whole rooms are expanded in vain.
-TEST(SearchTurning, in_more_haste_finds_a_way_through_walls) {
+TEST(SearchTurning, with_a_greater_weight_finds_a_route_through_walls) {
   const auto walls = [](int count) {
     std::vector<Disc2> discs;
     for (int wall = 1; wall <= count; ++wall) {
@@ -292,8 +292,8 @@ TEST(SearchTurning, in_more_haste_finds_a_way_through_walls) {
   ASSERT_FALSE(hard.line.empty());
   EXPECT_TRUE(std::isfinite(many.costs.along(hard.line)));
   const double over_lattice = search_grid(many.costs, start.at_m, goal_m).cost;
-  std::printf("haste %.2f and %.2f, %.3f of the way over the lattice\n", easy.weight, hard.weight,
-              hard.cost / over_lattice);
+  std::printf("heuristic weights %.2f and %.2f, %.3f of the cost over the lattice\n", easy.weight,
+              hard.weight, hard.cost / over_lattice);
   EXPECT_LT(easy.weight, hard.weight);
   EXPECT_LT(hard.cost, 1.2 * over_lattice) << "it winds between the walls";
   EXPECT_TRUE(search_poses(many.costs, start, goal_m, turn_m, 20).line.empty())

@@ -227,7 +227,7 @@ TEST(PlanLeg, is_the_same_whatever_was_planned_before) {
   EXPECT_EQ(first.cost, again.cost);
 }
 
-TEST(PlanLeg, says_why_there_is_no_way_and_how_near_one_comes) {
+TEST(PlanLeg, says_why_there_is_no_route_and_how_near_one_comes) {
   // A ring-shaped wall, too steep to drive, around a level floor.
   const Site site({{60, 0, 40, 14, 2}});
   const DriveCost cost = simple_rover();
