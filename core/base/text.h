@@ -1,11 +1,11 @@
-// Texts as people write them.
+// Trimming of text.
 #pragma once
 
 #include <string_view>
 
 namespace lsos {
 
-// Without blanks and line ends at either end.
+// The text without blanks, tabs and line ends at either end.
 inline std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = text.find_first_not_of(blanks);

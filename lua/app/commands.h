@@ -17,7 +17,7 @@ struct Command {
   std::function<int()> (*prepare)(CommandOptions& command);
 };
 
-// In the order of help. A new command is a file and a line here.
+// In the order of help. A new command is a file, its prepare_NAME below and a line in commands.cpp.
 const std::vector<Command>& commands();
 
 std::function<int()> prepare_run(CommandOptions& command);

@@ -20,8 +20,8 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
 // number in another unit; "" for nothing.
 std::string condition_doubt(const std::string& text, const ConditionWorld& world);
 
-// Whether the condition holds. Quantities that are not modelled are not-a-number: no comparison
-// with them holds. Throws std::runtime_error.
+// Whether the condition holds. Quantities that are not modelled are not-a-number: comparisons
+// with them are false, except ~=. Throws std::runtime_error.
 bool condition_holds(lua_State* L, const std::string& text, const SampleRow& row,
                      const RoverPort& rover);
 

@@ -108,16 +108,16 @@ std::string equality_fault(const std::vector<ConditionWord>& words) {
   return "";
 }
 
-// Doubt about a quantity of panels or a battery that the rover does not have: no comparison with it
-// holds.
+// Doubt about a quantity of panels or a battery that the rover does not have. It is not-a-number.
 std::string missing_part_doubt(const std::string& word, const ConditionWorld& world) {
   const Quantity* quantity = find_quantity(word);
   if (quantity == nullptr) return "";
   const bool has_no_panels = world.is_without_panels && quantity->part == QuantityPart::panels;
   const bool has_no_battery = world.is_without_battery && quantity->part == QuantityPart::battery;
   if (!has_no_panels && !has_no_battery) return "";
-  return fmt::format("the rover has no {}: '{}' is not known, and no comparison with it holds",
-                     has_no_panels ? "panels" : "battery", word);
+  return fmt::format(
+      "the rover has no {}: '{}' is not known; comparisons with it are false, '~=' is true",
+      has_no_panels ? "panels" : "battery", word);
 }
 
 // What is wrong with the word at `i`, where it names something.
@@ -127,7 +127,7 @@ std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, st
   const std::string& word = words[i].text;
   const bool is_member =
       i > 0 && words[i - 1].kind == ConditionWord::Kind::symbol && words[i - 1].text == ".";
-  // With methods of texts or with indexing a condition could do all that a script can.
+  // A condition is a plain expression: no methods of texts, no indexing, no tables.
   if (words[i].kind == ConditionWord::Kind::symbol &&
       std::string_view(":[{").find(word) != std::string::npos) {
     return fmt::format("a condition has no '{}'", word);
@@ -148,7 +148,10 @@ std::string name_fault(lua_State* L, const std::vector<ConditionWord>& words, st
   }
   if (!is_question(word)) return "";
   const std::string* argument = question_argument(words, i);
-  if (argument == nullptr) return fmt::format("{} is asked with a text: {}('SEV2')", word, word);
+  if (argument == nullptr) {
+    const char* example = word == "resource" ? "samples" : "SEV2";
+    return fmt::format("{} is asked with a text: {}('{}')", word, word, example);
+  }
   return argument_fault(word, *argument, world);
 }
 
@@ -180,6 +183,7 @@ std::string number_at(const std::vector<ConditionWord>& words, std::size_t at) {
     }
   }
   if (at >= words.size()) return "";
+  // Functions of math whose result may be a boolean, a text or nil, which `not` suits.
   static const std::set<std::string> no_numbers{"ult", "type", "tointeger"};
   if (words[at].text == "math" && at + 2 < words.size()) {
     const std::string name = "math." + words[at + 2].text;
@@ -200,8 +204,10 @@ std::string negation_fault(const std::vector<ConditionWord>& words) {
     if (words[i].kind != ConditionWord::Kind::name || words[i].text != "not") continue;
     const std::string quantity = number_at(words, i + 1);
     if (quantity.empty()) continue;
-    return fmt::format("'not {0}' is of a number, and never true; write {0} == 0, or not ({0} > 1)",
-                       quantity);
+    return fmt::format(
+        "'not {0}' negates a number, which always counts as true: it is never true; write {0} == "
+        "0, or not ({0} > 1)",
+        quantity);
   }
   return "";
 }
@@ -220,8 +226,8 @@ std::string condition_fault(lua_State* L, const std::string& text, const Conditi
   if (!size.empty()) return size;
   std::string negation = negation_fault(words);
   if (!negation.empty()) return negation;
-  // Trial values that make comparisons true and false, so that each operand of `and` and `or` is
-  // reached by one of them.
+  // Trial values that make comparisons true and false, so that most operands of `and` and `or` are
+  // reached. Behind a narrow range, as in charge > 0.2 and charge < 0.5 and X, X is not.
   for (const double value : {0.0, 1.0, -1e9, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
     for (const bool answer : {false, true}) {
       std::string fault = condition_trial_fault(L, text, value, answer);

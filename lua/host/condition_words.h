@@ -12,7 +12,8 @@ struct ConditionWord {
   std::string text;
 };
 
-// Words as Lua reads them, without comments. Text that is not Lua is reported by Lua's own parser.
+// Tokens as Lua reads them, without comments, except that each symbol is one character (== is two)
+// and the sign of an exponent stands alone. Text that is not Lua is reported by Lua's own parser.
 std::vector<ConditionWord> condition_words(const std::string& text);
 
 // The argument of the question at `i`, as in sees('B') or sees 'B'; nullptr if it is no plain text.

@@ -99,7 +99,7 @@ constexpr const char* conditions = R"(
 `StartWhen`, `SkipWhen` and `StopWhen` of any event hold an expression, with `and`, `or`, `not`,
 comparisons and `math`, over these quantities of its rover: `charge < 0.3 and sun_fraction == 0`.
 They are asked when the event's turn comes (or it starts), then at whole seconds. A quantity that is
-not modelled is not-a-number: no comparison with it holds. What was decided is in the log's notes.
+not modelled is not-a-number: comparisons with it are false, except `~=`, which is true. What was decided is in the log's notes.
 Texts stand for ids: they have no methods here, and there are no tables. A condition may take a
 hundredth of the instructions of a call.
 

@@ -19,8 +19,10 @@ namespace lsos {
 struct RoverModel {
   RoverSpec spec;
   PowerSpec power;
-  std::vector<Shape> shapes;          // wheels and struts are drawn besides; none: the chassis' box
-  std::vector<AntennaSpec> antennas;  // in the order of preference; none: one on top of the shapes
+  // Wheels and struts are drawn in any case; if empty, a box as large as the chassis.
+  std::vector<Shape> shapes;
+  // In the order of preference; if empty, one antenna on top of the shapes.
+  std::vector<AntennaSpec> antennas;
   GroundLimits limits;
   std::optional<std::int64_t> crew = {};  // number carried; absent: not given
 
@@ -37,7 +39,7 @@ struct RoverModel {
 struct AssetModel {
   std::string name = {};
   std::string doc = {};
-  Place place = {};
+  Place place = {};  // where its script declares it
   std::vector<Shape> shapes = {};
   double antenna_height_m = 0;  // above the ground
   double antenna_range_max_m = std::numeric_limits<double>::infinity();

@@ -14,7 +14,7 @@ namespace lsos {
 // Quantity that planning minimises.
 enum class RouteAim {
   energy,  // electrical energy of driving
-  risk,    // length, each metre divided by the share left of the limit it comes nearest to
+  risk,    // length, each metre over the share of the nearest limit that is left, at least 0.05
 };
 
 // Disc of ground that a leg avoids.
@@ -42,8 +42,8 @@ struct Obstacles {
   std::vector<Obstacle> standing;
   Footprint rover_at_rest;
 
-  // Writes nothing where no object stands, so that the key of a leg is then the same as without
-  // obstacles.
+  // Without objects the rover's footprint does not matter to the leg and is left out of the key of
+  // the cache (planned_legs.h).
   void archive(Archive& a) {
     if (standing.empty()) return;
     LSOS_ARCHIVE(a, standing, rover_at_rest.center_S_m, rover_at_rest.half_m);
@@ -69,11 +69,12 @@ struct LegRequest {
 };
 
 struct PlannedLeg {
-  Path3 path_S_m;  // from start to goal, on the ground; empty when there is no route
-  double cost = 0, length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
+  Path3 path_S_m;   // from start to goal, on the ground; empty when there is no route
+  double cost = 0;  // of the request's aim: J, or m for RouteAim::risk
+  double length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
   Vec3 steepest_S_m = Vec3::Zero();
-  double end_heading_rad = 0;  // clockwise from north at the goal
-  std::vector<std::string> messages;
+  double end_heading_rad = 0;         // clockwise from north at the goal
+  std::vector<std::string> messages;  // of the optimiser, for the user
 
   // Why there is no route ("the goal is on a slope of 31 degrees, 20 are allowed"), and the
   // reachable place that is nearest to the goal.
