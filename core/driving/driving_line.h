@@ -30,6 +30,6 @@ struct DrivingPiece {
 
 // Waypoints within 1 cm of the previous one are left out; fewer than two give an empty line.
 std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
-                                     const DrivingLimits& limits);
+                                       const DrivingLimits& limits);
 
 }  // namespace lsos

@@ -106,7 +106,8 @@ TEST(PathFollower, counts_waypoints_as_they_were_given) {
 TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_one) {
   DrivingLimits limits;
   limits.speed_mps = 2;
-  const std::vector<DrivingPiece> line = driving_line({{0, 0}, {40, 0}, {80, 10}, {80, 50}}, limits);
+  const std::vector<DrivingPiece> line =
+      driving_line({{0, 0}, {40, 0}, {80, 10}, {80, 50}}, limits);
   std::vector<Vec2> points{{0, 0}};
   int stops = 0;
   for (const DrivingPiece& leg : line) {
