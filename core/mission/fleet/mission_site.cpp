@@ -22,7 +22,7 @@ std::string bearing_fault(const VehicleConfig& vehicle, const Ground& ground, do
     if (!link.wheel) continue;
     if (std::string fault = carcass_fault(*link.wheel, load_n); !fault.empty()) return fault;
     for (const Soil& soil : ground.soils()) {
-      const std::string fault = soil_fault(soil, *link.wheel, load_n, gravity_mps2);
+      std::string fault = soil_fault(soil, *link.wheel, load_n, gravity_mps2);
       if (!fault.empty()) return fault;
     }
   }
