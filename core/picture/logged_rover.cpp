@@ -91,7 +91,9 @@ std::vector<PartPose> part_poses(const SiteFrame& site, const VehicleConfig& veh
     const bool is_angle = link.joint == JointType::revolute;
     joints.push_back(!is_known ? 0 : is_angle ? row->angle_rad : row->extension_m);
   }
-  return part_poses(vehicle, chassis_pose(site, logged.sample), joints);
+  PartPose chassis = chassis_pose(site, logged.sample);
+  chassis.p_S_m -= chassis.R_SB * reference_B_m(vehicle, joints);
+  return part_poses(vehicle, chassis, joints);
 }
 
 std::vector<Shape> masts(std::span<const AntennaSpec> antennas, const LoggedRover& logged) {

@@ -64,7 +64,7 @@ std::vector<DrawnBody> drawn_bodies(const MissionModel& files, const Ground& gro
     for (const auto& face : panel_faces(site, model.power.panels, rover)) {
       if (!face) continue;
       faces.push_back(*face);
-      faces.back().centre_m += sample.p_S_m - eye_S_m;
+      faces.back().centre_m += poses.front().p_S_m - eye_S_m;
     }
     add_panels(body, faces, eye_S_m, site.up_S(sample.p_S_m));
     body.bound_m =

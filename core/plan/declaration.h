@@ -28,6 +28,7 @@ enum class NameOf {
   turning_panel,   // a panel of the rover that can be turned; absent: all of them
   resource,        // a resource of the event's rover
   antenna,         // an antenna of the rover that can be stowed; absent: all of them
+  stance,          // a stance of a rover on limbs
   power_source,    // an asset of the plan that supplies power
   other,           // another rover of the plan, or an asset
 };

@@ -25,4 +25,12 @@ inline double drive_power_w(const DriveMotor& motor, double torque_n_m, double s
   return motor.idle_w + std::max(0.0, through_gears_w + lost_w);
 }
 
+// The same for a limb's motor while it turns, without friction.
+inline double limb_power_w(const LimbMotor& motor, double torque_n_m, double rate_radps) {
+  const double work_w = torque_n_m * rate_radps;
+  const double through_gears_w = work_w > 0 ? work_w / motor.efficiency : work_w * motor.efficiency;
+  const double lost_w = motor.winding_loss_w_pn2m2 * torque_n_m * torque_n_m;
+  return motor.idle_w + std::max(0.0, through_gears_w + lost_w);
+}
+
 }  // namespace lsos

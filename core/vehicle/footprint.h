@@ -7,7 +7,7 @@
 namespace lsos {
 
 // Rectangle around chassis and wheels, with the reference point at the origin, heading along x,
-// wheels straight ahead.
-Footprint footprint_at_rest(const VehicleConfig& vehicle);
+// wheels straight ahead, on limbs in the stance in which it starts.
+Footprint footprint_at_rest(const VehicleConfig& config);
 
 }  // namespace lsos

@@ -73,13 +73,13 @@ Multibody::Multibody(const VehicleConfig& config) : impl_(std::make_unique<Impl>
 
 Multibody::~Multibody() = default;
 
-void Multibody::place(const Vec3& p_SB_m, const Mat3& R_SB) {
+void Multibody::place(const Vec3& p_SB_m, const Mat3& R_SB, const std::vector<double>& joints) {
   btMultiBody& body = impl_->body;
   const Quat q_BS = Quat(R_SB).normalized().conjugate();
   body.setWorldToBaseRot(btQuaternion(q_BS.x(), q_BS.y(), q_BS.z(), q_BS.w()));
   body.setBasePos(bt(p_SB_m + R_SB * impl_->p_BC_m));
   for (int i = 0; i < body.getNumLinks(); ++i)
-    body.setJointPos(i, initial_[static_cast<std::size_t>(i)]);
+    body.setJointPos(i, joints[static_cast<std::size_t>(i)]);
   halt();
 }
 

@@ -33,9 +33,10 @@ class Multibody {
   explicit Multibody(const VehicleConfig& config);
   ~Multibody();
 
-  // Places the chassis' reference frame B at a pose, with joints at their initial positions and
-  // everything at rest.
-  void place(const Vec3& p_SB_m, const Mat3& R_SB);
+  // Places the chassis' reference frame B at a pose, with joints at their initial positions or at
+  // `joints` (m or rad, by link), and everything at rest.
+  void place(const Vec3& p_SB_m, const Mat3& R_SB) { place(p_SB_m, R_SB, initial_); }
+  void place(const Vec3& p_SB_m, const Mat3& R_SB, const std::vector<double>& joints);
 
   // Motion of the chassis (Multibody::chassis) or link i, as of the last step or place.
   const LinkMotion& motion(int link) const { return motions_[static_cast<std::size_t>(link + 1)]; }

@@ -57,4 +57,17 @@ std::vector<PartPose> part_poses(const VehicleConfig& config, const PartPose& ch
   return poses;
 }
 
+Vec3 reference_B_m(const VehicleConfig& config, const std::vector<double>& joints) {
+  Vec3 sum_m = Vec3::Zero();
+  if (config.limbs.empty()) return sum_m;
+  const std::vector<PartPose> poses = part_poses(config, {}, joints);
+  const std::vector<Vec3> joints_B_m = joints_at_rest_B_m(config);
+  for (const LimbConfig& limb : config.limbs) {
+    const auto wheel = static_cast<std::size_t>(limb.wheel);
+    const double radius_m = config.links[wheel].wheel->radius_m;
+    sum_m += poses[wheel + 1].point_S_m(joints_B_m[wheel]) - radius_m * Vec3::UnitZ();
+  }
+  return sum_m / static_cast<double>(config.limbs.size());
+}
+
 }  // namespace lsos

@@ -31,4 +31,8 @@ std::vector<Vec3> centres_at_rest_B_m(const VehicleConfig& config);
 std::vector<PartPose> part_poses(const VehicleConfig& config, const PartPose& chassis,
                                  const std::vector<double>& joints);
 
+// The reference point in frame B for joint positions as above: the origin, but on limbs the ground
+// centre of the wheels wherever they stand under the chassis.
+Vec3 reference_B_m(const VehicleConfig& config, const std::vector<double>& joints);
+
 }  // namespace lsos

@@ -36,6 +36,15 @@ Vehicle::Vehicle(const VehicleConfig& config, const Ground& ground)
   for (std::size_t i = 0; i < config_.links.size(); ++i) {
     if (config_.links[i].spring) spring_links_.push_back(static_cast<int>(i));
   }
+  if (!config_.limbs.empty()) posture_.emplace(config_);
+  posture_steps_ = posture_ ? posture_->steps() : 1;
+  for (const LimbConfig& limb : config_.limbs) {
+    const auto found =
+        std::ranges::find(layout_.wheels, limb.wheel, &WheelLayout::WheelPlace::link);
+    limb_wheels_.push_back(static_cast<std::size_t>(found - layout_.wheels.begin()));
+    limb_joints_.emplace_back(limb.joints.size());
+  }
+  limb_loads_n_.assign(config_.limbs.size(), 0.0);
   const double g_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
   const double share_n = config_.mass_kg() * g_mps2 / static_cast<double>(layout_.wheels.size());
   for (const WheelLayout::WheelPlace& place : layout_.wheels) {
@@ -65,10 +74,12 @@ double Vehicle::potential_j() const {
 
 Vec3 Vehicle::reference_point_S_m() const {
   const LinkMotion& chassis = bodies_.motion(Multibody::chassis);
+  if (posture_) return ground_center_S_m();
   return chassis.p_C_S_m - chassis.R_SL * config_.p_BC_m;
 }
 
 Vec3 Vehicle::reference_velocity_S_mps() const {
+  if (posture_) return ground_center_velocity_S_mps();
   return bodies_.motion(Multibody::chassis).velocity_at(reference_point_S_m());
 }
 
@@ -87,22 +98,24 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
 
   // The plane through the ground under the wheels gives the initial attitude.
   std::vector<Vec3> feet_S_m;
-  for (const WheelLayout::WheelPlace& wheel : layout_.wheels) {
-    const Vec3 over = p_S_m + wheel.p_B_m.x() * ahead + wheel.p_B_m.y() * up.cross(ahead);
+  for (const Vec2& wheel_B_m : wheel_places_B_m()) {
+    const Vec3 over = p_S_m + wheel_B_m.x() * ahead + wheel_B_m.y() * up.cross(ahead);
     const GroundSample ground = probe_.sample(over);
     if (!ground.is_ground()) return "the terrain is not known under one of its wheels";
     feet_S_m.push_back(over - ground.gap_m * up);
   }
   const PlaneFit plane = fit_plane(feet_S_m, up);
+  const Vec3 above = stands_level() ? up : plane.normal;
   Mat3 R_SB;
-  R_SB.col(2) = plane.normal;
+  R_SB.col(2) = above;
   // `ahead` is moved vertically onto the plane: projected along the plane's normal it would change
   // the heading on a slope that also falls to the side.
-  const double rise = -ahead.dot(plane.normal) / up.dot(plane.normal);
+  const double rise = -ahead.dot(above) / up.dot(above);
   R_SB.col(0) = (ahead + rise * up).normalized();
   R_SB.col(1) = R_SB.col(2).cross(R_SB.col(0));
   const double height_m = (plane.point - p_S_m).dot(plane.normal) / up.dot(plane.normal);
-  bodies_.place(p_S_m + height_m * up, R_SB);
+  const Placement placement = on_feet(p_S_m + height_m * up, R_SB, feet_S_m);
+  bodies_.place(placement.p_SB_m, R_SB, placement.joints);
   // With joints that do not begin at rest, wheels may be below the ground.
   double deepest_m = 0;
   for (const WheelPart& part : parts_) {
@@ -110,7 +123,7 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
     deepest_m =
         std::max(deepest_m, part.shape->radius_m - (hub_S_m - plane.point).dot(plane.normal));
   }
-  bodies_.place(p_S_m + height_m * up + deepest_m * plane.normal, R_SB);
+  bodies_.place(placement.p_SB_m + deepest_m * plane.normal, R_SB, placement.joints);
   for (std::size_t i = 0; i < wheels_.size(); ++i) {
     const WheelMode mode = wheels_[i].mode;
     wheels_[i] = {};
@@ -122,6 +135,7 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
     const double angle_rad = bodies_.joint_position(layout_.steerings[i].link);
     steerings_[i] = {angle_rad, angle_rad};
   }
+  hold_limbs();
 
   command({});
   bool is_settled = false;
@@ -202,6 +216,9 @@ void Vehicle::halt() {
   bodies_.halt();
   drive_w_ = 0;
   for (WheelState& wheel : wheels_) wheel.slip = not_modelled;
+  for (std::vector<LimbJointState>& limb : limb_joints_) {
+    for (LimbJointState& joint : limb) joint.rate_radps = 0;
+  }
 }
 
 VehicleReport Vehicle::report() {
@@ -272,6 +289,7 @@ std::vector<double> Vehicle::joint_positions() const {
 
 void Vehicle::archive(Archive& a) {
   a.tag("vehicle");
+  if (posture_) LSOS_ARCHIVE(a, *posture_, limb_joints_, limb_loads_n_);
   LSOS_ARCHIVE(a, bodies_, wheels_, steerings_, command_, ground_normal_S_, is_chassis_on_ground_,
                distance_m_, drive_j_, drive_w_, work_, steps_, fault_);
 }

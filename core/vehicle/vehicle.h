@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "vehicle/drive_control.h"
 #include "vehicle/multibody.h"
 #include "vehicle/part_pose.h"
+#include "vehicle/posture_control.h"
 #include "vehicle/wheel_soil.h"
 
 namespace lsos {
@@ -46,15 +48,16 @@ struct WorkDone {
   double motors_j = 0;  // motors of driven wheels
   double brakes_j = 0;
   double steering_j = 0;
+  double limbs_j = 0;       // motors and brakes of limbs
   double suspension_j = 0;  // springs, dampers, stops, differentials
   double soil_j = 0;        // all forces on wheels
   double chassis_j = 0;     // contact of the chassis with the ground
 
   double sum_j() const {
-    return motors_j + brakes_j + steering_j + suspension_j + soil_j + chassis_j;
+    return motors_j + brakes_j + steering_j + limbs_j + suspension_j + soil_j + chassis_j;
   }
   void archive(Archive& a) {
-    LSOS_ARCHIVE(a, motors_j, brakes_j, steering_j, suspension_j, soil_j, chassis_j);
+    LSOS_ARCHIVE(a, motors_j, brakes_j, steering_j, limbs_j, suspension_j, soil_j, chassis_j);
   }
 };
 
@@ -80,6 +83,20 @@ class Vehicle {
   // Makes a wheel fail, or work again; wheels are numbered in order of their links.
   void set_wheel_mode(std::size_t wheel, WheelMode mode);
 
+  // Vehicles on limbs: begins to move the wheels' hubs to these places under the chassis (frame B,
+  // by limb), see PostureControl::move_to.
+  void set_posture(const std::vector<Vec3>& hubs_B_m, bool is_level, double duration_s);
+  // nullptr: not on limbs.
+  const PostureControl* posture() const { return posture_ ? &*posture_ : nullptr; }
+  // Whether limbs move although the vehicle stands.
+  bool is_adjusting() const { return posture_ && posture_->is_adjusting(); }
+  // Angles to which the joints of limbs are commanded, by limb and joint.
+  std::vector<std::vector<double>> limb_angles_rad() const;
+  // Makes a limb's joint (by link) unable to turn, or able again.
+  void set_limb_locked(int link, bool is_locked);
+  std::vector<std::vector<bool>> limbs_locked() const;  // by limb and joint
+  Vec3 up_B() const;                                    // local vertical in the chassis' axes
+
   // Parks the vehicle: brakes on, all velocities exactly zero.
   void halt();
 
@@ -88,6 +105,8 @@ class Vehicle {
   std::vector<PartPose> part_poses() const;
   // Position (m or rad) of each joint, in order of config().links.
   std::vector<double> joint_positions() const;
+  // Load on a wheel in the last step, N; wheels are numbered in order of their links.
+  double wheel_load_n(std::size_t wheel) const { return wheels_[wheel].load_n; }
   const WorkDone& work() const { return work_; }
   double kinetic_j() const { return bodies_.kinetic_j(); }
   double potential_j() const;  // with gravity at the chassis, above the site's origin
@@ -95,8 +114,8 @@ class Vehicle {
   // while all numbers are finite. A failed vehicle is no longer stepped.
   const std::string& fault() const { return fault_; }
   double distance_m() const { return distance_m_; }  // driven by the reference point
-  double drive_j() const { return drive_j_; }        // electrical, since the start
-  double drive_w() const { return drive_w_; }        // mean over the last period
+  double drive_j() const { return drive_j_; }  // electrical, of wheels and limbs, since the start
+  double drive_w() const { return drive_w_; }  // mean over the last period
 
   void archive(Archive& a);
 
@@ -124,6 +143,14 @@ class Vehicle {
     void archive(Archive& a) { LSOS_ARCHIVE(a, target_rad, setpoint_rad); }
   };
 
+  struct LimbJointState {
+    double setpoint_rad = 0;
+    double rate_radps = 0;  // of the setpoint; 0: the brake holds
+    bool is_locked = false;
+
+    void archive(Archive& a) { LSOS_ARCHIVE(a, setpoint_rad, rate_radps, is_locked); }
+  };
+
   struct WheelPart {
     int link = 0;
     const Wheel* shape = nullptr;
@@ -141,10 +168,24 @@ class Vehicle {
     int soil = 0;  // index into Ground::soils()
   };
 
+  // Pose of the chassis and position of each joint.
+  struct Placement {
+    Vec3 p_SB_m = Vec3::Zero();
+    std::vector<double> joints;
+  };
+
   void step(double step_s);
   void apply_springs(double step_s);
   void apply_steering(double step_s);
   double apply_drives(double step_s);  // electrical power, W
+  double apply_limbs(double step_s);   // likewise
+  void update_posture();
+  bool stands_level() const;
+  std::vector<Vec2> wheel_places_B_m() const;  // by layout_.wheels
+  Placement on_feet(const Vec3& p_SB_m, const Mat3& R_SB, const std::vector<Vec3>& feet_S_m) const;
+  void hold_limbs();
+  Vec3 ground_center_S_m() const;
+  Vec3 ground_center_velocity_S_mps() const;
   double motor_torque_n_m(const DriveMotor& motor, double spin_radps, double step_s,
                           WheelState& wheel) const;
   double brake_torque_n_m(const DriveMotor& motor, double angle_rad, double spin_radps,
@@ -167,14 +208,19 @@ class Vehicle {
   WheelLayout layout_;
   std::vector<Vec3> centres_B_m_;  // centres_at_rest_B_m
   std::vector<int> spring_links_;
-  std::vector<WheelPart> parts_;  // by layout_.wheels
-  int contact_plane_steps_;       // steps that a contact plane serves after the one that samples it
+  std::vector<std::size_t> limb_wheels_;  // index into layout_.wheels, by limb
+  int posture_steps_ = 1;                 // steps between updates of the posture
+  std::vector<WheelPart> parts_;          // by layout_.wheels
+  int contact_plane_steps_;  // steps that a contact plane serves after the one that samples it
   std::vector<ContactPlane> contact_planes_;  // by layout_.wheels; cleared each period
   std::vector<Vec3> underside_B_m_;           // points of the chassis that may touch the ground
   Vec3 gravity_S_mps2_ = Vec3::Zero();        // computed once a period, from the pose
   bool is_chassis_near_ground_ = false;       // determined once a period
   std::vector<WheelState> wheels_;            // by layout_.wheels
   std::vector<SteeringState> steerings_;      // by layout_.steerings
+  std::optional<PostureControl> posture_;
+  std::vector<std::vector<LimbJointState>> limb_joints_;  // by limb and joint
+  std::vector<double> limb_loads_n_;                      // low-pass filtered, by limb
   DriveCommand command_;
   Vec3 ground_normal_S_ = Vec3::UnitZ();  // mean under the wheels in the last step
   bool is_chassis_on_ground_ = false;

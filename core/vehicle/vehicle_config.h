@@ -38,6 +38,28 @@ struct SteeringMotor {
   double damping_n_m_sprad = 0;
 };
 
+// Motor of a limb's joint: a position servo behind gears that turns at a limited rate, and a brake
+// that holds it while it does not turn.
+struct LimbMotor {
+  double rate_max_radps = 0;
+  double torque_max_n_m = 0;      // at the joint, after gearing
+  double stiffness_n_m_prad = 0;  // of servo and gears; also while the brake holds
+  double damping_n_m_sprad = 0;
+  double brake_torque_max_n_m = 0;
+  // Losses while it turns, see drive_power.h; holding takes no power.
+  double efficiency = 1;
+  double winding_loss_w_pn2m2 = 0;
+  double idle_w = 0;
+
+  bool operator==(const LimbMotor&) const = default;
+};
+
+// A motor in a joint and the range of the joint's angle.
+struct LimbActuator {
+  LimbMotor motor;
+  double angle_min_rad = 0, angle_max_rad = 0;
+};
+
 struct DriveMotor {
   double torque_max_n_m = 0;  // at the wheel, after gearing
   double power_max_w = 0;     // mechanical, at the wheel
@@ -93,9 +115,10 @@ struct LinkConfig {
   Vec3 p_PJ_m = Vec3::Zero();  // joint, in the parent's link frame (chassis: frame B)
   Vec3 p_JC_m = Vec3::Zero();  // the link's centre of mass seen from the joint
   Inertia inertia;
-  // Action in the joint: at most one of the three below.
+  // Action in the joint: at most one of the four below.
   std::optional<SpringDamper> spring;
   std::optional<SteeringMotor> steering;
+  std::optional<LimbActuator> limb;
   std::optional<DriveMotor> drive;
   std::optional<Wheel> wheel;  // the link is a wheel, with its joint axis as axle
   WheelMode wheel_mode = WheelMode::driven;
@@ -110,6 +133,26 @@ struct JointCoupling {
   double damping_n_m_sprad = 0;
 };
 
+// A chain of joints with motors from the chassis to a wheel.
+struct LimbConfig {
+  std::string name;
+  std::vector<int> joints;  // links, from the chassis outwards; a steering joint is none of them
+  int wheel = 0;            // link
+};
+
+// Gains of active posture control, see posture_control.h.
+struct PostureGains {
+  double leveling_1ps = 0;         // rate at which the chassis levels, for each radian of tilt
+  double load_sharing_mps_pn = 0;  // rate at which a limb yields, for each newton of excess load
+};
+
+// A way of standing on limbs: where the wheels are under the chassis.
+struct LimbStance {
+  std::string name;
+  std::vector<Vec3> hubs_B_m;  // by limb
+  bool is_level = true;        // chassis level; false: parallel to the ground
+};
+
 struct VehicleConfig {
   std::string type;
   Inertia chassis;
@@ -118,7 +161,11 @@ struct VehicleConfig {
   double chassis_clearance_m = 0;      // from ground to the box's underside at rest
   std::vector<LinkConfig> links;
   std::vector<JointCoupling> couplings;
-  SimTime step{5000};  // divides the exchange period
+  std::vector<LimbConfig> limbs;
+  std::optional<PostureGains> posture;  // absent: limbs hold their stance whatever the ground
+  std::vector<LimbStance> stances;      // those of the rover's configurations
+  bool starts_level = true;             // the stance that it starts in
+  SimTime step{5000};                   // divides the exchange period
   double cruise_speed_mps = 0;
   double speed_max_mps = 0;
   double acceleration_mps2 = 0;  // speeding up and slowing down on a path

@@ -40,6 +40,7 @@ void Vehicle::step(double step_s) {
   apply_springs(step_s);
   apply_steering(step_s);
   drive_j_ += config_.drive_calibration * apply_drives(step_s) * step_s;
+  if (posture_) drive_j_ += apply_limbs(step_s) * step_s;
   apply_contacts(step_s);
   if (is_chassis_near_ground_) apply_chassis_contact(step_s);
   bodies_.step(step_s);

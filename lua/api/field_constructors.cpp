@@ -155,12 +155,14 @@ void read_text(TableReader& t, FieldDeclaration& field) {
                                                        {"turning_panel", NameOf::turning_panel},
                                                        {"resource", NameOf::resource},
                                                        {"antenna", NameOf::antenna},
+                                                       {"stance", NameOf::stance},
                                                        {"power_source", NameOf::power_source},
                                                        {"other", NameOf::other}};
   t.word(
       optional, "names", things, field.names,
-      "What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the "
-      "rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the "
+      "What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of "
+      "the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that "
+      "the "
       "rover has are meant, and there must be one), a 'power_source', an asset that has power to "
       "give and is within reach, or any 'other' rover or asset.");
   read_text_default(t, field);

@@ -86,6 +86,12 @@ void read_configuration(TableReader& t, RoverConfiguration& configuration) {
   t.text(required, "name", configuration.name, "What a plan's RoverConfig says.");
   t.text(required, "doc", configuration.doc, "One sentence that a mission planner understands.");
   read_joints(t, configuration.joints);
+  t.number(optional, "height_m", configuration.height_m, positive,
+           "On limbs: of the chassis' underside over the ground, with its wheels where they stand "
+           "(default: as `joints` say).");
+  t.boolean(optional, "is_level", configuration.is_level,
+            "On limbs with posture control: whether it keeps the chassis level, else parallel to "
+            "the ground (default true).");
   t.texts(optional, "free_wheels", configuration.free_wheels,
           "Wheels that turn without motor and brake, by name.");
   t.texts(optional, "locked_wheels", configuration.locked_wheels,
@@ -98,9 +104,9 @@ void read_configuration(TableReader& t, RoverConfiguration& configuration) {
             "Aboard in this configuration (default: as many as the rover carries).");
 }
 
-// Reads one of three kinds of suspension.
+// Reads one of four kinds of suspension.
 void read_suspension(TableReader& t, Suspension& suspension) {
-  constexpr const char* kinds = "lsos.wishbone, lsos.rocker_bogie or lsos.skid_steer";
+  constexpr const char* kinds = "lsos.wishbone, lsos.rocker_bogie, lsos.skid_steer or lsos.legged";
   if (!t.take(required, "suspension", kinds, "Springs or rockers, steering and wheels.")) return;
   const ConstructedValue* made = to_constructed(t.L(), -1);
   if (made != nullptr && made->kind == "wishbone") {
@@ -109,6 +115,8 @@ void read_suspension(TableReader& t, Suspension& suspension) {
     suspension = std::any_cast<RockerBogie>(made->value);
   } else if (made != nullptr && made->kind == "skid_steer") {
     suspension = std::any_cast<SkidSteer>(made->value);
+  } else if (made != nullptr && made->kind == "legged") {
+    suspension = std::any_cast<Legged>(made->value);
   } else if (!lua_isnil(t.L(), -1)) {
     t.fault(fmt::format("suspension: {} is wanted, found {}", kinds, describe(t.L(), -1)));
   }

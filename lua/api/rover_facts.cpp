@@ -50,6 +50,7 @@ void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& mo
   if (const auto crew = model.crew_of(rover.configuration)) {
     set(L, "crew", static_cast<double>(*crew));
   }
+  set(L, "is_on_limbs", std::holds_alternative<Legged>(model.spec.suspension));
   if (!rover.configuration.empty()) set(L, "configuration", rover.configuration);
   if (model.limits.slope_max_rad) set(L, "slope_max_rad", *model.limits.slope_max_rad);
   lua_newtable(L);

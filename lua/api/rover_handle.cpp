@@ -1,4 +1,4 @@
-// `rover` and `rover.drive`: a rover's state at the last exchange, and the commands to it.
+// `rover`: a rover's state at the last exchange, and the commands to it.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -35,6 +35,27 @@ int text(lua_State* L) {
 
 int position(lua_State* L) {
   push_vec3(L, view_of(L).p_S_m);
+  return 1;
+}
+
+int is_adjusting(lua_State* L) {
+  lua_pushboolean(L, view_of(L).is_adjusting);
+  return 1;
+}
+
+int set_posture(lua_State* L) {
+  RoverPort& rover = rover_of(L);
+  luaL_checktype(L, 2, LUA_TTABLE);
+  PostureRequest request;
+  Faults faults;
+  TableReader t(L, 2, "rover:set_posture", {}, faults);
+  t.text(optional, "stance", request.stance, "A configuration of the rover.");
+  t.number(optional, "height_m", request.height_m, positive, "Under the chassis.");
+  t.boolean(optional, "level", request.is_level, "Kept level, else parallel to the ground.");
+  t.number(optional, "duration_s", request.duration_s, not_negative, "How long it takes.");
+  t.finish();
+  faults.throw_if_errors();
+  lua_pushnumber(L, rover.set_posture(request));
   return 1;
 }
 
@@ -202,8 +223,6 @@ int distance_to_m(lua_State* L) {
   return 1;
 }
 
-DriveState drive_of(lua_State* L) { return handle_rover(L, drive_handle_type()).drive_state(); }
-
 int place_of(lua_State* L) {
   const std::optional<Vec3> p_S_m = rover_of(L).place_of_S_m(luaL_checkstring(L, 2));
   if (!p_S_m) return 0;
@@ -221,32 +240,6 @@ int sight_of(lua_State* L) {
   }
   if (!sight) return 0;
   lua_pushboolean(L, (*sight).*member);
-  return 1;
-}
-
-int drive_status(lua_State* L) {
-  static constexpr const char* names[] = {"none", "driving", "arrived", "failed"};
-  lua_pushstring(L, names[static_cast<int>(drive_of(L).status)]);
-  return 1;
-}
-
-int drive_reason(lua_State* L) {
-  lua_pushstring(L, drive_of(L).reason.c_str());
-  return 1;
-}
-
-int drive_is_blocked(lua_State* L) {
-  lua_pushboolean(L, drive_of(L).is_blocked);
-  return 1;
-}
-
-int drive_next_point(lua_State* L) {
-  lua_pushinteger(L, static_cast<lua_Integer>(drive_of(L).next_point) + 1);
-  return 1;
-}
-
-int drive_remaining_m(lua_State* L) {
-  push_quantity(L, drive_of(L).remaining_m);
   return 1;
 }
 
@@ -293,20 +286,6 @@ int sky(lua_State* L) {
 
 }  // namespace
 
-const HandleType& drive_handle_type() {
-  static const HandleType type{
-      "rover.drive",
-      "What became of the last rover:follow.",
-      {{"status", drive_status, "text", "'none', 'driving', 'arrived' or 'failed'."},
-       {"reason", drive_reason, "text", "Why it failed, else ''."},
-       {"remaining_m", drive_remaining_m, "number", "Along the path."},
-       {"next_point", drive_next_point, "integer", "Number of the path's point that comes next."},
-       {"is_blocked", drive_is_blocked, "boolean",
-        "It failed because of what lies ahead: ground it gets stuck on, another rover."}},
-      {}};
-  return type;
-}
-
 const HandleType& rover_handle_type() {
   using V = RoverView;
   static const HandleType type{
@@ -334,6 +313,9 @@ const HandleType& rover_handle_type() {
        {"turning_radius_m", quantity<&V::turning_radius_m>, "number",
         "The least; 0: it turns on the spot."},
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
+       {"is_adjusting", is_adjusting, "boolean", "Its limbs move although it stands."},
+       {"clearance_m", quantity<&V::clearance_m>, "number",
+        "Under its chassis, as its stance says; nil when it is not on limbs."},
        {"drive", drive, "rover.drive", "What became of the last rover:follow."},
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
        {"panels", panels, "rover.panels", "Its solar panels."},
@@ -369,6 +351,12 @@ const HandleType& rover_handle_type() {
         "fun(self: lsos.rover): { sun_azimuth_rad: number, sun_elevation_rad: number, "
         "earth_azimuth_rad: number?, earth_elevation_rad: number? }"},
        {"brake", guard<brake>, "rover:brake()", "Stops and holds.", "fun(self: lsos.rover)"},
+       {"set_posture", guard<set_posture>,
+        "rover:set_posture { stance = , height_m = , level = , duration_s = }",
+        "Begins to move its limbs into another stance, as fast as their joints turn or in "
+        "`duration_s`; gives the time that it takes. Fails the event where a joint cannot.",
+        "fun(self: lsos.rover, posture: { stance?: string, height_m?: number, level?: boolean, "
+        "duration_s?: number }): number"},
        {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends.",
         "fun(self: lsos.rover, power_w: number)"},
        {"resource", guard<resource>, "rover:resource(name)",

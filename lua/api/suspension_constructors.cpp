@@ -1,4 +1,4 @@
-// lsos.wishbone, lsos.rocker_bogie, lsos.skid_steer and their parts.
+// lsos.wishbone, lsos.rocker_bogie, lsos.skid_steer, lsos.legged and their parts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -247,28 +247,103 @@ void read_skid_steer(TableReader& t, SkidSteer& suspension) {
   read_wheels(t, suspension);
 }
 
+void read_limb_motor(TableReader& t, LimbMotor& motor) {
+  t.number(required, "rate_max_radps", motor.rate_max_radps, positive, "Turning rate.");
+  t.number(required, "torque_max_n_m", motor.torque_max_n_m, positive, "At the joint.");
+  t.number(required, "stiffness_n_m_prad", motor.stiffness_n_m_prad, positive,
+           "Of position servo and gears, also while the brake holds.");
+  t.number(required, "damping_n_m_sprad", motor.damping_n_m_sprad, not_negative, "Of the same.");
+  t.number(required, "brake_torque_max_n_m", motor.brake_torque_max_n_m, positive,
+           "Of the brake, which holds a joint that is not to turn.");
+  t.number(required, "efficiency", motor.efficiency, {0, 1, true},
+           "Of the gears: work at the joint over work of the motor.");
+  t.number(optional, "winding_loss_w_pn2m2", motor.winding_loss_w_pn2m2, not_negative,
+           "Electrical loss per torque at the joint squared, while it turns (default 0).");
+  t.number(optional, "idle_w", motor.idle_w, not_negative,
+           "Power of its controller while it turns (default 0).");
+}
+
+void read_joint(TableReader& t, LimbJoint& joint) {
+  t.text(required, "name", joint.name, "'knee': with its limb's name before it in the log.");
+  t.vec3(required, "position_m", joint.p_B_m, "At rest: forward, left, up as for the chassis.");
+  t.vec3(required, "axis", joint.axis_B,
+         "About which it turns, at rest; its length is of no matter.");
+  t.made(required, "motor", "limb_motor", joint.actuator.motor, "Turns and holds it.");
+  t.number(required, "angle_min_rad", joint.actuator.angle_min_rad, {-7, 0},
+           "End of its range, counted from rest.");
+  t.number(required, "angle_max_rad", joint.actuator.angle_max_rad, {0, 7}, "The other end.");
+  t.number(required, "mass_kg", joint.mass_kg, positive,
+           "Of the segment from this joint to the next.");
+  t.vec3(optional, "center_of_mass_m", joint.p_B_center_m,
+         "Of the segment at rest (default: the middle between both joints).");
+  read_moments(
+      t, MomentsOf::body, joint.moments_kgm2,
+      "Principal moments of the segment about its centre of mass, forward, left, up at rest "
+      "(default: of a rod between both joints).");
+  if (t.L() == nullptr) return;
+  if (joint.axis_B.norm() == 0) t.fault("axis: (0, 0, 0) is no direction");
+  joint.axis_B.normalize();
+  if (joint.actuator.angle_min_rad == joint.actuator.angle_max_rad) {
+    t.fault("angle_min_rad and angle_max_rad are both 0: a joint must have a range to turn in");
+  }
+}
+
+void read_limb(TableReader& t, Limb& limb) {
+  t.text(required, "name", limb.name, "'limb_1': its parts in the log begin with it.");
+  read_place(t, limb.p_B_wheel_m, "Of its wheel: forward, left; z is 0.");
+  t.list(required, "joints", "joint", limb.joints, "From the chassis outwards.");
+  t.boolean(optional, "is_steered", limb.is_steered,
+            "Whether its wheel turns on a knuckle about the vertical, after the joints (default "
+            "true).");
+}
+
+void read_posture(TableReader& t, PostureGains& gains) {
+  t.number(required, "leveling_1ps", gains.leveling_1ps, {0, 10, true},
+           "How fast the chassis levels, for each radian that it is tilted.");
+  t.number(required, "load_sharing_mps_pn", gains.load_sharing_mps_pn, not_negative,
+           "How fast a limb yields, for each newton that its wheel carries too much.");
+}
+
+void read_legged(TableReader& t, Legged& suspension) {
+  PostureGains gains;
+  t.list(required, "limbs", "limb", suspension.limbs, "Where limbs are.");
+  t.made(optional, "posture", "posture", gains,
+         "Active control of its posture (default: limbs hold their stance on any ground).");
+  if (gains.leveling_1ps > 0) suspension.posture = gains;
+  read_knuckles(t, suspension, std::ranges::any_of(suspension.limbs, &Limb::is_steered), "a limb");
+  read_wheels(t, suspension);
+}
+
 }  // namespace
 
 std::vector<Constructor> suspension_constructors() {
-  return {constructor<Wishbone, read_wishbone>(
-              "wishbone", "Suspension: independently sprung wheel modules, each with its wheels."),
-          constructor<WishboneModule, read_module>("module", "One wheel module's place."),
-          constructor<Spring, read_spring>("spring", "Spring and damper of a wheel module."),
-          constructor<RockerBogie, read_rocker_bogie>(
-              "rocker_bogie",
-              "Suspension: rockers tied by a differential, with or without bogies on them."),
-          constructor<SkidSteer, read_skid_steer>(
-              "skid_steer",
-              "Suspension: wheels that do not steer, on the chassis or on rockers; it turns by "
-              "sliding."),
-          constructor<WheelStation, read_station>(
-              "station", "A wheel on the left and one on the right of the last two suspensions."),
-          constructor<SwingArm, read_swing_arm>("rocker", "The arm on each side of the body."),
-          constructor<SwingArm, read_swing_arm>("bogie", "The arm on each rocker."),
-          constructor<Differential, read_differential>("differential", "What ties two rockers."),
-          constructor<SteeringMotor, read_steering>("steering", "Steering of a wheel or module."),
-          constructor<WheelScript, read_wheel>("wheel", "A wheel and its contact."),
-          constructor<DriveMotor, read_drive>("drive", "A wheel's motor and brake.")};
+  return {
+      constructor<Wishbone, read_wishbone>(
+          "wishbone", "Suspension: independently sprung wheel modules, each with its wheels."),
+      constructor<WishboneModule, read_module>("module", "One wheel module's place."),
+      constructor<Spring, read_spring>("spring", "Spring and damper of a wheel module."),
+      constructor<RockerBogie, read_rocker_bogie>(
+          "rocker_bogie",
+          "Suspension: rockers tied by a differential, with or without bogies on them."),
+      constructor<SkidSteer, read_skid_steer>(
+          "skid_steer",
+          "Suspension: wheels that do not steer, on the chassis or on rockers; it turns by "
+          "sliding."),
+      constructor<WheelStation, read_station>(
+          "station", "A wheel on the left and one on the right of the last two suspensions."),
+      constructor<Legged, read_legged>(
+          "legged", "Suspension: wheels on limbs, which are chains of joints with motors."),
+      constructor<Limb, read_limb>("limb", "A limb and its wheel."),
+      constructor<LimbJoint, read_joint>("joint", "A joint of a limb, and what it moves."),
+      constructor<LimbMotor, read_limb_motor>("limb_motor", "Servo and brake of a limb's joint."),
+      constructor<PostureGains, read_posture>(
+          "posture", "Keeps the chassis level and shares the load among the wheels."),
+      constructor<SwingArm, read_swing_arm>("rocker", "The arm on each side of the body."),
+      constructor<SwingArm, read_swing_arm>("bogie", "The arm on each rocker."),
+      constructor<Differential, read_differential>("differential", "What ties two rockers."),
+      constructor<SteeringMotor, read_steering>("steering", "Steering of a wheel or module."),
+      constructor<WheelScript, read_wheel>("wheel", "A wheel and its contact."),
+      constructor<DriveMotor, read_drive>("drive", "A wheel's motor and brake.")};
 }
 
 }  // namespace lsos

@@ -162,7 +162,8 @@ TEST_P(Parked, on_20_degrees_does_not_move_in_two_hours_of_steps) {
 
 INSTANTIATE_TEST_SUITE_P(Rovers, Parked,
                          testing::Values(std::pair("SEV", "Moon"), std::pair("LRV", "Moon"),
-                                         std::pair("MER", "Mars"), std::pair("Husky", "Earth")),
+                                         std::pair("MER", "Mars"), std::pair("ATHLETE", "Moon"),
+                                         std::pair("Husky", "Earth")),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
 }  // namespace

@@ -68,6 +68,25 @@ class RoutePass {
         place_S_m_(start.p_S_m),
         heading_rad_(start.heading_rad) {}
 
+  // Whether an event moves the rover into another stance, after which it is another vehicle to plan
+  // for.
+  static bool changes_stance(const EventDeclaration& declaration) {
+    return std::ranges::any_of(declaration.fields, [](const FieldDeclaration& field) {
+      return field.names == NameOf::stance;
+    });
+  }
+
+  // Moves the expected position along an event without looking at the ground.
+  void go_along(const PlanEvent& event, const EventDeclaration& declaration) {
+    if (!declaration.drives) return;
+    const Path3 waypoints_S_m = on_ground_S_m(event.geometry.points, ground_);
+    if (waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon) {
+      place_S_m_.reset();
+      heading_rad_.reset();
+    }
+    for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
+  }
+
   // Handles an event that drives as drawn, or to an unknown place.
   void pass(const PlanEvent& event, const EventDeclaration& declaration) {
     const Path3 waypoints_S_m = on_ground_S_m(event.geometry.points, ground_);
@@ -238,11 +257,13 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
   RoutePass ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
+  bool is_in_other_stance = false;      // routes are then planned when their turn comes
   std::optional<std::int64_t> gone_to;  // sequence at which the rover goes on after a failure
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
     ahead.warn_of_speed(event.event, event.declaration);
+    if (RoutePass::changes_stance(event.declaration)) is_in_other_stance = true;
     ahead.find_cable(event.event, event.declaration, sources);
     std::optional<RouteSettings> settings;
     try {
@@ -253,7 +274,9 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
           {Severity::error, event.event.place,
            fmt::format("{} '{}': {}", event.event.type, event.event.label, error.what())});
     }
-    if (settings) {
+    if (is_in_other_stance) {
+      ahead.go_along(event.event, event.declaration);
+    } else if (settings) {
       if (ahead.plan(event.event, *settings)) continue;
       const OnFailure next = event.event.on_failure;
       if (next == OnFailure::stop || next == OnFailure::abort) break;

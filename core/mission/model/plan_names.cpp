@@ -117,6 +117,12 @@ Known equipment(const RoverModel& model, const std::string& type, NameOf names) 
       known.means_all = true;
       known.unfit = names_of(model.antennas);
       break;
+    case NameOf::stance:
+      known.what = "stance";
+      if (std::holds_alternative<Legged>(model.spec.suspension)) {
+        known.names = names_of(model.spec.configurations);
+      }
+      break;
     default:
       break;
   }

@@ -28,6 +28,8 @@ struct RoverView {
   double length_m = 0;          // length of its footprint
   double turning_radius_m = 0;  // the least; 0: it turns on the spot
   bool is_parked = false;
+  bool is_adjusting = false;          // its limbs move although it stands
+  double clearance_m = not_modelled;  // on limbs: under the chassis, as its stance says
 };
 
 // State of the drive that the last `follow` began.
@@ -96,6 +98,14 @@ struct SkyView {
   double earth_azimuth_rad = not_modelled, earth_elevation_rad = not_modelled;
 };
 
+// A stance to change to: by name, or by the height of the chassis' underside over the ground.
+struct PostureRequest {
+  std::optional<std::string> stance = {};
+  std::optional<double> height_m = {};
+  std::optional<bool> is_level = {};      // absent: as the stance says, else true
+  std::optional<double> duration_s = {};  // absent: as fast as the joints turn
+};
+
 class RoverPort {
  public:
   virtual ~RoverPort() = default;
@@ -127,6 +137,9 @@ class RoverPort {
   // when there is no such antenna, EquipmentFault when it cannot be stowed.
   virtual Deployment deploy_antenna(const std::string& antenna, bool up,
                                     std::optional<double> duration_s) = 0;
+  // Begins to move the limbs into another stance and returns the time that it takes, s. Throws
+  // std::runtime_error for a stance that there is not, EquipmentFault for what limbs cannot do.
+  virtual double set_posture(const PostureRequest& request) = 0;
   // Writes a row in `notes`. `fields_json`: a JSON object with sorted keys.
   virtual void note(const std::string& name, const std::string& fields_json) = 0;
   // Adds a warning to the summary and report of the run.

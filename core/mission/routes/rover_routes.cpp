@@ -12,6 +12,7 @@
 #include "planet/ellipsoid.h"
 #include "route/route_planner.h"
 #include "vehicle/footprint.h"
+#include "vehicle/limb_stance.h"
 
 namespace lsos {
 
@@ -30,17 +31,33 @@ constexpr std::int64_t whole_route = 0;
 
 RoverRoutes::RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, double load_w,
                          const Ground& ground, PlannedLegs& legs)
-    : vehicle_(&vehicle), limits_(limits), load_w_(load_w), ground_(&ground), legs_(&legs) {}
+    : config_(&vehicle),
+      vehicle_(as_it_stands(vehicle)),
+      hubs_B_m_(lsos::hubs_B_m(vehicle)),
+      limits_(limits),
+      load_w_(load_w),
+      ground_(&ground),
+      legs_(&legs) {}
+
+void RoverRoutes::stand_on(const std::vector<Vec3>& hubs_B_m) {
+  if (hubs_B_m == hubs_B_m_) return;
+  VehicleConfig standing = *config_;
+  stand(standing, hubs_B_m);
+  vehicle_ = as_it_stands(standing);
+  hubs_B_m_ = hubs_B_m;
+  is_as_started_ = hubs_B_m == lsos::hubs_B_m(*config_);
+  costs_.clear();
+}
 
 const DriveCost& RoverRoutes::cost(const RouteSettings& settings) {
   const double speed_mps =
-      std::min(settings.speed_mps.value_or(vehicle_->cruise_speed_mps), vehicle_->speed_max_mps);
+      std::min(settings.speed_mps.value_or(vehicle_.cruise_speed_mps), vehicle_.speed_max_mps);
   const double slope_max_rad =
       settings.slope_max_rad.value_or(std::numeric_limits<double>::infinity());
   const auto known = costs_.find({speed_mps, slope_max_rad});
   if (known != costs_.end()) return known->second;
   const SiteFrame& site = ground_->site();
-  DriveCost cost = drive_cost(*vehicle_, ground_->soils(), gravity_mps2(site.body(), site.origin()),
+  DriveCost cost = drive_cost(vehicle_, ground_->soils(), gravity_mps2(site.body(), site.origin()),
                               speed_mps, limits_);
   cost.load_w = load_w_;
   cost.limits.slope_max_rad = std::min(cost.limits.slope_max_rad, slope_max_rad);
@@ -65,7 +82,7 @@ Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S
   constexpr double lengths = 4, least_m = 200;
   const double reach_m = least_m + lengths * (goal_S_m - start_S_m).norm();
   Obstacles obstacles;
-  obstacles.rover_at_rest = footprint_at_rest(*vehicle_);
+  obstacles.rover_at_rest = footprint_at_rest(vehicle_);
   for (const Obstacle& thing : legs_->standing()) {
     if ((thing.center_S_m - start_S_m).norm() < reach_m) obstacles.standing.push_back(thing);
   }
@@ -111,7 +128,7 @@ void RoverRoutes::log_ahead(const std::string& rover_id) {
 const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
                                    const LegStart& start, const Vec3& goal_S_m,
                                    const RouteSettings& settings) {
-  if (ahead_ == nullptr) return nullptr;
+  if (ahead_ == nullptr || !is_as_started_) return nullptr;
   const auto found = std::ranges::find_if(*ahead_, [&](const LegAhead& a) {
     return a.sequence == sequence && a.waypoint == waypoint && a.goal_S_m == goal_S_m &&
            a.settings == settings;
@@ -122,7 +139,7 @@ const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
       std::remainder(start.heading_rad - found->start.heading_rad, 2 * std::numbers::pi);
   const bool fits =
       off_m <= expected_within_m &&
-      (vehicle_->can_turn_on_spot || std::abs(off_rad) <= expected_heading_rad) &&
+      (vehicle_.can_turn_on_spot || std::abs(off_rad) <= expected_heading_rad) &&
       (off_m <= on_start_m || !found->leg.is_found() ||
        is_free(*ground_, cost(settings), obstacles_about(start.p_S_m, found->start.p_S_m),
                start.p_S_m, found->start.p_S_m));

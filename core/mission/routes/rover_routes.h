@@ -38,15 +38,18 @@ class RoverRoutes {
   RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limits, double load_w,
               const Ground& ground, PlannedLegs& legs);
 
-  bool can_turn_on_spot() const { return vehicle_->can_turn_on_spot; }
-  double speed_max_mps() const { return vehicle_->speed_max_mps; }
-  const std::string& rover_type() const { return vehicle_->type; }
+  bool can_turn_on_spot() const { return vehicle_.can_turn_on_spot; }
+  double speed_max_mps() const { return vehicle_.speed_max_mps; }
+  const std::string& rover_type() const { return vehicle_.type; }
   // Drive cost model of the rover; the reference is valid as long as this object.
   const DriveCost& cost(const RouteSettings& settings);
   // Obstacles near enough to affect a leg between these places.
   Obstacles obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const;
   PlannedLeg leg(const RouteSettings& settings, const LegStart& start, const Vec3& goal_S_m);
   void set_ahead(const std::vector<LegAhead>& ahead) { ahead_ = &ahead; }
+  // On limbs: plans from now on for the stance with its wheels' hubs at these places. Legs planned
+  // ahead are for the stance in which the rover starts.
+  void stand_on(const std::vector<Vec3>& hubs_B_m);
   // Adds rows for the legs planned ahead.
   void log_ahead(const std::string& rover_id);
 
@@ -73,7 +76,10 @@ class RoverRoutes {
   void log(const std::string& rover_id, SimTime now, std::int64_t sequence, std::int64_t waypoint,
            const PlannedLeg& leg);
 
-  const VehicleConfig* vehicle_;
+  const VehicleConfig* config_;
+  VehicleConfig vehicle_;  // as it stands
+  std::vector<Vec3> hubs_B_m_;
+  bool is_as_started_ = true;
   GroundLimits limits_;
   double load_w_;
   const Ground* ground_;

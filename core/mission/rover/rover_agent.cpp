@@ -111,6 +111,8 @@ void RoverAgent::update_view() {
   view_.drive_w = motion_.drive_w();
   view_.drive_j = motion_.drive_j();
   view_.is_parked = is_parked();
+  view_.is_adjusting = motion_.is_adjusting();
+  view_.clearance_m = posture_clearance_m(motion_.vehicle());
 }
 
 Vec3 RoverAgent::antenna_S_m() const {
@@ -136,6 +138,9 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
 
 PlannedRoute RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t first,
                                    const RouteSettings& settings) {
+  if (const PostureControl* posture = motion_.vehicle().posture()) {
+    routes_.stand_on(posture->hubs_B_m());
+  }
   PlannedRoute route =
       routes_.plan(rover_.id, now_, journal_.sequence(), {view_.p_S_m, view_.heading_rad},
                    waypoints_S_m, first, settings);
@@ -165,6 +170,12 @@ Vec3 RoverAgent::ahead_S_m(double distance_m) const {
 Deployment RoverAgent::deploy_antenna(const std::string& antenna, bool up,
                                       std::optional<double> duration_s) {
   return antennas_.deploy(antenna, up, duration_s, now_);
+}
+
+double RoverAgent::set_posture(const PostureRequest& request) {
+  const double takes_s = lsos::set_posture(motion_.vehicle(), request);
+  drive_.wake();
+  return takes_s;
 }
 
 void RoverAgent::archive(Archive& a) {

@@ -14,6 +14,7 @@
 #include "mission/rover/rover_drive.h"
 #include "mission/rover/rover_journal.h"
 #include "mission/rover/rover_motion.h"
+#include "mission/rover/rover_posture.h"
 #include "mission/rover/rover_power.h"
 #include "mission/rover/rover_tally.h"
 #include "mission/rover/supply_watch.h"
@@ -93,6 +94,7 @@ class RoverAgent : public RoverPort {
   void brake() override { drive_.brake(); }
   Deployment deploy_antenna(const std::string& antenna, bool up,
                             std::optional<double> duration_s) override;
+  double set_posture(const PostureRequest& request) override;
   void note(const std::string& name, const std::string& fields_json) override {
     journal_.note(name, fields_json);
   }

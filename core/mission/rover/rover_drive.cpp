@@ -119,8 +119,8 @@ void RoverDrive::control() {
     has_new_command_ = false;
   }
   if (is_parked_) return;
-  const bool rests =
-      command_.is_braking && !is_driving() && motion_->report().speed_mps < at_rest_mps;
+  const bool rests = command_.is_braking && !is_driving() && !motion_->is_adjusting() &&
+                     motion_->report().speed_mps < at_rest_mps;
   exchanges_at_rest_ = rests ? exchanges_at_rest_ + 1 : 0;
   if (exchanges_at_rest_ >= exchanges_until_parked || !motion_->fault().empty()) {
     is_parked_ = has_motion_ended_ = true;

@@ -33,6 +33,8 @@ class RoverDrive {
 
   void follow(const Path3& path_S_m, const FollowSettings& settings);
   void brake();
+  // Has a parked rover stepped again until it rests, for what moves on it.
+  void wake() { is_parked_ = false; }
   // Ends the drive, when there is one, for a reason that it does not note.
   void fail(const std::string& reason);
   // Ends the drive because the rover would touch another, whose centre is `distance_m` away.

@@ -30,10 +30,10 @@ void RoverMotion::read() {
 
 std::vector<PartPose> RoverMotion::part_poses() const {
   if (!is_broken_) return vehicle_.part_poses();
-  return lsos::part_poses(vehicle_.config(),
-                          chassis_pose(ground_->site(), report_.p_S_m, report_.heading_rad,
-                                       report_.pitch_rad, report_.roll_rad),
-                          joints_);
+  PartPose chassis = chassis_pose(ground_->site(), report_.p_S_m, report_.heading_rad,
+                                  report_.pitch_rad, report_.roll_rad);
+  chassis.p_S_m -= chassis.R_SB * reference_B_m(config(), joints_);
+  return lsos::part_poses(config(), chassis, joints_);
 }
 
 Footprint RoverMotion::footprint(double ahead_s) const {

@@ -26,6 +26,8 @@ class RoverMotion {
   // Reads the state of the vehicle. When its numbers are not finite, the last finite ones stay.
   void read();
   const VehicleReport& report() const { return report_; }
+  // Whether limbs move although the rover stands.
+  bool is_adjusting() const { return vehicle_.is_adjusting(); }
   const std::vector<double>& joints() const { return joints_; }  // m or rad
   double distance_m() const { return distance_m_; }
   double drive_w() const { return drive_w_; }

@@ -1,5 +1,8 @@
 #include "vehicle/suspension/rest_inertia.h"
 
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
 #include "vehicle/suspension/link_parts.h"
 
 namespace lsos {
@@ -73,6 +76,32 @@ double RestInertia::of_coupling(const JointCoupling& coupling) const {
 
 double RestInertia::of_point(int link, const Vec3& p_B_m, const Vec3& direction_B) const {
   return seen_along(velocity(link, p_B_m).transpose() * direction_B);
+}
+
+double RestInertia::stiffest_mode_radps() const {
+  Matrix stiffness = Matrix::Zero(mass_.rows(), mass_.cols());
+  for (std::size_t i = 0; i < vehicle_->links.size(); ++i) {
+    const LinkConfig& link = vehicle_->links[i];
+    const int index = static_cast<int>(i);
+    double& joint = stiffness(base_freedoms + index, base_freedoms + index);
+    if (link.limb) joint += link.limb->motor.stiffness_n_m_prad;
+    if (link.steering) joint += link.steering->stiffness_n_m_prad;
+    if (!link.wheel) continue;
+    const Vec3 contact_B_m =
+        joint_at_rest_B_m(*vehicle_, index) - link.wheel->radius_m * Vec3::UnitZ();
+    const Matrix moved = velocity(index, contact_B_m);
+    const auto add = [&](int axis, double spring_npm) {
+      if (std::isfinite(spring_npm)) {
+        stiffness += spring_npm * moved.row(axis).transpose() * moved.row(axis);
+      }
+    };
+    add(0, link.wheel->tangential_stiffness_npm);
+    add(1, link.wheel->tangential_stiffness_npm);
+    add(2, link.wheel->normal_stiffness_npm);
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> modes(
+      stiffness, mass_.reconstructedMatrix(), Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, modes.eigenvalues().maxCoeff()));
 }
 
 }  // namespace lsos

@@ -6,12 +6,16 @@
 #include <set>
 
 #include "vehicle/drive_control.h"
+#include "vehicle/limb_stance.h"
 #include "vehicle/suspension/link_parts.h"
 #include "vehicle/suspension/vehicle_checks.h"
 
 namespace lsos {
 
 namespace {
+
+// Wheels of a stance may stand this far over or in the ground; posture control makes up for it.
+constexpr double stance_tolerance_m = 0.01;
 
 template <class... F>
 struct Overload : F... {
@@ -30,6 +34,12 @@ const RoverConfiguration* find_configuration(const RoverSpec& spec, const std::s
   return found == spec.configurations.end() ? nullptr : &*found;
 }
 
+// Applies the height of a stance, and returns why a limb cannot; see stand().
+std::string apply_height(VehicleConfig& vehicle, const RoverConfiguration& configuration) {
+  if (vehicle.limbs.empty() || !configuration.height_m) return "";
+  return stand(vehicle, at_height(vehicle, hubs_B_m(vehicle), *configuration.height_m));
+}
+
 // Applies joint positions and wheel modes. Unknown names are ignored here; configuration_faults
 // reports them.
 void apply(VehicleConfig& vehicle, const RoverConfiguration& configuration) {
@@ -43,6 +53,18 @@ void apply(VehicleConfig& vehicle, const RoverConfiguration& configuration) {
     if (is_in(configuration.free_wheels)) link.wheel_mode = WheelMode::free;
     if (is_in(configuration.locked_wheels)) link.wheel_mode = WheelMode::locked;
   }
+  apply_height(vehicle, configuration);
+  vehicle.starts_level = configuration.is_level;
+}
+
+// What SetPosture may name: the configurations of a vehicle on limbs.
+void add_stances(VehicleConfig& vehicle, const std::vector<RoverConfiguration>& configurations) {
+  if (vehicle.limbs.empty()) return;
+  for (const RoverConfiguration& configuration : configurations) {
+    VehicleConfig standing = vehicle;
+    apply(standing, configuration);
+    vehicle.stances.push_back({configuration.name, hubs_B_m(standing), configuration.is_level});
+  }
 }
 
 VehicleConfig make_with(const RoverSpec& spec, const RoverConfiguration* configuration,
@@ -55,8 +77,10 @@ VehicleConfig make_with(const RoverSpec& spec, const RoverConfiguration* configu
   }
   std::visit(Overload{[&](const Wishbone& s) { add_wishbone(vehicle, s, gravity_mps2); },
                       [&](const RockerBogie& s) { add_rocker_bogie(vehicle, s); },
-                      [&](const SkidSteer& s) { add_skid_steer(vehicle, s); }},
+                      [&](const SkidSteer& s) { add_skid_steer(vehicle, s); },
+                      [&](const Legged& s) { add_legged(vehicle, s); }},
              spec.suspension);
+  add_stances(vehicle, spec.configurations);
   if (configuration != nullptr) apply(vehicle, *configuration);
   vehicle.assumptions.push_back(
       fmt::format("{}: drive energy is multiplied by {} (drive_calibration): {}", spec.name,
@@ -90,7 +114,34 @@ std::vector<std::string> tipping_faults(const RoverSpec& spec, const VehicleConf
 std::optional<std::pair<double, double>> limits(const LinkConfig& link) {
   if (link.spring) return std::pair(link.spring->lower_stop, link.spring->upper_stop);
   if (link.steering) return std::pair(-link.steering->angle_max_rad, link.steering->angle_max_rad);
+  if (link.limb) return std::pair(link.limb->angle_min_rad, link.limb->angle_max_rad);
   return {};
+}
+
+// Faults of the vehicle in the stance of a configuration; none for a vehicle without limbs.
+std::vector<std::string> stance_faults(const RoverSpec& spec,
+                                       const RoverConfiguration& configuration) {
+  VehicleConfig standing = make_with(spec, nullptr, 1);
+  if (standing.limbs.empty()) {
+    if (!configuration.height_m) return {};
+    return {
+        fmt::format("height_m = {}: only a rover on limbs (lsos.legged) can stand higher or lower",
+                    *configuration.height_m)};
+  }
+  for (LinkConfig& link : standing.links) {
+    const auto joint = configuration.joints.find(link.name);
+    if (joint != configuration.joints.end()) link.initial = joint->second;
+  }
+  const std::string hindrance = apply_height(standing, configuration);
+  if (!hindrance.empty()) {
+    return {fmt::format("height_m = {}: {}", *configuration.height_m, hindrance)};
+  }
+  standing = as_it_stands(standing);
+  std::vector<std::string> faults = rest_faults(standing, stance_tolerance_m);
+  std::ranges::move(buried_joint_faults(standing), std::back_inserter(faults));
+  if (faults.empty()) faults = balance_faults(standing);
+  if (faults.empty()) faults = stability_faults(standing);
+  return faults;
 }
 
 std::vector<std::string> configuration_faults(const RoverSpec& spec,
@@ -129,6 +180,9 @@ std::vector<std::string> configuration_faults(const RoverSpec& spec,
       }
     }
   }
+  if (faults.empty()) {
+    for (const std::string& text : stance_faults(spec, configuration)) fault(text);
+  }
   if (configuration.payload_mass_kg == 0) return faults;
   if (spec.vehicle.chassis.mass_kg + configuration.payload_mass_kg <= 0) {
     fault(fmt::format("payload_mass_kg = {}: the chassis has only {} kg to take off",
@@ -149,7 +203,8 @@ std::vector<std::string> configuration_faults(const RoverSpec& spec,
 std::vector<std::string> suspension_faults(const RoverSpec& spec) {
   return std::visit(Overload{[](const Wishbone& s) { return wishbone_faults(s); },
                              [](const RockerBogie& s) { return rocker_bogie_faults(s); },
-                             [](const SkidSteer& s) { return skid_steer_faults(s); }},
+                             [](const SkidSteer& s) { return skid_steer_faults(s); },
+                             [](const Legged& s) { return legged_faults(s); }},
                     spec.suspension);
 }
 
@@ -178,6 +233,7 @@ std::vector<std::string> vehicle_faults(const RoverSpec& spec) {
     faults.push_back("no wheel is steered: lsos.skid_steer is for rovers that turn without");
   }
   add(rest_faults(whole));
+  add(buried_joint_faults(whole));
   add(tipping_faults(spec, whole));
   add(ability_faults(whole));
   if (faults.empty()) add(stability_faults(whole));

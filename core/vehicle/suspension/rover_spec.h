@@ -9,19 +9,24 @@
 #include <vector>
 
 #include "base/error.h"
+#include "vehicle/suspension/legged.h"
 #include "vehicle/suspension/rocker_bogie.h"
 #include "vehicle/suspension/skid_steer.h"
 #include "vehicle/suspension/wishbone.h"
 
 namespace lsos {
 
-using Suspension = std::variant<Wishbone, RockerBogie, SkidSteer>;
+using Suspension = std::variant<Wishbone, RockerBogie, SkidSteer, Legged>;
 
 // A configuration that a plan's RoverConfig may name: state and load of the vehicle at the start.
 struct RoverConfiguration {
   std::string name = {};
   std::string doc = {};
   std::map<std::string, double> joints = {};  // m or rad, by joint; the others are at 0
+  // On limbs, for a stance: height of the chassis' underside over the ground, with the wheels where
+  // `joints` put them; and whether posture control keeps the chassis level.
+  std::optional<double> height_m = {};
+  bool is_level = true;
   std::vector<std::string> free_wheels = {};  // by wheel: turns without motor and brake
   std::vector<std::string> locked_wheels = {};
   double payload_mass_kg = 0;  // on the chassis, in addition to its mass; negative removes mass

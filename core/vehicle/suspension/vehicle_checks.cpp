@@ -15,8 +15,6 @@ namespace lsos {
 
 namespace {
 
-constexpr double height_tolerance_m = 1e-6;
-
 // A wheel of the vehicle at rest with all joints at 0.
 struct StandingWheel {
   const LinkConfig* link;
@@ -52,10 +50,11 @@ bool is_within_hull(const Vec2& p, const std::vector<Vec2>& points) {
 }
 
 // The height check runs before others since its message names the wheel.
-void check_height(const StandingWheel& wheel, std::vector<std::string>& faults) {
+void check_height(const StandingWheel& wheel, double tolerance_m,
+                  std::vector<std::string>& faults) {
   const double radius_m = wheel.link->wheel->radius_m;
   const double gap_m = wheel.hub_B_m.z() - radius_m;
-  if (std::abs(gap_m) <= height_tolerance_m) return;
+  if (std::abs(gap_m) <= tolerance_m) return;
   faults.push_back(fmt::format(
       "{}: its hub is {:.3f} m above the ground at rest and its radius is {} m: it is {:.3f} m {}",
       wheel.link->name, wheel.hub_B_m.z(), radius_m, std::abs(gap_m),
@@ -139,6 +138,10 @@ std::vector<std::string> stability_faults(const VehicleConfig& vehicle) {
       check_spring(link.name, "steering servo", link.steering->stiffness_n_m_prad, joint);
       check_damper(link.name, "steering servo", link.steering->damping_n_m_sprad, joint);
     }
+    if (link.limb) {
+      check_spring(link.name, "limb's servo", link.limb->motor.stiffness_n_m_prad, joint);
+      check_damper(link.name, "limb's servo", link.limb->motor.damping_n_m_sprad, joint);
+    }
     if (link.drive) {
       check_spring(link.name, "brake", link.drive->brake_stiffness_n_m_prad, joint);
       check_damper(link.name, "brake", link.drive->brake_damping_n_m_sprad, joint);
@@ -153,6 +156,16 @@ std::vector<std::string> stability_faults(const VehicleConfig& vehicle) {
                    link.spring->damping + link.spring->stop_damping, joint);
     }
   }
+  if (!vehicle.limbs.empty()) {
+    const double mode = inertia.stiffest_mode_radps() * step_s;
+    if (mode > 1 && faults.empty()) {
+      faults.push_back(fmt::format(
+          "step_s = {}: too long for its limbs, whose joints and wheels together have a mode with "
+          "omega x step of {:.2f}, at most 1 is stable; a step of {:.4f} s or less, or softer "
+          "servos",
+          step_s, mode, step_s / mode));
+    }
+  }
   for (const JointCoupling& coupling : vehicle.couplings) {
     const std::string& name = vehicle.links[static_cast<std::size_t>(coupling.first)].name;
     const double moved = inertia.of_coupling(coupling);
@@ -162,27 +175,45 @@ std::vector<std::string> stability_faults(const VehicleConfig& vehicle) {
   return faults;
 }
 
-std::vector<std::string> balance_faults(const VehicleConfig& vehicle) {
+bool is_balanced(const VehicleConfig& vehicle, const Vec3& up_B) {
   std::vector<Vec2> feet_B_m;
   for (const StandingWheel& wheel : standing_wheels(vehicle)) {
     feet_B_m.push_back(wheel.hub_B_m.head<2>());
   }
   const Vec3 center_B_m = center_of_mass_at_rest_B_m(vehicle);
-  if (is_within_hull(center_B_m.head<2>(), feet_B_m)) return {};
+  return is_within_hull((center_B_m - center_B_m.z() / up_B.z() * up_B).head<2>(), feet_B_m);
+}
+
+std::vector<std::string> balance_faults(const VehicleConfig& vehicle) {
+  const Vec3 center_B_m = center_of_mass_at_rest_B_m(vehicle);
+  if (is_balanced(vehicle, Vec3::UnitZ())) return {};
   return {
       fmt::format("the centre of mass of the whole, {:.3f} m forward and {:.3f} m to the left, "
                   "is not over its wheels: it would tip over at rest",
                   center_B_m.x(), center_B_m.y())};
 }
 
-std::vector<std::string> rest_faults(const VehicleConfig& vehicle) {
+std::vector<std::string> buried_joint_faults(const VehicleConfig& vehicle) {
+  std::vector<std::string> faults;
+  for (const LimbConfig& limb : vehicle.limbs) {
+    for (const int joint : limb.joints) {
+      const double height_m = joint_at_rest_B_m(vehicle, joint).z();
+      if (height_m > 0) continue;
+      faults.push_back(fmt::format("{} is {:.3f} m below the ground at rest",
+                                   vehicle.links[static_cast<std::size_t>(joint)].name, -height_m));
+    }
+  }
+  return faults;
+}
+
+std::vector<std::string> rest_faults(const VehicleConfig& vehicle, double height_tolerance_m) {
   std::vector<std::string> faults;
   const std::vector<StandingWheel> wheels = standing_wheels(vehicle);
   if (wheels.size() < 3) {
     return {fmt::format("{} wheels: at least 3 are needed to stand on", wheels.size())};
   }
   for (std::size_t i = 0; i < wheels.size(); ++i) {
-    check_height(wheels[i], faults);
+    check_height(wheels[i], height_tolerance_m, faults);
     for (std::size_t j = 0; j < i; ++j) check_overlap(wheels[j], wheels[i], faults);
   }
   if (vehicle.chassis_clearance_m <= 0) {

@@ -67,6 +67,10 @@ class RecordingRover : public RoverPort {
     const auto found = sights.find(id);
     return found == sights.end() ? std::nullopt : std::optional(found->second);
   }
+  double set_posture(const PostureRequest& request) override {
+    calls.push_back("posture " + request.stance.value_or("as it is"));
+    return request.duration_s.value_or(30);
+  }
   void brake() override { calls.push_back("brake"); }
   void note(const std::string& name, const std::string& fields_json) override {
     calls.push_back("note " + name + " " + fields_json);

@@ -29,11 +29,13 @@ inline std::map<std::string, double> wheel_loads_n(Vehicle& vehicle) {
   std::vector<Vec3> p_S_m(links.size());
   std::vector<Mat3> R_SL(links.size());
   std::map<std::string, double> loads_n;
+  const Vec3 chassis_S_m =
+      report.p_S_m - attitude(report) * reference_B_m(vehicle.config(), joints);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const LinkConfig& link = links[i];
     const auto parent = static_cast<std::size_t>(link.parent);
     const Mat3 R_SP = link.parent < 0 ? attitude(report) : R_SL[parent];
-    const Vec3 p_P_S_m = link.parent < 0 ? report.p_S_m : p_S_m[parent];
+    const Vec3 p_P_S_m = link.parent < 0 ? chassis_S_m : p_S_m[parent];
     const bool turns = link.joint == JointType::revolute;
     p_S_m[i] = p_P_S_m + R_SP * (link.p_PJ_m + (turns ? 0.0 : joints[i]) * link.axis);
     R_SL[i] = R_SP;

@@ -1,0 +1,52 @@
+// `rover.drive`: what became of the last rover:follow.
+#include "lua/runtime/handle.h"
+
+namespace lsos {
+
+namespace {
+
+DriveState drive_of(lua_State* L) { return handle_rover(L, drive_handle_type()).drive_state(); }
+
+int drive_status(lua_State* L) {
+  static constexpr const char* names[] = {"none", "driving", "arrived", "failed"};
+  lua_pushstring(L, names[static_cast<int>(drive_of(L).status)]);
+  return 1;
+}
+
+int drive_reason(lua_State* L) {
+  lua_pushstring(L, drive_of(L).reason.c_str());
+  return 1;
+}
+
+int drive_is_blocked(lua_State* L) {
+  lua_pushboolean(L, drive_of(L).is_blocked);
+  return 1;
+}
+
+int drive_next_point(lua_State* L) {
+  lua_pushinteger(L, static_cast<lua_Integer>(drive_of(L).next_point) + 1);
+  return 1;
+}
+
+int drive_remaining_m(lua_State* L) {
+  push_quantity(L, drive_of(L).remaining_m);
+  return 1;
+}
+
+}  // namespace
+
+const HandleType& drive_handle_type() {
+  static const HandleType type{
+      "rover.drive",
+      "What became of the last rover:follow.",
+      {{"status", drive_status, "text", "'none', 'driving', 'arrived' or 'failed'."},
+       {"reason", drive_reason, "text", "Why it failed, else ''."},
+       {"remaining_m", drive_remaining_m, "number", "Along the path."},
+       {"next_point", drive_next_point, "integer", "Number of the path's point that comes next."},
+       {"is_blocked", drive_is_blocked, "boolean",
+        "It failed because of what lies ahead: ground it gets stuck on, another rover."}},
+      {}};
+  return type;
+}
+
+}  // namespace lsos
