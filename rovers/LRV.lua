@@ -6,6 +6,7 @@
 
 local lsos = require 'lsos'
 local drawn = require 'lib/shapes'
+local gear = require 'lib/running_gear'
 local vec = lsos.vec3
 local box, tube = drawn.box, drawn.tube
 
@@ -18,15 +19,7 @@ local arm_kg      = 4       -- A: both arms of a wheel
 local knuckle_kg  = 9       -- A: with the traction drive
 local wheel_kg    = 5.5     -- R: 12 lb
 
-local modules = {}
-for axle, x_m in ipairs { wheelbase_m / 2, -wheelbase_m / 2 } do
-  for side, y_m in ipairs { track_m / 2, -track_m / 2 } do
-    modules[#modules + 1] = lsos.module {
-      name       = ({ 'front', 'rear' })[axle] .. ({ '_left', '_right' })[side],
-      position_m = vec(x_m, y_m, 0),
-    }
-  end
-end
+local modules = gear.modules({ 'front', 'rear' }, wheelbase_m, track_m)
 
 local clearance_m = 0.356   -- V: 14 in loaded (17 in empty), web.mit.edu/12.000 (2004)
 local load_m      = vec(0, 0, 0.85)  -- A: of crew and load together

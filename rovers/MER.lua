@@ -6,6 +6,7 @@
 
 local lsos = require 'lsos'
 local drawn = require 'lib/shapes'
+local gear = require 'lib/running_gear'
 local vec = lsos.vec3
 local box, tube = drawn.box, drawn.tube
 
@@ -18,15 +19,6 @@ local differential_kg = 3      -- A
 local half_base_m     = 0.705  -- R: wheelbase 1.41 m
 local pivot_m         = 0.45   -- A: height of the rockers' pivots
 
-local stations = {
-  lsos.station { name = 'front', position_m = vec(half_base_m, 0.53, 0),  -- R: track 1.06 m
-                 is_steered = true },
-  lsos.station { name = 'middle', position_m = vec(0, 0.61, 0),           -- R: track 1.22 m
-                 on = 'bogie' },
-  lsos.station { name = 'rear', position_m = vec(-half_base_m, 0.53, 0),  -- R: the same
-                 is_steered = true, on = 'bogie' },
-}
-
 local chassis = lsos.chassis {
   mass_kg = total_kg - differential_kg - 2 * (rocker_kg + bogie_kg)  -- D: 142
     - 4 * knuckle_kg - 6 * wheel_kg,
@@ -36,7 +28,8 @@ local chassis = lsos.chassis {
 }
 
 local suspension = lsos.rocker_bogie {
-  stations        = stations,
+  -- R: track of 1.06 m at the corners, 1.22 m in the middle
+  stations        = gear.stations(half_base_m, 0.53, 0.61),
   knuckle_mass_kg = knuckle_kg,
 
   -- Wheels carry the same when the centre of mass is over the middle wheel and the bogie's pivot

@@ -6,6 +6,7 @@
 
 local lsos = require 'lsos'
 local drawn = require 'lib/shapes'
+local gear = require 'lib/running_gear'
 local vec = lsos.vec3
 local box, tube = drawn.box, drawn.tube
 
@@ -17,15 +18,7 @@ local arm_kg       = 40                  -- A
 local knuckle_kg   = 40                  -- A: with the steering motor and two drive motors
 local wheel_kg     = 30                  -- A
 
-local modules = {}
-for axle, x_m in ipairs { wheelbase_m / 2, 0, -wheelbase_m / 2 } do
-  for side, y_m in ipairs { track_m / 2, -track_m / 2 } do
-    modules[#modules + 1] = lsos.module {
-      name       = ({ 'front', 'middle', 'rear' })[axle] .. ({ '_left', '_right' })[side],
-      position_m = vec(x_m, y_m, 0),
-    }
-  end
-end
+local modules = gear.modules({ 'front', 'middle', 'rear' }, wheelbase_m, track_m)
 
 local chassis = lsos.chassis {
   mass_kg          = total_kg - #modules * (arm_kg + knuckle_kg + 2 * wheel_kg),  -- D: 3160
