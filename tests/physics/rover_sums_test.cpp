@@ -114,6 +114,24 @@ TEST(Mer, slips_on_loose_dry_sand_as_in_tilt_bed_tests) {
   EXPECT_GT(slip[5], 0.8);
 }
 
+// Curiosity climbed 23 degrees of sand and rock; loose soil so steep stops the model.
+TEST(Msl, climbs_23_degrees_of_firm_ground_but_not_of_simulant) {
+  EXPECT_GT(climb("MSL", "Mars", "Hardpan", radians(23), 0.03, 60).speed_mps, 0.02);
+  EXPECT_GT(climb("MSL", "Mars", "Rock", radians(23), 0.03, 60).speed_mps, 0.02);
+  EXPECT_LE(climb("MSL", "Mars", "MMS", radians(23), 0.03, 60).speed_mps, 0.01);
+}
+
+TEST(Viper, climbs_15_degrees_but_not_25) {
+  EXPECT_GT(climb("VIPER", "Moon", "ApolloNominal", radians(15), 0.1, 60).speed_mps, 0.05);
+  EXPECT_LE(climb("VIPER", "Moon", "ApolloNominal", radians(25), 0.1, 60).speed_mps, 0.01);
+}
+
+// The simulant of its wheel tests is cohesive; nominal regolith lets it slip by two thirds.
+TEST(Rashid, climbs_20_degrees) {
+  EXPECT_GT(climb("Rashid", "Moon", "Hurrell2025_FJS1", radians(20), 0.05, 60).speed_mps, 0.04);
+  EXPECT_GT(climb("Rashid", "Moon", "ApolloNominal", radians(20), 0.05, 60).speed_mps, 0.01);
+}
+
 struct Follower {
   const char *rover, *planet, *soil;
   double speed_mps;
@@ -141,6 +159,9 @@ INSTANTIATE_TEST_SUITE_P(Rovers, Following,
                          testing::Values(Follower{"SEV", "Moon", "ApolloNominal", 1.5},
                                          Follower{"LRV", "Moon", "ApolloNominal", 1.5},
                                          Follower{"MER", "Mars", "MMS", 0.04},
+                                         Follower{"MSL", "Mars", "MMS", 0.035},
+                                         Follower{"VIPER", "Moon", "ApolloNominal", 0.15},
+                                         Follower{"Rashid", "Moon", "ApolloNominal", 0.07},
                                          Follower{"Husky", "Earth", "DrySand", 0.6}),
                          [](const auto& tested) { return std::string(tested.param.rover); });
 
@@ -162,8 +183,9 @@ TEST_P(Parked, on_20_degrees_does_not_move_in_two_hours_of_steps) {
 
 INSTANTIATE_TEST_SUITE_P(Rovers, Parked,
                          testing::Values(std::pair("SEV", "Moon"), std::pair("LRV", "Moon"),
-                                         std::pair("MER", "Mars"), std::pair("ATHLETE", "Moon"),
-                                         std::pair("Husky", "Earth")),
+                                         std::pair("MER", "Mars"), std::pair("MSL", "Mars"),
+                                         std::pair("VIPER", "Moon"), std::pair("Rashid", "Moon"),
+                                         std::pair("ATHLETE", "Moon"), std::pair("Husky", "Earth")),
                          [](const auto& tested) { return std::string(tested.param.first); });
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST(Findings, rovers_may_leave_each_other_and_pass) {
 }
 
 TEST(Parked, for_seven_days_on_20_degrees_a_rover_stays_within_a_millimetre) {
-  for (const char* type : {"SEV", "LRV", "MER", "ATHLETE", "Husky"}) {
+  for (const char* type : {"SEV", "LRV", "MER", "MSL", "VIPER", "Rashid", "ATHLETE", "Husky"}) {
     const TempFolder folder;
     write_terrain(folder, "Slope20", "lsos.plane { slope_rad = math.rad(20) }", "'ApolloNominal'");
     const RunResult result = run_plan(folder, {on("Slope20", {{"ParkedLogInterval", "1 h"}}),

@@ -146,6 +146,9 @@ INSTANTIATE_TEST_SUITE_P(
                 850,
                 6,
                 {"Drive", "Stow", "Tall", "Passive", "Loaded"}},
+        Shipped{"MSL", "Mars", "MMS", 899, 6, {}},
+        Shipped{"VIPER", "Moon", "ApolloNominal", 430, 4, {}},
+        Shipped{"Rashid", "Moon", "ApolloNominal", 10, 4, {}},
         Shipped{"Husky", "Earth", "ApolloDense", 50, 4, {"FullPayload"}}),
     [](const auto& test) { return test.param.name; });
 
