@@ -298,7 +298,10 @@ int light_command(const LightOptions& options) {
   Question question = question_of(options);
   const TerrainSource source = terrain_source(options.terrain);
   check_grid(source, question.window, options.terrain.resolution_m);
-  if (!question.site) question.site = question.window ? question.window->centre() : middle(source);
+  if (!question.site) {
+    question.site = question.window ? question.window->centre() : middle(source);
+    print_default_site(source, *question.site);
+  }
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.terrain.seed);
   print_advice(*ground);
   const int bands = is_span(options) ? 3 : 2;

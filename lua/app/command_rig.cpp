@@ -6,10 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/console.h"
+#include "base/quantity.h"
+#include "base/rounding.h"
 #include "base/units.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/instrument_answer.h"
+#include "lua/app/place_options.h"
 #include "lua/host/catalog.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/soil_file.h"
@@ -28,7 +31,7 @@ struct RigOptions {
   std::optional<double> stiffness_npm;  // absent: the load flattens the wheel by 1 % of its radius
   std::optional<double> carcass_npm;    // absent: a rigid wheel
   double gravity_mps2 = 9.80665;
-  std::vector<double> slips;
+  std::string slips;         // "0,0.2,0.5"
   bool is_rim_slip = false;  // slips are counted by the rim
   double slip_angle_deg = 0;
   AnswerStyle style = AnswerStyle::by_output;
@@ -40,6 +43,34 @@ constexpr double flattening = 0.01;
 Soil find_soil(const std::string& name) {
   if (name.ends_with(".lua") || std::filesystem::is_regular_file(name)) return read_soil_file(name);
   return read_catalog("")->load_soil(name, {"--soil", 0});
+}
+
+std::vector<double> slips_of(const std::string& text, Faults& faults) {
+  std::vector<double> slips;
+  for (const std::string& part : option_parts(text)) {
+    const auto slip = parse_quantity(part, *find_unit("1"));
+    if (slip && std::abs(*slip.value) <= 1) {
+      slips.push_back(*slip.value);
+    } else {
+      faults.error({}, fmt::format("--slip {}: '{}': a number of -1..1 is wanted", text, part));
+    }
+  }
+  return slips;
+}
+
+void check_grousers(const RigOptions& options, Faults& faults) {
+  const double h_m = options.grouser_height_m;
+  const int count = options.grouser_count;
+  if (options.radius_m > 0 && !(h_m >= 0 && h_m < options.radius_m)) {
+    faults.error({}, fmt::format("--grouser-height {}: must be 0 to the wheel's radius", h_m));
+  }
+  if (count < 0 || count > 1000) {
+    faults.error({}, fmt::format("--grouser-count {}: must be 1..1000", count));
+  } else if (h_m > 0 && count == 0) {
+    faults.error({}, "--grouser-height: --grouser-count is missing, 1..1000 round the rim");
+  } else if (h_m == 0 && count > 0) {
+    faults.error({}, "--grouser-count: --grouser-height is missing, more than 0 m");
+  }
 }
 
 void check(const RigOptions& options, Faults& faults) {
@@ -66,22 +97,18 @@ void check(const RigOptions& options, Faults& faults) {
   }
   need("--gravity", options.gravity_mps2, within(options.gravity_mps2, 1000),
        "above 0, at most 1000 m/s2");
-  const double h_m = options.grouser_height_m;
-  need("--grouser-height", h_m, h_m >= 0 && h_m < options.radius_m, "0 to the wheel's radius");
-  need("--grouser-count", options.grouser_count,
-       (h_m > 0) == (options.grouser_count > 0) && options.grouser_count <= 1000,
-       "1..1000 where there is a --grouser-height, and only there");
+  check_grousers(options, faults);
   need("--interface-friction", options.interface_friction_ratio,
        options.interface_friction_ratio > 0 && options.interface_friction_ratio <= 1,
        "above 0, at most 1");
   need("--slip-angle", options.slip_angle_deg, std::abs(options.slip_angle_deg) <= 90,
        "-90..90 deg");
-  for (const double slip : options.slips) need("--slip", slip, std::abs(slip) <= 1, "-1..1");
 }
 
 int rig_command(const RigOptions& options) {
   Faults faults;
   check(options, faults);
+  const std::vector<double> slips = slips_of(options.slips, faults);
   faults.throw_if_errors();
   const Soil soil = find_soil(options.soil);
   Wheel wheel;
@@ -101,7 +128,7 @@ int rig_command(const RigOptions& options) {
   const WheelSoil wheel_soil(soil, wheel, options.gravity_mps2);
   AnswerRow points = AnswerRow::array();
   const double rolling_radius_m = wheel_soil.rolling_radius_m(options.load_n);
-  for (const double asked : options.slips) {
+  for (const double asked : slips) {
     const double slip =
         options.is_rim_slip ? slip_by(rolling_radius_m, asked, options.radius_m) : asked;
     const SingleWheelPoint point =
@@ -115,12 +142,12 @@ int rig_command(const RigOptions& options) {
     points.push_back({{"slip", asked},
                       {"slip_angle_deg", options.slip_angle_deg},
                       {"load_n", options.load_n},
-                      {"drawbar_pull_n", point.drawbar_pull_n},
-                      {"side_force_n", point.side_force_n},
-                      {"torque_n_m", point.torque_n_m},
-                      {"sinkage_m", point.sinkage_m},
-                      {"traction_limit_n", point.traction_limit_n},
-                      {"rolling_radius_m", rolling_radius_m}});
+                      {"drawbar_pull_n", computed(point.drawbar_pull_n)},
+                      {"side_force_n", computed(point.side_force_n)},
+                      {"torque_n_m", computed(point.torque_n_m)},
+                      {"sinkage_m", computed(point.sinkage_m)},
+                      {"traction_limit_n", computed(point.traction_limit_n)},
+                      {"rolling_radius_m", computed(rolling_radius_m)}});
   }
   print_answer(points, options.style);
   return 0;
@@ -134,9 +161,7 @@ std::function<int()> prepare_rig(CommandOptions& command) {
   command.add_option("--radius", options->radius_m, "Of the wheel's rim, m").required();
   command.add_option("--width", options->width_m, "m").required();
   command.add_option("--load", options->load_n, "On the wheel, N").required();
-  command.add_option("--slip", options->slips, "-1..1, one or several: 0,0.2,0.5")
-      .required()
-      .separated_by(',');
+  command.add_option("--slip", options->slips, "-1..1, one or several: 0,0.2,0.5").required();
   command.add_flag(
       "--rim-slip", options->is_rim_slip,
       "Count slip by the rim, as some rigs do; else by the rolling radius, at which the "
@@ -145,8 +170,9 @@ std::function<int()> prepare_rig(CommandOptions& command) {
                      "Of the travel from the heading, deg, to the left positive");
   command.add_option("--grouser-height", options->grouser_height_m, "m");
   command.add_option("--grouser-count", options->grouser_count, "Round the whole rim");
-  command.add_option("--interface-friction", options->interface_friction_ratio,
-                     "Friction of soil on the rim over that in the soil, 0..1 (0.65)");
+  command.add_option(
+      "--interface-friction", options->interface_friction_ratio,
+      "Friction of soil on the rim over that in the soil, above 0, at most 1 (0.65)");
   command.add_option("--stiffness", options->stiffness_npm,
                      "Of the wheel, N/m (the load flattens it by 1 % of its radius)");
   command.add_option("--carcass", options->carcass_npm,

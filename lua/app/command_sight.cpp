@@ -288,6 +288,7 @@ int sight_command(const SightOptions& options) {
   const bool is_map = !options.file.empty();
   if (is_map) check_grid(source, question.window, options.terrain.resolution_m);
   const Geodetic site = question.site.value_or(question.from->place);
+  if (!question.site) print_default_site(source, site);
   check_near_site(*source.body, site, *question.from);
   const std::unique_ptr<Ground> ground =
       ground_of(source, {site.lon_rad, site.lat_rad, 0}, options.terrain.seed);

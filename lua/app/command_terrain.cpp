@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/console.h"
 #include "base/output_file.h"
 #include "base/rounding.h"
 #include "base/units.h"
@@ -145,7 +146,9 @@ int terrain_command(const TerrainOptions& options) {
   const TerrainSource source = terrain_source(options);
   const bool is_export = !options.export_file.empty();
   if (is_export) check_grid(source, question.window, options.resolution_m);
+  const bool is_given = !options.site.empty();
   if (!question.site) question.site = middle(source);
+  if (!is_given) print_default_site(source, *question.site);
   const std::unique_ptr<Ground> ground = ground_of(source, *question.site, options.seed);
   print_advice(*ground);
   AnswerRow points = AnswerRow::array();
@@ -161,6 +164,13 @@ int terrain_command(const TerrainOptions& options) {
   if (is_export) {
     const AnswerRow file = exported(source, *ground, question, options);
     if (question.places.empty()) points.push_back(file);
+  }
+  for (const AnswerRow& point : points) {
+    if (!point.contains("height_m") || !point["height_m"].is_null()) continue;
+    print_message(
+        "warning: there is no ground at {},{}; the terrain does not reach there, or its "
+        "samples are missing\n",
+        point["lon_deg"].dump(), point["lat_deg"].dump());
   }
   print_answer(points, options.style);
   return 0;

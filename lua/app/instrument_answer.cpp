@@ -22,8 +22,9 @@ struct UnitText {
   std::string_view suffix, unit;
 };
 // Longer suffixes come first, since the first that matches is used.
-constexpr UnitText unit_texts[] = {{"_n_m", " N m"}, {"_deg", "°"}, {"_mps2", " m/s2"},
-                                   {"_n", " N"},     {"_m", " m"},  {"_s", " s"}};
+constexpr UnitText unit_texts[] = {{"_n_m", " N m"},   {"_deg", "°"}, {"_wpm2", " W/m2"},
+                                   {"_mps2", " m/s2"}, {"_n", " N"},  {"_m", " m"},
+                                   {"_s", " s"}};
 
 const UnitText* unit_of(std::string_view key) {
   const auto found = std::ranges::find_if(

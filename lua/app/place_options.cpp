@@ -28,6 +28,18 @@ std::optional<std::vector<double>> option_numbers(const std::string& option,
   return numbers;
 }
 
+std::vector<std::string> option_parts(const std::string& text) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
 std::optional<Geodetic> option_place(const std::string& option, const std::string& text,
                                      Faults& faults) {
   const auto numbers = option_numbers(option, text, 2, "LON,LAT", faults);

@@ -16,6 +16,9 @@ std::optional<std::vector<double>> option_numbers(const std::string& option,
                                                   const std::string& text, std::size_t count,
                                                   const std::string& form, Faults& faults);
 
+// The parts between the commas of "0,0.2", also empty ones.
+std::vector<std::string> option_parts(const std::string& text);
+
 // "LON,LAT": longitude -180..360, latitude -90..90.
 std::optional<Geodetic> option_place(const std::string& option, const std::string& text,
                                      Faults& faults);

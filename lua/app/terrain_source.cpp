@@ -116,6 +116,15 @@ std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& s
   return ground_at(source.spec, *source.body, site, seed);
 }
 
+void print_default_site(const TerrainSource& source, const Geodetic& site) {
+  const Detail& detail = source.spec.detail.value_or(Detail{});
+  if (!source.is_script || !(detail.craters || detail.rocks || detail.roughness)) return;
+  print_message(
+      "{}: its craters, rocks and roughness are placed about a site, here {:.6g},{:.6g}, as no "
+      "--site says which; a mission's site is the start of its first rover\n",
+      source.spec.name, lon_deg(site), lat_deg(site));
+}
+
 void print_advice(const Ground& ground) {
   for (const Fault& advice : ground.advice()) print_message("warning: {}\n", advice.what);
 }
@@ -158,8 +167,20 @@ void check_resolution(const TerrainOptions& options, Faults& faults) {
   }
 }
 
+void check_cells(const TerrainSource& source, const std::optional<MapWindow>& window,
+                 const std::optional<double>& resolution_m) {
+  if (!window || !resolution_m) return;
+  const double height_m =
+      radians(window->north_deg - window->south_deg) * source.body->equatorial_radius_m;
+  if (*resolution_m <= height_m) return;
+  throw InputError({}, fmt::format("--resolution {}: is more than the window's {:.4g} m from south "
+                                   "to north, which would be one cell",
+                                   *resolution_m, height_m));
+}
+
 void check_grid(const TerrainSource& source, const std::optional<MapWindow>& window,
                 const std::optional<double>& resolution_m) {
+  check_cells(source, window, resolution_m);
   if (source.reader() != nullptr || (window && resolution_m)) return;
   throw InputError({}, fmt::format("the terrain '{}' has no raster whose grid could be taken: "
                                    "--window LON0,LAT0,LON1,LAT1 and --resolution M are wanted",

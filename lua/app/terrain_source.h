@@ -52,6 +52,8 @@ TerrainSource terrain_source(const TerrainOptions& options);
 // the reference surface where there is no ground.
 std::unique_ptr<Ground> ground_of(const TerrainSource& source, const Geodetic& site,
                                   std::uint64_t seed);
+// Says about which site seeded features are placed, where the user has named none.
+void print_default_site(const TerrainSource& source, const Geodetic& site);
 // Prints warnings about the rasters: units that are in doubt, overviews that are missing.
 void print_advice(const Ground& ground);
 // Centre of the finest raster.
