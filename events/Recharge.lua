@@ -78,7 +78,7 @@ local function vain(p, rover)
       :format(p.energy_rate_w, rover.type, most_w)
   end
   local waits_for_sun = p.until_charge and not (p.energy_rate_w or p.from)
-  if waits_for_sun and #rover.panels == 0 then
+  if waits_for_sun and #rover.panels == 0 and rover.generator_w == 0 then
     return ('UntilCharge without EnergyRate or From waits for the Sun, and %s has no solar panels')
       :format(rover.type)
   end
@@ -131,15 +131,17 @@ local function start(ev, rover)
     return lsos.done
   end
   local waits_for_sun = p.until_charge and not (p.energy_rate_w or p.from or p.duration_s)
-  if waits_for_sun and not rover.panels.is_any_up then
+  local is_fed = rover.panels.is_any_up or battery.generator_w > 0
+  if waits_for_sun and not is_fed then
     return lsos.fail('no panel is up, and UntilCharge without EnergyRate or From waits for the Sun')
   end
-  if not (p.energy_rate_w or p.from) and not rover.panels.is_any_up then
+  if not (p.energy_rate_w or p.from) and not is_fed then
     ev:warn('no panel is up: nothing comes in')
   end
   -- Its upper limb may be up, and the horizon of a rim lies low: what is seen of it counts.
   local sun_rad = rover:sky().sun_elevation_rad
-  if not (p.energy_rate_w or p.from) and sun_rad < 0 and rover.panels.sun_fraction == 0 then
+  local is_of_sun = not (p.energy_rate_w or p.from) and battery.generator_w == 0
+  if is_of_sun and sun_rad < 0 and rover.panels.sun_fraction == 0 then
     ev:warn('no sunlight reaches it now: the Sun is %.3g deg below the horizon',
       -math.deg(sun_rad))
   end

@@ -37,7 +37,7 @@ local suspension = lsos.rocker_bogie {
 
   -- A: pivots where wheels carry the same, as for MER
   rocker = lsos.rocker {
-    pivot_m                 = vec(0, 0.7, pivot_m),
+    pivot_m                 = vec(0, 0.7, pivot_m),  -- A
     mass_kg                 = rocker_kg,
     angle_max_rad           = 0.5,   -- A
     stop_stiffness_n_m_prad = 4e4,   -- A
@@ -45,7 +45,7 @@ local suspension = lsos.rocker_bogie {
     damping_n_m_sprad       = 100,   -- A
   },
   bogie = lsos.bogie {
-    pivot_m                 = vec(-half_base_m / 2, 0.95, 0.5),
+    pivot_m                 = vec(-half_base_m / 2, 0.95, 0.5),  -- A
     mass_kg                 = bogie_kg,
     angle_max_rad           = 0.7,   -- A
     stop_stiffness_n_m_prad = 2e4,   -- A
@@ -54,7 +54,7 @@ local suspension = lsos.rocker_bogie {
   },
   differential = lsos.differential {
     kind               = 'bar',    -- R: across the deck
-    position_m         = vec(0, 0, 1.15),
+    position_m         = vec(0, 0, 1.15),  -- A
     mass_kg            = differential_kg,
     stiffness_n_m_prad = 1e5,      -- A
     damping_n_m_sprad  = 1500,     -- A
@@ -124,11 +124,10 @@ return lsos.rover {
     discharge_efficiency = 0.95,                -- A
     reserve              = 0.4,                 -- A
   },
-  -- No source of constant power can be given to a rover. The generator's 110 W (S: USA Today,
-  -- August 2012) are therefore taken off its loads: of 200 W while it drives (A) the battery gives
-  -- the rest, and a rover that stands uses what the generator makes.
+  generator_w = 110,  -- S: USA Today, August 2012
   loads = {
-    lsos.load { name = 'avionics beyond the generator', power_w = 200 - 110, when = 'driving' },
+    lsos.load { name = 'avionics', power_w = 50 },                    -- A: asleep as well
+    lsos.load { name = 'awake', power_w = 150, when = 'driving' },    -- A: computers, cameras
   },
   shapes = {
     box(vec(1.7, 1.2, 0.45), vec(0, 0, 0.885), white),
@@ -148,9 +147,7 @@ return lsos.rover {
   },
 
   assumptions = {
-    'MSL: a radioisotope generator cannot be modelled: its 110 W are taken off the loads, of which '
-      .. '90 W remain while it drives, with 200 W of avionics assumed, and none while it stands; '
-      .. 'charging at night is to be planned as Recharge with EnergyRate, at most 110 W',
+    'MSL: loads of 50 W at all times and 150 W more while it drives are assumed',
     'MSL: batteries of 42 A h at 28 V with 0.95 either way and a reserve of 40 % are assumed',
     'MSL: 899 kg with a suspension of 257 kg, wheels included, a wheelbase of 2.2 m, tracks of '
       .. '2.3 and 2.4 m and a centre of mass at 0.9 m over the pivots are assumed',

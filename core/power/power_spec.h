@@ -35,6 +35,7 @@ struct ResourceSpec {
 struct PowerSpec {
   std::optional<BatterySpec> battery;  // absent: the energy balance is not modelled
   std::vector<PanelSpec> panels;
+  double generator_w = 0;  // constant power made aboard, which counts as external
   std::vector<LoadSpec> loads;
   std::vector<ResourceSpec> resources;
 };

@@ -179,11 +179,15 @@ void read_power(TableReader& t, PowerSpec& power) {
          "Without one the energy balance is not modelled (default).");
   if (battery.capacity_j > 0) power.battery = battery;
   read_panels(t, power.panels);
+  t.number(optional, "generator_w", power.generator_w, not_negative,
+           "Constant electrical power made aboard, as of a radioisotope generator; it counts as "
+           "external power (default 0).");
   t.list(optional, "loads", "load", power.loads, "What uses power besides wheel motors.");
   t.list(optional, "resources", "resource", power.resources, "What events use up.");
   check_unique_names(t, "resources", power.resources);
   if (t.L() == nullptr || power.battery) return;
   if (!power.panels.empty()) t.fault("panels without a battery: there is nothing to feed");
+  if (power.generator_w > 0) t.fault("generator_w without a battery: there is nothing to feed");
   if (!power.loads.empty()) t.fault("loads without a battery: there is nothing to feed them");
 }
 

@@ -101,3 +101,19 @@ lsos.scenario('durations in other units are over when they are', function(t)
   t:equal(sim:event('A/30').end_s, 252.3)
   t:near(sim:event('A/40').end_s, 252.3 + 498, 1e-6)
 end)
+
+lsos.scenario('a generator feeds the battery day and night', function(t)
+  local sim = lsos.sim {
+    planet = 'Mars',
+    rovers = {
+      A = { type = 'MSL', charge = 0.5, events = { { 'Recharge', UntilCharge = 0.55 } } },
+    },
+  }
+  sim:run()
+  t:equal(sim:event('A/10').status, 'completed')
+  -- 110 W less 50 W of avionics, 0.95 of which the battery keeps; a twentieth of its 2352 Wh.
+  local takes_s = 0.05 * 2 * 42 * 28 * 3600 / ((110 - 50) * 0.95)
+  t:near(sim:event('A/10').end_s, takes_s, 61, 'as long as the balance says')
+  t:near(sim.rovers.A.battery.external_w, '110 W', '1e-6 W')
+  t:equal(sim.rovers.A.battery.generator_w, 110)
+end)

@@ -17,6 +17,7 @@ struct PowerView {
   double energy_rate_w = not_modelled, solar_w = not_modelled, external_w = not_modelled;
   double external_j = not_modelled;
   double load_w = not_modelled;
+  double generator_w = not_modelled;  // made aboard whatever happens
   double sun_fraction = not_modelled, incidence = not_modelled;
   bool is_any_panel_up = false;  // false without panels
 };

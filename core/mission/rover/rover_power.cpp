@@ -90,7 +90,7 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
     for (const PanelSunlight::Panel& panel : sun_->panels)
       demand.solar_available_w += panel.power_w;
   }
-  demand.external_w = claims_.supply_w + given_w_;
+  demand.external_w = spec_.generator_w + claims_.supply_w + given_w_;
   demand.load_w = load_w(spec_.loads, {is_dark, is_parked}) + claims_.work_w + antennas_w_ +
                   panels_.motors_w(now_);
   demand.drive_w = is_parked ? 0 : demand_.drive_w;
@@ -128,12 +128,13 @@ double RoverPower::accepted_w(double offered_w, bool is_parked) const {
   offered_w = std::min(offered_w, claims_.asked_w);
   if (!has_battery()) return offered_w;
   PowerDemand demand = demand_now(is_parked);
-  demand.external_w = claims_.supply_w + offered_w;
+  const double before_w = spec_.generator_w + claims_.supply_w;
+  demand.external_w = before_w + offered_w;
   const double used_w = power_flows(*spec_.battery, account().energy_j, demand).external_w;
   // The margin keeps rounding errors, which scale with the largest power, from draining a full
   // battery.
   const double rounding_w = 1e-12 * demand.external_w;
-  return std::clamp(used_w + rounding_w - claims_.supply_w, 0.0, offered_w);
+  return std::clamp(used_w + rounding_w - before_w, 0.0, offered_w);
 }
 
 double RoverPower::shed_w() const { return has_battery() ? flows().shed_w : 0; }
@@ -228,6 +229,7 @@ PowerView RoverPower::view() const {
     view.capacity_j = spec_.battery->capacity_j;
     view.energy_j = row.energy_j;
     view.charge = row.charge;
+    view.generator_w = spec_.generator_w;
   }
   view.energy_rate_w = row.energy_rate_w;
   view.solar_w = row.solar_w;
@@ -268,11 +270,15 @@ bool RoverPower::is_full() const {
   return account().energy_j >= spec_.battery->capacity_j * (1 - rounding);
 }
 
+double RoverPower::outside_w() const {
+  return std::max(0.0, flows().external_w - spec_.generator_w);
+}
+
 bool RoverPower::take_short_supply() {
   if (!has_battery() || claims_.is_short_reported || is_full()) return false;
   const bool is_plugged = !claims_.plugged_into.empty();
   const double asked_w = claims_.supply_w + (is_plugged ? claims_.asked_w : 0);
-  const double got_w = flows().external_w;
+  const double got_w = outside_w();
   // A request for all that there is is met unless it gets nothing.
   const bool is_short = std::isfinite(asked_w) ? got_w < asked_w * (1 - rounding) : got_w <= 0;
   claims_.is_short_reported = is_short;

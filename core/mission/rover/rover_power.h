@@ -108,6 +108,8 @@ class RoverPower : public PowerPort {
   double energy_used_j() const;
   double solar_j() const;
   PowerFlows flows() const;
+  // Power that comes from outside the rover, W: external power without that of its generator.
+  double outside_w() const;
   double solar_available_w() const { return demand_.solar_available_w; }
   const std::map<std::string, double>& resources() const { return resources_; }
   const PowerClaims& claims() const { return claims_; }

@@ -14,7 +14,7 @@ namespace {
 void report_short_supply(RoverPower& power, SimTime now, RoverJournal& journal) {
   if (!power.take_short_supply()) return;
   const PowerClaims& claims = power.claims();
-  const double got_w = power.flows().external_w;
+  const double got_w = power.outside_w();
   const bool is_plugged = !claims.plugged_into.empty();
   const double asked_w = claims.supply_w + (is_plugged ? claims.asked_w : 0);
   journal.note(
