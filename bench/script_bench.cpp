@@ -50,6 +50,7 @@ class StandingRover : public lsos::RoverPort {
   std::optional<lsos::PairSight> sight_of(const std::string&) const override { return {}; }
   void brake() override {}
   lsos::PowerPort& power() override { return power_; }
+  double set_posture(const lsos::PostureRequest&) override { return 0; }
   lsos::Deployment deploy_antenna(const std::string&, bool, std::optional<double>) override {
     return {};
   }

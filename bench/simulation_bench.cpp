@@ -38,8 +38,12 @@ std::string placemark(const std::string& schema,
   return text + "</SchemaData></ExtendedData>" + geometry + "</Placemark>\n";
 }
 
-std::string plan(const std::string& terrain, const std::string& events,
-                 const std::string& planet = "Moon") {
+std::string point(double lon_deg, double lat_deg) {
+  return fmt::format("<Point><coordinates>{:.7f},{:.7f}</coordinates></Point>", lon_deg, lat_deg);
+}
+
+std::string mission(const std::string& terrain, const std::string& planet,
+                    const std::string& placemarks) {
   return "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document>\n" +
          placemark("MissionInfo",
                    {{"Planet", planet},
@@ -47,17 +51,20 @@ std::string plan(const std::string& terrain, const std::string& events,
                     {"Terrain", terrain},
                     {"ParkedLogInterval", "60 s"}},
                    "") +
-         placemark("Rover", {{"RoverId", "A"}, {"RoverType", "SEV"}},
-                   "<Point><coordinates>10,20</coordinates></Point>") +
-         events + "</Document></kml>\n";
+         placemarks + "</Document></kml>\n";
 }
 
-std::string point(double lon_deg, double lat_deg) {
-  return fmt::format("<Point><coordinates>{:.7f},{:.7f}</coordinates></Point>", lon_deg, lat_deg);
+std::string plan(const std::string& terrain, const std::string& events,
+                 const std::string& planet = "Moon") {
+  return mission(terrain, planet,
+                 placemark("Rover", {{"RoverId", "A"}, {"RoverType", "SEV"}},
+                           "<Point><coordinates>10,20</coordinates></Point>") +
+                     events);
 }
 
 // Its counter is simulated seconds per second of wall time.
-void simulate(benchmark::State& state, const std::string& text, double limit_s, bool is_logged) {
+void simulate(benchmark::State& state, const std::string& text, double limit_s, bool is_logged,
+              int threads = 1) {
   const TemporaryFile file("plan.kml", text);
   double sim_s = 0;
   for (auto _ : state) {
@@ -66,6 +73,7 @@ void simulate(benchmark::State& state, const std::string& text, double limit_s, 
     files.faults.throw_if_errors();
     lsos::SimulationSetup setup = lsos::simulation_setup(files);
     setup.keeps_sight = is_logged;
+    setup.threads = threads;
     lsos::Simulation simulation(std::move(setup));
     const std::string log_file = file.path() + ".gpkg";
     std::unique_ptr<lsos::LogWriter> log;
@@ -98,6 +106,40 @@ void sev_drives(benchmark::State& state, const std::string& terrain) {
 }
 BENCHMARK_CAPTURE(sev_drives, flat, "Flat")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sev_drives, craters, "Craters")->Unit(benchmark::kMillisecond);
+
+// ATHLETE: 42 joints, steps of 5 ms, with posture control, without light, sight and log.
+void athlete_drives(benchmark::State& state, const std::string& terrain) {
+  simulate(state,
+           mission(terrain, "Moon",
+                   placemark("Rover", {{"RoverId", "A"}, {"RoverType", "ATHLETE"}}, point(10, 20)) +
+                       placemark("Route", {{"RoverId", "A"}, {"Sequence", "1"}}, point(10.05, 20))),
+           120, false);
+}
+BENCHMARK_CAPTURE(athlete_drives, flat, "Flat")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(athlete_drives, craters, "Craters")->Unit(benchmark::kMillisecond);
+
+// Three rovers side by side on as many threads as its argument says. Divide two of its times.
+void three_rovers_drive(benchmark::State& state, const std::string& type) {
+  std::string placemarks;
+  double lat_deg = 20;
+  for (const char* id : {"A", "B", "C"}) {
+    lat_deg += 0.01;
+    placemarks += placemark("Rover", {{"RoverId", id}, {"RoverType", type}}, point(10, lat_deg)) +
+                  placemark("Route", {{"RoverId", id}, {"Sequence", "1"}}, point(10.05, lat_deg));
+  }
+  simulate(state, mission("Craters", "Moon", placemarks), 120, false,
+           static_cast<int>(state.range(0)));
+}
+BENCHMARK_CAPTURE(three_rovers_drive, sev, "SEV")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(three_rovers_drive, athlete, "ATHLETE")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 // One panel and a battery; the Sun is observed each 354 s (Moon) or minute.
 void sev_parked_for_a_day(benchmark::State& state, const std::string& planet,

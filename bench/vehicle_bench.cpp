@@ -29,6 +29,7 @@ struct Case {
 constexpr Case cases[] = {{"SEV", "Moon", 1737400},
                           {"LRV", "Moon", 1737400},
                           {"MER", "Mars", 3396190},
+                          {"ATHLETE", "Moon", 1737400},
                           {"Husky", "Earth", 6378137}};
 
 // Gentle hills at 1 m on the body's equator, as raw samples that GDAL reads through a VRT.

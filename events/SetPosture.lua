@@ -9,8 +9,14 @@ local function check(p, rover)
   if not p.stance and not p.height_m and p.level == nil then
     return 'nothing is asked: Stance, Height or Level is wanted'
   end
-  if rover and not rover.is_on_limbs then
+  if not rover then return nil end
+  if not rover.height_max_m then
     return rover.type .. ' has no limbs: it cannot change its posture'
+  end
+  local h = p.height_m
+  if h and (h < rover.height_min_m or h > rover.height_max_m) then
+    return ('Height = %g m: %s can stand with %.2f to %.2f m under its chassis')
+      :format(h, rover.type, rover.height_min_m, rover.height_max_m)
   end
 end
 

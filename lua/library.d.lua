@@ -61,6 +61,8 @@
 ---@field length_m number Of the ground that it covers, ahead.
 ---@field turning_radius_m number The least; 0: it turns on the spot.
 ---@field is_parked boolean Brakes on and standing still.
+---@field is_adjusting boolean Its limbs move although it stands.
+---@field clearance_m number Under its chassis, as its stance says; nil when it is not on limbs.
 ---@field drive lsos.rover.drive What became of the last rover:follow.
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
 ---@field panels lsos.rover.panels Its solar panels.
@@ -71,6 +73,7 @@
 ---@field ground_at fun(self: lsos.rover, point: vec3): { position: vec3, elevation_m: number, slope_rad: number, soil: string }? The ground under or over it: { position = , elevation_m = , slope_rad = , soil = }; nil where there is none.
 ---@field sky fun(self: lsos.rover): { sun_azimuth_rad: number, sun_elevation_rad: number, earth_azimuth_rad: number?, earth_elevation_rad: number? } Where Sun and Earth stand: { sun_azimuth_rad = , sun_elevation_rad = , earth_azimuth_rad = , earth_elevation_rad = }; Earth's nil on Earth.
 ---@field brake fun(self: lsos.rover) Stops and holds.
+---@field set_posture fun(self: lsos.rover, posture: { stance?: string, height_m?: number, level?: boolean, duration_s?: number }): number Begins to move its limbs into another stance, as fast as their joints turn or in `duration_s`; gives the time that it takes. Fails the event where a joint cannot.
 ---@field work fun(self: lsos.rover, power_w: number) Power that the event uses until it ends.
 ---@field resource fun(self: lsos.rover, name: string): number? What is left of it; nil when the rover carries none.
 ---@field use fun(self: lsos.rover, name: string, amount: number): boolean Takes it; false, and nothing is taken, when there is not so much.
@@ -97,6 +100,7 @@
 ---@field external_w number From outside.
 ---@field external_j number The same, since the start.
 ---@field load_w number Used by all but the wheel motors.
+---@field generator_w number Constant power made aboard; it counts as from outside.
 ---@field time_to_charge_s fun(self: lsos.rover.battery, charge: number): number? Until it holds that share, with what flows now; nil when it will not.
 ---@field await_charge fun(self: lsos.rover.battery, charge: number) The phase is called when it holds that share, however long it sleeps; until the event ends.
 ---@field set_energy fun(self: lsos.rover.battery, energy_j: number) Sets what it holds, from 0 to its capacity; anything else is an error.
@@ -163,7 +167,7 @@
 ---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
 ---@field start? string The first phase; may be left out if there is one.
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
----@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
+---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `generator_w`, `height_min_m`, `height_max_m` (on limbs), `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its routes: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
@@ -210,7 +214,7 @@
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
----@field names? string What it must name, checked before the run: a 'panel', 'resource' or 'antenna' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, or any 'other' rover or asset.
+---@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, or any 'other' rover or asset.
 ---@field default? string Value when the plan gives none.
 ---@field required? boolean The plan must give it (default false).
 
@@ -258,6 +262,7 @@
 ---@field drive_calibration_source? string The measurements; required unless drive_calibration is 1.
 ---@field battery? any Without one the energy balance is not modelled (default).
 ---@field panels? table[] Solar panels (default none).
+---@field generator_w? number Constant electrical power made aboard, as of a radioisotope generator; it counts as external power (default 0).
 ---@field loads? table[] What uses power besides wheel motors.
 ---@field resources? table[] What events use up.
 ---@field shapes? table[] What it looks like, and casts shadows with; wheels and what they hang on are drawn without being named (default: the chassis' box).
@@ -281,6 +286,8 @@
 ---@field name string What a plan's RoverConfig says.
 ---@field doc string One sentence that a mission planner understands.
 ---@field joints? table Where joints stand at the start, by name; the others at 0.
+---@field height_m? number On limbs: of the chassis' underside over the ground, with its wheels where they stand (default: as `joints` say).
+---@field is_level? boolean On limbs with posture control: whether it keeps the chassis level, else parallel to the ground (default true).
 ---@field free_wheels? string[] Wheels that turn without motor and brake, by name.
 ---@field locked_wheels? string[] Wheels that do not turn at all, by name.
 ---@field payload_mass_kg? number On the chassis besides its own mass, as a point; negative takes load off (default 0).
@@ -332,6 +339,45 @@
 ---@field is_steered? boolean Default false; without, it has no knuckle and no knuckle's mass.
 ---@field is_driven? boolean Default true; without, its wheels turn freely.
 ---@field on? string 'rocker' (default) or 'bogie': what carries it.
+
+---@class lsos.legged.keys
+---@field limbs table[] Where limbs are.
+---@field posture? any Active control of its posture (default: limbs hold their stance on any ground).
+---@field knuckle_mass_kg? number Of one: what is steered, without wheels; needed when any is steered.
+---@field steering? any Of each that is steered; needed when any is.
+---@field wheel any Every wheel.
+---@field drive any The motor of every wheel.
+
+---@class lsos.limb.keys
+---@field name string 'limb_1': its parts in the log begin with it.
+---@field position_m vec3 Of its wheel: forward, left; z is 0.
+---@field joints table[] From the chassis outwards.
+---@field is_steered? boolean Whether its wheel turns on a knuckle about the vertical, after the joints (default true).
+
+---@class lsos.joint.keys
+---@field name string 'knee': with its limb's name before it in the log.
+---@field position_m vec3 At rest: forward, left, up as for the chassis.
+---@field axis vec3 About which it turns, at rest; its length is of no matter.
+---@field motor any Turns and holds it.
+---@field angle_min_rad number End of its range, counted from rest.
+---@field angle_max_rad number The other end.
+---@field mass_kg number Of the segment from this joint to the next.
+---@field center_of_mass_m? vec3 Of the segment at rest (default: the middle between both joints).
+---@field inertia_kgm2? vec3 Principal moments of the segment about its centre of mass, forward, left, up at rest (default: of a rod between both joints).
+
+---@class lsos.limb_motor.keys
+---@field rate_max_radps number Turning rate.
+---@field torque_max_n_m number At the joint.
+---@field stiffness_n_m_prad number Of position servo and gears, also while the brake holds.
+---@field damping_n_m_sprad number Of the same.
+---@field brake_torque_max_n_m number Of the brake, which holds a joint that is not to turn.
+---@field efficiency number Of the gears: work at the joint over work of the motor.
+---@field winding_loss_w_pn2m2? number Electrical loss per torque at the joint squared, while it turns (default 0).
+---@field idle_w? number Power of its controller while it turns (default 0).
+
+---@class lsos.posture.keys
+---@field leveling_1ps number How fast the chassis levels, for each radian that it is tilted.
+---@field load_sharing_mps_pn number How fast a limb yields, for each newton that its wheel carries too much.
 
 ---@class lsos.rocker.keys
 ---@field pivot_m vec3 Of the left one at rest: forward, left, up. The right one mirrors it.
@@ -585,6 +631,11 @@
 ---@field rocker_bogie fun(keys: lsos.rocker_bogie.keys): lsos.made Suspension: rockers tied by a differential, with or without bogies on them.
 ---@field skid_steer fun(keys: lsos.skid_steer.keys): lsos.made Suspension: wheels that do not steer, on the chassis or on rockers; it turns by sliding.
 ---@field station fun(keys: lsos.station.keys): lsos.made A wheel on the left and one on the right of the last two suspensions.
+---@field legged fun(keys: lsos.legged.keys): lsos.made Suspension: wheels on limbs, which are chains of joints with motors.
+---@field limb fun(keys: lsos.limb.keys): lsos.made A limb and its wheel.
+---@field joint fun(keys: lsos.joint.keys): lsos.made A joint of a limb, and what it moves.
+---@field limb_motor fun(keys: lsos.limb_motor.keys): lsos.made Servo and brake of a limb's joint.
+---@field posture fun(keys: lsos.posture.keys): lsos.made Keeps the chassis level and shares the load among the wheels.
 ---@field rocker fun(keys: lsos.rocker.keys): lsos.made The arm on each side of the body.
 ---@field bogie fun(keys: lsos.bogie.keys): lsos.made The arm on each rocker.
 ---@field differential fun(keys: lsos.differential.keys): lsos.made What ties two rockers.

@@ -19,7 +19,7 @@ local differential_kg = 0.2    -- A
 -- V: footprint of 0.535 x 0.539 m, Els. D: less wheels with their grousers. The same table has a
 -- wheelbase of 0.50 m after it, with which the wheels would reach 0.1 m beyond that.
 local wheelbase_m = 0.305
-local track_m     = 0.459
+local track_m     = 0.459  -- D: likewise
 
 -- D: moment of a wheel about its axle, a solid disc; A: five times that, for what the drive turns
 -- behind its gear
@@ -42,7 +42,7 @@ local suspension = lsos.skid_steer {
   },
   differential = lsos.differential {
     kind               = 'gear',    -- A
-    position_m         = vec(0, 0, 0.2),
+    position_m         = vec(0, 0, 0.2),  -- A
     mass_kg            = differential_kg,
     stiffness_n_m_prad = 30,        -- A
     damping_n_m_sprad  = 0.4,       -- A
@@ -114,7 +114,7 @@ return lsos.rover {
       name       = 'Deck',
       position_m = vec(0, 0, 0.355),  -- A
       length_m   = 0.5,               -- A: 0.25 m2, as the same table estimates it
-      width_m    = 0.5,
+      width_m    = 0.5,  -- A
       efficiency = 0.28,              -- A
       factor     = 0.8,               -- A: packing, wiring and conversion
     },

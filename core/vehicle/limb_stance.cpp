@@ -1,6 +1,8 @@
 #include "vehicle/limb_stance.h"
 
+#include <cmath>
 #include "vehicle/part_pose.h"
+
 #include "vehicle/posture_move.h"
 
 namespace lsos {
@@ -75,6 +77,29 @@ double height_m(const VehicleConfig& vehicle, const std::vector<Vec3>& hubs_B_m)
     sum_m += vehicle.chassis_clearance_m + radius_m(vehicle, vehicle.limbs[i]) - hubs_B_m[i].z();
   }
   return sum_m / static_cast<double>(hubs_B_m.size());
+}
+
+HeightRange height_range(const VehicleConfig& vehicle) {
+  constexpr double precision_m = 1e-3, far_m = 20;
+  const std::vector<Vec3> at_rest = hubs_B_m(vehicle);
+  const std::vector<LimbChain> chains = limb_chains(vehicle);
+  const auto reaches = [&](double height_m) {
+    const std::vector<Vec3> hubs = at_height(vehicle, at_rest, height_m);
+    for (std::size_t i = 0; i < hubs.size(); ++i) {
+      const std::vector<double> from_rad = initial_rad(vehicle, vehicle.limbs[i]);
+      if (chains[i].reach(hubs[i], from_rad).error_m > hub_reached_m) return false;
+    }
+    return true;
+  };
+  const auto limit_m = [&](double good_m, double bad_m) {
+    while (std::abs(bad_m - good_m) > precision_m) {
+      const double middle_m = (good_m + bad_m) / 2;
+      (reaches(middle_m) ? good_m : bad_m) = middle_m;
+    }
+    return good_m;
+  };
+  const double now_m = height_m(vehicle, at_rest);
+  return {limit_m(now_m, 0), limit_m(now_m, now_m + far_m)};
 }
 
 std::string stand(VehicleConfig& vehicle, const std::vector<Vec3>& hubs_B_m) {

@@ -24,6 +24,13 @@ std::vector<Vec3> at_height(const VehicleConfig& vehicle, std::vector<Vec3> hubs
 // Its inverse: height of the chassis' underside over the ground.
 double height_m(const VehicleConfig& vehicle, const std::vector<Vec3>& hubs_B_m);
 
+// Least and greatest height of the chassis' underside over the ground, to a millimetre, with the
+// wheels where they stand. The chassis stays above the ground.
+struct HeightRange {
+  double least_m = 0, greatest_m = 0;
+};
+HeightRange height_range(const VehicleConfig& vehicle);
+
 // Sets the initial positions of the limbs' joints so that the hubs are at these places. Returns ""
 // or the first limb that cannot reach its place, with the joint that hinders it.
 std::string stand(VehicleConfig& vehicle, const std::vector<Vec3>& hubs_B_m);

@@ -42,15 +42,19 @@ void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& mo
   set(L, "id", rover.id);
   set(L, "type", rover.type);
   set(L, "initial_charge", rover.initial_charge);
-  set(L, "length_m", 2 * footprint_at_rest(model.spec.vehicle).half_m.x());
+  set(L, "length_m", 2 * footprint_at_rest(make_vehicle(model.spec, rover.configuration, 1)).half_m.x());
   if (model.power.battery) {
     set(L, "battery_capacity_j", model.power.battery->capacity_j);
+    set(L, "generator_w", model.power.generator_w);
     set(L, "charge_power_max_w", model.power.battery->charge_power_max_w);
   }
   if (const auto crew = model.crew_of(rover.configuration)) {
     set(L, "crew", static_cast<double>(*crew));
   }
-  set(L, "is_on_limbs", std::holds_alternative<Legged>(model.spec.suspension));
+  if (model.heights) {
+    set(L, "height_min_m", model.heights->least_m);
+    set(L, "height_max_m", model.heights->greatest_m);
+  }
   if (!rover.configuration.empty()) set(L, "configuration", rover.configuration);
   if (model.limits.slope_max_rad) set(L, "slope_max_rad", *model.limits.slope_max_rad);
   lua_newtable(L);

@@ -112,6 +112,11 @@ void check_vehicle(const RoverModel& model, Faults& faults) {
   }
 }
 
+std::optional<HeightRange> heights_of(const RoverSpec& rover) {
+  if (!std::holds_alternative<Legged>(rover.suspension)) return {};
+  return height_range(make_vehicle(rover, "", 1));
+}
+
 std::vector<std::string> configurations_of(const RoverSpec& rover) {
   std::vector<std::string> names;
   for (const RoverConfiguration& configuration : rover.configurations) {
@@ -146,6 +151,7 @@ void Catalog::load_rover_script(LuaState& lua, const Script& script, Faults& fau
       auto rover = std::any_cast<RoverModel>(made->value);
       check_vehicle(rover, faults);
       if (faults.has_errors()) return;
+      rover.heights = heights_of(rover.spec);
       declarations_.rover_types[script.name] = {rover.spec.doc, false,
                                                 configurations_of(rover.spec)};
       rovers_[script.name] = std::move(rover);
@@ -236,6 +242,7 @@ RoverModel Catalog::load_variant(const std::string& name, const std::string& cha
   Faults found;
   std::optional<RoverModel> model = load<RoverModel>(lua, script, rover_kind, found);
   if (model && !found.has_errors()) check_vehicle(*model, found);
+  if (model && !found.has_errors()) model->heights = heights_of(model->spec);
   for (const std::string& doubt : lua.context().doubts) found.warning({}, doubt);
   std::vector<Fault> reported;
   for (const Fault& fault : found.sorted()) {

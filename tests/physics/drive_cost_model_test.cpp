@@ -80,12 +80,14 @@ TEST(DriveLosses, are_in_the_table_as_in_the_simulated_rover) {
   EXPECT_GT(driven_jpm_at(1), driven_jpm_at(3.6) + 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rovers, DriveTable,
-                         testing::Values(Climb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
-                                         Climb{"LRV", "Moon", "ApolloNominal", 1, 60, {0, 8, 15}},
-                                         Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
-                                         Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
-                         [](const auto& tested) { return std::string(tested.param.rover); });
+INSTANTIATE_TEST_SUITE_P(
+    Rovers, DriveTable,
+    testing::Values(Climb{"SEV", "Moon", "ApolloNominal", 1, 20, {0, 8, 15}},
+                    Climb{"LRV", "Moon", "ApolloNominal", 1, 60, {0, 8, 15}},
+                    Climb{"MER", "Mars", "MMS", 0.035, 1.5, {0, 5, 10}},
+                    Climb{"ATHLETE", "Moon", "ApolloNominal", 0.4, 10, {0, 5, 10}},
+                    Climb{"Husky", "Earth", "Hardpan", 0.5, 10, {0, 8, 15}}),
+    [](const auto& tested) { return std::string(tested.param.rover); });
 
 // `spare_jpm` is the energy that brakes and motors take up downhill, as the electrical energy that
 // it stands for. The drives are without the losses that a motor covers as a generator.

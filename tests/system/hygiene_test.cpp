@@ -38,7 +38,7 @@ TEST(Scripts, say_what_they_are_for) {
 
 // Whether the source of a number is given behind it, or in the comment right above it.
 bool is_graded(const std::vector<std::string>& lines, std::size_t i) {
-  static const std::regex grade(R"(-- .*\b[VRDA]\b.*)"), comment(" *--.*");
+  static const std::regex grade(R"(-- .*\b[VSRDA]\b.*)"), comment(" *--.*");
   if (std::regex_search(lines[i], grade)) return true;
   while (i-- > 0 && std::regex_match(lines[i], comment)) {
     if (std::regex_search(lines[i], grade)) return true;

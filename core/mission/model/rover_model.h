@@ -12,6 +12,7 @@
 #include "mission/model/antenna.h"
 #include "power/power_spec.h"
 #include "route/map/ground_limits.h"
+#include "vehicle/limb_stance.h"
 #include "vehicle/suspension/rover_spec.h"
 
 namespace lsos {
@@ -24,6 +25,7 @@ struct RoverModel {
   // In the order of preference; if empty, one antenna on top of the shapes.
   std::vector<AntennaSpec> antennas;
   GroundLimits limits;
+  std::optional<HeightRange> heights = {};  // on limbs: how low and high it can stand
   std::optional<std::int64_t> crew = {};  // number carried; absent: not given
 
   // Crew aboard in one of its configurations; absent: not given.

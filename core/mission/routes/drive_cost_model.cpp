@@ -102,6 +102,11 @@ void add_corners(const VehicleConfig& vehicle, const std::vector<WheelDrive>& wh
     winding_w_pn2 += wheel.motor->winding_loss_w_pn2m2 * radius_m * radius_m;
     cost.idle_w += vehicle.drive_calibration * wheel.motor->idle_w;
   }
+  if (vehicle.posture) {
+    for (const LinkConfig& link : vehicle.links) {
+      if (link.limb) cost.idle_w += link.limb->motor.idle_w;
+    }
+  }
   // Loss in all windings by the square of the whole pull, which the driven wheels share evenly.
   if (driven > 0) winding_w_pn2 *= vehicle.drive_calibration / (driven * driven);
   double reach_m = 0;

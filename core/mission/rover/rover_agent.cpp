@@ -175,6 +175,7 @@ Deployment RoverAgent::deploy_antenna(const std::string& antenna, bool up,
 double RoverAgent::set_posture(const PostureRequest& request) {
   const double takes_s = lsos::set_posture(motion_.vehicle(), request);
   drive_.wake();
+  view_.is_adjusting = motion_.is_adjusting();
   return takes_s;
 }
 
