@@ -42,7 +42,8 @@ void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& mo
   set(L, "id", rover.id);
   set(L, "type", rover.type);
   set(L, "initial_charge", rover.initial_charge);
-  set(L, "length_m", 2 * footprint_at_rest(make_vehicle(model.spec, rover.configuration, 1)).half_m.x());
+  set(L, "length_m",
+      2 * footprint_at_rest(make_vehicle(model.spec, rover.configuration, 1)).half_m.x());
   if (model.power.battery) {
     set(L, "battery_capacity_j", model.power.battery->capacity_j);
     set(L, "generator_w", model.power.generator_w);

@@ -26,7 +26,7 @@ struct RoverModel {
   std::vector<AntennaSpec> antennas;
   GroundLimits limits;
   std::optional<HeightRange> heights = {};  // on limbs: how low and high it can stand
-  std::optional<std::int64_t> crew = {};  // number carried; absent: not given
+  std::optional<std::int64_t> crew = {};    // number carried; absent: not given
 
   // Crew aboard in one of its configurations; absent: not given.
   std::optional<std::int64_t> crew_of(const std::string& configuration) const {
