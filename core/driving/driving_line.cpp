@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/segment.h"
-#include "driving/fillet.h"
 
 namespace lsos {
 
@@ -38,7 +37,8 @@ class LineBuilder {
     if (2 * half < straight_rad) return go_to(corner, 0);
     // This corner may use half of the next side; the rest belongs to the next corner.
     const double before_m = (corner - at_).norm(), after_m = (next - corner).norm();
-    double radius_m = fillet_radius_m(2 * half, std::min(before_m, 0.5 * after_m), fillet_offset_m);
+    double radius_m =
+        fillet_radius_m(2 * half, std::min(before_m, 0.5 * after_m), limits_.corner_offset_m);
     if (radius_m < limits_.radius_min_m) {
       const bool has_room = limits_.radius_min_m * std::tan(half) <= std::min(before_m, after_m);
       if (limits_.can_turn_on_spot || !has_room) {
@@ -78,7 +78,8 @@ class LineBuilder {
 
  private:
   double arc_speed_mps(double radius_m) const {
-    return lsos::arc_speed_mps(radius_m, limits_.speed_mps, limits_.lateral_mps2);
+    return lsos::arc_speed_mps(radius_m, limits_.speed_mps, limits_.lateral_mps2,
+                               limits_.steering_m);
   }
 
   DrivingLimits limits_;

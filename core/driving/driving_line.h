@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vector.h"
+#include "driving/fillet.h"
 
 namespace lsos {
 
@@ -14,6 +15,8 @@ struct DrivingLimits {
   double lateral_mps2 = 0.2;       // across the line, in arcs
   double radius_min_m = 5;         // least radius of an arc
   bool can_turn_on_spot = true;
+  // Greatest distance of a corner from its fillet, and that driven while steering into an arc.
+  double corner_offset_m = fillet_offset_m, steering_m = steering_distance_m;
 };
 
 // One straight piece of the line, in the horizontal plane of S; an arc consists of pieces of at

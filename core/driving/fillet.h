@@ -25,9 +25,10 @@ inline double fillet_radius_m(double bend_rad, double room_m, double offset_m) {
 
 // Speed on the arc: limited by the lateral acceleration, v^2 / R, and by the distance that steering
 // into the arc takes, v / (R curvature_rate_1pms).
-inline double arc_speed_mps(double radius_m, double speed_mps, double lateral_mps2) {
-  return std::min({speed_mps, std::sqrt(lateral_mps2 * radius_m),
-                   steering_distance_m * curvature_rate_1pms * radius_m});
+inline double arc_speed_mps(double radius_m, double speed_mps, double lateral_mps2,
+                            double steering_m = steering_distance_m) {
+  return std::min(
+      {speed_mps, std::sqrt(lateral_mps2 * radius_m), steering_m * curvature_rate_1pms * radius_m});
 }
 
 }  // namespace lsos

@@ -79,6 +79,8 @@ void PathFollower::build_line() {
   limits.acceleration_mps2 = limits.lateral_mps2 = limits_.acceleration_mps2;
   limits.radius_min_m = limits_.radius_min_m;
   limits.can_turn_on_spot = limits_.can_turn_on_spot;
+  limits.corner_offset_m = limits_.corner_offset_m;
+  limits.steering_m = limits_.steering_m;
   line_ = driving_line(waypoints_S_m_, limits);
 }
 
@@ -216,7 +218,8 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
   const double kept_mps =
       std::min({steered_mps, side_slip_speed_mps(side_slip_soon_rad), slope_limit_mps()});
-  command_mps_ = std::min(command_mps_, std::max({creep_mps, kept_mps, slowed_mps}));
+  command_mps_ = std::min({command_mps_, std::max({creep_mps, kept_mps, slowed_mps}),
+                           std::max(speed_limit_mps_, slowed_mps)});
   return {command_mps_, command_mps_ * command_curvature_1pm_, false};
 }
 
@@ -225,7 +228,8 @@ DriveCommand PathFollower::crab(const FollowerPose& pose, double to_end_m, doubl
                                 double period_s) {
   const double slowed_mps = command_mps_ - 2 * limits_.acceleration_mps2 * period_s;
   ramp_speed(to_end_m, period_s);
-  command_mps_ = std::min(command_mps_, std::max(slope_limit_mps(), slowed_mps));
+  command_mps_ =
+      std::min(command_mps_, std::max(std::min(slope_limit_mps(), speed_limit_mps_), slowed_mps));
   const DrivingPiece& leg = line_[leg_];
   const Vec2 left_S(-leg.along_S.y(), leg.along_S.x());
   const double back_mps =
@@ -345,7 +349,8 @@ void PathFollower::archive(Archive& a) {
   LSOS_ARCHIVE(a, waypoints_S_m_, limits_, leg_, is_turning_, is_stopping_, command_mps_,
                command_curvature_1pm_, side_slip_rad_, incline_.pitch_rad, incline_.bank_rad,
                heading_rad_, remaining_m_, best_remaining_m_, best_heading_error_rad_, stopping_s_,
-               since_progress_s_, status_, reason_, is_stuck_, is_off_line_, passed_);
+               since_progress_s_, status_, reason_, is_stuck_, is_off_line_, passed_,
+               speed_limit_mps_);
   if (a.is_reading()) build_line();
 }
 

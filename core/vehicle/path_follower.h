@@ -26,13 +26,15 @@ struct FollowerLimits {
   double gravity_mps2 = 9.81;
   double lookahead_min_m = 2.5;  // distance over which the cross-track error decays at low speed
   bool is_crabbing = false;      // follows the line without turning into it
+  // How far from a corner it is rounded, and how far it drives while it steers into an arc.
+  double corner_offset_m = fillet_offset_m, steering_m = steering_distance_m;
   // Greatest cross-track error to either side; beyond it the drive fails.
   double cross_track_max_m = std::numeric_limits<double>::infinity();
 
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, speed_mps, level_speed_mps, acceleration_mps2, gravity_mps2, arrival_radius_m,
                  radius_min_m, turn_rate_radps, can_turn_on_spot, lookahead_min_m, is_crabbing,
-                 cross_track_max_m);
+                 corner_offset_m, steering_m, cross_track_max_m);
   }
 };
 
@@ -54,6 +56,12 @@ class PathFollower {
   // first waypoints count as passed as long as they are within the arrival radius (at most 1 m) of
   // it.
   PathFollower(const Path3& path_S_m, const FollowerPose& start, const FollowerLimits& limits);
+
+  // Moves the end of the line: the last waypoint is replaced by these, of which there is at least
+  // one. What lies well behind the rover is forgotten.
+  void extend(const std::vector<Vec2>& waypoints_S_m, const FollowerPose& pose);
+  // Limits the speed from now on, besides what the line and the ground allow.
+  void limit_speed(double speed_mps) { speed_limit_mps_ = speed_mps; }
 
   // Called once per exchange period; the command holds until the next call.
   DriveCommand update(const FollowerPose& pose, double period_s);
@@ -97,6 +105,10 @@ class PathFollower {
   SideSlip side_slip(const FollowerPose& pose, double period_s);
   bool makes_no_progress(double heading_error_rad, double period_s);
   void build_line();
+  // Forgets waypoints behind the rover, which has driven `driven_m` of the line; returns by how
+  // much that makes the line shorter.
+  double forget_driven(double driven_m);
+  std::size_t leg_near(const FollowerPose& pose, double driven_m) const;
 
   std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was
   FollowerLimits limits_;
@@ -118,7 +130,8 @@ class PathFollower {
   Status status_ = Status::driving;
   std::string reason_;
   bool is_stuck_ = false, is_off_line_ = false;
-  std::size_t passed_ = 0;  // waypoints that were within reach at the start
+  std::size_t passed_ = 0;  // waypoints within reach at the start, and forgotten ones
+  double speed_limit_mps_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace lsos
