@@ -7,6 +7,7 @@
 
 #include "mission/ahead/ground_end_warnings.h"
 #include "mission/fleet/avoidance.h"
+#include "mission/fleet/convoy.h"
 #include "mission/fleet/power_sharing.h"
 #include "mission/fleet/solids.h"
 #include "mission/light/sky_view.h"
@@ -32,6 +33,7 @@ Simulation::Simulation(SimulationSetup setup)
   build();
   Faults faults = place_rovers(fleet_, machine_, *site_.ground, *host_);
   throw_with_advice(faults);
+  keep_tracks(fleet_, machine_);
   plan_routes();
   make_light_and_sight();
 }
@@ -175,6 +177,7 @@ void Simulation::exchange() {
     const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
+  lead_followers(fleet_);
   avoid_rovers(fleet_);
   avoid_assets(fleet_);
   run_scripts();

@@ -115,6 +115,7 @@ class Simulation : private Surroundings {
   std::optional<Vec3> place_S_m(const std::string& id) const override {
     return fleet_.place_S_m(id);
   }
+  bool has_rover(const std::string& id) const override { return fleet_.find(id) != nullptr; }
   SkyView sky(const Geodetic& place) const override;
   std::optional<PairSight> sight(const std::string& id, const std::string& other) const override;
 

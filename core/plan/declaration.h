@@ -31,6 +31,7 @@ enum class NameOf {
   stance,          // a stance of a rover on limbs
   power_source,    // an asset of the plan that supplies power
   other,           // another rover of the plan, or an asset
+  leader,          // another rover of the plan, which the event's rover follows
 };
 
 // What the engine reads a number of an event for, before and beside its script.

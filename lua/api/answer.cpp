@@ -68,6 +68,13 @@ int answer_sleep_until(lua_State* L) {
   return 1;
 }
 
+int answer_arrival_within(lua_State* L) {
+  const EventCall& call = running_call(L, "lsos.arrival_within");
+  const double time_s = check_time_s(L, 0, "lsos.arrival_within");
+  push_answer(L, Arrival{call.phase.now + from_seconds(time_s)});
+  return 1;
+}
+
 PhaseAnswer read_answer(lua_State* L, int base, const EventDeclaration& event) {
   const int count = lua_gettop(L) - base;
   if (count > 1) throw std::runtime_error(fmt::format("a phase answers one value, not {}", count));
@@ -76,7 +83,7 @@ PhaseAnswer read_answer(lua_State* L, int base, const EventDeclaration& event) {
   if (lua_type(L, -1) != LUA_TSTRING) {
     throw std::runtime_error(fmt::format(
         "a phase answers nothing, a phase's name, lsos.done, lsos.fail(...), lsos.sleep(s), "
-        "lsos.sleep_until(s) or lsos.arrival, not {}",
+        "lsos.sleep_until(s), lsos.arrival or lsos.arrival_within(s), not {}",
         describe(L, -1)));
   }
   return GoTo{find_phase(event, key_text(L, -1)).name};

@@ -20,6 +20,7 @@ std::string formatted(lua_State* L);
 int answer_fail(lua_State* L);
 int answer_sleep(lua_State* L);
 int answer_sleep_until(lua_State* L);
+int answer_arrival_within(lua_State* L);
 
 // Reads the answer from the values that the phase function left above stack index `base`. Throws
 // std::runtime_error for a value that is no answer, and for the name of a phase that the event does

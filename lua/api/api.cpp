@@ -63,6 +63,9 @@ const std::vector<ApiFunction>& api_functions() {
       {"sleep_until", guard<answer_sleep_until>, "lsos.sleep_until(time_s)",
        "Answer: call this phase again at that time since the mission's start.",
        "fun(time_s: number): lsos.answer"},
+      {"arrival_within", guard<answer_arrival_within>, "lsos.arrival_within(time_s)",
+       "Answer: call this phase again when the drive has ended, or after that long.",
+       "fun(time_s: number): lsos.answer"},
       {"vec3", guard<vec3>, "lsos.vec3(x, y, z)",
        "A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out.",
        "fun(x: number, y: number, z?: number): vec3"},
@@ -83,7 +86,7 @@ const std::vector<ApiConstant>& api_constants() {
   static const std::vector<ApiConstant> constants{
       {"done", [](lua_State* L) { push_answer(L, Done{}); }, "Answer: the event is completed."},
       {"arrival", [](lua_State* L) { push_answer(L, Arrival{}); },
-       "Answer: call this phase again when rover:follow has ended (rover.drive says how)."}};
+       "Answer: call this phase again when the drive has ended (rover.drive says how)."}};
   return constants;
 }
 

@@ -1,4 +1,4 @@
-// `rover.drive`: what became of the last rover:follow.
+// `rover.drive`: what became of the last rover:follow or rover:follow_rover.
 #include "lua/runtime/handle.h"
 
 namespace lsos {
@@ -38,10 +38,14 @@ int drive_remaining_m(lua_State* L) {
 const HandleType& drive_handle_type() {
   static const HandleType type{
       "rover.drive",
-      "What became of the last rover:follow.",
-      {{"status", drive_status, "text", "'none', 'driving', 'arrived' or 'failed'."},
+      "What became of the last rover:follow or rover:follow_rover.",
+      {{"status", drive_status, "text",
+        "'none', 'driving', 'arrived' or 'failed'. Behind another rover it is 'driving' also while "
+        "it "
+        "stands and waits, and 'arrived' when all events of that one have ended."},
        {"reason", drive_reason, "text", "Why it failed, else ''."},
-       {"remaining_m", drive_remaining_m, "number", "Along the path."},
+       {"remaining_m", drive_remaining_m, "number",
+        "Along the path; behind another rover, to where that is."},
        {"next_point", drive_next_point, "integer", "Number of the path's point that comes next."},
        {"is_blocked", drive_is_blocked, "boolean",
         "It failed because of what lies ahead: ground it gets stuck on, another rover."}},

@@ -157,14 +157,15 @@ void read_text(TableReader& t, FieldDeclaration& field) {
                                                        {"antenna", NameOf::antenna},
                                                        {"stance", NameOf::stance},
                                                        {"power_source", NameOf::power_source},
-                                                       {"other", NameOf::other}};
+                                                       {"other", NameOf::other},
+                                                       {"leader", NameOf::leader}};
   t.word(
       optional, "names", things, field.names,
       "What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of "
       "the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that "
-      "the "
-      "rover has are meant, and there must be one), a 'power_source', an asset that has power to "
-      "give and is within reach, or any 'other' rover or asset.");
+      "the rover has are meant, and there must be one), a 'power_source', an asset that has power "
+      "to give and is within reach, any 'other' rover or asset, or a 'leader', another rover that "
+      "the rover follows.");
   read_text_default(t, field);
   read_required(t, field);
 }

@@ -145,6 +145,24 @@ int follow(lua_State* L) {
   return 0;
 }
 
+int follow_rover(lua_State* L) {
+  RoverPort& rover = rover_of(L);
+  lua_settop(L, 3);
+  PursuitSettings settings;
+  settings.leader_id = luaL_checkstring(L, 2);
+  if (!lua_isnil(L, 3)) {
+    luaL_checktype(L, 3, LUA_TTABLE);
+    Faults faults;
+    TableReader t(L, 3, "rover:follow_rover", {}, faults);
+    t.number(optional, "distance_m", settings.distance_m, positive, "Kept along the track.");
+    t.number(optional, "speed_mps", settings.speed_mps, positive, "The greatest.");
+    t.finish();
+    faults.throw_if_errors();
+  }
+  rover.follow_rover(settings);
+  return 0;
+}
+
 // Charges for planning, the most expensive work that a script can request: a kilometre may take a
 // second or more. A mission's own route of hundreds of legs must fit the budget, though most of it
 // is planned before the event requests it.
@@ -316,7 +334,7 @@ const HandleType& rover_handle_type() {
        {"is_adjusting", is_adjusting, "boolean", "Its limbs move although it stands."},
        {"clearance_m", quantity<&V::clearance_m>, "number",
         "Under its chassis, as its stance says; nil when it is not on limbs."},
-       {"drive", drive, "rover.drive", "What became of the last rover:follow."},
+       {"drive", drive, "rover.drive", "What became of its last drive."},
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
        {"panels", panels, "rover.panels", "Its solar panels."},
        {"antennas", antennas, "rover.antennas", "Its antennas."}},
@@ -325,6 +343,14 @@ const HandleType& rover_handle_type() {
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival.",
         "fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, "
         "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number })"},
+       {"follow_rover", guard<follow_rover>,
+        "rover:follow_rover(id, { distance_m = , speed_mps = })",
+        "Drives behind another rover along its track, at that distance (default 20), at most so "
+        "fast (default as fast as its type can), until all events of that one have ended; then "
+        "answer lsos.arrival. It enters the track where that is nearest, and stands while the "
+        "other one does.",
+        "fun(self: lsos.rover, id: string, settings?: { distance_m?: number, speed_mps?: number "
+        "})"},
        {"plan_path", guard<plan_path>,
         "rover:plan_path(waypoints, { speed_mps = , slope_max_rad = , aim = , ... })",
         "A route over the ground through the waypoints from number `first` (default 1) on, with "

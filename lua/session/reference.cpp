@@ -37,7 +37,8 @@ says when it is called next:
 | nothing | again at the next exchange, 0.1 s later |
 | `'name'` | go on in that phase, now |
 | `lsos.sleep(s)`, `lsos.sleep_until(s)` | again then; nothing polls meanwhile |
-| `lsos.arrival` | again when `rover:follow` has ended |
+| `lsos.arrival` | again when `rover:follow` or `rover:follow_rover` has ended |
+| `lsos.arrival_within(s)` | the same, or so much later |
 | `lsos.done` | the event is completed |
 | `lsos.fail(format, ...)` | the event has failed |
 

@@ -33,7 +33,8 @@ bool RunningEvent::is_due(const Turn& turn) const {
     case Wake::at_time:
       return turn.now >= wake_at_ || turn.agent.power().has_reached_charge();
     case Wake::arrival:
-      return turn.agent.drive_state().status != DriveState::Status::driving;
+      return turn.agent.drive_state().status != DriveState::Status::driving ||
+             (latest_ && turn.now >= *latest_);
   }
   return true;
 }
@@ -80,9 +81,11 @@ RunningEvent::Progress RunningEvent::wait(const PhaseAnswer& answer, const Turn&
     wake_at_ = std::max(wake_at_, round_up_to_exchange(sleep->time));
   }
   // When nothing drives, the phase is called again at the next exchange rather than never.
-  if (std::holds_alternative<Arrival>(answer) &&
-      turn.agent.drive_state().status == DriveState::Status::driving) {
+  const auto* arrival = std::get_if<Arrival>(&answer);
+  if (arrival != nullptr && turn.agent.drive_state().status == DriveState::Status::driving) {
     wake_ = Wake::arrival;
+    latest_.reset();
+    if (arrival->latest) latest_ = std::max(wake_at_, round_up_to_exchange(*arrival->latest));
   }
   return Progress::waits;
 }
@@ -139,7 +142,7 @@ std::optional<SimTime> RunningEvent::wake(SimTime now) const {
     case Wake::at_time:
       return wake_at_;
     case Wake::arrival:
-      return std::nullopt;
+      return latest_;
   }
   return std::nullopt;
 }
@@ -202,7 +205,7 @@ std::vector<PhaseRow> RunningEvent::take_phases() { return std::exchange(phases_
 void RunningEvent::archive(Archive& a, ScriptHost& host) {
   a.tag("running");
   std::uint64_t depth = frames_.size();
-  LSOS_ARCHIVE(a, begun_, wake_, wake_at_, depth);
+  LSOS_ARCHIVE(a, begun_, wake_, wake_at_, latest_, depth);
   if (a.is_reading()) frames_.resize(depth);
   for (Frame& frame : frames_) {
     std::string state = a.is_reading() ? "" : host.save(frame.instance);

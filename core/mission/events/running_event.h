@@ -30,7 +30,7 @@ class RunningEvent {
   };
   Ending abort(const Turn& turn);
 
-  // When it is due even if nothing else happens; nullopt: at an arrival.
+  // When it is due even if nothing else happens; nullopt: only at an arrival.
   std::optional<SimTime> wake(SimTime now) const;
   const std::string& reason() const { return reason_; }
   // Phase of the plan's event, not of inner events.
@@ -77,6 +77,7 @@ class RunningEvent {
   std::vector<Frame> frames_;  // the plan's event first
   Wake wake_ = Wake::next_exchange;
   SimTime wake_at_{};
+  std::optional<SimTime> latest_;  // when it is due although the drive goes on
   std::string reason_, advice_;
   std::vector<PhaseRow> phases_;
 };

@@ -35,6 +35,7 @@ struct Known {
   bool means_all = false;               // a field left out means all of them
   std::vector<std::string> unfit = {};  // exist, but do not suit the field
   std::string fitness = {};             // " that can be stowed"
+  std::string unfitness = {};           // "it is an asset"; "": the fitness says it
 };
 
 std::string no_text(const Known& known) {
@@ -48,6 +49,7 @@ std::string fault_of(const Known& known, const std::string& name) {
   if (!known.are_all) return "";
   if (known.names.empty()) return no_text(known);
   const bool is_unfit = std::ranges::find(known.unfit, name) != known.unfit.end();
+  if (is_unfit && !known.unfitness.empty()) return known.unfitness;
   std::string hint = name.size() > 100 || is_unfit ? "" : did_you_mean(name, known.names);
   if (hint.empty()) hint = fmt::format("; it has {}", listed(known.names));
   return fmt::format("{} has no {} of that name{}{}", known.owner, known.what,
@@ -80,6 +82,19 @@ Known others(const Plan& plan, const std::string& rover_id) {
     if (other.id != rover_id && !other.id.empty()) known.names.push_back(other.id);
   }
   for (const PlanAsset& asset : plan.assets) known.names.push_back(asset.id);
+  known.names.insert(known.names.end(), plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
+  return known;
+}
+
+// Rovers that another one may follow. It may name itself: that is a circle, see leader_circles.h.
+Known leaders(const Plan& plan) {
+  Known known{"the plan", "rover"};
+  known.are_all = !plan.gaps.has_ids();
+  for (const PlanRover& rover : plan.rovers) {
+    if (!rover.id.empty()) known.names.push_back(rover.id);
+  }
+  for (const PlanAsset& asset : plan.assets) known.unfit.push_back(asset.id);
+  known.unfitness = "that is an asset, which does not drive";
   known.names.insert(known.names.end(), plan.gaps.unread_ids.begin(), plan.gaps.unread_ids.end());
   return known;
 }
@@ -216,6 +231,7 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
     const auto model = rover == nullptr ? rovers.end() : rovers.find(rover->model());
     const auto known_of = [&](NameOf names) -> Known {
       if (names == NameOf::power_source) return Known(sources);
+      if (names == NameOf::leader) return leaders(plan);
       if (names == NameOf::other) return others(plan, event.rover_id);
       return model == rovers.end() ? Known{} : equipment(model->second, rover->type, names);
     };

@@ -32,12 +32,13 @@ struct RoverView {
   double clearance_m = not_modelled;  // on limbs: under the chassis, as its stance says
 };
 
-// State of the drive that the last `follow` began.
+// State of the drive that the last `follow` or `follow_rover` began. Behind another rover,
+// `arrived` means that all events of that one have ended.
 struct DriveState {
   enum class Status { none, driving, arrived, failed };
   Status status = Status::none;
   std::string reason;          // why it failed
-  double remaining_m = 0;      // along the path
+  double remaining_m = 0;      // along the path; behind another rover, to where that is
   bool is_blocked = false;     // it failed because of what lies ahead: ground, another rover
   std::size_t next_point = 0;  // index of the path point it drives to, from 0
 };
@@ -48,6 +49,12 @@ struct FollowSettings {
   bool is_crabbing = false;  // along the path without turning into it, if the rover can
   // Greatest cross-track error; beyond it the drive fails.
   double cross_track_max_m = std::numeric_limits<double>::infinity();
+};
+
+struct PursuitSettings {
+  std::string leader_id;
+  double distance_m = 20;           // that it keeps to the leader, along the leader's track
+  std::optional<double> speed_mps;  // the greatest; absent: the rover type's
 };
 
 // Requirements on a planned route.
@@ -116,6 +123,9 @@ class RoverPort {
   // Drives along waypoints (site frame), beginning with the first; replaces the path it was
   // following.
   virtual void follow(const Path3& path_S_m, const FollowSettings& settings) = 0;
+  // Drives behind another rover, along the track of that one, until all its events have ended.
+  // Stands while it is near enough. Throws std::runtime_error when there is no such rover.
+  virtual void follow_rover(const PursuitSettings& settings) = 0;
   // Plans a route from the rover through waypoints `first`, `first` + 1, ... (the first of all is
   // 1). Legs planned for the event before the start are taken up.
   virtual PlannedRoute plan_path(const Path3& waypoints_S_m, std::int64_t first,

@@ -39,9 +39,11 @@ struct Fail {
 };  // the event has failed
 struct SleepUntil {
   SimTime time;
-};                  // the phase is not called before then
-struct Arrival {};  // the phase is called when the drive has ended
-struct RunEvent {   // this phase is another event; then `next` ("": done)
+};                // the phase is not called before then
+struct Arrival {  // the phase is called when the drive has ended, or then
+  std::optional<SimTime> latest = {};
+};
+struct RunEvent {  // this phase is another event; then `next` ("": done)
   std::string type;
   EventArguments arguments;
   std::string next;

@@ -15,6 +15,7 @@ class Surroundings {
 
   // Position of a rover or an asset; absent: nothing has that id.
   virtual std::optional<Vec3> place_S_m(const std::string& id) const = 0;
+  virtual bool has_rover(const std::string& id) const = 0;
   virtual SkyView sky(const Geodetic& place) const = 0;
   // Line of sight between two of rovers, assets and Earth, as last evaluated.
   virtual std::optional<PairSight> sight(const std::string& id, const std::string& other) const = 0;

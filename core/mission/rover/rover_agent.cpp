@@ -66,6 +66,11 @@ void RoverAgent::update_energy(SimTime now) {
   if (supply_watch_.observe(power_, now, journal_)) drive_.fail("the battery is empty");
 }
 
+void RoverAgent::keep_track() {
+  if (!track_) track_.emplace();
+  if (motion_.report().is_finite) track_->add(view_.p_S_m.head<2>());
+}
+
 void RoverAgent::control() {
   drive_.control();
   update_view();
@@ -136,6 +141,18 @@ void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
   drive_.follow(path_S_m, settings);
 }
 
+void RoverAgent::follow_rover(const PursuitSettings& settings) {
+  const std::string& leader = settings.leader_id;
+  if (leader == rover_.id) throw std::runtime_error("a rover does not follow itself");
+  if (!surroundings_->has_rover(leader)) {
+    const bool is_asset = surroundings_->place_S_m(leader).has_value();
+    throw std::runtime_error(is_asset
+                                 ? fmt::format("'{}' is an asset, which does not drive", leader)
+                                 : fmt::format("there is no rover '{}'", leader));
+  }
+  drive_.follow_rover(settings);
+}
+
 PlannedRoute RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t first,
                                    const RouteSettings& settings) {
   if (const PostureControl* posture = motion_.vehicle().posture()) {
@@ -182,7 +199,7 @@ double RoverAgent::set_posture(const PostureRequest& request) {
 void RoverAgent::archive(Archive& a) {
   std::int64_t noted_sequence = journal_.sequence();
   a.tag("rover");
-  LSOS_ARCHIVE(a, motion_, drive_, tally_, power_, supply_watch_, antennas_, routes_, now_,
+  LSOS_ARCHIVE(a, motion_, drive_, track_, tally_, power_, supply_watch_, antennas_, routes_, now_,
                noted_sequence);
   journal_.set_sequence(noted_sequence);
   if (a.is_reading()) update_view();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "driving/driven_track.h"
 #include "mission/model/rover_model.h"
 #include "mission/port/rover_port.h"
 #include "mission/port/surroundings.h"
@@ -69,6 +70,10 @@ class RoverAgent : public RoverPort {
   RoverJournal& journal() { return journal_; }
   const RoverTally& tally() const { return tally_; }
   const BodyShape& shape() const { return shape_; }
+  // Where it has driven; absent: nothing asked for that.
+  const std::optional<DrivenTrack>& track() const { return track_; }
+  // Records its track from now on, at each exchange.
+  void keep_track();
   // Position of the antenna in use.
   Vec3 antenna_S_m() const;
 
@@ -80,6 +85,7 @@ class RoverAgent : public RoverPort {
   const RoverView& view() const override { return view_; }
   DriveState drive_state() const override { return drive_.state(); }
   void follow(const Path3& path_S_m, const FollowSettings& settings) override;
+  void follow_rover(const PursuitSettings& settings) override;
   PlannedRoute plan_path(const Path3& waypoints_S_m, std::int64_t first,
                          const RouteSettings& settings) override;
   Vec3 ahead_S_m(double distance_m) const override;
@@ -110,6 +116,7 @@ class RoverAgent : public RoverPort {
   RoverJournal journal_;
   RoverMotion motion_;
   RoverDrive drive_;
+  std::optional<DrivenTrack> track_;
   RoverTally tally_;
   BodyShape shape_;
   RoverPower power_;

@@ -16,28 +16,36 @@ namespace {
 constexpr double at_rest_mps = 0.005;      // speed below which a braked rover is at rest
 constexpr int exchanges_until_parked = 5;  // exchanges at rest after which it is parked
 constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follower, for small rovers
+// Behind another rover corners are rounded more than on a line of its own: where the leader turned
+// on the spot and drove on, a follower that did the same would fall back.
+constexpr double pursuit_offset_m = 1.0, pursuit_steering_m = 2;
 
 }  // namespace
 
 bool RoverDrive::is_driving() const {
-  return follower_ && follower_->status() == PathFollower::Status::driving && failure_.empty();
+  if (!failure_.empty() || (pursuit_ && pursuit_->has_ended())) return false;
+  return follower_ ? follower_->status() == PathFollower::Status::driving : pursuit_.has_value();
 }
 
 DriveState RoverDrive::state() const {
-  if (!follower_) return {};
-  DriveState state{DriveState::Status::failed, motion_->fault(), follower_->remaining_m()};
-  state.next_point = follower_->next_waypoint();
+  if (!follower_ && !pursuit_) return {};
+  DriveState state{DriveState::Status::failed, motion_->fault()};
+  state.remaining_m = pursuit_ ? pursuit_->gap_m() : follower_->remaining_m();
+  if (follower_) state.next_point = follower_->next_waypoint();
   if (!motion_->fault().empty()) return state;
   state.reason = failure_;
   state.is_blocked = !failure_.empty();
   if (state.is_blocked) return state;
-  state.reason = follower_->reason();
-  state.is_blocked = follower_->is_stuck();
-  if (follower_->status() == PathFollower::Status::driving) {
+  if (is_driving()) {
     state.status = DriveState::Status::driving;
+  } else if (pursuit_ && pursuit_->has_ended()) {
+    state.status = DriveState::Status::arrived;
   } else if (follower_->status() == PathFollower::Status::arrived) {
     state.status = DriveState::Status::arrived;
     state.remaining_m = 0;
+  } else {
+    state.reason = follower_->reason();
+    state.is_blocked = follower_->is_stuck();
   }
   return state;
 }
@@ -51,8 +59,8 @@ void RoverDrive::observe() {
   update_slip();
   if (motion_->fault().empty()) motion_->find_fault(*journal_);
   if (!motion_->fault().empty()) return give({});
-  if (is_driving()) find_hindrances();
-  if (!is_driving()) return;
+  if (is_under_way()) find_hindrances();
+  if (!is_under_way()) return;
   const VehicleReport& report = motion_->report();
   give(follower_->update(follower_pose(report), seconds(exchange_period)));
   if (follower_->is_stuck()) {
@@ -70,7 +78,7 @@ void RoverDrive::update_slip() {
   const VehicleReport& report = motion_->report();
   DriveSlip::Motion motion;
   motion.command_mps = std::hypot(command_.speed_mps, command_.left_mps);
-  motion.is_commanded = is_driving() && !command_.is_braking && motion.command_mps > 0;
+  motion.is_commanded = is_under_way() && !command_.is_braking && motion.command_mps > 0;
   if (motion.is_commanded) motion.requested_mps = follower_->requested_mps();
   motion.cruise_mps = motion_->config().cruise_speed_mps;
   motion.speed_mps = report.speed_mps;
@@ -119,7 +127,7 @@ void RoverDrive::control() {
     has_new_command_ = false;
   }
   if (is_parked_) return;
-  const bool rests = command_.is_braking && !is_driving() && !motion_->is_adjusting() &&
+  const bool rests = command_.is_braking && !is_under_way() && !motion_->is_adjusting() &&
                      motion_->report().speed_mps < at_rest_mps;
   exchanges_at_rest_ = rests ? exchanges_at_rest_ + 1 : 0;
   if (exchanges_at_rest_ >= exchanges_until_parked || !motion_->fault().empty()) {
@@ -137,17 +145,8 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
                                journal_->rover_id(), *settings.speed_mps, config.type,
                                config.speed_max_mps));
   }
-  FollowerLimits limits;
-  limits.speed_mps =
-      std::min(settings.speed_mps.value_or(config.cruise_speed_mps), config.speed_max_mps);
-  limits.level_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
-  limits.acceleration_mps2 = config.acceleration_mps2;
-  limits.gravity_mps2 = motion_->ground().site().gravity_S_mps2(Vec3::Zero()).norm();
+  FollowerLimits limits = this->limits(settings.speed_mps.value_or(config.cruise_speed_mps));
   limits.arrival_radius_m = settings.arrival_radius_m;
-  limits.can_turn_on_spot = config.can_turn_on_spot;
-  limits.radius_min_m = config.turning_radius_min_m;
-  limits.turn_rate_radps = turn_rate_radps(config);
-  limits.lookahead_min_m = std::max(lookahead_least_m, wheel_reach_m(config));
   limits.cross_track_max_m = settings.cross_track_max_m;
   limits.is_crabbing = settings.is_crabbing && config.can_crab;
   if (settings.is_crabbing && !config.can_crab) {
@@ -155,6 +154,7 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
                                journal_->rover_id(), config.type));
   }
   const VehicleReport& report = motion_->report();
+  pursuit_.reset();
   failure_.clear();
   may_touch_with_chassis_ = report.is_chassis_on_ground;
   follower_.emplace(path_S_m, follower_pose(report), limits);
@@ -162,8 +162,43 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   give(follower_->update(follower_pose(report), seconds(exchange_period)));
 }
 
+FollowerLimits RoverDrive::limits(double speed_mps) const {
+  const VehicleConfig& config = motion_->config();
+  FollowerLimits limits;
+  limits.speed_mps = std::min(speed_mps, config.speed_max_mps);
+  limits.level_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
+  limits.acceleration_mps2 = config.acceleration_mps2;
+  limits.gravity_mps2 = motion_->ground().site().gravity_S_mps2(Vec3::Zero()).norm();
+  limits.can_turn_on_spot = config.can_turn_on_spot;
+  limits.radius_min_m = config.turning_radius_min_m;
+  limits.turn_rate_radps = turn_rate_radps(config);
+  limits.lookahead_min_m = std::max(lookahead_least_m, wheel_reach_m(config));
+  return limits;
+}
+
+void RoverDrive::follow_rover(const PursuitSettings& settings) {
+  brake();
+  may_touch_with_chassis_ = motion_->report().is_chassis_on_ground;
+  const double speed_mps = settings.speed_mps.value_or(motion_->config().speed_max_mps);
+  FollowerLimits limits = this->limits(speed_mps);
+  limits.corner_offset_m = pursuit_offset_m;
+  limits.steering_m = pursuit_steering_m;
+  pursuit_.emplace(settings, limits, motion_->footprint_at_rest().half_m.x());
+}
+
+void RoverDrive::pursue(const Leader& leader) {
+  if (!is_driving() || !motion_->fault().empty()) return;
+  const FollowerPose pose = follower_pose(motion_->report());
+  const bool was_under_way = is_under_way();
+  pursuit_->update(leader, pose, follower_);
+  if (is_under_way() == was_under_way) return;
+  // It stops, or sets off; while it drives, observe() commands it.
+  give(was_under_way ? DriveCommand{} : follower_->update(pose, seconds(exchange_period)));
+}
+
 void RoverDrive::brake() {
   follower_.reset();
+  pursuit_.reset();
   failure_.clear();
   give({});
 }
@@ -180,13 +215,13 @@ std::vector<Footprint> RoverDrive::footprints_ahead() const {
   std::vector<Footprint> footprints;
   if (v_mps.norm() < turning_mps) {
     double turn_rad = turning_s * report.yaw_rate_radps;
-    if (is_driving()) {
+    if (is_under_way()) {
       const double left_rad = follower_->turn_remaining_rad(report.yaw_rad);
       turn_rad = std::clamp(turn_rad, std::min(0.0, left_rad), std::max(0.0, left_rad));
     }
     footprints.push_back(moved(at_rest, p_m, report.yaw_rad + turn_rad));
   }
-  if (is_driving()) {
+  if (is_under_way()) {
     for (const FollowerPose& pose :
          follower_->poses_ahead(follower_pose(report), braking_m, step_m)) {
       footprints.push_back(moved(at_rest, pose.p_S_m, pose.yaw_rad));
@@ -198,8 +233,8 @@ std::vector<Footprint> RoverDrive::footprints_ahead() const {
 }
 
 void RoverDrive::archive(Archive& a) {
-  LSOS_ARCHIVE(a, follower_, command_, has_new_command_, failure_, may_touch_with_chassis_,
-               is_parked_, exchanges_at_rest_, has_motion_ended_, slip_);
+  LSOS_ARCHIVE(a, follower_, pursuit_, command_, has_new_command_, failure_,
+               may_touch_with_chassis_, is_parked_, exchanges_at_rest_, has_motion_ended_, slip_);
 }
 
 }  // namespace lsos

@@ -8,6 +8,7 @@
 
 #include "mission/port/rover_port.h"
 #include "mission/rover/drive_slip.h"
+#include "mission/rover/pursuit.h"
 #include "mission/rover/rover_motion.h"
 #include "vehicle/path_follower.h"
 
@@ -19,10 +20,12 @@ class RoverDrive {
   RoverDrive(RoverMotion& motion, RoverJournal& journal) : motion_(&motion), journal_(&journal) {}
 
   bool is_parked() const { return is_parked_; }
+  // A drive goes on, though it may stand and wait for the rover that it follows.
   bool is_driving() const;
+  bool is_under_way() const { return is_driving() && !(pursuit_ && pursuit_->is_waiting()); }
   DriveState state() const;
-  // Share 0..1 of the followed line that lies behind; 0 when it follows none.
-  double share() const { return follower_ ? follower_->share() : 0; }
+  // Share 0..1 of the followed line that lies behind; 0 when it follows none, or another rover.
+  double share() const { return follower_ && !pursuit_ ? follower_->share() : 0; }
   const DriveSlip& slip() const { return slip_; }
 
   // At an exchange, after the motion was read: counts slip, finds faults and hindrances, and
@@ -32,6 +35,11 @@ class RoverDrive {
   void control();
 
   void follow(const Path3& path_S_m, const FollowSettings& settings);
+  void follow_rover(const PursuitSettings& settings);
+  // The rover that it follows, "" when it follows none any more.
+  std::string leader_id() const { return pursuit_ && is_driving() ? pursuit_->leader_id() : ""; }
+  // At an exchange, after all rovers have observed: keeps its distance to that rover.
+  void pursue(const Leader& leader);
   void brake();
   // Has a parked rover stepped again until it rests, for what moves on it.
   void wake() { is_parked_ = false; }
@@ -51,6 +59,7 @@ class RoverDrive {
   void archive(Archive& a);
 
  private:
+  FollowerLimits limits(double speed_mps) const;
   void update_slip();
   void find_hindrances();
   void give(const DriveCommand& command);
@@ -60,6 +69,7 @@ class RoverDrive {
   RoverMotion* motion_;
   RoverJournal* journal_;
   std::optional<PathFollower> follower_;
+  std::optional<Pursuit> pursuit_;  // when it follows another rover
   DriveCommand command_;
   bool has_new_command_ = false;
   std::string failure_;                  // why the present drive ended early, "" when it did not

@@ -37,6 +37,9 @@ class RecordingRover : public RoverPort {
     settings = with;
     calls.push_back("follow " + std::to_string(path.size()) + " points");
   }
+  void follow_rover(const PursuitSettings& with) override {
+    calls.push_back("follow rover " + with.leader_id + " at " + std::to_string(with.distance_m));
+  }
   RoverPower& power() override { return energy; }
   Deployment deploy_antenna(const std::string& antenna, bool up,
                             std::optional<double> duration_s) override {
