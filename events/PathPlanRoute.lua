@@ -2,6 +2,9 @@
 
 local lsos = require 'lsos'
 
+-- Its middle keeps so many of its lengths from the middle of a rover that stands in its way.
+local beside_share = 1.25
+
 -- What the routes keep to, when the mission is made and when they are driven.
 local function route(params)
   return {
@@ -24,7 +27,7 @@ local function plan(ev, rover)
   local options = route(ev.params)
   options.first = ev.state.next_waypoint
   options.avoid = ev.state.avoid
-  options.avoid_radius_m = rover.length_m
+  options.avoid_radius_m = ev.state.avoid_radius_m or rover.length_m
   local found, reason = rover:plan_path(ev.geometry, options)
   if not found then
     if not ev.state.blocked_by then return lsos.fail('%s', reason) end
@@ -50,7 +53,10 @@ local function replan(ev, rover)
   end
   if drive.is_blocked then
     ev.state.avoid = ev.state.avoid or {}
-    table.insert(ev.state.avoid, rover:ahead(1.25 * rover.length_m))
+    local other = drive.blocked_by
+    if other then ev.state.avoid_radius_m = beside_share * rover.length_m end
+    table.insert(ev.state.avoid,
+      other and rover:place_of(other) or rover:ahead(1.25 * rover.length_m))
   end
   ev.state.replans = (ev.state.replans or 0) + 1
   ev.state.blocked_by = drive.reason

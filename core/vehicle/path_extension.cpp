@@ -19,43 +19,49 @@ constexpr double same_place_m = 1;
 void PathFollower::extend(const std::vector<Vec2>& waypoints_S_m, const FollowerPose& pose) {
   LSOS_ASSERT(!waypoints_S_m.empty());
   if (status_ != Status::driving) return;
-  double driven_m = 0;
-  if (!line_.empty()) {
-    const DrivingPiece& leg = line_[leg_];
-    driven_m = leg.begin_m + leg.along_S.dot(pose.p_S_m - leg.from_S_m);
-  }
+  forget_driven(pose);
+  const std::vector<DrivingPiece> before = line_;
   // The line begins where the rover was: that waypoint stays.
   if (waypoints_S_m_.size() > 1) waypoints_S_m_.pop_back();
   waypoints_S_m_.insert(waypoints_S_m_.end(), waypoints_S_m.begin(), waypoints_S_m.end());
-  driven_m -= forget_driven(driven_m);
   build_line();
   if (line_.empty()) return;
   is_stopping_ = false;
-  leg_ = leg_near(pose, driven_m);
-  const DrivingPiece &leg = line_[leg_], &last = line_.back();
-  const double travelled_m = leg.along_S.dot(pose.p_S_m - leg.from_S_m);
+  // Only what is near the end before may have changed, as a corner is rounded by the room behind
+  // it.
+  const bool is_same = leg_ < std::min(before.size(), line_.size()) &&
+                       before[leg_].from_S_m == line_[leg_].from_S_m &&
+                       before[leg_].along_S == line_[leg_].along_S;
+  if (!is_same) leg_ = leg_near(pose, before.empty() ? 0 : driven_m(before[leg_], pose));
   const double remaining_m =
-      std::max(0.0, last.begin_m + last.length_m - leg.begin_m - travelled_m);
+      std::max(0.0, line_.back().begin_m + line_.back().length_m - driven_m(line_[leg_], pose));
   best_remaining_m_ += remaining_m - remaining_m_;  // a line that grows is no lack of progress
   remaining_m_ = remaining_m;
 }
 
-double PathFollower::forget_driven(double driven_m) {
-  double forgotten_m = 0;
+double PathFollower::driven_m(const DrivingPiece& leg, const FollowerPose& pose) {
+  return leg.begin_m + leg.along_S.dot(pose.p_S_m - leg.from_S_m);
+}
+
+void PathFollower::forget_driven(const FollowerPose& pose) {
+  if (line_.empty()) return;
+  double behind_m = driven_m(line_[leg_], pose) - kept_behind_m;
   std::size_t count = 0;
   for (; count + 2 < waypoints_S_m_.size(); ++count) {
-    const double length_m = (waypoints_S_m_[count + 1] - waypoints_S_m_[count]).norm();
-    if (forgotten_m + length_m > driven_m - kept_behind_m) break;
-    forgotten_m += length_m;
+    behind_m -= (waypoints_S_m_[count + 1] - waypoints_S_m_[count]).norm();
+    if (behind_m < 0) break;
   }
+  if (count == 0) return;
   waypoints_S_m_.erase(waypoints_S_m_.begin(),
                        waypoints_S_m_.begin() + static_cast<std::ptrdiff_t>(count));
   passed_ += count;
-  return forgotten_m;
+  // The pieces ahead stay the same: those behind the first waypoint are missing in front.
+  const std::size_t pieces = line_.size();
+  build_line();
+  leg_ -= std::min(leg_, pieces - std::min(pieces, line_.size()));
 }
 
-// The piece of the line nearest to the rover, of those about the distance that it has driven; of
-// several the last, which a rover that turns at a corner is about to drive.
+// The piece of the line nearest to the rover, of those about the distance that it has driven.
 std::size_t PathFollower::leg_near(const FollowerPose& pose, double driven_m) const {
   std::size_t nearest = 0;
   double least_m = std::numeric_limits<double>::infinity();

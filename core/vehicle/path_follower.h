@@ -105,9 +105,9 @@ class PathFollower {
   SideSlip side_slip(const FollowerPose& pose, double period_s);
   bool makes_no_progress(double heading_error_rad, double period_s);
   void build_line();
-  // Forgets waypoints behind the rover, which has driven `driven_m` of the line; returns by how
-  // much that makes the line shorter.
-  double forget_driven(double driven_m);
+  // Distance along the line of a rover on one of its pieces.
+  static double driven_m(const DrivingPiece& leg, const FollowerPose& pose);
+  void forget_driven(const FollowerPose& pose);
   std::size_t leg_near(const FollowerPose& pose, double driven_m) const;
 
   std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was

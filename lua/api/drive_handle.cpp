@@ -23,6 +23,16 @@ int drive_is_blocked(lua_State* L) {
   return 1;
 }
 
+int drive_blocked_by(lua_State* L) {
+  const std::string id = drive_of(L).blocked_by;
+  if (id.empty()) {
+    lua_pushnil(L);
+  } else {
+    lua_pushstring(L, id.c_str());
+  }
+  return 1;
+}
+
 int drive_next_point(lua_State* L) {
   lua_pushinteger(L, static_cast<lua_Integer>(drive_of(L).next_point) + 1);
   return 1;
@@ -48,7 +58,9 @@ const HandleType& drive_handle_type() {
         "Along the path; behind another rover, to where that is."},
        {"next_point", drive_next_point, "integer", "Number of the path's point that comes next."},
        {"is_blocked", drive_is_blocked, "boolean",
-        "It failed because of what lies ahead: ground it gets stuck on, another rover."}},
+        "It failed because of what lies ahead: ground it gets stuck on, another rover."},
+       {"blocked_by", drive_blocked_by, "text",
+        "The rover or asset that it would have touched; nil when there was none."}},
       {}};
   return type;
 }

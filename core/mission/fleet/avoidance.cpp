@@ -16,6 +16,8 @@ bool any_of(const RoverAgent& rover, const Touches& touches) {
 // Bound on how far the centre of a rover moves before it rests; from 5 m/s that is some 60 m.
 // Smaller: fast rovers are stopped too late, larger: more pairs are checked.
 constexpr double stopping_reach_m = 100;
+// A rover whose own motion widens the gap by this in an exchange period leaves the other.
+constexpr double leaving_m = 1e-3;
 
 }  // namespace
 
@@ -57,10 +59,14 @@ void avoid_rovers(Fleet& fleet) {
           });
       if (!would_touch) continue;
       const double period_s = seconds(exchange_period);
-      if (gap_m(a.motion().footprint(period_s), of_b) < now_m)
-        a.drive().end_before(b.id(), apart_m);
-      if (gap_m(of_a, b.motion().footprint(period_s)) < now_m)
-        b.drive().end_before(a.id(), apart_m);
+      const double after_a_m = gap_m(a.motion().footprint(period_s), of_b) - now_m;
+      const double after_b_m = gap_m(of_a, b.motion().footprint(period_s)) - now_m;
+      if (after_a_m >= 0 && after_b_m >= 0) continue;
+      // One that neither nears the other nor leaves it crosses its way.
+      const bool ends_a = a.drive().is_under_way() && after_a_m < leaving_m;
+      const bool ends_b = b.drive().is_under_way() && after_b_m < leaving_m;
+      if (ends_a) a.drive().end_before(b.id(), apart_m, ends_b);
+      if (ends_b) b.drive().end_before(a.id(), apart_m, ends_a);
     }
   }
 }
@@ -75,7 +81,7 @@ void avoid_assets(Fleet& fleet) {
       if (!any_of(agent, [&](const Footprint& then) { return gap_m(asset, then) <= 0; })) continue;
       const double now_m = gap_m(asset, agent.motion().footprint());
       if (gap_m(asset, agent.motion().footprint(seconds(exchange_period))) < now_m) {
-        agent.drive().end_before(asset.plan.id, apart_m);
+        agent.drive().end_before(asset.plan.id, apart_m, false);
       }
     }
   }

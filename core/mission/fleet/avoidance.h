@@ -9,8 +9,8 @@ namespace lsos {
 // Errors for rovers that start where another or an asset stands.
 std::vector<Fault> overlapping_starts(const Fleet& fleet, const MissionMachine& machine);
 
-// Ends the drive of each rover that could not stop before another, or would turn into it, if its
-// own motion brings it nearer. Rovers that move apart drive on.
+// Ends the drives of two rovers that could not stop before each other, or of which one would turn
+// into the other, if the motion of one brings it nearer. One that leaves the other drives on.
 void avoid_rovers(Fleet& fleet);
 // The same for assets, which do not move.
 void avoid_assets(Fleet& fleet);

@@ -29,12 +29,15 @@ bool RoverDrive::is_driving() const {
 
 DriveState RoverDrive::state() const {
   if (!follower_ && !pursuit_) return {};
-  DriveState state{DriveState::Status::failed, motion_->fault()};
+  DriveState state;
+  state.status = DriveState::Status::failed;
+  state.reason = motion_->fault();
   state.remaining_m = pursuit_ ? pursuit_->gap_m() : follower_->remaining_m();
   if (follower_) state.next_point = follower_->next_waypoint();
   if (!motion_->fault().empty()) return state;
   state.reason = failure_;
   state.is_blocked = !failure_.empty();
+  state.blocked_by = blocker_id_;
   if (state.is_blocked) return state;
   if (is_driving()) {
     state.status = DriveState::Status::driving;
@@ -112,12 +115,21 @@ void RoverDrive::fail_with_note(const std::string& reason, const std::string& fi
   journal_->note(finding, fields_json);
 }
 
-void RoverDrive::end_before(const std::string& other_id, double distance_m) {
-  if (!is_driving()) return;
-  fail_with_note(
-      fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m),
-      "would_touch",
-      fmt::format(R"({{"distance_m":{},"other":{}}})", note_json(distance_m), note_json(other_id)));
+void RoverDrive::end_before(const std::string& other_id, double distance_m, bool ends_both) {
+  if (!is_under_way()) return;
+  const std::string& id = journal_->rover_id();
+  std::string reason =
+      fmt::format("would touch {}, whose centre is {:.1f} m away", other_id, distance_m);
+  std::string ended;
+  if (ends_both) {
+    reason = fmt::format("{} {}; the drives of both end", id, reason);
+    ended = fmt::format(R"("ended":[{},{}],)", note_json(std::min(id, other_id)),
+                        note_json(std::max(id, other_id)));
+  }
+  fail_with_note(reason, "would_touch",
+                 fmt::format(R"({{"distance_m":{},{}"other":{}}})", note_json(distance_m), ended,
+                             note_json(other_id)));
+  blocker_id_ = other_id;
 }
 
 void RoverDrive::control() {
@@ -156,6 +168,7 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   const VehicleReport& report = motion_->report();
   pursuit_.reset();
   failure_.clear();
+  blocker_id_.clear();
   may_touch_with_chassis_ = report.is_chassis_on_ground;
   follower_.emplace(path_S_m, follower_pose(report), limits);
   if (!motion_->fault().empty()) return;
@@ -200,6 +213,7 @@ void RoverDrive::brake() {
   follower_.reset();
   pursuit_.reset();
   failure_.clear();
+  blocker_id_.clear();
   give({});
 }
 
@@ -233,7 +247,7 @@ std::vector<Footprint> RoverDrive::footprints_ahead() const {
 }
 
 void RoverDrive::archive(Archive& a) {
-  LSOS_ARCHIVE(a, follower_, pursuit_, command_, has_new_command_, failure_,
+  LSOS_ARCHIVE(a, follower_, pursuit_, command_, has_new_command_, blocker_id_, failure_,
                may_touch_with_chassis_, is_parked_, exchanges_at_rest_, has_motion_ended_, slip_);
 }
 

@@ -45,8 +45,9 @@ class RoverDrive {
   void wake() { is_parked_ = false; }
   // Ends the drive, when there is one, for a reason that it does not note.
   void fail(const std::string& reason);
-  // Ends the drive because the rover would touch another, whose centre is `distance_m` away.
-  void end_before(const std::string& other_id, double distance_m);
+  // Ends the drive because the rover would touch another or an asset, whose centre is `distance_m`
+  // away. `ends_both`: the drive of the other one ends too.
+  void end_before(const std::string& other_id, double distance_m, bool ends_both);
 
   // Footprints, in order, up to where the rover would rest if it braked now: on its line when it
   // follows one, else straight ahead; while it turns on the spot, within a second.
@@ -72,6 +73,7 @@ class RoverDrive {
   std::optional<Pursuit> pursuit_;  // when it follows another rover
   DriveCommand command_;
   bool has_new_command_ = false;
+  std::string blocker_id_;               // what it would have touched, "": nothing
   std::string failure_;                  // why the present drive ended early, "" when it did not
   bool may_touch_with_chassis_ = false;  // high-centred when this drive began; may drive free
   bool is_parked_ = true;

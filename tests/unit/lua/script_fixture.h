@@ -21,7 +21,7 @@ namespace lsos {
 class RecordingRover : public RoverPort {
  public:
   RoverView rover;
-  DriveState driving;
+  DriveState driving = {};
   std::vector<std::string> calls;  // "brake", "follow 2 points", "note NAME JSON"
   Path3 path;
   FollowSettings settings;
