@@ -63,11 +63,12 @@
 ---@field is_parked boolean Brakes on and standing still.
 ---@field is_adjusting boolean Its limbs move although it stands.
 ---@field clearance_m number Under its chassis, as its stance says; nil when it is not on limbs.
----@field drive lsos.rover.drive What became of the last rover:follow.
+---@field drive lsos.rover.drive What became of its last drive.
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
 ---@field panels lsos.rover.panels Its solar panels.
 ---@field antennas lsos.rover.antennas Its antennas.
 ---@field follow fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, arrival_radius_m?: number, crab?: boolean, stray_max_m?: number }) Drives along waypoints (list of vec3, or one); then answer lsos.arrival.
+---@field follow_rover fun(self: lsos.rover, id: string, settings?: { distance_m?: number, speed_mps?: number }) Drives behind another rover along its track, at that distance (default 20), at most so fast (default as fast as its type can), until all events of that one have ended; then answer lsos.arrival. It enters the track where that is nearest, and stands while the other one does.
 ---@field plan_path fun(self: lsos.rover, waypoints: vec3[], settings?: { first?: integer, speed_mps?: number, slope_max_rad?: number, aim?: 'energy'|'risk', arrival_radius_m?: number, avoid?: vec3[], avoid_radius_m?: number }): table?, string?, vec3? A route over the ground through the waypoints from number `first` (default 1) on, with the least 'energy' (default) or 'risk', its aim; `arrival_radius_m` passes a first waypoint; `avoid` (list of vec3) and `avoid_radius_m` keep it off places. Gives { path = , legs = , length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and `last_point` besides; or nil, why there is none, and the place nearest to the waypoint that can be reached.
 ---@field ahead fun(self: lsos.rover, distance_m: number): vec3 The place so far ahead of the rover, on the ground.
 ---@field ground_at fun(self: lsos.rover, point: vec3): { position: vec3, elevation_m: number, slope_rad: number, soil: string }? The ground under or over it: { position = , elevation_m = , slope_rad = , soil = }; nil where there is none.
@@ -82,13 +83,14 @@
 ---@field is_linked_to fun(self: lsos.rover, id: string): boolean? The same, within range and with both antennas up.
 ---@field distance_to_m fun(self: lsos.rover, point: vec3): number Straight distance from the reference point.
 
----What became of the last rover:follow.
+---What became of the last rover:follow or rover:follow_rover.
 ---@class lsos.rover.drive
----@field status string 'none', 'driving', 'arrived' or 'failed'.
+---@field status string 'none', 'driving', 'arrived' or 'failed'. Behind another rover it is 'driving' also while it stands and waits, and 'arrived' when all events of that one have ended.
 ---@field reason string Why it failed, else ''.
----@field remaining_m number Along the path.
+---@field remaining_m number Along the path; behind another rover, to where that is.
 ---@field next_point integer Number of the path's point that comes next.
 ---@field is_blocked boolean It failed because of what lies ahead: ground it gets stuck on, another rover.
+---@field blocked_by string The rover or asset that it would have touched; nil when there was none.
 
 ---What the rover's battery holds, and what flows.
 ---@class lsos.rover.battery
@@ -214,7 +216,7 @@
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
----@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, or any 'other' rover or asset.
+---@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, any 'other' rover or asset, or a 'leader', another rover that the rover follows.
 ---@field default? string Value when the plan gives none.
 ---@field required? boolean The plan must give it (default false).
 
@@ -604,6 +606,7 @@
 ---@field fail fun(format: string, ...: any): lsos.answer Answer: the event has failed; the reason as string.format makes it.
 ---@field sleep fun(time_s: number): lsos.answer Answer: call this phase again after that long.
 ---@field sleep_until fun(time_s: number): lsos.answer Answer: call this phase again at that time since the mission's start.
+---@field arrival_within fun(time_s: number): lsos.answer Answer: call this phase again when the drive has ended, or after that long.
 ---@field vec3 fun(x: number, y: number, z?: number): vec3 A vector with + - * / and :length(), :dot(v), :cross(v); z is 0 when left out.
 ---@field random fun(low?: number, high?: number): number A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed.
 ---@field is_empty fun(table: table): boolean Whether a table has no entry.
@@ -611,7 +614,7 @@
 ---@field sim fun(plan: string|table): lsos.sim An interactive simulation, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
 ---@field scenario fun(name: string, scenario: fun(t: lsos.t)) One more scenario of this file; `lsos-host test` runs them.
 ---@field done lsos.answer Answer: the event is completed.
----@field arrival lsos.answer Answer: call this phase again when rover:follow has ended (rover.drive says how).
+---@field arrival lsos.answer Answer: call this phase again when the drive has ended (rover.drive says how).
 ---@field event fun(keys: lsos.event.keys): lsos.made What a script in events/ returns: one event type, named as its file.
 ---@field sub_event fun(keys: lsos.sub_event.keys): lsos.made A phase that is another event.
 ---@field number fun(keys: lsos.number.keys): lsos.made A quantity. The script key ends in the SI suffix of its unit.

@@ -37,11 +37,11 @@ struct RoverView {
 struct DriveState {
   enum class Status { none, driving, arrived, failed };
   Status status = Status::none;
-  std::string reason;          // why it failed
-  double remaining_m = 0;      // along the path; behind another rover, to where that is
-  bool is_blocked = false;     // it failed because of what lies ahead: ground, another rover
-  std::string blocked_by;      // the rover or asset that it would have touched, "": none
-  std::size_t next_point = 0;  // index of the path point it drives to, from 0
+  std::string reason;           // why it failed
+  double remaining_m = 0;       // along the path; behind another rover, to where that is
+  bool is_blocked = false;      // it failed because of what lies ahead: ground, another rover
+  std::string blocked_by = {};  // the rover or asset that it would have touched, "": none
+  std::size_t next_point = 0;   // index of the path point it drives to, from 0
 };
 
 struct FollowSettings {

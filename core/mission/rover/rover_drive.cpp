@@ -19,6 +19,7 @@ constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follow
 // Behind another rover corners are rounded more than on a line of its own: where the leader turned
 // on the spot and drove on, a follower that did the same would fall back.
 constexpr double pursuit_offset_m = 1.0, pursuit_steering_m = 2;
+constexpr double pursuit_radius_share = 0.5;  // of the least radius, for what turns on the spot
 
 }  // namespace
 
@@ -196,6 +197,7 @@ void RoverDrive::follow_rover(const PursuitSettings& settings) {
   FollowerLimits limits = this->limits(speed_mps);
   limits.corner_offset_m = pursuit_offset_m;
   limits.steering_m = pursuit_steering_m;
+  if (limits.can_turn_on_spot) limits.radius_min_m *= pursuit_radius_share;
   pursuit_.emplace(settings, limits, motion_->footprint_at_rest().half_m.x());
 }
 
