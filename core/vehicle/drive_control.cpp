@@ -75,10 +75,12 @@ WheelLayout wheel_layout(const VehicleConfig& config) {
 }
 
 WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
-                           const std::vector<double>& steering_now_rad) {
+                           const std::vector<double>& steering_now_rad,
+                           const std::vector<bool>& are_stuck) {
   WheelTargets targets{steering_now_rad, std::vector<double>(layout.wheels.size(), 0.0)};
   double error_rad = 0;
   for (std::size_t i = 0; i < layout.steerings.size(); ++i) {
+    if (i < are_stuck.size() && are_stuck[i]) continue;
     const WheelLayout::Steering& steering = layout.steerings[i];
     const Vec2 v = velocity_at(layout, command, steering.p_B_m);
     if (v.norm() < 1e-9) continue;

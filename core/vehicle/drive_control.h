@@ -50,8 +50,10 @@ struct WheelTargets {
 // `steering_now_rad`: present angles. A wheel turns to the nearer one of its two possible
 // directions. A command without motion keeps the angles. Wheel speeds fade to zero while a steering
 // angle is off its target (from 0.2 rad, fully at 0.8 rad), to keep wheels from working against
-// each other.
+// each other. `are_stuck`, by steering (empty: none is): keep their angle; their wheels roll as
+// fast as the motion goes along it, and the others do not wait for them.
 WheelTargets wheel_targets(const WheelLayout& layout, const DriveCommand& command,
-                           const std::vector<double>& steering_now_rad);
+                           const std::vector<double>& steering_now_rad,
+                           const std::vector<bool>& are_stuck = {});
 
 }  // namespace lsos

@@ -133,7 +133,7 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad) {
   }
   for (std::size_t i = 0; i < steerings_.size(); ++i) {
     const double angle_rad = bodies_.joint_position(layout_.steerings[i].link);
-    steerings_[i] = {angle_rad, angle_rad};
+    steerings_[i] = {angle_rad, angle_rad, steerings_[i].is_stuck};
   }
   hold_limbs();
 
@@ -165,6 +165,12 @@ void Vehicle::set_wheel_mode(std::size_t wheel, WheelMode mode) {
   state.servo_integral_rad = 0;
 }
 
+void Vehicle::set_steering_stuck(std::size_t steering, bool is_stuck) {
+  SteeringState& state = steerings_[steering];
+  state.is_stuck = is_stuck;
+  state.target_rad = state.setpoint_rad;
+}
+
 void Vehicle::command(const DriveCommand& command) {
   const bool begins_braking = command.is_braking && !command_.is_braking;
   const bool stops_braking = !command.is_braking && command_.is_braking;
@@ -186,8 +192,12 @@ void Vehicle::command(const DriveCommand& command) {
     }
   }
   std::vector<double> now_rad;
-  for (const SteeringState& steering : steerings_) now_rad.push_back(steering.setpoint_rad);
-  const WheelTargets targets = wheel_targets(layout_, command, now_rad);
+  std::vector<bool> are_stuck;
+  for (const SteeringState& steering : steerings_) {
+    now_rad.push_back(steering.setpoint_rad);
+    are_stuck.push_back(steering.is_stuck);
+  }
+  const WheelTargets targets = wheel_targets(layout_, command, now_rad, are_stuck);
   for (std::size_t i = 0; i < steerings_.size(); ++i) {
     steerings_[i].target_rad = targets.steering_angle_rad[i];
   }

@@ -82,6 +82,11 @@ class Vehicle {
 
   // Makes a wheel fail, or work again; wheels are numbered in order of their links.
   void set_wheel_mode(std::size_t wheel, WheelMode mode);
+  // The mode that its configuration gives the wheel.
+  WheelMode wheel_mode_at_rest(std::size_t wheel) const { return layout_.wheels[wheel].mode; }
+  // Makes a steering motor stay where it is whatever is commanded, or turn again; numbered in order
+  // of links.
+  void set_steering_stuck(std::size_t steering, bool is_stuck);
 
   // Vehicles on limbs: begins to move the wheels' hubs to these places under the chassis (frame B,
   // by limb), see PostureControl::move_to.
@@ -139,8 +144,9 @@ class Vehicle {
   struct SteeringState {
     double target_rad = 0;    // angle commanded
     double setpoint_rad = 0;  // angle on the way to the target, at the motor's rate
+    bool is_stuck = false;
 
-    void archive(Archive& a) { LSOS_ARCHIVE(a, target_rad, setpoint_rad); }
+    void archive(Archive& a) { LSOS_ARCHIVE(a, target_rad, setpoint_rad, is_stuck); }
   };
 
   struct LimbJointState {

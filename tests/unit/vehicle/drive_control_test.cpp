@@ -27,6 +27,19 @@ TEST(WheelTargets, roll_all_wheels_alike_straight_ahead) {
   for (const double spin : targets.spin_radps) EXPECT_DOUBLE_EQ(spin, 4);
 }
 
+// A stuck wheel rolls as fast as the motion goes along it, and the others do not wait for it.
+TEST(WheelTargets, of_a_stuck_steering_motor_go_along_its_angle) {
+  std::vector<double> now = straight;
+  now[0] = 1.2;
+  std::vector<bool> are_stuck(6, false);
+  are_stuck[0] = true;
+  const WheelTargets targets = wheel_targets(layout, {2, 0, false}, now, are_stuck);
+  EXPECT_EQ(targets.steering_angle_rad[0], 1.2);
+  EXPECT_NEAR(targets.spin_radps[0], 4 * std::cos(1.2), 1e-12);
+  EXPECT_DOUBLE_EQ(targets.spin_radps[11], 4);
+  EXPECT_DOUBLE_EQ(wheel_targets(layout, {2, 0, false}, now).spin_radps[11], 0) << "turns it first";
+}
+
 TEST(WheelTargets, point_every_axle_at_one_centre_of_turning) {
   // Radius 10 m to the left: axles meet at (0, 10).
   std::vector<double> now = straight;
