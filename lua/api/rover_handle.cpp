@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lua/api/arguments.h"
+#include "lua/api/breakage.h"
 #include "lua/api/route.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/reader.h"
@@ -383,6 +384,11 @@ const HandleType& rover_handle_type() {
         "`duration_s`; gives the time that it takes. Fails the event where a joint cannot.",
         "fun(self: lsos.rover, posture: { stance?: string, height_m?: number, level?: boolean, "
         "duration_s?: number }): number"},
+       {"break_part", guard<break_part>,
+        "rover:break_part { what = , part = , mode = , share = , is_repair = }",
+        "Something of it breaks, or is repaired, from now on, as Fault says; logged as `fault`.",
+        "fun(self: lsos.rover, breakage: { what: string, part?: string, mode?: string, share?: "
+        "number, is_repair?: boolean })"},
        {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends.",
         "fun(self: lsos.rover, power_w: number)"},
        {"resource", guard<resource>, "rover:resource(name)",

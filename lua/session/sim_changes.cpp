@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "lua/api/breakage.h"
 #include "lua/host/plan_table.h"
 #include "lua/runtime/state.h"
 #include "lua/session/sim_functions.h"
@@ -67,13 +68,25 @@ int sim_shade(lua_State* L) {
   return 0;
 }
 
+int sim_fault(lua_State* L) {
+  RoverAgent& agent = agent_of(L, 2);
+  const std::string fields = agent.inject(check_breakage(L, 3, "sim:fault"));
+  sim_session(L).simulation().note_interactive(agent.id(), "fault", fields);
+  return 0;
+}
+
 int sim_set_wheel(lua_State* L) {
   static constexpr const char* modes[] = {"driven", "free", "locked", nullptr};
-  const int mode = luaL_checkoption(L, 4, "locked", modes);
+  const std::string mode = modes[luaL_checkoption(L, 4, "locked", modes)];
   const std::string wheel = luaL_checkstring(L, 3);
   RoverAgent& agent = agent_of(L, 2);
-  agent.set_wheel(wheel, static_cast<WheelMode>(mode));
-  note(L, agent.id(), "wheel_set", {{"mode", modes[mode]}, {"wheel", wheel}});
+  const bool is_repair = mode == "driven";
+  agent.inject({.what = "wheel",
+                .part = wheel,
+                .mode = is_repair ? "" : mode,
+                .share = {},
+                .is_repair = is_repair});
+  note(L, agent.id(), "wheel_set", {{"mode", mode}, {"wheel", wheel}});
   return 0;
 }
 
@@ -81,7 +94,8 @@ int sim_stick_panel(lua_State* L) {
   const bool is_stuck = lua_isnoneornil(L, 4) || lua_toboolean(L, 4) != 0;
   const std::string panel = luaL_optstring(L, 3, "");
   RoverAgent& agent = agent_of(L, 2);
-  agent.power().set_panel_stuck(panel, is_stuck);
+  agent.inject(
+      {.what = "panel", .part = panel, .mode = "stuck", .share = {}, .is_repair = !is_stuck});
   note(L, agent.id(), "panel_stuck", {{"is_stuck", is_stuck}, {"panel", panel}});
   return 0;
 }
@@ -89,7 +103,7 @@ int sim_stick_panel(lua_State* L) {
 int sim_silence(lua_State* L) {
   const bool is_silent = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
   RoverAgent& agent = agent_of(L, 2);
-  agent.set_silent(is_silent);
+  agent.inject({.what = "antenna", .part = "", .mode = "", .share = {}, .is_repair = !is_silent});
   note(L, agent.id(), "silenced", {{"is_silent", is_silent}});
   return 0;
 }

@@ -25,6 +25,7 @@ int sim_picture(lua_State* L);
 // Changes to the simulated world and the plan (sim_changes.cpp).
 int sim_dispatch(lua_State* L);
 int sim_shade(lua_State* L);
+int sim_fault(lua_State* L);
 int sim_set_wheel(lua_State* L);
 int sim_stick_panel(lua_State* L);
 int sim_silence(lua_State* L);

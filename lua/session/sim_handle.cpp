@@ -154,6 +154,11 @@ const HandleType& sim_handle_type() {
        {"shade", guard<sim_shade>, "sim:shade(rover_id, share)",
         "So much of the sunlight reaches the rover's panels, 0 to 1.",
         "fun(self: lsos.sim, rover_id: string, share: number)"},
+       {"fault", guard<sim_fault>,
+        "sim:fault(rover_id, { what = , part = , mode = , share = , is_repair = })",
+        "Something of the rover breaks, or is repaired, as in rover:break_part.",
+        "fun(self: lsos.sim, rover_id: string, breakage: { what: string, part?: string, mode?: "
+        "string, share?: number, is_repair?: boolean })"},
        {"set_wheel", guard<sim_set_wheel>, "sim:set_wheel(rover_id, wheel, mode)",
         "A wheel fails: 'locked' (when left out), 'free'; or works again: 'driven'.",
         "fun(self: lsos.sim, rover_id: string, wheel: string, mode?: 'locked'|'free'|'driven')"},

@@ -58,9 +58,9 @@ double AntennaArray::mast_reach_m() const {
   return reach_m;
 }
 
-void AntennaArray::set_silent(bool is_silent, SimTime now) {
-  is_silent_ = is_silent;
-  silenced_ = now;
+void AntennaArray::set_dead(std::size_t i, bool is_dead, SimTime from) {
+  states_[i].is_dead = is_dead;
+  failed_ = from;
 }
 
 bool AntennaArray::is_up(std::size_t i, SimTime now) const {
@@ -70,8 +70,10 @@ bool AntennaArray::is_up(std::size_t i, SimTime now) const {
 }
 
 std::size_t AntennaArray::in_use(SimTime now) const {
-  for (std::size_t i = 0; i < specs_.size(); ++i) {
-    if (is_up(i, now)) return i;
+  for (const bool must_work : {true, false}) {
+    for (std::size_t i = 0; i < specs_.size(); ++i) {
+      if (must_work ? has_link(i, now) : is_up(i, now)) return i;
+    }
   }
   return 0;
 }
@@ -118,7 +120,8 @@ Deployment AntennaArray::deploy(const std::string& name, bool up, std::optional<
     if (state.goes_up != up) {
       deployment.moves = true;
       const double takes_s = duration_s.value_or(specs_[i].deploy_s);
-      state = {up, state.share_up(now), now, round_up_to_exchange(now + from_seconds(takes_s))};
+      state = {up, state.share_up(now), now, round_up_to_exchange(now + from_seconds(takes_s)),
+               state.is_dead};
     }
     // An antenna that is on its way takes the time that is left.
     if (state.end && *state.end > now) {
@@ -136,7 +139,7 @@ Deployment AntennaArray::deploy(const std::string& name, bool up, std::optional<
 
 std::optional<SimTime> AntennaArray::next_end(SimTime now) const {
   std::optional<SimTime> next;
-  if (silenced_ && *silenced_ > now) next = silenced_;
+  if (failed_ && *failed_ > now) next = failed_;
   for (const State& state : states_) {
     if (state.end && *state.end > now) next = std::min(next.value_or(*state.end), *state.end);
   }
@@ -144,7 +147,7 @@ std::optional<SimTime> AntennaArray::next_end(SimTime now) const {
 }
 
 bool AntennaArray::has_changed(SimTime now) const {
-  if (silenced_ == std::optional(now)) return true;
+  if (failed_ == std::optional(now)) return true;
   return std::ranges::any_of(states_, [&](const State& state) {
     return state.start == std::optional(now) || state.end == std::optional(now);
   });
@@ -152,7 +155,7 @@ bool AntennaArray::has_changed(SimTime now) const {
 
 void AntennaArray::archive(Archive& a) {
   a.tag("antennas");
-  LSOS_ARCHIVE(a, states_, is_silent_, silenced_);
+  LSOS_ARCHIVE(a, states_, failed_);
 }
 
 }  // namespace lsos

@@ -42,10 +42,12 @@ class AntennaArray {
   const std::vector<AntennaSpec>& specs() const { return specs_; }
   bool is_up(std::size_t i, SimTime now) const;
   // Whether it is up and its radio works.
-  bool has_link(std::size_t i, SimTime now) const { return !is_silent_ && is_up(i, now); }
-  // Makes the radio of all antennas fail, or work again; masts stay where they are.
-  void set_silent(bool is_silent, SimTime now);
-  // Index of the first antenna that is up; while none is, of the first. There is at least one.
+  bool has_link(std::size_t i, SimTime now) const { return !states_[i].is_dead && is_up(i, now); }
+  // Makes the radio of an antenna fail, or work again, from the exchange `from` on; its mast stays
+  // where it is.
+  void set_dead(std::size_t i, bool is_dead, SimTime from);
+  // Index of the first antenna that is up and works; while none is, of the first that is up, else
+  // of the first. There is at least one.
   std::size_t in_use(SimTime now) const;
   // Position of the antenna in use, chassis axes.
   Vec3 p_B_m(SimTime now) const;
@@ -75,14 +77,14 @@ class AntennaArray {
     bool goes_up = false;
     double from = 0;                    // share raised when its last motion began, 1: up
     std::optional<SimTime> start, end;  // start and end of its last motion
+    bool is_dead = false;               // its radio has failed
 
     double share_up(SimTime now) const;
-    void archive(Archive& a) { LSOS_ARCHIVE(a, goes_up, from, start, end); }
+    void archive(Archive& a) { LSOS_ARCHIVE(a, goes_up, from, start, end, is_dead); }
   };
   std::vector<AntennaSpec> specs_;
   std::vector<State> states_;
-  bool is_silent_ = false;
-  std::optional<SimTime> silenced_;
+  std::optional<SimTime> failed_;  // when a radio last failed or recovered
 };
 
 }  // namespace lsos

@@ -9,6 +9,7 @@
 
 #include "base/sim_time.h"
 #include "base/vector.h"
+#include "mission/port/breakage.h"
 #include "mission/port/power_port.h"
 #include "route/cost/leg_request.h"
 
@@ -151,6 +152,10 @@ class RoverPort {
   // Begins to move the limbs into another stance and returns the time that it takes, s. Throws
   // std::runtime_error for a stance that there is not, EquipmentFault for what limbs cannot do.
   virtual double set_posture(const PostureRequest& request) = 0;
+  // Something of the rover breaks, or works again, from this exchange on, with a note and, when it
+  // breaks, a warning. Throws EquipmentFault for what the rover does not have, and for a mode or
+  // share that does not fit.
+  virtual void break_part(const Breakage& breakage) = 0;
   // Writes a row in `notes`. `fields_json`: a JSON object with sorted keys.
   virtual void note(const std::string& name, const std::string& fields_json) = 0;
   // Adds a warning to the summary and report of the run.

@@ -24,14 +24,9 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
       drive_(motion_, journal_),
       shape_(model.shapes, config),
       power_(model.power, rover.initial_charge, sources),
-      antennas_(model.antennas),
+      antennas_(antennas_of(model, shape_.top_m() + default_antenna_above_m)),
+      breakable_parts_(breakable_parts(config, model.power, antennas_.specs())),
       routes_(config, model.limits, load_w(model.power.loads, {}), ground, legs) {
-  if (model.antennas.empty()) {
-    AntennaSpec top;
-    top.name = "top";
-    top.p_B_m.z() = shape_.top_m() + default_antenna_above_m;
-    antennas_ = AntennaArray({top});
-  }
   view_.id = rover.id;
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
@@ -122,19 +117,6 @@ void RoverAgent::update_view() {
 
 Vec3 RoverAgent::antenna_S_m() const {
   return motion_.part_poses().front().point_S_m(antennas_.p_B_m(now_));
-}
-
-void RoverAgent::set_wheel(const std::string& name, WheelMode mode) {
-  std::vector<std::string> names;
-  for (const LinkConfig& link : motion_.config().links) {
-    if (link.wheel) names.push_back(link.name);
-  }
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) {
-    throw std::runtime_error(fmt::format("the rover has no wheel '{}'{}; it has {}", name,
-                                         did_you_mean(name, names), fmt::join(names, ", ")));
-  }
-  motion_.vehicle().set_wheel_mode(static_cast<std::size_t>(found - names.begin()), mode);
 }
 
 void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driving/driven_track.h"
+#include "mission/model/breakable.h"
 #include "mission/model/rover_model.h"
 #include "mission/port/rover_port.h"
 #include "mission/port/surroundings.h"
@@ -77,10 +78,9 @@ class RoverAgent : public RoverPort {
   // Position of the antenna in use.
   Vec3 antenna_S_m() const;
 
-  // Failures injected by a scenario; they take effect at the next exchange. `name`: the link of a
-  // wheel; throws std::runtime_error when there is none of that name.
-  void set_wheel(const std::string& name, WheelMode mode);
-  void set_silent(bool is_silent) { antennas_.set_silent(is_silent, now_ + exchange_period); }
+  // What a scenario breaks or repairs between two exchanges, from the next one on. Returns the
+  // fields of a note about it. Throws as break_part().
+  std::string inject(const Breakage& breakage);
 
   const RoverView& view() const override { return view_; }
   DriveState drive_state() const override { return drive_.state(); }
@@ -101,6 +101,7 @@ class RoverAgent : public RoverPort {
   Deployment deploy_antenna(const std::string& antenna, bool up,
                             std::optional<double> duration_s) override;
   double set_posture(const PostureRequest& request) override;
+  void break_part(const Breakage& breakage) override;
   void note(const std::string& name, const std::string& fields_json) override {
     journal_.note(name, fields_json);
   }
@@ -110,6 +111,8 @@ class RoverAgent : public RoverPort {
 
  private:
   void update_view();
+  BreakageOfParts resolved(const Breakage& breakage) const;
+  void apply(const BreakageOfParts& breakage, SimTime from);
 
   PlanRover rover_;
   const Surroundings* surroundings_;
@@ -122,6 +125,7 @@ class RoverAgent : public RoverPort {
   RoverPower power_;
   SupplyWatch supply_watch_;
   AntennaArray antennas_;
+  BreakableParts breakable_parts_;
   RoverRoutes routes_;
   SimTime now_{};  // time of the last exchange
   RoverView view_;

@@ -23,8 +23,9 @@ std::string stuck_text(const PanelSpec& panel) {
 
 RoverPower::RoverPower(const PowerSpec& spec, double initial_charge,
                        std::span<const PowerSource> sources)
-    : spec_(spec), sources_(sources), panels_(spec.panels) {
+    : spec_(spec), sources_(sources), panels_(spec.panels), panels_lost_(spec.panels.size(), 0.0) {
   if (spec_.battery) {
+    capacity_at_first_j_ = spec_.battery->capacity_j;
     at_start_.energy_j = energy_at_start_j_ = initial_charge * spec_.battery->capacity_j;
   }
   for (const ResourceSpec& resource : spec_.resources) resources_[resource.name] = resource.amount;
@@ -64,20 +65,14 @@ void RoverPower::begin_segment() {
 
 void RoverPower::set_sun(const PanelSunlight& value) {
   sun_ = value;
-  for (PanelSunlight::Panel& panel : sun_->panels) {
-    panel.sun_fraction *= sun_share_;
-    panel.power_w *= sun_share_;
+  for (std::size_t i = 0; i < sun_->panels.size(); ++i) {
+    sun_->panels[i].sun_fraction *= sun_share_;
+    sun_->panels[i].power_w *= sun_share_ * (1 - panels_lost_[i]);
   }
 }
 
 void RoverPower::set_shade(double share) {
   sun_share_ = share;
-  has_panel_command_ = true;
-  injected_at_ = now_ + exchange_period;
-}
-
-void RoverPower::set_panel_stuck(const std::string& panel, bool is_stuck) {
-  for (const std::size_t i : panels_named(panel)) panels_.set_stuck(i, is_stuck, now_);
   has_panel_command_ = true;
   injected_at_ = now_ + exchange_period;
 }
@@ -198,7 +193,7 @@ void RoverPower::fill(SampleRow& row) const {
   const EnergyAccount account = this->account();
   const PowerFlows flows = this->flows();
   row.energy_j = account.energy_j;
-  row.charge = account.energy_j / spec_.battery->capacity_j;
+  row.charge = spec_.battery->capacity_j > 0 ? account.energy_j / spec_.battery->capacity_j : 0;
   row.energy_rate_w = flows.energy_rate_w;
   row.solar_w = flows.solar_w;
   row.solar_available_w = demand_.solar_available_w;
@@ -216,7 +211,7 @@ void RoverPower::fill(SampleRow& row) const {
 void RoverPower::fill_start(SampleRow& row) const {
   if (!has_battery()) return;
   row.energy_j = energy_at_start_j_;
-  row.charge = energy_at_start_j_ / spec_.battery->capacity_j;
+  row.charge = energy_at_start_j_ / capacity_at_first_j_;
   row.solar_j = row.external_j = row.load_j = row.drive_j = row.loss_j = 0;
 }
 
@@ -378,7 +373,11 @@ void RoverPower::archive(Archive& a) {
                at_start_.external_j, at_start_.load_j, at_start_.drive_j, at_start_.loss_j,
                demand_.solar_available_w, demand_.external_w, demand_.load_w, demand_.drive_w, sun_,
                claims_, given_w_, injected_at_, sun_share_, resources_, waits_for_reserve_,
-               has_reserve_changed_, has_reached_charge_, has_panel_command_);
+               has_reserve_changed_, has_reached_charge_, has_panel_command_, panels_lost_,
+               capacity_lost_);
+  if (a.is_reading() && has_battery()) {
+    spec_.battery->capacity_j = capacity_at_first_j_ * (1 - capacity_lost_);
+  }
 }
 
 }  // namespace lsos

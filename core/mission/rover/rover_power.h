@@ -69,7 +69,13 @@ class RoverPower : public PowerPort {
   // Sets the share 0..1 of sunlight that reaches the panels from the next exchange on: dust, a
   // cover.
   void set_shade(double share);
-  void set_panel_stuck(const std::string& panel, bool is_stuck);
+  // What breaks or works again, from the exchange `from` on: a panel that stays as it is, a share
+  // 0..1 of a panel's area that gives no power, and of the capacity that the battery had at first.
+  // Energy that the battery then cannot hold is gone; as with a level that is set, it counts as
+  // external, so that what the rover used stays what it used. Requires a battery.
+  void set_panel_stuck(std::size_t panel, bool is_stuck, SimTime from);
+  void set_panel_lost(std::size_t panel, double share, SimTime from);
+  void set_capacity_lost(double share);
 
   // At the beginning of an exchange: brings the energy up to `now`. `drive_w`: mean power of the
   // wheel motors since the last exchange, 0 for a parked rover. Finds whether the battery is empty.
@@ -165,7 +171,10 @@ class RoverPower : public PowerPort {
   double antennas_w_ = 0;  // not saved: set at each exchange
   double given_w_ = 0;
   double sun_share_ = 1;
-  std::optional<SimTime> injected_at_;  // when a failure of a scenario takes effect
+  std::optional<SimTime> injected_at_;  // when a failure takes effect
+  std::vector<double> panels_lost_;     // share of the area that is dead, by panel
+  double capacity_lost_ = 0;            // share
+  double capacity_at_first_j_ = 0;      // not saved: the rover's script gives it
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
   bool has_panel_command_ = false;
   bool has_reached_charge_ = false;

@@ -74,6 +74,9 @@ class RecordingRover : public RoverPort {
     calls.push_back("posture " + request.stance.value_or("as it is"));
     return request.duration_s.value_or(30);
   }
+  void break_part(const Breakage& breakage) override {
+    calls.push_back((breakage.is_repair ? "repair " : "break ") + breakage.what);
+  }
   void brake() override { calls.push_back("brake"); }
   void note(const std::string& name, const std::string& fields_json) override {
     calls.push_back("note " + name + " " + fields_json);
