@@ -63,7 +63,7 @@
 ---@field is_parked boolean Brakes on and standing still.
 ---@field is_adjusting boolean Its limbs move although it stands.
 ---@field clearance_m number Under its chassis, as its stance says; nil when it is not on limbs.
----@field drive lsos.rover.drive What became of its last drive.
+---@field drive lsos.rover.drive What became of the last rover:follow.
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
 ---@field panels lsos.rover.panels Its solar panels.
 ---@field antennas lsos.rover.antennas Its antennas.
@@ -75,6 +75,7 @@
 ---@field sky fun(self: lsos.rover): { sun_azimuth_rad: number, sun_elevation_rad: number, earth_azimuth_rad: number?, earth_elevation_rad: number? } Where Sun and Earth stand: { sun_azimuth_rad = , sun_elevation_rad = , earth_azimuth_rad = , earth_elevation_rad = }; Earth's nil on Earth.
 ---@field brake fun(self: lsos.rover) Stops and holds.
 ---@field set_posture fun(self: lsos.rover, posture: { stance?: string, height_m?: number, level?: boolean, duration_s?: number }): number Begins to move its limbs into another stance, as fast as their joints turn or in `duration_s`; gives the time that it takes. Fails the event where a joint cannot.
+---@field break_part fun(self: lsos.rover, breakage: { what: string, part?: string, mode?: string, share?: number, is_repair?: boolean }) Something of it breaks, or is repaired, from now on, as Fault says; logged as `fault`.
 ---@field work fun(self: lsos.rover, power_w: number) Power that the event uses until it ends.
 ---@field resource fun(self: lsos.rover, name: string): number? What is left of it; nil when the rover carries none.
 ---@field use fun(self: lsos.rover, name: string, amount: number): boolean Takes it; false, and nothing is taken, when there is not so much.
@@ -146,6 +147,7 @@
 ---@field load fun(self: lsos.sim, file: string) Goes back to it. The log begins anew there.
 ---@field reload fun(self: lsos.sim) Reads event scripts anew: what has changed is called from the next phase on.
 ---@field shade fun(self: lsos.sim, rover_id: string, share: number) So much of the sunlight reaches the rover's panels, 0 to 1.
+---@field fault fun(self: lsos.sim, rover_id: string, breakage: { what: string, part?: string, mode?: string, share?: number, is_repair?: boolean }) Something of the rover breaks, or is repaired, as in rover:break_part.
 ---@field set_wheel fun(self: lsos.sim, rover_id: string, wheel: string, mode?: 'locked'|'free'|'driven') A wheel fails: 'locked' (when left out), 'free'; or works again: 'driven'.
 ---@field stick_panel fun(self: lsos.sim, rover_id: string, panel?: string, is_stuck?: boolean) A panel (all when left out) stays as it is.
 ---@field silence fun(self: lsos.sim, rover_id: string, is_silent?: boolean) The rover's antennas work for nobody.
@@ -164,6 +166,7 @@
 ---@field doc string One sentence that a mission planner understands.
 ---@field kind? string What it mostly is: 'driving', 'waiting', 'energy', 'communication', 'crew' or 'science'. Events of a kind share a colour in plots (default: a colour of its own).
 ---@field params? table Script key = lsos.number {...} or another field.
+---@field at? string Key of the lsos.moment at which it takes effect. An event of a plan that gives it needs no turn: it begins then whatever the rover does, and must end in that exchange.
 ---@field geometry? any 'none', 'point', 'line', 'polygon' or several (default { 'none', 'point' }).
 ---@field drives? boolean A Point in the plan means: drive there (default false).
 ---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
@@ -171,6 +174,7 @@
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
 ---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `generator_w`, `height_min_m`, `height_max_m` (on limbs), `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its routes: gives what rover:plan_path will be told, so that they are planned and checked before the run.
+---@field breaks? any For an event that breaks or repairs something: gives what rover:break_part will be told, so that a plan is checked for what the rover has.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
 ---@field deploys? string Key of the text that names the panel or antenna that it deploys, so that a plan is checked for what is up already.
@@ -216,7 +220,7 @@
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
----@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, any 'other' rover or asset, or a 'leader', another rover that the rover follows.
+---@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, or any 'other' rover or asset.
 ---@field default? string Value when the plan gives none.
 ---@field required? boolean The plan must give it (default false).
 
@@ -239,6 +243,12 @@
 ---@field required? boolean The plan must give it (default false).
 
 ---@class lsos.utc.keys
+---@field kml string Name of the SimpleData in plans.
+---@field doc? string One sentence for the mission planner.
+---@field example? string What `lsos-host schema` writes into its form.
+---@field required? boolean The plan must give it (default false).
+
+---@class lsos.moment.keys
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
@@ -624,6 +634,7 @@
 ---@field choice fun(keys: lsos.choice.keys): lsos.made One of some words.
 ---@field duration fun(keys: lsos.duration.keys): lsos.made A length of time, seconds in the script; the key ends in _s.
 ---@field utc fun(keys: lsos.utc.keys): lsos.made A moment; in the script seconds since the mission's start; the key ends in _s.
+---@field moment fun(keys: lsos.moment.keys): lsos.made The same, and a plan may also give it as a duration from the mission's start.
 ---@field rover fun(keys: lsos.rover.keys): lsos.made What a script in rovers/ returns.
 ---@field chassis fun(keys: lsos.chassis.keys): lsos.made The body that the suspension carries.
 ---@field limits fun(keys: lsos.limits.keys): lsos.made Ground that planned routes keep off.

@@ -200,6 +200,9 @@ void Simulation::exchange() {
                           (rover.agent->is_parked() ||
                            now_ - rover.sequence.records().last_end() > coming_to_rest);
                  });
+  if (is_finished_) {
+    for (FleetRover& rover : fleet_.rovers) rover.sequence.close(now_);
+  }
   log_.write(fleet_, sight_.get(), moment());
   if (setup_.save_every_exchange) save_and_restore();
 }
@@ -212,7 +215,7 @@ void Simulation::run_scripts() {
   const std::size_t ended_before = fleet_.events_ended();
   for (FleetRover& rover : fleet_.rovers) {
     const bool is_due = rover.wake && *rover.wake <= now_;
-    if (rover.sequence.is_finished() || (rover.agent->is_parked() && !is_due)) continue;
+    if ((rover.sequence.is_finished() || rover.agent->is_parked()) && !is_due) continue;
     rover.sequence.run(turn_of(rover));
     rover.wake = rover.sequence.wake(now_, machine_.mission.start_time);
     take_warnings(rover);

@@ -35,6 +35,7 @@ std::vector<std::vector<Wait>> waits_of(const std::vector<DraftEvent>& drafts) {
       const auto found = by_identity.find(awaited);
       if (found != by_identity.end()) waits[i].push_back({found->second, true});
     }
+    if (event.at) continue;  // comes in no turn, and no other waits for its turn
     if (before < i && drafts[before].event.rover_id == event.rover_id) {
       waits[i].push_back({before, false});
     }

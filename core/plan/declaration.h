@@ -18,7 +18,8 @@ namespace lsos {
 // Greatest duration that a field may have, some 27 years: times stay far inside SimTime's range.
 inline constexpr double longest_duration_s = 10000 * 86400.0;
 
-enum class FieldKind { number, integer, boolean, text, choice, duration, utc };
+// A moment is a UTC time, or a duration from the mission's start.
+enum class FieldKind { number, integer, boolean, text, choice, duration, utc, moment };
 
 // What a text field names. Names are checked before anything runs.
 enum class NameOf {
@@ -42,7 +43,7 @@ enum class NumberRole {
   outside_power,   // power requested from outside the rover or from a power source
 };
 
-// A value of a field, in SI. Durations are numbers (seconds).
+// A value of a field, in SI. Durations are numbers (seconds), also those from the mission's start.
 using FieldValue = std::variant<bool, std::int64_t, double, std::string, Instant>;
 
 // One SimpleData field of an event type.
@@ -82,6 +83,9 @@ struct EventDeclaration {
   // Keys of the text fields that name the panel or antenna that the event deploys, stows, or needs
   // deployed; "" for none. A field that the plan omits stands for all that can be stowed.
   std::string deploys, stows, needs_deployed;
+  // Key of the moment at which the event takes effect whatever the rover does; "": it has none. An
+  // event with a value needs no turn, and must end in the exchange in which it begins.
+  std::string at = {};
   bool may_deploy_unsaid = false;  // its script commands panels or antennas in its phases
   std::string start_phase;
   struct Phase {

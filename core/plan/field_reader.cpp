@@ -16,13 +16,30 @@ namespace {
 
 const Unit& unit_of(const FieldDeclaration& declaration) {
   if (declaration.unit != nullptr) return *declaration.unit;
-  return *find_unit(declaration.kind == FieldKind::duration ? "s" : "1");
+  const bool is_time =
+      declaration.kind == FieldKind::duration || declaration.kind == FieldKind::moment;
+  return *find_unit(is_time ? "s" : "1");
 }
 
 template <class T>
 Parsed<FieldValue> as_field_value(Parsed<T> parsed) {
   if (!parsed) return {{}, std::move(parsed.why)};
   return {FieldValue(*parsed.value), {}};
+}
+
+Parsed<FieldValue> parsed_duration(const std::string& text) {
+  Parsed<double> duration = parse_quantity(text, *find_unit("s"));
+  if (duration) duration.value = rounded_s(*duration.value);
+  return as_field_value(duration);
+}
+
+// No duration begins like a date does: "2026-07-01".
+Parsed<FieldValue> parsed_moment(const std::string& text) {
+  constexpr std::size_t year_digits = 4;
+  if (text.find('-') == year_digits) return as_field_value(parse_utc(text));
+  Parsed<FieldValue> moment = parsed_duration(text);
+  if (!moment) moment.why += "; or a UTC time, such as 2026-07-01T12:00:00Z";
+  return moment;
 }
 
 // A share between 1 and 100 was probably meant in per cent; "" for other values.
@@ -163,7 +180,7 @@ namespace {
 
 // "2026-07-01T07:20:00": somebody may have meant the time of another zone.
 bool is_time_without_zone(const FieldDeclaration& declaration, std::string_view text) {
-  if (declaration.kind != FieldKind::utc) return false;
+  if (declaration.kind != FieldKind::utc && declaration.kind != FieldKind::moment) return false;
   const std::size_t time = text.find(':');
   return time != std::string_view::npos &&
          text.find_first_of("Zz+-", time) == std::string_view::npos;
@@ -238,11 +255,10 @@ std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration
 Parsed<FieldValue> FieldReader::parsed(const FieldDeclaration& declaration,
                                        const std::string& text) const {
   switch (declaration.kind) {
-    case FieldKind::duration: {  // a bare number is in seconds, whatever the field's unit
-      Parsed<double> duration = parse_quantity(text, *find_unit("s"));
-      if (duration) duration.value = rounded_s(*duration.value);
-      return as_field_value(duration);
-    }
+    case FieldKind::duration:  // a bare number is in seconds, whatever the field's unit
+      return parsed_duration(text);
+    case FieldKind::moment:
+      return parsed_moment(text);
     case FieldKind::number:
       if (!declaration.amount_of.empty() && !is_bare_number(text)) {
         return {{}, "a plain number is allowed, in the resource's own unit, such as '2'"};

@@ -101,6 +101,9 @@ struct PlanEvent {
   std::optional<SimTime> timeout;
   OnFailure on_failure = OnFailure::stop;
   std::int64_t go_to_sequence = 0;  // with OnFailure::go_to
+  // When it takes effect whatever its rover does, since the mission's start: it needs no turn, see
+  // EventDeclaration::at. Absent: in its turn.
+  std::optional<SimTime> at = {};
 };
 
 // What the faults of a plan leave open. Faults that may merely follow from these are not reported.

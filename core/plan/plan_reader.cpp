@@ -13,6 +13,7 @@
 #include "plan/references.h"
 #include "plan/schema_types.h"
 #include "plan/suggestions.h"
+#include "plan/timed_events.h"
 #include "plan/unread.h"
 
 namespace lsos {
@@ -133,7 +134,9 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
     draft.is_rover_known = std::ranges::find(rover_ids, draft.event.rover_id) != rover_ids.end();
     drafts.push_back(std::move(draft));
   }
+  set_times(drafts, declarations, plan.mission, plan.gaps);
   resolve_references(drafts, faults);
+  check_timed_events(drafts, declarations, faults);
   check_circles(drafts, faults);
   if (plan.mission.planet != nullptr) {
     check_stationary_points(drafts, plan.rovers, plan.gaps, *plan.mission.planet, faults);
@@ -171,7 +174,9 @@ PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
   };
   const PlanEvent::Reference identity = identity_of(drafts.front());
   std::ranges::stable_sort(drafts, {}, identity_of);
+  set_times(drafts, declarations, plan.mission, plan.gaps);
   resolve_references(drafts, faults);
+  check_timed_events(drafts, declarations, faults);
   check_circles(drafts, faults);
   faults.throw_if_errors();
   return std::ranges::find(drafts, identity, identity_of)->event;

@@ -16,7 +16,7 @@ void check_stationary_points(const std::vector<DraftEvent>& drafts,
   visit_expected_places(
       drafts, rovers, gaps,
       [&](const DraftEvent& draft, const std::optional<ExpectedPlace>& expected) {
-        if (draft.drives || !expected) return;
+        if (draft.drives || draft.event.at || !expected) return;
         const PlanEvent& event = draft.event;
         const Geodetic& point = event.geometry.points.front();
         const double distance_m = expected->within.empty()

@@ -93,6 +93,10 @@ void read_param(TableReader& t, const FieldDeclaration& field, Instant mission_s
       t.number(need, key, number, {-9e9, 9e9}, "");
       if (number) params[field.key] = mission_start + from_seconds(*number);
       return;
+    case FieldKind::moment:
+      t.number(need, key, number, {-9e9, 9e9}, "");
+      if (number) number = rounded_s(*number);
+      return store(number);
     case FieldKind::boolean:
       t.boolean(need, key, flag, "");
       return store(flag);

@@ -45,10 +45,11 @@ bool is_table_or_fault(TableReader& t, const char* key, const char* wanted) {
 void check_suffix(TableReader& t, const std::string& key, const FieldDeclaration& field) {
   std::string suffix;
   if (field.unit != nullptr && !field.unit->suffix.empty()) suffix = field.unit->suffix;
-  if (field.kind == FieldKind::utc) suffix = "s";
+  const bool is_time = field.kind == FieldKind::utc || field.kind == FieldKind::moment;
+  if (is_time) suffix = "s";
   if (!suffix.empty() && !key.ends_with("_" + suffix)) {
     t.fault(fmt::format("params: '{}' must end in '_{}', as its value is in {}", key, suffix,
-                        field.kind == FieldKind::utc ? "s" : si_unit_of("x_" + suffix)));
+                        is_time ? "s" : si_unit_of("x_" + suffix)));
   }
   const std::string claimed = si_unit_of(key);
   if (suffix.empty() && !claimed.empty() && field.kind == FieldKind::number) {
@@ -238,6 +239,17 @@ void read_equipment(TableReader& t, EventDeclaration& event) {
        "The same of a panel that must be deployed when it starts.");
 }
 
+void read_at(TableReader& t, EventDeclaration& event) {
+  t.text(optional, "at", event.at,
+         "Key of the lsos.moment at which it takes effect. An event of a plan that gives it needs "
+         "no turn: it begins then whatever the rover does, and must end in that exchange.");
+  const auto is_moment = [&](const FieldDeclaration& field) {
+    return field.key == event.at && field.kind == FieldKind::moment;
+  };
+  if (event.at.empty() || std::ranges::any_of(event.fields, is_moment)) return;
+  t.fault(fmt::format("at = '{}': no lsos.moment of params has that key", event.at));
+}
+
 void read_event(TableReader& t, EventDeclaration& event, int functions) {
   std::string schema;
   t.api_version();
@@ -251,6 +263,7 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
          "What it mostly is: 'driving', 'waiting', 'energy', 'communication', 'crew' or 'science'. "
          "Events of a kind share a colour in plots (default: a colour of its own).");
   read_params(t, event);
+  read_at(t, event);
   read_geometry(t, event);
   t.boolean(optional, "drives", event.drives,
             "A Point in the plan means: drive there (default false).");
@@ -274,6 +287,10 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
   read_function(t, "route", "function(params)",
                 "For an event that plans its routes: gives what rover:plan_path will be told, so "
                 "that they are planned and checked before the run.",
+                functions);
+  read_function(t, "breaks", "function(params)",
+                "For an event that breaks or repairs something: gives what rover:break_part will "
+                "be told, so that a plan is checked for what the rover has.",
                 functions);
   read_function(t, "on_abort", "function(ev, rover)",
                 "Called once when the event is ended from outside. A text that it answers says how "

@@ -1,5 +1,5 @@
-// lsos.number, integer, boolean, text, choice, duration, utc: the fields that a plan may give to
-// an event.
+// lsos.number, integer, boolean, text, choice, duration, utc, moment: the fields that a plan may
+// give to an event.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -191,6 +191,12 @@ void read_utc(TableReader& t, FieldDeclaration& field) {
   read_required(t, field);
 }
 
+void read_moment(TableReader& t, FieldDeclaration& field) {
+  field.kind = FieldKind::moment;
+  read_common(t, field);
+  read_required(t, field);
+}
+
 }  // namespace
 
 std::vector<Constructor> field_constructors() {
@@ -205,6 +211,9 @@ std::vector<Constructor> field_constructors() {
           "duration", "A length of time, seconds in the script; the key ends in _s."),
       constructor<FieldDeclaration, read_utc>(
           "utc", "A moment; in the script seconds since the mission's start; the key ends in _s."),
+      constructor<FieldDeclaration, read_moment>(
+          "moment",
+          "The same, and a plan may also give it as a duration from the mission's start."),
   };
 }
 

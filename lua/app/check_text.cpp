@@ -48,6 +48,18 @@ std::string line_text(const DrawnEventLine& line) {
                      fmt::join(parts, ", then "));
 }
 
+std::string timed_text(const Plan& plan) {
+  std::string text;
+  for (const PlanEvent& event : plan.events) {
+    if (!event.at || !event.is_enabled) continue;
+    text +=
+        fmt::format("  at a time: {} '{}' at {}, {:g} s after the start, whatever it does then\n",
+                    event.rover_id, event.label, format_utc(plan.mission.start_time + *event.at),
+                    seconds(*event.at));
+  }
+  return text;
+}
+
 // Splits "Route 'leg 2': Speed = 1 m/s" into "Route" and "Speed = 1 m/s". Defaults of fields that
 // all events have belong to "events".
 std::pair<std::string, std::string> kind_and_default(const std::string& line) {
@@ -101,6 +113,7 @@ std::string check_text(const MissionModel& files, const RoutesAhead& routes, boo
   if (files.faults.has_errors()) return text;
   for (const PlannedLegLine& leg : routes.planned) text += leg_text(leg);
   for (const DrawnEventLine& line : routes.drawn) text += line_text(line);
+  text += timed_text(files.plan);
   if (!is_verbose) {
     return text + defaults_text(files.plan.defaults) + assumptions_text(files.assumptions);
   }

@@ -109,6 +109,14 @@ std::string json_text(const MissionFiles& files, const RoutesAhead& routes) {
                       {"line", fault.place.line},
                       {"what", fault.what}});
   }
+  nlohmann::ordered_json timed_events = nlohmann::ordered_json::array();
+  for (const PlanEvent& event : files.plan.events) {
+    if (!event.at || !event.is_enabled) continue;
+    timed_events.push_back({{"rover_id", event.rover_id},
+                            {"sequence", event.sequence},
+                            {"label", event.label},
+                            {"at_s", seconds(*event.at)}});
+  }
   const nlohmann::ordered_json answer{{"plan", files.plan.file},
                                       {"plan_sha256", files.plan.hash()},
                                       {"is_valid", !files.faults.has_errors()},
@@ -118,6 +126,7 @@ std::string json_text(const MissionFiles& files, const RoutesAhead& routes) {
                                       {"faults", faults},
                                       {"planned_paths", paths},
                                       {"drawn_lines", lines},
+                                      {"timed_events", timed_events},
                                       {"defaults", files.plan.defaults},
                                       {"assumptions", files.assumptions}};
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -137,6 +146,7 @@ std::string json_text(const MissionMachine& machine) {
                         {"label", event.event.label},
                         {"enabled", event.event.is_enabled},
                         {"phases", phases}});
+      if (event.event.at) events.back()["at_s"] = seconds(*event.event.at);
     }
     rovers.push_back(
         {{"rover_id", rover.rover.id}, {"type", rover.rover.type}, {"events", events}});

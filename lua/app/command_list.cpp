@@ -28,7 +28,7 @@ using Json = nlohmann::ordered_json;
 
 const char* to_text(FieldKind kind) {
   constexpr const char* names[] = {"number", "integer",  "boolean", "text",
-                                   "choice", "duration", "utc"};
+                                   "choice", "duration", "utc",     "moment"};
   return names[static_cast<int>(kind)];
 }
 

@@ -66,6 +66,7 @@ std::string example_value(const FieldDeclaration& field) {
     case FieldKind::choice:
       return field.choices.front();
     case FieldKind::duration:
+    case FieldKind::moment:
       return "60 s";
     case FieldKind::utc:
       return "2026-07-01T00:00:00Z";

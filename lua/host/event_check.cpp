@@ -7,6 +7,7 @@
 
 #include "lua/host/condition.h"
 #include "lua/host/host.h"
+#include "mission/model/breakable.h"
 #include "mission/model/plan_names.h"
 
 namespace lsos {
@@ -47,6 +48,16 @@ ConditionWorld condition_world(ConditionWorld world, const std::string& rover_id
     world.resources.insert(resource.name);
   }
   return world;
+}
+
+// What the event would break and its rover does not have, or not so; "": all is well.
+std::string breakage_fault(const std::optional<Breakage>& breakage, const PlanRover& rover,
+                           const RoverModel& model) {
+  if (!breakage) return "";
+  constexpr double any_gravity_mps2 = 1;  // names do not depend on it
+  return resolve(*breakage, breakable_parts(model, rover.configuration, any_gravity_mps2),
+                 rover.type)
+      .why;
 }
 
 }  // namespace
@@ -98,6 +109,11 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
       };
       if (!answer.fault.empty()) faults.error(event.place, text(answer.fault));
       if (!answer.warning.empty()) faults.warning(event.place, text(answer.warning));
+      if (rover == nullptr || model == files.rover_models.end()) continue;
+      const std::string misfit =
+          breakage_fault(host.breakage(event.type, {event.params, {}}, plan.mission.start_time),
+                         *rover, model->second);
+      if (!misfit.empty()) faults.error(event.place, text(misfit));
     } catch (const ScriptError& error) {
       faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, error.what()));
     }

@@ -6,6 +6,7 @@
 
 #include "lua/api/answer.h"
 #include "lua/api/arguments.h"
+#include "lua/api/breakage.h"
 #include "lua/api/route.h"
 #include "lua/api/rover_facts.h"
 #include "lua/host/condition.h"
@@ -222,7 +223,8 @@ bool LuaHost::is_open_ended(const std::string& type, const EventArguments& argum
                             Instant mission_start) {
   const EventDeclaration& declaration = impl_->declarations.events.at(type);
   const bool has_time = std::ranges::any_of(declaration.fields, [](const FieldDeclaration& field) {
-    return field.kind == FieldKind::duration || field.kind == FieldKind::utc;
+    return field.kind == FieldKind::duration || field.kind == FieldKind::utc ||
+           field.kind == FieldKind::moment;
   });
   bool is_open = declaration.is_open_ended.value_or(!declaration.drives && !has_time);
   impl_->call_optional(type, "open_ended", arguments, mission_start,
@@ -269,6 +271,14 @@ std::optional<RouteSettings> LuaHost::route_settings(const std::string& type,
     settings = check_route_options(L, -1, "route").settings;
   });
   return settings;
+}
+
+std::optional<Breakage> LuaHost::breakage(const std::string& type, const EventArguments& arguments,
+                                          Instant mission_start) {
+  std::optional<Breakage> breakage;
+  impl_->call_optional(type, "breaks", arguments, mission_start,
+                       [&](lua_State* L) { breakage = check_breakage(L, -1, "breaks"); });
+  return breakage;
 }
 
 ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arguments) {

@@ -30,6 +30,11 @@ class LuaHost : public ScriptHost {
   CheckAnswer check(const std::string& type, const EventArguments& arguments, Instant mission_start,
                     const PlanRover* rover, const RoverModel* model);
 
+  // What an event breaks or repairs, as its script says before the run; absent: nothing. Throws
+  // ScriptError.
+  std::optional<Breakage> breakage(const std::string& type, const EventArguments& arguments,
+                                   Instant mission_start);
+
   bool is_open_ended(const std::string& type, const EventArguments& arguments,
                      Instant mission_start) override;
   bool awaits_sunlight(const std::string& type, const EventArguments& arguments,

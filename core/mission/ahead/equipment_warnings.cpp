@@ -247,7 +247,7 @@ std::vector<Fault> equipment_warnings(const RoverMachine& machine, const Mission
                                       const SiteFrame& site) {
   EquipmentPass ahead(machine, mission, model, host, site);
   for (const EventMachine& event : machine.events) {
-    if (event.event.is_enabled) ahead.pass(event);
+    if (event.event.is_enabled && !event.event.at) ahead.pass(event);
   }
   return ahead.take();
 }

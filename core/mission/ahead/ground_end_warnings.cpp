@@ -73,7 +73,7 @@ SimTime estimated_duration(const MissionMachine& machine,
     Geodetic at = rover.rover.start;
     const VehicleConfig& vehicle = models.at(rover.rover.model()).spec.vehicle;
     for (const EventMachine& event : rover.events) {
-      if (event.event.is_enabled) {
+      if (event.event.is_enabled && !event.event.at) {
         now = expected_end(event, vehicle, now, machine.mission.start_time, body, at);
       }
     }

@@ -260,7 +260,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   bool is_in_other_stance = false;      // routes are then planned when their turn comes
   std::optional<std::int64_t> gone_to;  // sequence at which the rover goes on after a failure
   for (const EventMachine& event : machine.events) {
-    if (!event.event.is_enabled) continue;
+    if (!event.event.is_enabled || event.event.at) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
     ahead.warn_of_speed(event.event, event.declaration);
     if (RoutePass::changes_stance(event.declaration)) is_in_other_stance = true;

@@ -20,11 +20,13 @@ bool EventRecord::has_ended() const {
 void EventRecord::archive(Archive& a) {
   LSOS_ARCHIVE(a, status, reason, ready, start, end, distance_start_m, distance_m, used_start_j,
                energy_used_j, solar_start_j, solar_j, place.lon_rad, place.lat_rad, place.height_m,
-               is_prevented, is_written);
+               is_prevented, is_timed, is_written);
 }
 
-void EventRecords::insert(std::size_t index) {
-  all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(index), EventRecord{});
+void EventRecords::insert(std::size_t index, bool is_timed) {
+  EventRecord record;
+  record.is_timed = is_timed;
+  all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(index), record);
 }
 
 SimTime EventRecords::last_end() const {
@@ -33,9 +35,11 @@ SimTime EventRecords::last_end() const {
   return last;
 }
 
-void EventRecords::prevent_rest(SimTime now, const std::string& reason, bool is_failure) {
+void EventRecords::prevent_rest(SimTime now, const std::string& reason, bool is_failure,
+                                bool timed_too) {
   for (EventRecord& record : all_) {
     if (record.status != EventStatus::not_started || record.end) continue;
+    if (record.is_timed && !timed_too) continue;
     record.end = now;
     record.reason = reason;
     record.is_prevented = is_failure;

@@ -21,6 +21,7 @@ struct EventRecord {
   double solar_start_j = not_modelled, solar_j = not_modelled;
   Geodetic place;             // place of the rover at the start, then at the end
   bool is_prevented = false;  // will not start because of a failure
+  bool is_timed = false;      // PlanEvent::at: it has no turn
   bool is_written = true;     // the log holds its present state
 
   // Whether it is over, or will never run.
@@ -38,11 +39,12 @@ class EventRecords {
   std::size_t size() const { return all_.size(); }
   EventRecord& operator[](std::size_t index) { return all_[index]; }
   const EventRecord& operator[](std::size_t index) const { return all_[index]; }
-  void insert(std::size_t index);
+  void insert(std::size_t index, bool is_timed);
   // When the last event so far ended.
   SimTime last_end() const;
-  // Gives events that have not started an end, which events waiting for them read as never to run.
-  void prevent_rest(SimTime now, const std::string& reason, bool is_failure);
+  // Gives events that have not started an end, which events waiting for them read as never to run;
+  // those that take effect without a turn only with `timed_too`.
+  void prevent_rest(SimTime now, const std::string& reason, bool is_failure, bool timed_too);
 
   // Marks an event for writing.
   void mark_changed(std::size_t index);

@@ -7,6 +7,7 @@
 
 #include "mission/events/awaited.h"
 #include "mission/events/event_warnings.h"
+#include "mission/events/timed_events.h"
 #include "mission/model/site.h"
 #include "mission/port/note_json.h"
 
@@ -21,6 +22,7 @@ constexpr int phase_changes_max = 100;  // at one exchange; more means an endles
 EventSequence::EventSequence(const RoverMachine& machine, const Ground& ground)
     : machine_(machine), ground_(&ground), records_(machine.events.size()) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
+    has_timed_ |= records_[i].is_timed = machine_.events[i].event.at.has_value();
     if (machine_.events[i].event.is_enabled) continue;
     records_[i].status = EventStatus::disabled;
     records_[i].end = SimTime{};
@@ -28,6 +30,7 @@ EventSequence::EventSequence(const RoverMachine& machine, const Ground& ground)
 }
 
 void EventSequence::run(const Turn& turn) {
+  if (has_timed_) run_timed(turn);
   int changes = 0;
   while (!is_finished_) {
     if (!has_turn_ && !give_turn(turn)) return;
@@ -115,7 +118,7 @@ bool EventSequence::is_timed_out(SimTime now) const {
 bool EventSequence::give_turn(const Turn& turn) {
   // Events that will not start any more have an end.
   while (index_ < records_.size() &&
-         (current().status != EventStatus::not_started || current().end)) {
+         (current().status != EventStatus::not_started || current().end || current().is_timed)) {
     ++index_;
   }
   if (index_ >= records_.size()) {
@@ -196,7 +199,9 @@ void EventSequence::add(const EventMachine& machine) {
       machine_.events, [&](const EventMachine& other) { return other.event.sequence >= sequence; });
   const auto index = static_cast<std::size_t>(at - machine_.events.begin());
   const bool is_taken = at != machine_.events.end() && at->event.sequence == sequence;
-  const bool is_past = index < index_ || (index == index_ && has_turn_);
+  const bool is_timed = machine.event.at.has_value();
+  const bool is_before = index < index_ || (index == index_ && has_turn_);
+  const bool is_past = is_before && !is_timed;
   if (is_taken || is_past) {
     throw InputError(machine.event.place,
                      fmt::format("Sequence = {}: {}", sequence,
@@ -204,26 +209,27 @@ void EventSequence::add(const EventMachine& machine) {
                                           : "what comes later has begun already"));
   }
   machine_.events.insert(at, machine);
-  records_.insert(index);
-  is_finished_ = false;
+  records_.insert(index, is_timed);
+  has_timed_ |= is_timed;
+  if (is_before) ++index_;
+  if (!is_timed) is_finished_ = false;
+}
+
+EventArguments EventSequence::arguments_of(const PlanEvent& event) const {
+  EventArguments arguments{event.params, on_ground_S_m(event.geometry.points, *ground_)};
+  for (const std::vector<Geodetic>& hole : event.geometry.holes) {
+    arguments.holes_S_m.push_back(on_ground_S_m(hole, *ground_));
+  }
+  return arguments;
 }
 
 void EventSequence::start(const Turn& turn) {
-  const RoverAgent& agent = turn.agent;
   current().status = EventStatus::running;
-  current().start = turn.now;
-  current().distance_start_m = agent.view().distance_m;
-  current().used_start_j = agent.power().energy_used_j();
-  current().solar_start_j = agent.power().solar_j();
-  current().place = agent.motion().place();
+  begin_record(current(), turn);
   records_.mark_changed(index_);
   warn(late_start_warning(event(), current(), turn));
-  EventArguments arguments{event().params, on_ground_S_m(event().geometry.points, *ground_)};
-  for (const std::vector<Geodetic>& hole : event().geometry.holes) {
-    arguments.holes_S_m.push_back(on_ground_S_m(hole, *ground_));
-  }
   if (!machine_.events[index_].declaration.drives) warn(far_start_warning(event(), turn));
-  running_.emplace(event(), arguments, turn);
+  running_.emplace(event(), arguments_of(event()), turn);
 }
 
 std::string EventSequence::abort(const Turn& turn) {
@@ -233,23 +239,11 @@ std::string EventSequence::abort(const Turn& turn) {
 }
 
 void EventSequence::end(EventStatus status, const std::string& reason, const Turn& turn) {
-  RoverAgent& agent = turn.agent;
-  agent.release();  // stops whatever its script left under way
-  EventRecord& record = current();
+  turn.agent.release();  // stops whatever its script left under way
   if (running_) {
     for (PhaseRow& phase : running_->take_phases()) phases_.push_back(std::move(phase));
   }
-  record.status = status;
-  // The reason is the first line; a script's traceback goes to the warnings.
-  record.reason = reason.substr(0, reason.find('\n'));
-  if (record.reason != reason) warnings_.push_back(reason);
-  record.end = turn.now;
-  record.place = agent.motion().place();
-  if (record.start) {
-    record.distance_m = agent.view().distance_m - record.distance_start_m;
-    record.energy_used_j = agent.power().energy_used_j() - record.used_start_j;
-    record.solar_j = agent.power().solar_j() - record.solar_start_j;
-  }
+  end_record(current(), status, reason, turn);
   records_.mark_changed(index_);
   has_turn_ = false;
   running_.reset();
@@ -280,13 +274,13 @@ void EventSequence::after_failure(SimTime now) {
 // Starts no more events.
 void EventSequence::finish(SimTime now, const std::string& reason, bool is_failure) {
   is_finished_ = true;
-  records_.prevent_rest(now, reason, is_failure);
+  records_.prevent_rest(now, reason, is_failure, false);
 }
 
 void EventSequence::skip_to(std::size_t index, SimTime now) {
   for (std::size_t i = index_ + 1; i < index; ++i) {
     EventRecord& record = records_[i];
-    if (record.status != EventStatus::not_started) continue;
+    if (record.status != EventStatus::not_started || record.is_timed) continue;
     record.status = EventStatus::skipped;
     record.reason = fmt::format("'{}' failed and goes to '{}'", event().label,
                                 machine_.events[index].event.label);
@@ -295,7 +289,7 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
   index_ = index;
 }
 
-std::optional<SimTime> EventSequence::wake(SimTime now, Instant mission_start) const {
+std::optional<SimTime> EventSequence::wake_of_turns(SimTime now, Instant mission_start) const {
   if (is_finished_) return std::nullopt;
   const SimTime next = now + exchange_period;
   const SimTime next_evaluation = (now / condition_period + 1) * condition_period;
@@ -336,6 +330,11 @@ std::string EventSequence::progress_until(const Turn& turn) {
 }
 
 void EventSequence::stop(const Turn& turn, const std::string& why, bool is_failure) {
+  stop_turns(turn, why, is_failure);
+  records_.prevent_rest(turn.now, why, is_failure, true);
+}
+
+void EventSequence::stop_turns(const Turn& turn, const std::string& why, bool is_failure) {
   std::string reason = why, of_the_rest = why;
   if (has_turn_ && !is_failure) {
     of_the_rest += fmt::format("; its turn did not come, '{}' {}", event().label,

@@ -1,5 +1,6 @@
 // The events of one rover, run one after another: waits for turns and conditions, calls phases when
-// they are due, ends events and decides what follows a failure.
+// they are due, ends events and decides what follows a failure. Events that need no turn take
+// effect at their time, before the event whose turn it is.
 #pragma once
 
 #include <optional>
@@ -28,6 +29,8 @@ class EventSequence {
   // else can wake it (an arrival, another rover's event).
   std::optional<SimTime> wake(SimTime now, Instant mission_start) const;
 
+  // Says of events whose time has not come that the mission is over.
+  void close(SimTime now);
   // Ends the running event as incomplete and starts no other.
   // `is_failure`: because an event failed; otherwise the reasons also say what each event waited
   // for.
@@ -62,11 +65,20 @@ class EventSequence {
   bool is_met(const char* name, const PlanEvent::Condition& condition, bool is_first,
               const Turn& turn, std::string& fault) const;
   void note(const char* decision, const PlanEvent::Condition& condition, RoverAgent& agent) const;
+  // Runs the events that take effect now without a turn.
+  void run_timed(const Turn& turn);
   bool give_turn(const Turn& turn);
   // Starts the event whose turn it is, or ends it, when it is time. Returns false while it waits.
   bool begin(const Turn& turn);
   bool may_start(const Turn& turn, std::string& impossible);
   void start(const Turn& turn);
+  EventArguments arguments_of(const PlanEvent& event) const;
+  // Records where the rover stands with what counts from an event's start.
+  void begin_record(EventRecord& record, const Turn& turn) const;
+  void end_record(EventRecord& record, EventStatus status, const std::string& reason,
+                  const Turn& turn);
+  std::optional<SimTime> wake_of_turns(SimTime now, Instant mission_start) const;
+  void stop_turns(const Turn& turn, const std::string& why, bool is_failure);
   // Calls the running event's script, or ends the event. Returns false when nothing more is due.
   bool go_on(const Turn& turn, int& changes);
   // Why the running event cannot go on, whatever its script requests; "" when it can.
@@ -86,6 +98,7 @@ class EventSequence {
   RoverMachine machine_;
   const Ground* ground_;
   EventRecords records_;
+  bool has_timed_ = false;  // not saved
   std::size_t index_ = 0;
   bool has_turn_ = false;          // events_[index_] is waiting or running
   bool waits_for_others_ = false;  // for the end of an event in StartAfter

@@ -21,9 +21,11 @@ RunningEvent::RunningEvent(const PlanEvent& event)
       place_(event.place) {}
 
 RunningEvent::RunningEvent(const PlanEvent& event, const EventArguments& arguments,
-                           const Turn& turn)
+                           const Turn& turn, bool is_beside)
     : RunningEvent(event) {
+  is_beside_ = is_beside;
   push(event.type, arguments, "", turn);
+  if (is_beside) frames_.back().outer = turn.agent.power().claims();
 }
 
 bool RunningEvent::is_due(const Turn& turn) const {
@@ -131,7 +133,7 @@ RunningEvent::Ending RunningEvent::abort(const Turn& turn) {
     }
     pop(turn);
   }
-  turn.agent.brake();
+  if (!is_beside_) turn.agent.brake();
   return ending;
 }
 

@@ -16,7 +16,9 @@ class RunningEvent {
   enum class Progress { waits, goes_on, completed, failed };
 
   explicit RunningEvent(const PlanEvent& event);  // to be read from an archive
-  RunningEvent(const PlanEvent& event, const EventArguments& arguments, const Turn& turn);
+  // `is_beside`: it runs beside the event whose turn it is, and leaves alone what that commanded.
+  RunningEvent(const PlanEvent& event, const EventArguments& arguments, const Turn& turn,
+               bool is_beside = false);
 
   // Whether the script is due now.
   bool is_due(const Turn& turn) const;
@@ -73,6 +75,7 @@ class RunningEvent {
   std::string rover_id_, label_;
   std::int64_t sequence_ = 0;
   Place place_;                // in the plan
+  bool is_beside_ = false;     // not saved: such an event ends in the exchange in which it begins
   std::int64_t begun_ = 0;     // number of scripts begun so far
   std::vector<Frame> frames_;  // the plan's event first
   Wake wake_ = Wake::next_exchange;

@@ -27,7 +27,8 @@ struct MissionMachine {
 MissionMachine synthesise(const Plan& plan, const Declarations& declarations);
 
 // Graphviz digraph: clusters of rovers between `initialise` and `terminate`, a node with its phases
-// for each event, dashed edges for StartAfter and dotted ones for OnFailure = goto.
+// for each event, dashed edges for StartAfter and dotted ones for OnFailure = goto and for events
+// that take effect at a time.
 std::string to_dot(const MissionMachine& machine);
 
 }  // namespace lsos

@@ -42,10 +42,32 @@ std::string event_node(const EventMachine& machine) {
   const std::string title = event.label == fmt::format("{} {}", event.type, event.sequence)
                                 ? event.label
                                 : fmt::format("{}: {}", event.type, event.label);
-  return fmt::format("    {} [label=\"{{{} | {{{}}}}}\"{}];\n",
-                     node(event.rover_id, event.sequence), escaped(title),
+  const std::string at = event.at ? fmt::format(" at {:g} s", seconds(*event.at)) : "";
+  return fmt::format("    {} [label=\"{{{}{} | {{{}}}}}\"{}];\n",
+                     node(event.rover_id, event.sequence), escaped(title), at,
                      phases_text(machine.declaration),
                      event.is_enabled ? "" : ", style=dashed, fontcolor=gray");
+}
+
+// The rover with those events alone that have a turn.
+RoverMachine with_turns(const RoverMachine& rover) {
+  RoverMachine turns{rover.rover, {}};
+  for (const EventMachine& event : rover.events) {
+    if (!event.event.at) turns.events.push_back(event);
+  }
+  return turns;
+}
+
+// Edges to the events that take effect at a time, whatever the rover does.
+std::string timed_edges(const RoverMachine& rover) {
+  std::string dot;
+  for (const EventMachine& machine : rover.events) {
+    const PlanEvent& event = machine.event;
+    if (!event.at || !event.is_enabled) continue;
+    dot += fmt::format("  initialise -> {} [style=dotted, label=\"at {:g} s\"];\n",
+                       node(event.rover_id, event.sequence), seconds(*event.at));
+  }
+  return dot;
 }
 
 // Puts the events of one column into one rank; each further row begins at the first column.
@@ -126,9 +148,10 @@ std::string to_dot(const MissionMachine& machine) {
     dot += fmt::format("  subgraph \"cluster_{}\" {{\n    label=\"{} ({})\";\n", id, id,
                        escaped(rover.rover.type));
     for (const EventMachine& event : rover.events) dot += event_node(event);
-    if (rover.events.size() > columns) dot += ranks(rover);
+    const RoverMachine turns = with_turns(rover);
+    if (turns.events.size() > columns) dot += ranks(turns);
     dot += "  }\n";
-    edges += references(rover) + chain(rover);
+    edges += references(rover) + chain(turns) + timed_edges(rover);
   }
   if (machine.rovers.empty()) edges += "  initialise -> terminate;\n";
   return dot + edges + "}\n";

@@ -29,6 +29,10 @@ SimTime default_max_duration(const Plan& plan, const Declarations& declarations,
     const bool has_condition = !event.start_when.text.empty() || !event.stop_when.text.empty();
     if (has_condition || is_open_ended(event)) return longest_mission;
     if (event.start_time) count_time(*event.start_time);
+    if (event.at) {
+      count_time(plan.mission.start_time + *event.at);
+      continue;
+    }
     const EventDeclaration& declaration = declarations.events.at(event.type);
     for (const FieldDeclaration& field : declaration.fields) {
       if (field.kind != FieldKind::utc) continue;

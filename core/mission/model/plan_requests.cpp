@@ -23,6 +23,29 @@ std::string span_text(SimTime span) {
   return fmt::format("{:.4g} s", whole_s);
 }
 
+// The time of an event that takes effect without a turn.
+void check_time_of_effect(const PlanEvent& event, const EventDeclaration& declaration,
+                          const MissionInfo& mission, Faults& faults) {
+  if (!event.at) return;
+  const auto field = std::ranges::find(declaration.fields, declaration.at, &FieldDeclaration::key);
+  const auto text = [&](const std::string& what) {
+    return fmt::format("{} '{}': {} = {}: {}", event.type, event.label, field->name,
+                       format_value(*field, event.params.at(field->key)), what);
+  };
+  if (*event.at < SimTime{}) {
+    faults.error(event.place,
+                 text(fmt::format("is {} before the mission's StartTime, {}; 0 s is "
+                                  "the earliest",
+                                  span_text(*event.at), format_utc(mission.start_time))));
+  } else if (mission.has_max_duration && *event.at > mission.max_duration) {
+    faults.warning(event.place,
+                   text(fmt::format("is {} after the mission's end by its MaxDuration, {}: it "
+                                    "never takes effect",
+                                    span_text(*event.at - mission.max_duration),
+                                    format_utc(mission.start_time + mission.max_duration))));
+  }
+}
+
 void check_times(const Plan& plan, const Declarations& declarations, Faults& faults) {
   const MissionInfo& mission = plan.mission;
   for (const PlanEvent& event : plan.events) {
@@ -43,6 +66,7 @@ void check_times(const Plan& plan, const Declarations& declarations, Faults& fau
       }
     };
     if (event.start_time) check("StartTime", *event.start_time);
+    check_time_of_effect(event, declarations.events.at(event.type), mission, faults);
     for (const FieldDeclaration& field : declarations.events.at(event.type).fields) {
       const auto value = event.params.find(field.key);
       if (field.kind != FieldKind::utc || value == event.params.end()) continue;

@@ -15,7 +15,8 @@ inline double number(const MockInstance& instance, const std::string& key) {
 
 // Hold: sleeps `duration_s`. Drive: follows its line. Twice: two Holds, one after the other. Break:
 // fails after `duration_s`. Leave: drives off and ends. Poll: stays for three calls. Spin: loops
-// for ever. Work: uses power for `duration_s`. Plan: follows a planned route.
+// for ever. Work: uses power for `duration_s`. Plan: follows a planned route. Twitch: locks a wheel
+// and its steering.
 inline std::unique_ptr<ScriptHost> make_host() {
   auto host = std::make_unique<MockHost>();
   host->add("Hold", "begin", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
@@ -83,6 +84,11 @@ inline std::unique_ptr<ScriptHost> make_host() {
   });
   host->add("Spin", "a", [](MockInstance&, PhaseContext&) -> PhaseAnswer { return GoTo{"a"}; });
   host->set_place("Spin", "events/Spin.lua", 7);
+  host->add("Twitch", "only", [](MockInstance&, PhaseContext& c) -> PhaseAnswer {
+    c.rover.break_part({.what = "wheel", .part = "front_left_wheel_1", .share = {}});
+    c.rover.break_part({.what = "steering", .part = "front_left_steering", .share = {}});
+    return Done{};
+  });
   return host;
 }
 
