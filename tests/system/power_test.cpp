@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "system/energy_balance.h"
 #include "system/plan_run.h"
 
 namespace lsos::test {
@@ -32,22 +33,6 @@ Mark on_craters(const Fields& more = {}) {
 
 Mark asset(const std::string& id, const std::string& type, const std::string& at) {
   return {"Asset", {{"AssetId", id}, {"AssetType", type}}, point(at)};
-}
-
-// Checks that every row closes the energy balance that the contract promises.
-void expect_closed(const std::vector<SampleRow>& rows) {
-  ASSERT_FALSE(rows.empty());
-  const double start_j = rows.front().energy_j;
-  for (const SampleRow& row : rows) {
-    const double flowed_j = row.solar_j + row.external_j - row.load_j - row.drive_j - row.loss_j;
-    const double throughput_j =
-        std::abs(row.solar_j) + std::abs(row.external_j) + row.load_j + row.drive_j + row.loss_j;
-    EXPECT_NEAR(row.energy_j - start_j, flowed_j, 1e-9 * throughput_j + 1e-9);
-    EXPECT_NEAR(row.energy_rate_w,
-                row.solar_w + row.external_w - row.load_w - row.drive_w - row.loss_w, 1e-9 * 1e4);
-    EXPECT_GE(row.charge, 0);
-    EXPECT_LE(row.charge, 1);
-  }
 }
 
 // A rover that nothing will charge is logged until the end of the mission. The event that waits for
