@@ -6,6 +6,7 @@
 
 #include "lua/api/arguments.h"
 #include "lua/api/breakage.h"
+#include "lua/api/drive_commands.h"
 #include "lua/api/route.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/reader.h"
@@ -118,50 +119,6 @@ int use(lua_State* L) {
   }
   lua_pushboolean(L, power.use(name, amount));
   return 1;
-}
-
-FollowSettings check_settings(lua_State* L, int argument) {
-  FollowSettings settings;
-  if (lua_isnoneornil(L, argument)) return settings;
-  luaL_checktype(L, argument, LUA_TTABLE);
-  Faults faults;
-  TableReader t(L, argument, "rover:follow", {}, faults);
-  t.number(optional, "speed_mps", settings.speed_mps, positive, "Driving speed.");
-  t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive, "Arrived within.");
-  t.boolean(optional, "crab", settings.is_crabbing,
-            "Along the path without turning into it; rovers that can.");
-  t.number(optional, "stray_max_m", settings.cross_track_max_m, positive,
-           "Farther than this from the path the drive fails (default: however far).");
-  t.finish();
-  faults.throw_if_errors();
-  return settings;
-}
-
-int follow(lua_State* L) {
-  RoverPort& rover = rover_of(L);
-  lua_settop(L, 3);
-  const Path3 path = read_path(L, 2, "rover:follow");
-  if (path.empty()) throw std::runtime_error("rover:follow wants at least one waypoint");
-  rover.follow(path, check_settings(L, 3));
-  return 0;
-}
-
-int follow_rover(lua_State* L) {
-  RoverPort& rover = rover_of(L);
-  lua_settop(L, 3);
-  PursuitSettings settings;
-  settings.leader_id = luaL_checkstring(L, 2);
-  if (!lua_isnil(L, 3)) {
-    luaL_checktype(L, 3, LUA_TTABLE);
-    Faults faults;
-    TableReader t(L, 3, "rover:follow_rover", {}, faults);
-    t.number(optional, "distance_m", settings.distance_m, positive, "Kept along the track.");
-    t.number(optional, "speed_mps", settings.speed_mps, positive, "The greatest.");
-    t.finish();
-    faults.throw_if_errors();
-  }
-  rover.follow_rover(settings);
-  return 0;
 }
 
 // Charges for planning, the most expensive work that a script can request: a kilometre may take a
@@ -339,12 +296,12 @@ const HandleType& rover_handle_type() {
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
        {"panels", panels, "rover.panels", "Its solar panels."},
        {"antennas", antennas, "rover.antennas", "Its antennas."}},
-      {{"follow", guard<follow>,
+      {{"follow", guard<command_follow>,
         "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival.",
         "fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, "
         "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number })"},
-       {"follow_rover", guard<follow_rover>,
+       {"follow_rover", guard<command_follow_rover>,
         "rover:follow_rover(id, { distance_m = , speed_mps = })",
         "Drives behind another rover along its track, at that distance (default 20), at most so "
         "fast (default as fast as its type can), until all events of that one have ended; then "

@@ -21,6 +21,13 @@ std::string place(double east_m, double north_m) {
   return fmt::format("{:.9f},{:.9f}", degrees(east_m / moon_m), degrees(north_m / moon_m));
 }
 
+// They stand in a line and look ahead: a rover that had to turn first would lag behind.
+Mark rover(const std::string& id, double east_m) {
+  Mark mark = sev(id, place(east_m, 0));
+  mark.fields.push_back({"Heading", "90"});
+  return mark;
+}
+
 Mark follower(const std::string& id, const std::string& leader) {
   return event("Follow", id, 1, {{"Leader", leader}, {"Distance", fmt::format("{}", distance_m)}});
 }
@@ -31,9 +38,9 @@ std::vector<Mark> convoy(double length_m, const char* log_interval) {
     if (field == "Terrain") value = "Craters";
   }
   return {info,
-          sev("A", place(0, 0)),
-          sev("B", place(-distance_m, 0)),
-          sev("C", place(-2 * distance_m, 0)),
+          rover("A", 0),
+          rover("B", -distance_m),
+          rover("C", -2 * distance_m),
           event("PathPlanRoute", "A", 1, {}, point(place(length_m, 0.2 * length_m))),
           follower("B", "A"),
           follower("C", "B")};
