@@ -54,7 +54,7 @@ class StandingRover : public lsos::RoverPort {
   lsos::Deployment deploy_antenna(const std::string&, bool, std::optional<double>) override {
     return {};
   }
-  double set_posture(const lsos::PostureRequest&) override { return 0; }
+  void follow_rover(const lsos::PursuitSettings&) override {}
   void break_part(const lsos::Breakage&) override {}
   void note(const std::string&, const std::string&) override {}
   void warn(const std::string&) override {}
