@@ -191,3 +191,21 @@ lsos.scenario('by hand breaks what plans can', function(t)
   t:fails(function() sim:fault('A', { what = 'wheel', part = 'fifth wheel' }) end,
     "no wheel 'fifth wheel'")
 end)
+
+lsos.scenario('a dispatched Fault has a Sequence and waits for no turn', function(t)
+  local sim = sim_of { { 'Pause', Duration = 100 }, { 'Pause', Duration = 100 } }
+  sim:run_for(120)
+  sim:dispatch('A', 'Fault', { What = 'wheel', At = 150 })
+  sim:dispatch('A', 'Fault', { What = 'antenna', At = 10 })
+  sim:run()
+  t:equal(sim:event('A/20').end_s, 200.0)
+  t:equal(sim:event('A/21').start_s, 150.0)
+  t:near(sim:event('A/22').start_s, 120.1, 1e-9, 'its time was over')
+end)
+
+lsos.scenario('a rover with all wheels locked does not arrive, and says so', function(t)
+  local sim = sim_of { { 'Route', at = { 0, 100 } }, { 'Fault', What = 'wheel', At = 20 } }
+  sim:run()
+  t:equal(sim:event('A/10').status, 'failed')
+  t:check(sim:event('A/10').reason:find('stuck', 1, true), sim:event('A/10').reason)
+end)
