@@ -29,7 +29,8 @@ class EventSequence {
   // else can wake it (an arrival, another rover's event).
   std::optional<SimTime> wake(SimTime now, Instant mission_start) const;
 
-  // Says of events whose time has not come that the mission is over.
+  // Says of events whose time has not come that the mission is over; after a failure of the rover,
+  // that this prevented them.
   void close(SimTime now);
   // Ends the running event as incomplete and starts no other.
   // `is_failure`: because an event failed; otherwise the reasons also say what each event waited

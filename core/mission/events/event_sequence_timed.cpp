@@ -1,6 +1,8 @@
 // Events of a rover that take effect without a turn, among those that have one.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mission/events/awaited.h"
 #include "mission/events/event_sequence.h"
 #include "mission/events/timed_events.h"
@@ -70,9 +72,13 @@ void EventSequence::end_record(EventRecord& record, EventStatus status, const st
 }
 
 void EventSequence::close(SimTime now) {
+  const bool has_failed = std::ranges::any_of(records_.all(), [](const EventRecord& record) {
+    return record.status == EventStatus::failed;
+  });
   for (std::size_t i = 0; i < records_.size(); ++i) {
     if (!records_[i].is_timed || records_[i].status != EventStatus::not_started) continue;
     if (records_[i].end) continue;
+    records_[i].is_prevented = has_failed;
     records_[i].reason = fmt::format("the mission was over at {:.6g} s, before {:.6g} s",
                                      seconds(now), seconds(*machine_.events[i].event.at));
   }

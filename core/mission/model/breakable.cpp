@@ -33,10 +33,10 @@ std::string one_of(const Breakable& breakable) {
   return fmt::format("{} {}", breakable.what == Equipment::antenna ? "an" : "a", breakable.name);
 }
 
-// "; did you mean 'x'?", else what there is.
+// "; did you mean 'x'?" and what there is.
 std::string advice(const std::string& name, const std::vector<std::string>& names) {
   const std::string hint = name.size() > 100 ? "" : did_you_mean(name, names);
-  return hint.empty() ? fmt::format("; it has {}", listed(names)) : hint;
+  return fmt::format("{}; it has {}", hint, listed(names));
 }
 
 using Resolved = Parsed<BreakageOfParts>;

@@ -99,6 +99,12 @@ TEST(TimedEvents, have_not_started_when_the_mission_ends_before) {
   EXPECT_EQ(event.status, EventStatus::not_started);
   EXPECT_EQ(event.reason, "the mission was over at 10 s, before 20 s");
 
+  Mission failed;
+  failed.rover("A");
+  failed.event("Break", 10);
+  timed(failed, 20000);
+  EXPECT_TRUE(failed.run()[1].is_prevented);
+
   Mission stopped;
   stopped.rover("A");
   stopped.event("Hold", 100);
