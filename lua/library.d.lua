@@ -63,7 +63,7 @@
 ---@field is_parked boolean Brakes on and standing still.
 ---@field is_adjusting boolean Its limbs move although it stands.
 ---@field clearance_m number Under its chassis, as its stance says; nil when it is not on limbs.
----@field drive lsos.rover.drive What became of the last rover:follow.
+---@field drive lsos.rover.drive What became of its last drive.
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
 ---@field panels lsos.rover.panels Its solar panels.
 ---@field antennas lsos.rover.antennas Its antennas.
@@ -220,7 +220,7 @@
 ---@field kml string Name of the SimpleData in plans.
 ---@field doc? string One sentence for the mission planner.
 ---@field example? string What `lsos-host schema` writes into its form.
----@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, or any 'other' rover or asset.
+---@field names? string What it must name, checked before the run: a 'panel', 'resource', 'antenna' or 'stance' of the rover, a 'stowable_panel' or 'turning_panel' (without these two and 'antenna' all that the rover has are meant, and there must be one), a 'power_source', an asset that has power to give and is within reach, any 'other' rover or asset, or a 'leader', another rover that the rover follows.
 ---@field default? string Value when the plan gives none.
 ---@field required? boolean The plan must give it (default false).
 
