@@ -96,12 +96,16 @@ Resolved modes_of(const Breakage& breakage, BreakageOfParts result) {
 
 std::span<const Breakable> breakables() {
   static const std::vector<Breakable> table{
-      {Equipment::wheel, "wheel", {{"locked", Mode::locked}, {"free", Mode::free}}},
-      {Equipment::steering, "steering", {{"stuck", Mode::stuck}}},
-      {Equipment::limb, "limb", {{"locked", Mode::locked}}},
-      {Equipment::antenna, "antenna", {{"dead", Mode::dead}}},
-      {Equipment::battery, "battery", {{"", Mode::share_lost}}, true},
-      {Equipment::panel, "panel", {{"stuck", Mode::stuck}, {"dead", Mode::dead}}, true}};
+      {Equipment::wheel, "wheel", "all wheels", {{"locked", Mode::locked}, {"free", Mode::free}}},
+      {Equipment::steering, "steering", "all steering motors", {{"stuck", Mode::stuck}}},
+      {Equipment::limb, "limb", "all joints of limbs", {{"locked", Mode::locked}}},
+      {Equipment::antenna, "antenna", "all antennas", {{"dead", Mode::dead}}},
+      {Equipment::battery, "battery", "battery", {{"", Mode::share_lost}}, true},
+      {Equipment::panel,
+       "panel",
+       "all panels",
+       {{"stuck", Mode::stuck}, {"dead", Mode::dead}},
+       true}};
   return table;
 }
 
@@ -174,11 +178,12 @@ Resolved resolve(const Breakage& breakage, const BreakableParts& parts, const st
 }
 
 std::string breakage_text(const Breakage& breakage, const BreakageOfParts& resolved) {
-  const bool is_whole = breakage.part.empty() || resolved.breakable->what == Equipment::battery;
-  const std::string part = is_whole ? "" : " " + quoted(breakage.part);
-  const std::string what =
-      fmt::format("{}{}{}", resolved.breakable->name,
-                  is_whole && resolved.parts.size() > 1 ? "s, all of them" : "", part);
+  const Breakable& breakable = *resolved.breakable;
+  const bool are_all = breakage.part.empty() && resolved.parts.size() > 1;
+  const bool is_named = !breakage.part.empty() && breakable.what != Equipment::battery;
+  const std::string what = are_all    ? breakable.all
+                           : is_named ? fmt::format("{} {}", breakable.name, quoted(breakage.part))
+                                      : breakable.name;
   if (resolved.is_repair) return what + ": repaired";
   const Breakable::Mode& mode =
       *std::ranges::find(resolved.breakable->modes, resolved.modes.front(), &Breakable::Mode::mode);

@@ -24,6 +24,7 @@ struct Breakable {
   };
   Equipment what;
   const char* name;         // as plans have it
+  const char* all;          // of a rover, as warnings say it
   std::vector<Mode> modes;  // the first when none is given
   bool has_share = false;   // of its last mode a share may be lost
 };
@@ -58,7 +59,8 @@ struct BreakageOfParts {
 Parsed<BreakageOfParts> resolve(const Breakage& breakage, const BreakableParts& parts,
                                 const std::string& owner);
 
-// The breakage in words: "wheel front_left_wheel_1 locked", "battery: 30 % lost".
+// The breakage in words: "wheel 'front_left_wheel_1': locked", "battery: 30 % of its capacity
+// lost".
 std::string breakage_text(const Breakage& breakage, const BreakageOfParts& resolved);
 // Fields of a note about it: a JSON object with sorted keys.
 std::string breakage_json(const Breakage& breakage, const BreakageOfParts& resolved);
