@@ -93,6 +93,8 @@ class Vehicle {
   void set_posture(const std::vector<Vec3>& hubs_B_m, bool is_level, double duration_s);
   // nullptr: not on limbs.
   const PostureControl* posture() const { return posture_ ? &*posture_ : nullptr; }
+  // Whether posture control is to keep the chassis level.
+  bool stands_level() const;
   // Whether limbs move although the vehicle stands.
   bool is_adjusting() const { return posture_ && posture_->is_adjusting(); }
   // Angles to which the joints of limbs are commanded, by limb and joint.
@@ -186,7 +188,6 @@ class Vehicle {
   double apply_drives(double step_s);  // electrical power, W
   double apply_limbs(double step_s);   // likewise
   void update_posture();
-  bool stands_level() const;
   std::vector<Vec2> wheel_places_B_m() const;  // by layout_.wheels
   Placement on_feet(const Vec3& p_SB_m, const Mat3& R_SB, const std::vector<Vec3>& feet_S_m) const;
   void hold_limbs();

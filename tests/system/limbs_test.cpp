@@ -72,6 +72,18 @@ TEST(Limbs, routes_after_a_change_of_stance_are_for_the_new_one) {
   EXPECT_EQ(result.event("status", 1), "completed") << result.event("reason", 1);
 }
 
+TEST(Limbs, that_cannot_level_the_chassis_are_warned_of) {
+  const TempFolder folder;
+  write_terrain(folder, "Hill", "lsos.plane { slope_rad = math.rad(10) }", "'ApolloNominal'");
+  const RunResult result =
+      run_plan(folder, {on("Hill"), rover("ATHLETE", "A", place(0, 0)),
+                        event("Fault", "A", 1, {{"What", "limb"}}),
+                        event("Route", "A", 2, {}, line(place(5, 0) + " " + place(5, 5))),
+                        event("Pause", "A", 3, {{"Duration", "30"}}, "")});
+  EXPECT_EQ(result.event("status", 1), "completed");
+  EXPECT_THAT(result.summary["warnings"].dump(), HasSubstr("A: stands tilted by "));
+}
+
 TEST(Limbs, do_not_change_runs_that_are_saved_and_read_back_at_each_exchange) {
   const std::vector<Mark> plan{
       {"MissionInfo",

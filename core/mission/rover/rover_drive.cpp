@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "mission/port/note_json.h"
 #include "mission/routes/drive_cost_model.h"
 #include "vehicle/follower_pose.h"
@@ -13,8 +14,9 @@ namespace lsos {
 
 namespace {
 
-constexpr double at_rest_mps = 0.005;      // speed below which a braked rover is at rest
-constexpr int exchanges_until_parked = 5;  // exchanges at rest after which it is parked
+constexpr double at_rest_mps = 0.005;       // speed below which a braked rover is at rest
+constexpr double level_within_rad = 0.035;  // tilt up to which a rover counts as level (2 deg)
+constexpr int exchanges_until_parked = 5;   // exchanges at rest after which it is parked
 constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follower, for small rovers
 // Behind another rover corners are rounded more than on a line of its own: where the leader turned
 // on the spot and drove on, a follower that did the same would fall back.
@@ -148,7 +150,19 @@ void RoverDrive::control() {
     exchanges_at_rest_ = 0;
     motion_->vehicle().halt();
     if (!motion_->is_broken()) motion_->read();
+    warn_of_tilt();
   }
+}
+
+// Levelling that ends at the limits of the limbs, or with joints that do not turn.
+void RoverDrive::warn_of_tilt() {
+  const VehicleReport& report = motion_->report();
+  if (!motion_->fault().empty() || !motion_->vehicle().stands_level()) return;
+  const double tilt_rad = std::acos(std::cos(report.pitch_rad) * std::cos(report.roll_rad));
+  if (tilt_rad <= level_within_rad) return;
+  journal_->warn(fmt::format(
+      "{}: stands tilted by {:.1f} deg, though it is to be level: its limbs can do no more",
+      journal_->rover_id(), degrees(tilt_rad)));
 }
 
 void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {

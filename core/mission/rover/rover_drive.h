@@ -62,6 +62,7 @@ class RoverDrive {
  private:
   FollowerLimits limits(double speed_mps) const;
   void update_slip();
+  void warn_of_tilt();
   void find_hindrances();
   void give(const DriveCommand& command);
   void fail_with_note(const std::string& reason, const std::string& finding,
