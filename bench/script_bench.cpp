@@ -65,10 +65,10 @@ class StandingRover : public lsos::RoverPort {
 };
 
 // One call of a phase with this text, as the mission makes it.
-void phase_call(benchmark::State& state, const std::string& text) {
+void phase_call(benchmark::State& state, const std::string& text, const std::string& head = "") {
   const TemporaryFolder folder;
   folder.write("events/Probe.lua",
-               "local lsos = require 'lsos'\nlocal function go(ev, rover)\n" + text +
+               "local lsos = require 'lsos'\n" + head + "\nlocal function go(ev, rover)\n" + text +
                    "\nend\nreturn lsos.event { api = 1, doc = 'A probe.', start = 'go', phases = { "
                    "go = go } }\n");
   const lsos::Catalog catalog(std::vector<lsos::ScriptFolder>{{folder.path(), ""}});
@@ -83,6 +83,11 @@ BENCHMARK_CAPTURE(phase_call, sleeps, "return lsos.sleep(1)");
 BENCHMARK_CAPTURE(phase_call, looks_and_counts,
                   "ev.state.n = (ev.state.n or 0) + 1\n"
                   "if rover.speed_mps > 1 then return lsos.done end");
+
+BENCHMARK_CAPTURE(phase_call, has_ten_functions, "return f[1]() and nil",
+                  "local f = {}\nfor k = 1, 10 do f[k] = function() return k end end");
+BENCHMARK_CAPTURE(phase_call, has_a_hundred_numbers, "return t[1] > 1 and lsos.done or nil",
+                  "local t = {}\nfor k = 1, 100 do t[k] = k end");
 
 // For comparison: the same function body, called by bare Lua.
 void bare_lua_call(benchmark::State& state) {
