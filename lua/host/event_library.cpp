@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lua/api/event_constructors.h"
+#include "lua/runtime/file_walk.h"
 #include "lua/runtime/loader.h"
 
 namespace lsos {
@@ -64,7 +65,8 @@ void EventLibrary::load(const Script& script, Faults& faults) {
     event.declaration.may_deploy_unsaid = may_deploy(script, lua_.context());
     event.file = script.file;
     lua_getiuservalue(L, -1, 1);
-    event.locals = FileLocals(L, -1);
+    event.locals = record_locals(L, -1, event.declaration.place, faults);
+    if (faults.has_errors()) return;
     event.functions = luaL_ref(L, LUA_REGISTRYINDEX);
     events_.insert_or_assign(event.declaration.name, std::move(event));
   });

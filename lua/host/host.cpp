@@ -91,22 +91,18 @@ struct LuaHost::Impl {
     lua_remove(L, -3);
     const CallScope scope(library.lua().context(), call);
     const auto failure = call_script(L, 2, results);
-    const std::string changed = instance.script->locals.restore(L);
+    const std::string touched = instance.script->locals.restore(L);
     if (failure) {
       // A script may have caught this fault and then have failed for another reason.
       const std::optional<std::string>& fault = library.lua().context().equipment_fault;
       if (fault && failure->message.ends_with(*fault)) throw EquipmentFault(*fault);
       throw ScriptError(phase_failure(*failure, *instance.script, where, call.phase));
     }
-    refuse(changed);
-  }
-
-  static void refuse(const std::string& changed_local) {
-    if (changed_local.empty()) return;
+    if (touched.empty()) return;
     throw std::runtime_error(
-        fmt::format("it changed '{}', a local of the file, which all events of the type would "
-                    "share and no mission saves; keep it in ev.state",
-                    changed_local));
+        fmt::format("it {}, which all events of the type would share and no mission saves; keep "
+                    "what lasts in ev.state",
+                    touched));
   }
 
   PhaseAnswer run_function(lua_State* L, ScriptInstance id, Instance& instance,
@@ -173,8 +169,20 @@ struct LuaHost::Impl {
     archive.tag(state_version)(instance.random);
     lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
     lua_getfield(L, -1, "state");
-    save_value(L, -1, "ev.state", archive);
+    // What would come back different is read back at once, as a resumed mission has it.
+    if (save_value(L, -1, "ev.state", archive, instance.script->locals)) {
+      read_state(L, instance, archive.bytes());
+    }
     return archive.bytes();
+  }
+
+  static void read_state(lua_State* L, Instance& instance, const std::string& bytes) {
+    Archive archive = Archive::reader(bytes);
+    archive.tag(state_version)(instance.random);
+    lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
+    restore_value(L, archive);
+    lua_setfield(L, -2, "state");
+    if (!archive.is_exhausted()) throw Archive::Mismatch("saved ev.state is too long");
   }
 };
 
@@ -378,14 +386,7 @@ std::string LuaHost::save(ScriptInstance id) {
 
 void LuaHost::restore(ScriptInstance id, const std::string& bytes) {
   Instance& instance = impl_->at(id);
-  Archive archive = Archive::reader(bytes);
-  archive.tag(state_version)(instance.random);
-  impl_->library.lua().run([&](lua_State* L) {
-    lua_rawgeti(L, LUA_REGISTRYINDEX, instance.table);
-    restore_value(L, archive);
-    lua_setfield(L, -2, "state");
-  });
-  if (!archive.is_exhausted()) throw Archive::Mismatch("saved ev.state is too long");
+  impl_->library.lua().run([&](lua_State* L) { Impl::read_state(L, instance, bytes); });
 }
 
 }  // namespace lsos

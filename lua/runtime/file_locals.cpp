@@ -1,62 +1,10 @@
 #include "lua/runtime/file_locals.h"
 
-#include <algorithm>
-#include <set>
+#include <fmt/format.h>
 
 namespace lsos {
 
 namespace {
-
-constexpr lua_Integer functions_max = 1000;
-constexpr std::size_t locals_max = 100;
-constexpr std::size_t entries_max = 1000;  // of all tables
-constexpr int tables_deep = 3;
-
-// Adds the function at the top to the list at `list`, once; pops it.
-void add_function(lua_State* L, int list) {
-  lua_pushvalue(L, -1);
-  const bool is_known = lua_rawget(L, list) != LUA_TNIL;
-  lua_pop(L, 1);
-  const auto count = static_cast<lua_Integer>(lua_rawlen(L, list));
-  if (is_known || lua_iscfunction(L, -1) != 0 || count >= functions_max) return lua_pop(L, 1);
-  lua_pushvalue(L, -1);
-  lua_rawseti(L, list, count + 1);
-  lua_pushboolean(L, 1);
-  lua_rawset(L, list);
-}
-
-// Calls what() with each function and table in the table at the top, each at the top. The order is
-// the same in every process: text keys by bytes, then whole numbers. Other keys have no such order
-// and are skipped.
-template <class What>
-void for_each_part(lua_State* L, const What& what) {
-  const int table = lua_gettop(L);
-  std::vector<std::string> texts;
-  std::vector<lua_Integer> numbers;
-  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-    if (!lua_isfunction(L, -1) && !lua_istable(L, -1)) continue;
-    std::size_t size = 0;
-    if (lua_type(L, -2) == LUA_TSTRING) {
-      const char* bytes = lua_tolstring(L, -2, &size);
-      texts.emplace_back(bytes, size);
-    } else if (lua_isinteger(L, -2) != 0) {
-      numbers.push_back(lua_tointeger(L, -2));
-    }
-  }
-  std::ranges::sort(texts);
-  std::ranges::sort(numbers);
-  for (const std::string& text : texts) {
-    lua_pushlstring(L, text.data(), text.size());
-    lua_rawget(L, table);
-    what();
-    lua_settop(L, table);
-  }
-  for (const lua_Integer number : numbers) {
-    lua_rawgeti(L, table, number);
-    what();
-    lua_settop(L, table);
-  }
-}
 
 // Sets the metatable of the table at `index` to the one at the top, or to none for nil; pops it. A
 // '__gc' that was added to the metatable since is hidden from Lua: it would run without a budget.
@@ -81,180 +29,123 @@ void set_metatable(lua_State* L, int index) {
   lua_settop(L, metatable - 1);
 }
 
-// Adds the functions in the table at the top, which stays, and in the tables and metatables that it
-// leads to.
-void add_functions(lua_State* L, int list, int deep) {
-  for_each_part(L, [&] {
-    if (lua_isfunction(L, -1)) {
-      add_function(L, list);
-    } else if (deep > 1) {
-      add_functions(L, list, deep - 1);
-    }
-  });
-  if (deep == 1 || lua_getmetatable(L, -1) == 0) return;
-  add_functions(L, list, deep - 1);
-  lua_pop(L, 1);
+void push_metatable(lua_State* L, int index) {
+  if (lua_getmetatable(L, index) == 0) lua_pushnil(L);
 }
 
-// Whether the table at the top is empty and protected. Libraries are such tables: their contents
-// are behind them, and they cannot be written to, though functions of lib/ may have locals.
-bool is_library(lua_State* L) {
-  if (luaL_getmetafield(L, -1, "__metatable") == LUA_TNIL) return false;
-  lua_pop(L, 1);
-  lua_pushnil(L);
-  if (lua_next(L, -2) == 0) return true;
-  lua_pop(L, 2);
-  return false;
+// Whether the table has the entries of its copy, in whatever order. Lua's order changes when an
+// entry was added and removed again.
+bool has_entries_of(lua_State* L, int table, int copy, std::size_t count) {
+  const int top = lua_gettop(L);
+  std::size_t found = 0;
+  bool is_same = true;
+  for (lua_pushnil(L); is_same && lua_next(L, table) != 0; lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_rawget(L, copy);
+    is_same = are_exactly_equal(L, -1, -2) && ++found <= count;
+    lua_pop(L, 1);
+  }
+  lua_settop(L, top);
+  return is_same && found == count;
 }
 
-// Whether two values are the same; not-a-number counts as equal to itself.
-bool are_same(lua_State* L, int a, int b) {
-  if (lua_type(L, a) != lua_type(L, b)) return false;
-  return lua_rawequal(L, a, b) != 0 || (lua_rawequal(L, a, a) == 0 && lua_rawequal(L, b, b) == 0);
+// Makes the entries of the table those of its copy.
+void restore_entries(lua_State* L, int table, int copy) {
+  for (lua_pushnil(L); lua_next(L, table) != 0;) {
+    lua_pop(L, 1);
+    lua_pushvalue(L, -1);
+    lua_pushnil(L);
+    lua_rawset(L, table);
+  }
+  for (lua_pushnil(L); lua_next(L, copy) != 0; lua_pop(L, 1)) {
+    lua_pushvalue(L, -2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, table);
+  }
+}
+
+void note_least(std::string& least, const std::string& text) {
+  if (least.empty() || text < least) least = text;
 }
 
 }  // namespace
 
-FileLocals::FileLocals(lua_State* L, int index) {
-  index = lua_absindex(L, index);
-  const int top = lua_gettop(L);
-  luaL_checkstack(L, 8 * tables_deep + 10, nullptr);
-  lua_newtable(L);
-  const int kept = lua_gettop(L);
-  lua_newtable(L);
-  const int list = lua_gettop(L);
-  lua_pushvalue(L, index);
-  add_functions(L, list, tables_deep);
-  lua_pop(L, 1);
-  std::set<const void*> seen;
-  for (lua_Integer k = 1; lua_rawgeti(L, list, k) != LUA_TNIL; ++k, lua_pop(L, 1)) {
-    const int function = lua_gettop(L);
-    for (int n = 1; const char* name = lua_getupvalue(L, function, n); ++n) {
-      if (lua_isfunction(L, -1)) {
-        add_function(L, list);
-        continue;
-      }
-      const bool is_new = seen.insert(lua_upvalueid(L, function, n)).second;
-      if (!is_new || name == std::string_view("_ENV") || locals_.size() >= locals_max) {
-        lua_pop(L, 1);
-        continue;
-      }
-      if (lua_istable(L, -1)) {
-        add_functions(L, list, tables_deep);
-        if (!is_library(L)) add_table(L, kept, name, tables_deep);
-      }
-      locals_.push_back({name, n, keep(L, kept, function)});
-    }
-  }
-  lua_pushvalue(L, kept);
-  kept_ = luaL_ref(L, LUA_REGISTRYINDEX);
-  lua_settop(L, top);
-  const auto by_name = [](const auto& local) -> const std::string& { return local.name; };
-  std::ranges::stable_sort(locals_, {}, by_name);
-  std::ranges::stable_sort(tables_, {}, by_name);
-}
-
-lua_Integer FileLocals::keep(lua_State* L, int kept, int owner) {
-  const lua_Integer at = kept_count_ + 1;
-  kept_count_ += 2;
-  lua_rawseti(L, kept, at + 1);
-  lua_pushvalue(L, owner);
-  lua_rawseti(L, kept, at);
-  return at;
-}
-
-void FileLocals::add_table(lua_State* L, int kept, const char* name, int deep) {
-  const int table = lua_gettop(L);
-  if (!seen_.insert(lua_topointer(L, table)).second) return;
-  lua_newtable(L);
-  const int copy = lua_gettop(L);
-  std::size_t entries = 0;
-  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1)) {
-    if (++entries + entries_ > entries_max) return lua_settop(L, table);
-    lua_pushvalue(L, -2);
-    lua_pushvalue(L, -2);
-    lua_rawset(L, copy);
-  }
-  entries_ += entries;
-  tables_.push_back({name, keep(L, kept, table), entries});
-  if (lua_getmetatable(L, table) == 0) lua_pushnil(L);
-  lua_rawseti(L, kept, ++kept_count_);
-  if (deep == 1) return;
-  if (lua_getmetatable(L, table) != 0) add_table(L, kept, name, deep - 1);
-  lua_settop(L, table);
-  for_each_part(L, [&] {
-    if (lua_istable(L, -1)) add_table(L, kept, name, deep - 1);
-  });
-}
-
-std::string FileLocals::restore_tables(lua_State* L) const {
-  if (tables_.empty()) return {};
-  const int top = lua_gettop(L);
-  luaL_checkstack(L, 8, nullptr);
-  lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
-  const int table = top + 2, copy = top + 3;
-  std::string changed;
-  for (const Table& known : tables_) {
-    lua_rawgeti(L, top + 1, known.at);
-    lua_rawgeti(L, top + 1, known.at + 1);
-    std::size_t entries = 0;
-    bool is_same = true;
-    for (lua_pushnil(L); is_same && lua_next(L, table) != 0; lua_pop(L, 1)) {
-      lua_pushvalue(L, -2);
-      lua_rawget(L, copy);
-      is_same = are_same(L, -1, -2) && ++entries <= known.entries;
-      lua_pop(L, 1);
-    }
-    if (lua_getmetatable(L, table) == 0) lua_pushnil(L);
-    lua_rawgeti(L, top + 1, known.at + 2);
-    is_same = is_same && lua_rawequal(L, -1, -2) != 0;
-    lua_settop(L, top + 1);
-    if (is_same && entries == known.entries) continue;
-    if (changed.empty()) changed = known.name;
-    lua_rawgeti(L, top + 1, known.at);
-    lua_rawgeti(L, top + 1, known.at + 1);
-    for (lua_pushnil(L); lua_next(L, table) != 0;) {
-      lua_pop(L, 1);
-      lua_pushvalue(L, -1);
-      lua_pushnil(L);
-      lua_rawset(L, table);
-    }
-    for (lua_pushnil(L); lua_next(L, copy) != 0; lua_pop(L, 1)) {
-      lua_pushvalue(L, -2);
-      lua_pushvalue(L, -2);
-      lua_rawset(L, table);
-    }
-    lua_rawgeti(L, top + 1, known.at + 2);
-    set_metatable(L, table);
-    lua_settop(L, top + 1);
-  }
-  lua_settop(L, top);
-  return changed;
-}
-
 std::string FileLocals::restore(lua_State* L) const {
-  const std::string changed = restore_locals(L);
-  const std::string changed_table = restore_tables(L);
+  if (variables_.empty() && tables_.empty()) return {};
+  const int top = lua_gettop(L);
+  luaL_checkstack(L, 12, nullptr);
+  lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
+  const std::string changed = restore_variables(L, top + 1);
+  const std::string changed_table = restore_tables(L, top + 1);
+  lua_settop(L, top);
   return changed.empty() ? changed_table : changed;
 }
 
-std::string FileLocals::restore_locals(lua_State* L) const {
-  if (locals_.empty()) return {};
+std::string FileLocals::restore_variables(lua_State* L, int kept) const {
   std::string changed;
-  lua_rawgeti(L, LUA_REGISTRYINDEX, kept_);
-  const int kept = lua_gettop(L);
-  for (const Local& local : locals_) {
-    lua_rawgeti(L, kept, local.function);
-    lua_rawgeti(L, kept, local.function + 1);
-    lua_getupvalue(L, kept + 1, local.upvalue);
-    if (!are_same(L, -1, -2)) {
-      if (changed.empty()) changed = local.name;
+  lua_Integer at = 0;
+  for (const Variable& variable : variables_) {
+    if (variable.function != at) {
+      at = variable.function;
+      lua_settop(L, kept);
+      lua_rawgeti(L, kept, at);
+    }
+    lua_getupvalue(L, kept + 1, variable.upvalue);
+    if (exact_value(L, -1) == variable.exact) {
       lua_pop(L, 1);
-      lua_setupvalue(L, kept + 1, local.upvalue);
+      continue;
+    }
+    lua_rawgeti(L, kept, variable.value);
+    if (!are_exactly_equal(L, -1, -2)) {
+      note_least(changed,
+                 variable.is_of_iterator
+                     ? fmt::format("called '{}', an iterator in a local of the file", variable.name)
+                     : fmt::format("changed '{}', a local of the file", variable.name));
+      lua_setupvalue(L, kept + 1, variable.upvalue);
+    }
+    lua_settop(L, kept + 1);
+  }
+  lua_settop(L, kept);
+  return changed;
+}
+
+// Whether the table is as recorded, in Lua's order of its entries too. A cheap test, which nearly
+// every table passes: no entry is looked up.
+bool FileLocals::is_untouched(lua_State* L, int table, const Table& known) const {
+  const Entry* entry = entries_.data() + known.first;
+  const Entry* const end = entry + known.count;
+  for (lua_pushnil(L); lua_next(L, table) != 0; lua_pop(L, 1), ++entry) {
+    if (entry != end && exact_value(L, -2) == entry->key && exact_value(L, -1) == entry->value) {
+      continue;
+    }
+    lua_pop(L, 2);
+    return false;
+  }
+  if (entry != end) return false;
+  if (lua_getmetatable(L, table) == 0) return known.metatable == ExactValue{};
+  const bool is_same = exact_value(L, -1) == known.metatable;
+  lua_pop(L, 1);
+  return is_same;
+}
+
+std::string FileLocals::restore_tables(lua_State* L, int kept) const {
+  const int table = kept + 1, copy = kept + 2;
+  std::string changed;
+  for (const Table& known : tables_) {
+    lua_rawgeti(L, kept, known.at);
+    if (!is_untouched(L, table, known)) {
+      lua_rawgeti(L, kept, known.at + 1);
+      push_metatable(L, table);
+      const bool is_same = exact_value(L, -1) == known.metatable;
+      if (!is_same || !has_entries_of(L, table, copy, known.count)) {
+        note_least(changed, fmt::format("changed '{}', a local of the file", known.name));
+        restore_entries(L, table, copy);
+        lua_rawgeti(L, kept, known.at + 2);
+        set_metatable(L, table);
+      }
     }
     lua_settop(L, kept);
   }
-  lua_pop(L, 1);
   return changed;
 }
 

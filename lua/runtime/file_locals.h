@@ -1,51 +1,58 @@
-// Local variables of a script's file that its functions share. All events of a type would share
-// them and no mission saves them, so a phase may read but not change them.
+// What the functions of a script's file reach and could change: its locals, the tables and
+// iterators in them, and what those lead to. All events of a type would share it and no mission
+// saves it, so a phase may read but not change it.
 #pragma once
 
 #include <lua.hpp>
-#include <set>
 #include <string>
+#include <unordered_set>
 #include <vector>
+
+#include "lua/runtime/exact_value.h"
 
 namespace lsos {
 
 class FileLocals {
  public:
-  FileLocals() = default;
-  // Records the present values of the locals that the functions in the table at `index`, and in
-  // tables in it, can reach. The numbers of functions, locals and entries are limited
-  // (file_locals.cpp): of a script with more, only the first are recorded.
-  FileLocals(lua_State* L, int index);
-
-  // Restores the recorded values, with the contents of tables. Returns the name of one that had
-  // changed, locals before tables, by bytes; "" when none had.
+  // Restores what was recorded. Returns what was done to it, for a message: "changed 'count', a
+  // local of the file"; locals come before tables, by bytes. "" when it was all as recorded.
   std::string restore(lua_State* L) const;
 
- private:
-  std::string restore_locals(lua_State* L) const;
-  std::string restore_tables(lua_State* L) const;
-  // Moves the value at the top into the kept table, behind its owner at index `owner`. Returns the
-  // owner's position there.
-  lua_Integer keep(lua_State* L, int kept, int owner);
-  // Records the table at the top, and the tables in it; leaves it there.
-  void add_table(lua_State* L, int kept, const char* name, int deep);
+  // Whether the table with this address is one of the file's.
+  bool has(const void* table) const { return addresses_.contains(table); }
 
-  struct Local {
+ private:
+  friend class FileWalk;  // records (file_walk.h)
+
+  // A variable of a function. It lies in the kept table at `value`, its function at `function`.
+  struct Variable {
     std::string name;
-    int upvalue;           // number of the function's upvalue
-    lua_Integer function;  // position in the kept table; its value is the next
+    bool is_of_iterator = false;  // what an iterator keeps, then named by the local that holds it
+    int upvalue = 0;
+    lua_Integer function = 0, value = 0;
+    ExactValue exact = {};
   };
+  // A table lies in the kept table at `at`; then come a copy of it and its metatable or nil.
   struct Table {
-    std::string name;  // name of the local through which it is reached
-    lua_Integer at;    // position in the kept table; then come a copy and its metatable or nil
-    std::size_t entries;
+    std::string name;
+    lua_Integer at = 0;
+    std::size_t first = 0, count = 0;  // of its entries
+    ExactValue metatable = {};
   };
-  std::vector<Local> locals_;
+  struct Entry {
+    ExactValue key, value;
+  };
+
+  std::string restore_variables(lua_State* L, int kept) const;
+  std::string restore_tables(lua_State* L, int kept) const;
+  bool is_untouched(lua_State* L, int table, const Table& known) const;
+
+  // Those of one function stand together.
+  std::vector<Variable> variables_;
   std::vector<Table> tables_;
-  std::set<const void*> seen_;  // tables
-  std::size_t entries_ = 0;     // of all tables
-  lua_Integer kept_count_ = 0;  // entries of the kept table
-  int kept_ = LUA_NOREF;        // registry reference
+  std::vector<Entry> entries_;  // in the order in which Lua goes through the tables
+  std::unordered_set<const void*> addresses_;
+  int kept_ = LUA_NOREF;  // registry reference
 };
 
 }  // namespace lsos

@@ -14,6 +14,8 @@ namespace lsos {
 
 namespace {
 
+constexpr const char* maker_key = "is a script's";  // in the metatable of a view
+
 std::vector<std::string> text_keys(lua_State* L, int index) {
   std::vector<std::string> keys;
   index = lua_absindex(L, index);
@@ -45,7 +47,40 @@ int refuse_assignment(lua_State* L) {
                    : fmt::format("{} is read-only, '{}' cannot be assigned", name, key));
 }
 
-void make_read_only(lua_State* L, const char* name) {
+bool is_metatable_of_view(lua_State* L, int index) {
+  index = lua_absindex(L, index);
+  const auto has = [&](const char* key, lua_CFunction function) {
+    lua_pushstring(L, key);
+    lua_rawget(L, index);
+    const bool is_it = lua_tocfunction(L, -1) == function;
+    lua_pop(L, 1);
+    return is_it;
+  };
+  return has("__newindex", guard<refuse_assignment>) || has("__index", guard<missing_key>);
+}
+
+bool is_view(lua_State* L, int index) {
+  if (!lua_istable(L, index) || lua_getmetatable(L, index) == 0) return false;
+  lua_pushliteral(L, "__newindex");
+  lua_rawget(L, -2);
+  const bool is = lua_tocfunction(L, -1) == guard<refuse_assignment>;
+  lua_pop(L, 2);
+  return is;
+}
+
+bool push_shown_script(lua_State* L, int view) {
+  if (lua_getmetatable(L, view) == 0) return false;
+  const int metatable = lua_gettop(L);
+  lua_getfield(L, metatable, maker_key);
+  const bool is_scripts = lua_toboolean(L, -1) != 0;
+  lua_settop(L, is_scripts ? metatable : metatable - 1);
+  if (!is_scripts) return false;
+  lua_getfield(L, metatable, "__index");
+  lua_remove(L, metatable);
+  return true;
+}
+
+void make_read_only(lua_State* L, const char* name, Maker maker) {
   const int real = lua_gettop(L);
   // The table answers what it has; only what it lacks comes to the function.
   lua_newtable(L);
@@ -64,6 +99,8 @@ void make_read_only(lua_State* L, const char* name) {
   lua_setfield(L, -2, "__newindex");
   lua_pushboolean(L, 0);
   lua_setfield(L, -2, "__metatable");
+  lua_pushboolean(L, maker == Maker::script);
+  lua_setfield(L, -2, maker_key);
   lua_setmetatable(L, -2);
   lua_remove(L, real);
 }

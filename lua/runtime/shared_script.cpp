@@ -56,7 +56,7 @@ void push_shared_script(lua_State* L, const std::string& name) {
     if (!lua_istable(L, -1)) {
       refuse(name, fmt::format("{} must return a table, found {}", script.file, describe(L, -1)));
     }
-    make_read_only(L, name.c_str());
+    make_read_only(L, name.c_str(), Maker::script);
     lua_pushvalue(L, -1);
     lua_setfield(L, results, name.c_str());
   }

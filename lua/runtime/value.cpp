@@ -35,8 +35,10 @@ struct Path {
 
 class Saver {
  public:
-  Saver(lua_State* state, Archive& archive)
-      : L_(state), archive_(archive), bytes_before_(archive.bytes().size()) {}
+  Saver(lua_State* state, Archive& archive, const FileLocals& file)
+      : L_(state), archive_(archive), file_(file), bytes_before_(archive.bytes().size()) {}
+
+  bool comes_back_different() const { return comes_back_different_; }
 
   void value(int index, const Path& path, int depth) {
     switch (lua_type(L_, index)) {
@@ -100,6 +102,7 @@ class Saver {
     }
     const void* table = lua_topointer(L_, index);
     if (!seen_.insert(table).second) fail_twice(path, table);
+    comes_back_different_ |= file_.has(table);
   }
 
   [[noreturn]] void fail_twice(const Path& path, const void* table) {
@@ -164,7 +167,7 @@ class Saver {
   }
 
   void vec3(int index, const Path& path) {
-    std::optional<Vec3> v = to_vec3(L_, index);
+    std::optional<Vec3> v = to_vec3(L_, index, &comes_back_different_);
     if (!v) {
       throw std::runtime_error(fmt::format("{}: x, y, z must be finite numbers", path.text()));
     }
@@ -226,6 +229,8 @@ class Saver {
 
   lua_State* L_;
   Archive& archive_;
+  const FileLocals& file_;
+  bool comes_back_different_ = false;
   std::size_t bytes_before_;
   int whole_index_ = 0;
   // Tables met so far, by identity. The set is used for look-up only: addresses affect no result.
@@ -254,8 +259,11 @@ void restore_table(lua_State* L, Archive& archive) {
 
 }  // namespace
 
-void save_value(lua_State* L, int index, const std::string& name, Archive& archive) {
-  Saver(L, archive).value(lua_absindex(L, index), Path{nullptr, name}, 0);
+bool save_value(lua_State* L, int index, const std::string& name, Archive& archive,
+                const FileLocals& file) {
+  Saver saver(L, archive, file);
+  saver.value(lua_absindex(L, index), Path{nullptr, name}, 0);
+  return saver.comes_back_different();
 }
 
 void restore_value(lua_State* L, Archive& archive) {

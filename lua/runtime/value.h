@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/archive.h"
+#include "lua/runtime/file_locals.h"
 
 namespace lsos {
 
@@ -16,8 +17,10 @@ inline constexpr std::size_t state_bytes_max = std::size_t{1} << 20;
 // Writes the value at `index`, tables in sorted order. Throws std::runtime_error that names the
 // path ("ev.state.path[3].f") of what cannot be saved: functions, objects, tables with metatables,
 // tables that occur twice or contain themselves, lists with holes, keys that are no texts, and more
-// than state_bytes_max.
-void save_value(lua_State* L, int index, const std::string& name, Archive& archive);
+// than state_bytes_max. Returns whether scripts can tell the value from what comes back: a table in
+// it is one of the file's too, or a vec3 has whole numbers where it would have floating ones.
+bool save_value(lua_State* L, int index, const std::string& name, Archive& archive,
+                const FileLocals& file);
 
 // Pushes the value that was saved. Throws Archive::Mismatch for damaged bytes.
 void restore_value(lua_State* L, Archive& archive);

@@ -112,7 +112,7 @@ bool is_vec3(lua_State* L, int index) {
   return is;
 }
 
-std::optional<Vec3> to_vec3(lua_State* L, int index) {
+std::optional<Vec3> to_vec3(lua_State* L, int index, bool* has_integers) {
   if (!is_vec3(L, index)) return {};
   index = lua_absindex(L, index);
   Vec3 v;
@@ -122,6 +122,7 @@ std::optional<Vec3> to_vec3(lua_State* L, int index) {
     lua_rawget(L, index);
     const bool is_number = lua_type(L, -1) == LUA_TNUMBER;
     v[i] = lua_tonumber(L, -1);
+    if (has_integers != nullptr && lua_isinteger(L, -1) != 0) *has_integers = true;
     lua_pop(L, 1);
     if (!is_number || !std::isfinite(v[i])) return {};
   }

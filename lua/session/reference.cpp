@@ -77,9 +77,16 @@ getmetatable tonumber tostring type xpcall require` and the libraries `math`, `s
 - `pairs` goes through numbers in ascending order, then texts by bytes; `table.sort` is stable.
 - `lsos.random` is the only source of chance. There is no clock, file, `os`, `io`, `load` or
   `coroutine`.
-- Assigning a global, or reading one that is not there, is an error; so is changing a local of the
-  file in a phase, or what a table there holds (the first 1000 entries are looked at): what lasts
-  lies in `ev.state`.
+- Assigning a global, or reading one that is not there, is an error. So is changing in a phase what
+  the file's functions reach: a local of the file or of `lib/`, what a table there holds, at any
+  depth and under any key, or its metatable; and calling an iterator (`pairs`, `gmatch`) that lies
+  there. What lasts lies in `ev.state`. Functions that are no phases, as `check`, find all as the
+  file has made it.
+- Tables of the file that an event's functions reach have whole numbers from 1 on as keys without a
+  hole, or none above 0; `#` of others would depend on what was read of them before. All that these
+  functions reach is at most 10 000 values.
+- A table of the file that is put into `ev.state` is a copy after the call, and the numbers of a vec3
+  there are floating ones.
 - A call may take {0} million instructions and make {2} MiB of texts and tables, all scripts together
   {1} MiB of memory. What functions do counts too: steps of a text pattern, keys of `pairs`, bytes of a
   text, 300 for an error that `pcall` catches, 150 000 for `rover:plan_path` with 1000 a leg and

@@ -132,8 +132,8 @@ TEST(Host, refuses_what_a_phase_keeps_in_a_local_of_the_file) {
   EXPECT_THAT(run.error("go"),
               StartsWith("events/Probe.lua:5: Probe 'probe 1' in phase go at 0 s: it "
                          "changed 'count', a local of the file, which all events of "
-                         "the type would share and no mission saves; keep it in "
-                         "ev.state"));
+                         "the type would share and no mission saves; keep what lasts "
+                         "in ev.state"));
   EXPECT_THAT(run.error("keeps"), HasSubstr("it changed 'text', a local of the file"));
   EXPECT_THAT(run.error("breaks"), HasSubstr("broken"));
   EXPECT_TRUE(std::holds_alternative<Done>(run.run("stays"))) << "as it was";
