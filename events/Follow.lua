@@ -5,14 +5,6 @@ local lsos = require 'lsos'
 -- It has followed when it is no farther behind in the end than this times Distance.
 local near_enough = 1.2
 
--- Bodies are in each other's way before their reference points are so near.
-local function check(p, rover)
-  if rover and p.distance_m < rover.length_m then
-    return nil, ('Distance = %g m: %s is %.1f m long, and comes no nearer than bodies allow')
-      :format(p.distance_m, rover.type, rover.length_m)
-  end
-end
-
 local function start(ev, rover)
   rover:follow_rover(ev.params.leader, { distance_m = ev.params.distance_m })
   return 'drive'
@@ -59,6 +51,7 @@ return lsos.event {
     },
     distance_m = lsos.number {
       kml = 'Distance', unit = 'm', min = 1, max = 1000, default = 20,
+      role = 'following_distance',
       doc = 'Kept to the leader, along its track, between their reference points.',
     },
     duration_s = lsos.duration {
@@ -67,7 +60,6 @@ return lsos.event {
     },
   },
 
-  check  = check,
   start  = 'start',
   phases = { start = start, drive = drive, stop = stop },
 

@@ -196,7 +196,7 @@
 ---@field min? number Smallest allowed value.
 ---@field max? number Largest allowed value.
 ---@field default? number Value when the plan gives none; without one the script sees nil.
----@field role? string What checks and estimates before the run read it for: 'drive_speed', the speed that a drive requests; 'arrival_radius', the distance from its target within which a drive has arrived; 'outside_power', what it requests from outside or from a power source. At most one number of an event has each.
+---@field role? string What checks and estimates before the run read it for: 'drive_speed', the speed that a drive requests; 'arrival_radius', the distance from its target within which a drive has arrived; 'outside_power', what it requests from outside or from a power source; 'following_distance', what it keeps to a rover that it follows. At most one number of an event has each.
 ---@field amount_of? string Key of the text that names a resource of the rover: so much of that is used up; checked before the run against what is aboard.
 ---@field required? boolean The plan must give it (default false).
 

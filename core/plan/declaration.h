@@ -38,9 +38,10 @@ enum class NameOf {
 // What the engine reads a number of an event for, before and beside its script.
 enum class NumberRole {
   none,
-  drive_speed,     // speed that a drive requests
-  arrival_radius,  // distance from its target within which a drive has arrived
-  outside_power,   // power requested from outside the rover or from a power source
+  drive_speed,         // speed that a drive requests
+  arrival_radius,      // distance from its target within which a drive has arrived
+  outside_power,       // power requested from outside the rover or from a power source
+  following_distance,  // that is kept to another rover which is followed
 };
 
 // A value of a field, in SI. Durations are numbers (seconds), also those from the mission's start.

@@ -289,4 +289,10 @@ const double* find_number(const FieldValues& values, const EventDeclaration& dec
   return field == declaration.fields.end() ? nullptr : find_value<double>(values, field->key);
 }
 
+const std::string* find_name(const FieldValues& values, const EventDeclaration& declaration,
+                             NameOf names) {
+  const auto field = std::ranges::find(declaration.fields, names, &FieldDeclaration::names);
+  return field == declaration.fields.end() ? nullptr : find_value<std::string>(values, field->key);
+}
+
 }  // namespace lsos

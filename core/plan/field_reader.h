@@ -29,6 +29,10 @@ const T* find_value(const FieldValues& values, const std::string& key) {
 // no value.
 const double* find_number(const FieldValues& values, const EventDeclaration& declaration,
                           NumberRole role);
+// The name that the event's field for things of that kind has; nullptr when it has no such field or
+// the plan gives no value.
+const std::string* find_name(const FieldValues& values, const EventDeclaration& declaration,
+                             NameOf names);
 
 // The subject of messages: "plan.kml", line of the Placemark, "Route 'leg 2'".
 struct Subject {

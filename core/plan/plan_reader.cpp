@@ -137,7 +137,7 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   set_times(drafts, declarations, plan.mission, plan.gaps);
   resolve_references(drafts, faults);
   check_timed_events(drafts, declarations, faults);
-  check_circles(drafts, faults);
+  check_circles(drafts, declarations, faults);
   if (plan.mission.planet != nullptr) {
     check_stationary_points(drafts, plan.rovers, plan.gaps, *plan.mission.planet, faults);
     check_far_places(drafts, plan.rovers, plan.assets, plan.gaps, *plan.mission.planet, faults);
@@ -177,7 +177,7 @@ PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
   set_times(drafts, declarations, plan.mission, plan.gaps);
   resolve_references(drafts, faults);
   check_timed_events(drafts, declarations, faults);
-  check_circles(drafts, faults);
+  check_circles(drafts, declarations, faults);
   faults.throw_if_errors();
   return std::ranges::find(drafts, identity, identity_of)->event;
 }

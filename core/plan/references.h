@@ -13,8 +13,10 @@ namespace lsos {
 void resolve_references(std::vector<DraftEvent>& drafts, Faults& faults);
 
 // Reports events that wait for each other in a circle and would never start. An event waits for the
-// events that its StartAfter names and for those before it on its own rover.
-void check_circles(const std::vector<DraftEvent>& drafts, Faults& faults);
+// events that its StartAfter names, for those before it on its own rover and, when it follows
+// another rover until that one has ended, for the last event of that.
+void check_circles(const std::vector<DraftEvent>& drafts, const Declarations& declarations,
+                   Faults& faults);
 
 // Warns of stationary events whose Point is not where the rover is then expected. Rovers whose
 // place is left open by faults are not checked.

@@ -70,15 +70,19 @@ void read_role(TableReader& t, FieldDeclaration& field) {
   constexpr std::pair<const char*, NumberRole> roles[] = {
       {"drive_speed", NumberRole::drive_speed},
       {"arrival_radius", NumberRole::arrival_radius},
-      {"outside_power", NumberRole::outside_power}};
+      {"outside_power", NumberRole::outside_power},
+      {"following_distance", NumberRole::following_distance}};
   t.word(optional, "role", roles, field.role,
          "What checks and estimates before the run read it for: 'drive_speed', the speed that a "
          "drive requests; 'arrival_radius', the distance from its target within which a drive has "
-         "arrived; 'outside_power', what it requests from outside or from a power source. At most "
-         "one number of an event has each.");
-  constexpr std::pair<NumberRole, const char*> kinds[] = {{NumberRole::drive_speed, "speed"},
-                                                          {NumberRole::arrival_radius, "length"},
-                                                          {NumberRole::outside_power, "power"}};
+         "arrived; 'outside_power', what it requests from outside or from a power source; "
+         "'following_distance', what it keeps to a rover that it follows. At most one number of an "
+         "event has each.");
+  constexpr std::pair<NumberRole, const char*> kinds[] = {
+      {NumberRole::drive_speed, "speed"},
+      {NumberRole::arrival_radius, "length"},
+      {NumberRole::outside_power, "power"},
+      {NumberRole::following_distance, "length"}};
   for (const auto& [role, kind] : kinds) {
     if (field.role != role || field.unit->kind == kind) continue;
     t.fault(fmt::format("'{}': its role needs a unit of {}, not '{}'", field.name, kind,

@@ -18,7 +18,7 @@
 #include "lua/host/script_folders.h"
 #include "lua/host/script_use.h"
 #include "lua/host/variant.h"
-#include "mission/model/leader_circles.h"
+#include "mission/model/followings.h"
 #include "mission/model/mission_span.h"
 #include "mission/model/plan_names.h"
 #include "mission/model/plan_requests.h"
@@ -127,7 +127,7 @@ void read_models(MissionFiles& files) {
   }
   check_events(files.plan, files, files.faults);
   check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
-  check_leader_circles(files.plan, declarations, files.faults);
+  check_followings(files.plan, declarations, files.rover_models, files.faults);
   check_plan_requests(files.plan, declarations, files.rover_models, files.asset_models,
                       files.faults);
   set_max_duration(files);

@@ -144,10 +144,7 @@ class RoutePass {
   // Records what an event drives towards until it is near.
   void find_near(const PlanEvent& event, const EventDeclaration& declaration) {
     if (!declaration.drives || !event.geometry.points.empty()) return;
-    const std::string* id = nullptr;
-    for (const FieldDeclaration& field : declaration.fields) {
-      if (field.names == NameOf::other) id = find_value<std::string>(event.params, field.key);
-    }
+    const std::string* id = find_name(event.params, declaration, NameOf::other);
     const double* distance_m = find_number(event.params, declaration, NumberRole::arrival_radius);
     if (id != nullptr && distance_m != nullptr) near_ = {*id, event.label, *distance_m};
   }

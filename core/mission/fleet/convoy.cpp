@@ -7,12 +7,10 @@ namespace lsos {
 void keep_tracks(Fleet& fleet, const MissionMachine& machine) {
   for (const RoverMachine& rover : machine.rovers) {
     for (const EventMachine& event : rover.events) {
-      for (const FieldDeclaration& field : event.declaration.fields) {
-        if (field.names != NameOf::leader || !event.event.is_enabled) continue;
-        const auto* id = find_value<std::string>(event.event.params, field.key);
-        FleetRover* leader = id == nullptr ? nullptr : fleet.find(*id);
-        if (leader != nullptr) leader->agent->keep_track();
-      }
+      if (!event.event.is_enabled) continue;
+      const std::string* id = find_name(event.event.params, event.declaration, NameOf::leader);
+      FleetRover* leader = id == nullptr ? nullptr : fleet.find(*id);
+      if (leader != nullptr) leader->agent->keep_track();
     }
   }
 }

@@ -86,7 +86,7 @@ Known others(const Plan& plan, const std::string& rover_id) {
   return known;
 }
 
-// Rovers that another one may follow. It may name itself: that is a circle, see leader_circles.h.
+// Rovers that another one may follow. It may name itself: that is a circle, see followings.h.
 Known leaders(const Plan& plan) {
   Known known{"the plan", "rover"};
   known.are_all = !plan.gaps.has_ids();

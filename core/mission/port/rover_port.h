@@ -56,6 +56,10 @@ struct FollowSettings {
 struct PursuitSettings {
   std::string leader_id;
   double distance_m = 20;           // that it keeps to the leader, along the leader's track
+// Kept free between two bodies, of which one follows the other, at the end of braking; a drive ends
+// before they would touch.
+inline constexpr double pursuit_clearance_m = 0.5;
+
   std::optional<double> speed_mps;  // the greatest; absent: the rover type's
 };
 

@@ -12,8 +12,6 @@ namespace {
 constexpr double gap_gain_1ps = 0.3;
 // Shares of the greatest speed: it stops below the first, and sets off above the second.
 constexpr double stop_share = 0.05, start_share = 0.1;
-// Kept free between the two bodies at the end of braking; a drive ends before they would touch.
-constexpr double clearance_m = 0.5;
 constexpr double lengthened_by_m = 0.5;  // the line, while the leader drives on
 // A nearer place of the track is aimed at when it is nearer by this share, and this far.
 constexpr double nearer_share = 0.2, nearer_least_m = 5;
@@ -76,7 +74,7 @@ void Pursuit::lengthen(const DrivenTrack& track, const FollowerPose& pose, PathF
 // the rover stops before the leader even if that stood still:
 //  v^2 / (2 a) <= gap - half lengths - clearance.
 double Pursuit::speed_mps(const Leader& leader) const {
-  const double free_m = gap_m_ - half_length_m_ - leader.half_length_m - clearance_m;
+  const double free_m = gap_m_ - half_length_m_ - leader.half_length_m - pursuit_clearance_m;
   const double safe_mps = std::sqrt(2 * limits_.acceleration_mps2 * std::max(0.0, free_m));
   const double kept_mps = leader.speed_mps + gap_gain_1ps * (gap_m_ - settings_.distance_m);
   return std::min({limits_.speed_mps, kept_mps, safe_mps});
