@@ -153,8 +153,9 @@ SimTime Simulation::next_time() const {
     if (other && (!first || *other < *first)) first = other;
   };
   for (const FleetRover& rover : fleet_.rovers) {
-    if (!rover.agent->is_parked()) return now_ + exchange_period;
-    may_wake |= rover.wake || rover.agent->power().waits_for_reserve();
+    const RoverAgent& agent = *rover.agent;
+    if (!agent.is_parked() || agent.drive().is_to_pursue()) return now_ + exchange_period;
+    may_wake |= rover.wake || agent.power().waits_for_reserve();
     earlier(wake, rover.wake);
     earlier(wake, quiet_wake(rover));
     earlier(next, log_.next_sample(rover, now_));
@@ -177,7 +178,7 @@ void Simulation::exchange() {
     const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
-  lead_followers(fleet_);
+  lead_followers(fleet_, now_);
   avoid_rovers(fleet_);
   avoid_assets(fleet_);
   run_scripts();

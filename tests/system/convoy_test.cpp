@@ -8,18 +8,13 @@
 #include <vector>
 
 #include "base/segment.h"
-#include "base/units.h"
+#include "system/moon_ground.h"
 #include "system/plan_run.h"
 
 namespace lsos::test {
 namespace {
 
 constexpr double distance_m = 20;
-
-std::string place(double east_m, double north_m) {
-  constexpr double moon_m = 1737400;
-  return fmt::format("{:.9f},{:.9f}", degrees(east_m / moon_m), degrees(north_m / moon_m));
-}
 
 // They stand in a line and look ahead: a rover that had to turn first would lag behind.
 Mark rover(const std::string& id, double east_m) {
@@ -115,6 +110,59 @@ TEST(Convoy, gives_the_same_log_on_any_threads_and_saved_at_each_exchange) {
   }
   EXPECT_EQ(digests[1], digests[0]) << "on three threads";
   EXPECT_EQ(digests[2], digests[0]) << "saved at each exchange";
+}
+
+// The leader stands at first and nothing else happens. The follower sets off at the exchange after
+// its event began, whatever else is logged then.
+TEST(Convoy, closes_up_to_a_parked_leader_at_once_however_often_is_logged) {
+  const auto plan = [](const char* interval, const Fields& more = {}) {
+    return std::vector<Mark>{mission({{"LogInterval", "1"}, {"ParkedLogInterval", interval}}),
+                             rover("A", 0),
+                             rover("B", -3 * distance_m),
+                             event("Pause", "A", 1, {{"Duration", "200"}}),
+                             event("Pause", "B", 1, {{"Duration", "3.7"}}),
+                             event("Follow", "B", 2, [&] {
+                               Fields fields{{"Leader", "A"}};
+                               fields.insert(fields.end(), more.begin(), more.end());
+                               return fields;
+                             }())};
+  };
+  std::map<double, Vec3> places;
+  for (const SampleRow& row : PlanRun(plan("10")).samples()) {
+    if (row.rover_id == "B") places[seconds(row.time)] = row.p_S_m;
+  }
+  std::size_t compared = 0;
+  for (const SampleRow& row : PlanRun(plan("60")).samples()) {
+    const auto then = places.find(seconds(row.time));
+    if (row.rover_id != "B" || then == places.end()) continue;
+    ++compared;
+    EXPECT_EQ(row.p_S_m, then->second) << "at " << then->first << " s";
+  }
+  EXPECT_GT(compared, 20u);
+  EXPECT_GT((places.at(20) - places.at(0)).norm(), 1);
+  const Fields until_then{{"Duration", "100"}};
+  EXPECT_EQ(digest_of(TempFolder(), plan("60", until_then), {"--save-every-exchange"}),
+            digest_of(TempFolder(), plan("60", until_then)));
+}
+
+// Nothing of the leader's ever ends again that could wake a parked follower.
+TEST(Convoy, behind_a_leader_that_has_ended_ends_at_once) {
+  const auto ends_s = [](const Fields& more, bool has_events) {
+    Fields fields{{"Leader", "A"}};
+    fields.insert(fields.end(), more.begin(), more.end());
+    std::vector<Mark> plan{mission(), rover("A", 0), rover("B", -distance_m),
+                           event("Follow", "B", 1, fields)};
+    if (has_events) plan.push_back(event("Pause", "A", 1, {{"Duration", "30"}}));
+    const PlanRun run(plan);
+    EXPECT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+    for (const nlohmann::json& each : run.summary()["events"]) {
+      if (each["type"] == "Follow") return each["end_s"].get<double>();
+    }
+    return -1.0;
+  };
+  EXPECT_LT(ends_s({}, false), 1) << "a leader without events";
+  EXPECT_LT(ends_s({{"StartTime", "2026-01-01T00:05:00Z"}}, true), 301) << "a later StartTime";
+  EXPECT_LT(ends_s({{"StartAfter", "A/1"}}, true), 31) << "StartAfter";
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ void keep_tracks(Fleet& fleet, const MissionMachine& machine) {
   }
 }
 
-void lead_followers(Fleet& fleet) {
+void lead_followers(Fleet& fleet, SimTime now) {
   for (FleetRover& rover : fleet.rovers) {
     if (rover.agent->track() && !rover.agent->is_parked()) rover.agent->keep_track();
   }
@@ -28,6 +28,7 @@ void lead_followers(Fleet& fleet) {
     if (!agent.track()) agent.keep_track();
     drive.pursue({*agent.track(), agent.view().speed_mps,
                   agent.motion().footprint_at_rest().half_m.x(), leader.sequence.is_finished()});
+    if (!drive.is_driving()) rover.wake = now;
   }
 }
 

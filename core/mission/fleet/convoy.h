@@ -11,6 +11,8 @@ void keep_tracks(Fleet& fleet, const MissionMachine& machine);
 // At an exchange, after all rovers were read: records tracks, and has each follower keep its
 // distance to its leader. What counts of the leader's events is whether they had ended at the
 // exchange before.
-void lead_followers(Fleet& fleet);
+// Wakes the scripts of a follower whose drive ends by that: a parked one would hear of it from
+// nothing else.
+void lead_followers(Fleet& fleet, SimTime now);
 
 }  // namespace lsos

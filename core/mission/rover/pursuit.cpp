@@ -21,6 +21,7 @@ constexpr double nearer_share = 0.2, nearer_least_m = 5;
 void Pursuit::update(const Leader& leader, const FollowerPose& pose,
                      std::optional<PathFollower>& follower) {
   if (has_ended_) return;
+  has_begun_ = true;
   const DrivenTrack& track = leader.track;
   const bool is_on_track = follower && follower->next_waypoint() > 0;
   const bool has_driven_on = follower && (track.here_S_m() - end_S_m_).norm() >= lengthened_by_m;

@@ -33,6 +33,8 @@ class Pursuit {
   // It stands until the leader has driven on.
   bool is_waiting() const { return is_waiting_; }
   bool has_ended() const { return has_ended_; }
+  // It has seen its leader: before that it cannot know whether it must set off.
+  bool has_begun() const { return has_begun_; }
 
   // At an exchange, after all rovers were read. `follower` is that of the drive; it is made when
   // the rover sets off.
@@ -42,7 +44,7 @@ class Pursuit {
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, settings_.leader_id, settings_.distance_m, settings_.speed_mps, limits_,
                  half_length_m_, end_S_m_, entry_S_m_, next_corner_, gap_m_, is_waiting_,
-                 has_ended_);
+                 has_ended_, has_begun_);
   }
 
  private:
@@ -57,7 +59,7 @@ class Pursuit {
   Vec2 entry_S_m_ = Vec2::Zero();  // where it enters the track
   std::size_t next_corner_ = 0;    // of the track, the first that is not in the line
   double gap_m_ = 0;
-  bool is_waiting_ = true, has_ended_ = false;
+  bool is_waiting_ = true, has_ended_ = false, has_begun_ = false;
 };
 
 }  // namespace lsos

@@ -23,6 +23,11 @@ class RoverDrive {
   // A drive goes on, though it may stand and wait for the rover that it follows.
   bool is_driving() const;
   bool is_under_way() const { return is_driving() && !(pursuit_ && pursuit_->is_waiting()); }
+  // A pursuit has been commanded and begins at the next exchange, which a parked rover must not
+  // sleep through.
+  bool is_to_pursue() const {
+    return pursuit_ && !pursuit_->has_begun() && is_driving() && motion_->fault().empty();
+  }
   DriveState state() const;
   // Share 0..1 of the followed line that lies behind; 0 when it follows none, or another rover.
   double share() const { return follower_ && !pursuit_ ? follower_->share() : 0; }
