@@ -13,12 +13,6 @@
 
 namespace lsos {
 
-namespace {
-
-constexpr int phase_changes_max = 100;  // at one exchange; more means an endless loop
-
-}  // namespace
-
 EventSequence::EventSequence(const RoverMachine& machine, const Ground& ground)
     : machine_(machine), ground_(&ground), records_(machine.events.size()) {
   for (std::size_t i = 0; i < records_.size(); ++i) {
@@ -46,7 +40,7 @@ void EventSequence::run(const Turn& turn) {
 bool EventSequence::begin(const Turn& turn) {
   std::string impossible;
   if (is_met("SkipWhen", event().skip_when, turn.now == *current().ready, turn, impossible)) {
-    note("skip_when", event().skip_when, turn.agent);
+    note("skip_when", event().skip_when, event().sequence, turn.agent);
     end(EventStatus::skipped, "SkipWhen: " + event().skip_when.text, turn);
     return true;
   }
@@ -63,15 +57,10 @@ bool EventSequence::go_on(const Turn& turn, int& changes) {
   std::string hindered = hindrance(turn.agent);
   if (hindered.empty() &&
       is_met("StopWhen", event().stop_when, turn.now == *current().start, turn, hindered)) {
-    note("stop_when", event().stop_when, turn.agent);
+    note("stop_when", event().stop_when, event().sequence, turn.agent);
     hindered = "StopWhen: " + event().stop_when.text;
   }
-  if (++changes > phase_changes_max) {
-    const Fault fault{Severity::error, running_->phase_place(turn.host),
-                      fmt::format("its phases go round without time passing, now in '{}' of {}",
-                                  running_->phase(), event().type)};
-    hindered = to_string(fault);
-  }
+  if (++changes > RunningEvent::phase_changes_max) hindered = running_->endless_text(turn.host);
   const bool is_due = running_->is_due(turn);
   // An event that ends exactly at its timeout has not exceeded it.
   if (hindered.empty() && !is_due && is_timed_out(turn.now)) {
@@ -174,9 +163,9 @@ bool EventSequence::may_start(const Turn& turn, std::string& impossible) {
   const bool did_wait = waits_for_condition_;
   waits_for_condition_ = !is_met("StartWhen", event().start_when, !did_wait, turn, impossible);
   if (!waits_for_condition_) {
-    note("start_when", event().start_when, turn.agent);
+    note("start_when", event().start_when, event().sequence, turn.agent);
   } else if (!did_wait) {
-    note("waits_for", event().start_when, turn.agent);
+    note("waits_for", event().start_when, event().sequence, turn.agent);
   }
   return !waits_for_condition_;
 }
@@ -188,8 +177,8 @@ bool EventSequence::is_met(const char* name, const PlanEvent::Condition& conditi
 }
 
 void EventSequence::note(const char* decision, const PlanEvent::Condition& condition,
-                         RoverAgent& agent) const {
-  agent.journal().set_sequence(event().sequence);
+                         std::int64_t sequence, RoverAgent& agent) {
+  agent.journal().set_sequence(sequence);
   agent.note(decision, fmt::format(R"({{"condition":{}}})", note_json(condition.text)));
 }
 
@@ -274,6 +263,7 @@ void EventSequence::after_failure(SimTime now) {
 // Starts no more events.
 void EventSequence::finish(SimTime now, const std::string& reason, bool is_failure) {
   is_finished_ = true;
+  has_failed_ |= is_failure;
   records_.prevent_rest(now, reason, is_failure, false);
 }
 
@@ -380,7 +370,7 @@ void EventSequence::archive(Archive& a, ScriptHost& host) {
   bool is_running = running_.has_value();
   a.tag("events");
   LSOS_ARCHIVE(a, records_, index_, has_turn_, waits_for_others_, waits_for_charge_,
-               waits_for_condition_, is_finished_, aborts_mission_, is_running);
+               waits_for_condition_, is_finished_, has_failed_, aborts_mission_, is_running);
   if (a.is_reading() && is_running) running_.emplace(event());
   if (!is_running) return;
   const Archive::Part part(a, "running_");

@@ -29,8 +29,8 @@ class EventSequence {
   // else can wake it (an arrival, another rover's event).
   std::optional<SimTime> wake(SimTime now, Instant mission_start) const;
 
-  // Says of events whose time has not come that the mission is over; after a failure of the rover,
-  // that this prevented them.
+  // Says of events whose time has not come that the mission is over; when a failure ended the
+  // sequence, that this prevented them.
   void close(SimTime now);
   // Ends the running event as incomplete and starts no other.
   // `is_failure`: because an event failed; otherwise the reasons also say what each event waited
@@ -65,7 +65,8 @@ class EventSequence {
   // `fault` when its script fails.
   bool is_met(const char* name, const PlanEvent::Condition& condition, bool is_first,
               const Turn& turn, std::string& fault) const;
-  void note(const char* decision, const PlanEvent::Condition& condition, RoverAgent& agent) const;
+  static void note(const char* decision, const PlanEvent::Condition& condition,
+                   std::int64_t sequence, RoverAgent& agent);
   // Runs the events that take effect now without a turn.
   void run_timed(const Turn& turn);
   bool give_turn(const Turn& turn);
@@ -106,6 +107,7 @@ class EventSequence {
   bool waits_for_charge_ = false;  // the battery was empty
   bool waits_for_condition_ = false;
   bool is_finished_ = false;
+  bool has_failed_ = false;  // it is finished because an event failed
   std::optional<RunningEvent> running_;
   std::string aborts_mission_;
 

@@ -19,6 +19,9 @@ void EventSequence::run_timed(const Turn& turn) {
     TimedOutcome outcome;
     if (!event.skip_when.text.empty() &&
         holds("SkipWhen", event.skip_when, event, "", turn, fault)) {
+      const std::int64_t of_the_turn = turn.agent.journal().sequence();
+      note("skip_when", event.skip_when, event.sequence, turn.agent);
+      turn.agent.journal().set_sequence(of_the_turn);
       outcome = {EventStatus::skipped, "SkipWhen: " + event.skip_when.text, {}, {}};
     } else if (!fault.empty()) {
       outcome = {EventStatus::failed, fault, {}, {}};
@@ -72,13 +75,10 @@ void EventSequence::end_record(EventRecord& record, EventStatus status, const st
 }
 
 void EventSequence::close(SimTime now) {
-  const bool has_failed = std::ranges::any_of(records_.all(), [](const EventRecord& record) {
-    return record.status == EventStatus::failed;
-  });
   for (std::size_t i = 0; i < records_.size(); ++i) {
     if (!records_[i].is_timed || records_[i].status != EventStatus::not_started) continue;
     if (records_[i].end) continue;
-    records_[i].is_prevented = has_failed;
+    records_[i].is_prevented = has_failed_;
     records_[i].reason = fmt::format("the mission was over at {:.6g} s, before {:.6g} s",
                                      seconds(now), seconds(*machine_.events[i].event.at));
   }

@@ -163,11 +163,14 @@ PhaseContext RunningEvent::context(const Turn& turn) const {
           .place = place_};
 }
 
-Place RunningEvent::phase_place(const ScriptHost& host) const {
+std::string RunningEvent::endless_text(const ScriptHost& host) const {
   const EventDeclaration& event = host.declarations().events.at(frames_.back().type);
   const auto phase =
       std::ranges::find(event.phases, frames_.back().phase, &EventDeclaration::Phase::name);
-  return {event.place.file, phase == event.phases.end() ? 0 : phase->line};
+  return to_string(Fault{Severity::error,
+                         {event.place.file, phase == event.phases.end() ? 0 : phase->line},
+                         fmt::format("its phases go round without time passing, now in '{}' of {}",
+                                     frames_.front().phase, frames_.front().type)});
 }
 
 void RunningEvent::push(const std::string& type, const EventArguments& arguments,

@@ -15,6 +15,9 @@ class RunningEvent {
  public:
   enum class Progress { waits, goes_on, completed, failed };
 
+  // At one exchange; more means an endless loop.
+  static constexpr int phase_changes_max = 100;
+
   explicit RunningEvent(const PlanEvent& event);  // to be read from an archive
   // `is_beside`: it runs beside the event whose turn it is, and leaves alone what that commanded.
   RunningEvent(const PlanEvent& event, const EventArguments& arguments, const Turn& turn,
@@ -38,8 +41,8 @@ class RunningEvent {
   // Phase of the plan's event, not of inner events.
   const std::string& phase() const { return frames_.front().phase; }
   SimTime phase_start() const { return frames_.front().phase_start; }
-  // Where the script declares the phase that is called next, of the innermost event.
-  Place phase_place(const ScriptHost& host) const;
+  // What is wrong after too many changes of phase at one exchange, with its place in the script.
+  std::string endless_text(const ScriptHost& host) const;
   // Warning since the last call about a likely omission in the script; else "".
   std::string take_advice() { return std::exchange(advice_, ""); }
   // The phases that have ended since the last call.

@@ -10,28 +10,29 @@ namespace lsos {
 
 namespace {
 
-constexpr int phase_changes_max = 100;
-
 void go_through(RunningEvent& running, const Turn& turn, TimedOutcome& outcome) {
-  for (int changes = 0; changes < phase_changes_max; ++changes) {
-    switch (running.call(turn)) {
-      case RunningEvent::Progress::goes_on:
-        continue;
-      case RunningEvent::Progress::completed:
-        outcome.status = EventStatus::completed;
-        return;
-      case RunningEvent::Progress::failed:
-        outcome.status = EventStatus::failed;
-        outcome.reason = running.reason();
-        return;
-      case RunningEvent::Progress::waits:
-        break;
-    }
-    break;
-  }
   outcome.status = EventStatus::failed;
-  outcome.reason = fmt::format(
-      "it takes effect without a turn, and must end at once; phase '{}' does not", running.phase());
+  RunningEvent::Progress progress = RunningEvent::Progress::goes_on;
+  for (int changes = 0; changes < RunningEvent::phase_changes_max; ++changes) {
+    progress = running.call(turn);
+    if (progress != RunningEvent::Progress::goes_on) break;
+  }
+  switch (progress) {
+    case RunningEvent::Progress::completed:
+      outcome = {};
+      return;
+    case RunningEvent::Progress::failed:
+      outcome.reason = running.reason();
+      return;
+    case RunningEvent::Progress::goes_on:
+      outcome.reason = running.endless_text(turn.host);
+      break;
+    case RunningEvent::Progress::waits:
+      outcome.reason =
+          fmt::format("it takes effect without a turn, and must end at once; phase '{}' does not",
+                      running.phase());
+      break;
+  }
   outcome.warnings = running.abort(turn).faults;
 }
 

@@ -25,7 +25,7 @@ struct TimedOutcome {
   std::vector<PhaseRow> phases;
   std::vector<std::string> warnings;
 };
-// Runs one from its first phase to its end. `fault`: why it cannot begin; "": it can.
+// Runs one from its first phase to its end.
 TimedOutcome run_timed_event(const PlanEvent& event, const EventArguments& arguments,
                              const Turn& turn);
 

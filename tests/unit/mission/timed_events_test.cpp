@@ -90,6 +90,15 @@ TEST(TimedEvents, that_do_not_end_at_once_fail) {
   EXPECT_EQ(events[2].status, EventStatus::not_started);
 }
 
+TEST(TimedEvents, whose_phases_go_round_say_so) {
+  Mission mission;
+  mission.rover("A");
+  mission.event("Hold", 10);
+  timed(mission, 5000, "Spin");
+  EXPECT_EQ(mission.run()[1].reason,
+            "events/Spin.lua:7: its phases go round without time passing, now in 'a' of Spin");
+}
+
 TEST(TimedEvents, have_not_started_when_the_mission_ends_before) {
   Mission mission;
   mission.rover("A");
@@ -104,6 +113,14 @@ TEST(TimedEvents, have_not_started_when_the_mission_ends_before) {
   failed.event("Break", 10);
   timed(failed, 20000);
   EXPECT_TRUE(failed.run()[1].is_prevented);
+
+  Mission went_on;
+  went_on.rover("A");
+  went_on.event("Break", 10).on_failure = OnFailure::skip;
+  timed(went_on, 20000);
+  event = went_on.run()[1];
+  EXPECT_FALSE(event.is_prevented) << "the failure did not end the events";
+  EXPECT_EQ(event.reason, "the mission was over at 10 s, before 20 s");
 
   Mission stopped;
   stopped.rover("A");
