@@ -49,7 +49,8 @@ return lsos.event {
   params = {
     stance     = lsos.text {
       kml = 'Stance', names = 'stance',
-      doc = "A configuration of the rover's script: Drive, Stow.",
+      doc = "A configuration of the rover's script, without payload and modes of wheels: Drive, "
+        .. 'Stow.',
     },
     height_m   = lsos.number {
       kml = 'Height', unit = 'm', min = 0,

@@ -67,6 +67,9 @@ end)
 
 lsos.scenario('a rover on wheels has no posture', function(t)
   local sim = lsos.sim { rovers = { B = { type = 'SEV', events = { { 'Pause', Duration = 1 } } } } }
-  local ok = pcall(sim.dispatch, sim, 'B', 'SetPosture', { Stance = 'Tall' })
-  t:check(not ok or sim:event('B/20').status ~= 'completed', 'refused')
+  local sequence = sim:dispatch('B', 'SetPosture', { Stance = 'Tall' })
+  sim:run()
+  local event = sim:event('B/' .. sequence)
+  t:equal(event.status, 'failed')
+  t:check(event.reason:find('a SEV has no limbs', 1, true), event.reason)
 end)

@@ -135,7 +135,11 @@ Known equipment(const RoverModel& model, const std::string& type, NameOf names) 
     case NameOf::stance:
       known.what = "stance";
       if (std::holds_alternative<Legged>(model.spec.suspension)) {
-        known.names = names_of(model.spec.configurations);
+        known.names = names_if(model.spec.configurations, is_stance);
+        known.unfit = names_of(model.spec.configurations);
+        known.unfitness =
+            "that configuration carries a payload, or sets modes of wheels: a rover can start in "
+            "it, and not change to it";
       }
       break;
     default:

@@ -110,6 +110,7 @@ void RoverAgent::update_view() {
   view_.sinkage_m = report.sinkage_m;
   view_.drive_w = motion_.drive_w();
   view_.drive_j = motion_.drive_j();
+  view_.length_m = 2 * motion_.footprint_at_rest().half_m.x();
   view_.is_parked = is_parked();
   view_.is_adjusting = motion_.is_adjusting();
   view_.clearance_m = posture_clearance_m(motion_.vehicle());
@@ -173,7 +174,7 @@ Deployment RoverAgent::deploy_antenna(const std::string& antenna, bool up,
 
 double RoverAgent::set_posture(const PostureRequest& request) {
   const double takes_s = lsos::set_posture(motion_.vehicle(), request);
-  drive_.wake();
+  drive_.wake_in_other_stance();
   view_.is_adjusting = motion_.is_adjusting();
   return takes_s;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/units.h"
 #include "mission/port/note_json.h"
@@ -154,12 +155,13 @@ void RoverDrive::control() {
   }
 }
 
-// Levelling that ends at the limits of the limbs, or with joints that do not turn.
+// Levelling that ends at the limits of the limbs, or with joints that do not turn. It is said once
+// for each stance: a drive over a slope may park many times.
 void RoverDrive::warn_of_tilt() {
   const VehicleReport& report = motion_->report();
   if (!motion_->fault().empty() || !motion_->vehicle().stands_level()) return;
   const double tilt_rad = std::acos(std::cos(report.pitch_rad) * std::cos(report.roll_rad));
-  if (tilt_rad <= level_within_rad) return;
+  if (tilt_rad <= level_within_rad || std::exchange(has_warned_of_tilt_, true)) return;
   journal_->warn(fmt::format(
       "{}: stands tilted by {:.1f} deg, though it is to be level: its limbs can do no more",
       journal_->rover_id(), degrees(tilt_rad)));

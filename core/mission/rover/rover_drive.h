@@ -48,6 +48,8 @@ class RoverDrive {
   void brake();
   // Has a parked rover stepped again until it rests, for what moves on it.
   void wake() { is_parked_ = false; }
+  // The same for another stance, in which it may stand tilted again.
+  void wake_in_other_stance() { is_parked_ = has_warned_of_tilt_ = false; }
   // Ends the drive, when there is one, for a reason that it does not note.
   void fail(const std::string& reason);
   // Ends the drive because the rover would touch another or an asset, whose centre is `distance_m`
@@ -88,4 +90,5 @@ class RoverDrive {
   DriveSlip slip_;
 };
 
+  bool has_warned_of_tilt_ = false;  // in this stance
 }  // namespace lsos

@@ -6,6 +6,7 @@
 
 #include "base/units.h"
 #include "mission/port/note_json.h"
+#include "vehicle/limb_stance.h"
 
 namespace lsos {
 
@@ -26,6 +27,16 @@ void RoverMotion::read() {
   distance_m_ = vehicle_.distance_m();
   drive_w_ = vehicle_.drive_w();
   drive_j_ = vehicle_.drive_j();
+  update_footprint();
+}
+
+void RoverMotion::update_footprint() {
+  const PostureControl* posture = vehicle_.posture();
+  if (posture == nullptr || posture->hubs_B_m() == hubs_B_m_) return;
+  hubs_B_m_ = posture->hubs_B_m();
+  VehicleConfig standing = config();
+  stand(standing, hubs_B_m_);
+  at_rest_ = lsos::footprint_at_rest(standing);
 }
 
 std::vector<PartPose> RoverMotion::part_poses() const {
@@ -61,6 +72,7 @@ void RoverMotion::find_fault(RoverJournal& journal) {
 
 void RoverMotion::archive(Archive& a) {
   LSOS_ARCHIVE(a, vehicle_, report_, joints_, distance_m_, drive_w_, drive_j_, fault_, is_broken_);
+  if (a.is_reading()) update_footprint();
 }
 
 }  // namespace lsos

@@ -17,7 +17,9 @@ class RoverMotion {
  public:
   // `config` must have all its links and, like `ground`, outlive it.
   RoverMotion(const VehicleConfig& config, const Ground& ground)
-      : ground_(&ground), vehicle_(config, ground), at_rest_(lsos::footprint_at_rest(config)) {}
+      : ground_(&ground), vehicle_(config, ground), at_rest_(lsos::footprint_at_rest(config)) {
+    update_footprint();
+  }
 
   Vehicle& vehicle() { return vehicle_; }
   const VehicleConfig& config() const { return vehicle_.config(); }
@@ -37,6 +39,7 @@ class RoverMotion {
   std::vector<PartPose> part_poses() const;
   // Footprint after another `ahead_s` of the present motion.
   Footprint footprint(double ahead_s = 0) const;
+  // As it stands: on limbs it follows the hubs' places while these move.
   const Footprint& footprint_at_rest() const { return at_rest_; }
 
   // Finds a fault after which the rover can no longer drive, and notes it.
@@ -48,9 +51,12 @@ class RoverMotion {
   void archive(Archive& a);
 
  private:
+  void update_footprint();
+
   const Ground* ground_;
   Vehicle vehicle_;
-  Footprint at_rest_;
+  Footprint at_rest_;           // not saved: follows from the stance
+  std::vector<Vec3> hubs_B_m_;  // on limbs: those of `at_rest_`
   VehicleReport report_;
   std::vector<double> joints_;
   double distance_m_ = 0, drive_w_ = 0, drive_j_ = 0;

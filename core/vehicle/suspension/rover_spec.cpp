@@ -57,10 +57,11 @@ void apply(VehicleConfig& vehicle, const RoverConfiguration& configuration) {
   vehicle.starts_level = configuration.is_level;
 }
 
-// What SetPosture may name: the configurations of a vehicle on limbs.
+// What SetPosture may name: the configurations of a vehicle on limbs that are stances.
 void add_stances(VehicleConfig& vehicle, const std::vector<RoverConfiguration>& configurations) {
   if (vehicle.limbs.empty()) return;
   for (const RoverConfiguration& configuration : configurations) {
+    if (!is_stance(configuration)) continue;
     VehicleConfig standing = vehicle;
     apply(standing, configuration);
     vehicle.stances.push_back({configuration.name, hubs_B_m(standing), configuration.is_level});
@@ -209,6 +210,11 @@ std::vector<std::string> suspension_faults(const RoverSpec& spec) {
 }
 
 }  // namespace
+
+bool is_stance(const RoverConfiguration& configuration) {
+  return configuration.payload_mass_kg == 0 && configuration.free_wheels.empty() &&
+         configuration.locked_wheels.empty();
+}
 
 VehicleConfig make_vehicle(const RoverSpec& spec, const std::string& configuration,
                            double gravity_mps2) {

@@ -34,6 +34,10 @@ struct RoverConfiguration {
   std::optional<std::int64_t> crew = {};  // people on board; absent: as many as the rover carries
 };
 
+// Whether a rover on limbs can change to it: a configuration that also loads the rover or sets
+// modes of its wheels is one to start in.
+bool is_stance(const RoverConfiguration& configuration);
+
 struct RoverSpec {
   std::string name = {};
   std::string doc = {};
