@@ -2,9 +2,6 @@
 
 local lsos = require 'lsos'
 
--- Its middle keeps so many of its lengths from the middle of a rover that stands in its way.
-local beside_share = 1.25
-
 -- What the routes keep to, when the mission is made and when they are driven.
 local function route(params)
   return {
@@ -27,7 +24,8 @@ local function plan(ev, rover)
   local options = route(ev.params)
   options.first = ev.state.next_waypoint
   options.avoid = ev.state.avoid
-  options.avoid_radius_m = ev.state.avoid_radius_m or rover.length_m
+  options.avoid_radius_m = rover.length_m
+  options.around = ev.state.around
   local found, reason = rover:plan_path(ev.geometry, options)
   if not found then
     if not ev.state.blocked_by then return lsos.fail('%s', reason) end
@@ -35,14 +33,16 @@ local function plan(ev, rover)
   end
   ev.state.legs = found.legs
   rover:follow(found.path, {
-    speed_mps        = ev.params.speed_mps,
-    arrival_radius_m = ev.params.arrival_radius_m,
-    stray_max_m      = ev.params.stray_max_m,
+    speed_mps          = ev.params.speed_mps,
+    arrival_radius_m   = ev.params.arrival_radius_m,
+    stray_max_m        = ev.params.stray_max_m,
+    keeps_room_to_turn = true,
   })
   return 'drive'
 end
 
--- Remembers what to plan otherwise: from the waypoint that comes next, around what lay ahead.
+-- Remembers what to plan otherwise: from the waypoint that comes next, around what lay ahead: a
+-- rover with the ground that it then covers, or else a place. Assets are gone round in any case.
 local function replan(ev, rover)
   local drive = rover.drive
   for _, leg in ipairs(ev.state.legs) do
@@ -51,12 +51,12 @@ local function replan(ev, rover)
       break
     end
   end
-  if drive.is_blocked then
+  if drive.blocked_by then
+    ev.state.around = ev.state.around or {}
+    table.insert(ev.state.around, drive.blocked_by)
+  elseif drive.is_blocked then
     ev.state.avoid = ev.state.avoid or {}
-    local other = drive.blocked_by
-    if other then ev.state.avoid_radius_m = beside_share * rover.length_m end
-    table.insert(ev.state.avoid,
-      other and rover:place_of(other) or rover:ahead(1.25 * rover.length_m))
+    table.insert(ev.state.avoid, rover:ahead(1.25 * rover.length_m))
   end
   ev.state.replans = (ev.state.replans or 0) + 1
   ev.state.blocked_by = drive.reason

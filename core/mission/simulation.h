@@ -116,6 +116,9 @@ class Simulation : private Surroundings {
     return fleet_.place_S_m(id);
   }
   bool has_rover(const std::string& id) const override { return fleet_.find(id) != nullptr; }
+  std::optional<Obstacle> obstacle(const std::string& rover_id) const override {
+    return fleet_.obstacle(rover_id);
+  }
   SkyView sky(const Geodetic& place) const override;
   std::optional<PairSight> sight(const std::string& id, const std::string& other) const override;
 

@@ -24,6 +24,8 @@ FollowSettings check_settings(lua_State* L, int argument) {
   t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive, "Arrived within.");
   t.boolean(optional, "crab", settings.is_crabbing,
             "Along the path without turning into it; rovers that can.");
+  t.boolean(optional, "keeps_room_to_turn", settings.keeps_room_to_turn,
+            "Before a rover that stands it ends so early that it can still turn on the spot.");
   t.number(optional, "stray_max_m", settings.cross_track_max_m, positive,
            "Farther than this from the path the drive fails (default: however far).");
   t.finish();

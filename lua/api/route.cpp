@@ -61,6 +61,8 @@ void read_route_options(TableReader& t, RouteOptions& options) {
   t.number(optional, "arrival_radius_m", settings.arrival_radius_m, positive,
            "A first waypoint that is this near, and no more than 1 m away, is passed (default 1).");
   read_avoided(t, settings.avoided);
+  t.texts(optional, "around", settings.around,
+          "RoverIds of rovers that it goes round where they are now.");
   t.integer(optional, "first", options.first, Range{1}, "The waypoint to begin with (default 1).");
 }
 

@@ -297,10 +297,14 @@ const HandleType& rover_handle_type() {
        {"panels", panels, "rover.panels", "Its solar panels."},
        {"antennas", antennas, "rover.antennas", "Its antennas."}},
       {{"follow", guard<command_follow>,
-        "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = })",
-        "Drives along waypoints (list of vec3, or one); then answer lsos.arrival.",
+        "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = , ... })",
+        "Drives along waypoints (list of vec3, or one); then answer lsos.arrival. With "
+        "`keeps_room_to_turn` it ends so early before a rover that stands that it can still turn "
+        "on "
+        "the spot.",
         "fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, "
-        "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number })"},
+        "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number, keeps_room_to_turn?: "
+        "boolean })"},
        {"follow_rover", guard<command_follow_rover>,
         "rover:follow_rover(id, { distance_m = , speed_mps = })",
         "Drives behind another rover along its track, at that distance (default 20), at most so "
@@ -314,13 +318,14 @@ const HandleType& rover_handle_type() {
         "A route over the ground through the waypoints from number `first` (default 1) on, with "
         "the "
         "least 'energy' (default) or 'risk', its aim; `arrival_radius_m` passes a first waypoint; "
-        "`avoid` (list of vec3) and `avoid_radius_m` keep it off places. Gives { path = , legs = , "
+        "`avoid` (list of vec3) and `avoid_radius_m` keep it off places; it goes round the rovers "
+        "in `around` (list of RoverIds) where they are now. Gives { path = , legs = , "
         "length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and "
         "`last_point` besides; or nil, why there is none, and the place nearest to the waypoint "
         "that can be reached.",
         "fun(self: lsos.rover, waypoints: vec3[], settings?: { first?: integer, speed_mps?: "
         "number, slope_max_rad?: number, aim?: 'energy'|'risk', arrival_radius_m?: number, avoid?: "
-        "vec3[], avoid_radius_m?: number }): table?, string?, vec3?"},
+        "vec3[], avoid_radius_m?: number, around?: string[] }): table?, string?, vec3?"},
        {"ahead", guard<ahead>, "rover:ahead(distance_m)",
         "The place so far ahead of the rover, on the ground.",
         "fun(self: lsos.rover, distance_m: number): vec3"},

@@ -134,6 +134,27 @@ lsos.scenario('a planned route goes round a rover that stands in its way', funct
   end
 end)
 
+lsos.scenario('a slow or small rover finds room to go round another too', function(t)
+  local function goes_round(type, speed, goal_m)
+    local sim = lsos.sim {
+      rovers = {
+        A = {
+          type = type, at = { 0, 0 }, heading_deg = 90,
+          events = { { 'PathPlanRoute', at = { goal_m, 0 }, Speed = speed } },
+        },
+        B = { type = 'SEV', at = { 12, 0 }, events = { { 'Pause', Duration = '30 min' } } },
+      },
+    }
+    sim:run_until(function(s) return s:event('A/10').status ~= 'running' and s.time_s > 1 end)
+    local what = type .. ' at ' .. speed
+    t:equal(sim:event('A/10').status, 'completed', what .. ': ' .. (sim:event('A/10').reason or ''))
+    t:check(#sim:notes('replan') >= 1, what .. ' planned anew')
+    t:near(sim.rovers.A.position.x, goal_m, 1.5, what)
+  end
+  goes_round('SEV', '0.3 m/s', 24)
+  goes_round('MER', '0.05 m/s', 18)
+end)
+
 lsos.scenario('Rendezvous of two rovers that drive towards each other', function(t)
   for _, plans in ipairs { false, true } do
     local function event(other)

@@ -8,11 +8,6 @@ namespace lsos {
 
 namespace {
 
-template <class Touches>
-bool any_of(const RoverAgent& rover, const Touches& touches) {
-  return std::ranges::any_of(rover.drive().footprints_ahead(), touches);
-}
-
 // Bound on how far the centre of a rover moves before it rests; from 5 m/s that is some 60 m.
 // Smaller: fast rovers are stopped too late, larger: more pairs are checked.
 constexpr double stopping_reach_m = 100;
@@ -51,11 +46,19 @@ void avoid_rovers(Fleet& fleet) {
       const Footprint of_a = a.motion().footprint(), of_b = b.motion().footprint();
       const double now_m = gap_m(of_a, of_b), apart_m = (of_b.center_S_m - of_a.center_S_m).norm();
       if (now_m > 2 * stopping_reach_m) continue;
+      // What stands is gone round, so that there the drive ends with room to turn.
+      const auto ahead = [](const RoverAgent& rover, const RoverAgent& other) {
+        return rover.drive().footprints_ahead(other.is_parked() ? rover.drive().room_to_turn_m()
+                                                                : 0);
+      };
+      const std::vector<Footprint> a_ahead = ahead(a, b), b_ahead = ahead(b, a);
       const bool would_touch =
-          any_of(a, [&](const Footprint& a_then) { return overlap(a_then, of_b); }) ||
-          any_of(b, [&](const Footprint& b_then) {
+          std::ranges::any_of(a_ahead,
+                              [&](const Footprint& a_then) { return overlap(a_then, of_b); }) ||
+          std::ranges::any_of(b_ahead, [&](const Footprint& b_then) {
             return overlap(of_a, b_then) ||
-                   any_of(a, [&](const Footprint& a_then) { return overlap(a_then, b_then); });
+                   std::ranges::any_of(
+                       a_ahead, [&](const Footprint& a_then) { return overlap(a_then, b_then); });
           });
       if (!would_touch) continue;
       const double period_s = seconds(exchange_period);
@@ -78,7 +81,8 @@ void avoid_assets(Fleet& fleet) {
     for (const StandingAsset& asset : fleet.assets) {
       const double apart_m = (agent.view().p_S_m - asset.pose.p_S_m).norm();
       if (apart_m > asset.shape.reach_m() + stopping_reach_m) continue;
-      if (!any_of(agent, [&](const Footprint& then) { return gap_m(asset, then) <= 0; })) continue;
+      const auto touches = [&](const Footprint& then) { return gap_m(asset, then) <= 0; };
+      if (std::ranges::none_of(agent.drive().footprints_ahead(), touches)) continue;
       const double now_m = gap_m(asset, agent.motion().footprint());
       if (gap_m(asset, agent.motion().footprint(seconds(exchange_period))) < now_m) {
         agent.drive().end_before(asset.plan.id, apart_m, false);

@@ -28,6 +28,16 @@ std::optional<Vec3> Fleet::place_S_m(const std::string& id) const {
   return {};
 }
 
+std::optional<Obstacle> Fleet::obstacle(const std::string& rover_id) const {
+  const FleetRover* rover = find(rover_id);
+  if (rover == nullptr) return {};
+  const Footprint footprint = rover->agent->motion().footprint();
+  Vec3 center_S_m = rover->agent->view().p_S_m;
+  center_S_m.head<2>() = footprint.center_S_m;
+  return Obstacle{
+      rover_id, center_S_m, {footprint.ahead_S.x(), footprint.ahead_S.y(), 0}, footprint.half_m};
+}
+
 const EventRecord& Fleet::record(const PlanEvent::Reference& event) const {
   if (const FleetRover* rover = find(event.rover_id)) {
     const EventSequence& sequence = rover->sequence;

@@ -39,6 +39,8 @@ struct Fleet : EventLookup {
   const FleetRover* find(const std::string& rover_id) const;
   // Position of a rover or an asset; absent: nothing has that id.
   std::optional<Vec3> place_S_m(const std::string& id) const;
+  // The ground that a rover covers; absent: there is no such rover.
+  std::optional<Obstacle> obstacle(const std::string& rover_id) const;
   const EventRecord& record(const PlanEvent::Reference& event) const override;
   std::size_t events_ended() const;
 };

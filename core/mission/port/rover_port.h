@@ -49,17 +49,20 @@ struct FollowSettings {
   std::optional<double> speed_mps;  // absent: the rover's cruise speed
   double arrival_radius_m = 1;
   bool is_crabbing = false;  // along the path without turning into it, if the rover can
+  // Before another rover it ends so early that it still has room to turn on the spot there, to go
+  // round it on another path.
+  bool keeps_room_to_turn = false;
   // Greatest cross-track error; beyond it the drive fails.
   double cross_track_max_m = std::numeric_limits<double>::infinity();
 };
 
-struct PursuitSettings {
-  std::string leader_id;
-  double distance_m = 20;           // that it keeps to the leader, along the leader's track
 // Kept free between two bodies, of which one follows the other, at the end of braking; a drive ends
 // before they would touch.
 inline constexpr double pursuit_clearance_m = 0.5;
 
+struct PursuitSettings {
+  std::string leader_id;
+  double distance_m = 20;           // that it keeps to the leader, along the leader's track
   std::optional<double> speed_mps;  // the greatest; absent: the rover type's
 };
 
@@ -70,6 +73,8 @@ struct RouteSettings {
   RouteAim aim = RouteAim::energy;
   double arrival_radius_m = 1;  // a first waypoint within this, at most 1 m, is passed
   std::vector<AvoidedDisc> avoided = {};
+  std::vector<std::string> around = {};  // ids of rovers that it goes round where they are now
+  std::vector<Obstacle> standing = {};   // these rovers; not for scripts to say
 
   bool operator==(const RouteSettings&) const = default;
 };

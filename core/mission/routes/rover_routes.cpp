@@ -82,6 +82,7 @@ Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S
   constexpr double lengths = 4, least_m = 200;
   const double reach_m = least_m + lengths * (goal_S_m - start_S_m).norm();
   Obstacles obstacles;
+  std::ranges::copy(settings.standing, std::back_inserter(request.obstacles.standing));
   obstacles.rover_at_rest = footprint_at_rest(vehicle_);
   for (const Obstacle& thing : legs_->standing()) {
     if ((thing.center_S_m - start_S_m).norm() < reach_m) obstacles.standing.push_back(thing);

@@ -141,9 +141,12 @@ PlannedRoute RoverAgent::plan_path(const Path3& waypoints_S_m, std::int64_t firs
   if (const PostureControl* posture = motion_.vehicle().posture()) {
     routes_.stand_on(posture->hubs_B_m());
   }
-  PlannedRoute route =
-      routes_.plan(rover_.id, now_, journal_.sequence(), {view_.p_S_m, view_.heading_rad},
-                   waypoints_S_m, first, settings);
+  RouteSettings around = settings;
+  for (const std::string& id : settings.around) {
+    if (auto obstacle = surroundings_->obstacle(id)) around.standing.push_back(*obstacle);
+  }
+  PlannedRoute route = routes_.plan(rover_.id, now_, journal_.sequence(),
+                                    {view_.p_S_m, view_.heading_rad}, waypoints_S_m, first, around);
   for (const std::string& warning : routes_.take_warnings()) journal_.warn(warning);
   return route;
 }

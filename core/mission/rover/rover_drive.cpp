@@ -23,6 +23,15 @@ constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follow
 // on the spot and drove on, a follower that did the same would fall back.
 constexpr double pursuit_offset_m = 1.0, pursuit_steering_m = 2;
 constexpr double pursuit_radius_share = 0.5;  // of the least radius, for what turns on the spot
+// How far from what it goes round a route keeps the rover, beyond what it needs to turn
+// (RouteCost::cross_track_margin_m), and a little more.
+constexpr double turning_margin_m = 0.5;
+
+// Distance from its front at which a rover that turns about its reference point touches nothing.
+double room_to_turn_m(const Footprint& at_rest) {
+  const Vec2 farthest_m = at_rest.center_S_m.cwiseAbs() + at_rest.half_m;
+  return farthest_m.norm() - (at_rest.center_S_m.x() + at_rest.half_m.x()) + turning_margin_m;
+}
 
 }  // namespace
 
@@ -187,6 +196,8 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   failure_.clear();
   blocker_id_.clear();
   may_touch_with_chassis_ = report.is_chassis_on_ground;
+  room_to_turn_m_ =
+      settings.keeps_room_to_turn ? lsos::room_to_turn_m(motion_->footprint_at_rest()) : 0;
   follower_.emplace(path_S_m, follower_pose(report), limits);
   if (!motion_->fault().empty()) return;
   give(follower_->update(follower_pose(report), seconds(exchange_period)));
@@ -232,10 +243,11 @@ void RoverDrive::brake() {
   pursuit_.reset();
   failure_.clear();
   blocker_id_.clear();
+  room_to_turn_m_ = 0;
   give({});
 }
 
-std::vector<Footprint> RoverDrive::footprints_ahead() const {
+std::vector<Footprint> RoverDrive::footprints_ahead(double beyond_m) const {
   constexpr double step_m = 0.25, turning_s = 1;
   constexpr double turning_mps = 0.1;  // below this speed a rover that turns does so on the spot
   const VehicleReport& report = motion_->report();
@@ -255,7 +267,7 @@ std::vector<Footprint> RoverDrive::footprints_ahead() const {
   }
   if (is_under_way()) {
     for (const FollowerPose& pose :
-         follower_->poses_ahead(follower_pose(report), braking_m, step_m)) {
+         follower_->poses_ahead(follower_pose(report), braking_m + beyond_m, step_m)) {
       footprints.push_back(moved(at_rest, pose.p_S_m, pose.yaw_rad));
     }
   } else {
@@ -266,7 +278,8 @@ std::vector<Footprint> RoverDrive::footprints_ahead() const {
 
 void RoverDrive::archive(Archive& a) {
   LSOS_ARCHIVE(a, follower_, pursuit_, command_, has_new_command_, blocker_id_, failure_,
-               may_touch_with_chassis_, is_parked_, exchanges_at_rest_, has_motion_ended_, slip_);
+               room_to_turn_m_, may_touch_with_chassis_, is_parked_, has_warned_of_tilt_,
+               exchanges_at_rest_, has_motion_ended_, slip_);
 }
 
 }  // namespace lsos

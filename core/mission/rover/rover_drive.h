@@ -57,8 +57,12 @@ class RoverDrive {
   void end_before(const std::string& other_id, double distance_m, bool ends_both);
 
   // Footprints, in order, up to where the rover would rest if it braked now: on its line when it
-  // follows one, else straight ahead; while it turns on the spot, within a second.
-  std::vector<Footprint> footprints_ahead() const;
+  // follows one, else straight ahead; while it turns on the spot, within a second. `beyond_m`:
+  // farther by this along its line.
+  std::vector<Footprint> footprints_ahead(double beyond_m = 0) const;
+  // How far from another rover the drive ends, so that it can turn there; 0: it may rest as near as
+  // its brakes allow.
+  double room_to_turn_m() const { return is_under_way() ? room_to_turn_m_ : 0; }
 
   // Whether motion has ended since this was last cleared.
   bool has_motion_ended() const { return has_motion_ended_; }
@@ -81,14 +85,15 @@ class RoverDrive {
   std::optional<Pursuit> pursuit_;  // when it follows another rover
   DriveCommand command_;
   bool has_new_command_ = false;
-  std::string blocker_id_;               // what it would have touched, "": nothing
-  std::string failure_;                  // why the present drive ended early, "" when it did not
+  std::string blocker_id_;  // what it would have touched, "": nothing
+  std::string failure_;     // why the present drive ended early, "" when it did not
+  double room_to_turn_m_ = 0;
   bool may_touch_with_chassis_ = false;  // high-centred when this drive began; may drive free
   bool is_parked_ = true;
+  bool has_warned_of_tilt_ = false;  // in this stance
   int exchanges_at_rest_ = 0;
   bool has_motion_ended_ = false;
   DriveSlip slip_;
 };
 
-  bool has_warned_of_tilt_ = false;  // in this stance
 }  // namespace lsos

@@ -33,6 +33,7 @@ struct Obstacle {
   Vec3 ahead_S = Vec3::UnitX();  // unit vector, horizontal there
   Vec2 half_m = Vec2::Zero();    // half sizes along `ahead_S` and across it
 
+  bool operator==(const Obstacle&) const = default;
   void archive(Archive& a) { LSOS_ARCHIVE(a, id, center_S_m, ahead_S, half_m); }
 };
 
