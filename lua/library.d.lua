@@ -148,7 +148,7 @@
 ---@field reload fun(self: lsos.sim) Reads event scripts anew: what has changed is called from the next phase on.
 ---@field shade fun(self: lsos.sim, rover_id: string, share: number) So much of the sunlight reaches the rover's panels, 0 to 1.
 ---@field fault fun(self: lsos.sim, rover_id: string, breakage: { what: string, part?: string, mode?: string, share?: number, is_repair?: boolean }) Something of the rover breaks, or is repaired, as in rover:break_part.
----@field set_wheel fun(self: lsos.sim, rover_id: string, wheel: string, mode?: 'locked'|'free'|'driven') A wheel fails: 'locked' (when left out), 'free'; or works again: 'driven'.
+---@field set_wheel fun(self: lsos.sim, rover_id: string, wheel: string, mode?: 'locked'|'free'|'driven') A wheel fails: 'locked' (when left out), 'free'; or is 'driven', in any configuration.
 ---@field stick_panel fun(self: lsos.sim, rover_id: string, panel?: string, is_stuck?: boolean) A panel (all when left out) stays as it is.
 ---@field silence fun(self: lsos.sim, rover_id: string, is_silent?: boolean) The rover's antennas work for nobody.
 ---@field set_soil fun(self: lsos.sim, name: string) The ground is of another soil now.

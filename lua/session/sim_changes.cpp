@@ -80,12 +80,11 @@ int sim_set_wheel(lua_State* L) {
   const std::string mode = modes[luaL_checkoption(L, 4, "locked", modes)];
   const std::string wheel = luaL_checkstring(L, 3);
   RoverAgent& agent = agent_of(L, 2);
-  const bool is_repair = mode == "driven";
-  agent.inject({.what = "wheel",
-                .part = wheel,
-                .mode = is_repair ? "" : mode,
-                .share = {},
-                .is_repair = is_repair});
+  if (mode == "driven") {
+    agent.inject_driven_wheel(wheel);
+  } else {
+    agent.inject({.what = "wheel", .part = wheel, .mode = mode, .share = {}});
+  }
   note(L, agent.id(), "wheel_set", {{"mode", mode}, {"wheel", wheel}});
   return 0;
 }

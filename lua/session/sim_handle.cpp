@@ -160,7 +160,7 @@ const HandleType& sim_handle_type() {
         "fun(self: lsos.sim, rover_id: string, breakage: { what: string, part?: string, mode?: "
         "string, share?: number, is_repair?: boolean })"},
        {"set_wheel", guard<sim_set_wheel>, "sim:set_wheel(rover_id, wheel, mode)",
-        "A wheel fails: 'locked' (when left out), 'free'; or works again: 'driven'.",
+        "A wheel fails: 'locked' (when left out), 'free'; or is 'driven', in any configuration.",
         "fun(self: lsos.sim, rover_id: string, wheel: string, mode?: 'locked'|'free'|'driven')"},
        {"stick_panel", guard<sim_stick_panel>, "sim:stick_panel(rover_id, panel, is_stuck)",
         "A panel (all when left out) stays as it is.",

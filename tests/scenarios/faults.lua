@@ -54,6 +54,25 @@ lsos.scenario('a wheel that turns freely leaves the work to the others', functio
   t:equal(sim:notes('fault')[1].sequence, 10)
 end)
 
+lsos.scenario('a wheel set to driven is driven, also one that the configuration locks', function(t)
+  local function drive_j(mode)
+    local rover = {
+      type = 'MER', config = 'RightFrontLocked', events = { { 'Route', at = { 0, 2 } } },
+    }
+    local sim = lsos.sim { terrain = 'Flat', rovers = { A = rover } }
+    if mode == 'driven' then sim:set_wheel('A', 'front_right_wheel', mode) end
+    if mode == 'repaired' then
+      sim:fault('A', { what = 'wheel', part = 'front_right_wheel', is_repair = true })
+    end
+    sim:run()
+    t:equal(sim:event('A/10').status, 'completed')
+    return sim.rovers.A.drive_j
+  end
+  local locked_j = drive_j()
+  t:check(drive_j('driven') < 0.8 * locked_j, 'it drags no more')
+  t:near(drive_j('repaired'), locked_j, 0.01 * locked_j, 'a repair restores the configuration')
+end)
+
 lsos.scenario('a stuck steering motor keeps its angle, and the rover drives on', function(t)
   local function run(fault)
     local events = { { 'Route', path = { { 0, 0 }, { 0, 40 }, { 40, 40 } } } }

@@ -81,6 +81,9 @@ class RoverAgent : public RoverPort {
   // What a scenario breaks or repairs between two exchanges, from the next one on. Returns the
   // fields of a note about it. Throws as break_part().
   std::string inject(const Breakage& breakage);
+  // Has a wheel driven from the next exchange on, also one that is not in its configuration; "":
+  // all of them. Throws as break_part().
+  void inject_driven_wheel(const std::string& wheel);
 
   const RoverView& view() const override { return view_; }
   DriveState drive_state() const override { return drive_.state(); }

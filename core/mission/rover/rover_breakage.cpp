@@ -66,8 +66,18 @@ void RoverAgent::break_part(const Breakage& breakage) {
 
 std::string RoverAgent::inject(const Breakage& breakage) {
   const BreakageOfParts of_parts = resolved(breakage);
+  const bool was_parked = is_parked();
   apply(of_parts, now_ + exchange_period);
+  if (was_parked && !is_parked()) power_.begin_motion();
   return breakage_json(breakage, of_parts);
+}
+
+void RoverAgent::inject_driven_wheel(const std::string& wheel) {
+  const Breakage repair{.what = "wheel", .part = wheel, .share = {}, .is_repair = true};
+  inject(repair);
+  for (const BreakablePart& part : resolved(repair).parts) {
+    motion_.vehicle().set_wheel_mode(static_cast<std::size_t>(part.index), WheelMode::driven);
+  }
 }
 
 }  // namespace lsos

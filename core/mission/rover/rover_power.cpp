@@ -49,12 +49,17 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
   const double energy_j = account().energy_j;
   // At the start nothing has been requested yet.
   const bool is_empty = now > SimTime{} && energy_j <= 0 && flows().shed_w > 0;
-  const bool is_above = energy_j > spec_.battery->reserve * spec_.battery->capacity_j;
+  // A battery that has lost all its capacity is never above a reserve: what counts is whether Sun
+  // and generator suffice.
+  const bool is_above = has_capacity()
+                            ? energy_j > spec_.battery->reserve * spec_.battery->capacity_j
+                            : flows().shed_w <= 0;
   const bool waits = waits_for_reserve_ ? !is_above : is_empty;
   has_reserve_changed_ = waits != waits_for_reserve_;
   waits_for_reserve_ = waits;
   std::optional<double>& awaited = claims_.charge_awaited;
-  has_reached_charge_ = awaited && energy_j >= *awaited * spec_.battery->capacity_j;
+  has_reached_charge_ =
+      awaited && has_capacity() && energy_j >= *awaited * spec_.battery->capacity_j;
   if (has_reached_charge_) awaited.reset();
 }
 
@@ -157,13 +162,14 @@ std::optional<SimTime> RoverPower::wake() const {
   const PowerFlows now = flows();
   if (now.energy_rate_w < 0) at(time_to_energy_s(0));
   if (!waits_for_reserve_ && now.shed_w > 0 && account().energy_j <= 0) at(0);
-  if (const auto& awaited = claims_.charge_awaited) {
+  if (const auto& awaited = claims_.charge_awaited; awaited && has_capacity()) {
     const bool is_passed = account().energy_j >= *awaited * spec_.battery->capacity_j;
     at(is_passed ? 0 : time_to_charge_s(*awaited));
   }
   if (!plugged_into().empty() && now.energy_rate_w > 0) {
     at(time_to_energy_s(spec_.battery->capacity_j));
   }
+  if (waits_for_reserve_ && !has_capacity() && now.shed_w <= 0) at(0);
   if (waits_for_reserve_ && now.energy_rate_w > 0) {
     at(time_to_energy_s(spec_.battery->reserve * spec_.battery->capacity_j));
   }

@@ -69,10 +69,11 @@ class RoverPower : public PowerPort {
   // Sets the share 0..1 of sunlight that reaches the panels from the next exchange on: dust, a
   // cover.
   void set_shade(double share);
-  // What breaks or works again, from the exchange `from` on: a panel that stays as it is, a share
-  // 0..1 of a panel's area that gives no power, and of the capacity that the battery had at first.
-  // Energy that the battery then cannot hold is gone; as with a level that is set, it counts as
-  // external, so that what the rover used stays what it used. Requires a battery.
+  // What breaks or works again: a panel that stays as it is, a share 0..1 of a panel's area that
+  // gives no power, and of the capacity that the battery had at first. A panel is stuck and
+  // capacity is lost at once; power of panels changes at the exchange `from`, when sunlight is
+  // evaluated. Energy that the battery then cannot hold is gone; as with a level that is set, it
+  // counts as external, so that what the rover used stays what it used. Requires a battery.
   void set_panel_stuck(std::size_t panel, bool is_stuck, SimTime from);
   void set_panel_lost(std::size_t panel, double share, SimTime from);
   void set_capacity_lost(double share);
@@ -80,6 +81,11 @@ class RoverPower : public PowerPort {
   // At the beginning of an exchange: brings the energy up to `now`. `drive_w`: mean power of the
   // wheel motors since the last exchange, 0 for a parked rover. Finds whether the battery is empty.
   void begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked);
+  // Between two exchanges: a parked rover may move from the last exchange on. Its motors' power
+  // then counts from there, not from when it was parked.
+  void begin_motion() {
+    if (has_battery()) begin_segment();
+  }
   // At the end of an exchange: sets what flows from now on.
   void settle(bool is_parked);
   // Sets the power that the antennas use.
@@ -150,6 +156,7 @@ class RoverPower : public PowerPort {
   void archive(Archive& a);
 
  private:
+  bool has_capacity() const { return spec_.battery->capacity_j > 0; }  // not all of it is lost
   void begin_segment();
   PowerDemand demand_now(bool is_parked) const;
   std::vector<std::size_t> panels_named(const std::string& name) const;

@@ -50,7 +50,8 @@ bool SupplyWatch::observe(const RoverPower& power, SimTime now, RoverJournal& jo
 // Planners count on the reserve, so a charge below it is reported long before the battery is empty.
 void SupplyWatch::warn_of_low_charge(const RoverPower& power, SimTime now, RoverJournal& journal) {
   if (has_warned_of_low_ || !power.has_battery()) return;
-  const double charge = power.account().energy_j / power.capacity_j();
+  // A battery that has lost all its capacity holds nothing.
+  const double charge = power.capacity_j() > 0 ? power.account().energy_j / power.capacity_j() : 0;
   if (!(charge < power.reserve())) return;
   has_warned_of_low_ = true;
   journal.warn(fmt::format("{}: at {} s its charge is {:.1f} %, below the reserve of {:.0f} %",

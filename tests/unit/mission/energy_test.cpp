@@ -143,6 +143,29 @@ TEST_F(Energy, above_the_reserve_is_wanted_to_go_on) {
                                  "empty; charge was 0"));
 }
 
+// Without any capacity no charge is ever above the reserve: the rover goes on as soon as its
+// generator suffices.
+TEST_F(Energy, that_a_battery_without_capacity_does_not_hold_lets_go_on_what_the_generator_feeds) {
+  power().generator_w = 150;
+  PlanEvent& work = mission.event("Work", 600);
+  work.params["power_w"] = 400.0;
+  work.on_failure = OnFailure::skip;
+  mission.event("Work", 10).params["power_w"] = 20.0;
+  mission.setup_.plan.mission.max_duration = std::chrono::hours(1);
+  mission.simulation_ = std::make_unique<Simulation>(mission.setup_);
+  Simulation& simulation = *mission.simulation_;
+  simulation.start();
+  simulation.advance(milliseconds(5000));
+  simulation.fleet().rovers[0].agent->inject({.what = "battery", .share = 1.0});
+  while (!simulation.is_finished()) simulation.advance();
+  simulation.terminate();
+  const std::vector<EventRow> events = simulation.events();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_EQ(events[1].status, EventStatus::completed) << events[1].reason;
+  EXPECT_LT(simulation.now(), milliseconds(60000));
+  EXPECT_THAT(simulation.warnings(), ::testing::Contains(HasSubstr("its charge is 0.0 %")));
+}
+
 TEST_F(Energy, is_the_same_when_all_state_is_saved_at_each_exchange) {
   const auto end_j = [&](bool is_saving) {
     Mission again;
