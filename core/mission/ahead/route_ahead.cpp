@@ -68,23 +68,15 @@ class RoutePass {
         place_S_m_(start.p_S_m),
         heading_rad_(start.heading_rad) {}
 
-  // Whether an event moves the rover into another stance, after which it is another vehicle to plan
-  // for.
-  static bool changes_stance(const EventDeclaration& declaration) {
-    return std::ranges::any_of(declaration.fields, [](const FieldDeclaration& field) {
+  // Follows a change of the rover's stance, after which it is another vehicle to plan for: which
+  // stance is known when the event names it.
+  void change_stance(const PlanEvent& event, const EventDeclaration& declaration) {
+    const bool changes = std::ranges::any_of(declaration.fields, [](const FieldDeclaration& field) {
       return field.names == NameOf::stance;
     });
-  }
-
-  // Moves the expected position along an event without looking at the ground.
-  void go_along(const PlanEvent& event, const EventDeclaration& declaration) {
-    if (!declaration.drives) return;
-    const Path3 waypoints_S_m = on_ground_S_m(event.geometry.points, ground_);
-    if (waypoints_S_m.empty() || event.geometry.kind == GeometryKind::polygon) {
-      place_S_m_.reset();
-      heading_rad_.reset();
-    }
-    for (const Vec3& to_S_m : waypoints_S_m) go_to(to_S_m);
+    if (!changes) return;
+    const std::string* stance = find_name(event.params, declaration, NameOf::stance);
+    is_stance_known_ = stance != nullptr && routes_.stand_in(*stance);
   }
 
   // Handles an event that drives as drawn, or to an unknown place.
@@ -156,6 +148,12 @@ class RoutePass {
     const std::optional<double> start_heading_rad = heading_rad_;
     bool is_first = true;
     std::int64_t waypoint = 0;
+    if (!is_stance_known_) {
+      add_fault({Severity::warning, event.place,
+                 fmt::format("{} '{}': its route is planned when its turn comes: before it is not "
+                             "known how the rover then stands on its limbs",
+                             event.type, event.label)});
+    }
     for (const Vec3& goal_S_m : on_ground_S_m(event.geometry.points, ground_)) {
       const Geodetic& point = event.geometry.points[static_cast<std::size_t>(waypoint++)];
       if (is_first && place_S_m_ && RoverRoutes::is_passed(settings, *place_S_m_, goal_S_m)) {
@@ -163,7 +161,8 @@ class RoutePass {
         continue;
       }
       const bool is_at_rest = std::exchange(is_first, false);
-      if (!place_S_m_ || (!heading_rad_ && !routes_.can_turn_on_spot())) {
+      const bool is_heading_known = heading_rad_ || routes_.can_turn_on_spot();
+      if (!place_S_m_ || !is_heading_known || !is_stance_known_) {
         if (!ground_.elevation_m(point)) add_fault(event, unknown_ground_text(waypoint, point));
         go_to(goal_S_m);
         continue;
@@ -178,7 +177,8 @@ class RoutePass {
       if (!is_found) {
         add_fault(event, RoverRoutes::no_route_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
       }
-      result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg)});
+      result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg),
+                              routes_.hubs_B_m()});
       if (!is_found) {
         place_S_m_ = start_S_m;
         heading_rad_ = start_heading_rad;
@@ -200,7 +200,10 @@ class RoutePass {
   }
 
   void add_fault(Fault fault) { result_.faults.push_back(std::move(fault)); }
-  RouteAhead take() { return std::move(result_); }
+  RouteAhead take() {
+    routes_.stand_as_started();
+    return std::move(result_);
+  }
 
  private:
   void add_line(const PlanEvent& event, const Path3& waypoints_S_m) {
@@ -235,6 +238,7 @@ class RoutePass {
   const std::function<void(const std::string&)>& on_planning_;
   std::optional<Vec3> place_S_m_;
   std::optional<double> heading_rad_;
+  bool is_stance_known_ = true;
   // The rover or asset that the last drive ended near, if the event named one.
   struct Near {
     std::string id, label;
@@ -254,13 +258,12 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
   RoutePass ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
-  bool is_in_other_stance = false;      // routes are then planned when their turn comes
   std::optional<std::int64_t> gone_to;  // sequence at which the rover goes on after a failure
   for (const EventMachine& event : machine.events) {
     if (!event.event.is_enabled || event.event.at) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
     ahead.warn_of_speed(event.event, event.declaration);
-    if (RoutePass::changes_stance(event.declaration)) is_in_other_stance = true;
+    ahead.change_stance(event.event, event.declaration);
     ahead.find_cable(event.event, event.declaration, sources);
     std::optional<RouteSettings> settings;
     try {
@@ -271,9 +274,7 @@ RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
           {Severity::error, event.event.place,
            fmt::format("{} '{}': {}", event.event.type, event.event.label, error.what())});
     }
-    if (is_in_other_stance) {
-      ahead.go_along(event.event, event.declaration);
-    } else if (settings) {
+    if (settings) {
       if (ahead.plan(event.event, *settings)) continue;
       const OnFailure next = event.event.on_failure;
       if (next == OnFailure::stop || next == OnFailure::abort) break;

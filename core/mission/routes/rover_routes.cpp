@@ -45,9 +45,17 @@ void RoverRoutes::stand_on(const std::vector<Vec3>& hubs_B_m) {
   stand(standing, hubs_B_m);
   vehicle_ = as_it_stands(standing);
   hubs_B_m_ = hubs_B_m;
-  is_as_started_ = hubs_B_m == lsos::hubs_B_m(*config_);
   costs_.clear();
 }
+
+bool RoverRoutes::stand_in(const std::string& stance) {
+  const auto found = std::ranges::find(config_->stances, stance, &LimbStance::name);
+  if (found == config_->stances.end()) return false;
+  stand_on(found->hubs_B_m);
+  return true;
+}
+
+void RoverRoutes::stand_as_started() { stand_on(lsos::hubs_B_m(*config_)); }
 
 const DriveCost& RoverRoutes::cost(const RouteSettings& settings) {
   const double speed_mps =
@@ -74,6 +82,7 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   request.starts_at_rest = start.is_at_rest;
   request.start_heading_rad = start.heading_rad;
   request.obstacles = obstacles_about(start.p_S_m, goal_S_m);
+  std::ranges::copy(settings.standing, std::back_inserter(request.obstacles.standing));
   return legs_->leg(cost(settings), request);
 }
 
@@ -82,7 +91,6 @@ Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S
   constexpr double lengths = 4, least_m = 200;
   const double reach_m = least_m + lengths * (goal_S_m - start_S_m).norm();
   Obstacles obstacles;
-  std::ranges::copy(settings.standing, std::back_inserter(request.obstacles.standing));
   obstacles.rover_at_rest = footprint_at_rest(vehicle_);
   for (const Obstacle& thing : legs_->standing()) {
     if ((thing.center_S_m - start_S_m).norm() < reach_m) obstacles.standing.push_back(thing);
@@ -129,10 +137,10 @@ void RoverRoutes::log_ahead(const std::string& rover_id) {
 const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
                                    const LegStart& start, const Vec3& goal_S_m,
                                    const RouteSettings& settings) {
-  if (ahead_ == nullptr || !is_as_started_) return nullptr;
+  if (ahead_ == nullptr) return nullptr;
   const auto found = std::ranges::find_if(*ahead_, [&](const LegAhead& a) {
     return a.sequence == sequence && a.waypoint == waypoint && a.goal_S_m == goal_S_m &&
-           a.settings == settings;
+           a.settings == settings && a.hubs_B_m == hubs_B_m_;
   });
   if (found == ahead_->end()) return nullptr;
   const double off_m = (start.p_S_m - found->start.p_S_m).norm();

@@ -29,6 +29,7 @@ struct LegAhead {
   Vec3 goal_S_m = Vec3::Zero();
   RouteSettings settings;
   PlannedLeg leg;
+  std::vector<Vec3> hubs_B_m = {};  // on limbs: the stance that it is planned for
 };
 
 class RoverRoutes {
@@ -48,8 +49,12 @@ class RoverRoutes {
   PlannedLeg leg(const RouteSettings& settings, const LegStart& start, const Vec3& goal_S_m);
   void set_ahead(const std::vector<LegAhead>& ahead) { ahead_ = &ahead; }
   // On limbs: plans from now on for the stance with its wheels' hubs at these places. Legs planned
-  // ahead are for the stance in which the rover starts.
+  // ahead are taken up in the stance that they are planned for.
   void stand_on(const std::vector<Vec3>& hubs_B_m);
+  // The same for a stance of the rover's script; false: it has none of that name.
+  bool stand_in(const std::string& stance);
+  void stand_as_started();
+  const std::vector<Vec3>& hubs_B_m() const { return hubs_B_m_; }
   // Adds rows for the legs planned ahead.
   void log_ahead(const std::string& rover_id);
 
@@ -79,7 +84,6 @@ class RoverRoutes {
   const VehicleConfig* config_;
   VehicleConfig vehicle_;  // as it stands
   std::vector<Vec3> hubs_B_m_;
-  bool is_as_started_ = true;
   GroundLimits limits_;
   double load_w_;
   const Ground* ground_;
