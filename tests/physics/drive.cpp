@@ -6,6 +6,7 @@
 #include "base/segment.h"
 #include "lua/host/mission_reader.h"
 #include "mission/model/site.h"
+#include "mission/routes/follower_limits.h"
 #include "planet/ellipsoid.h"
 #include "vehicle/follower_pose.h"
 
@@ -64,19 +65,8 @@ DriveResult drive(const VehicleConfig& config, const Ground& ground,
     path.push_back({p.x(), p.y(), 0});
     line.push_back(p);
   }
-  FollowerLimits limits;
-  limits.speed_mps = speed_mps;
-  limits.level_speed_mps = std::max(speed_mps, config.cruise_speed_mps);
-  limits.acceleration_mps2 = config.acceleration_mps2;
-  limits.gravity_mps2 = ground.site().gravity_S_mps2(Vec3::Zero()).norm();
-  limits.can_turn_on_spot = config.can_turn_on_spot;
-  limits.radius_min_m = config.turning_radius_min_m;
-  double reach_m = 0.6;
-  for (const auto& wheel : wheel_layout(config).wheels) {
-    reach_m = std::max(reach_m, wheel.p_B_m.norm());
-  }
-  limits.lookahead_min_m = reach_m;
-  limits.turn_rate_radps = 0.4 * std::min(config.cruise_speed_mps, 1.0) / reach_m;
+  const FollowerLimits limits =
+      limits_of(config, speed_mps, ground.site().gravity_S_mps2(Vec3::Zero()).norm());
   PathFollower follower(path, follower_pose(vehicle.report()), limits);
   VehicleReport report = vehicle.report();
   while (follower.status() == PathFollower::Status::driving) {

@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "lua/host/mission_reader.h"
 #include "mission/model/site.h"
+#include "mission/routes/follower_limits.h"
 #include "physics/drive.h"
 #include "planet/ellipsoid.h"
 #include "vehicle/follower_pose.h"
@@ -35,15 +36,8 @@ PostureDrive drive_straight(const VehicleConfig& config, const Ground& ground, c
   if (!result.failure.empty()) return result;
   const SiteFrame& site = ground.site();
   VehicleReport report = vehicle.report();
-  FollowerLimits limits;
-  limits.speed_mps = config.cruise_speed_mps;
-  limits.level_speed_mps = config.cruise_speed_mps;
-  limits.acceleration_mps2 = config.acceleration_mps2;
-  limits.gravity_mps2 = site.gravity_S_mps2(Vec3::Zero()).norm();
-  limits.arrival_radius_m = 1;
-  limits.can_turn_on_spot = true;
-  limits.turn_rate_radps = 0.07;
-  limits.lookahead_min_m = 2.3;
+  const FollowerLimits limits =
+      limits_of(config, config.cruise_speed_mps, site.gravity_S_mps2(Vec3::Zero()).norm());
   PathFollower follower({report.p_S_m + length_m * site.horizontal_S(heading_rad, report.p_S_m)},
                         follower_pose(report), limits);
   const double share_n =

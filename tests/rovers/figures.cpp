@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "mission/model/site.h"
 #include "mission/routes/drive_cost_model.h"
+#include "mission/routes/follower_limits.h"
 #include "physics/drive.h"
 #include "vehicle/follower_pose.h"
 
@@ -116,14 +117,8 @@ Crossing cross_the_pole(const Subject& subject) {
   if (!crossing.failure.empty()) return crossing;
   const SiteFrame& site = ground->site();
   VehicleReport report = vehicle.report();
-  FollowerLimits limits;
-  limits.speed_mps = limits.level_speed_mps = config.cruise_speed_mps;
-  limits.acceleration_mps2 = config.acceleration_mps2;
-  limits.gravity_mps2 = site.gravity_S_mps2(Vec3::Zero()).norm();
-  limits.can_turn_on_spot = config.can_turn_on_spot;
-  limits.radius_min_m = config.turning_radius_min_m;
-  limits.turn_rate_radps = turn_rate_radps(config);
-  limits.lookahead_min_m = std::max(0.6, wheel_reach_m(config));
+  const FollowerLimits limits =
+      limits_of(config, config.cruise_speed_mps, site.gravity_S_mps2(Vec3::Zero()).norm());
   PathFollower follower({report.p_S_m + length_m * site.horizontal_S(heading_rad, report.p_S_m)},
                         follower_pose(report), limits);
   while (follower.status() == PathFollower::Status::driving) {

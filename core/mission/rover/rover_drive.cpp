@@ -8,7 +8,7 @@
 
 #include "base/units.h"
 #include "mission/port/note_json.h"
-#include "mission/routes/drive_cost_model.h"
+#include "mission/routes/follower_limits.h"
 #include "vehicle/follower_pose.h"
 
 namespace lsos {
@@ -18,7 +18,6 @@ namespace {
 constexpr double at_rest_mps = 0.005;       // speed below which a braked rover is at rest
 constexpr double level_within_rad = 0.035;  // tilt up to which a rover counts as level (2 deg)
 constexpr int exchanges_until_parked = 5;   // exchanges at rest after which it is parked
-constexpr double lookahead_least_m = 0.6;  // least lookahead of the path follower, for small rovers
 // Behind another rover corners are rounded more than on a line of its own: where the leader turned
 // on the spot and drove on, a follower that did the same would fall back.
 constexpr double pursuit_offset_m = 1.0, pursuit_steering_m = 2;
@@ -204,17 +203,8 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
 }
 
 FollowerLimits RoverDrive::limits(double speed_mps) const {
-  const VehicleConfig& config = motion_->config();
-  FollowerLimits limits;
-  limits.speed_mps = std::min(speed_mps, config.speed_max_mps);
-  limits.level_speed_mps = std::max(limits.speed_mps, config.cruise_speed_mps);
-  limits.acceleration_mps2 = config.acceleration_mps2;
-  limits.gravity_mps2 = motion_->ground().site().gravity_S_mps2(Vec3::Zero()).norm();
-  limits.can_turn_on_spot = config.can_turn_on_spot;
-  limits.radius_min_m = config.turning_radius_min_m;
-  limits.turn_rate_radps = turn_rate_radps(config);
-  limits.lookahead_min_m = std::max(lookahead_least_m, wheel_reach_m(config));
-  return limits;
+  return limits_of(motion_->config(), speed_mps,
+                   motion_->ground().site().gravity_S_mps2(Vec3::Zero()).norm());
 }
 
 void RoverDrive::follow_rover(const PursuitSettings& settings) {
