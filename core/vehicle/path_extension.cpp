@@ -1,5 +1,6 @@
 // How the line of a path follower grows while it is driven.
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/segment.h"
@@ -20,7 +21,8 @@ void PathFollower::extend(const std::vector<Vec2>& waypoints_S_m, const Follower
   LSOS_ASSERT(!waypoints_S_m.empty());
   if (status_ != Status::driving) return;
   forget_driven(pose);
-  const std::vector<DrivingPiece> before = line_;
+  const auto on = line_.empty() ? DrivingPiece{} : line_[leg_];
+  const double along_m = line_.empty() ? 0 : driven_m(on, pose);
   // The line begins where the rover was: that waypoint stays.
   if (waypoints_S_m_.size() > 1) waypoints_S_m_.pop_back();
   waypoints_S_m_.insert(waypoints_S_m_.end(), waypoints_S_m.begin(), waypoints_S_m.end());
@@ -29,10 +31,7 @@ void PathFollower::extend(const std::vector<Vec2>& waypoints_S_m, const Follower
   is_stopping_ = false;
   // Only what is near the end before may have changed, as a corner is rounded by the room behind
   // it.
-  const bool is_same = leg_ < std::min(before.size(), line_.size()) &&
-                       before[leg_].from_S_m == line_[leg_].from_S_m &&
-                       before[leg_].along_S == line_[leg_].along_S;
-  if (!is_same) leg_ = leg_near(pose, before.empty() ? 0 : driven_m(before[leg_], pose));
+  leg_ = leg_again(on, pose, along_m);
   const double remaining_m =
       std::max(0.0, line_.back().begin_m + line_.back().length_m - driven_m(line_[leg_], pose));
   best_remaining_m_ += remaining_m - remaining_m_;  // a line that grows is no lack of progress
@@ -55,10 +54,24 @@ void PathFollower::forget_driven(const FollowerPose& pose) {
   waypoints_S_m_.erase(waypoints_S_m_.begin(),
                        waypoints_S_m_.begin() + static_cast<std::ptrdiff_t>(count));
   passed_ += count;
-  // The pieces ahead stay the same: those behind the first waypoint are missing in front.
-  const std::size_t pieces = line_.size();
+  // What lies far behind the rover is missing in front, and the first corners may be rounded
+  // otherwise: distances are the same as before from the end only.
+  const DrivingPiece on = line_[leg_];
+  const double to_end_m = line_.back().begin_m + line_.back().length_m - driven_m(on, pose);
   build_line();
-  leg_ -= std::min(leg_, pieces - std::min(pieces, line_.size()));
+  if (line_.empty()) return;
+  leg_ = leg_again(on, pose, line_.back().begin_m + line_.back().length_m - to_end_m);
+}
+
+// The piece that the rover was on before the line was built anew, or the nearest one where that has
+// changed. `driven_m`: distance that the rover has driven of the new line.
+std::size_t PathFollower::leg_again(const DrivingPiece& on, const FollowerPose& pose,
+                                    double driven_m) const {
+  for (std::size_t i = 0; i < line_.size(); ++i) {
+    if (line_[i].from_S_m != on.from_S_m || line_[i].along_S != on.along_S) continue;
+    if (std::abs(this->driven_m(line_[i], pose) - driven_m) < same_place_m) return i;
+  }
+  return leg_near(pose, driven_m);
 }
 
 // The piece of the line nearest to the rover, of those about the distance that it has driven.

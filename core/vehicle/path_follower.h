@@ -109,6 +109,7 @@ class PathFollower {
   static double driven_m(const DrivingPiece& leg, const FollowerPose& pose);
   void forget_driven(const FollowerPose& pose);
   std::size_t leg_near(const FollowerPose& pose, double driven_m) const;
+  std::size_t leg_again(const DrivingPiece& on, const FollowerPose& pose, double driven_m) const;
 
   std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was
   FollowerLimits limits_;
