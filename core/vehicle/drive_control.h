@@ -20,27 +20,30 @@ struct DriveCommand {
   void archive(Archive& a) { LSOS_ARCHIVE(a, speed_mps, yaw_rate_radps, is_braking, left_mps); }
 };
 
-// Positions of steering joints and wheels, from the configuration's tree of links.
+// Positions and headings of steering joints and wheels, from the configuration's tree of links,
+// with its limbs' joints as they are initially.
 struct WheelLayout {
   struct Steering {
     int link = 0;
     Vec2 p_B_m;  // steering axis
     double angle_max_rad = 0;
+    double heading_rad = 0;  // of its wheels where it is at 0, left positive
   };
   struct WheelPlace {
     int link = 0;
-    int steering = -1;    // index into `steerings`, -1: fixed straight ahead
+    int steering = -1;    // index into `steerings`, -1: fixed
     double offset_m = 0;  // along the axle from the steering axis, left positive
-    Vec2 p_B_m;           // with the steering straight ahead
+    Vec2 p_B_m;           // with the steering at 0
     double radius_m = 0;
     WheelMode mode = WheelMode::driven;
+    double heading_rad = 0;  // with the steering at 0
   };
   std::vector<Steering> steerings;
   std::vector<WheelPlace> wheels;
   double turning_x_B_m = 0;  // x of the centre of turning: mean over the wheels that cannot steer
   double skid_track_ratio = 1;
 };
-WheelLayout wheel_layout(const VehicleConfig& config);
+WheelLayout wheel_layout(const VehicleConfig& vehicle);
 
 struct WheelTargets {
   std::vector<double> steering_angle_rad;  // by steering

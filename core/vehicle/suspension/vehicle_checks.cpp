@@ -80,11 +80,13 @@ void check_overlap(const StandingWheel& a, const StandingWheel& b,
   }
 }
 
-// Steering angle at which a wheel at `p_B_m` rolls while the vehicle turns about `center_B_m`; a
-// wheel may roll in either direction along its heading.
-double rolling_angle_rad(const Vec2& p_B_m, const Vec2& center_B_m) {
-  const Vec2 arm = p_B_m - center_B_m;
-  return arm.norm() == 0 ? 0 : std::atan2(std::abs(arm.x()), std::abs(arm.y()));
+// Least angle, either way, by which a steering is turned when its wheel rolls while the vehicle
+// turns about `center_B_m`; a wheel may roll in either direction along its heading.
+double rolling_angle_rad(const WheelLayout::Steering& steering, const Vec2& center_B_m) {
+  const Vec2 arm = steering.p_B_m - center_B_m;
+  if (arm.norm() == 0) return 0;
+  return std::abs(
+      std::remainder(std::atan2(arm.x(), -arm.y()) - steering.heading_rad, std::numbers::pi));
 }
 
 }  // namespace
@@ -230,7 +232,7 @@ std::vector<std::string> ability_faults(const VehicleConfig& vehicle) {
   const WheelLayout layout = wheel_layout(vehicle);
   const auto turns_about = [&](const Vec2& center_B_m, const std::string& what) {
     for (const WheelLayout::Steering& steering : layout.steerings) {
-      const double needed_rad = rolling_angle_rad(steering.p_B_m, center_B_m);
+      const double needed_rad = rolling_angle_rad(steering, center_B_m);
       if (needed_rad <= steering.angle_max_rad) continue;
       faults.push_back(
           fmt::format("{}: {} would have to steer by {:.0f} deg, its angle_max_rad is {:.0f} deg",

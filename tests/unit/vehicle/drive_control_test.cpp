@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "test_limbs.h"
 #include "test_rovers.h"
 
 namespace lsos {
@@ -25,6 +26,27 @@ TEST(WheelTargets, roll_all_wheels_alike_straight_ahead) {
   const WheelTargets targets = wheel_targets(layout, {2, 0, false}, straight);
   for (const double angle : targets.steering_angle_rad) EXPECT_DOUBLE_EQ(angle, 0);
   for (const double spin : targets.spin_radps) EXPECT_DOUBLE_EQ(spin, 4);
+}
+
+// A limb whose hip yaws by 0.4 rad holds its wheel aside and turned.
+TEST(WheelLayout, is_that_of_the_stance_in_which_limbs_stand) {
+  VehicleConfig config = make_vehicle(test::rover_on_limbs(), "", 1.6);
+  config.links[0].initial = 0.4;  // limb_1_yaw, 1 m from the middle at 30 degrees
+  const WheelLayout turned = wheel_layout(config);
+  const double azimuth_rad = std::numbers::pi / 6;
+  const Vec2 hip_m(std::cos(azimuth_rad), std::sin(azimuth_rad));
+  const Vec2 wheel_m = hip_m + Vec2(std::cos(azimuth_rad + 0.4), std::sin(azimuth_rad + 0.4));
+  // The reference point is the middle of all wheels.
+  const Vec2 middle_m = (wheel_m - 2 * hip_m) / 6;
+  EXPECT_NEAR((turned.wheels[0].p_B_m - (wheel_m - middle_m)).norm(), 0, 1e-9);
+  EXPECT_NEAR(turned.steerings[0].heading_rad, 0.4, 1e-9);
+  EXPECT_NEAR(turned.steerings[1].heading_rad, 0, 1e-9);
+  const WheelTargets targets = wheel_targets(turned, {1, 0, false}, straight);
+  EXPECT_NEAR(targets.steering_angle_rad[0], -0.4, 1e-9);
+  for (const double spin :
+       wheel_targets(turned, {1, 0, false}, targets.steering_angle_rad).spin_radps) {
+    EXPECT_NEAR(spin, 2, 1e-9);
+  }
 }
 
 // A stuck wheel rolls as fast as the motion goes along it, and the others do not wait for it.
