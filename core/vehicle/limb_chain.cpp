@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "vehicle/part_pose.h"
 
@@ -95,7 +96,11 @@ LimbChain::Reach LimbChain::reach(const Vec3& hub_B_m, std::vector<double> from_
     }
     if (moved_rad < converged_rad) break;
   }
-  reach.error_m = (pose(reach.angles_rad).hub_B_m - hub_B_m).norm();
+  const LimbPose end = pose(reach.angles_rad);
+  reach.error_m = (end.hub_B_m - hub_B_m).norm();
+  reach.lean_rad = std::atan2(end.up_B.head<2>().norm(), end.up_B.z());
+  reach.is_there = reach.error_m <= hub_reached_m &&
+                   (!can_hold_upright() || reach.lean_rad <= upright_within_rad);
   return reach;
 }
 

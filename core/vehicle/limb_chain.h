@@ -34,7 +34,10 @@ class LimbChain {
   struct Reach {
     std::vector<double> angles_rad;
     double error_m = 0;       // distance that is left between hub and goal
+    double lean_rad = 0;      // of the steering axis, from the chassis' z axis
     int limiting_joint = -1;  // a joint that stands at an end of its range; -1: none
+    // The hub is at its goal, and the wheel stands as upright as the chain can hold it.
+    bool is_there = false;
   };
   // Angles within the joints' ranges that bring the hub to `hub_B_m`, found from `from_rad` on.
   Reach reach(const Vec3& hub_B_m, std::vector<double> from_rad,
@@ -47,6 +50,10 @@ class LimbChain {
     double angle_min_rad = 0, angle_max_rad = 0;
   };
 
+  // Whether it has the joints to hold a hub in its place and the wheel upright there; a chain of
+  // fewer leans its wheel whenever it moves.
+  bool can_hold_upright() const { return joints_.size() >= 5; }
+
   std::vector<Joint> joints_;
   LimbPose at_rest_;
 };
@@ -56,5 +63,7 @@ std::vector<LimbChain> limb_chains(const VehicleConfig& vehicle);
 
 // Distance from its goal at which a hub counts as there.
 inline constexpr double hub_reached_m = 1e-3;
+// Lean at which a wheel counts as upright, 3 degrees.
+inline constexpr double upright_within_rad = 0.05;
 
 }  // namespace lsos

@@ -1,8 +1,8 @@
 #include "vehicle/limb_stance.h"
 
 #include <cmath>
-#include "vehicle/part_pose.h"
 
+#include "vehicle/part_pose.h"
 #include "vehicle/posture_move.h"
 
 namespace lsos {
@@ -80,21 +80,34 @@ double height_m(const VehicleConfig& vehicle, const std::vector<Vec3>& hubs_B_m)
 }
 
 HeightRange height_range(const VehicleConfig& vehicle) {
-  constexpr double precision_m = 1e-3, far_m = 20;
+  // A limb that cannot stand somewhere between may stand further on, but does not get there.
+  constexpr double stride_m = 0.05, precision_m = 1e-3, far_m = 20;
   const std::vector<Vec3> at_rest = hubs_B_m(vehicle);
   const std::vector<LimbChain> chains = limb_chains(vehicle);
-  const auto reaches = [&](double height_m) {
+  std::vector<std::vector<double>> rest_rad;
+  for (const LimbConfig& limb : vehicle.limbs) rest_rad.push_back(initial_rad(vehicle, limb));
+  // Whether limbs reach a height; `angles_rad` then have its joints.
+  const auto reaches = [&](double height_m, std::vector<std::vector<double>>& angles_rad) {
     const std::vector<Vec3> hubs = at_height(vehicle, at_rest, height_m);
+    std::vector<std::vector<double>> there_rad;
     for (std::size_t i = 0; i < hubs.size(); ++i) {
-      const std::vector<double> from_rad = initial_rad(vehicle, vehicle.limbs[i]);
-      if (chains[i].reach(hubs[i], from_rad).error_m > hub_reached_m) return false;
+      const LimbChain::Reach reach = chains[i].reach(hubs[i], angles_rad[i]);
+      if (!reach.is_there) return false;
+      there_rad.push_back(reach.angles_rad);
     }
+    angles_rad = there_rad;
     return true;
   };
-  const auto limit_m = [&](double good_m, double bad_m) {
-    while (std::abs(bad_m - good_m) > precision_m) {
-      const double middle_m = (good_m + bad_m) / 2;
-      (reaches(middle_m) ? good_m : bad_m) = middle_m;
+  const auto limit_m = [&](double good_m, double end_m) {
+    std::vector<std::vector<double>> angles_rad = rest_rad;
+    double step_m = std::copysign(stride_m, end_m - good_m);
+    while (std::abs(step_m) > precision_m / 2) {
+      const bool is_beyond = (good_m + step_m - end_m) * step_m > 0;
+      if (!is_beyond && reaches(good_m + step_m, angles_rad)) {
+        good_m += step_m;
+      } else {
+        step_m /= 2;
+      }
     }
     return good_m;
   };
@@ -111,7 +124,7 @@ std::string stand(VehicleConfig& vehicle, const std::vector<Vec3>& hubs_B_m) {
     for (std::size_t j = 0; j < limb.joints.size(); ++j) {
       vehicle.links[static_cast<std::size_t>(limb.joints[j])].initial = reach.angles_rad[j];
     }
-    if (reach.error_m <= hub_reached_m || !hindrance.empty()) continue;
+    if (reach.is_there || !hindrance.empty()) continue;
     hindrance = reach_text(vehicle, limb, reach);
   }
   return hindrance;

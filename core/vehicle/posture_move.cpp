@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
+
 namespace lsos {
 
 namespace {
@@ -21,8 +23,11 @@ const LinkConfig& joint_of(const VehicleConfig& vehicle, const LimbConfig& limb,
 
 std::string reach_text(const VehicleConfig& vehicle, const LimbConfig& limb,
                        const LimbChain::Reach& reach, const std::vector<bool>& is_fixed) {
-  std::string text =
-      fmt::format("{} ends {:.2f} m from where its wheel would stand", limb.name, reach.error_m);
+  std::string text = reach.error_m > hub_reached_m
+                         ? fmt::format("{} ends {:.2g} m from where its wheel would stand",
+                                       limb.name, reach.error_m)
+                         : fmt::format("the wheel of {} would lean by {:.0f} deg", limb.name,
+                                       degrees(reach.lean_rad));
   for (std::size_t j = 0; j < is_fixed.size(); ++j) {
     if (is_fixed[j]) return text + fmt::format("; {} is locked", joint_of(vehicle, limb, j).name);
   }
@@ -47,14 +52,14 @@ PostureMove posture_move(const VehicleConfig& vehicle, const std::vector<Vec3>& 
           limb.name, (to_B_m[i] - from_B_m[i]).head<2>().norm());
       return move;
     }
-    if (to_B_m[i] == from_B_m[i]) continue;
+    if ((to_B_m[i] - from_B_m[i]).norm() <= hub_reached_m) continue;
     const LimbChain chain(vehicle, limb);
     std::vector<double> before_rad =
         chain.reach(from_B_m[i], angles_rad[i], is_fixed[i]).angles_rad;
     for (int part = 1; part <= parts; ++part) {
       const Vec3 goal_B_m = from_B_m[i] + (to_B_m[i] - from_B_m[i]) * part / parts;
       const LimbChain::Reach reach = chain.reach(goal_B_m, before_rad, is_fixed[i]);
-      if (reach.error_m > hub_reached_m) {
+      if (!reach.is_there) {
         move.hindrance = reach_text(vehicle, limb, reach, is_fixed[i]);
         return move;
       }

@@ -109,6 +109,42 @@ TEST(Stance, height_moves_all_hubs_alike_and_back) {
   for (const Vec3& hub : hubs_B_m(standing)) EXPECT_NEAR(hub.z(), 0.5, 1e-3);
 }
 
+// With a fourth and fifth joint at the hub a limb can hold its wheel upright, as far as these turn.
+TEST(Stance, heights_end_where_a_wheel_would_lean) {
+  RoverSpec spec = test::rover_on_limbs();
+  const auto with_ankles = [&](double range_rad) {
+    RoverSpec changed = spec;
+    for (Limb& limb : std::get<Legged>(changed.suspension).limbs) {
+      for (LimbJoint& joint : limb.joints) {
+        joint.actuator.angle_min_rad = -(joint.actuator.angle_max_rad = 2.5);
+      }
+      LimbJoint ankle = limb.joints.back();
+      ankle.name = "ankle";
+      ankle.p_B_m = Vec3(limb.p_B_wheel_m.x(), limb.p_B_wheel_m.y(), 0.6);
+      ankle.actuator.angle_min_rad = -(ankle.actuator.angle_max_rad = range_rad);
+      LimbJoint roll = ankle;
+      roll.name = "roll";
+      roll.axis_B = ankle.axis_B.cross(Vec3::UnitZ());
+      limb.joints.push_back(ankle);
+      limb.joints.push_back(roll);
+    }
+    return make_vehicle(changed, "", 1.6);
+  };
+  const VehicleConfig stiff = with_ankles(0.2), free = with_ankles(1.5);
+  const HeightRange narrow = height_range(stiff), wide = height_range(free);
+  EXPECT_LT(narrow.greatest_m, wide.greatest_m - 0.05);
+  VehicleConfig high = stiff;
+  EXPECT_THAT(stand(high, at_height(high, hubs_B_m(high), narrow.greatest_m + 0.02)),
+              HasSubstr("limb_1_ankle is at the end of its range"));
+  EXPECT_EQ(stand(high, at_height(high, hubs_B_m(stiff), narrow.greatest_m - 0.01)), "");
+  const LimbChain chain(high, high.limbs.front());
+  std::vector<double> angles_rad;
+  for (const int joint : high.limbs.front().joints) {
+    angles_rad.push_back(high.links[static_cast<std::size_t>(joint)].initial);
+  }
+  EXPECT_GT(chain.pose(angles_rad).up_B.z(), std::cos(upright_within_rad));
+}
+
 TEST(PostureMove, takes_as_long_as_its_slowest_joint) {
   const VehicleConfig v = vehicle();
   const std::vector<Vec3> from = hubs_B_m(v), to = at_height(v, from, 1.0);
