@@ -86,6 +86,7 @@ double RestInertia::stiffest_mode_radps() const {
     double& joint = stiffness(base_freedoms + index, base_freedoms + index);
     if (link.limb) joint += link.limb->motor.stiffness_n_m_prad;
     if (link.steering) joint += link.steering->stiffness_n_m_prad;
+    if (link.drive) joint += link.drive->brake_stiffness_n_m_prad;
     if (!link.wheel) continue;
     const Vec3 contact_B_m =
         joint_at_rest_B_m(*vehicle_, index) - link.wheel->radius_m * Vec3::UnitZ();

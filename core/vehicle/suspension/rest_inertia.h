@@ -20,8 +20,8 @@ class RestInertia {
   // Inertia of a point of a link, kg: force along a unit vector for each unit of acceleration
   // there.
   double of_point(int link, const Vec3& p_B_m, const Vec3& direction_B) const;
-  // Angular frequency of the stiffest mode of the vehicle on the springs of its wheels and the
-  // servos of its limbs and steering, rad/s.
+  // Angular frequency of the stiffest mode of the vehicle on the springs of its wheels, the servos
+  // of its limbs and steering, and its brakes, rad/s.
   double stiffest_mode_radps() const;
 
  private:

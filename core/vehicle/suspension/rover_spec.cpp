@@ -119,19 +119,18 @@ std::optional<std::pair<double, double>> limits(const LinkConfig& link) {
   return {};
 }
 
-// Faults of the vehicle in the stance of a configuration; none for a vehicle without limbs.
+// Faults of the vehicle, with its load, in the stance of a configuration; none for a vehicle
+// without limbs.
 std::vector<std::string> stance_faults(const RoverSpec& spec,
                                        const RoverConfiguration& configuration) {
-  VehicleConfig standing = make_with(spec, nullptr, 1);
+  RoverConfiguration load = configuration;
+  load.height_m.reset();
+  VehicleConfig standing = make_with(spec, &load, 1);
   if (standing.limbs.empty()) {
     if (!configuration.height_m) return {};
     return {
         fmt::format("height_m = {}: only a rover on limbs (lsos.legged) can stand higher or lower",
                     *configuration.height_m)};
-  }
-  for (LinkConfig& link : standing.links) {
-    const auto joint = configuration.joints.find(link.name);
-    if (joint != configuration.joints.end()) link.initial = joint->second;
   }
   const std::string hindrance = apply_height(standing, configuration);
   if (!hindrance.empty()) {
@@ -141,8 +140,23 @@ std::vector<std::string> stance_faults(const RoverSpec& spec,
   std::vector<std::string> faults = rest_faults(standing, stance_tolerance_m);
   std::ranges::move(buried_joint_faults(standing), std::back_inserter(faults));
   if (faults.empty()) faults = balance_faults(standing);
+  if (faults.empty()) faults = ability_faults(standing);
   if (faults.empty()) faults = stability_faults(standing);
   return faults;
+}
+
+// Faults of a vehicle on limbs as low and as high as it can stand.
+std::vector<std::string> height_faults(const VehicleConfig& vehicle) {
+  if (vehicle.limbs.empty()) return {};
+  const HeightRange range = height_range(vehicle);
+  for (const double height_m : {range.least_m, range.greatest_m}) {
+    VehicleConfig standing = vehicle;
+    stand(standing, at_height(vehicle, hubs_B_m(vehicle), height_m));
+    for (const std::string& fault : stability_faults(as_it_stands(standing))) {
+      return {fmt::format("{:.2f} m over the ground: {}", height_m, fault)};
+    }
+  }
+  return {};
 }
 
 std::vector<std::string> configuration_faults(const RoverSpec& spec,
@@ -181,19 +195,21 @@ std::vector<std::string> configuration_faults(const RoverSpec& spec,
       }
     }
   }
-  if (faults.empty()) {
-    for (const std::string& text : stance_faults(spec, configuration)) fault(text);
-  }
-  if (configuration.payload_mass_kg == 0) return faults;
-  if (spec.vehicle.chassis.mass_kg + configuration.payload_mass_kg <= 0) {
+  if (configuration.payload_mass_kg != 0 &&
+      spec.vehicle.chassis.mass_kg + configuration.payload_mass_kg <= 0) {
     fault(fmt::format("payload_mass_kg = {}: the chassis has only {} kg to take off",
                       configuration.payload_mass_kg, spec.vehicle.chassis.mass_kg));
     return faults;
   }
+  if (faults.empty()) {
+    for (const std::string& text : stance_faults(spec, configuration)) fault(text);
+  }
+  if (configuration.payload_mass_kg == 0) return faults;
   const VehicleConfig loaded = make_with(spec, &configuration, 1);
   if (loaded.chassis.moments_kgm2.minCoeff() <= 0) {
     fault("payload_mass_kg: the chassis has no such mass at payload_position_m to take off");
   }
+  if (!loaded.limbs.empty()) return faults;  // these were checked in the configuration's stance
   for (const std::string& text : tipping_faults(spec, loaded)) fault(text);
   if (faults.empty()) {
     for (const std::string& text : stability_faults(loaded)) fault(text);
@@ -243,6 +259,7 @@ std::vector<std::string> vehicle_faults(const RoverSpec& spec) {
   add(tipping_faults(spec, whole));
   add(ability_faults(whole));
   if (faults.empty()) add(stability_faults(whole));
+  if (faults.empty()) add(height_faults(whole));
   std::set<std::string> names;
   for (const RoverConfiguration& configuration : spec.configurations) {
     if (!names.insert(configuration.name).second) {

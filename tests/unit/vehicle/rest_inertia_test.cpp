@@ -58,5 +58,14 @@ TEST(RestInertia, of_a_whole_rover_lifted_at_its_chassis_is_its_mass) {
               1e-9);
 }
 
+// A wheel that its brake holds on a body of no weight to speak of against it.
+TEST(RestInertia, the_stiffest_mode_counts_brakes) {
+  VehicleConfig vehicle = pair(JointType::revolute);
+  vehicle.links[0].drive = DriveMotor{};
+  vehicle.links[0].drive->brake_stiffness_n_m_prad = 900;
+  const double moment_kgm2 = RestInertia(vehicle).of_joint(0);
+  EXPECT_NEAR(RestInertia(vehicle).stiffest_mode_radps(), std::sqrt(900 / moment_kgm2), 1e-6);
+}
+
 }  // namespace
 }  // namespace lsos
