@@ -7,7 +7,10 @@
 //    gradient of e over x and y, b' = k up_x and c' = k up_y, where `up` is the vertical in the
 //    chassis' axes and k PostureGains::leveling_1ps. A chassis that is not to be level has b' = -k
 //    b instead: it lies parallel to the plane of its wheels.
-//  - Height. The mean of e returns to 0 with the same k.
+//  - Height. The mean of e returns to 0 with the same k. Where a limb is at its end and the
+//  attitude
+//    needs more of it, all hubs move the other way instead: the chassis gives up height, at most
+//    half of what its stance has, and turns on.
 //  - Load. What is left of the wheels' loads F after subtracting their best linear function of x
 //    and y says which limbs carry too much for any attitude: e' = g F, with
 //    PostureGains::load_sharing_mps_pn. Four or more limbs then share the load as evenly as the
@@ -34,6 +37,8 @@ class PostureControl {
 
   const std::vector<LimbChain>& chains() const { return chains_; }
   const std::vector<Vec3>& hubs_B_m() const { return nominal_B_m_; }  // nominal, by limb
+  // The nominal hubs at the end of the move that is under way.
+  const std::vector<Vec3>& target_hubs_B_m() const { return target_B_m_; }
   bool is_level() const { return is_level_; }
 
   // Begins to move the nominal hubs to `hubs_B_m`, along straight lines, in `duration_s`.
@@ -50,7 +55,8 @@ class PostureControl {
   std::vector<std::vector<double>> rates_radps(const Input& input);
 
   // Whether it moves the limbs although the vehicle stands. It ends when the rates are so low that
-  // nothing more is gained, and after a minute in any case.
+  // nothing more is gained, and after this time in any case.
+  static constexpr SimTime longest{60'000'000};
   bool is_adjusting() const { return is_adjusting_; }
   // Begins to adjust again.
   void wake();
@@ -58,14 +64,30 @@ class PostureControl {
   void archive(Archive& a);
 
  private:
-  std::vector<double> extension_rates_mps(const Input& input,
-                                          const std::vector<double>& extensions_m) const;
+  // Rates of the extensions by limb: all of each, its part that turns the chassis, and the part of
+  // all that keeps the height.
+  struct ExtensionRates {
+    std::vector<double> whole_mps, turning_mps;
+    double height_mps = 0;
+  };
+  ExtensionRates extension_rates(const Input& input, const std::vector<double>& extensions_m) const;
+  // Angles after the next period, by joint, and the share of the way along the chassis' z axis that
+  // the hub does not make, because the limb is at its end.
+  struct LimbStep {
+    std::vector<double> angles_rad;
+    double missed_share = 0;
+  };
+  LimbStep limb_step(std::size_t limb, const Input& input, const Vec3& move_m) const;
+  // What is added to all extension rates where a limb is at its end.
+  double yield_mps(const Input& input, const ExtensionRates& rates,
+                   const std::vector<LimbStep>& steps, double mean_extension_m) const;
 
   int steps_ = 1;
   double period_s_ = 0;
   std::vector<LimbChain> chains_;
   std::optional<PostureGains> gains_;
   std::vector<std::vector<LimbActuator>> actuators_;  // by limb and joint
+  double grounded_z_m_ = 0;  // mean z of the hubs with the chassis' underside on the ground
   std::vector<Vec3> nominal_B_m_, target_B_m_;
   double move_left_s_ = 0;
   bool is_level_ = true;
