@@ -44,7 +44,7 @@ struct FollowerPose {
   double yaw_rad = 0;                  // counter-clockwise from east
   double speed_mps = 0;                // magnitude
   double left_mps = 0;                 // its component across the heading: side slip, or crabbing
-  double pitch_rad = 0, roll_rad = 0;  // nose up, right side down
+  double pitch_rad = 0, roll_rad = 0;  // of the ground, see VehicleReport::incline_pitch_rad
 };
 
 class PathFollower {

@@ -13,9 +13,7 @@ namespace lsos {
 
 namespace {
 
-constexpr SimTime settle_least{1'000'000}, settle_longest{20'000'000};
 constexpr double underside_spacing_m = 0.5;  // a rock or crest between points is not felt
-constexpr double settled_mps = 1e-4;
 // Time for which a contact plane serves. The search for the contact mostly settles in it
 // (search_smoothing_s): on crests of up to 1.7 times the wheel's curvature with steps of 10 ms, 1.9
 // times with 5 ms.
@@ -86,76 +84,6 @@ Vec3 Vehicle::reference_velocity_S_mps() const {
 double Vehicle::speed_along_ground_mps() const {
   const Vec3 v_S_mps = reference_velocity_S_mps();
   return (v_S_mps - v_S_mps.dot(ground_normal_S_) * ground_normal_S_).norm();
-}
-
-std::string Vehicle::place(const Geodetic& at, double heading_rad) {
-  const SiteFrame& site = ground_->site();
-  const std::optional<double> elevation_m = ground_->elevation_m(at);
-  if (!elevation_m) return "the terrain is not known there";
-  const Vec3 p_S_m = site.p_S_m({at.lon_rad, at.lat_rad, *elevation_m});
-  const Vec3 up = site.up_S(p_S_m);
-  const Vec3 ahead = site.horizontal_S(heading_rad, p_S_m);
-
-  // The plane through the ground under the wheels gives the initial attitude.
-  std::vector<Vec3> feet_S_m;
-  for (const Vec2& wheel_B_m : wheel_places_B_m()) {
-    const Vec3 over = p_S_m + wheel_B_m.x() * ahead + wheel_B_m.y() * up.cross(ahead);
-    const GroundSample ground = probe_.sample(over);
-    if (!ground.is_ground()) return "the terrain is not known under one of its wheels";
-    feet_S_m.push_back(over - ground.gap_m * up);
-  }
-  const PlaneFit plane = fit_plane(feet_S_m, up);
-  const Vec3 above = stands_level() ? up : plane.normal;
-  Mat3 R_SB;
-  R_SB.col(2) = above;
-  // `ahead` is moved vertically onto the plane: projected along the plane's normal it would change
-  // the heading on a slope that also falls to the side.
-  const double rise = -ahead.dot(above) / up.dot(above);
-  R_SB.col(0) = (ahead + rise * up).normalized();
-  R_SB.col(1) = R_SB.col(2).cross(R_SB.col(0));
-  const double height_m = (plane.point - p_S_m).dot(plane.normal) / up.dot(plane.normal);
-  const Placement placement = on_feet(p_S_m + height_m * up, R_SB, feet_S_m);
-  bodies_.place(placement.p_SB_m, R_SB, placement.joints);
-  // With joints that do not begin at rest, wheels may be below the ground.
-  double deepest_m = 0;
-  for (const WheelPart& part : parts_) {
-    const Vec3& hub_S_m = bodies_.motion(part.link).p_C_S_m;
-    deepest_m =
-        std::max(deepest_m, part.shape->radius_m - (hub_S_m - plane.point).dot(plane.normal));
-  }
-  bodies_.place(placement.p_SB_m + deepest_m * plane.normal, R_SB, placement.joints);
-  for (std::size_t i = 0; i < wheels_.size(); ++i) {
-    const WheelMode mode = wheels_[i].mode;
-    wheels_[i] = {};
-    wheels_[i].mode = mode;
-    wheels_[i].brake_anchor_rad = bodies_.joint_position(parts_[i].link);
-    wheels_[i].search_S = plane.normal;
-  }
-  for (std::size_t i = 0; i < steerings_.size(); ++i) {
-    const double angle_rad = bodies_.joint_position(layout_.steerings[i].link);
-    steerings_[i] = {angle_rad, angle_rad, steerings_[i].is_stuck};
-  }
-  hold_limbs();
-
-  command({});
-  bool is_settled = false;
-  for (SimTime t{}; t < settle_longest && !is_settled; t += exchange_period) {
-    advance(exchange_period);
-    is_settled = t >= settle_least && reference_velocity_S_mps().norm() < settled_mps;
-    if (!fault_.empty()) return fault_;
-  }
-  if (!is_settled) {
-    return fmt::format(
-        "it does not come to rest there: after {} s it still moves at {:.2g} m/s; the plane under "
-        "its wheels slopes by {:.0f} deg",
-        seconds(settle_longest), reference_velocity_S_mps().norm(),
-        degrees(std::acos(std::clamp(plane.normal.dot(up), -1.0, 1.0))));
-  }
-  halt();
-  distance_m_ = drive_j_ = drive_w_ = 0;
-  work_ = {};
-  steps_ = 0;
-  return "";
 }
 
 void Vehicle::set_wheel_mode(std::size_t wheel, WheelMode mode) {
@@ -273,9 +201,16 @@ VehicleReport Vehicle::report() {
   }
   if (touching > 0) report.sinkage_m = sinkage_sum_m / touching;
   if (slipping > 0) report.slip = slip_sum / slipping;
+  report.incline_pitch_rad = report.pitch_rad;
+  report.incline_roll_rad = report.roll_rad;
   if (feet_S_m.size() >= 3) {
     const Vec3 normal_S = fit_plane(feet_S_m, up).normal;
     report.slope_rad = std::atan2(normal_S.cross(up).norm(), normal_S.dot(up));
+    if (stands_level()) {
+      const Vec3 along = left.cross(normal_S).normalized(), across = normal_S.cross(along);
+      report.incline_pitch_rad = std::asin(std::clamp(along.dot(up), -1.0, 1.0));
+      report.incline_roll_rad = std::atan2(across.dot(up), normal_S.dot(up));
+    }
   }
   return report;
 }

@@ -27,8 +27,11 @@ struct VehicleReport {
   double yaw_rate_radps = 0;
   double speed_mps = 0;             // speed of the reference point along the ground
   double slope_rad = not_modelled;  // slope of the plane fitted to the ground under the wheels
-  double slip = not_modelled;       // mean over driven wheels in contact
-  double slip_max = not_modelled;   // slip of the wheel that slips most, with its sign
+  // Inclination that gravity acts by along and across the heading: the chassis' pitch and roll, but
+  // those of that plane where posture control keeps the chassis level.
+  double incline_pitch_rad = 0, incline_roll_rad = 0;
+  double slip = not_modelled;      // mean over driven wheels in contact
+  double slip_max = not_modelled;  // slip of the wheel that slips most, with its sign
   double sinkage_m = not_modelled;
   double elevation_m = not_modelled;  // elevation of the ground under the reference point
   bool is_on_ground_data = true;      // the terrain is known under every wheel
@@ -37,8 +40,8 @@ struct VehicleReport {
 
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, p_S_m, v_S_mps, heading_rad, pitch_rad, roll_rad, yaw_rad, yaw_rate_radps,
-                 speed_mps, slope_rad, slip, slip_max, sinkage_m, elevation_m, is_on_ground_data,
-                 is_chassis_on_ground, is_finite);
+                 speed_mps, slope_rad, incline_pitch_rad, incline_roll_rad, slip, slip_max,
+                 sinkage_m, elevation_m, is_on_ground_data, is_chassis_on_ground, is_finite);
   }
 };
 
@@ -70,9 +73,12 @@ class Vehicle {
 
   const VehicleConfig& config() const { return config_; }
 
-  // Places the vehicle on the ground and lets it settle on its springs with brakes on. Returns ""
-  // or the reason why it cannot stand there: no terrain data under a wheel, or ground too steep.
+  // Places the vehicle on the ground and lets it settle on its springs and limbs with brakes on.
+  // Returns "" or the reason why it cannot stand there: no terrain data under a wheel, or ground
+  // too steep.
   std::string place(const Geodetic& at, double heading_rad);
+  // The same before it settles.
+  std::string put_down(const Geodetic& at, double heading_rad);
 
   // Takes effect with the next `advance`.
   void command(const DriveCommand& command);
@@ -97,8 +103,11 @@ class Vehicle {
   bool stands_level() const;
   // Whether limbs move although the vehicle stands.
   bool is_adjusting() const { return posture_ && posture_->is_adjusting(); }
-  // Angles to which the joints of limbs are commanded, by limb and joint.
+  // Angles to which the joints of limbs are commanded, by limb and joint, and the real ones.
   std::vector<std::vector<double>> limb_angles_rad() const;
+  std::vector<std::vector<double>> limb_positions_rad() const;
+  // Where the limbs really hold the wheels' hubs (frame B, by limb).
+  std::vector<Vec3> hubs_B_m() const;
   // Makes a limb's joint (by link) unable to turn, or able again.
   void set_limb_locked(int link, bool is_locked);
   std::vector<std::vector<bool>> limbs_locked() const;  // by limb and joint

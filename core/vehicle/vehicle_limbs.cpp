@@ -1,4 +1,4 @@
-// Limbs of a vehicle: how it is placed on them, their motors, and what its posture is measured by.
+// Limbs of a vehicle: their motors, and what its posture is measured by.
 #include <algorithm>
 #include <cmath>
 
@@ -22,41 +22,6 @@ std::vector<Vec2> Vehicle::wheel_places_B_m() const {
     places_B_m[limb_wheels_[i]] = posture_->hubs_B_m()[i].head<2>();
   }
   return places_B_m;
-}
-
-// On limbs, the chassis is as high over the middle of the ground under the wheels as its stance
-// says; with posture control each limb reaches to the ground under its own wheel.
-Vehicle::Placement Vehicle::on_feet(const Vec3& p_SB_m, const Mat3& R_SB,
-                                    const std::vector<Vec3>& feet_S_m) const {
-  Placement placement{p_SB_m, {}};
-  for (const LinkConfig& link : config_.links) placement.joints.push_back(link.initial);
-  if (!posture_) return placement;
-  const auto count = static_cast<double>(limb_wheels_.size());
-  std::vector<Vec3> hubs_B_m;  // over the ground, seen from p_SB_m
-  double rise_m = 0;
-  for (std::size_t i = 0; i < limb_wheels_.size(); ++i) {
-    const std::size_t wheel = limb_wheels_[i];
-    const Vec3 foot_B_m = R_SB.transpose() * (feet_S_m[wheel] - p_SB_m);
-    hubs_B_m.push_back(posture_->hubs_B_m()[i]);
-    const double nominal_m = hubs_B_m[i].z();
-    hubs_B_m[i].z() = foot_B_m.z() + parts_[wheel].shape->radius_m;
-    rise_m += (hubs_B_m[i].z() - nominal_m) / count;
-  }
-  placement.p_SB_m += rise_m * R_SB.col(2);
-  if (!config_.posture) return placement;
-  for (std::size_t i = 0; i < limb_wheels_.size(); ++i) {
-    const std::vector<int>& joints = config_.limbs[i].joints;
-    std::vector<double> angles_rad;
-    for (const int joint : joints) {
-      angles_rad.push_back(placement.joints[static_cast<std::size_t>(joint)]);
-    }
-    const Vec3 goal_B_m = hubs_B_m[i] - rise_m * Vec3::UnitZ();
-    angles_rad = posture_->chains()[i].reach(goal_B_m, angles_rad).angles_rad;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      placement.joints[static_cast<std::size_t>(joints[j])] = angles_rad[j];
-    }
-  }
-  return placement;
 }
 
 // Commands each limb to the angles at which its joints are.
@@ -83,6 +48,24 @@ std::vector<std::vector<double>> Vehicle::limb_angles_rad() const {
     for (const LimbJointState& joint : limb) angles.push_back(joint.setpoint_rad);
   }
   return angles_rad;
+}
+
+std::vector<std::vector<double>> Vehicle::limb_positions_rad() const {
+  std::vector<std::vector<double>> angles_rad;
+  for (const LimbConfig& limb : config_.limbs) {
+    std::vector<double>& angles = angles_rad.emplace_back();
+    for (const int joint : limb.joints) angles.push_back(bodies_.joint_position(joint));
+  }
+  return angles_rad;
+}
+
+std::vector<Vec3> Vehicle::hubs_B_m() const {
+  const std::vector<std::vector<double>> angles_rad = limb_positions_rad();
+  std::vector<Vec3> hubs;
+  for (std::size_t i = 0; i < angles_rad.size(); ++i) {
+    hubs.push_back(posture_->chains()[i].pose(angles_rad[i]).hub_B_m);
+  }
+  return hubs;
 }
 
 void Vehicle::update_posture() {
@@ -122,7 +105,7 @@ double Vehicle::apply_limbs(double step_s) {
                                            -torque_max_n_m, torque_max_n_m);
       bodies_.add_joint_force(link, torque_n_m);
       work_.limbs_j += torque_n_m * rate * step_s;
-      if (is_turning) electrical_w += limb_power_w(motor, torque_n_m, joint.rate_radps);
+      if (is_turning) electrical_w += limb_power_w(motor, torque_n_m, rate);
     }
   }
   return electrical_w;
@@ -134,6 +117,7 @@ void Vehicle::set_limb_locked(int link, bool is_locked) {
       if (config_.limbs[i].joints[j] == link) limb_joints_[i][j].is_locked = is_locked;
     }
   }
+  if (posture_ && !is_locked) posture_->wake();  // it does what it could not
 }
 
 std::vector<std::vector<bool>> Vehicle::limbs_locked() const {
