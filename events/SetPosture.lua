@@ -13,6 +13,9 @@ local function check(p, rover)
   if not rover.height_max_m then
     return rover.type .. ' has no limbs: it cannot change its posture'
   end
+  if p.level ~= nil and not rover.has_posture_control then
+    return ('Level: %s has no posture control: it lies as the ground does'):format(rover.type)
+  end
   local h = p.height_m
   if h and (h < rover.height_min_m or h > rover.height_max_m) then
     return ('Height = %g m: %s can stand with %.2f to %.2f m under its chassis')
@@ -32,7 +35,10 @@ end
 local function move(ev, rover)
   local left_s = ev.state.takes_s - ev.phase_elapsed_s
   if left_s > 0 then return lsos.sleep(left_s) end
-  if not rover.is_adjusting then return lsos.done end
+  if rover.is_adjusting then return nil end
+  local why = rover.stance_fault
+  if why then return lsos.fail('%s', why) end
+  return lsos.done
 end
 
 -- What moves is not stopped.

@@ -62,7 +62,8 @@
 ---@field turning_radius_m number The least; 0: it turns on the spot.
 ---@field is_parked boolean Brakes on and standing still.
 ---@field is_adjusting boolean Its limbs move although it stands.
----@field clearance_m number Under its chassis, as its stance says; nil when it is not on limbs.
+---@field clearance_m number Under its chassis, mean over its wheels; nil when it is not on limbs.
+---@field stance_fault string Why its limbs, which no longer move, are not in their stance; nil when they are.
 ---@field drive lsos.rover.drive What became of its last drive.
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
 ---@field panels lsos.rover.panels Its solar panels.
@@ -172,7 +173,7 @@
 ---@field goes_on_without_power? boolean It starts and goes on also when the battery is empty (default false).
 ---@field start? string The first phase; may be left out if there is one.
 ---@field phases table Phase name = function(ev, rover) or lsos.sub_event {...}.
----@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `generator_w`, `height_min_m`, `height_max_m` (on limbs), `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
+---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `generator_w`, `height_min_m`, `height_max_m`, `has_posture_control` (on limbs), `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its routes: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field breaks? any For an event that breaks or repairs something: gives what rover:break_part will be told, so that a plan is checked for what the rover has.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.

@@ -277,7 +277,7 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
       "parameters together, as a text, or nil; and what to warn of, as a second text. "
       "rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, "
       "`crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `generator_w`, "
-      "`height_min_m`, `height_max_m` (on limbs), `slope_max_rad`, "
+      "`height_min_m`, `height_max_m`, `has_posture_control` (on limbs), `slope_max_rad`, "
       "`panels` (each with "
       "`name`, "
       "`turns`, "

@@ -55,6 +55,7 @@ void push_rover_facts(lua_State* L, const PlanRover& rover, const RoverModel& mo
   if (model.heights) {
     set(L, "height_min_m", model.heights->least_m);
     set(L, "height_max_m", model.heights->greatest_m);
+    set(L, "has_posture_control", std::get<Legged>(model.spec.suspension).posture.has_value());
   }
   if (!rover.configuration.empty()) set(L, "configuration", rover.configuration);
   if (model.limits.slope_max_rad) set(L, "slope_max_rad", *model.limits.slope_max_rad);

@@ -45,6 +45,16 @@ int is_adjusting(lua_State* L) {
   return 1;
 }
 
+int stance_fault(lua_State* L) {
+  const std::string& fault = view_of(L).stance_fault;
+  if (fault.empty()) {
+    lua_pushnil(L);
+  } else {
+    lua_pushstring(L, fault.c_str());
+  }
+  return 1;
+}
+
 int set_posture(lua_State* L) {
   RoverPort& rover = rover_of(L);
   luaL_checktype(L, 2, LUA_TTABLE);
@@ -291,7 +301,9 @@ const HandleType& rover_handle_type() {
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
        {"is_adjusting", is_adjusting, "boolean", "Its limbs move although it stands."},
        {"clearance_m", quantity<&V::clearance_m>, "number",
-        "Under its chassis, as its stance says; nil when it is not on limbs."},
+        "Under its chassis, mean over its wheels; nil when it is not on limbs."},
+       {"stance_fault", stance_fault, "text",
+        "Why its limbs, which no longer move, are not in their stance; nil when they are."},
        {"drive", drive, "rover.drive", "What became of its last drive."},
        {"battery", battery, "rover.battery", "Its energy; nil when the rover has no battery."},
        {"panels", panels, "rover.panels", "Its solar panels."},

@@ -84,6 +84,17 @@ TEST(Limbs, that_cannot_level_the_chassis_are_warned_of) {
   EXPECT_THAT(result.summary["warnings"].dump(), HasSubstr("A: stands tilted by "));
 }
 
+// The limbs down the slope are at their ends, so that it stands lower.
+TEST(Limbs, that_do_not_reach_their_stance_at_the_start_are_warned_of) {
+  const TempFolder folder;
+  write_terrain(folder, "Hill", "lsos.plane { slope_rad = math.rad(20) }", "'ApolloNominal'");
+  const RunResult result =
+      run_plan(folder, {on("Hill"), rover("ATHLETE", "A", place(0, 0), {{"RoverConfig", "Tall"}}),
+                        event("Pause", "A", 1, {{"Duration", "30"}}, "")});
+  EXPECT_THAT(result.summary["warnings"].dump(), HasSubstr("A: its chassis is 1."));
+  EXPECT_THAT(result.summary["warnings"].dump(), HasSubstr("over the ground instead of 1.90 m"));
+}
+
 TEST(Limbs, do_not_change_runs_that_are_saved_and_read_back_at_each_exchange) {
   const std::vector<Mark> plan{
       {"MissionInfo",

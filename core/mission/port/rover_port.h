@@ -29,8 +29,10 @@ struct RoverView {
   double length_m = 0;          // length of its footprint
   double turning_radius_m = 0;  // the least; 0: it turns on the spot
   bool is_parked = false;
-  bool is_adjusting = false;          // its limbs move although it stands
-  double clearance_m = not_modelled;  // on limbs: under the chassis, as its stance says
+  bool is_adjusting = false;  // its limbs move although it stands
+  // On limbs: under the chassis, mean over the wheels as the limbs hold them.
+  double clearance_m = not_modelled;
+  std::string stance_fault;  // why its limbs, which no longer move, are not in their stance
 };
 
 // State of the drive that the last `follow` or `follow_rover` began. Behind another rover,

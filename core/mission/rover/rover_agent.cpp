@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "vehicle/limb_hindrance.h"
+
 namespace lsos {
 
 namespace {
@@ -43,6 +45,10 @@ void RoverAgent::place(double default_heading_rad) {
   motion_.read();
   update_view();
   tally_.add(motion_.report());
+  drive_.warn_of_stance();
+  if (!view_.stance_fault.empty()) {
+    journal_.warn(fmt::format("{}: {}", rover_.id, view_.stance_fault));
+  }
 }
 
 void RoverAgent::advance() { motion_.vehicle().advance(exchange_period); }
@@ -114,6 +120,7 @@ void RoverAgent::update_view() {
   view_.is_parked = is_parked();
   view_.is_adjusting = motion_.is_adjusting();
   view_.clearance_m = posture_clearance_m(motion_.vehicle());
+  view_.stance_fault = stance_fault(motion_.vehicle());
 }
 
 Vec3 RoverAgent::antenna_S_m() const {

@@ -36,6 +36,7 @@ void RoverAgent::apply(const BreakageOfParts& breakage, SimTime from) {
         break;
       case Equipment::limb:
         vehicle.set_limb_locked(part.index, breaks);
+        if (!breaks) drive_.wake();  // it goes on to what it could not reach
         break;
       case Equipment::antenna:
         antennas_.set_dead(index, breaks, from);

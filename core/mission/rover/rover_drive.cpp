@@ -10,6 +10,8 @@
 #include "mission/port/note_json.h"
 #include "mission/routes/follower_limits.h"
 #include "vehicle/follower_pose.h"
+#include "vehicle/limb_hindrance.h"
+#include "vehicle/limb_stance.h"
 
 namespace lsos {
 
@@ -159,20 +161,32 @@ void RoverDrive::control() {
     exchanges_at_rest_ = 0;
     motion_->vehicle().halt();
     if (!motion_->is_broken()) motion_->read();
-    warn_of_tilt();
+    warn_of_stance();
   }
 }
 
-// Levelling that ends at the limits of the limbs, or with joints that do not turn. It is said once
-// for each stance: a drive over a slope may park many times.
-void RoverDrive::warn_of_tilt() {
+void RoverDrive::warn_of_stance() {
+  const Vehicle& vehicle = motion_->vehicle();
+  if (!motion_->fault().empty() || vehicle.posture() == nullptr) return;
   const VehicleReport& report = motion_->report();
-  if (!motion_->fault().empty() || !motion_->vehicle().stands_level()) return;
   const double tilt_rad = std::acos(std::cos(report.pitch_rad) * std::cos(report.roll_rad));
-  if (tilt_rad <= level_within_rad || std::exchange(has_warned_of_tilt_, true)) return;
+  const bool is_tilted = vehicle.stands_level() && tilt_rad > level_within_rad;
+  // It is said once for each stance: a drive over a slope may park many times.
+  if (is_tilted && !std::exchange(has_warned_of_tilt_, true)) {
+    const std::string hindrance = limbs_hindrance(vehicle);
+    journal_->warn(fmt::format("{}: stands tilted by {:.1f} deg, though it is to be level{}",
+                               journal_->rover_id(), degrees(tilt_rad),
+                               hindrance.empty() ? "" : ": " + hindrance));
+  }
+  // What a drive ended with is said already, and what it began with.
+  const bool is_new = failure_.empty() && !may_touch_with_chassis_;
+  may_touch_with_chassis_ = report.is_chassis_on_ground;
+  if (!report.is_chassis_on_ground || !is_new) return;
+  journal_->note("chassis_on_ground", "{}");
   journal_->warn(fmt::format(
-      "{}: stands tilted by {:.1f} deg, though it is to be level: its limbs can do no more",
-      journal_->rover_id(), degrees(tilt_rad)));
+      "{}: its chassis rests on the ground, not on its limbs alone; it is {:.2f} m over "
+      "the middle of its wheels' ground",
+      journal_->rover_id(), height_m(vehicle.config(), vehicle.hubs_B_m())));
 }
 
 void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {

@@ -50,6 +50,8 @@ class RoverDrive {
   void wake() { is_parked_ = false; }
   // The same for another stance, in which it may stand tilted again.
   void wake_in_other_stance() { is_parked_ = has_warned_of_tilt_ = false; }
+  // Warns of a rover on limbs that rests otherwise than it is to: tilted, or on its chassis.
+  void warn_of_stance();
   // Ends the drive, when there is one, for a reason that it does not note.
   void fail(const std::string& reason);
   // Ends the drive because the rover would touch another or an asset, whose centre is `distance_m`
@@ -73,7 +75,6 @@ class RoverDrive {
  private:
   FollowerLimits limits(double speed_mps) const;
   void update_slip();
-  void warn_of_tilt();
   void find_hindrances();
   void give(const DriveCommand& command);
   void fail_with_note(const std::string& reason, const std::string& finding,

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "mission/port/equipment_fault.h"
 #include "vehicle/limb_stance.h"
+#include "vehicle/plane_fit.h"
 #include "vehicle/posture_move.h"
 #include "vehicle/suspension/vehicle_checks.h"
 
@@ -23,6 +24,44 @@ const LimbStance& stance_named(const VehicleConfig& vehicle, const std::string& 
                                        did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
+std::vector<Vec3> commanded_hubs_B_m(const Vehicle& vehicle) {
+  const std::vector<std::vector<double>> angles_rad = vehicle.limb_angles_rad();
+  std::vector<Vec3> hubs_B_m;
+  for (std::size_t i = 0; i < angles_rad.size(); ++i) {
+    hubs_B_m.push_back(vehicle.posture()->chains()[i].pose(angles_rad[i]).hub_B_m);
+  }
+  return hubs_B_m;
+}
+
+// The hubs of a stance on the ground that the rover stands on: limbs stay as far out as they are,
+// but for what levels the chassis, or lays it parallel to the plane of its wheels.
+std::vector<Vec3> on_this_ground_B_m(const Vehicle& vehicle, const std::vector<Vec3>& stance_B_m,
+                                     bool is_level) {
+  const std::vector<Vec3>& nominal_B_m = vehicle.posture()->hubs_B_m();
+  const std::vector<Vec3> hubs_B_m = commanded_hubs_B_m(vehicle);
+  std::vector<Vec3> extensions;
+  for (std::size_t i = 0; i < hubs_B_m.size(); ++i) {
+    const double extension_m = hubs_B_m[i].z() - nominal_B_m[i].z();
+    extensions.emplace_back(nominal_B_m[i].x(), nominal_B_m[i].y(), extension_m);
+  }
+  const PlaneFit plane = fit_plane(extensions, Vec3::UnitZ());
+  const Vec3 along_B = is_level ? vehicle.up_B() : plane.normal;
+  const Vec2 gradient = along_B.head<2>() / along_B.z();
+  std::vector<Vec3> there_B_m = stance_B_m;
+  for (std::size_t i = 0; i < there_B_m.size(); ++i) {
+    const Vec2 from_middle_m = (nominal_B_m[i] - plane.point).head<2>();
+    // Without the mean: the chassis has its height over the middle of its wheels.
+    there_B_m[i].z() += extensions[i].z() - plane.point.z() + gradient.dot(from_middle_m);
+  }
+  return there_B_m;
+}
+
+// The vertical in the axes of a chassis that lies parallel to the plane of its wheels.
+Vec3 up_over_wheels(const Vehicle& vehicle) {
+  const Vec3 normal_B = fit_plane(vehicle.hubs_B_m(), Vec3::UnitZ()).normal;
+  return Quat::FromTwoVectors(normal_B, Vec3::UnitZ()) * vehicle.up_B();
+}
+
 }  // namespace
 
 double set_posture(Vehicle& vehicle, const PostureRequest& request) {
@@ -31,9 +70,13 @@ double set_posture(Vehicle& vehicle, const PostureRequest& request) {
     throw EquipmentFault(
         fmt::format("a {} has no limbs: it cannot change its stance", config.type));
   }
+  if (request.is_level && !config.posture) {
+    throw EquipmentFault(
+        fmt::format("Level: {} has no posture control: it lies as the ground does", config.type));
+  }
   const PostureControl& posture = *vehicle.posture();
-  const std::vector<Vec3>& from_B_m = posture.hubs_B_m();
-  std::vector<Vec3> to_B_m = from_B_m;
+  // Without a stance or a height the limbs end where a move under way would have ended.
+  std::vector<Vec3> to_B_m = posture.target_hubs_B_m();
   bool is_level = true;
   if (request.stance) {
     const LimbStance& stance = stance_named(config, *request.stance);
@@ -41,10 +84,16 @@ double set_posture(Vehicle& vehicle, const PostureRequest& request) {
     is_level = stance.is_level;
   }
   if (request.height_m) to_B_m = at_height(config, to_B_m, *request.height_m);
-  is_level = request.is_level.value_or(is_level);
+  is_level = config.posture && request.is_level.value_or(is_level);
 
-  const PostureMove move =
-      posture_move(config, from_B_m, to_B_m, vehicle.limb_angles_rad(), vehicle.limbs_locked());
+  const std::vector<Vec3>& nominal_B_m = posture.hubs_B_m();
+  std::vector<Vec3> from_B_m = commanded_hubs_B_m(vehicle);
+  for (std::size_t i = 0; i < from_B_m.size(); ++i) {
+    from_B_m[i].head<2>() = nominal_B_m[i].head<2>();
+  }
+  const PostureMove move = posture_move(
+      config, from_B_m, config.posture ? on_this_ground_B_m(vehicle, to_B_m, is_level) : to_B_m,
+      vehicle.limb_angles_rad(), vehicle.limbs_locked());
   if (!move.hindrance.empty()) throw EquipmentFault(move.hindrance);
   if (request.duration_s && *request.duration_s < move.least_s) {
     throw EquipmentFault(fmt::format("{} needs {:.1f} s at its greatest rate, Duration is {:.6g} s",
@@ -52,8 +101,8 @@ double set_posture(Vehicle& vehicle, const PostureRequest& request) {
   }
   VehicleConfig standing = config;
   stand(standing, to_B_m);
-  const Vec3 up_B = is_level ? Vec3(Vec3::UnitZ()) : vehicle.up_B();
-  if (!is_balanced(as_it_stands(standing), up_B)) {
+  if (!is_balanced(as_it_stands(standing),
+                   is_level ? Vec3(Vec3::UnitZ()) : up_over_wheels(vehicle))) {
     throw EquipmentFault("its centre of mass would not be over its wheels");
   }
   const double takes_s = request.duration_s.value_or(move.least_s);
@@ -62,8 +111,8 @@ double set_posture(Vehicle& vehicle, const PostureRequest& request) {
 }
 
 double posture_clearance_m(const Vehicle& vehicle) {
-  const PostureControl* posture = vehicle.posture();
-  return posture == nullptr ? not_modelled : height_m(vehicle.config(), posture->hubs_B_m());
+  return vehicle.posture() == nullptr ? not_modelled
+                                      : height_m(vehicle.config(), vehicle.hubs_B_m());
 }
 
 }  // namespace lsos

@@ -9,7 +9,8 @@ namespace lsos {
 // See RoverPort::set_posture().
 double set_posture(Vehicle& vehicle, const PostureRequest& request);
 
-// Height of the chassis' underside over the ground, as the stance says; NaN: not on limbs.
+// Height of the chassis' underside over the ground, mean over the wheels as the limbs hold them;
+// NaN: not on limbs.
 double posture_clearance_m(const Vehicle& vehicle);
 
 }  // namespace lsos
