@@ -28,6 +28,8 @@ namespace {
 constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz", "report.html",
                                "report.png",   "plan.kml",     "mission.qgz", "hillshade.tif",
                                "log.gpkg",     "log.gpkg-wal", "log.gpkg-shm"};
+// What a run that goes on needs.
+constexpr std::array kept_files{"plan.kml", "log.gpkg", "log.gpkg-wal", "log.gpkg-shm"};
 
 // Empty while a folder is being checked; contains `run_mark` from `prepare` on.
 constexpr const char* lock_name = ".lsos-host.lock";
@@ -73,6 +75,14 @@ Content content_of(const fs::path& folder) {
   return has_more ? Content::foreign : Content::nothing;
 }
 
+bool can_resume(const fs::path& folder) {
+  try {
+    return !LogReader((folder / "log.gpkg").string()).checkpoints().empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 void refuse_foreign(const std::string& path, const Content content) {
   if (content != Content::foreign) return;
   throw InputError({path},
@@ -109,9 +119,12 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
     const Content content = content_of(path_);
     refuse_foreign(path_, content);
     if (content == Content::unfinished_run && !force) {
-      throw InputError({path_},
-                       "holds a run that has not finished; --force replaces it, -o names another "
-                       "folder");
+      throw InputError(
+          {path_},
+          fmt::format(
+              "holds a run that has not finished; {}--force replaces it, -o "
+              "names another folder",
+              can_resume(path_) ? "'lsos-host resume " + path_ + "' goes on with it, " : ""));
     }
     check_replaceable();
   } catch (const fs::filesystem_error& error) {
@@ -119,6 +132,30 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
     throw InputError({path_},
                      fmt::format("cannot be the folder of a run: {}; name another folder with -o",
                                  error.code().message()));
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+RunFolder::RunFolder(const std::string& path) : path_(path) {
+  while (path_.size() > 1 && path_.back() == '/') path_.pop_back();
+  const auto check = [this] {
+    std::error_code unreadable;
+    const bool is_folder = fs::is_directory(path_, unreadable);
+    const Content content = is_folder ? content_of(path_) : Content::nothing;
+    const bool has_run = content == Content::finished_run || content == Content::unfinished_run;
+    if (has_run && is_there(fs::path(path_) / "log.gpkg")) return;
+    throw InputError({path_}, is_folder ? "holds no run of lsos-host" : "no such folder");
+  };
+  try {
+    check();  // before locking: in a foreign folder not even a lock file may be created
+    lock();
+    check();
+    check_replaceable();
+  } catch (const fs::filesystem_error& error) {
+    release();
+    throw InputError({path_}, error.code().message());
   } catch (...) {
     release();
     throw;
@@ -181,16 +218,29 @@ void RunFolder::check_replaceable() {
 }
 
 void RunFolder::prepare() {
+  mark_unfinished();
+  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
+}
+
+void RunFolder::reopen() {
+  mark_unfinished();
+  for (const char* name : run_files) {
+    if (std::ranges::count(kept_files, std::string_view(name)) == 0) remove(name);
+  }
+}
+
+void RunFolder::mark_unfinished() {
   // The lock file holds this mark or nothing, so one write suffices.
   if (::pwrite(lock_, run_mark.data(), run_mark.size(), 0) != std::ssize(run_mark)) {
     throw OutputError(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
   }
   is_prepared_ = true;
-  for (const char* name : run_files) {
-    for (const std::string& old : {file(name), file(name) + std::string(part_suffix)}) {
-      if (::unlink(old.c_str()) != 0 && errno != ENOENT) {
-        throw OutputError(fmt::format("{}: cannot be removed: {}", old, std::strerror(errno)));
-      }
+}
+
+void RunFolder::remove(const char* name) {
+  for (const std::string& old : {file(name), file(name) + std::string(part_suffix)}) {
+    if (::unlink(old.c_str()) != 0 && errno != ENOENT) {
+      throw OutputError(fmt::format("{}: cannot be removed: {}", old, std::strerror(errno)));
     }
   }
 }

@@ -18,7 +18,10 @@ class RunFolder {
   // there, when it holds an unfinished run and `force` is not given, when it holds anything that is
   // no run of this program, and when it is not writable.
   RunFolder(const std::string& path, bool force);
-  // Releases the lock. If `prepare` was not called, the folder is as it was found.
+  // The folder of a run that is to go on. Throws InputError when it holds no run, when another
+  // program writes there, and when it is not writable.
+  static RunFolder of_run(const std::string& path) { return {path}; }
+  // Releases the lock. If neither `prepare` nor `reopen` was called, the folder is as it was found.
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
@@ -31,12 +34,18 @@ class RunFolder {
   // unfinished run until it has a summary. To be called only when the plan has passed its checks,
   // right before the log is created. Throws OutputError when a file cannot be removed.
   void prepare();
+  // Removes what was made of the run's log, and keeps the log and the plan. From now on the run is
+  // unfinished. To be called when the run can go on. Throws OutputError.
+  void reopen();
 
  private:
+  RunFolder(const std::string& path);
   void make_folders();
   void lock();
   // Throws InputError if `prepare` would fail halfway.
   void check_replaceable();
+  void mark_unfinished();
+  void remove(const char* name);
   void release();
 
   std::string path_;

@@ -89,6 +89,12 @@ std::string prepare_log_file(RunFolder& folder, const std::string& plan_bytes) {
   return folder.file("log.gpkg");
 }
 
+// Prepares the folder of a run that goes on, and returns the name of its log.
+std::string reopen_log_file(RunFolder& folder) {
+  folder.reopen();
+  return folder.file("log.gpkg");
+}
+
 // Error of making a product; "" when it was made.
 std::string product_error(const Product& product, const RunSummary& summary) {
   try {
@@ -129,10 +135,16 @@ RunRecord::RunRecord(RunFolder& folder, const std::string& plan_bytes, const Mis
   simulation.set_log(&log_);
 }
 
+RunRecord::RunRecord(RunFolder& folder, const MissionModel& files, std::int64_t checkpoint_id,
+                     Simulation& simulation)
+    : folder_(folder), log_(reopen_log_file(folder), files.plan.mission.start_time, checkpoint_id) {
+  simulation.set_log(&log_);
+}
+
 RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simulation, double wall_s,
                              const std::function<void(const std::string&)>& warn,
-                             const std::vector<Product>& more) {
-  log_.finish();
+                             const std::vector<Product>& more, bool can_resume) {
+  log_.finish(can_resume);
   RunSummary summary = summarise(simulation, files, wall_s);
   for (const RoverResult& result : simulation.results()) {
     for (const std::string& warning : {slip_warning(result), slowness_warning(result)}) {

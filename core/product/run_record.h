@@ -27,14 +27,19 @@ class RunRecord {
   RunRecord(RunFolder& folder, const std::string& plan_bytes, const MissionModel& files,
             const std::map<std::string, std::string>& run_values, Simulation& simulation);
 
+  // Goes on with the record of a run in `folder` from a checkpoint of its log; the simulation has
+  // been restored from it. What was made of the log so far is removed. Throws LogError, InputError.
+  RunRecord(RunFolder& folder, const MissionModel& files, std::int64_t checkpoint_id,
+            Simulation& simulation);
+
   LogWriter& log() { return log_; }
   // Ends the log after the simulation has been terminated and writes the summary, which marks the
   // run as finished; then writes overlay.kml and `more`. For a product that cannot be made, `warn`
   // is called with what is missing and the command that makes it again; the summary's warnings
-  // include this too.
+  // include this too. `can_resume`: the run was stopped, and its checkpoints stay.
   RunSummary finish(const MissionModel& files, const Simulation& simulation, double wall_s,
                     const std::function<void(const std::string&)>& warn,
-                    const std::vector<Product>& more = {});
+                    const std::vector<Product>& more = {}, bool can_resume = false);
 
  private:
   RunFolder& folder_;

@@ -58,6 +58,13 @@ OGRwkbGeometryType geometry_type(LayerGeometry geometry) {
   return wkbNone;
 }
 
+// Only a write-ahead log leaves the file readable after kill -9. With NORMAL a power loss may cost
+// the last commits, a kill does not.
+struct WriteAheadLog {
+  CPLConfigOptionSetter journal{"OGR_SQLITE_JOURNAL", "WAL", false};
+  CPLConfigOptionSetter synchronous{"OGR_SQLITE_SYNCHRONOUS", "NORMAL", false};
+};
+
 constexpr int zone_utc = 100;  // GDAL's number of the time zone
 
 void set_utc(OGRFeature& feature, int field, const std::string& text) {
@@ -83,10 +90,7 @@ std::string utc(const OGRFeature& feature, int field) {
 Dataset create(const std::string& file) {
   GDALDriver* driver = geopackage_driver();
   if (driver == nullptr) return nullptr;
-  // Only a write-ahead log leaves the file readable after kill -9; the option must be set before
-  // the file exists. With NORMAL a power loss may cost the last commits, a kill does not.
-  const CPLConfigOptionSetter journal("OGR_SQLITE_JOURNAL", "WAL", false);
-  const CPLConfigOptionSetter synchronous("OGR_SQLITE_SYNCHRONOUS", "NORMAL", false);
+  const WriteAheadLog settings;  // before the file exists
   CPLStringList options;
   // GDAL writes its table of row counts only on closing: other readers would find wrong counts.
   options.SetNameValue("ADD_GPKG_OGR_CONTENTS", "NO");
@@ -97,6 +101,13 @@ Dataset open_to_read(const std::string& file) {
   if (geopackage_driver() == nullptr) return nullptr;
   const char* const drivers[] = {"GPKG", nullptr};
   return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+}
+
+Dataset open_to_write(const std::string& file) {
+  if (geopackage_driver() == nullptr) return nullptr;
+  const WriteAheadLog settings;
+  const char* const drivers[] = {"GPKG", nullptr};
+  return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, drivers));
 }
 
 OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs) {

@@ -41,6 +41,8 @@ using Feature = std::unique_ptr<OGRFeature>;
 Dataset create(const std::string& file);
 // nullptr when the file is no GeoPackage.
 Dataset open_to_read(const std::string& file);
+// The same, to write more in WAL mode.
+Dataset open_to_write(const std::string& file);
 
 // nullptr on failure.
 OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs);

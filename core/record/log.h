@@ -11,6 +11,7 @@
 
 #include "base/output_error.h"
 #include "planet/utc.h"
+#include "record/checkpoint.h"
 #include "record/layers.h"
 #include "record/rows.h"
 
@@ -34,6 +35,9 @@ class LogWriter {
   // `file` must not exist. `crs`: as in Body. `start`: converts time_s to utc. All functions throw
   // LogError on failure, after which the file is closed in the state of the last commit.
   LogWriter(const std::string& file, const std::string& crs, Instant start);
+  // Goes on with the log of a run that did not finish, from one of its checkpoints: rows and
+  // checkpoints written after it are removed with the first commit.
+  LogWriter(const std::string& file, Instant start, std::int64_t checkpoint_id);
   // Without `finish` the file stays in the state of the last commit.
   ~LogWriter();
   LogWriter(const LogWriter&) = delete;
@@ -59,10 +63,13 @@ class LogWriter {
   // Commits if the last commit is about a second of wall time old.
   void commit_if_due();
   void commit();
+  // Commits the rows so far and this checkpoint at once.
+  void write(const Checkpoint& checkpoint);
 
   // Commits all, folds the write-ahead log into the one file and closes it. If another program has
-  // the file open at that time, the write-ahead log is removed when that program closes it.
-  void finish();
+  // the file open at that time, the write-ahead log is removed when that program closes it. Of the
+  // checkpoints only the kept ones stay, unless the run `can_resume`.
+  void finish(bool can_resume = false);
 
  private:
   struct Impl;
@@ -132,6 +139,12 @@ class LogReader {
   SimTime last_sample_time() const;
   std::map<std::string, std::string> run() const;
   Instant start() const;
+  // Oldest first.
+  std::vector<CheckpointEntry> checkpoints() const;
+  // Throws InputError where it is damaged.
+  StoredCheckpoint checkpoint(std::int64_t id) const;
+  // Writes all of the log into a new file. Throws InputError.
+  void copy_to(const std::string& file) const;
 
   // SHA-256 over all layers of the contract in fixed order, rows in fid order, each value with its
   // type: equal for equal runs.

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "base/sha256.h"
+#include "record/checkpoint_table.h"
 #include "record/gpkg.h"
 #include "record/log.h"
 
@@ -304,6 +305,31 @@ Instant LogReader::start() const {
                      fmt::format("no log of lsos-host: layer 'run' has no '{}'", start_key));
   }
   return {*tai_us.value};
+}
+
+std::vector<CheckpointEntry> LogReader::checkpoints() const {
+  const gpkg::QuietErrors errors;
+  std::vector<CheckpointEntry> entries = gpkg::checkpoint_entries(*impl_->dataset);
+  if (errors.has_failed()) throw InputError({impl_->file}, "cannot be read: " + errors.message());
+  return entries;
+}
+
+StoredCheckpoint LogReader::checkpoint(std::int64_t id) const {
+  const gpkg::QuietErrors errors;
+  const auto checkpoint = gpkg::read_checkpoint(*impl_->dataset, id);
+  if (checkpoint && checkpoint->last_fids.size() == contract_layers().size()) return *checkpoint;
+  throw InputError({impl_->file}, fmt::format("its checkpoint {} is damaged", id));
+}
+
+void LogReader::copy_to(const std::string& file) const {
+  const gpkg::QuietErrors errors;
+  std::string quoted;
+  for (const char c : file) quoted += c == '\'' ? "''" : std::string(1, c);
+  gpkg::run_sql(*impl_->dataset, fmt::format("VACUUM INTO '{}'", quoted));
+  if (errors.has_failed()) {
+    throw InputError({file},
+                     fmt::format("cannot be copied from {}: {}", impl_->file, errors.message()));
+  }
 }
 
 std::string LogReader::sha256() const {

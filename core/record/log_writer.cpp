@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/qgis_style_table.h"
+#include "record/checkpoint_table.h"
 #include "record/gpkg.h"
 #include "record/log.h"
 
@@ -37,6 +38,7 @@ class RowLayer {
   }
 
   std::int64_t last_fid() const { return last_fid_; }
+  void set_last_fid(std::int64_t fid) { last_fid_ = fid; }
 
   // Writes the layer's extent into the file's table of contents; map viewers zoom to it.
   bool sync() { return layer_->SyncToDisk() == OGRERR_NONE; }
@@ -103,19 +105,36 @@ struct LogWriter::Impl {
     dataset.reset();
   }
 
+  // Calls `visit` with each layer, in the order of contract_layers().
+  template <class Visit>
+  void for_each_layer(Visit visit) {
+    const auto visit_if = [&](std::string_view name, auto& layer) {
+      if (name == name_of(layer)) visit(layer);
+    };
+    for (const LayerSpec& spec : contract_layers()) {
+      visit_if(spec.name, samples);
+      visit_if(spec.name, joints);
+      visit_if(spec.name, panels);
+      visit_if(spec.name, pairs);
+      visit_if(spec.name, sight_intervals);
+      visit_if(spec.name, resources);
+      visit_if(spec.name, events);
+      visit_if(spec.name, phases);
+      visit_if(spec.name, planned_paths);
+      visit_if(spec.name, notes);
+      visit_if(spec.name, run);
+    }
+  }
+
   // Features refer to the definition of their layer, so they are released before the dataset.
   void release_features() {
-    samples = {};
-    joints = {};
-    panels = {};
-    pairs = {};
-    sight_intervals = {};
-    resources = {};
-    events = {};
-    phases = {};
-    planned_paths = {};
-    notes = {};
-    run = {};
+    for_each_layer([](auto& layer) { layer = {}; });
+  }
+
+  void open_layers() {
+    for_each_layer([&](auto& layer) {
+      layer.open(*dataset->GetLayerByName(std::string(name_of(layer)).c_str()));
+    });
   }
 
   void create_layers(const std::string& crs_name) {
@@ -126,17 +145,7 @@ struct LogWriter::Impl {
     for (const LayerSpec& spec : contract_layers()) {
       attempt("making a layer", [&] { return gpkg::create_layer(*dataset, spec, crs) != nullptr; });
     }
-    open_layer(samples);
-    open_layer(joints);
-    open_layer(panels);
-    open_layer(pairs);
-    open_layer(sight_intervals);
-    open_layer(resources);
-    open_layer(events);
-    open_layer(phases);
-    open_layer(planned_paths);
-    open_layer(notes);
-    open_layer(run);
+    open_layers();
     // GDAL creates tables lazily; all must be in the file before the first step.
     attempt("making the layers", [&] {
       dataset->FlushCache(false);
@@ -156,8 +165,33 @@ struct LogWriter::Impl {
   }
 
   template <class Row>
-  void open_layer(RowLayer<Row>& layer) {
-    layer.open(*dataset->GetLayerByName(std::string(layer_name<Row>).c_str()));
+  static std::string_view name_of(const RowLayer<Row>&) {
+    return layer_name<Row>;
+  }
+
+  // Removes the rows after these fids, the last of each layer to keep, and learns the fids of rows
+  // that are updated.
+  void trim(const std::vector<std::int64_t>& last_fids) {
+    std::size_t number = 0;
+    for_each_layer([&](auto& layer) {
+      const std::int64_t last = last_fids[number++];
+      layer.set_last_fid(last);
+      attempt("removing later rows", [&] {
+        gpkg::run_sql(*dataset, fmt::format("DELETE FROM {} WHERE fid > {}", name_of(layer), last));
+        return true;
+      });
+    });
+    attempt("reading events", [&] {
+      gpkg::run_sql(*dataset, "SELECT fid, rover_id, sequence FROM events",
+                    [&](const OGRFeature& row) {
+                      event_fids[{row.GetFieldAsString(1), row.GetFieldAsInteger64(2)}] =
+                          row.GetFieldAsInteger64(0);
+                    });
+      gpkg::run_sql(*dataset, "SELECT fid, key FROM run", [&](const OGRFeature& row) {
+        run_fids[row.GetFieldAsString(1)] = row.GetFieldAsInteger64(0);
+      });
+      return true;
+    });
   }
 
   void begin() {
@@ -222,6 +256,27 @@ LogWriter::LogWriter(const std::string& file, const std::string& crs, Instant st
   impl_->begin();
 }
 
+LogWriter::LogWriter(const std::string& file, Instant start, std::int64_t checkpoint_id)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->file = file;
+  impl_->start = start;
+  const std::vector<std::int64_t> last_fids = LogReader(file).checkpoint(checkpoint_id).last_fids;
+  {
+    const gpkg::QuietErrors errors;
+    impl_->dataset = gpkg::open_to_write(file);
+    if (impl_->dataset == nullptr) {
+      throw LogError(fmt::format("{}: opening the log: {}", file, errors.message()));
+    }
+  }
+  impl_->open_layers();
+  impl_->begin();
+  impl_->trim(last_fids);
+  impl_->attempt("removing later checkpoints", [&] {
+    gpkg::remove_checkpoints_after(*impl_->dataset, checkpoint_id);
+    return true;
+  });
+}
+
 LogWriter::~LogWriter() {
   if (impl_->dataset != nullptr) impl_->abandon();
 }
@@ -265,7 +320,24 @@ void LogWriter::commit() {
   impl_->begin();
 }
 
-void LogWriter::finish() {
+void LogWriter::write(const Checkpoint& checkpoint) {
+  StoredCheckpoint stored{checkpoint, {}};
+  impl_->for_each_layer([&](auto& layer) { stored.last_fids.push_back(layer.last_fid()); });
+  impl_->attempt("writing a checkpoint", [&] {
+    gpkg::make_checkpoint_table(*impl_->dataset);
+    gpkg::add_checkpoint(*impl_->dataset, stored);
+    return true;
+  });
+  commit();
+}
+
+void LogWriter::finish(bool can_resume) {
+  if (!can_resume) {
+    impl_->attempt("removing checkpoints", [&] {
+      gpkg::remove_passing_checkpoints(*impl_->dataset);
+      return true;
+    });
+  }
   impl_->commit();
   impl_->attempt("finishing", [&] {
     gpkg::run_sql(*impl_->dataset, "PRAGMA wal_checkpoint(TRUNCATE)");

@@ -21,6 +21,7 @@ struct Command {
 const std::vector<Command>& commands();
 
 std::function<int()> prepare_run(CommandOptions& command);
+std::function<int()> prepare_resume(CommandOptions& command);
 std::function<int()> prepare_check(CommandOptions& command);
 std::function<int()> prepare_fsm(CommandOptions& command);
 std::function<int()> prepare_list(CommandOptions& command);

@@ -15,7 +15,8 @@ constexpr auto line_every = std::chrono::seconds(10);
 
 }  // namespace
 
-Progress::Progress(bool is_quiet) : is_quiet_(is_quiet), is_terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(bool is_quiet, double from_s)
+    : is_quiet_(is_quiet), is_terminal_(isatty(STDERR_FILENO) != 0), from_s_(from_s) {}
 
 void Progress::show(double share, std::optional<double> sim_s) {
   const Clock::time_point now = Clock::now();
@@ -25,7 +26,8 @@ void Progress::show(double share, std::optional<double> sim_s) {
   const int full = static_cast<int>(share * bar_width);
   std::string state;
   if (sim_s) {
-    state = fmt::format("{} simulated, {:.0f} x real time", clock_text(*sim_s), *sim_s / wall_s);
+    state = fmt::format("{} simulated, {:.0f} x real time", clock_text(*sim_s),
+                        (*sim_s - from_s_) / wall_s);
   } else if (share > 0) {
     state = fmt::format("{} left", clock_text(wall_s * (1 - share) / share));
   }

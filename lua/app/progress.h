@@ -9,7 +9,8 @@ namespace lsos {
 
 class Progress {
  public:
-  explicit Progress(bool is_quiet);
+  // `from_s`: where a mission's time stands now.
+  explicit Progress(bool is_quiet, double from_s = 0);
 
   // `share`: completed part, 0..1. Draws at most ten times a second. With `sim_s`: of a mission,
   // with the time simulated; without: with the time that is left.
@@ -22,6 +23,7 @@ class Progress {
 
   bool is_quiet_;
   bool is_terminal_;
+  double from_s_;
   Clock::time_point begin_ = Clock::now();
   Clock::time_point drawn_ = begin_;
 };

@@ -1,23 +1,42 @@
-// What `lsos-host run` is told, once and with --watch.
+// What `lsos-host run` is told, once and with --watch, and what it shares with `resume` and
+// `branch`.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "base/sim_time.h"
+#include "lua/app/command_options.h"
+
 namespace lsos {
 
-struct RunOptions {
-  std::string plan;
-  std::string folder;  // "": out/PLAN-NAME
+// How a run ends, and what it says.
+struct OutcomeOptions {
   bool is_quiet = false;
   bool is_json = false;
-  bool is_forced = false;  // replace an unfinished run
   bool has_report = true;  // report.html
   int threads = 1;
+};
+void add_outcome_options(CommandOptions& command, OutcomeOptions& options);
+
+// Which checkpoints a run writes.
+struct CheckpointOptions {
+  bool is_on = true;
+  std::string every;  // mission time between those that are kept; "": none are
+};
+void add_checkpoint_options(CommandOptions& command, CheckpointOptions& options);
+// Mission time between kept checkpoints, 0 for none. Throws InputError.
+SimTime kept_every(const CheckpointOptions& options);
+
+struct RunOptions : OutcomeOptions {
+  std::string plan;
+  std::string folder;                 // "": out/PLAN-NAME
+  bool is_forced = false;             // replace an unfinished run
   std::optional<std::uint64_t> seed;  // instead of the plan's
   bool save_every_exchange = false;
   bool is_watched = false;  // run again whenever the plan or a script changes
+  CheckpointOptions checkpoints;
 };
 int run_command(const RunOptions& options);
 // Runs it again each time that the plan or a script changes, until a signal comes.

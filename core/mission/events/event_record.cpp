@@ -56,7 +56,7 @@ void EventRecords::mark_all_changed() {
   changed_.clear();
   for (std::size_t i = 0; i < all_.size(); ++i) {
     all_[i].is_written = true;
-    if (all_[i].ready || all_[i].end) mark_changed(i);
+    if (all_[i].ready || all_[i].status == EventStatus::disabled) mark_changed(i);
   }
 }
 

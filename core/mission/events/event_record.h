@@ -48,7 +48,8 @@ class EventRecords {
 
   // Marks an event for writing.
   void mark_changed(std::size_t index);
-  // Marks all events that have had their turn for writing again.
+  // Marks all events that a log of the mission so far holds for writing again: those that have had
+  // their turn, and the disabled ones. The others are written at the end.
   void mark_all_changed();
   // Events to be written since the last call, in the order of their changes.
   std::vector<std::size_t> take_changed();

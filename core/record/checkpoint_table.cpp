@@ -1,0 +1,119 @@
+#include "record/checkpoint_table.h"
+
+#include <fmt/format.h>
+
+#include "base/archive.h"
+#include "base/sha256.h"
+
+namespace lsos::gpkg {
+
+namespace {
+
+// So many of the recent ones stay, in case that the last cannot be read.
+constexpr int recent_count = 3;
+
+const char* const kinds[] = {"recent", "kept", "stop"};
+
+std::optional<CheckpointKind> kind_of(const std::string& text) {
+  for (int k = 0; k < 3; ++k) {
+    if (text == kinds[k]) return static_cast<CheckpointKind>(k);
+  }
+  return {};
+}
+
+// All of it in one block of bytes, so that one hash guards it.
+std::string bytes_of(StoredCheckpoint checkpoint) {
+  Archive a = Archive::writer();
+  LSOS_ARCHIVE(a, checkpoint.time, checkpoint.kind, checkpoint.wall_s, checkpoint.last_fids,
+               checkpoint.state);
+  return a.bytes();
+}
+
+std::string hex(std::string_view bytes) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += digits[byte >> 4];
+    text += digits[byte & 15];
+  }
+  return text;
+}
+
+bool has_table(GDALDataset& dataset) {
+  bool is_there = false;
+  run_sql(dataset, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'lsos_checkpoints'",
+          [&](const OGRFeature&) { is_there = true; });
+  return is_there;
+}
+
+}  // namespace
+
+void make_checkpoint_table(GDALDataset& dataset) {
+  run_sql(dataset,
+          "CREATE TABLE IF NOT EXISTS lsos_checkpoints (id INTEGER PRIMARY KEY AUTOINCREMENT, "
+          "time_us INTEGER NOT NULL, kind TEXT NOT NULL, sha256 TEXT NOT NULL, content BLOB NOT "
+          "NULL)");
+}
+
+void add_checkpoint(GDALDataset& dataset, const StoredCheckpoint& checkpoint) {
+  const std::string bytes = bytes_of(checkpoint);
+  run_sql(dataset,
+          fmt::format("INSERT INTO lsos_checkpoints (time_us, kind, sha256, content) VALUES ({}, "
+                      "'{}', '{}', X'{}')",
+                      checkpoint.time.count(), kinds[static_cast<int>(checkpoint.kind)],
+                      sha256_hex(bytes), hex(bytes)));
+  run_sql(dataset, fmt::format("DELETE FROM lsos_checkpoints WHERE kind = 'recent' AND id NOT IN "
+                               "(SELECT id FROM lsos_checkpoints WHERE kind = 'recent' ORDER BY "
+                               "id DESC LIMIT {})",
+                               recent_count));
+}
+
+void remove_passing_checkpoints(GDALDataset& dataset) {
+  if (!has_table(dataset)) return;
+  run_sql(dataset, "DELETE FROM lsos_checkpoints WHERE kind <> 'kept'");
+  if (checkpoint_entries(dataset).empty()) run_sql(dataset, "DROP TABLE lsos_checkpoints");
+}
+
+void remove_checkpoints_after(GDALDataset& dataset, std::int64_t id) {
+  run_sql(dataset, fmt::format("DELETE FROM lsos_checkpoints WHERE id > {}", id));
+}
+
+std::vector<CheckpointEntry> checkpoint_entries(GDALDataset& dataset) {
+  std::vector<CheckpointEntry> entries;
+  if (!has_table(dataset)) return entries;
+  run_sql(
+      dataset, "SELECT id, time_us, kind FROM lsos_checkpoints ORDER BY id",
+      [&](const OGRFeature& row) {
+        const auto kind = kind_of(row.GetFieldAsString(2));
+        if (!kind) return;
+        entries.push_back({row.GetFieldAsInteger64(0), SimTime{row.GetFieldAsInteger64(1)}, *kind});
+      });
+  return entries;
+}
+
+std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64_t id) {
+  std::string sha256, bytes;
+  run_sql(dataset, fmt::format("SELECT sha256, content FROM lsos_checkpoints WHERE id = {}", id),
+          [&](const OGRFeature& row) {
+            sha256 = row.GetFieldAsString(0);
+            int size = 0;
+            const GByte* content = row.GetFieldAsBinary(1, &size);
+            if (content == nullptr) return;
+            bytes.assign(reinterpret_cast<const char*>(content), static_cast<std::size_t>(size));
+          });
+  if (bytes.empty() || sha256_hex(bytes) != sha256) return {};
+  try {
+    StoredCheckpoint checkpoint;
+    Archive a = Archive::reader(bytes);
+    LSOS_ARCHIVE(a, checkpoint.time, checkpoint.kind, checkpoint.wall_s, checkpoint.last_fids,
+                 checkpoint.state);
+    if (!a.is_exhausted()) return {};
+    return checkpoint;
+  } catch (const Archive::Mismatch&) {
+    return {};
+  }
+}
+
+}  // namespace lsos::gpkg

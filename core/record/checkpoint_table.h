@@ -1,0 +1,25 @@
+// The internal table `lsos_checkpoints` of a log. GDAL does not list it as a layer. Only for use in
+// this folder; errors are reported by a QuietErrors around the calls.
+#pragma once
+
+#include <optional>
+
+#include "record/checkpoint.h"
+#include "record/gpkg.h"
+
+namespace lsos::gpkg {
+
+void make_checkpoint_table(GDALDataset& dataset);
+// Adds one, and removes the oldest `recent` ones but a few.
+void add_checkpoint(GDALDataset& dataset, const StoredCheckpoint& checkpoint);
+// Removes all but the kept ones, and the table when none is left.
+void remove_passing_checkpoints(GDALDataset& dataset);
+// Removes those written after this one.
+void remove_checkpoints_after(GDALDataset& dataset, std::int64_t id);
+
+// Oldest first; empty where there is no table.
+std::vector<CheckpointEntry> checkpoint_entries(GDALDataset& dataset);
+// nullopt: it is damaged, not there, or not of this form.
+std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64_t id);
+
+}  // namespace lsos::gpkg

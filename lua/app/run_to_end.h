@@ -1,0 +1,28 @@
+// Simulates a mission to its end and leaves the results in its folder. What `run`, `resume` and
+// `branch` have in common.
+#pragma once
+
+#include "lua/app/checkpoints.h"
+#include "lua/app/run_options.h"
+#include "lua/host/mission_files.h"
+#include "product/run_folder.h"
+#include "product/run_record.h"
+
+namespace lsos {
+
+// SIGINT and SIGTERM stop the simulation from now on; a second one ends the program at once.
+void catch_stop_signals();
+
+// A mission that is being run, from its start or from a checkpoint.
+struct MissionUnderWay {
+  MissionFiles& files;
+  Simulation& simulation;
+  RunFolder& folder;
+  RunRecord& record;
+  Checkpoints& checkpoints;
+};
+
+// Returns the program's exit code.
+int run_to_end(MissionUnderWay mission, const OutcomeOptions& options);
+
+}  // namespace lsos

@@ -1,0 +1,97 @@
+#include "lua/app/saved_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <ranges>
+
+#include "base/archive.h"
+#include "base/files.h"
+#include "base/quantity.h"
+#include "lua/host/mission_reader.h"
+#include "lua/host/version.h"
+#include "product/summary.h"
+
+namespace lsos {
+
+std::vector<CheckpointEntry> resumable_checkpoints(const std::string& folder) {
+  const LogReader log(folder + "/log.gpkg");
+  std::vector<CheckpointEntry> entries = log.checkpoints();
+  const bool has_ended = is_summary(read_file(folder + "/summary.json").value_or(""));
+  const bool was_stopped = std::ranges::any_of(
+      entries, [](const CheckpointEntry& entry) { return entry.kind == CheckpointKind::stop; });
+  if (has_ended && !was_stopped) {
+    throw InputError({folder},
+                     entries.empty()
+                         ? "its run has finished or was stopped without checkpoints: there is "
+                           "nothing to go on with"
+                         : "its run has finished: there is nothing to go on with; 'lsos-host "
+                           "branch' tries another end");
+  }
+  if (entries.empty()) {
+    throw InputError({folder},
+                     "its run has no checkpoint (it was killed before the first, or run with "
+                     "--no-checkpoints): run the plan again");
+  }
+  return entries;
+}
+
+SavedRun saved_run(const LogReader& log, const std::string& folder, std::int64_t id) {
+  const StoredCheckpoint stored = log.checkpoint(id);
+  try {
+    return {id, stored.time, stored.wall_s, saved_mission(stored.state)};
+  } catch (const Archive::Mismatch&) {
+    throw InputError({folder},
+                     fmt::format("its checkpoint {} is not of this version of lsos-host", id));
+  }
+}
+
+SavedRun last_saved_run(const std::string& folder, const std::vector<CheckpointEntry>& entries,
+                        std::vector<std::string>& damaged) {
+  const LogReader log(folder + "/log.gpkg");
+  for (const CheckpointEntry& entry : entries | std::views::reverse) {
+    try {
+      return saved_run(log, folder, entry.id);
+    } catch (const InputError& error) {
+      damaged.emplace_back(error.what());
+    }
+  }
+  Faults faults;
+  for (const std::string& what : damaged) faults.error({}, what);
+  faults.error({folder}, "none of its checkpoints can be read: run the plan again");
+  faults.throw_if_errors();
+  return {};
+}
+
+MissionFiles files_of_run(const std::string& folder, const SavedMission& mission) {
+  const std::string copy = folder + "/plan.kml";
+  PlanSource source = read_plan_source(copy);
+  std::error_code unreadable;
+  const auto original = std::filesystem::path(mission.plan_file);
+  if (std::filesystem::is_directory(original.parent_path(), unreadable)) {
+    source.file = mission.plan_file;
+  }
+  source.soil = mission.soil;
+  const auto seed =
+      parse_integer(mission.values.contains("seed") ? mission.values.at("seed") : std::string());
+  if (!seed) throw InputError({folder}, "its checkpoint does not say which seed was run");
+  MissionFiles files = read_mission(source, read_catalog(source.file), *seed.value);
+  files.faults.throw_if_errors();
+  return files;
+}
+
+void restore(Simulation& simulation, const SavedRun& saved, const std::string& folder) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError({folder},
+                     fmt::format("its checkpoint {} does not fit the mission: {}", saved.id, why));
+  };
+  try {
+    simulation.restore(saved.mission.state);
+  } catch (const Archive::Mismatch& error) {
+    refuse(error.what());
+  }
+  if (simulation.now() != saved.time) refuse("it is of another moment");
+}
+
+}  // namespace lsos

@@ -1,0 +1,86 @@
+#include "lua/host/saved_mission.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "base/archive.h"
+#include "lua/host/version.h"
+
+namespace lsos {
+
+namespace {
+
+void archive(Archive& a, SavedMission& mission) {
+  LSOS_ARCHIVE(a, mission.build, mission.plan_file, mission.values, mission.every, mission.soil,
+               mission.dispatched_kml, mission.state);
+}
+
+std::string value(const std::map<std::string, std::string>& values, const std::string& key) {
+  const auto found = values.find(key);
+  return found == values.end() ? "none" : found->second;
+}
+
+// "event_Route_sha256" is "the event script Route".
+std::string words_of(const std::string& key) {
+  if (key == "plan_sha256") return "the plan";
+  if (key == "terrain_sha256") return "the ground (its rasters, or what the terrain script adds)";
+  for (const char* kind : {"event", "rover", "terrain", "soil", "lib"}) {
+    const std::string head = fmt::format("{}_", kind), tail = "_sha256";
+    if (!key.starts_with(head) || !key.ends_with(tail)) continue;
+    const std::string name = key.substr(head.size(), key.size() - head.size() - tail.size());
+    return fmt::format("the {} script {}", kind, name);
+  }
+  return fmt::format("'{}'", key);
+}
+
+}  // namespace
+
+std::string to_bytes(SavedMission mission) {
+  Archive a = Archive::writer();
+  archive(a, mission);
+  return a.bytes();
+}
+
+SavedMission saved_mission(const std::string& bytes) {
+  SavedMission mission;
+  Archive a = Archive::reader(bytes);
+  archive(a, mission);
+  if (!a.is_exhausted()) throw Archive::Mismatch("saved mission is longer than expected");
+  return mission;
+}
+
+Faults differences(const SavedMission& saved, const SavedMission& now, const std::string& folder,
+                   bool is_renderer_allowed) {
+  Faults faults;
+  if (saved.build != now.build) {
+    faults.error({folder},
+                 fmt::format("was written by another build of lsos-host ({}; this one is {}): only "
+                             "that one can go on with it",
+                             value(saved.values, "program_version"), program_version));
+  }
+  std::set<std::string> keys;
+  for (const auto* values : {&saved.values, &now.values}) {
+    for (const auto& [key, ignored] : *values) keys.insert(key);
+  }
+  for (const std::string& key : keys) {
+    const std::string before = value(saved.values, key), after = value(now.values, key);
+    if (before == after || key == "program_version") continue;
+    if (key != "renderer") {
+      faults.error(
+          {folder},
+          fmt::format("{} is not what was run: put it back, or run the plan again", words_of(key)));
+      continue;
+    }
+    const std::string text = fmt::format(
+        "light and sight were drawn by {}, and would be by {} from here on", before, after);
+    if (is_renderer_allowed) {
+      faults.warning({folder}, text + ": the log is not that of a run in one piece");
+    } else {
+      faults.error({folder}, text + ": --allow-renderer goes on nevertheless");
+    }
+  }
+  return faults;
+}
+
+}  // namespace lsos
