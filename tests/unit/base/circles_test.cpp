@@ -18,9 +18,7 @@ TEST(Circles, have_the_edges_that_they_go_along) {
   EXPECT_EQ(circles[0], (Circle{{0, 1}, {1, 1}}));
 }
 
-TEST(Circles, of_one_node_are_found) {
-  EXPECT_EQ(find_circles({{0}})[0], (Circle{{0, 0}}));
-}
+TEST(Circles, of_one_node_are_found) { EXPECT_EQ(find_circles({{0}})[0], (Circle{{0, 0}})); }
 
 // The search goes on behind a circle: others that begin on the same path are found too.
 TEST(Circles, are_all_found_in_one_pass) {
