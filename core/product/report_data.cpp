@@ -12,23 +12,10 @@
 #include "base/units.h"
 #include "picture/rover_colors.h"
 #include "product/drive_marks.h"
-#include "record/quantities.h"
 
 namespace lsos {
 
 namespace {
-
-// Those that are plotted, in the order of the register.
-const std::vector<const Quantity*>& plotted() {
-  static const std::vector<const Quantity*> list = [] {
-    std::vector<const Quantity*> found;
-    for (const Quantity& quantity : quantities()) {
-      if (quantity.is_plotted) found.push_back(&quantity);
-    }
-    return found;
-  }();
-  return list;
-}
 
 constexpr double line_tolerance_m = 0.2;
 
@@ -71,16 +58,17 @@ void add_place(const SampleRow& row, const SiteFrame& site, ThinnedRows& positio
                                              lat_deg(row.place), heading_on_map_rad(site, row)});
 }
 
-void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data) {
+void read_samples(const LogReader& log, const SiteFrame& site, const ReportScope& scope,
+                  ReportData& data) {
   std::map<std::string, ReportRover> rovers;
   std::map<std::string, Thinning> thinnings;
   for (const auto& [id, totals] : log.sample_totals()) {
-    rovers.try_emplace(id, id, totals);
+    rovers.try_emplace(id, id, totals, scope);
     thinnings.try_emplace(id, Thinning{EventMarks(data.events, id, report_event_points_max),
-                                       DriveMarks(totals, data.events, id, report_places_max),
+                                       DriveMarks(totals, data.events, id, scope.places_max),
                                        {}});
   }
-  log.for_each_sample([&](const SampleRow& row) {
+  const auto add = [&](const SampleRow& row) {
     const auto known = rovers.find(row.rover_id);
     if (known == rovers.end())
       return;  // in a run that goes on: its first row was written after counting
@@ -90,11 +78,18 @@ void read_samples(const LogReader& log, const SiteFrame& site, ReportData& data)
     thinning.places.add(row, thinning.of_places.next(row));
     const WantedRows wanted = thinning.of_series.next(row.time);
     const bool is_moving = row.speed_mps > moving_mps;
-    for (std::size_t k = 0; k < plotted().size(); ++k) {
-      rover.series[k].second.add(time_s, std::array{row.*plotted()[k]->value}, is_moving, wanted);
+    for (std::size_t k = 0; k < scope.quantities.size(); ++k) {
+      rover.series[k].second.add(time_s, std::array{row.*scope.quantities[k]->value}, is_moving,
+                                 wanted);
     }
     rover.distance_m = row.distance_m;
     rover.last_s = time_s;
+  };
+  log.for_each_sample([&](const SampleRow& row) {
+    if (scope.log_site == nullptr) return add(row);
+    SampleRow moved = row;
+    moved.p_S_m = site.p_S_m_from_fixed(scope.log_site->p_F_m(row.p_S_m));
+    add(moved);
   });
   for (auto& [id, rover] : rovers) {
     for (const SampleRow& row : thinnings.at(id).places.rows())
@@ -196,13 +191,20 @@ void read_pairs(const LogReader& log, ReportData& data) {
 
 }  // namespace
 
-ReportRover::ReportRover(const std::string& rover_id, const SampleTotals& totals)
+ReportScope::ReportScope() {
+  for (const Quantity& quantity : lsos::quantities()) {
+    if (quantity.is_plotted) quantities.push_back(&quantity);
+  }
+}
+
+ReportRover::ReportRover(const std::string& rover_id, const SampleTotals& totals,
+                         const ReportScope& scope)
     : id(rover_id),
       samples(totals.rows),
-      position({report_places_max, 0}, report_places_max, position_columns, 2) {
-  for (const Quantity* quantity : plotted()) {
+      position({scope.places_max, 0}, static_cast<int>(scope.places_max), position_columns, 2) {
+  for (const Quantity* quantity : scope.quantities) {
     series.emplace_back(quantity->name,
-                        ThinnedRows({totals.rows, totals.moving}, report_stretches, 1, 1));
+                        ThinnedRows({totals.rows, totals.moving}, scope.stretches, 1, 1));
   }
 }
 
@@ -220,8 +222,11 @@ SiteFrame site_of(const LogReader& log, const Plan& plan) {
   return SiteFrame(*plan.mission.planet, first ? first->place : Geodetic{});
 }
 
-ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site) {
+ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site,
+                            const ReportScope& scope) {
   ReportData data;
+  data.stretches = scope.stretches;
+  for (const Quantity* quantity : scope.quantities) data.quantities.emplace_back(quantity->name);
   data.start = log.start();
   data.end_s = seconds(log.last_sample_time());
   data.run = log.run();
@@ -230,7 +235,7 @@ ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFr
   std::ranges::sort(data.events, {}, [](const EventRow& event) {
     return std::pair(event.rover_id, event.sequence);
   });
-  read_samples(log, site, data);
+  read_samples(log, site, scope, data);
   read_lines(log, plan, site, data);
   data.notes = thinned_notes(log);
   read_pairs(log, data);

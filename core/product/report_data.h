@@ -11,6 +11,7 @@
 #include "product/thinned_notes.h"
 #include "product/thinned_rows.h"
 #include "record/log.h"
+#include "record/quantities.h"
 
 namespace lsos {
 
@@ -35,8 +36,19 @@ enum PositionColumn : std::size_t {
   position_columns
 };
 
+// How much of a log is read for a page.
+struct ReportScope {
+  int stretches = report_stretches;
+  std::size_t places_max = report_places_max;
+  std::vector<const Quantity*> quantities;  // those that have a series; by default the plotted ones
+  // Frame of the log's x_m, y_m where that is not the frame of the map.
+  const SiteFrame* log_site = nullptr;
+
+  ReportScope();
+};
+
 struct ReportRover {
-  ReportRover(const std::string& rover_id, const SampleTotals& totals);
+  ReportRover(const std::string& rover_id, const SampleTotals& totals, const ReportScope& scope);
 
   std::string id, type;
   std::string colour;   // #rrggbb
@@ -74,10 +86,13 @@ struct ReportData {
   std::vector<ReportDistance> distances;  // between rovers
   std::vector<ReportAsset> assets;
   std::map<std::string, std::string> run;
+  std::vector<std::string> quantities;  // names of the series that rovers have
+  int stretches = report_stretches;     // that their series were thinned to
 };
 
-// `site`: the frame of the log's x_m, y_m.
-ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site);
+// `site`: the frame of the map, and of the log's x_m, y_m unless the scope has another.
+ReportData read_report_data(const LogReader& log, const Plan& plan, const SiteFrame& site,
+                            const ReportScope& scope = {});
 
 // The site frame of a log, estimated from its first sample; accurate enough to draw a map.
 SiteFrame site_of(const LogReader& log, const Plan& plan);

@@ -44,7 +44,9 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
   return drawn;
 }
 
-std::map<std::string, ReportBattery> batteries(const MissionModel& files) {
+}  // namespace
+
+std::map<std::string, ReportBattery> report_batteries(const MissionModel& files) {
   std::map<std::string, ReportBattery> found;
   for (const PlanRover& rover : files.plan.rovers) {
     const auto model = files.rover_models.find(rover.model());
@@ -55,14 +57,12 @@ std::map<std::string, ReportBattery> batteries(const MissionModel& files) {
   return found;
 }
 
-}  // namespace
-
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
                       const ReportRequest& request, std::vector<std::string>& left_out) {
   const SiteFrame site = run.ground ? run.ground->site() : site_of(log, run.files.plan);
   const ReportData data = read_report_data(log, run.files.plan, site);
   ReportExtras extras;
-  extras.batteries = batteries(run.files);
+  extras.batteries = report_batteries(run.files);
   if (run.ground) {
     extras.map = report_map(*run.ground, data, request.shadow_at, request.threads);
     // Pictures may fail, as without a font or a GPU; the rest is still worth reading.

@@ -2,6 +2,7 @@
 // terrain.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "picture/picture_run.h"
@@ -15,6 +16,9 @@ struct ReportRequest {
   bool has_pictures = true;
   int threads = 2;
 };
+
+// Batteries of the rovers that have one, by rover id.
+std::map<std::string, ReportBattery> report_batteries(const MissionModel& files);
 
 // `run`: the run's files and ground. Without ground there is neither map nor picture, and
 // `left_out` states why. `summary`: text of summary.json, "" for none. Texts for all else that is

@@ -1,7 +1,8 @@
-// `lsos-host compare` and `lsos-host verify`: list the differences between two runs, and check that
+// `lsos-host compare` and `lsos-host verify`: list the differences between runs, and check that
 // the log of a run is the one its summary was written from.
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/console.h"
@@ -9,14 +10,16 @@
 #include "base/files.h"
 #include "lua/app/commands.h"
 #include "product/compare.h"
+#include "product/comparison/several_runs_text.h"
 
 namespace lsos {
 
 namespace {
 
 struct CompareOptions {
-  std::array<std::string, 2> folders;
-  bool is_exact = false;  // value by value of the logs
+  std::string first;
+  std::vector<std::string> others;  // folders
+  bool is_exact = false;            // value by value of the logs
   bool is_json = false;
 };
 
@@ -34,20 +37,66 @@ std::string finished_summary(const std::string& folder, const char* advice = "")
       fmt::format("holds no finished run (there is no summary.json of lsos-host){}", advice));
 }
 
-int compare_command(const CompareOptions& options) {
-  const LogReader a(options.folders[0] + "/log.gpkg"), b(options.folders[1] + "/log.gpkg");
+// The runs, opened.
+struct ComparedRuns {
+  std::vector<std::string> folders;
+  std::vector<std::unique_ptr<LogReader>> logs;
+
+  ComparedRun compared(std::size_t k) const {
+    const char* advice = "; compare --exact compares the logs of unfinished ones too";
+    return {finished_summary(folders[k], advice), logs[k]->run(), logs[k]->sha256()};
+  }
+};
+
+ComparedRuns opened(const CompareOptions& options) {
+  ComparedRuns runs;
+  runs.folders = options.others;
+  runs.folders.insert(runs.folders.begin(), options.first);
+  if (runs.folders.size() > runs_max) {
+    throw InputError(
+        {}, fmt::format("{} runs: at most {} are compared", runs.folders.size(), runs_max));
+  }
+  for (const std::string& folder : runs.folders) {
+    runs.logs.push_back(std::make_unique<LogReader>(folder + "/log.gpkg"));
+  }
+  return runs;
+}
+
+int compare_two(const ComparedRuns& runs, const CompareOptions& options) {
+  const std::array<std::string, 2> names{runs.folders[0], runs.folders[1]};
   if (options.is_exact) {
-    const ExactComparison found = compare_exactly(a, b);
-    print_result("{}", options.is_json ? to_json(found) : to_text(found, options.folders));
+    const ExactComparison found = compare_exactly(*runs.logs[0], *runs.logs[1]);
+    print_result("{}", options.is_json ? to_json(found) : to_text(found, names));
     return found.difference ? 1 : 0;
   }
-  const auto compared = [&](std::size_t k, const LogReader& log) {
-    const char* advice = "; compare --exact compares the logs of unfinished ones too";
-    return ComparedRun{finished_summary(options.folders[k], advice), log.run(), log.sha256()};
-  };
-  const Comparison found = compare(compared(0, a), compared(1, b));
-  print_result("{}", options.is_json ? to_json(found) : to_text(found, options.folders));
+  const Comparison found = compare(runs.compared(0), runs.compared(1));
+  print_result("{}", options.is_json ? to_json(found) : to_text(found, names));
   return found.is_equal() ? 0 : 1;
+}
+
+int compare_more(const ComparedRuns& runs, const CompareOptions& options) {
+  if (options.is_exact) {
+    ExactAgainstFirst exact{runs.folders, {}};
+    for (std::size_t k = 1; k < runs.logs.size(); ++k) {
+      exact.with_first.push_back(compare_exactly(*runs.logs[0], *runs.logs[k]));
+    }
+    print_result("{}", options.is_json ? to_json(exact) : to_text(exact));
+    return exact.are_equal() ? 0 : 1;
+  }
+  std::vector<RunOutcome> outcomes;
+  std::vector<ComparedRun> compared;
+  for (std::size_t k = 0; k < runs.logs.size(); ++k) {
+    compared.push_back(runs.compared(k));
+    outcomes.push_back({runs.folders[k], runs.logs[k]->events(), compared.back().summary});
+  }
+  const SeveralRuns several = compare_several(std::move(outcomes), compared);
+  print_result("{}", options.is_json ? to_json(several) : to_text(several));
+  return several.are_equal() ? 0 : 1;
+}
+
+int compare_command(const CompareOptions& options) {
+  const ComparedRuns runs = opened(options);
+  return runs.logs.size() == 2 ? compare_two(runs, options) : compare_more(runs, options);
 }
 
 int verify_command(const VerifyOptions& options) {
@@ -75,8 +124,8 @@ int verify_command(const VerifyOptions& options) {
 
 std::function<int()> prepare_compare(CommandOptions& command) {
   const auto options = std::make_shared<CompareOptions>();
-  command.add_option("A", options->folders[0], "Folder of a run").required();
-  command.add_option("B", options->folders[1], "Folder of another").required();
+  command.add_option("A", options->first, "Folder of a run").required();
+  command.add_option("B", options->others, "Folders of others, up to ten").required();
   command.add_flag("--exact", options->is_exact, "The first differing value of the logs");
   command.add_flag("--json", options->is_json, "The answer as JSON");
   return [options] { return compare_command(*options); };

@@ -1,4 +1,5 @@
-// `lsos-host report`: writes report.html, or a figure for a paper, from a run's log.
+// `lsos-host report`: writes report.html, or a figure for a paper, from a run's log, or one page of
+// several runs.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -11,6 +12,8 @@
 #include "lua/app/common_options.h"
 #include "lua/app/opened_run.h"
 #include "lua/host/run_mission.h"
+#include "product/comparison/several_runs.h"
+#include "product/comparison/several_runs_page.h"
 #include "product/figure.h"
 #include "product/report_run.h"
 
@@ -19,9 +22,9 @@ namespace lsos {
 namespace {
 
 struct ReportOptions {
-  std::string folder;     // of a run
-  std::string file;       // "": DIR/report.html, DIR/report.png
-  std::string shadow_at;  // UTC, or a time from the start; "": the start
+  std::vector<std::string> folders;  // of runs; with several, the first is the one compared with
+  std::string file;                  // "": DIR/report.html, DIR/report.png
+  std::string shadow_at;             // UTC, or a time from the start; "": the start
   bool has_pictures = true;
   bool is_figure = false;  // a PNG for a paper
   std::optional<int> dpi;
@@ -29,44 +32,39 @@ struct ReportOptions {
   bool is_json = false;
 };
 
-struct OpenedRun {
-  PictureRun run;
-  std::vector<std::string> left_out;
-};
-
-// Opens the run. Files that the plan had beside it (scripts, rasters) may have been moved since;
-// the run is then opened without its ground.
-OpenedRun opened(const std::string& folder, const LogReader& log) {
-  OpenedRun opened;
-  try {
-    opened.run = open_run(folder, log);
-    for (const std::string& warning : opened.run.warnings) opened.left_out.push_back(warning);
-    return opened;
-  } catch (const InputError& error) {
-    opened.left_out.push_back(fmt::format("map and pictures: {}", error.what()));
+void check_several(const ReportOptions& options, Faults& faults) {
+  if (options.folders.size() > runs_max) {
+    faults.error({}, fmt::format("{} runs: at most {} fit over each other", options.folders.size(),
+                                 runs_max));
   }
-  MissionFiles files = mission_of_run(folder, log.run());
-  if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
-  opened.run.files = std::move(files);
-  opened.run.start = log.start();
-  opened.run.end = log.last_sample_time();
-  return opened;
+  if (options.file.empty()) {
+    faults.error({}, "-o FILE.html: is required where a page shows several runs");
+  }
+  if (options.is_figure) faults.error({}, "--png: only of one run");
 }
 
 void check(const ReportOptions& options) {
-  const std::string& folder = options.folder;
   Faults faults;
-  check_output("-o", options.file, {options.is_figure ? ".png" : ".html"},
-               {folder + "/plan.kml", folder + "/log.gpkg"}, faults);
+  std::vector<std::string> inputs;
+  for (const std::string& folder : options.folders) {
+    inputs.push_back(folder + "/plan.kml");
+    inputs.push_back(folder + "/log.gpkg");
+  }
+  check_output("-o", options.file, {options.is_figure ? ".png" : ".html"}, inputs, faults);
+  if (options.folders.size() > 1) check_several(options, faults);
   if (!options.is_figure && options.dpi) faults.error({}, "--dpi: only with --png");
   if (options.is_figure && !options.shadow_at.empty()) {
     faults.error({}, "--shadow-at: there is no map in the figure of --png");
   }
   faults.throw_if_errors();
-  for (const char* name : {"plan.kml", "log.gpkg"}) {
-    if (std::filesystem::is_regular_file(folder + "/" + name)) continue;
-    throw InputError({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
+  for (const std::string& folder : options.folders) {
+    for (const char* name : {"plan.kml", "log.gpkg"}) {
+      if (std::filesystem::is_regular_file(folder + "/" + name)) continue;
+      faults.error({folder}, "no run of lsos-host: plan.kml and log.gpkg are what a run leaves");
+      break;
+    }
   }
+  faults.throw_if_errors();
 }
 
 SimTime shadow_time(const ReportOptions& options, const PictureRun& run) {
@@ -77,12 +75,43 @@ SimTime shadow_time(const ReportOptions& options, const PictureRun& run) {
                                    format_utc(run.start), format_utc(run.start + run.end)));
 }
 
+void print_answer(const ReportOptions& options, const std::string& file,
+                  const std::vector<std::string>& left_out) {
+  for (const std::string& what : left_out) print_message("warning: {}\n", what);
+  if (options.is_json) {
+    print_result("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
+  } else {
+    print_result("{}\n", file);
+  }
+}
+
+int report_several(const ReportOptions& options) {
+  std::vector<std::unique_ptr<LogReader>> logs;
+  std::vector<RunOfPage> runs;
+  std::vector<std::string> left_out;
+  for (const std::string& folder : options.folders) {
+    logs.push_back(std::make_unique<LogReader>(folder + "/log.gpkg"));
+    const LogReader& log = *logs.back();
+    require_samples(log, folder);
+    const bool is_first = runs.empty();
+    LoggedMission from = is_first ? open_run_or_log(folder, log) : open_without_ground(folder, log);
+    if (is_first) left_out = from.left_out;
+    runs.push_back(
+        {folder, &log, read_file(folder + "/summary.json").value_or(""), std::move(from.run)});
+  }
+  const ReportRequest request{shadow_time(options, runs.front().opened), false, options.threads};
+  write_file(options.file, several_runs_page(std::move(runs), request, left_out));
+  print_answer(options, options.file, left_out);
+  return 0;
+}
+
 int report_command(const ReportOptions& options) {
   check(options);
-  const std::string& folder = options.folder;
+  if (options.folders.size() > 1) return report_several(options);
+  const std::string& folder = options.folders.front();
   const LogReader log(folder + "/log.gpkg");
   require_samples(log, folder);
-  OpenedRun from = opened(folder, log);
+  LoggedMission from = open_run_or_log(folder, log);
   std::string file = options.file;
   if (options.is_figure) {
     if (file.empty()) file = folder + "/report.png";
@@ -97,12 +126,7 @@ int report_command(const ReportOptions& options) {
     const std::string summary = read_file(folder + "/summary.json").value_or("");
     write_file(file, report_of(from.run, log, summary, request, from.left_out));
   }
-  for (const std::string& what : from.left_out) print_message("warning: {}\n", what);
-  if (options.is_json) {
-    print_result("{}\n", nlohmann::json{{options.is_figure ? "figure" : "report", file}}.dump());
-  } else {
-    print_result("{}\n", file);
-  }
+  print_answer(options, file, from.left_out);
   return 0;
 }
 
@@ -110,7 +134,10 @@ int report_command(const ReportOptions& options) {
 
 std::function<int()> prepare_report(CommandOptions& command) {
   const auto options = std::make_shared<ReportOptions>();
-  command.add_option("DIR", options->folder, "Folder of a run").required();
+  command
+      .add_option("DIR", options->folders,
+                  "Folder of a run; with several, one page shows them over each other")
+      .required();
   command.add_option("-o,--output", options->file, "DIR/report.html, or with --png DIR/report.png");
   command.add_option("--shadow-at", options->shadow_at,
                      "UTC, or a time from the start: of the shadow on the map (the start)");

@@ -73,4 +73,28 @@ PictureRun open_film(const std::string& folder, const std::string& every,
   return run;
 }
 
+LoggedMission open_without_ground(const std::string& folder, const LogReader& log) {
+  LoggedMission opened;
+  MissionFiles files = mission_of_run(folder, log.run());
+  if (files.plan.mission.planet == nullptr) files.faults.throw_if_errors();
+  opened.run.files = std::move(files);
+  opened.run.start = log.start();
+  opened.run.end = log.last_sample_time();
+  return opened;
+}
+
+LoggedMission open_run_or_log(const std::string& folder, const LogReader& log) {
+  LoggedMission opened;
+  try {
+    opened.run = open_run(folder, log);
+    for (const std::string& warning : opened.run.warnings) opened.left_out.push_back(warning);
+    return opened;
+  } catch (const InputError& error) {
+    const std::string why = fmt::format("map and pictures: {}", error.what());
+    opened = open_without_ground(folder, log);
+    opened.left_out.push_back(why);
+    return opened;
+  }
+}
+
 }  // namespace lsos

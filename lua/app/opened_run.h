@@ -15,4 +15,15 @@ PictureRun open_film(const std::string& folder, const std::string& every, const 
 // The same without any moments yet.
 PictureRun open_run(const std::string& folder, const LogReader& log);
 
+// A run with as much of its mission as can still be read.
+struct LoggedMission {
+  PictureRun run;
+  std::vector<std::string> left_out;  // what is missing or not as it was, and why
+};
+// Files that the plan had beside it (scripts, rasters) may have been moved since; the run is then
+// opened without its ground.
+LoggedMission open_run_or_log(const std::string& folder, const LogReader& log);
+// For pages that draw the ground of another run.
+LoggedMission open_without_ground(const std::string& folder, const LogReader& log);
+
 }  // namespace lsos

@@ -35,6 +35,7 @@ const std::map<std::string, std::map<std::string, int>> rooms = {
       {"ahead", 5},
       {"fleet", 6},
       {"", 7}}},
+    {"product", {{"", 0}, {"comparison", 1}}},
     {"lua", {{"runtime", 0}, {"api", 1}, {"host", 2}, {"session", 3}, {"app", 4}}},
 };
 

@@ -14,18 +14,19 @@ const unpackSeries = packed =>
 const rovers = page.rovers.map(packed => {
   const p = packed.position;
   const rover = {
-    ...packed, isShown: true, ink: legible(packed.colour),
+    ...packed, name: packed.name || packed.id, isShown: true, ink: legible(packed.colour),
     position: {
       t: unpackTimes(p.t), x: unpack(p.x_m, Float32Array), y: unpack(p.y_m, Float32Array),
       lon: unpack(p.lon_e7deg, Int32Array), lat: unpack(p.lat_e7deg, Int32Array),
       heading: unpack(p.heading_rad, Float32Array),
     },
-    events: page.events.filter(event => event.rover_id === packed.id),
+    events: page.events.filter(event => event.rover_id === packed.id && event.run === packed.run),
   };
   for (const name of page.quantities) rover[name] = unpackSeries(packed[name]);
   return rover;
 });
-const roverOf = id => rovers.find(rover => rover.id === id);
+// `run`: of a page of several runs, in which each run has its own rovers.
+const roverOf = (id, run) => rovers.find(rover => rover.id === id && rover.run === run);
 
 // A rover's colour, darkened until its contrast with white is at least 3 : 1.
 function legible(colour) {

@@ -1,4 +1,13 @@
 const placedNotes = () => page.notes.filter(note => note.x_m !== undefined && roverOf(note.rover_id));
+// Of several runs the first one's events are marked, and those of others that ended in another way.
+const markedEvents = () => page.events.filter(event => event.x_m !== undefined && event.start_s !== null && !isAsInFirst(event));
+function isAsInFirst(event) {
+  return event.run > 0 && page.events.some(first => first.run === 0 && first.rover_id === event.rover_id
+    && first.sequence === event.sequence && first.status === event.status);
+}
+
+// Of several runs the first is drawn over the others, which depart from it.
+const firstOnTop = parts => (page.runs ? [...parts].reverse() : parts);
 
 // The map: ground, drawn, planned and driven lines, events, and the rovers at the cursor's time.
 class MissionMap {
@@ -75,9 +84,9 @@ class MissionMap {
         ...rover.planned.map(flat => line(points(flat), {stroke: rover.ink, 'stroke-width': 1.3, 'stroke-dasharray': '5 4'})),
         line(course, {stroke: '#fff', 'stroke-width': 4, 'stroke-opacity': 0.8}),
         line(course, {stroke: rover.ink, 'stroke-width': 2.1}));
-      this.world.append(layer);
       return layer;
     });
+    this.world.append(...firstOnTop(this.layers));
   }
   drawMarks() {
     // Notes, as diamonds in their rover's colour, beneath the events.
@@ -92,11 +101,11 @@ class MissionMap {
     });
     this.events = [];
     // Failed events are drawn on top.
-    const started = page.events.filter(event => event.x_m !== undefined && event.start_s !== null);
+    const started = markedEvents();
     started.sort((a, b) => (a.status === 'failed') - (b.status === 'failed'));
     started.forEach(event => {
-      const rover = roverOf(event.rover_id);
-      const title = `${rover.id}: ${event.label} (${event.type}), ${statusText(event.status)}${event.reason ? ': ' + event.reason : ''}`;
+      const rover = roverOf(event.rover_id, event.run);
+      const title = `${rover.name}: ${event.label} (${event.type}), ${statusText(event.status)}${event.reason ? ': ' + event.reason : ''}`;
       const mark = draw('g', {style: 'cursor:pointer'},
         draw('circle', {r: 4.6, fill: statusColours[event.status], stroke: '#fff', 'stroke-width': 1.5}), draw('title', {}, title));
       if (event.status === 'failed') mark.append(draw('path', {d: 'M-2 -2 L2 2 M-2 2 L2 -2', stroke: '#fff', 'stroke-width': 1.4}));
@@ -117,11 +126,11 @@ class MissionMap {
       return {x: asset.x_m, y: asset.y_m, mark, label, text: asset.id};
     });
     this.arrows = rovers.map(rover => {
-      const arrow = draw('g', {id: `rover-${rover.id}`, style: 'pointer-events:none'},
+      const arrow = draw('g', {id: `rover-${rover.name}`, style: 'pointer-events:none'},
         draw('path', {d: 'M0 -11 L8 9 L0 4.5 L-8 9 Z', fill: rover.ink, stroke: '#fff', 'stroke-width': 2, 'stroke-linejoin': 'round', 'paint-order': 'stroke'}));
-      this.marks.append(arrow);
       return arrow;
     });
+    this.marks.append(...firstOnTop(this.arrows));
   }
   buttons() {
     const button = (text, title, act) => {
@@ -137,7 +146,7 @@ class MissionMap {
     const legend = make('div', {class: 'map-legend'}, sample('driven', {'stroke-width': 2.2}),
       sample('drawn in the plan', {'stroke-width': 7, 'stroke-opacity': 0.28}));
     if (rovers.some(rover => rover.planned.length > 0)) legend.append(sample('planned way', {'stroke-width': 1.4, 'stroke-dasharray': '5 4'}));
-    for (const status of new Set(page.events.filter(e => e.start_s !== null).map(e => e.status))) {
+    for (const status of new Set(markedEvents().map(e => e.status))) {
       legend.append(make('span', {}, draw('svg', {viewBox: '0 0 10 10', style: 'width:10px!important'}, draw('circle', {cx: 5, cy: 5, r: 4, fill: statusColours[status]})), `event ${statusText(status)}`));
     }
     if (placedNotes().length > 0) {

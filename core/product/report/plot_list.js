@@ -1,7 +1,7 @@
 // The list of plots. They are drawn when they come onto the screen.
 function linesOf(name, change = v => v) {
   return rovers.filter(rover => rover[name]).map(rover => ({
-    t: rover[name].t, v: change(rover[name].v), name: rover.id, colour: rover.ink, rovers: [rover],
+    t: rover[name].t, v: change(rover[name].v), name: rover.name, colour: rover.ink, dash: rover.dash, rovers: [rover],
   }));
 }
 function greatest(lines) {
@@ -16,7 +16,7 @@ const relative = v => {
 const metres = lines => (greatest(lines) >= 10000 ? {unit: 'km', scale: 1e-3} : {unit: 'm', scale: 1});
 
 // Energy in the batteries, with lines at full and reserve. The axis runs from empty to full if all
-// rovers have a battery.
+// rovers have a battery; of several runs it shows how they differ.
 function energyPlot() {
   const lines = linesOf('energy_j').map(line => ({...line, full: line.rovers[0].battery?.capacity_j}));
   const most = greatest(lines), fulls = lines.map(line => line.full || 0), fullest = Math.max(...fulls, 0);
@@ -35,10 +35,10 @@ function energyPlot() {
   const isShared = word => [...levels.values()].filter(level => level.word === word).length === 1;
   return {
     key: 'energy', title: 'Energy', lines, digits: 5, ...unit,
-    range: fulls.every(full => full > 0) ? [0, 1.12 * fullest * unit.scale] : null,
+    range: fulls.every(full => full > 0) && !page.runs ? [0, 1.12 * fullest * unit.scale] : null,
     levels: [...levels.values()].map(level => ({
       ...level, colour: level.word === 'reserve' ? '#b3261e' : '#55626f',
-      text: isShared(level.word) ? level.word : `${level.word} of ${level.rovers.map(rover => rover.id).join(', ')}`,
+      text: isShared(level.word) ? level.word : `${level.word} of ${level.rovers.map(rover => rover.name).join(', ')}`,
     })),
   };
 }
@@ -47,18 +47,29 @@ function energyPlot() {
 function solarPlot() {
   const given = linesOf('solar_w').filter(({rovers: [rover]}) => rover.sun_fraction);
   const offered = given.flatMap(line => {
+    if (page.runs) return [];  // several runs have enough lines
     const [rover] = line.rovers, series = rover.solar_available_w, much = 0.05 * greatest([line]) + 1;
     if (!series || !series.v.some((value, k) => value - line.v[nearest(line.t, series.t[k])] > much)) return [];
-    return [{...series, name: `${rover.id} available`, colour: rover.ink, dash: [2, 3], rovers: [rover]}];
+    return [{...series, name: `${rover.name} available`, colour: rover.ink, dash: [2, 3], rovers: [rover]}];
   });
   const lines = [...given, ...offered];
   return {key: 'solar', title: 'Solar power', lines, includesZero: true, ...(greatest(lines) >= 2000 ? {unit: 'kW', scale: 1e-3} : {unit: 'W', scale: 1})};
 }
 
+// East and north of each rover in one plot; of several runs in two, which would have too many lines.
+function positionPlots() {
+  const along = axis => rovers.map(r => ({t: r.position.t, v: r.position[axis], name: r.name, colour: r.ink, dash: r.dash, rovers: [r]}));
+  const east = along('x'), north = along('y');
+  if (page.runs) {
+    return [{key: 'east', title: 'Position, east', lines: east, ...metres(east)},
+      {key: 'north', title: 'Position, north', lines: north, ...metres(north)}];
+  }
+  const lines = rovers.flatMap((r, k) => [
+    {...east[k], name: `${r.name} east`}, {...north[k], name: `${r.name} north`, dash: [5, 3]}]);
+  return [{key: 'position', title: 'Position', lines, ...metres(lines)}];
+}
+
 function plotSpecs() {
-  const east = rovers.map(r => ({t: r.position.t, v: r.position.x, name: `${r.id} east`, colour: r.ink, rovers: [r]}));
-  const north = rovers.map(r => ({t: r.position.t, v: r.position.y, name: `${r.id} north`, colour: r.ink, dash: [5, 3], rovers: [r]}));
-  const position = rovers.flatMap((r, k) => [east[k], north[k]]);
   const elevation = linesOf('elevation_m', relative);
   const rate = linesOf('energy_rate_w'), speed = linesOf('speed_mps');
   const inks = ['#35424f', '#8a6d3b', '#5f4b8b', '#1f7a78', '#a04668', '#6b7783'];
@@ -71,7 +82,7 @@ function plotSpecs() {
     energyPlot(),
     solarPlot(),
     {key: 'elevation', title: 'Relative elevation', lines: elevation, unit: 'm', scale: 1},
-    {key: 'position', title: 'Position', lines: position, ...metres(position)},
+    ...positionPlots(),
     {key: 'rate', title: 'Energy rate', lines: rate, includesZero: true, ...(greatest(rate) >= 2000 ? {unit: 'kW', scale: 1e-3} : {unit: 'W', scale: 1})},
     {key: 'speed', title: 'Speed', lines: speed, unit: isSlow ? 'cm/s' : 'm/s', scale: isSlow ? 100 : 1, includesZero: true},
     {key: 'slip', title: 'Slip', lines: linesOf('slip'), unit: '%', scale: 100, includesZero: true},
@@ -80,10 +91,10 @@ function plotSpecs() {
   ].filter(spec => spec.lines.length > 0);
 }
 
-const plots = plotSpecs().map(spec => new Plot(spec));
-if (page.sight.length > 0) plots.push(new SightPlot());
+const plots = [];
 
-function showPlots() {
+function showPlots(shown) {
+  plots.push(...shown);
   const place = document.getElementById('plots');
   const watcher = new IntersectionObserver(entries => {
     for (const entry of entries) {

@@ -74,8 +74,8 @@ function drawName(pen, label, x, y, w) {
 }
 // One row of bars per rover: its events, coloured by kind and labelled where there is room; red
 // hatching marks failed and incomplete ones.
-function drawEvents(pen, top, width) {
-  rovers.forEach((rover, row) => {
+function drawEvents(pen, top, width, rows) {
+  rows.forEach((rover, row) => {
     const y = top + row * (barHeight + 1);
     pen.fillStyle = rover.isShown ? rover.ink : '#d5dbe1';
     pen.fillRect(gutter - 7, y, 4, barHeight);
@@ -94,6 +94,10 @@ function drawEvents(pen, top, width) {
     }
   });
 }
+
+// Whose events have bars beneath each plot; several runs have a plot of their events instead.
+const barRovers = page.runs ? [] : rovers;
+const barsHeight = barRovers.length * (barHeight + 1);
 
 // Merges lines {t, v}, which need not share their times, into rows for dygraphs: null where a line
 // has no sample, NaN where it has one without a value.
@@ -141,16 +145,15 @@ class Plot {
     this.graphPlace = make('div', {class: 'graph'});
     this.bar = make('canvas', {class: 'bar'});
     this.surface = make('div', {class: 'surface'}, this.graphPlace, this.bar, make('div', {class: 'shield'}), this.chosen, this.cursor, ...this.dots);
-    const keys = this.lines.map((line, k) => make('span', {},
+    this.keys = this.lines.map((line, k) => make('span', {},
       draw('svg', {viewBox: '0 0 18 8'}, draw('line', {
         x1: 0, x2: 18, y1: 4, y2: 4, stroke: line.colour, 'stroke-width': 2.2, 'stroke-dasharray': (line.dash || []).join(' '),
       })), line.name, this.outputs[k]));
     this.element = make('figure', {class: 'plot', id: `plot-${this.key}`},
-      make('figcaption', {}, make('h3', {}, this.title, make('span', {}, ` ${this.unit}`)), make('div', {class: 'keys'}, ...keys)),
+      make('figcaption', {}, make('h3', {}, this.title, make('span', {}, ` ${this.unit}`)), make('div', {class: 'keys'}, ...this.keys)),
       this.surface);
     this.barTop = 4;
-    const rowsHeight = rovers.length * (barHeight + 1);
-    this.bar.style.height = `${this.barTop + rowsHeight + axisHeight + 1}px`;
+    this.bar.style.height = `${this.barTop + barsHeight + axisHeight + 1}px`;
     followPointer(this.surface, () => gutter, () => plotWidth(this.surface), (from, to) => this.choose(from, to));
   }
   choose(from, to) {
@@ -205,10 +208,10 @@ class Plot {
     else {
       this.graph.updateOptions({dateWindow: [view.from, view.to], visibility: shown});
     }
-    const width = plotWidth(this.surface), rowsHeight = rovers.length * (barHeight + 1);
-    const pen = paper(this.bar, this.barTop + rowsHeight + axisHeight + 1);
-    drawEvents(pen, this.barTop, width);
-    drawTimeAxis(pen, this.barTop + rowsHeight, width);
+    const width = plotWidth(this.surface);
+    const pen = paper(this.bar, this.barTop + barsHeight + axisHeight + 1);
+    drawEvents(pen, this.barTop, width, barRovers);
+    drawTimeAxis(pen, this.barTop + barsHeight, width);
     this.moveCursor();
   }
   moveCursor() {
@@ -219,6 +222,7 @@ class Plot {
     this.lines.forEach((line, k) => {
       const dot = this.dots[k];
       const isShown = line.rovers.every(rover => rover.isShown);
+      this.keys[k].hidden = !isShown && page.runs !== undefined;
       const at = nearest(line.t, view.cursor), value = line.v[at] * this.scale;
       const share = line.full > 0 && !Number.isNaN(value) ? ` · ${placesText((100 * line.v[at]) / line.full, 1)} %` : '';
       this.outputs[k].textContent = isShown ? placesText(value, this.places) + share : '';
