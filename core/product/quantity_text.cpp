@@ -26,7 +26,8 @@ constexpr ShownUnit shown_units[] = {
     {"_s", 0, 1, " s"},           {"_j", kilo* hour_s, kilo* hour_s, " kWh"},
     {"_j", 0, hour_s, " Wh"},     {"_w", kilo, kilo, " kW"},
     {"_w", 0, 1, " W"},           {"_rad", 0, std::numbers::pi / 180, "\u00b0"},
-    {"_slip", 0, 0.01, " %"},     {"_share", 0, 0.01, " %"},
+    {"_mps", 0, 1, " m/s"},       {"_slip", 0, 0.01, " %"},
+    {"_share", 0, 0.01, " %"},
 };
 
 const ShownUnit* unit_of(std::string_view name, double value) {
@@ -47,14 +48,14 @@ std::string quantity_label(const std::string& name) {
   return label;
 }
 
-std::string quantity_text(const std::string& name, double value) {
+std::string quantity_text(const std::string& name, double value, int digits) {
   const ShownUnit* unit = unit_of(name, value);
-  if (unit == nullptr) return fmt::format("{:.6g}", value);
-  return fmt::format("{:.6g}{}", value / unit->factor, unit->unit);
+  if (unit == nullptr) return fmt::format("{:.{}g}", value, digits);
+  return fmt::format("{:.{}g}{}", value / unit->factor, digits, unit->unit);
 }
 
-std::string change_text(const std::string& name, double change) {
-  return (change < 0 ? "" : "+") + quantity_text(name, change);
+std::string change_text(const std::string& name, double change, int digits) {
+  return (change < 0 ? "" : "+") + quantity_text(name, change, digits);
 }
 
 }  // namespace lsos

@@ -10,7 +10,7 @@ namespace lsos {
 
 // Files of report/ and dygraphs, defined in a source that embed.cmake writes.
 extern const std::string_view page_frame, page_style, common_scripts, dygraphs;
-extern const std::string_view run_scripts, several_runs_scripts;
+extern const std::string_view run_scripts, several_runs_scripts, telemetry_scripts;
 
 namespace {
 
@@ -26,6 +26,8 @@ std::string_view scripts_of(PageKind kind) {
       return run_scripts;
     case PageKind::several_runs:
       return several_runs_scripts;
+    case PageKind::telemetry:
+      return telemetry_scripts;
   }
   return {};
 }

@@ -1,16 +1,23 @@
-// `lsos-host compare` and `lsos-host verify`: list the differences between runs, and check that
-// the log of a run is the one its summary was written from.
+// `lsos-host compare` and `lsos-host verify`: list the differences between runs, or between a run
+// and telemetry, and check that the log of a run is the one its summary was written from.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/output_file.h"
 #include "lua/app/commands.h"
+#include "lua/app/opened_run.h"
+#include "lua/host/run_mission.h"
 #include "product/compare.h"
+#include "product/comparison/residuals_text.h"
 #include "product/comparison/several_runs_text.h"
+#include "product/comparison/telemetry_page.h"
 
 namespace lsos {
 
@@ -18,7 +25,8 @@ namespace {
 
 struct CompareOptions {
   std::string first;
-  std::vector<std::string> others;  // folders
+  std::vector<std::string> others;  // folders of runs, or one file of telemetry
+  std::string page;                 // of telemetry over a run; "": none
   bool is_exact = false;            // value by value of the logs
   bool is_json = false;
 };
@@ -94,7 +102,60 @@ int compare_more(const ComparedRuns& runs, const CompareOptions& options) {
   return several.are_equal() ? 0 : 1;
 }
 
+bool is_table(const std::string& name) {
+  if (std::filesystem::is_directory(name)) return false;
+  constexpr std::string_view endings[] = {".csv", ".tsv", ".txt"};
+  return std::filesystem::is_regular_file(name) ||
+         std::ranges::any_of(endings, [&](std::string_view end) { return name.ends_with(end); });
+}
+
+// Lays a table of measured rows over the run. Faults of single rows are warnings.
+int compare_with_telemetry(const CompareOptions& options) {
+  const std::string &folder = options.first, &file = options.others.front();
+  Faults faults;
+  if (options.others.size() > 1) {
+    faults.error({file}, "is no folder of a run: telemetry is laid over one run alone");
+  }
+  if (options.is_exact) faults.error({}, "--exact: only between runs, not with telemetry");
+  if (!options.page.empty()) {
+    check_output("-o", options.page, {".html"}, {folder + "/log.gpkg", file}, faults);
+  }
+  const std::optional<std::string> text = read_file(file);
+  if (!text) faults.error({file}, "no such file, or it cannot be read");
+  faults.throw_if_errors();
+  const LogReader log(folder + "/log.gpkg");
+  require_samples(log, folder);
+  RunExtent extent{log.start(), log.last_sample_time(), {}};
+  for (const auto& [id, totals] : log.sample_totals()) extent.rovers.push_back(id);
+  const Telemetry telemetry = read_telemetry(file, *text, extent);
+  for (const Fault& fault : faults_of(telemetry, Severity::warning)) {
+    print_message("{}\n", to_string(fault));
+  }
+  const bool has_page = !options.page.empty();
+  const LoggedMission from =
+      has_page ? open_run_or_log(folder, log) : open_without_ground(folder, log);
+  const Residuals found = residuals(log, *from.run.files.plan.mission.planet, telemetry);
+  if (has_page) {
+    const std::string summary = read_file(folder + "/summary.json").value_or("");
+    write_file(options.page,
+               telemetry_page(from.run, log, summary, telemetry, found, {}, from.left_out));
+  }
+  print_result("{}", options.is_json ? to_json(found, telemetry, folder)
+                                     : to_text(found, telemetry, folder));
+  return 0;
+}
+
 int compare_command(const CompareOptions& options) {
+  if (std::ranges::any_of(options.others, is_table)) {
+    CompareOptions with_table = options;
+    std::ranges::stable_partition(with_table.others, is_table);
+    return compare_with_telemetry(with_table);
+  }
+  if (!options.page.empty()) {
+    throw InputError({},
+                     "-o: a page of telemetry; 'lsos-host report A B -o FILE.html' writes one "
+                     "of several runs");
+  }
   const ComparedRuns runs = opened(options);
   return runs.logs.size() == 2 ? compare_two(runs, options) : compare_more(runs, options);
 }
@@ -125,7 +186,11 @@ int verify_command(const VerifyOptions& options) {
 std::function<int()> prepare_compare(CommandOptions& command) {
   const auto options = std::make_shared<CompareOptions>();
   command.add_option("A", options->first, "Folder of a run").required();
-  command.add_option("B", options->others, "Folders of others, up to ten").required();
+  command
+      .add_option("B", options->others,
+                  "Folders of others, up to ten; or a table of telemetry, CSV")
+      .required();
+  command.add_option("-o,--output", options->page, "With telemetry: a page of plots, FILE.html");
   command.add_flag("--exact", options->is_exact, "The first differing value of the logs");
   command.add_flag("--json", options->is_json, "The answer as JSON");
   return [options] { return compare_command(*options); };

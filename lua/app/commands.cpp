@@ -24,7 +24,7 @@ const std::vector<Command>& commands() {
       {"picture", "A rover of a run as the Sun or a camera saw it", prepare_picture},
       {"report", "Write report.html of a run again from its log, or a page of several runs",
        prepare_report},
-      {"compare", "What differs between runs", prepare_compare},
+      {"compare", "What differs between runs, or between a run and telemetry", prepare_compare},
       {"verify", "Whether the log of a run is the one that its summary was written of",
        prepare_verify},
       {"sun", "Sun and Earth in the sky of a place", prepare_sun},

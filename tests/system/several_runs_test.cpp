@@ -1,4 +1,5 @@
-// `compare` and `report` of several runs, and their page in a browser.
+// `compare` and `report` of several runs, and of a run and telemetry, their pages in a browser.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -142,6 +143,60 @@ TEST_F(SeveralRunsPage, compare_has_a_table_of_each_event_that_differs) {
   const Words alike{folders()[0], folders()[2], folders()[0]};
   EXPECT_EQ(program({"compare"}, alike).exit_code, 0);
   EXPECT_EQ(program({"compare", "--exact"}, alike).exit_code, 0);
+}
+
+// The run's own log, with the rover's speed 0.05 m/s too high in other units, is measured again.
+TEST_F(SeveralRunsPage, telemetry_lies_over_a_run_with_its_residuals) {
+  const std::string log = *folder_ / "first/log.gpkg";
+  const std::string table = folder_->write(
+      "measured.csv",
+      "time_s;rover_id;Speed (km/h);lon_deg;lat_deg\n" +
+          run_command({"sqlite3", "-readonly", log,
+                       "SELECT printf('%.1f;%s;%.17g;%.17g;%.17g', time_s, rover_id, "
+                       "3.6 * (speed_mps + 0.05), lon_deg, lat_deg) FROM samples "
+                       "WHERE rover_id = 'A' ORDER BY fid"})
+              .out +
+          "1;Z;1;1;1\n");
+  const Outcome outcome =
+      run({"compare", *folder_ / "first", table, "--json", "-o", *folder_ / "telemetry.html"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("warning: there is no rover 'Z' in the run; it has A, B"));
+  const json answer = json::parse(outcome.out);
+  const json& speed = answer["residuals"][0];
+  EXPECT_EQ(speed["quantity"], "speed_mps");
+  EXPECT_NEAR(speed["mean"].get<double>(), 0.05, 1e-9);
+  EXPECT_NEAR(speed["rms"].get<double>(), 0.05, 1e-9);
+  EXPECT_LT(std::abs(answer["residuals"][3]["greatest"].get<double>()), 1e-6);
+  EXPECT_EQ(answer["unusable"].size(), 1u);
+
+  if (browser().empty()) GTEST_SKIP() << "no Chromium is installed";
+  const json seen = in_browser(*folder_, *folder_ / "telemetry.html", R"js(
+    const measured = plot('speed_mps');
+    measured.scrollIntoView();
+    await rest();
+    await move(measured, 0.5);
+    return {values: [...document.querySelectorAll('#plot-speed_mps output')].map(o => Number(o.textContent)),
+      plots: [...document.querySelectorAll('.plot')].map(p => p.id), findings: text('#findings'),
+      places: document.querySelectorAll('path.measured').length,
+      first: [...document.querySelectorAll('#rover-table tbody tr')].map(line => line.textContent)};
+  )js");
+  ASSERT_FALSE(seen.contains("error")) << seen;
+  EXPECT_EQ(seen["plots"],
+            json({"plot-speed_mps", "plot-speed_mps-residual", "plot-place_along_m-residual",
+                  "plot-place_across_m-residual", "plot-place_distance_m-residual"}));
+  EXPECT_NEAR(seen["values"][1].get<double>() - seen["values"][0].get<double>(), 0.05, 0.02);
+  EXPECT_EQ(seen["places"], 2);
+  EXPECT_THAT(seen["findings"].get<std::string>(), HasSubstr("there is no rover 'Z'"));
+  EXPECT_EQ(seen["first"].size(), 4u);
+}
+
+TEST_F(SeveralRunsPage, telemetry_of_which_no_row_can_be_used_is_an_error) {
+  const std::string table = folder_->write("wrong.csv", "time_s,rover_id,chrage\n1,A,0.5\n");
+  const Outcome outcome = run({"compare", *folder_ / "first", table});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("wrong.csv:1: column 'chrage': a run logs no such quantity; "
+                                     "did you mean 'charge'?"));
+  EXPECT_THAT(outcome.err, HasSubstr("wrong.csv:1: there is no column to compare"));
 }
 
 }  // namespace

@@ -146,9 +146,9 @@ class Plot {
     this.bar = make('canvas', {class: 'bar'});
     this.surface = make('div', {class: 'surface'}, this.graphPlace, this.bar, make('div', {class: 'shield'}), this.chosen, this.cursor, ...this.dots);
     this.keys = this.lines.map((line, k) => make('span', {},
-      draw('svg', {viewBox: '0 0 18 8'}, draw('line', {
-        x1: 0, x2: 18, y1: 4, y2: 4, stroke: line.colour, 'stroke-width': 2.2, 'stroke-dasharray': (line.dash || []).join(' '),
-      })), line.name, this.outputs[k]));
+      draw('svg', {viewBox: '0 0 18 8'}, draw('line', line.isPoints
+        ? {x1: 3, x2: 17, y1: 4, y2: 4, stroke: line.colour, 'stroke-width': 3.4, 'stroke-linecap': 'round', 'stroke-dasharray': '0 6'}
+        : {x1: 0, x2: 18, y1: 4, y2: 4, stroke: line.colour, 'stroke-width': 2.2, 'stroke-dasharray': (line.dash || []).join(' ')})), line.name, this.outputs[k]));
     this.element = make('figure', {class: 'plot', id: `plot-${this.key}`},
       make('figcaption', {}, make('h3', {}, this.title, make('span', {}, ` ${this.unit}`)), make('div', {class: 'keys'}, ...this.keys)),
       this.surface);
@@ -167,7 +167,8 @@ class Plot {
     this.graph = new Dygraph(this.graphPlace, merged(this.lines, this.scale), {
       labels: ['time', ...this.lines.map(line => line.name)],
       colors: this.lines.map(line => line.colour),
-      series: Object.fromEntries(this.lines.map(line => [line.name, {strokePattern: line.dash || null}])),
+      series: Object.fromEntries(this.lines.map(line => [line.name, line.isPoints
+        ? {strokeWidth: 0, drawPoints: true, pointSize: 1.7} : {strokePattern: line.dash || null}])),
       visibility: this.lines.map(line => line.rovers.every(rover => rover.isShown)),
       dateWindow: [view.from, view.to],
       strokeWidth: 1.5, connectSeparatedPoints: true, legend: 'never', highlightCircleSize: 0,
