@@ -182,12 +182,12 @@ struct LogWriter::Impl {
       });
     });
     attempt("reading events", [&] {
-      gpkg::run_sql(*dataset, "SELECT fid, rover_id, sequence FROM events",
+      gpkg::run_sql(*dataset, "SELECT fid + 0 AS number, rover_id, sequence FROM events",
                     [&](const OGRFeature& row) {
                       event_fids[{row.GetFieldAsString(1), row.GetFieldAsInteger64(2)}] =
                           row.GetFieldAsInteger64(0);
                     });
-      gpkg::run_sql(*dataset, "SELECT fid, key FROM run", [&](const OGRFeature& row) {
+      gpkg::run_sql(*dataset, "SELECT fid + 0 AS number, key FROM run", [&](const OGRFeature& row) {
         run_fids[row.GetFieldAsString(1)] = row.GetFieldAsInteger64(0);
       });
       return true;
