@@ -108,7 +108,7 @@ std::vector<Fault> Simulation::advice() const {
 
 void Simulation::start() {
   for (FleetRover& rover : fleet_.rovers) {
-    rover.agent->routes().log_ahead(rover.agent->id());
+    rover.agent->routes().log_ahead(rover.agent->id(), now_);
     rover.agent->observe();
   }
   // Sunlight and sight are evaluated first, so that the first decisions of scripts know them.

@@ -23,6 +23,7 @@
 #include "mission/fleet/rover_result.h"
 #include "mission/fleet/simulation_setup.h"
 #include "mission/model/machine.h"
+#include "mission/model/plan_revision.h"
 
 namespace lsos {
 
@@ -87,6 +88,12 @@ class Simulation : private Surroundings {
   // with sorted keys.
   void note_interactive(const std::string& rover_id, const std::string& name,
                         const std::string& fields_json);
+
+  // Goes on from what a simulation of another plan has come to, which is of no use afterwards; its
+  // plan and this one must have passed check_revision().
+  void go_on_from(Simulation& earlier);
+  // Events that have begun or ended.
+  EventReferences begun_events() const;
 
   // Serialises all state, and restores it into a simulation of the same setup.
   std::string save();

@@ -132,6 +132,9 @@ struct Plan {
   std::string hash() const;
 };
 
+// SHA-256 of all that an event says, without file and line.
+std::string event_hash(const PlanEvent& event);
+
 // The rover with that id; nullptr when there is none, or more than one.
 const PlanRover* rover_of(const Plan& plan, const std::string& rover_id);
 

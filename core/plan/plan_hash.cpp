@@ -103,6 +103,12 @@ void add_event(Digest& digest, const PlanEvent& event) {
 
 }  // namespace
 
+std::string event_hash(const PlanEvent& event) {
+  Digest digest;
+  add_event(digest, event);
+  return digest.hex();
+}
+
 std::string Plan::hash() const {
   Digest digest;
   add_mission(digest, mission);

@@ -153,7 +153,9 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
       warn(warning);
     }
   }
-  summary.log_sha256 = LogReader(folder_.file("log.gpkg")).sha256();
+  const LogReader log(folder_.file("log.gpkg"));
+  summary.log_sha256 = log.sha256();
+  summary.branch = log.branch();
   write_summary(folder_.path(), summary);
   const std::size_t warnings_before = summary.warnings.size();
   const auto make = [&](const Product& product) {

@@ -79,7 +79,7 @@ std::string to_json(const RunSummary& summary) {
   Json events = Json::array();
   for (const EventRow& event : summary.events) events.push_back(json_of(event, summary.start));
   const bool has_wall_time = summary.wall_s > 0;
-  const Json document = {
+  Json document = {
       {"status", to_string(summary.status)},
       {"plan", summary.plan},
       {"log_sha256", summary.log_sha256},
@@ -92,6 +92,11 @@ std::string to_json(const RunSummary& summary) {
       {"assumptions", summary.assumptions},
       {"program", program},
   };
+  if (summary.branch) {
+    document["branch"] = {{"of", summary.branch->folder},
+                          {"log_sha256", summary.branch->log_sha256},
+                          {"time_s", seconds(summary.branch->time)}};
+  }
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

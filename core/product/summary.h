@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planet/utc.h"
+#include "record/checkpoint.h"
 #include "record/rows.h"
 
 namespace lsos {
@@ -48,6 +49,7 @@ struct RunSummary {
   std::vector<EventRow> events;
   std::vector<std::string> warnings;
   std::vector<std::string> assumptions;  // simplifications of the models
+  std::optional<BranchOrigin> branch;    // where it left another run; absent: it is no branch
 };
 
 // UTF-8; invalid bytes become U+FFFD.

@@ -80,6 +80,10 @@ std::string to_text(const RunSummary& summary) {
     text += fmt::format(", {:.0f} x real time", summary.sim_s / summary.wall_s);
   }
   text += '\n';
+  if (summary.branch) {
+    text += fmt::format("a branch of {} from {} on\n", summary.branch->folder,
+                        duration_text(seconds(summary.branch->time)));
+  }
   if (!summary.rovers.empty()) text += rover_lines(summary);
   text += event_lines(summary);
   const std::size_t warnings = summary.warnings.size();

@@ -23,6 +23,13 @@ struct Checkpoint {
   std::string state;  // of the simulation, opaque here
 };
 
+// Where a run left another one.
+struct BranchOrigin {
+  std::string folder;      // of the other run
+  std::string log_sha256;  // of its log; "": it was unfinished
+  SimTime time{};
+};
+
 // A checkpoint without its state.
 struct CheckpointEntry {
   std::int64_t id = 0;  // counts up in the order of writing

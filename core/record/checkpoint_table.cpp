@@ -41,9 +41,10 @@ std::string hex(std::string_view bytes) {
   return text;
 }
 
-bool has_table(GDALDataset& dataset) {
+bool has_table(GDALDataset& dataset, const char* name = "lsos_checkpoints") {
   bool is_there = false;
-  run_sql(dataset, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'lsos_checkpoints'",
+  run_sql(dataset,
+          fmt::format("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = '{}'", name),
           [&](const OGRFeature&) { is_there = true; });
   return is_there;
 }
@@ -114,6 +115,26 @@ std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64
   } catch (const Archive::Mismatch&) {
     return {};
   }
+}
+
+void write_branch(GDALDataset& dataset, const BranchOrigin& origin) {
+  run_sql(dataset,
+          "CREATE TABLE IF NOT EXISTS lsos_branch (id INTEGER PRIMARY KEY CHECK (id = 1), folder "
+          "TEXT NOT NULL, log_sha256 TEXT NOT NULL, time_us INTEGER NOT NULL)");
+  run_sql(dataset,
+          fmt::format("INSERT OR REPLACE INTO lsos_branch VALUES (1, {}, {}, {})",
+                      quoted(origin.folder), quoted(origin.log_sha256), origin.time.count()));
+}
+
+std::optional<BranchOrigin> read_branch(GDALDataset& dataset) {
+  std::optional<BranchOrigin> origin;
+  if (!has_table(dataset, "lsos_branch")) return origin;
+  run_sql(dataset, "SELECT folder, log_sha256, time_us FROM lsos_branch",
+          [&](const OGRFeature& row) {
+            origin = {row.GetFieldAsString(0), row.GetFieldAsString(1),
+                      SimTime{row.GetFieldAsInteger64(2)}};
+          });
+  return origin;
 }
 
 }  // namespace lsos::gpkg

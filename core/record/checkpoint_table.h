@@ -14,12 +14,16 @@ void make_checkpoint_table(GDALDataset& dataset);
 void add_checkpoint(GDALDataset& dataset, const StoredCheckpoint& checkpoint);
 // Removes all but the kept ones, and the table when none is left.
 void remove_passing_checkpoints(GDALDataset& dataset);
-// Removes those written after this one.
+// Removes those written after this one; after 0: all.
 void remove_checkpoints_after(GDALDataset& dataset, std::int64_t id);
 
 // Oldest first; empty where there is no table.
 std::vector<CheckpointEntry> checkpoint_entries(GDALDataset& dataset);
 // nullopt: it is damaged, not there, or not of this form.
 std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64_t id);
+
+// The one row of the internal table `lsos_branch`.
+void write_branch(GDALDataset& dataset, const BranchOrigin& origin);
+std::optional<BranchOrigin> read_branch(GDALDataset& dataset);
 
 }  // namespace lsos::gpkg

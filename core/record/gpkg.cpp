@@ -127,6 +127,12 @@ OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialRe
   return layer;
 }
 
+std::string quoted(const std::string& text) {
+  std::string sql = "'";
+  for (const char c : text) sql += c == '\'' ? std::string("''") : std::string(1, c);
+  return sql + "'";
+}
+
 void run_sql(GDALDataset& dataset, const std::string& statement,
              const std::function<void(const OGRFeature&)>& visit) {
   OGRLayer* result = dataset.ExecuteSQL(statement.c_str(), nullptr, nullptr);

@@ -47,6 +47,9 @@ Dataset open_to_write(const std::string& file);
 // nullptr on failure.
 OGRLayer* create_layer(GDALDataset& dataset, const LayerSpec& spec, OGRSpatialReference& crs);
 
+// A text as it stands in a statement.
+std::string quoted(const std::string& text);
+
 // Runs one statement and passes each row of its result to `visit`. Errors are reported by a
 // QuietErrors around the call.
 void run_sql(GDALDataset& dataset, const std::string& statement,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -65,6 +66,10 @@ class LogWriter {
   void commit();
   // Commits the rows so far and this checkpoint at once.
   void write(const Checkpoint& checkpoint);
+
+  // Begins a branch: removes the checkpoints of the run whose log this is a copy of, and writes
+  // where it was left, in an internal table.
+  void begin_branch(const BranchOrigin& origin);
 
   // Commits all, folds the write-ahead log into the one file and closes it. If another program has
   // the file open at that time, the write-ahead log is removed when that program closes it. Of the
@@ -143,6 +148,8 @@ class LogReader {
   std::vector<CheckpointEntry> checkpoints() const;
   // Throws InputError where it is damaged.
   StoredCheckpoint checkpoint(std::int64_t id) const;
+  // Where the run left another one; absent: it is no branch.
+  std::optional<BranchOrigin> branch() const;
   // Writes all of the log into a new file. Throws InputError.
   void copy_to(const std::string& file) const;
 

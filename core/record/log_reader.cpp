@@ -321,11 +321,14 @@ StoredCheckpoint LogReader::checkpoint(std::int64_t id) const {
   throw InputError({impl_->file}, fmt::format("its checkpoint {} is damaged", id));
 }
 
+std::optional<BranchOrigin> LogReader::branch() const {
+  const gpkg::QuietErrors errors;
+  return gpkg::read_branch(*impl_->dataset);
+}
+
 void LogReader::copy_to(const std::string& file) const {
   const gpkg::QuietErrors errors;
-  std::string quoted;
-  for (const char c : file) quoted += c == '\'' ? "''" : std::string(1, c);
-  gpkg::run_sql(*impl_->dataset, fmt::format("VACUUM INTO '{}'", quoted));
+  gpkg::run_sql(*impl_->dataset, fmt::format("VACUUM INTO {}", gpkg::quoted(file)));
   if (errors.has_failed()) {
     throw InputError({file},
                      fmt::format("cannot be copied from {}: {}", impl_->file, errors.message()));

@@ -331,6 +331,15 @@ void LogWriter::write(const Checkpoint& checkpoint) {
   commit();
 }
 
+void LogWriter::begin_branch(const BranchOrigin& origin) {
+  impl_->attempt("beginning a branch", [&] {
+    gpkg::remove_checkpoints_after(*impl_->dataset, 0);
+    gpkg::write_branch(*impl_->dataset, origin);
+    return true;
+  });
+  commit();
+}
+
 void LogWriter::finish(bool can_resume) {
   if (!can_resume) {
     impl_->attempt("removing checkpoints", [&] {

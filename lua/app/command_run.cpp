@@ -106,7 +106,7 @@ int run_command(const RunOptions& options) {
   const std::map<std::string, std::string> values = run_values(files, simulation);
   RunRecord record(folder, files.plan_bytes, files, values, simulation);
   const std::string plan_file = std::filesystem::absolute(options.plan).lexically_normal();
-  Checkpoints checkpoints(record.log(), {program_build(), plan_file, values, every, "", "", ""},
+  Checkpoints checkpoints(record.log(), {program_build(), plan_file, values, every, "", ""},
                           options.checkpoints.is_on);
   simulation.start();
   checkpoints.start(simulation);

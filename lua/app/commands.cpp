@@ -6,6 +6,7 @@ const std::vector<Command>& commands() {
   static const std::vector<Command> table{
       {"run", "Simulate a plan", prepare_run},
       {"resume", "Go on with a run that was stopped or killed", prepare_resume},
+      {"branch", "What if: go on otherwise from a moment of a run", prepare_branch},
       {"check", "Read and check a plan", prepare_check},
       {"fsm", "The machine synthesised from a plan, as Graphviz DOT", prepare_fsm},
       {"list", "What a plan can name", prepare_list},

@@ -22,6 +22,7 @@ const std::vector<Command>& commands();
 
 std::function<int()> prepare_run(CommandOptions& command);
 std::function<int()> prepare_resume(CommandOptions& command);
+std::function<int()> prepare_branch(CommandOptions& command);
 std::function<int()> prepare_check(CommandOptions& command);
 std::function<int()> prepare_fsm(CommandOptions& command);
 std::function<int()> prepare_list(CommandOptions& command);

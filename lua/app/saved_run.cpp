@@ -64,18 +64,35 @@ SavedRun last_saved_run(const std::string& folder, const std::vector<CheckpointE
   return {};
 }
 
-MissionFiles files_of_run(const std::string& folder, const SavedMission& mission) {
-  const std::string copy = folder + "/plan.kml";
-  PlanSource source = read_plan_source(copy);
+SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTime moment) {
+  std::optional<CheckpointEntry> last;
+  for (const CheckpointEntry& entry : log.checkpoints()) {
+    if (entry.time <= moment) last = entry;
+  }
+  if (!last) {
+    throw InputError({folder},
+                     "keeps no checkpoint at or before that moment: run the plan with "
+                     "--checkpoint-every, as in --checkpoint-every \"1 d\"");
+  }
+  return saved_run(log, folder, last->id);
+}
+
+PlanSource source_of_run(const std::string& folder, const SavedMission& mission) {
+  PlanSource source = read_plan_source(folder + "/plan.kml");
   std::error_code unreadable;
   const auto original = std::filesystem::path(mission.plan_file);
   if (std::filesystem::is_directory(original.parent_path(), unreadable)) {
     source.file = mission.plan_file;
   }
   source.soil = mission.soil;
-  const auto seed =
-      parse_integer(mission.values.contains("seed") ? mission.values.at("seed") : std::string());
+  return source;
+}
+
+MissionFiles files_of_run(const std::string& folder, const SavedMission& mission) {
+  const auto known = mission.values.find("seed");
+  const auto seed = parse_integer(known == mission.values.end() ? "" : known->second);
   if (!seed) throw InputError({folder}, "its checkpoint does not say which seed was run");
+  const PlanSource source = source_of_run(folder, mission);
   MissionFiles files = read_mission(source, read_catalog(source.file), *seed.value);
   files.faults.throw_if_errors();
   return files;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lua/host/mission_files.h"
+#include "lua/host/mission_reader.h"
 #include "lua/host/saved_mission.h"
 #include "mission/simulation.h"
 #include "record/log.h"
@@ -28,6 +29,11 @@ SavedRun saved_run(const LogReader& log, const std::string& folder, std::int64_t
 SavedRun last_saved_run(const std::string& folder, const std::vector<CheckpointEntry>& entries,
                         std::vector<std::string>& damaged);
 
+// The last one at or before a moment. Throws InputError where there is none, or it is damaged.
+SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTime moment);
+
+// The copy of the plan that was run; scripts and rasters lie beside the plan itself.
+PlanSource source_of_run(const std::string& folder, const SavedMission& mission);
 // The mission that was run, from the copy of its plan, with the scripts and rasters of the folder
 // of the plan. Throws InputError.
 MissionFiles files_of_run(const std::string& folder, const SavedMission& mission);

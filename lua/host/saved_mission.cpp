@@ -13,7 +13,7 @@ namespace {
 
 void archive(Archive& a, SavedMission& mission) {
   LSOS_ARCHIVE(a, mission.build, mission.plan_file, mission.values, mission.every, mission.soil,
-               mission.dispatched_kml, mission.state);
+               mission.state);
 }
 
 std::string value(const std::map<std::string, std::string>& values, const std::string& key) {

@@ -16,7 +16,6 @@ struct SavedMission {
   std::map<std::string, std::string> values;  // run_values()
   SimTime every{};                            // mission time between kept checkpoints; 0: none
   std::string soil;                           // set in place of the terrain's own; "": none was
-  std::string dispatched_kml;                 // events added while it ran; "": none
   std::string state;                          // Simulation::save()
 };
 

@@ -50,9 +50,24 @@ SimSession::SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog
                        const std::string& folder)
     : source_(std::move(source)),
       files_(files_with(source_.soil, std::move(catalog))),
-      folder_(folder, true) {
+      folder_(std::make_unique<RunFolder>(folder, true)) {
   replace_simulation(make_simulation(files_, true, {}), true);
   simulation_->start();
+}
+
+SimSession::SimSession(SessionParts parts)
+    : source_(std::move(parts.source)),
+      files_(std::move(parts.files)),
+      folder_(std::move(parts.folder)),
+      record_(std::move(parts.record)),
+      dispatched_(std::move(parts.dispatched)) {
+  replace_simulation(std::move(parts.simulation), false);
+}
+
+SessionParts SimSession::release() {
+  simulation_->set_note_listener({});
+  return {std::move(source_),     std::move(files_),  std::move(folder_),
+          std::move(simulation_), std::move(record_), std::move(dispatched_)};
 }
 
 SimSession::~SimSession() {
@@ -91,7 +106,7 @@ void SimSession::replace_simulation(std::unique_ptr<Simulation> simulation, bool
   simulation_->set_note_listener([this](const NoteRow& row) { notes_.push_back(row); });
   if (!begins_log) return simulation_->set_log(&record_->log());
   record_.reset();
-  record_ = std::make_unique<RunRecord>(folder_, source_.bytes, files_,
+  record_ = std::make_unique<RunRecord>(*folder_, source_.bytes, files_,
                                         run_values(files_, *simulation_), *simulation_);
 }
 

@@ -15,18 +15,30 @@
 
 namespace lsos {
 
+// What a session works on.
+struct SessionParts {
+  PlanSource source;
+  MissionFiles files;
+  std::unique_ptr<RunFolder> folder;
+  std::unique_ptr<Simulation> simulation;
+  std::unique_ptr<RunRecord> record;
+  std::vector<SourcePlacemark> dispatched;  // events added by it
+};
+
 class SimSession {
  public:
   // `folder`: folder of its log, replaced if it exists. Throws InputError with all faults.
   SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog, const std::string& folder);
-  // Writes the rest of the log, unless finish() has.
+  // Takes over a mission that runs.
+  explicit SimSession(SessionParts parts);
+  // Writes the rest of the log, unless finish() or release() was called.
   ~SimSession();
   SimSession(const SimSession&) = delete;
   SimSession& operator=(const SimSession&) = delete;
 
   Simulation& simulation() { return *simulation_; }
   const MissionFiles& files() const { return files_; }
-  const std::string& folder() const { return folder_.path(); }
+  const std::string& folder() const { return folder_->path(); }
   const std::vector<NoteRow>& notes() const { return notes_; }
   // Failures and warnings since the last call, one text each.
   std::vector<std::string> take_news();
@@ -62,6 +74,9 @@ class SimSession {
   // Ends the simulation: events under way are incomplete.
   void finish();
 
+  // Gives its parts away; the session is of no use afterwards.
+  SessionParts release();
+
   // Called by a signal handler: a running simulation ends with std::runtime_error at the next
   // exchange.
   static void interrupt();
@@ -81,7 +96,7 @@ class SimSession {
 
   PlanSource source_;
   MissionFiles files_;
-  RunFolder folder_;
+  std::unique_ptr<RunFolder> folder_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<RunRecord> record_;

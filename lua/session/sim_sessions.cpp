@@ -24,8 +24,18 @@ ScriptInstance SimSessions::add(PlanSource source, std::shared_ptr<const Catalog
   const std::vector<Fault> advice = session->simulation().advice();
   warnings.insert(warnings.end(), advice.begin(), advice.end());
   for (const Fault& warning : warnings) say_(to_string(warning));
+  return adopt(std::move(session));
+}
+
+ScriptInstance SimSessions::adopt(std::unique_ptr<SimSession> session) {
   sessions_[next_number] = std::move(session);
   return next_number++;
+}
+
+std::unique_ptr<SimSession> SimSessions::release(ScriptInstance number) {
+  std::unique_ptr<SimSession> session = std::move(sessions_.at(number));
+  sessions_.erase(number);
+  return session;
 }
 
 SimSession& SimSessions::at(ScriptInstance number) {

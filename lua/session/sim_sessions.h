@@ -33,6 +33,10 @@ class SimSessions : public InteractiveRovers {
   ScriptInstance open(const std::string& plan_file);
   ScriptInstance open(lua_State* L, int table, const Place& place);
 
+  // Takes a session in, and gives it back.
+  ScriptInstance adopt(std::unique_ptr<SimSession> session);
+  std::unique_ptr<SimSession> release(ScriptInstance number);
+
   // Throws std::runtime_error where the number is not of these but of an earlier scenario.
   SimSession& at(ScriptInstance number);
   // The last simulation opened; nullptr before the first.

@@ -17,6 +17,10 @@ bool EventRecord::has_ended() const {
   }
 }
 
+bool EventRecord::has_begun() const {
+  return start || (has_ended() && status != EventStatus::disabled);
+}
+
 void EventRecord::archive(Archive& a) {
   LSOS_ARCHIVE(a, status, reason, ready, start, end, distance_start_m, distance_m, used_start_j,
                energy_used_j, solar_start_j, solar_j, place.lon_rad, place.lat_rad, place.height_m,

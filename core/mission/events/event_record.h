@@ -26,6 +26,8 @@ struct EventRecord {
 
   // Whether it is over, or will never run.
   bool has_ended() const;
+  // Whether it has begun, or is over without having begun.
+  bool has_begun() const;
 
   void archive(Archive& a);
 };

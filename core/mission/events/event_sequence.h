@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ class EventSequence {
   // Adds an event behind those with a lower sequence. Throws InputError when its sequence is taken
   // or its turn is over.
   void add(const EventMachine& machine);
+  // Takes up the events of another plan in place of those that have not begun; check_revision()
+  // must have passed. Returns the sequences of those that are new or differ.
+  std::set<std::int64_t> revise(const RoverMachine& machine);
   // Time at which `run` must be called next even if nothing else happens; nullopt: only something
   // else can wake it (an arrival, another rover's event).
   std::optional<SimTime> wake(SimTime now, Instant mission_start) const;

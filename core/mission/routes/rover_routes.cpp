@@ -127,10 +127,12 @@ std::string RoverRoutes::no_route_text(const Ground& ground, std::int64_t waypoi
       off_m(leg.nearest_S_m));
 }
 
-void RoverRoutes::log_ahead(const std::string& rover_id) {
+void RoverRoutes::log_ahead(const std::string& rover_id, SimTime now,
+                            const std::set<std::int64_t>* sequences) {
   if (ahead_ == nullptr) return;
   for (const LegAhead& ahead : *ahead_) {
-    if (ahead.leg.is_found()) log(rover_id, SimTime{}, ahead.sequence, ahead.waypoint, ahead.leg);
+    if (sequences != nullptr && !sequences->contains(ahead.sequence)) continue;
+    if (ahead.leg.is_found()) log(rover_id, now, ahead.sequence, ahead.waypoint, ahead.leg);
   }
 }
 

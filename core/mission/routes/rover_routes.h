@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,8 +56,9 @@ class RoverRoutes {
   bool stand_in(const std::string& stance);
   void stand_as_started();
   const std::vector<Vec3>& hubs_B_m() const { return hubs_B_m_; }
-  // Adds rows for the legs planned ahead.
-  void log_ahead(const std::string& rover_id);
+  // Adds rows for the legs planned ahead. `sequences`: of these events alone; nullptr: of all.
+  void log_ahead(const std::string& rover_id, SimTime now,
+                 const std::set<std::int64_t>* sequences = nullptr);
 
   // See RoverPort::plan_path(). `sequence`: of the calling event.
   PlannedRoute plan(const std::string& rover_id, SimTime now, std::int64_t sequence,

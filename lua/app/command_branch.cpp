@@ -1,0 +1,204 @@
+// `lsos-host branch`: goes on otherwise from a moment of a run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/console.h"
+#include "base/files.h"
+#include "lua/app/branch_moment.h"
+#include "lua/app/commands.h"
+#include "lua/app/planning_watch.h"
+#include "lua/app/progress.h"
+#include "lua/app/run_to_end.h"
+#include "lua/app/saved_run.h"
+#include "lua/host/cached_routes.h"
+#include "lua/host/mission_reader.h"
+#include "lua/host/plan_table.h"
+#include "lua/host/run_values.h"
+#include "lua/host/version.h"
+#include "lua/session/change_script.h"
+#include "mission/model/plan_revision.h"
+#include "plan/renumbered.h"
+
+namespace lsos {
+
+namespace {
+
+struct BranchOptions : OutcomeOptions {
+  std::string folder;   // of the trunk
+  std::string at;       // UTC, a duration from the start, or an event
+  std::string output;   // folder of the branch
+  std::string plan;     // "": the trunk's
+  std::string changes;  // a script; "": none
+  bool is_forced = false;
+  bool is_renderer_allowed = false;
+  CheckpointOptions checkpoints;
+};
+
+void check(const BranchOptions& options) {
+  Faults faults;
+  if (options.at.empty()) faults.error({}, "--at: a time or an event of the run is required");
+  if (options.output.empty()) faults.error({}, "-o: the folder of the branch is required");
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.folder, options.output, ignored)) {
+    faults.error({}, fmt::format("-o {}: a branch needs a folder of its own", options.output));
+  }
+  if (!options.changes.empty() && !std::filesystem::is_regular_file(options.changes, ignored)) {
+    faults.error({}, fmt::format("--with {}: no such file", options.changes));
+  }
+  faults.throw_if_errors();
+}
+
+// The plan that takes over, with the numbers that events which have begun have in the trunk.
+PlanSource revised_source(const BranchOptions& options, const MissionFiles& trunk,
+                          const EventReferences& begun) {
+  PlanSource source = read_plan_source(options.plan);
+  const MissionFiles files =
+      read_mission(source, read_catalog(source.file), trunk.plan.mission.seed);
+  files.faults.throw_if_errors();
+  const auto numbers = renumbered_events(trunk.plan, begun, files.plan);
+  if (numbers.empty()) return source;
+  renumber_events(source.kml, numbers);
+  source.bytes = kml_of(source.kml);
+  return source;
+}
+
+SimulationSetup setup_of(const MissionFiles& files, const BranchOptions& options,
+                         PlanningWatch& watch) {
+  SimulationSetup setup = simulation_setup(files);
+  setup.threads = options.threads;
+  setup.keeps_sight = true;
+  setup.cache_legs = [file = files.plan.file](const std::string& bytes) {
+    cache_legs(file, bytes);
+  };
+  setup.on_planning = [&watch](const std::string& what) { watch.plan(what); };
+  return setup;
+}
+
+std::string digest_in(const std::string& folder) {
+  const std::string bytes = read_file(folder + "/summary.json").value_or("");
+  const auto summary = nlohmann::json::parse(bytes, nullptr, false);
+  return summary.is_object() ? summary.value("log_sha256", "") : "";
+}
+
+void print(const Faults& faults, bool is_quiet) {
+  for (const Fault& fault : faults.sorted()) {
+    if (!is_quiet) print_message("{}\n", to_string(fault));
+  }
+}
+
+// Replaces the simulation of the trunk's plan by one of the changed plan, in the same log.
+void take_up(SessionParts& parts, MissionFiles files, const BranchOptions& options,
+             PlanningWatch& watch) {
+  SimulationSetup setup = setup_of(files, options, watch);
+  setup.cached_legs = parts.simulation->cached_legs();
+  auto simulation = std::make_unique<Simulation>(std::move(setup));
+  simulation->go_on_from(*parts.simulation);
+  simulation->set_log(&parts.record->log());
+  files.faults.add(simulation->advice());
+  print(files.faults, options.is_quiet);
+  parts.simulation = std::move(simulation);
+  parts.files = std::move(files);
+}
+
+// Runs the script of changes. Events that it adds become part of the plan.
+void change(SessionParts& parts, const BranchOptions& options) {
+  auto session = std::make_unique<SimSession>(std::move(parts));
+  parts = run_change_script(std::move(session), options.changes)->release();
+  if (parts.dispatched.empty()) return;
+  std::vector<SourcePlacemark>& placemarks = parts.source.kml.placemarks;
+  placemarks.insert(placemarks.end(), parts.dispatched.begin(), parts.dispatched.end());
+  parts.source.bytes = kml_of(parts.source.kml);
+  parts.files = read_mission(parts.source, parts.files.catalog, parts.files.plan.mission.seed);
+  parts.files.faults.throw_if_errors();
+}
+
+int branch_command(const BranchOptions& options) {
+  check(options);
+  const SimTime every = kept_every(options.checkpoints);
+  const LogReader log(options.folder + "/log.gpkg");
+  const SimTime moment = branch_moment(log, options.folder, options.at);
+  const SavedRun saved = saved_run_before(log, options.folder, moment);
+  const EventReferences begun = begun_events(log, moment);
+  SessionParts parts;
+  parts.source = source_of_run(options.folder, saved.mission);
+  parts.files = files_of_run(options.folder, saved.mission);
+  PlanSource revised = parts.source;
+  MissionFiles files = parts.files;
+  if (!options.plan.empty()) {
+    revised = revised_source(options, parts.files, begun);
+    revised.soil = saved.mission.soil;
+    files = read_mission(revised, read_catalog(revised.file), parts.files.plan.mission.seed);
+    check_revision(parts.files.plan, begun, files.plan, files.faults);
+    files.faults.throw_if_errors();
+  }
+  parts.folder = std::make_unique<RunFolder>(options.output, options.is_forced);
+  PlanningWatch watch(options.is_quiet);
+  parts.simulation = std::make_unique<Simulation>(setup_of(parts.files, options, watch));
+  const SavedMission now{
+      program_build(), "", run_values(parts.files, *parts.simulation), {}, "", ""};
+  const Faults differing =
+      differences(saved.mission, now, options.folder, options.is_renderer_allowed);
+  differing.throw_if_errors();
+  print(differing, options.is_quiet);
+  restore(*parts.simulation, saved, options.folder);
+
+  // From here on the folder of the branch is written. Until its first checkpoint it cannot be
+  // resumed.
+  parts.folder->prepare();
+  write_file(parts.folder->file("plan.kml"), parts.source.bytes);
+  log.copy_to(parts.folder->file("log.gpkg"));
+  parts.record =
+      std::make_unique<RunRecord>(*parts.folder, parts.files, saved.id, *parts.simulation);
+  const std::string trunk = std::filesystem::absolute(options.folder).lexically_normal();
+  parts.record->log().begin_branch({trunk, digest_in(options.folder), moment});
+  while (parts.simulation->now() < moment && !parts.simulation->is_finished()) {
+    parts.simulation->advance(moment);
+  }
+  LSOS_ASSERT(parts.simulation->begun_events() == begun);
+  if (!options.plan.empty()) {
+    take_up(parts, std::move(files), options, watch);
+    parts.source = std::move(revised);
+  }
+  if (!options.changes.empty()) change(parts, options);
+  write_file(parts.folder->file("plan.kml"), parts.source.bytes);
+  const std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
+  parts.record->log().write_run(values);
+  if (!options.is_quiet) {
+    print_message("{}: leaves {} at {} of the mission\n", parts.folder->path(), options.folder,
+                  clock_text(seconds(parts.simulation->now())));
+  }
+  catch_stop_signals();
+  const std::string plan_file = std::filesystem::absolute(parts.source.file).lexically_normal();
+  Checkpoints checkpoints(parts.record->log(),
+                          {program_build(), plan_file, values, every, parts.source.soil, ""},
+                          options.checkpoints.is_on);
+  checkpoints.start(*parts.simulation);
+  return run_to_end({parts.files, *parts.simulation, *parts.folder, *parts.record, checkpoints},
+                    options);
+}
+
+}  // namespace
+
+std::function<int()> prepare_branch(CommandOptions& command) {
+  const auto options = std::make_shared<BranchOptions>();
+  command.add_option("DIR", options->folder, "Folder of a run that keeps checkpoints").required();
+  command.add_option("--at", options->at,
+                     "When it goes on otherwise: UTC, a time from the start, or an event (its "
+                     "label, or ROVER/SEQUENCE): just before that begins");
+  command.add_option("-o,--output", options->output, "Folder of the branch");
+  command.add_option("--plan", options->plan,
+                     "A plan whose later events take the place of the run's");
+  command.add_option("--with", options->changes,
+                     "A Lua script of changes at that moment, to 'sim' as in scenarios");
+  command.add_flag("--force", options->is_forced, "Replace an unfinished run");
+  add_outcome_options(command, *options);
+  add_checkpoint_options(command, options->checkpoints);
+  command.add_flag("--allow-renderer", options->is_renderer_allowed,
+                   "Go on although another renderer draws light and sight");
+  return [options] { return branch_command(*options); };
+}
+
+}  // namespace lsos

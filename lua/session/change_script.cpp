@@ -1,0 +1,55 @@
+#include "lua/session/change_script.h"
+
+#include "base/console.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "lua/runtime/environment.h"
+#include "lua/runtime/handle.h"
+#include "lua/runtime/loader.h"
+#include "lua/runtime/module.h"
+#include "lua/runtime/state.h"
+#include "lua/session/session_api.h"
+#include "lua/session/sim_sessions.h"
+
+namespace lsos {
+
+namespace {
+
+Limits change_limits() {
+  Limits limits;
+  limits.instructions = 2'000'000'000;  // some 20 s
+  limits.cpu_s = 1e9;
+  return limits;
+}
+
+}  // namespace
+
+std::unique_ptr<SimSession> run_change_script(std::unique_ptr<SimSession> session,
+                                              const std::string& file) {
+  const auto source = read_file(file);
+  if (!source) throw InputError({file}, "cannot be read");
+  const auto say = [](const std::string& line) { print_message("{}\n", line); };
+  LuaState lua(make_session_api, change_limits());
+  SimSessions sessions(session->folder(), say);
+  const ScriptInstance number = sessions.adopt(std::move(session));
+  lua.context().interactive_rovers = &sessions;
+  std::string failure_text;
+  lua.run([&](lua_State* L) {
+    auto failure = load_text(L, *source, file);
+    if (!failure) {
+      push_open_environment(L);
+      push_lsos_module(L);
+      lua_setfield(L, -2, "lsos");
+      push_handle(L, sim_handle_type(), number);
+      lua_setfield(L, -2, "sim");
+      lua_setupvalue(L, -2, 1);  // _ENV
+      failure = call_script(L, 0, 0);
+    }
+    if (failure) failure_text = failure->message;
+  });
+  lua.context().interactive_rovers = nullptr;
+  if (!failure_text.empty()) throw InputError({}, failure_text);
+  return sessions.release(number);
+}
+
+}  // namespace lsos
