@@ -7,7 +7,9 @@ namespace lsos::test {
 namespace {
 
 std::string placemark(const Mark& mark) {
-  std::string text = "<Placemark><ExtendedData><SchemaData schemaUrl=\"#" + mark.type + "\">\n";
+  std::string text = "<Placemark>";
+  if (!mark.name.empty()) text += "<name>" + mark.name + "</name>";
+  text += "<ExtendedData><SchemaData schemaUrl=\"#" + mark.type + "\">\n";
   for (const auto& [name, value] : mark.fields) {
     text += "  <SimpleData name=\"" + name + "\">" + value + "</SimpleData>\n";
   }

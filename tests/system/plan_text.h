@@ -14,6 +14,7 @@ struct Mark {
   std::string type;  // name in its schemaUrl
   Fields fields;
   std::string geometry;  // KML, or ""
+  std::string name = {};
 };
 
 std::string kml(const std::vector<Mark>& marks);

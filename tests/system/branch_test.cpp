@@ -1,0 +1,174 @@
+// Branches: runs that leave another run at a moment.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "system/run_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Branch : public ::testing::Test {
+ protected:
+  Branch() {
+    plan_ = folder_.write("plan.kml", kml(marks_));
+    const Outcome outcome = run({plan_, "-o", trunk_, "--checkpoint-every", "20 s", "--no-report"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    digest_ = summary(trunk_)["log_sha256"];
+  }
+
+  Outcome branch(Words options) {
+    Words words = {"branch", trunk_, "-o", branch_, "--no-report", "--force"};
+    words.insert(words.end(), options.begin(), options.end());
+    return run(words);
+  }
+
+  std::string refusal(const Words& options) {
+    const Outcome outcome = branch(options);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_FALSE(fs::exists(branch_)) << "nothing is left";
+    return outcome.err;
+  }
+
+  // The plan with a field of an event set to something else.
+  std::string plan_with(int sequence, const std::string& field, const std::string& value) {
+    std::vector<Mark> marks = marks_;
+    for (Mark& mark : marks) {
+      const auto is_it = [&](const auto& f) {
+        return f.first == "Sequence" && f.second == std::to_string(sequence);
+      };
+      if (std::ranges::none_of(mark.fields, is_it)) continue;
+      std::erase_if(mark.fields, [&](const auto& f) { return f.first == field; });
+      mark.fields.emplace_back(field, value);
+    }
+    return folder_.write("other.kml", kml(marks));
+  }
+
+  TempFolder folder_;
+  std::vector<Mark> marks_ = short_drive();
+  std::string plan_, digest_;
+  std::string trunk_ = folder_ / "trunk", branch_ = folder_ / "branch";
+};
+
+TEST_F(Branch, that_changes_nothing_is_the_trunk) {
+  const Outcome outcome = branch({"--at", "70 s"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(summary(branch_)["log_sha256"], digest_);
+  EXPECT_EQ(summary(branch_)["branch"]["time_s"], 70);
+  EXPECT_EQ(summary(branch_)["branch"]["log_sha256"], digest_);
+  EXPECT_EQ(summary(branch_)["branch"]["of"], trunk_);
+  EXPECT_EQ(branch({"--at", "33.35 s", "--plan", plan_}).exit_code, 0);
+  EXPECT_EQ(summary(branch_)["log_sha256"], digest_);
+  EXPECT_EQ(summary(trunk_)["log_sha256"], digest_) << "the trunk stays as it was";
+}
+
+TEST_F(Branch, goes_on_with_later_events_of_another_plan) {
+  const nlohmann::json before = summary(trunk_)["events"];
+  const Outcome outcome = branch({"--at", "SEV1/20", "--plan", plan_with(20, "Duration", "100")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json after = summary(branch_)["events"];
+  EXPECT_EQ(after[0], before[0]);
+  EXPECT_EQ(after[1]["start_s"], before[1]["start_s"]);
+  EXPECT_EQ(after[1]["end_s"].get<double>() - after[1]["start_s"].get<double>(), 100);
+  const std::string rows = "select group_concat(time_s) from samples where time_s <= " +
+                           std::to_string(before[0]["end_s"].get<double>());
+  EXPECT_EQ(query(branch_ + "/log.gpkg", rows), query(trunk_ + "/log.gpkg", rows));
+  // The whole of it can be had from the changed plan as well.
+  const Outcome whole = run({folder_ / "other.kml", "-o", folder_ / "whole", "--no-report"});
+  EXPECT_EQ(whole.exit_code, 0);
+  EXPECT_EQ(summary(folder_ / "whole")["log_sha256"], summary(branch_)["log_sha256"]);
+}
+
+TEST_F(Branch, can_be_killed_and_resumed) {
+  const std::string other = plan_with(20, "Duration", "100");
+  ASSERT_EQ(branch({"--at", "SEV1/20", "--plan", other}).exit_code, 0);
+  const std::string digest = summary(branch_)["log_sha256"];
+  Process process(program({"branch", trunk_, "-o", branch_, "--no-report", "--force", "--at",
+                           "SEV1/20", "--plan", other, "--checkpoint-every", "1 s"}));
+  for (int k = 0; k < 3000 && process.is_running(); ++k) {
+    if (process.err_so_far().find("leaves") != std::string::npos) break;
+    ::usleep(2000);
+  }
+  process.signal(SIGKILL);
+  process.wait();
+  if (fs::exists(branch_ + "/summary.json")) GTEST_SKIP() << "it ended before the kill";
+  const Outcome resumed = run({"resume", branch_, "--no-report"});
+  if (resumed.err.find("has no checkpoint") != std::string::npos) {
+    GTEST_SKIP() << "killed before its first checkpoint";
+  }
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_EQ(summary(branch_)["log_sha256"], digest);
+  EXPECT_EQ(summary(branch_)["branch"]["of"], trunk_);
+}
+
+TEST_F(Branch, finds_renumbered_events_by_their_labels) {
+  std::vector<Mark> marks = marks_;
+  for (Mark& mark : marks) mark.name = "the " + mark.type;
+  folder_.write("plan.kml", kml(marks));
+  ASSERT_EQ(run({plan_, "-o", trunk_, "--checkpoint-every", "20 s", "--no-report"}).exit_code, 0);
+  digest_ = summary(trunk_)["log_sha256"];
+  for (Mark& mark : marks) {
+    for (auto& [name, value] : mark.fields) {
+      if (name == "Sequence" && value == "10") value = "5";
+    }
+  }
+  const std::string other = folder_.write("other.kml", kml(marks));
+  const Outcome outcome = branch({"--at", "70 s", "--plan", other});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(summary(branch_)["log_sha256"], digest_) << "it is the same plan";
+}
+
+TEST_F(Branch, goes_on_with_what_a_script_changes) {
+  const std::string script =
+      folder_.write("change.lua",
+                    "sim:dispatch('SEV1', 'Pause', { Duration = '40 s' })\n"
+                    "sim:fault('SEV1', { what = 'battery', share = 0.5 })\n");
+  const Outcome outcome = branch({"--at", "70 s", "--with", script});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(summary(branch_)["events"].size(), summary(trunk_)["events"].size() + 1);
+  EXPECT_EQ(query(branch_ + "/log.gpkg", "select count(*) from notes where name = 'fault'"), "1");
+  EXPECT_THAT(read_text(branch_ + "/plan.kml"), HasSubstr("Pause"));
+}
+
+TEST_F(Branch, refuses_what_cannot_be) {
+  fs::remove_all(branch_);
+  EXPECT_THAT(refusal({}), HasSubstr("--at: a time or an event of the run is required"));
+  EXPECT_THAT(refusal({"--at", "yesterday"}), HasSubstr("--at yesterday: neither a time"));
+  EXPECT_THAT(refusal({"--at", "3 d"}), HasSubstr("--at 3 d: the run is from"));
+  EXPECT_THAT(refusal({"--at", "SEV1/10"}), HasSubstr("begins with the mission"));
+  EXPECT_THAT(refusal({"--at", "70 s", "--with", "nowhere.lua"}), HasSubstr("no such file"));
+  EXPECT_THAT(refusal({"--at", "70 s", "--plan", plan_with(10, "Speed", "0.2")}),
+              HasSubstr("SEV1/10 'Route 10' differs from what has begun"));
+  std::vector<Mark> marks = marks_;
+  marks.push_back(sev("SEV2", "0.001,0.001"));
+  std::erase_if(marks, [](const Mark& mark) { return mark.type == "Route"; });
+  const std::string other = folder_.write("other.kml", kml(marks));
+  const std::string text = refusal({"--at", "70 s", "--plan", other});
+  EXPECT_THAT(text, HasSubstr("Rover 'SEV2' is not in the mission that runs"));
+  EXPECT_THAT(text, HasSubstr("SEV1/10 'Route 10' is missing: it has begun, and stays"));
+}
+
+TEST_F(Branch, needs_checkpoints) {
+  ASSERT_EQ(run({plan_, "-o", trunk_, "--no-report"}).exit_code, 0);
+  EXPECT_THAT(refusal({"--at", "70 s"}), HasSubstr("keeps no checkpoint"));
+}
+
+TEST_F(Branch, tells_where_a_script_of_changes_fails) {
+  const std::string script = folder_.write("change.lua", "local a = 1\nsim:shade('SEV9', 0.5)\n");
+  const Outcome outcome = branch({"--at", "70 s", "--with", script});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("change.lua:2:"));
+  EXPECT_THAT(outcome.err, HasSubstr("there is no rover 'SEV9'"));
+}
+
+}  // namespace
+}  // namespace lsos::test
