@@ -141,6 +141,42 @@ BENCHMARK_CAPTURE(three_rovers_drive, athlete, "ATHLETE")
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
+// What one checkpoint of three driving rovers costs: their state encoded, and written into a log
+// with a commit. Once a minute of wall time this is share_of_a_minute of a run.
+void checkpoint_of_three_rovers(benchmark::State& state) {
+  std::string placemarks;
+  double lat_deg = 20;
+  for (const char* id : {"A", "B", "C"}) {
+    lat_deg += 0.01;
+    placemarks +=
+        placemark("Rover", {{"RoverId", id}, {"RoverType", "ATHLETE"}}, point(10, lat_deg)) +
+        placemark("Route", {{"RoverId", id}, {"Sequence", "1"}}, point(10.05, lat_deg));
+  }
+  const TemporaryFile file("plan.kml", mission("Craters", "Moon", placemarks));
+  lsos::MissionFiles files = lsos::read_mission(file.path());
+  files.faults.throw_if_errors();
+  lsos::SimulationSetup setup = lsos::simulation_setup(files);
+  lsos::Simulation simulation(std::move(setup));
+  const std::string log_file = file.path() + ".gpkg";
+  lsos::LogWriter log(log_file, "IAU_2015:30100", files.plan.mission.start_time);
+  simulation.set_log(&log);
+  simulation.start();
+  while (lsos::seconds(simulation.now()) < 20) simulation.advance();
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    lsos::Checkpoint checkpoint;
+    checkpoint.time = simulation.now();
+    checkpoint.state = simulation.save();
+    bytes = checkpoint.state.size();
+    log.write(checkpoint);
+  }
+  state.counters["bytes"] = static_cast<double>(bytes);
+  state.counters["share_of_a_minute"] = benchmark::Counter(
+      60, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  fs::remove(log_file);
+}
+BENCHMARK(checkpoint_of_three_rovers)->UseRealTime()->Unit(benchmark::kMillisecond);
+
 // One panel and a battery; the Sun is observed each 354 s (Moon) or minute.
 void sev_parked_for_a_day(benchmark::State& state, const std::string& planet,
                           const std::string& terrain, bool is_logged) {
