@@ -9,7 +9,7 @@ namespace lsos::gpkg {
 
 namespace {
 
-// So many of the recent ones stay, in case that the last cannot be read.
+// How many of the recent ones stay, in case that the last cannot be read.
 constexpr int recent_count = 3;
 
 const char* const kinds[] = {"recent", "kept", "stop"};

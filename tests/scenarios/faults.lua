@@ -59,7 +59,7 @@ lsos.scenario('a wheel set to driven is driven, also one that the configuration 
     local rover = {
       type = 'MER', config = 'RightFrontLocked', events = { { 'Route', at = { 0, 2 } } },
     }
-    local sim = lsos.sim { terrain = 'Flat', rovers = { A = rover } }
+    local sim = lsos.sim { terrain = 'Flat', soil = 'Rock', rovers = { A = rover } }
     if mode == 'driven' then sim:set_wheel('A', 'front_right_wheel', mode) end
     if mode == 'repaired' then
       sim:fault('A', { what = 'wheel', part = 'front_right_wheel', is_repair = true })

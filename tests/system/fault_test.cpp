@@ -83,15 +83,15 @@ TEST(Faults, repeat_and_survive_being_saved) {
 }
 
 TEST(Faults, of_limbs_repeat_and_survive_being_saved) {
-  const Fields limb{{"What", "limb"}, {"Part", "limb_2"}, {"At", "3"}};
+  const Fields limb{{"What", "limb"}, {"Part", "limb_2"}, {"At", "30"}};
   const std::vector<Mark> plan{
       mission(),
       {"Rover", {{"RoverId", "R"}, {"RoverType", "ATHLETE"}}, point("30,10")},
       event("SetPosture", "R", 1, {{"Stance", "Tall"}}),
-      event("Route", "R", 2, {}, point("30.0001,10")),
+      event("Route", "R", 2, {}, point("30.0008,10")),
       event("Fault", "R", 3, limb),
-      event("Fault", "R", 4, {{"What", "steering"}, {"At", "14"}}),
-      event("Fault", "R", 5, {{"What", "limb"}, {"Repair", "1"}, {"At", "16"}})};
+      event("Fault", "R", 4, {{"What", "steering"}, {"At", "34"}}),
+      event("Fault", "R", 5, {{"What", "limb"}, {"Repair", "1"}, {"At", "36"}})};
   const std::string digest = digest_of(TempFolder(), plan);
   EXPECT_EQ(digest_of(TempFolder(), plan, {"--save-every-exchange"}), digest);
 }
