@@ -87,7 +87,7 @@ TEST(Limbs, that_cannot_level_the_chassis_are_warned_of) {
 // The limbs down the slope are at their ends, so that it stands lower.
 TEST(Limbs, that_do_not_reach_their_stance_at_the_start_are_warned_of) {
   const TempFolder folder;
-  write_terrain(folder, "Hill", "lsos.plane { slope_rad = math.rad(20) }", "'ApolloNominal'");
+  write_terrain(folder, "Hill", "lsos.plane { slope_rad = math.rad(18) }", "'ApolloNominal'");
   const RunResult result =
       run_plan(folder, {on("Hill"), rover("ATHLETE", "A", place(0, 0), {{"RoverConfig", "Tall"}}),
                         event("Pause", "A", 1, {{"Duration", "30"}}, "")});

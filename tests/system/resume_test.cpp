@@ -21,6 +21,11 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Clock = std::chrono::steady_clock;
 
+void change(const std::string& log, const std::string& sql) {
+  const Outcome outcome = run_command({"sqlite3", log, sql});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
 // Many checkpoints, and so many commits, that a kill often falls into one.
 const Words dense = {"--checkpoint-every", "2 s", "--no-report", "--quiet"};
 
@@ -161,7 +166,7 @@ TEST_F(StopAndResume, refuses_a_run_without_checkpoints) {
 TEST_F(StopAndResume, refuses_another_plan) {
   stop(SIGKILL);
   std::vector<Mark> other = long_drive();
-  other.front().fields.push_back({"Seed", "77"});
+  other.back().fields.push_back({"Timeout", "10 d"});
   folder_.write("run/plan.kml", kml(other));
   EXPECT_THAT(refusal(), HasSubstr("the plan is not what was run"));
 }
@@ -186,9 +191,9 @@ TEST_F(StopAndResume, refuses_a_changed_script_by_name) {
 TEST_F(StopAndResume, passes_over_a_damaged_checkpoint) {
   stop(SIGKILL, {"--checkpoint-every", "2 s"});
   const std::string log = run_ + "/log.gpkg";
-  query(log,
-        "update lsos_checkpoints set content = zeroblob(1000) where id = (select max(id) from "
-        "lsos_checkpoints)");
+  change(log,
+         "update lsos_checkpoints set content = zeroblob(1000) where id = (select max(id) from "
+         "lsos_checkpoints)");
   Process process(program({"resume", run_, "--no-report"}));
   for (int k = 0; k < 1000 && process.is_running(); ++k) {
     if (process.err_so_far().find("goes on at") != std::string::npos) break;
@@ -198,7 +203,7 @@ TEST_F(StopAndResume, passes_over_a_damaged_checkpoint) {
   EXPECT_THAT(process.err_so_far(), HasSubstr("goes on at"));
   process.signal(SIGKILL);
   process.wait();
-  query(log, "update lsos_checkpoints set sha256 = 'no'");
+  change(log, "update lsos_checkpoints set sha256 = 'no'");
   EXPECT_THAT(refusal(), HasSubstr("none of its checkpoints can be read"));
 }
 
