@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "base/error.h"
 
 namespace lsos {
 
@@ -11,6 +14,9 @@ namespace {
 constexpr double turn_least_rad = 1e-4;
 // Greatest angle from the wanted direction at which a panel counts as facing it.
 constexpr double miss_least_rad = 0.5 * std::numbers::pi / 180;
+
+constexpr std::pair<SteerMode, const char*> steer_modes[] = {
+    {SteerMode::fixed, "fixed"}, {SteerMode::point, "point"}, {SteerMode::track, "track"}};
 
 // Direction in frame B of angles about the ground.
 Vec3 direction_B(const PanelAngles& angles, const PanelSurroundings& around) {
@@ -28,6 +34,20 @@ PanelAngles angles_of(const Vec3& direction_B, const PanelSurroundings& around) 
 }
 
 }  // namespace
+
+const char* to_string(SteerMode mode) {
+  const auto* const found =
+      std::ranges::find(steer_modes, mode, &std::pair<SteerMode, const char*>::first);
+  LSOS_ASSERT(found != std::end(steer_modes));
+  return found->second;
+}
+
+std::optional<SteerMode> steer_mode(std::string_view name) {
+  for (const auto& [mode, known] : steer_modes) {
+    if (known == name) return mode;
+  }
+  return {};
+}
 
 PanelArray::PanelArray(const std::vector<PanelSpec>& panels) : specs_(panels) {
   for (const PanelSpec& panel : specs_) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "power/panel.h"
@@ -14,6 +15,10 @@ enum class SteerMode {
   point,  // keeps angles relative to the ground: from true north, above the horizon
   track,  // follows the Sun
 };
+// "fixed", "point", "track".
+const char* to_string(SteerMode mode);
+std::optional<SteerMode> steer_mode(std::string_view name);
+
 struct Steering {
   SteerMode mode = SteerMode::fixed;
   PanelAngles angles;  // used by fixed and point
@@ -50,6 +55,7 @@ class PanelArray {
   PanelPose pose_at(std::size_t panel, SimTime now) const;
   bool is_stowed(std::size_t panel) const { return !states_[panel].goes_up; }
 
+  const Steering& steering(std::size_t panel) const { return states_[panel].steering; }
   // Deploys or stows the panel; returns how long that takes, s, 0 if it is in that state already.
   double deploy(std::size_t panel, bool up, std::optional<double> duration_s, SimTime now);
   void steer(std::size_t panel, const Steering& steering);

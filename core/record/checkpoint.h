@@ -38,7 +38,7 @@ struct CheckpointEntry {
 };
 
 // A checkpoint as the log holds it: also the last fid of each layer at that moment, in the order of
-// contract_layers().
+// contract_layers(), and that of the orders.
 struct StoredCheckpoint : Checkpoint {
   std::vector<std::int64_t> last_fids;
 };

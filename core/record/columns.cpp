@@ -297,6 +297,30 @@ std::span<const Column<NoteRow>> columns<NoteRow>() {
 }
 
 template <>
+std::span<const Column<OrderRow>> columns<OrderRow>() {
+  using R = OrderRow;
+  static const Column<R> table[] = {
+      time<&R::time>("time_s"),
+      text<&R::rover_id>("rover_id"),
+      text<&R::part>("part"),
+      text<&R::name>("name"),
+      text<&R::order>("standing_order"),
+      real<&R::azimuth_rad>("azimuth_rad"),
+      real<&R::elevation_rad>("elevation_rad"),
+      real<&R::x_m>("x_m"),
+      real<&R::y_m>("y_m"),
+      real<&R::z_m>("z_m"),
+  };
+  return table;
+}
+
+bool OrderRow::orders_same(const OrderRow& other) const {
+  return std::ranges::all_of(columns<OrderRow>(), [&](const Column<OrderRow>& column) {
+    return column.name == "time_s" || column.value(*this, {}) == column.value(other, {});
+  });
+}
+
+template <>
 std::span<const Column<RunRow>> columns<RunRow>() {
   static const Column<RunRow> table[] = {text<&RunRow::key>("key"), text<&RunRow::value>("value")};
   return table;

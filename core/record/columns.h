@@ -62,6 +62,8 @@ template <>
 std::span<const Column<NoteRow>> columns<NoteRow>();
 template <>
 std::span<const Column<RunRow>> columns<RunRow>();
+template <>
+std::span<const Column<OrderRow>> columns<OrderRow>();
 
 // A value as text in the C locale, numbers in the shortest form that reads back equal; "" is NULL.
 std::string to_text(const ColumnValue& value);

@@ -31,4 +31,9 @@ const std::vector<LayerSpec>& contract_layers() {
   return layers;
 }
 
+const LayerSpec& order_layer() {
+  static const LayerSpec layer = filled<OrderRow>(LayerGeometry::none);
+  return layer;
+}
+
 }  // namespace lsos

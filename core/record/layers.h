@@ -24,6 +24,8 @@ struct LayerSpec {
 };
 
 const std::vector<LayerSpec>& contract_layers();
+// Layer `standing_orders`, which the file has besides.
+const LayerSpec& order_layer();
 
 // How QGIS draws a layer.
 struct LayerStyle {
@@ -56,6 +58,8 @@ template <>
 inline constexpr std::string_view layer_name<NoteRow> = "notes";
 template <>
 inline constexpr std::string_view layer_name<RunRow> = "run";
+template <>
+inline constexpr std::string_view layer_name<OrderRow> = "standing_orders";
 
 // The place of a row's point; absent if the row has none.
 template <class Row>

@@ -54,6 +54,7 @@ class LogWriter {
   void write(const PhaseRow& row);
   void write(const PlannedPathRow& row);
   void write(const NoteRow& row);
+  void write(const OrderRow& row);
   // Writes layer `run`, one row per key, which is updated when written again. Values must not
   // differ between two equal runs.
   void write_run(const std::map<std::string, std::string>& values);
@@ -118,6 +119,7 @@ class LogReader {
   std::vector<PhaseRow> phases() const;
   std::vector<PlannedPathRow> planned_paths() const;
   std::vector<NoteRow> notes() const;
+  std::vector<OrderRow> orders() const;  // none in a log of an older version
   // One row at a time, so that the rows of weeks need not fit into memory.
   void for_each_sample(const std::function<void(const SampleRow&)>& visit) const;
   void for_each_joint(const std::function<void(const JointRow&)>& visit,

@@ -105,6 +105,7 @@ struct LogReader::Impl {
     for (const LayerSpec& layer : contract_layers()) {
       if (layer.name == name) return layer;
     }
+    if (order_layer().name == name) return order_layer();
     assertion_failed("rows belong to a layer of the contract", __FILE__, __LINE__);
   }
 
@@ -197,6 +198,11 @@ std::vector<PlannedPathRow> LogReader::planned_paths() const {
   return impl_->rows<PlannedPathRow>();
 }
 std::vector<NoteRow> LogReader::notes() const { return impl_->rows<NoteRow>(); }
+std::vector<OrderRow> LogReader::orders() const {
+  const std::string name(layer_name<OrderRow>);
+  if (impl_->dataset->GetLayerByName(name.c_str()) == nullptr) return {};
+  return impl_->rows<OrderRow>();
+}
 
 void LogReader::for_each_sample(const std::function<void(const SampleRow&)>& visit) const {
   impl_->for_each_row<SampleRow>(visit);
@@ -317,7 +323,8 @@ std::vector<CheckpointEntry> LogReader::checkpoints() const {
 StoredCheckpoint LogReader::checkpoint(std::int64_t id) const {
   const gpkg::QuietErrors errors;
   const auto checkpoint = gpkg::read_checkpoint(*impl_->dataset, id);
-  if (checkpoint && checkpoint->last_fids.size() == contract_layers().size()) return *checkpoint;
+  if (checkpoint && checkpoint->last_fids.size() == contract_layers().size() + 1)
+    return *checkpoint;
   throw InputError({impl_->file}, fmt::format("its checkpoint {} is damaged", id));
 }
 

@@ -80,6 +80,7 @@ struct LogWriter::Impl {
   RowLayer<PlannedPathRow> planned_paths;
   RowLayer<NoteRow> notes;
   RowLayer<RunRow> run;
+  RowLayer<OrderRow> orders;
   std::map<std::pair<std::string, std::int64_t>, std::int64_t> event_fids;
   std::map<std::string, std::int64_t> run_fids;
   Clock::time_point last_commit = Clock::now();
@@ -105,7 +106,7 @@ struct LogWriter::Impl {
     dataset.reset();
   }
 
-  // Calls `visit` with each layer, in the order of contract_layers().
+  // Calls `visit` with each layer: those of contract_layers() in their order, then the orders.
   template <class Visit>
   void for_each_layer(Visit visit) {
     const auto visit_if = [&](std::string_view name, auto& layer) {
@@ -124,6 +125,7 @@ struct LogWriter::Impl {
       visit_if(spec.name, notes);
       visit_if(spec.name, run);
     }
+    visit(orders);
   }
 
   // Features refer to the definition of their layer, so they are released before the dataset.
@@ -145,6 +147,8 @@ struct LogWriter::Impl {
     for (const LayerSpec& spec : contract_layers()) {
       attempt("making a layer", [&] { return gpkg::create_layer(*dataset, spec, crs) != nullptr; });
     }
+    attempt("making a layer",
+            [&] { return gpkg::create_layer(*dataset, order_layer(), crs) != nullptr; });
     open_layers();
     // GDAL creates tables lazily; all must be in the file before the first step.
     attempt("making the layers", [&] {
@@ -290,6 +294,7 @@ void LogWriter::write(const ResourceRow& row) { impl_->append(impl_->resources, 
 void LogWriter::write(const PhaseRow& row) { impl_->append(impl_->phases, row); }
 void LogWriter::write(const PlannedPathRow& row) { impl_->append(impl_->planned_paths, row); }
 void LogWriter::write(const NoteRow& row) { impl_->append(impl_->notes, row); }
+void LogWriter::write(const OrderRow& row) { impl_->append(impl_->orders, row); }
 
 void LogWriter::write(const EventRow& row) {
   impl_->upsert(impl_->events, impl_->event_fids, {row.rover_id, row.sequence}, row);

@@ -126,6 +126,25 @@ struct PlannedPathRow {
   std::vector<Geodetic> line;
 };
 
+// Layer `standing_orders`, which is no part of the contract or of the digest: what goes on to hold
+// of a rover though no event runs, and cannot be seen in the other layers. A row is written with
+// the first sample after it has changed.
+struct OrderRow {
+  static constexpr const char *panel = "panel", *limb = "limb";
+  static constexpr const char *stowed = "stowed", *level = "level", *parallel = "parallel";
+
+  SimTime time{};
+  std::string rover_id;
+  std::string part;   // panel or limb
+  std::string name;   // of that panel or limb
+  std::string order;  // of a panel: stowed or how it is steered; of limbs: level, parallel
+  double azimuth_rad = not_modelled, elevation_rad = not_modelled;    // of a panel: its orientation
+  double x_m = not_modelled, y_m = not_modelled, z_m = not_modelled;  // of a limb: its hub, frame B
+
+  // Whether it orders the same, whenever it was written.
+  bool orders_same(const OrderRow& other) const;
+};
+
 // Layer `notes`: messages of events, findings, decisions.
 struct NoteRow {
   SimTime time{};

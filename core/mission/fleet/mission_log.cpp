@@ -6,6 +6,7 @@ namespace lsos {
 
 void MissionLog::set_writer(LogWriter* writer, Fleet& fleet) {
   writer_ = writer;
+  last_orders_.clear();
   for (FleetRover& rover : fleet.rovers) rover.sequence.records().mark_all_changed();
 }
 
@@ -65,6 +66,12 @@ void MissionLog::write_sample(Fleet& fleet, const FleetSight* sight, const Momen
   for (const JointRow& row : joint_rows(agent, moment.now)) writer_->write(row);
   for (const PanelRow& row : panel_rows(agent, moment.now)) writer_->write(row);
   for (const ResourceRow& row : resource_rows(agent, moment.now)) writer_->write(row);
+  for (const OrderRow& row : order_rows(agent, moment.now)) {
+    OrderRow& last = last_orders_[{row.rover_id, row.part + " " + row.name}];
+    if (row.orders_same(last)) continue;
+    writer_->write(row);
+    last = row;
+  }
   if (sight != nullptr) write_pairs(fleet, *sight, moment, number);
   rover.logged = moment.now;
 }

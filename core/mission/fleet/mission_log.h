@@ -2,7 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "mission/fleet/fleet_sight.h"
 #include "record/log.h"
@@ -46,6 +49,8 @@ class MissionLog {
   LogWriter* writer_ = nullptr;
   std::function<void(const NoteRow&)> listener_;
   std::optional<SimTime> assets_logged_;  // when pairs of assets were last logged
+  // The last that were written, by rover and part. Not saved: a log that goes on has them again.
+  std::map<std::pair<std::string, std::string>, OrderRow> last_orders_;
 };
 
 }  // namespace lsos

@@ -22,6 +22,7 @@ class RoverMotion {
   }
 
   Vehicle& vehicle() { return vehicle_; }
+  const Vehicle& vehicle() const { return vehicle_; }
   const VehicleConfig& config() const { return vehicle_.config(); }
   const Ground& ground() const { return *ground_; }
 

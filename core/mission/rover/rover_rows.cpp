@@ -89,6 +89,31 @@ std::vector<PanelRow> panel_rows(const RoverAgent& rover, SimTime now) {
   return rows;
 }
 
+std::vector<OrderRow> order_rows(const RoverAgent& rover, SimTime now) {
+  std::vector<OrderRow> rows;
+  const PanelArray& panels = rover.power().panels();
+  for (std::size_t i = 0; i < panels.specs().size(); ++i) {
+    const Steering& steering = panels.steering(i);
+    OrderRow row{now, rover.id(), OrderRow::panel, panels.specs()[i].name,
+                 panels.is_stowed(i) ? OrderRow::stowed : to_string(steering.mode)};
+    row.azimuth_rad = steering.angles.azimuth_rad;
+    row.elevation_rad = steering.angles.elevation_rad;
+    rows.push_back(row);
+  }
+  const PostureControl* posture = rover.motion().vehicle().posture();
+  if (posture == nullptr) return rows;
+  const std::vector<LimbConfig>& limbs = rover.motion().config().limbs;
+  for (std::size_t i = 0; i < limbs.size(); ++i) {
+    OrderRow row{now, rover.id(), OrderRow::limb, limbs[i].name,
+                 posture->is_level() ? OrderRow::level : OrderRow::parallel};
+    row.x_m = posture->hubs_B_m()[i].x();
+    row.y_m = posture->hubs_B_m()[i].y();
+    row.z_m = posture->hubs_B_m()[i].z();
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 std::vector<ResourceRow> resource_rows(const RoverAgent& rover, SimTime now) {
   std::vector<ResourceRow> rows;
   for (const auto& [name, amount] : rover.power().resources()) {

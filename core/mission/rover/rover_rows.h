@@ -16,6 +16,8 @@ SampleRow condition_row(const RoverAgent& rover, SimTime now, const std::string&
                         const std::string& phase);
 std::vector<JointRow> joint_rows(const RoverAgent& rover, SimTime now);
 std::vector<PanelRow> panel_rows(const RoverAgent& rover, SimTime now);
+// What its panels and limbs are told until they are told otherwise.
+std::vector<OrderRow> order_rows(const RoverAgent& rover, SimTime now);
 std::vector<ResourceRow> resource_rows(const RoverAgent& rover, SimTime now);
 
 }  // namespace lsos
