@@ -31,7 +31,7 @@ Simulation::Simulation(SimulationSetup setup)
       pool_(std::min(setup_.threads, static_cast<int>(setup_.plan.rovers.size()))) {
   fleet_.assets = place_assets(setup_, site_);
   build();
-  Faults faults = place_rovers(fleet_, machine_, *site_.ground, *host_);
+  Faults faults = place_rovers(fleet_, machine_, *site_.ground, *host_, setup_.starts);
   throw_with_advice(faults);
   keep_tracks(fleet_, machine_);
   plan_routes();

@@ -37,6 +37,9 @@ struct MissionInfo {
   SimTime parked_log_interval{60'000'000};
   SimTime max_duration{366LL * 86400 * 1'000'000};
   bool has_max_duration = false;  // given in the plan; false: default_max_duration() gives it
+  // Origin of the site frame, about which generated ground is laid out, when the mission begins as
+  // another ended. Absent: the start of the first rover, see site_of().
+  std::optional<Geodetic> site = {};
 };
 
 struct PlanRover {
@@ -134,6 +137,9 @@ struct Plan {
 
 // SHA-256 of all that an event says, without file and line.
 std::string event_hash(const PlanEvent& event);
+
+// Where the origin of the site frame is, at height 0. The plan must have a rover.
+const Geodetic& site_of(const Plan& plan);
 
 // The rover with that id; nullptr when there is none, or more than one.
 const PlanRover* rover_of(const Plan& plan, const std::string& rover_id);

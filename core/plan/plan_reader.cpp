@@ -91,6 +91,10 @@ std::string no_plan_text(int count, const KmlSource& source) {
 
 }  // namespace
 
+const Geodetic& site_of(const Plan& plan) {
+  return plan.mission.site ? *plan.mission.site : plan.rovers.front().start;
+}
+
 const PlanRover* rover_of(const Plan& plan, const std::string& rover_id) {
   const auto same = std::ranges::equal_range(plan.rovers, rover_id, {}, &PlanRover::id);
   return same.size() == 1 ? &same.front() : nullptr;

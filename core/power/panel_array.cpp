@@ -72,6 +72,14 @@ PanelPose PanelArray::pose_at(std::size_t panel, SimTime now) const {
   return pose(specs_[panel], angles(panel, now));
 }
 
+void PanelArray::begin(std::size_t panel, bool is_up, const PanelAngles& angles,
+                       const Steering& steering) {
+  State& state = states_[panel];
+  state.goes_up = is_up;
+  state.from = state.to = angles;
+  state.steering = steering;
+}
+
 double PanelArray::deploy(std::size_t panel, bool up, std::optional<double> duration_s,
                           SimTime now) {
   State& state = states_[panel];

@@ -55,6 +55,8 @@ class PanelArray {
   PanelPose pose_at(std::size_t panel, SimTime now) const;
   bool is_stowed(std::size_t panel) const { return !states_[panel].goes_up; }
 
+  // Sets how the panel begins a mission, at rest.
+  void begin(std::size_t panel, bool is_up, const PanelAngles& angles, const Steering& steering);
   const Steering& steering(std::size_t panel) const { return states_[panel].steering; }
   // Deploys or stows the panel; returns how long that takes, s, 0 if it is in that state already.
   double deploy(std::size_t panel, bool up, std::optional<double> duration_s, SimTime now);

@@ -68,6 +68,11 @@ void PostureControl::move_to(const std::vector<Vec3>& hubs_B_m, bool is_level, d
   wake();
 }
 
+void PostureControl::stand_on(const std::vector<Vec3>& hubs_B_m, bool is_level) {
+  nominal_B_m_ = hubs_B_m;
+  move_to(hubs_B_m, is_level, 0);
+}
+
 void PostureControl::wake() {
   is_adjusting_ = true;
   still_s_ = standing_s_ = 0;

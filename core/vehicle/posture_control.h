@@ -44,6 +44,9 @@ class PostureControl {
   // Begins to move the nominal hubs to `hubs_B_m`, along straight lines, in `duration_s`.
   void move_to(const std::vector<Vec3>& hubs_B_m, bool is_level, double duration_s);
 
+  // Makes these the nominal hubs at once, for a vehicle that is placed anew.
+  void stand_on(const std::vector<Vec3>& hubs_B_m, bool is_level);
+
   struct Input {
     Vec3 up_B = Vec3::UnitZ();                    // local vertical
     std::vector<double> loads_n;                  // on the wheels, by limb

@@ -75,10 +75,12 @@ class Vehicle {
 
   // Places the vehicle on the ground and lets it settle on its springs and limbs with brakes on.
   // Returns "" or the reason why it cannot stand there: no terrain data under a wheel, or ground
-  // too steep.
-  std::string place(const Geodetic& at, double heading_rad);
+  // too steep. `joints`: positions from which its joints settle, in order of config().links; empty:
+  // the initial ones.
+  std::string place(const Geodetic& at, double heading_rad, const std::vector<double>& joints = {});
   // The same before it settles.
-  std::string put_down(const Geodetic& at, double heading_rad);
+  std::string put_down(const Geodetic& at, double heading_rad,
+                       const std::vector<double>& joints = {});
 
   // Takes effect with the next `advance`.
   void command(const DriveCommand& command);
@@ -97,6 +99,8 @@ class Vehicle {
   // Vehicles on limbs: begins to move the wheels' hubs to these places under the chassis (frame B,
   // by limb), see PostureControl::move_to.
   void set_posture(const std::vector<Vec3>& hubs_B_m, bool is_level, double duration_s);
+  // The same at once, for a vehicle that is placed next.
+  void stand_on(const std::vector<Vec3>& hubs_B_m, bool is_level);
   // nullptr: not on limbs.
   const PostureControl* posture() const { return posture_ ? &*posture_ : nullptr; }
   // Whether posture control is to keep the chassis level.
@@ -198,7 +202,8 @@ class Vehicle {
   double apply_limbs(double step_s);   // likewise
   void update_posture();
   std::vector<Vec2> wheel_places_B_m() const;  // by layout_.wheels
-  Placement on_feet(const Vec3& p_SB_m, const Mat3& R_SB, const std::vector<Vec3>& feet_S_m) const;
+  Placement on_feet(Placement placement, const Mat3& R_SB, const std::vector<Vec3>& feet_S_m) const;
+  std::vector<double> initial_joints() const;
   void hold_limbs();
   Vec3 ground_center_S_m() const;
   Vec3 ground_center_velocity_S_mps() const;

@@ -41,6 +41,10 @@ void Vehicle::set_posture(const std::vector<Vec3>& hubs_B_m, bool is_level, doub
   posture_->move_to(hubs_B_m, is_level, duration_s);
 }
 
+void Vehicle::stand_on(const std::vector<Vec3>& hubs_B_m, bool is_level) {
+  posture_->stand_on(hubs_B_m, is_level);
+}
+
 std::vector<std::vector<double>> Vehicle::limb_angles_rad() const {
   std::vector<std::vector<double>> angles_rad;
   for (const std::vector<LimbJointState>& limb : limb_joints_) {

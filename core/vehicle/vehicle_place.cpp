@@ -19,12 +19,11 @@ constexpr double settled_mps = 1e-4;
 
 // On limbs, the chassis is as high over the middle of the ground under the wheels as its stance
 // says; with posture control each limb reaches to the ground under its own wheel.
-Vehicle::Placement Vehicle::on_feet(const Vec3& p_SB_m, const Mat3& R_SB,
+Vehicle::Placement Vehicle::on_feet(Placement placement, const Mat3& R_SB,
                                     const std::vector<Vec3>& feet_S_m) const {
-  Placement placement{p_SB_m, {}};
-  for (const LinkConfig& link : config_.links) placement.joints.push_back(link.initial);
   if (!posture_) return placement;
   const auto count = static_cast<double>(limb_wheels_.size());
+  const Vec3 p_SB_m = placement.p_SB_m;
   std::vector<Vec3> hubs_B_m;  // over the ground, seen from p_SB_m
   double rise_m = 0;
   for (std::size_t i = 0; i < limb_wheels_.size(); ++i) {
@@ -52,7 +51,14 @@ Vehicle::Placement Vehicle::on_feet(const Vec3& p_SB_m, const Mat3& R_SB,
   return placement;
 }
 
-std::string Vehicle::put_down(const Geodetic& at, double heading_rad) {
+std::vector<double> Vehicle::initial_joints() const {
+  std::vector<double> joints;
+  for (const LinkConfig& link : config_.links) joints.push_back(link.initial);
+  return joints;
+}
+
+std::string Vehicle::put_down(const Geodetic& at, double heading_rad,
+                              const std::vector<double>& joints) {
   const SiteFrame& site = ground_->site();
   const std::optional<double> elevation_m = ground_->elevation_m(at);
   if (!elevation_m) return "the terrain is not known there";
@@ -78,7 +84,8 @@ std::string Vehicle::put_down(const Geodetic& at, double heading_rad) {
   R_SB.col(0) = (ahead + rise * up).normalized();
   R_SB.col(1) = R_SB.col(2).cross(R_SB.col(0));
   const double height_m = (plane.point - p_S_m).dot(plane.normal) / up.dot(plane.normal);
-  const Placement placement = on_feet(p_S_m + height_m * up, R_SB, feet_S_m);
+  const Placement placement =
+      on_feet({p_S_m + height_m * up, joints.empty() ? initial_joints() : joints}, R_SB, feet_S_m);
   bodies_.place(placement.p_SB_m, R_SB, placement.joints);
   // With joints that do not begin at rest, wheels may be below the ground: below the plane, but
   // where limbs reach to the ground under their own wheels, below that.
@@ -106,8 +113,9 @@ std::string Vehicle::put_down(const Geodetic& at, double heading_rad) {
   return "";
 }
 
-std::string Vehicle::place(const Geodetic& at, double heading_rad) {
-  const std::string hindrance = put_down(at, heading_rad);
+std::string Vehicle::place(const Geodetic& at, double heading_rad,
+                           const std::vector<double>& joints) {
+  const std::string hindrance = put_down(at, heading_rad, joints);
   if (!hindrance.empty()) return hindrance;
   // Limbs have all the time that they need to level the chassis.
   const SimTime longest = settle_longest + (posture_ ? PostureControl::longest : SimTime{});

@@ -38,8 +38,7 @@ PictureRun open_run(const std::string& folder, const LogReader& log) {
   run.start = log.start();
   run.end = log.last_sample_time();
   const MissionInfo& mission = run.files.plan.mission;
-  run.ground = ground_at(run.files.terrain, *mission.planet, run.files.plan.rovers.front().start,
-                         mission.seed);
+  run.ground = ground_at(run.files.terrain, *mission.planet, site_of(run.files.plan), mission.seed);
   for (const std::string& what : changed_since(files, *run.ground, log.run())) {
     run.warnings.push_back(
         fmt::format("{} is not what it was when {} was run: the picture may differ", what, folder));

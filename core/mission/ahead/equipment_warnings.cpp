@@ -27,29 +27,35 @@ struct Equipment {
   std::string since;  // what brought it there
 };
 
-std::map<std::string, Equipment> equipment_of(const RoverModel& model) {
+// As the rover has it at the start.
+std::map<std::string, Equipment> equipment_of(const RoverAgent& rover) {
   std::map<std::string, Equipment> all;
-  for (const PanelSpec& panel : model.power.panels) {
-    all[panel.name] = {true, panel.is_stowable, panel.can_turn(),
-                       panel.is_stowed ? Position::down : Position::up, "from the start"};
+  const auto position = [](bool is_up) { return is_up ? Position::up : Position::down; };
+  const PanelArray& panels = rover.power().panels();
+  for (std::size_t i = 0; i < panels.specs().size(); ++i) {
+    const PanelSpec& panel = panels.specs()[i];
+    all[panel.name] = {true, panel.is_stowable, panel.can_turn(), position(!panels.is_stowed(i)),
+                       "from the start"};
   }
-  for (const AntennaSpec& antenna : model.antennas) {
-    all[antenna.name] = {false, antenna.is_stowable(), false,
-                         antenna.is_stowable() ? Position::down : Position::up, "from the start"};
+  const AntennaArray& antennas = rover.antennas();
+  for (std::size_t i = 0; i < antennas.specs().size(); ++i) {
+    const AntennaSpec& antenna = antennas.specs()[i];
+    all[antenna.name] = {false, antenna.is_stowable(), false, position(antennas.is_up(i, {})),
+                         "from the start"};
   }
   return all;
 }
 
 class EquipmentPass {
  public:
-  EquipmentPass(const RoverMachine& machine, const MissionInfo& mission, const RoverModel& model,
+  EquipmentPass(const RoverMachine& machine, const MissionInfo& mission, const RoverAgent& rover,
                 ScriptHost& host, const SiteFrame& site)
       : mission_(mission),
         host_(host),
         site_(site),
-        vehicle_(model.spec.vehicle),
+        vehicle_(rover.motion().config()),
         at_(machine.rover.start),
-        equipment_(equipment_of(model)) {}
+        equipment_(equipment_of(rover)) {}
 
   void pass(const EventMachine& machine) {
     const PlanEvent& event = machine.event;
@@ -243,9 +249,9 @@ class EquipmentPass {
 }  // namespace
 
 std::vector<Fault> equipment_warnings(const RoverMachine& machine, const MissionInfo& mission,
-                                      const RoverModel& model, ScriptHost& host,
+                                      const RoverAgent& rover, ScriptHost& host,
                                       const SiteFrame& site) {
-  EquipmentPass ahead(machine, mission, model, host, site);
+  EquipmentPass ahead(machine, mission, rover, host, site);
   for (const EventMachine& event : machine.events) {
     if (event.event.is_enabled && !event.event.at) ahead.pass(event);
   }

@@ -7,7 +7,7 @@
 namespace lsos {
 
 Faults place_rovers(Fleet& fleet, const MissionMachine& machine, const Ground& ground,
-                    ScriptHost& host) {
+                    ScriptHost& host, const std::map<std::string, RoverStart>& starts) {
   Faults faults;
   const auto plans_its_route = [&](const PlanEvent& event) {
     try {
@@ -19,7 +19,13 @@ Faults place_rovers(Fleet& fleet, const MissionMachine& machine, const Ground& g
   };
   for (std::size_t i = 0; i < fleet.rovers.size(); ++i) {
     try {
-      fleet.rovers[i].agent->place(default_heading_rad(machine.rovers[i], ground.site()));
+      RoverAgent& agent = *fleet.rovers[i].agent;
+      const auto start = starts.find(agent.id());
+      if (start != starts.end()) {
+        agent.begin(start->second);
+      } else {
+        agent.place(default_heading_rad(machine.rovers[i], ground.site()));
+      }
     } catch (const InputError& error) {
       faults.add(error.faults());
     }
@@ -39,9 +45,8 @@ FleetRoutes plan_routes(Fleet& fleet, const MissionMachine& machine, const Missi
         plan_ahead(machine.rovers[i], machine.mission, agent.view().heading_rad, host, *site.ground,
                    agent.routes(), site.sources, setup.on_planning);
     faults.add(ahead.faults);
-    const PlanRover& rover = machine.rovers[i].rover;
-    faults.add(equipment_warnings(machine.rovers[i], machine.mission,
-                                  setup.rover_models.at(rover.model()), host, site.ground->site()));
+    faults.add(
+        equipment_warnings(machine.rovers[i], machine.mission, agent, host, site.ground->site()));
     routes.rovers.push_back(
         {agent.id(), std::move(ahead.legs), std::move(ahead.passed), std::move(ahead.drawn)});
   }

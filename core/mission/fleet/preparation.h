@@ -1,6 +1,7 @@
 // What is done with a fleet before the mission starts: rovers are placed, and routes planned.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct FleetRoutes {
   std::vector<Fault> faults;             // errors and warnings
 };
 
-// Places the rovers at their starts. Returns what is wrong there and at their events' places.
+// Places the rovers at their starts; those in `starts` begin as that says. Returns what is wrong
+// there and at their events' places.
 Faults place_rovers(Fleet& fleet, const MissionMachine& machine, const Ground& ground,
-                    ScriptHost& host);
+                    ScriptHost& host, const std::map<std::string, RoverStart>& starts);
 
 // Plans the routes of all events that want one. Warnings include those about equipment that events
 // need.

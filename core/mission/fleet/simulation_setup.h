@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mission/model/rover_model.h"
+#include "mission/model/rover_start.h"
 #include "mission/port/script_host.h"
 #include "plan/plan.h"
 #include "terrain/ground.h"
@@ -18,6 +19,9 @@ struct SimulationSetup {
   std::map<std::string, RoverModel> rover_models;  // key: PlanRover::model()
   std::map<std::string, AssetModel> asset_models;  // key: AssetType
   TerrainSpec terrain;
+  // How rovers begin that do not begin as the plan says; by RoverId. Places and headings must be
+  // those of `plan`, from which routes are planned.
+  std::map<std::string, RoverStart> starts = {};
   std::function<std::unique_ptr<ScriptHost>()> make_host;
   int threads = 1;
   // Torture mode: at each exchange all state is written out, thrown away, read back and compared.

@@ -58,6 +58,13 @@ double AntennaArray::mast_reach_m() const {
   return reach_m;
 }
 
+void AntennaArray::begin(std::size_t i, bool is_up) {
+  State& state = states_[i];
+  state.goes_up = is_up;
+  state.from = is_up ? 1 : 0;
+  state.start = state.end = SimTime{};
+}
+
 void AntennaArray::set_dead(std::size_t i, bool is_dead, SimTime from) {
   states_[i].is_dead = is_dead;
   failed_ = from;

@@ -41,6 +41,8 @@ class AntennaArray {
 
   const std::vector<AntennaSpec>& specs() const { return specs_; }
   bool is_up(std::size_t i, SimTime now) const;
+  // Sets whether a stowable antenna begins a mission raised.
+  void begin(std::size_t i, bool is_up);
   // Whether it is up and its radio works.
   bool has_link(std::size_t i, SimTime now) const { return !states_[i].is_dead && is_up(i, now); }
   // Makes the radio of an antenna fail, or work again, from the exchange `from` on; its mast stays

@@ -34,6 +34,7 @@ RoverRoutes::RoverRoutes(const VehicleConfig& vehicle, const GroundLimits& limit
     : config_(&vehicle),
       vehicle_(as_it_stands(vehicle)),
       hubs_B_m_(lsos::hubs_B_m(vehicle)),
+      started_B_m_(hubs_B_m_),
       limits_(limits),
       load_w_(load_w),
       ground_(&ground),
@@ -55,7 +56,12 @@ bool RoverRoutes::stand_in(const std::string& stance) {
   return true;
 }
 
-void RoverRoutes::stand_as_started() { stand_on(lsos::hubs_B_m(*config_)); }
+void RoverRoutes::stand_as_started() { stand_on(started_B_m_); }
+
+void RoverRoutes::start_on(const std::vector<Vec3>& hubs_B_m) {
+  stand_on(hubs_B_m);
+  started_B_m_ = hubs_B_m;
+}
 
 const DriveCost& RoverRoutes::cost(const RouteSettings& settings) {
   const double speed_mps =

@@ -55,6 +55,8 @@ class RoverRoutes {
   // The same for a stance of the rover's script; false: it has none of that name.
   bool stand_in(const std::string& stance);
   void stand_as_started();
+  // The stance in which the rover starts, when that is not the configuration's.
+  void start_on(const std::vector<Vec3>& hubs_B_m);
   const std::vector<Vec3>& hubs_B_m() const { return hubs_B_m_; }
   // Adds rows for the legs planned ahead. `sequences`: of these events alone; nullptr: of all.
   void log_ahead(const std::string& rover_id, SimTime now,
@@ -75,7 +77,7 @@ class RoverRoutes {
   std::vector<PlannedPathRow> take_rows();
   std::vector<std::string> take_warnings();
 
-  void archive(Archive& a) { LSOS_ARCHIVE(a, attempts_); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, attempts_, started_B_m_); }
 
  private:
   const LegAhead* ahead(std::int64_t sequence, std::int64_t waypoint, const LegStart& start,
@@ -86,6 +88,7 @@ class RoverRoutes {
   const VehicleConfig* config_;
   VehicleConfig vehicle_;  // as it stands
   std::vector<Vec3> hubs_B_m_;
+  std::vector<Vec3> started_B_m_;  // of the stance in which the rover starts
   GroundLimits limits_;
   double load_w_;
   const Ground* ground_;

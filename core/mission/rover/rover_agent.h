@@ -9,6 +9,7 @@
 #include "driving/driven_track.h"
 #include "mission/model/breakable.h"
 #include "mission/model/rover_model.h"
+#include "mission/model/rover_start.h"
 #include "mission/port/rover_port.h"
 #include "mission/port/surroundings.h"
 #include "mission/routes/rover_routes.h"
@@ -40,6 +41,10 @@ class RoverAgent : public RoverPort {
   // Places the rover at its start. Throws InputError when the terrain there is not known or too
   // steep to stand on.
   void place(double default_heading_rad);
+  // Sets all that `start` says, in place of what the plan and the script say: breakages, stance,
+  // place and heading, panels, masts, battery and resources. What broke is noted. Throws as
+  // place().
+  void begin(const RoverStart& start);
 
   // The moments of an exchange, in their order.
   // Before it: steps the physics. It touches nothing but this rover and the ground.
@@ -114,6 +119,11 @@ class RoverAgent : public RoverPort {
 
  private:
   void update_view();
+  void begin_as(const RoverStart& start);
+  void stand_at(const RoverStart& start);
+  std::vector<double> joints_of(const RoverStart& start) const;
+  void begin_panels(const RoverStart& start);
+  void begin_masts(const RoverStart& start);
   BreakageOfParts resolved(const Breakage& breakage) const;
   void apply(const BreakageOfParts& breakage, SimTime from);
 

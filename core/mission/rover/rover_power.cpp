@@ -27,8 +27,18 @@ RoverPower::RoverPower(const PowerSpec& spec, double initial_charge,
   if (spec_.battery) {
     capacity_at_first_j_ = spec_.battery->capacity_j;
     at_start_.energy_j = energy_at_start_j_ = initial_charge * spec_.battery->capacity_j;
+    charge_at_start_ = energy_at_start_j_ / capacity_at_first_j_;
   }
   for (const ResourceSpec& resource : spec_.resources) resources_[resource.name] = resource.amount;
+}
+
+void RoverPower::begin_with(std::optional<double> energy_j,
+                            const std::map<std::string, double>& resources) {
+  for (const auto& [name, amount] : resources) resources_.at(name) = amount;
+  if (!energy_j) return;
+  at_start_ = {};
+  at_start_.energy_j = energy_at_start_j_ = std::min(*energy_j, capacity_j());
+  charge_at_start_ = capacity_j() > 0 ? energy_at_start_j_ / capacity_j() : 0;
 }
 
 bool RoverPower::needs_sun() const {
@@ -217,7 +227,7 @@ void RoverPower::fill(SampleRow& row) const {
 void RoverPower::fill_start(SampleRow& row) const {
   if (!has_battery()) return;
   row.energy_j = energy_at_start_j_;
-  row.charge = energy_at_start_j_ / capacity_at_first_j_;
+  row.charge = charge_at_start_;
   row.solar_j = row.external_j = row.load_j = row.drive_j = row.loss_j = 0;
 }
 
@@ -380,7 +390,7 @@ void RoverPower::archive(Archive& a) {
                demand_.solar_available_w, demand_.external_w, demand_.load_w, demand_.drive_w, sun_,
                claims_, given_w_, injected_at_, sun_share_, resources_, waits_for_reserve_,
                has_reserve_changed_, has_reached_charge_, has_panel_command_, panels_lost_,
-               capacity_lost_);
+               capacity_lost_, energy_at_start_j_, charge_at_start_);
   if (a.is_reading() && has_battery()) {
     spec_.battery->capacity_j = capacity_at_first_j_ * (1 - capacity_lost_);
   }

@@ -78,6 +78,10 @@ class RoverPower : public PowerPort {
   void set_panel_lost(std::size_t panel, double share, SimTime from);
   void set_capacity_lost(double share);
 
+  // Sets what the battery holds and how much there is of each resource as the mission begins.
+  // Requires a battery for the energy.
+  void begin_with(std::optional<double> energy_j, const std::map<std::string, double>& resources);
+
   // At the beginning of an exchange: brings the energy up to `now`. `drive_w`: mean power of the
   // wheel motors since the last exchange, 0 for a parked rover. Finds whether the battery is empty.
   void begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked);
@@ -171,7 +175,7 @@ class RoverPower : public PowerPort {
   SimTime start_{};
   EnergyAccount at_start_;
   PowerDemand demand_;
-  double energy_at_start_j_ = 0;  // not saved: the plan gives it
+  double energy_at_start_j_ = 0, charge_at_start_ = 0;
 
   std::optional<PanelSunlight> sun_;
   PowerClaims claims_;
