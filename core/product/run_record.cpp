@@ -52,6 +52,9 @@ RunSummary summarise(const Simulation& simulation, const MissionModel& files, do
   RunSummary summary;
   // An absolute path, so that files beside the plan are found from any folder.
   summary.plan = std::filesystem::absolute(files.plan.file).lexically_normal().string();
+  if (files.from) {
+    summary.from = std::filesystem::absolute(files.from->folder).lexically_normal().string();
+  }
   summary.start = files.plan.mission.start_time;
   summary.events = simulation.events();
   summary.status = run_status(summary.events);

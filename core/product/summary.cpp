@@ -97,6 +97,7 @@ std::string to_json(const RunSummary& summary) {
                           {"log_sha256", summary.branch->log_sha256},
                           {"time_s", seconds(summary.branch->time)}};
   }
+  if (!summary.from.empty()) document["from"] = summary.from;
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

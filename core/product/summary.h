@@ -41,6 +41,7 @@ struct RoverSummary {
 struct RunSummary {
   RunStatus status = RunStatus::completed;
   std::string plan;  // its file, as the user named it
+  std::string from;  // folder of the run with whose end it begins; "": none
   Instant start;     // of the mission
   std::string log_sha256;
   double sim_s = 0;

@@ -74,6 +74,7 @@ std::string event_lines(const RunSummary& summary) {
 
 std::string to_text(const RunSummary& summary) {
   std::string text = fmt::format("{}: {}\n", summary.plan, to_string(summary.status));
+  if (!summary.from.empty()) text += fmt::format("begins as {} ended\n", summary.from);
   text += fmt::format("simulated {} in {}", duration_text(summary.sim_s),
                       duration_text(summary.wall_s));
   if (summary.wall_s > 0) {

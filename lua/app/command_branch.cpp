@@ -16,6 +16,7 @@
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/plan_table.h"
+#include "lua/host/run_from.h"
 #include "lua/host/run_values.h"
 #include "lua/host/version.h"
 #include "lua/session/change_script.h"
@@ -131,6 +132,7 @@ int branch_command(const BranchOptions& options) {
     revised = revised_source(options, parts.files, begun);
     revised.soil = saved.mission.soil;
     files = read_mission(revised, read_catalog(revised.file), parts.files.plan.mission.seed);
+    if (!saved.mission.from.empty()) begin_from(saved.mission.from, files);
     check_revision(parts.files.plan, begun, files.plan, files.faults);
     files.faults.throw_if_errors();
   }
@@ -138,7 +140,7 @@ int branch_command(const BranchOptions& options) {
   PlanningWatch watch(options.is_quiet);
   parts.simulation = std::make_unique<Simulation>(setup_of(parts.files, options, watch));
   const SavedMission now{
-      program_build(), "", run_values(parts.files, *parts.simulation), {}, "", ""};
+      program_build(), "", run_values(parts.files, *parts.simulation), {}, "", "", ""};
   const Faults differing =
       differences(saved.mission, now, options.folder, options.is_renderer_allowed);
   differing.throw_if_errors();
@@ -172,9 +174,10 @@ int branch_command(const BranchOptions& options) {
   }
   catch_stop_signals();
   const std::string plan_file = std::filesystem::absolute(parts.source.file).lexically_normal();
-  Checkpoints checkpoints(parts.record->log(),
-                          {program_build(), plan_file, values, every, parts.source.soil, ""},
-                          options.checkpoints.is_on);
+  Checkpoints checkpoints(
+      parts.record->log(),
+      {program_build(), plan_file, values, every, parts.source.soil, saved.mission.from, ""},
+      options.checkpoints.is_on);
   checkpoints.start(*parts.simulation);
   return run_to_end({parts.files, *parts.simulation, *parts.folder, *parts.record, checkpoints},
                     options);

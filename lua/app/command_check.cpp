@@ -14,6 +14,7 @@
 #include "lua/app/planning_watch.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
+#include "lua/host/run_from.h"
 
 namespace lsos {
 
@@ -21,6 +22,7 @@ namespace {
 
 struct CheckOptions {
   std::string plan;
+  std::string from;  // folder of the run with whose end it begins; "": none
   std::optional<std::uint64_t> seed;
   bool is_json = false;
   bool is_verbose = false;
@@ -161,6 +163,8 @@ int check_command(const CheckOptions& options) {
   RoutesAhead routes;
   if (!files.faults.has_errors()) {
     try {
+      if (!options.from.empty()) begin_from(options.from, files);
+      files.faults.throw_if_errors();
       // The constructor runs the machine's `initialise`: rovers are placed on the ground and routes
       // are planned, but nothing moves.
       PlanningWatch watch(options.is_quiet);
@@ -176,7 +180,7 @@ int check_command(const CheckOptions& options) {
       files.faults.add(simulation.ground_end_warnings());
       routes = {planned_legs(simulation), drawn_lines(simulation)};
     } catch (const InputError& error) {
-      files.faults.add(error.faults());
+      if (!files.faults.has_errors()) files.faults.add(error.faults());
     }
   }
   print_result("{}", options.is_json ? json_text(files, routes)
@@ -197,6 +201,7 @@ int fsm_command(const FsmOptions& options) {
 std::function<int()> prepare_check(CommandOptions& command) {
   const auto options = std::make_shared<CheckOptions>();
   command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
+  command.add_option("--from", options->from, from_help);
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
   command.add_flag("--json", options->is_json, "The answer as JSON");
   command.add_flag("--verbose", options->is_verbose, "Each default and assumption");

@@ -38,9 +38,9 @@ int resume_command(const ResumeOptions& options) {
   setup.cache_legs = [&](const std::string& bytes) { cache_legs(files.plan.file, bytes); };
   setup.on_planning = [&](const std::string& what) { watch.plan(what); };
   Simulation simulation(std::move(setup));
-  const Faults differing =
-      differences(saved.mission, {program_build(), "", run_values(files, simulation), {}, "", ""},
-                  folder.path(), options.is_renderer_allowed);
+  const Faults differing = differences(
+      saved.mission, {program_build(), "", run_values(files, simulation), {}, "", "", ""},
+      folder.path(), options.is_renderer_allowed);
   differing.throw_if_errors();
   files.faults.add(simulation.advice());
   files.faults.add(differing.sorted());

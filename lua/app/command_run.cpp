@@ -13,6 +13,7 @@
 #include "lua/app/run_to_end.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
+#include "lua/host/run_from.h"
 #include "lua/host/run_values.h"
 #include "lua/host/version.h"
 #include "plan/kml_text.h"
@@ -74,12 +75,15 @@ int run_command(const RunOptions& options) {
   const SimTime every = kept_every(options.checkpoints);
   MissionFiles files = read_mission(options.plan, options.seed);
   files.faults.throw_if_errors();
+  if (!options.from.empty()) begin_from(options.from, files);
+  files.faults.throw_if_errors();
   files.faults.add(cached_legs_advice(options.plan));
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
   const std::string path =
       options.folder.empty() ? default_run_folder(options.plan) : options.folder;
+  check_not_from(path, options.from);
   const std::string other = check_replacement(path, options, files.plan_bytes);
   RunFolder folder(path, options.is_forced);
   SimulationSetup setup = simulation_setup(files);
@@ -105,9 +109,13 @@ int run_command(const RunOptions& options) {
   catch_stop_signals();
   const std::map<std::string, std::string> values = run_values(files, simulation);
   RunRecord record(folder, files.plan_bytes, files, values, simulation);
-  const std::string plan_file = std::filesystem::absolute(options.plan).lexically_normal();
-  Checkpoints checkpoints(record.log(), {program_build(), plan_file, values, every, "", ""},
-                          options.checkpoints.is_on);
+  const auto absolute = [](const std::string& name) {
+    return name.empty() ? name : std::filesystem::absolute(name).lexically_normal().string();
+  };
+  Checkpoints checkpoints(
+      record.log(),
+      {program_build(), absolute(options.plan), values, every, "", absolute(options.from), ""},
+      options.checkpoints.is_on);
   simulation.start();
   checkpoints.start(simulation);
   return run_to_end({files, simulation, folder, record, checkpoints}, options);
@@ -117,6 +125,7 @@ std::function<int()> prepare_run(CommandOptions& command) {
   const auto options = std::make_shared<RunOptions>();
   command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
   command.add_option("-o,--output", options->folder, "Folder of the results (out/PLAN-NAME)");
+  command.add_option("--from", options->from, from_help);
   command.add_flag("--force", options->is_forced,
                    "Replace an unfinished run, or without -o that of another plan");
   add_outcome_options(command, *options);

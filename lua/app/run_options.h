@@ -32,6 +32,7 @@ SimTime kept_every(const CheckpointOptions& options);
 struct RunOptions : OutcomeOptions {
   std::string plan;
   std::string folder;                 // "": out/PLAN-NAME
+  std::string from;                   // folder of the run with whose end it begins; "": none
   bool is_forced = false;             // replace an unfinished run
   std::optional<std::uint64_t> seed;  // instead of the plan's
   bool save_every_exchange = false;

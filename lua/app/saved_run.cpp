@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/quantity.h"
 #include "lua/host/mission_reader.h"
+#include "lua/host/run_from.h"
 #include "lua/host/version.h"
 #include "product/summary.h"
 
@@ -94,6 +95,7 @@ MissionFiles files_of_run(const std::string& folder, const SavedMission& mission
   if (!seed) throw InputError({folder}, "its checkpoint does not say which seed was run");
   const PlanSource source = source_of_run(folder, mission);
   MissionFiles files = read_mission(source, read_catalog(source.file), *seed.value);
+  if (!mission.from.empty() && !files.faults.has_errors()) begin_from(mission.from, files);
   files.faults.throw_if_errors();
   return files;
 }

@@ -202,6 +202,15 @@ SimulationSetup simulation_setup(const MissionFiles& files) {
   setup.rover_models = files.rover_models;
   setup.asset_models = files.asset_models;
   setup.terrain = files.terrain;
+  if (files.from) {
+    setup.starts = files.from->rovers;
+    for (PlanRover& rover : setup.plan.rovers) {
+      const auto start = setup.starts.find(rover.id);
+      if (start == setup.starts.end()) continue;
+      rover.start = *start->second.place;
+      rover.heading_rad = start->second.heading_rad;
+    }
+  }
   setup.cached_legs = read_cached_legs(files.plan.file);
   setup.make_host = [catalog = files.catalog] { return std::make_unique<LuaHost>(*catalog); };
   return setup;

@@ -6,11 +6,14 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "lua/host/mission_reader.h"
+#include "lua/host/run_values.h"
 
 namespace lsos {
 
-MissionFiles mission_of_run(const std::string& folder,
-                            const std::map<std::string, std::string>& run) {
+namespace {
+
+MissionFiles files_of_run(const std::string& folder,
+                          const std::map<std::string, std::string>& run) {
   if (!run.contains("seed") || !run.contains("plan_sha256")) {
     throw InputError({}, folder + ": its log does not say what was run");
   }
@@ -30,6 +33,15 @@ MissionFiles mission_of_run(const std::string& folder,
   if (!files.faults.has_errors()) return files;
   MissionFiles with_ours = read_mission(read_plan_source(copy), read_catalog(""), seed);
   return with_ours.faults.has_errors() ? files : with_ours;
+}
+
+}  // namespace
+
+MissionFiles mission_of_run(const std::string& folder,
+                            const std::map<std::string, std::string>& run) {
+  MissionFiles files = files_of_run(folder, run);
+  restore_site(run, files.plan);
+  return files;
 }
 
 void require_samples(const LogReader& log, const std::string& folder) {

@@ -2,10 +2,26 @@
 
 #include <fmt/format.h>
 
+#include "base/quantity.h"
 #include "lua/host/script_use.h"
 #include "lua/host/version.h"
 
 namespace lsos {
+
+namespace {
+
+constexpr const char *site_lon_key = "from_site_lon_rad", *site_lat_key = "from_site_lat_rad";
+
+}  // namespace
+
+void restore_site(const std::map<std::string, std::string>& run, Plan& plan) {
+  const auto lon = run.find(site_lon_key), lat = run.find(site_lat_key);
+  if (lon == run.end() || lat == run.end()) return;
+  const Unit& one = *find_unit("1");
+  const Parsed<double> lon_rad = parse_quantity(lon->second, one);
+  const Parsed<double> lat_rad = parse_quantity(lat->second, one);
+  if (lon_rad && lat_rad) plan.mission.site = Geodetic{*lon_rad.value, *lat_rad.value, 0};
+}
 
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation) {
@@ -25,6 +41,11 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
   };
   if (files.terrain.beyond) values["terrain_beyond"] = files.terrain.beyond->name;
   if (!simulation.renderer().empty()) values["renderer"] = simulation.renderer();
+  if (files.from) {
+    values["from_log_sha256"] = files.from->log_sha256;
+    values[site_lon_key] = fmt::format("{}", files.from->site.lon_rad);
+    values[site_lat_key] = fmt::format("{}", files.from->site.lat_rad);
+  }
   const ScriptUse use(*files.catalog, files.plan, files.terrain);
   for (const Script& script : files.catalog->scripts()) {
     if (!use.has(script)) continue;

@@ -13,4 +13,7 @@ namespace lsos {
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation);
 
+// Tells the plan of a run that began as another had ended where its site is. `run`: those values.
+void restore_site(const std::map<std::string, std::string>& run, Plan& plan);
+
 }  // namespace lsos

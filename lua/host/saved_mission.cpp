@@ -13,7 +13,7 @@ namespace {
 
 void archive(Archive& a, SavedMission& mission) {
   LSOS_ARCHIVE(a, mission.build, mission.plan_file, mission.values, mission.every, mission.soil,
-               mission.state);
+               mission.from, mission.state);
 }
 
 std::string value(const std::map<std::string, std::string>& values, const std::string& key) {
@@ -24,6 +24,7 @@ std::string value(const std::map<std::string, std::string>& values, const std::s
 // "event_Route_sha256" is "the event script Route".
 std::string words_of(const std::string& key) {
   if (key == "plan_sha256") return "the plan";
+  if (key == "from_log_sha256") return "the log of the run with whose end it began";
   if (key == "terrain_sha256") return "the ground (its rasters, or what the terrain script adds)";
   for (const char* kind : {"event", "rover", "terrain", "soil", "lib"}) {
     const std::string head = fmt::format("{}_", kind), tail = "_sha256";

@@ -16,6 +16,7 @@ struct SavedMission {
   std::map<std::string, std::string> values;  // run_values()
   SimTime every{};                            // mission time between kept checkpoints; 0: none
   std::string soil;                           // set in place of the terrain's own; "": none was
+  std::string from;                           // folder of the run with whose end it began; "": none
   std::string state;                          // Simulation::save()
 };
 
