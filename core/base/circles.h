@@ -14,7 +14,7 @@ struct CircleStep {
 };
 
 // `edges`: where those of each node lead. Each circle is a list of steps from one node back to it.
-// Of every set of nodes that reach each other at least one circle is found. Circles may share
+// At least one circle is found of every set of nodes that reach each other. Circles may share
 // nodes; all are found in one pass, so their number is at most that of the edges. The search does
 // not recurse: plans have chains of thousands of events.
 std::vector<std::vector<CircleStep>> find_circles(

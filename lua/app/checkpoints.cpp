@@ -11,6 +11,10 @@ constexpr std::chrono::minutes wall_period{1};
 
 }  // namespace
 
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 Checkpoints::Checkpoints(LogWriter& log, SavedMission mission, bool is_on, double wall_before_s)
     : log_(log), mission_(std::move(mission)), is_on_(is_on), wall_before_s_(wall_before_s) {}
 
@@ -37,9 +41,7 @@ void Checkpoints::stop(Simulation& simulation) {
   if (is_on_) write(simulation, CheckpointKind::stop);
 }
 
-double Checkpoints::wall_s() const {
-  return wall_before_s_ + std::chrono::duration<double>(Clock::now() - begin_).count();
-}
+double Checkpoints::wall_s() const { return wall_before_s_ + seconds_since(begin_); }
 
 void Checkpoints::write(Simulation& simulation, CheckpointKind kind) {
   mission_.state = simulation.save();

@@ -10,10 +10,13 @@
 
 namespace lsos {
 
+// Wall time from then until now.
+double seconds_since(std::chrono::steady_clock::time_point begin);
+
 class Checkpoints {
  public:
   // `log` must outlive it. `mission`: what each holds besides the state. `wall_before_s`: wall time
-  // that the run had taken before it was resumed.
+  // that the run has taken so far, also before it was resumed.
   Checkpoints(LogWriter& log, SavedMission mission, bool is_on, double wall_before_s = 0);
 
   bool is_on() const { return is_on_; }

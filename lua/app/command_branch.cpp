@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -90,7 +91,17 @@ void print(const Faults& faults, bool is_quiet) {
   }
 }
 
-// Replaces the simulation of the trunk's plan by one of the changed plan, in the same log.
+// The mission of `source`, which begins as that of the trunk did.
+MissionFiles branch_files(const PlanSource& source, const SavedRun& saved, std::uint64_t seed) {
+  MissionFiles files = read_mission(source, read_catalog(source.file), seed);
+  if (!saved.mission.from.empty() && !files.faults.has_errors()) {
+    begin_from(saved.mission.from, files);
+  }
+  return files;
+}
+
+// Replaces the simulation by one of the changed mission, in the same log. It is made as `resume`
+// makes it, so that a branch that is stopped goes on as it would have.
 void take_up(SessionParts& parts, MissionFiles files, const BranchOptions& options,
              PlanningWatch& watch) {
   SimulationSetup setup = setup_of(files, options, watch);
@@ -99,7 +110,6 @@ void take_up(SessionParts& parts, MissionFiles files, const BranchOptions& optio
   simulation->go_on_from(*parts.simulation);
   simulation->set_log(&parts.record->log());
   files.faults.add(simulation->advice());
-  print(files.faults, options.is_quiet);
   parts.simulation = std::move(simulation);
   parts.files = std::move(files);
 }
@@ -112,11 +122,10 @@ void change(SessionParts& parts, const BranchOptions& options) {
   std::vector<SourcePlacemark>& placemarks = parts.source.kml.placemarks;
   placemarks.insert(placemarks.end(), parts.dispatched.begin(), parts.dispatched.end());
   parts.source.bytes = kml_of(parts.source.kml);
-  parts.files = read_mission(parts.source, parts.files.catalog, parts.files.plan.mission.seed);
-  parts.files.faults.throw_if_errors();
 }
 
 int branch_command(const BranchOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
   check(options);
   const SimTime every = kept_every(options.checkpoints);
   const LogReader log(options.folder + "/log.gpkg");
@@ -126,13 +135,13 @@ int branch_command(const BranchOptions& options) {
   SessionParts parts;
   parts.source = source_of_run(options.folder, saved.mission);
   parts.files = files_of_run(options.folder, saved.mission);
+  const std::uint64_t seed = parts.files.plan.mission.seed;
   PlanSource revised = parts.source;
   MissionFiles files = parts.files;
   if (!options.plan.empty()) {
     revised = revised_source(options, parts.files, begun);
     revised.soil = saved.mission.soil;
-    files = read_mission(revised, read_catalog(revised.file), parts.files.plan.mission.seed);
-    if (!saved.mission.from.empty()) begin_from(saved.mission.from, files);
+    files = branch_files(revised, saved, seed);
     check_revision(parts.files.plan, begun, files.plan, files.faults);
     files.faults.throw_if_errors();
   }
@@ -144,7 +153,9 @@ int branch_command(const BranchOptions& options) {
   const Faults differing =
       differences(saved.mission, now, options.folder, options.is_renderer_allowed);
   differing.throw_if_errors();
-  print(differing, options.is_quiet);
+  parts.files.faults.add(parts.simulation->advice());
+  parts.files.faults.add(differing.sorted());
+  files.faults.add(differing.sorted());
   restore(*parts.simulation, saved, options.folder);
 
   // From here on the folder of the branch is written. Until its first checkpoint it cannot be
@@ -164,7 +175,13 @@ int branch_command(const BranchOptions& options) {
     take_up(parts, std::move(files), options, watch);
     parts.source = std::move(revised);
   }
-  if (!options.changes.empty()) change(parts, options);
+  if (!options.changes.empty()) {
+    change(parts, options);
+    MissionFiles changed = branch_files(parts.source, saved, seed);
+    changed.faults.throw_if_errors();
+    take_up(parts, std::move(changed), options, watch);
+  }
+  print(parts.files.faults, options.is_quiet);
   write_file(parts.folder->file("plan.kml"), parts.source.bytes);
   const std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
   parts.record->log().write_run(values);
@@ -177,7 +194,7 @@ int branch_command(const BranchOptions& options) {
   Checkpoints checkpoints(
       parts.record->log(),
       {program_build(), plan_file, values, every, parts.source.soil, saved.mission.from, ""},
-      options.checkpoints.is_on);
+      options.checkpoints.is_on, seconds_since(begin));
   checkpoints.start(*parts.simulation);
   return run_to_end({parts.files, *parts.simulation, *parts.folder, *parts.record, checkpoints},
                     options);

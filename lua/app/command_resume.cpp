@@ -24,11 +24,21 @@ struct ResumeOptions : OutcomeOptions {
   bool is_renderer_allowed = false;
 };
 
+// Says in the log that another renderer draws from here on.
+void note_renderer(SavedRun& saved, const std::string& renderer, LogWriter& log) {
+  const auto before = saved.mission.values.find("renderer");
+  if (before == saved.mission.values.end() || before->second == renderer) return;
+  log.write_run({{"renderer", fmt::format("{}, from {:.6g} s on {}", before->second,
+                                          seconds(saved.time), renderer)}});
+  before->second = renderer;
+}
+
 int resume_command(const ResumeOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
   RunFolder folder = RunFolder::of_run(options.folder);
   const std::vector<CheckpointEntry> entries = resumable_checkpoints(folder.path());
   std::vector<std::string> damaged;
-  const SavedRun saved = last_saved_run(folder.path(), entries, damaged);
+  SavedRun saved = last_saved_run(folder.path(), entries, damaged);
   for (const std::string& what : damaged) print_message("warning: {}\n", what);
   MissionFiles files = files_of_run(folder.path(), saved.mission);
   PlanningWatch watch(options.is_quiet);
@@ -50,7 +60,8 @@ int resume_command(const ResumeOptions& options) {
   restore(simulation, saved, folder.path());
   catch_stop_signals();
   RunRecord record(folder, files, saved.id, simulation);
-  Checkpoints checkpoints(record.log(), saved.mission, true, saved.wall_s);
+  note_renderer(saved, simulation.renderer(), record.log());
+  Checkpoints checkpoints(record.log(), saved.mission, true, saved.wall_s + seconds_since(begin));
   checkpoints.go_on(simulation);
   if (!options.is_quiet) {
     print_message("{}: goes on at {} of the mission\n", folder.path(),

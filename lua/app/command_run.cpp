@@ -72,6 +72,7 @@ std::string check_replacement(const std::string& path, const RunOptions& options
 }  // namespace
 
 int run_command(const RunOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
   const SimTime every = kept_every(options.checkpoints);
   MissionFiles files = read_mission(options.plan, options.seed);
   files.faults.throw_if_errors();
@@ -115,7 +116,7 @@ int run_command(const RunOptions& options) {
   Checkpoints checkpoints(
       record.log(),
       {program_build(), absolute(options.plan), values, every, "", absolute(options.from), ""},
-      options.checkpoints.is_on);
+      options.checkpoints.is_on, seconds_since(begin));
   simulation.start();
   checkpoints.start(simulation);
   return run_to_end({files, simulation, folder, record, checkpoints}, options);

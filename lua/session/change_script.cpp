@@ -13,23 +13,12 @@
 
 namespace lsos {
 
-namespace {
-
-Limits change_limits() {
-  Limits limits;
-  limits.instructions = 2'000'000'000;  // some 20 s
-  limits.cpu_s = 1e9;
-  return limits;
-}
-
-}  // namespace
-
 std::unique_ptr<SimSession> run_change_script(std::unique_ptr<SimSession> session,
                                               const std::string& file) {
   const auto source = read_file(file);
   if (!source) throw InputError({file}, "cannot be read");
   const auto say = [](const std::string& line) { print_message("{}\n", line); };
-  LuaState lua(make_session_api, change_limits());
+  LuaState lua(make_session_api, session_limits());
   SimSessions sessions(session->folder(), say);
   const ScriptInstance number = sessions.adopt(std::move(session));
   lua.context().interactive_rovers = &sessions;

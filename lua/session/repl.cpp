@@ -106,18 +106,11 @@ bool is_exit_word(const std::string& text) {
   return std::regex_match(text, word);
 }
 
-Limits prompt_limits() {
-  Limits limits;
-  limits.instructions = 2'000'000'000;  // some 20 s
-  limits.cpu_s = 1e9;
-  return limits;
-}
-
 }  // namespace
 
 Repl::Repl(const std::string& plan_file, const std::string& folder,
            std::function<void(const std::string&)> say)
-    : say_(std::move(say)), lua_(make_session_api, prompt_limits()), sim_sessions_(folder, say_) {
+    : say_(std::move(say)), lua_(make_session_api, session_limits()), sim_sessions_(folder, say_) {
   lua_.context().interactive_rovers = &sim_sessions_;
   lua_.context().is_stop_wanted = [] { return is_stop_wanted.load(); };
   std::optional<ScriptInstance> number;

@@ -19,8 +19,6 @@ namespace lsos {
 
 namespace {
 
-constexpr std::int64_t instructions_max = 2'000'000'000;  // some 20 s
-
 // Pops a scenario's function and runs it.
 ScenarioResult run_one(lua_State* L, SimSessions& sims, const std::string& file,
                        const std::string& name, const std::string& folder) {
@@ -76,10 +74,7 @@ void run_scenarios(const std::string& file, const std::string& filter, const std
   if (!source) return report({file, "", file + ": cannot be read", "", 0});
   script.source = *source;
 
-  Limits limits;
-  limits.instructions = instructions_max;
-  limits.cpu_s = 1e9;
-  LuaState lua(make_session_api, limits);
+  LuaState lua(make_session_api, session_limits());
   lua.run([&](lua_State* L) {
     // On standard error: standard output is the report.
     const auto say = [](const std::string& line) { print_message("{}\n", line); };

@@ -30,6 +30,13 @@ std::vector<ApiFunction> all_functions() {
   return all;
 }
 
+Limits session_limits() {
+  Limits limits;
+  limits.instructions = 2'000'000'000;
+  limits.cpu_s = 1e9;
+  return limits;
+}
+
 void make_session_api(lua_State* L) { make_module(L, session_functions()); }
 
 }  // namespace lsos
