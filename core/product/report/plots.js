@@ -5,6 +5,13 @@ const plotWidths = new WeakMap();
 function measure(surface) {
   plotWidths.set(surface, Math.max(10, surface.clientWidth - gutter - rightGap));
 }
+// Puts the vertical line of a plot at the time of the cursor, or hides it where that is not shown.
+function placeCursor(line, surface) {
+  const isIn = view.cursor >= view.from && view.cursor <= view.to;
+  line.style.transform = `translateX(${Math.round(timeX(view.cursor, plotWidth(surface)))}px)`;
+  line.style.visibility = isIn ? 'visible' : 'hidden';
+}
+
 function plotWidth(surface) {
   if (!plotWidths.has(surface)) measure(surface);
   return plotWidths.get(surface);
@@ -293,9 +300,7 @@ class SightPlot {
     this.moveCursor();
   }
   moveCursor() {
-    const isIn = view.cursor >= view.from && view.cursor <= view.to;
-    this.cursor.style.transform = `translateX(${Math.round(timeX(view.cursor, plotWidth(this.surface)))}px)`;
-    this.cursor.style.visibility = isIn ? 'visible' : 'hidden';
+    placeCursor(this.cursor, this.surface);
     const holds = spans => {
       for (let i = 0; i < spans.length; i += 2) if (view.cursor >= spans[i] && view.cursor <= spans[i + 1]) return true;
       return false;

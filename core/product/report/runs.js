@@ -152,9 +152,7 @@ class EventsPlot {
     this.moveCursor();
   }
   moveCursor() {
-    const isIn = view.cursor >= view.from && view.cursor <= view.to;
-    this.cursor.style.transform = `translateX(${Math.round(timeX(view.cursor, plotWidth(this.surface)))}px)`;
-    this.cursor.style.visibility = isIn ? 'visible' : 'hidden';
+    placeCursor(this.cursor, this.surface);
   }
   refresh() { Plot.prototype.refresh.call(this); }
   windowChanged() { this.refresh(); }
