@@ -89,6 +89,23 @@ TEST_F(Branch, goes_on_with_later_events_of_another_plan) {
   EXPECT_EQ(summary(folder_ / "whole")["log_sha256"], summary(branch_)["log_sha256"]);
 }
 
+// The rover does not wait for the time of an event that is gone.
+TEST_F(Branch, goes_on_at_once_behind_a_waiting_event_that_the_plan_leaves_out) {
+  std::vector<Mark> marks{
+      mission(), sev("SEV1", "0,0"), event("Pause", "SEV1", 10, {{"Duration", "60"}}),
+      event("Pause", "SEV1", 20, {{"Duration", "60"}, {"StartTime", "2026-01-01T00:30:00Z"}}),
+      event("Pause", "SEV1", 30, {{"Duration", "60"}})};
+  folder_.write("plan.kml", kml(marks));
+  ASSERT_EQ(run({plan_, "-o", trunk_, "--checkpoint-every", "20 s", "--no-report"}).exit_code, 0);
+  marks.erase(marks.begin() + 3);
+  const std::string other = folder_.write("other.kml", kml(marks));
+  const Outcome outcome = branch({"--at", "3 min", "--plan", other});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const nlohmann::json events = summary(branch_)["events"];
+  ASSERT_EQ(events.size(), 2u);
+  EXPECT_DOUBLE_EQ(events[1]["start_s"].get<double>(), 180.1);
+}
+
 // What a script adds and changes must be made again by `resume` as the branch had it.
 TEST_F(Branch, can_be_killed_and_resumed) {
   const std::string script =

@@ -27,7 +27,7 @@ class EventSequence {
   // or its turn is over.
   void add(const EventMachine& machine);
   // Takes up the events of another plan in place of those that have not begun; check_revision()
-  // must have passed. Returns the sequences of those that are new or differ.
+  // must have passed. Returns the sequences of those that are new, differ or are gone.
   std::set<std::int64_t> revise(const RoverMachine& machine);
   // Time at which `run` must be called next even if nothing else happens; nullopt: only something
   // else can wake it (an arrival, another rover's event).

@@ -27,6 +27,12 @@ std::set<std::int64_t> EventSequence::revise(const RoverMachine& machine) {
     if (has_turn_ && index == index_) current = i;
     if (record.has_begun() && !record.is_timed) after_last = i + 1;
   }
+  for (const EventMachine& earlier : machine_.events) {
+    const bool is_left = std::ranges::any_of(machine.events, [&](const EventMachine& other) {
+      return other.event.sequence == earlier.event.sequence;
+    });
+    if (!is_left) changed.insert(earlier.event.sequence);
+  }
   machine_ = machine;
   records_ = revised.records_;
   has_timed_ = revised.has_timed_;
