@@ -89,6 +89,10 @@ class Simulation : private Surroundings {
   void note_interactive(const std::string& rover_id, const std::string& name,
                         const std::string& fields_json);
 
+  // Goes on from what was measured of rovers, by id, in place of what was simulated. Throws
+  // InputError with all faults; the simulation is then of no use.
+  std::map<std::string, Correction> correct(const std::map<std::string, MeasuredState>& measured);
+
   // Goes on from what a simulation of another plan has come to, which is of no use afterwards; its
   // plan and this one must have passed check_revision().
   void go_on_from(Simulation& earlier);

@@ -1,7 +1,8 @@
-// A simulation that goes on from the state of one with another plan.
+// A simulation that goes on from the state of one with another plan, or from what was measured.
 #include <algorithm>
 
 #include "base/error.h"
+#include "mission/fleet/avoidance.h"
 #include "mission/simulation.h"
 
 namespace lsos {
@@ -47,6 +48,25 @@ void Simulation::go_on_from(Simulation& earlier) {
     rover.wake = now_ + exchange_period;
     is_finished_ = false;
   }
+}
+
+std::map<std::string, Correction> Simulation::correct(
+    const std::map<std::string, MeasuredState>& measured) {
+  std::map<std::string, Correction> corrections;
+  Faults faults;
+  for (const auto& [id, state] : measured) {
+    FleetRover* rover = fleet_.find(id);
+    LSOS_ASSERT(rover != nullptr);
+    try {
+      corrections[id] = rover->agent->correct(state);
+    } catch (const InputError& error) {
+      faults.add(error.faults());
+    }
+    if (!rover->sequence.is_finished()) rover->wake = now_ + exchange_period;
+  }
+  if (!faults.has_errors()) faults.add(overlapping_rovers(fleet_, machine_));
+  faults.throw_if_errors();
+  return corrections;
 }
 
 EventReferences Simulation::begun_events() const {

@@ -1,4 +1,4 @@
-// How the line of a path follower grows while it is driven.
+// How the line of a path follower changes while it is driven.
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +14,9 @@ constexpr double kept_behind_m = 10;  // of the line, behind the rover
 // The line before and after it is extended differ by the rounding of corners; within this of the
 // distance driven so far lies the piece that the rover is on.
 constexpr double same_place_m = 1;
+// A place of the path that lies farther from the one where the rover was, along the path, must be
+// nearer by this share of the difference to be taken for its place.
+constexpr double elsewhere_share = 0.1;
 
 }  // namespace
 
@@ -36,6 +39,40 @@ void PathFollower::extend(const std::vector<Vec2>& waypoints_S_m, const Follower
       std::max(0.0, line_.back().begin_m + line_.back().length_m - driven_m(line_[leg_], pose));
   best_remaining_m_ += remaining_m - remaining_m_;  // a line that grows is no lack of progress
   remaining_m_ = remaining_m;
+}
+
+void PathFollower::begin_again(const FollowerPose& pose) {
+  if (status_ != Status::driving) return;
+  double length_m = 0;
+  for (std::size_t i = 1; i < waypoints_S_m_.size(); ++i) {
+    length_m += (waypoints_S_m_[i] - waypoints_S_m_[i - 1]).norm();
+  }
+  const double driven_m = length_m - remaining_m_;
+  std::size_t next = 1;
+  double begin_m = 0, least_m = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < waypoints_S_m_.size(); ++i) {
+    const Vec2 &from_S_m = waypoints_S_m_[i - 1], &to_S_m = waypoints_S_m_[i];
+    const double piece_m = (to_S_m - from_S_m).norm();
+    const double share = nearest_share(from_S_m, to_S_m, pose.p_S_m);
+    const double off_m = (pose.p_S_m - from_S_m - share * (to_S_m - from_S_m)).norm();
+    const double counted_m =
+        off_m + elsewhere_share * std::abs(begin_m + share * piece_m - driven_m);
+    if (counted_m <= least_m) {
+      least_m = counted_m;
+      next = i;
+    }
+    begin_m += piece_m;
+  }
+  Path3 path_S_m;
+  for (std::size_t i = next; i < waypoints_S_m_.size(); ++i) {
+    path_S_m.emplace_back(waypoints_S_m_[i].x(), waypoints_S_m_[i].y(), 0);
+  }
+  if (path_S_m.empty()) path_S_m.emplace_back(waypoints_S_m_[0].x(), waypoints_S_m_[0].y(), 0);
+  const std::size_t passed = passed_ + next - 1;
+  const double speed_limit_mps = speed_limit_mps_;
+  *this = PathFollower(path_S_m, pose, limits_);
+  passed_ += passed;
+  speed_limit_mps_ = speed_limit_mps;
 }
 
 double PathFollower::driven_m(const DrivingPiece& leg, const FollowerPose& pose) {

@@ -60,6 +60,9 @@ class PathFollower {
   // Moves the end of the line: the last waypoint is replaced by these, of which there is at least
   // one. What lies well behind the rover is forgotten.
   void extend(const std::vector<Vec2>& waypoints_S_m, const FollowerPose& pose);
+  // The rover was put elsewhere, at rest: it goes on straight to the waypoint behind the place of
+  // its path that is nearest to it.
+  void begin_again(const FollowerPose& pose);
   // Limits the speed from now on, besides what the line and the ground allow.
   void limit_speed(double speed_mps) { speed_limit_mps_ = speed_mps; }
 

@@ -78,7 +78,11 @@ class Vehicle {
   // too steep. `joints`: positions from which its joints settle, in order of config().links; empty:
   // the initial ones.
   std::string place(const Geodetic& at, double heading_rad, const std::vector<double>& joints = {});
-  // The same before it settles.
+  // The same in the middle of a run: what was driven and used so far still counts, and what it does
+  // to settle does not.
+  std::string place_again(const Geodetic& at, double heading_rad,
+                          const std::vector<double>& joints);
+  // As place(), before it settles.
   std::string put_down(const Geodetic& at, double heading_rad,
                        const std::vector<double>& joints = {});
 

@@ -139,4 +139,17 @@ std::string Vehicle::place(const Geodetic& at, double heading_rad,
   return "";
 }
 
+std::string Vehicle::place_again(const Geodetic& at, double heading_rad,
+                                 const std::vector<double>& joints) {
+  const double distance_m = distance_m_, drive_j = drive_j_;
+  const WorkDone work = work_;
+  const auto steps = steps_;
+  std::string hindrance = place(at, heading_rad, joints);
+  distance_m_ = distance_m;
+  drive_j_ = drive_j;
+  work_ = work;
+  steps_ = steps;
+  return hindrance;
+}
+
 }  // namespace lsos

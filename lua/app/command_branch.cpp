@@ -8,6 +8,7 @@
 
 #include "base/console.h"
 #include "base/files.h"
+#include "lua/app/branch_measured.h"
 #include "lua/app/branch_moment.h"
 #include "lua/app/commands.h"
 #include "lua/app/planning_watch.h"
@@ -29,11 +30,12 @@ namespace lsos {
 namespace {
 
 struct BranchOptions : OutcomeOptions {
-  std::string folder;   // of the trunk
-  std::string at;       // UTC, a duration from the start, or an event
-  std::string output;   // folder of the branch
-  std::string plan;     // "": the trunk's
-  std::string changes;  // a script; "": none
+  std::string folder;    // of the trunk
+  std::string at;        // UTC, a duration from the start, or an event
+  std::string output;    // folder of the branch
+  std::string plan;      // "": the trunk's
+  std::string measured;  // a table of telemetry; "": none
+  std::string changes;   // a script; "": none
   bool is_forced = false;
   bool is_renderer_allowed = false;
   CheckpointOptions checkpoints;
@@ -157,6 +159,10 @@ int branch_command(const BranchOptions& options) {
   parts.files.faults.add(differing.sorted());
   files.faults.add(differing.sorted());
   restore(*parts.simulation, saved, options.folder);
+  MeasuredStates measured;
+  if (!options.measured.empty()) {
+    measured = read_measured(options.measured, log, moment, parts.simulation->ground().site());
+  }
 
   // From here on the folder of the branch is written. Until its first checkpoint it cannot be
   // resumed.
@@ -171,6 +177,9 @@ int branch_command(const BranchOptions& options) {
     parts.simulation->advance(moment);
   }
   LSOS_ASSERT(parts.simulation->begun_events() == begun);
+  if (!options.measured.empty()) {
+    go_on_from_measured(*parts.simulation, measured, options.measured, options.is_quiet);
+  }
   if (!options.plan.empty()) {
     take_up(parts, std::move(files), options, watch);
     parts.source = std::move(revised);
@@ -181,6 +190,7 @@ int branch_command(const BranchOptions& options) {
     changed.faults.throw_if_errors();
     take_up(parts, std::move(changed), options, watch);
   }
+  parts.files.faults.add(measured.warnings);
   print(parts.files.faults, options.is_quiet);
   write_file(parts.folder->file("plan.kml"), parts.source.bytes);
   const std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
@@ -211,6 +221,9 @@ std::function<int()> prepare_branch(CommandOptions& command) {
   command.add_option("-o,--output", options->output, "Folder of the branch");
   command.add_option("--plan", options->plan,
                      "A plan whose later events take the place of the run's");
+  command.add_option("--measured", options->measured,
+                     "A table of telemetry, CSV: rovers go on from the place, heading and charge "
+                     "that were measured last");
   command.add_option("--with", options->changes,
                      "A Lua script of changes at that moment, to 'sim' as in scenarios");
   command.add_flag("--force", options->is_forced, "Replace an unfinished run");

@@ -172,6 +172,73 @@ TEST_F(Branch, goes_on_with_what_a_script_changes) {
   EXPECT_THAT(read_text(branch_ + "/plan.kml"), HasSubstr("Pause"));
 }
 
+// A rover whose telemetry says what was simulated goes on as it would have.
+TEST_F(Branch, goes_on_from_what_was_measured) {
+  const std::string log = trunk_ + "/log.gpkg", other_log = branch_ + "/log.gpkg";
+  const std::string columns =
+      "select time_s || ',' || lon_deg || ',' || lat_deg || ',' || heading_rad || ',' || charge "
+      "from samples ";
+  const std::string simulated = query(log, columns + "where time_s = 10");
+  const std::string rows = "time_s,lon_deg,lat_deg,heading_rad,charge\n" + simulated + "\n";
+  const std::string table = folder_.write("same.csv", rows);
+  const Outcome same = branch({"--at", "10 s", "--measured", table});
+  ASSERT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_THAT(same.err, HasSubstr("same.csv:2: SEV1 goes on 0.0 m and 0 deg"));
+  const std::string last = "select distance_m from samples order by time_s desc limit 1";
+  EXPECT_NEAR(std::stod(query(other_log, last)), std::stod(query(log, last)), 0.5);
+  const nlohmann::json before = summary(trunk_)["events"], after = summary(branch_)["events"];
+  EXPECT_NEAR(after[0]["end_s"].get<double>(), before[0]["end_s"].get<double>(), 5);
+}
+
+TEST_F(Branch, goes_on_to_the_same_waypoints_from_a_measured_place) {
+  const std::string log = trunk_ + "/log.gpkg", other_log = branch_ + "/log.gpkg";
+  // 0.001 degrees of latitude are 30.3 m on the Moon.
+  const std::string table = folder_.write(
+      "measured.csv",
+      "utc,rover_id,lon_deg,lat_deg,charge (%),Speed (km/h)\n"
+      "2026-01-01T00:00:04Z,SEV1,0.0001,0,70,4\n2026-01-01T00:00:08Z,SEV1,0.0002,-0.001,62.5,4\n"
+      "2026-01-01T00:00:20Z,SEV1,5,5,10,4\n");
+  const Outcome outcome = branch({"--at", "10 s", "--measured", table});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("measured.csv:3: SEV1 goes on"));
+  EXPECT_THAT(outcome.err, HasSubstr("with 62.5 % charge instead of"));
+  const auto first = [&](const std::string& column) {
+    return std::stod(query(other_log, "select " + column +
+                                          " from samples where time_s > 10 "
+                                          "order by time_s limit 1"));
+  };
+  EXPECT_NEAR(first("lon_deg"), 0.0002, 1e-4);
+  EXPECT_NEAR(first("lat_deg"), -0.001, 1e-4);
+  EXPECT_NEAR(first("charge"), 0.625, 1e-3);
+  const std::string driven = "select max(distance_m) from samples where time_s <= 10";
+  EXPECT_NEAR(first("distance_m"), std::stod(query(log, driven)), 5) << "a jump is no drive";
+  const nlohmann::json before = summary(trunk_)["events"], after = summary(branch_)["events"];
+  EXPECT_EQ(after[0]["status"], before[0]["status"]);
+  EXPECT_GT(after[0]["end_s"], before[0]["end_s"]);
+  const std::string end =
+      "select round(lon_deg, 5) || ' ' || round(lat_deg, 5) from samples order by "
+      "time_s desc limit 1";
+  EXPECT_EQ(query(other_log, end), query(log, end));
+  const std::string noted =
+      "select json_extract(fields, '$.charge') from notes where "
+      "name = 'measured'";
+  EXPECT_NEAR(std::stod(query(other_log, noted)), 0.625, 1e-6);
+}
+
+TEST_F(Branch, refuses_telemetry_from_which_it_cannot_go_on) {
+  fs::remove_all(branch_);
+  const auto refusal_of = [&](const std::string& rows) {
+    return refusal({"--at", "10 s", "--measured", folder_.write("t.csv", rows)});
+  };
+  EXPECT_THAT(refusal({"--at", "10 s", "--measured", "nowhere.csv"}),
+              HasSubstr("nowhere.csv: no such file"));
+  EXPECT_THAT(refusal_of("time_s,charge\n20,0.5\n"),
+              HasSubstr("has no place, heading or charge of any rover up to 0:00:10"));
+  EXPECT_THAT(refusal_of("time_s,speed_mps\n2,0.5\n"), HasSubstr("has no place, heading or"));
+  EXPECT_THAT(refusal_of("time_s,charge\n2,1.5\n"),
+              HasSubstr("t.csv:2: SEV1 cannot go on with a charge of 150 %"));
+}
+
 TEST_F(Branch, refuses_what_cannot_be) {
   fs::remove_all(branch_);
   EXPECT_THAT(refusal({}), HasSubstr("--at: a time or an event of the run is required"));

@@ -16,7 +16,7 @@ constexpr double leaving_m = 1e-3;
 
 }  // namespace
 
-std::vector<Fault> overlapping_starts(const Fleet& fleet, const MissionMachine& machine) {
+std::vector<Fault> overlapping_rovers(const Fleet& fleet, const MissionMachine& machine) {
   Faults faults;
   for (std::size_t i = 0; i < fleet.rovers.size(); ++i) {
     const RoverAgent& rover = *fleet.rovers[i].agent;
@@ -24,14 +24,14 @@ std::vector<Fault> overlapping_starts(const Fleet& fleet, const MissionMachine& 
       if (gap_m(asset, rover.motion().footprint()) > 0) continue;
       faults.error(
           machine.rovers[i].rover.place,
-          fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre", rover.id(),
-                      asset.plan.id, (rover.view().p_S_m - asset.pose.p_S_m).norm()));
+          fmt::format("Rover '{}': is placed where '{}' stands, {:.1f} m from its centre",
+                      rover.id(), asset.plan.id, (rover.view().p_S_m - asset.pose.p_S_m).norm()));
     }
     for (std::size_t k = i + 1; k < fleet.rovers.size(); ++k) {
       const RoverAgent &a = *fleet.rovers[i].agent, &b = *fleet.rovers[k].agent;
       if (!overlap(a.motion().footprint(), b.motion().footprint())) continue;
       faults.error(machine.rovers[k].rover.place,
-                   fmt::format("Rover '{}': starts where '{}' stands, {:.1f} m from its centre",
+                   fmt::format("Rover '{}': is placed where '{}' stands, {:.1f} m from its centre",
                                b.id(), a.id(), (b.view().p_S_m - a.view().p_S_m).norm()));
     }
   }

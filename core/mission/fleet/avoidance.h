@@ -1,4 +1,4 @@
-// Rovers do not touch each other or an asset: starts that overlap are refused, and drives end in
+// Rovers do not touch each other or an asset: places that overlap are refused, and drives end in
 // time.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace lsos {
 
-// Errors for rovers that start where another or an asset stands.
-std::vector<Fault> overlapping_starts(const Fleet& fleet, const MissionMachine& machine);
+// Errors for rovers that are placed where another or an asset stands.
+std::vector<Fault> overlapping_rovers(const Fleet& fleet, const MissionMachine& machine);
 
 // Ends the drives of two rovers that could not stop before each other, or of which one would turn
 // into the other, if the motion of one brings it nearer. One that leaves the other drives on.

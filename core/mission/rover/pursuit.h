@@ -41,6 +41,9 @@ class Pursuit {
   void update(const Leader& leader, const FollowerPose& pose,
               std::optional<PathFollower>& follower);
 
+  // The follower was put elsewhere, at rest: its line must be made anew.
+  void begin_again() { is_waiting_ = true; }
+
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, settings_.leader_id, settings_.distance_m, settings_.speed_mps, limits_,
                  half_length_m_, end_S_m_, entry_S_m_, next_corner_, gap_m_, is_waiting_,

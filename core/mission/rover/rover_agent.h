@@ -8,6 +8,7 @@
 
 #include "driving/driven_track.h"
 #include "mission/model/breakable.h"
+#include "mission/model/measured_state.h"
 #include "mission/model/rover_model.h"
 #include "mission/model/rover_start.h"
 #include "mission/port/rover_port.h"
@@ -45,6 +46,10 @@ class RoverAgent : public RoverPort {
   // place and heading, panels, masts, battery and resources. What broke is noted. Throws as
   // place().
   void begin(const RoverStart& start);
+
+  // Between two exchanges: puts the rover, at rest, where and as it was measured to be; a drive
+  // goes on from there. Throws as place(), and for a rover that can no longer drive.
+  Correction correct(const MeasuredState& measured);
 
   // The moments of an exchange, in their order.
   // Before it: steps the physics. It touches nothing but this rover and the ground.
@@ -120,7 +125,8 @@ class RoverAgent : public RoverPort {
  private:
   void update_view();
   void begin_as(const RoverStart& start);
-  void stand_at(const RoverStart& start);
+  void stand_at(const Geodetic& wanted, double wanted_rad, const std::vector<double>& joints,
+                bool is_again);
   std::vector<double> joints_of(const RoverStart& start) const;
   void begin_panels(const RoverStart& start);
   void begin_masts(const RoverStart& start);

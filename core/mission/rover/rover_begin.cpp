@@ -1,4 +1,4 @@
-// A rover that begins as another run left it.
+// A rover that begins as another run left it, or goes on as it was measured to be.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,9 @@ void RoverAgent::begin_as(const RoverStart& start) {
     vehicle.stand_on(hubs_B_m, start.stance->is_level);
     routes_.start_on(hubs_B_m);
   }
-  stand_at(start);
+  stand_at(start.place.value_or(rover_.start),
+           start.heading_rad.value_or(rover_.heading_rad.value_or(0)), joints_of(start), false);
+  tally_.add(motion_.report());
   begin_panels(start);
   begin_masts(start);
   power_.begin_with(start.energy_j, start.resources);
@@ -68,16 +70,16 @@ std::vector<double> RoverAgent::joints_of(const RoverStart& start) const {
 }
 
 // A vehicle that is put down moves a little until it rests, so it is put down again, by as much
-// beside the place as it had moved.
-void RoverAgent::stand_at(const RoverStart& start) {
+// beside the place as it had moved. `is_again`: in the middle of a run.
+void RoverAgent::stand_at(const Geodetic& wanted, double wanted_rad,
+                          const std::vector<double>& joints, bool is_again) {
   const SiteFrame& site = motion_.ground().site();
-  const std::vector<double> joints = joints_of(start);
-  const Geodetic wanted = start.place.value_or(rover_.start);
-  const double wanted_rad = start.heading_rad.value_or(rover_.heading_rad.value_or(0));
+  Vehicle& vehicle = motion_.vehicle();
   Geodetic at = wanted;
   double heading_rad = wanted_rad;
   for (int tried = 0; tried < tries_max; ++tried) {
-    const std::string hindrance = motion_.vehicle().place(at, heading_rad, joints);
+    const std::string hindrance = is_again ? vehicle.place_again(at, heading_rad, joints)
+                                           : vehicle.place(at, heading_rad, joints);
     if (!hindrance.empty()) {
       throw InputError(rover_.place, fmt::format("Rover '{}': {}", rover_.id, hindrance));
     }
@@ -93,7 +95,6 @@ void RoverAgent::stand_at(const RoverStart& start) {
     heading_rad += off_rad;
   }
   update_view();
-  tally_.add(motion_.report());
 }
 
 void RoverAgent::begin_panels(const RoverStart& start) {
@@ -134,6 +135,44 @@ void RoverAgent::begin_masts(const RoverStart& start) {
     }
     antennas_.begin(i, is_up);
   }
+}
+
+Correction RoverAgent::correct(const MeasuredState& measured) {
+  Correction correction;
+  if (measured.place || measured.heading_rad) {
+    if (!motion_.fault().empty()) {
+      throw InputError(rover_.place, fmt::format("Rover '{}' cannot go on from another place: {}",
+                                                 rover_.id, motion_.fault()));
+    }
+    const VehicleReport before = motion_.report();
+    const bool was_parked = is_parked();
+    stand_at(measured.place.value_or(motion_.place()),
+             measured.heading_rad.value_or(before.heading_rad), motion_.joints(), true);
+    const VehicleReport& after = motion_.report();
+    correction.moved_m = (after.p_S_m - before.p_S_m).norm();
+    correction.turned_rad =
+        std::remainder(after.heading_rad - before.heading_rad, 2 * std::numbers::pi);
+    tally_.go_on_from(after);
+    drive_.go_on_from_here();
+    if (was_parked) power_.begin_motion();
+  }
+  if (measured.charge || measured.energy_j) {
+    if (!power_.has_battery()) {
+      throw InputError(rover_.place,
+                       fmt::format("Rover '{}' has no battery, but a measured charge", rover_.id));
+    }
+    correction.charge_before = power_.account().energy_j / power_.capacity_j();
+    const double capacity_j = power_.capacity_j();
+    const double energy_j = measured.charge ? *measured.charge * capacity_j : *measured.energy_j;
+    if (!(energy_j >= 0 && energy_j <= capacity_j)) {
+      throw InputError(
+          rover_.place,
+          fmt::format("Rover '{}' cannot go on with {:.6g} J: its battery holds 0 to {:.6g} J",
+                      rover_.id, energy_j, capacity_j));
+    }
+    power_.set_energy(energy_j);
+  }
+  return correction;
 }
 
 }  // namespace lsos

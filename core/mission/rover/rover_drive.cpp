@@ -251,6 +251,20 @@ void RoverDrive::brake() {
   give({});
 }
 
+void RoverDrive::go_on_from_here() {
+  is_parked_ = has_warned_of_tilt_ = false;
+  exchanges_at_rest_ = 0;
+  may_touch_with_chassis_ = motion_->report().is_chassis_on_ground;
+  give({});
+  if (!is_driving()) return;
+  if (pursuit_) {
+    follower_.reset();
+    pursuit_->begin_again();
+  } else {
+    follower_->begin_again(follower_pose(motion_->report()));
+  }
+}
+
 std::vector<Footprint> RoverDrive::footprints_ahead(double beyond_m) const {
   constexpr double step_m = 0.25, turning_s = 1;
   constexpr double turning_mps = 0.1;  // below this speed a rover that turns does so on the spot

@@ -48,6 +48,8 @@ class RoverDrive {
   void brake();
   // Has a parked rover stepped again until it rests, for what moves on it.
   void wake() { is_parked_ = false; }
+  // The rover was put elsewhere, at rest: it goes on from there.
+  void go_on_from_here();
   // The same for another stance, in which it may stand tilted again.
   void wake_in_other_stance() { is_parked_ = has_warned_of_tilt_ = false; }
   // Warns of a rover on limbs that rests otherwise than it is to: tilted, or on its chassis.

@@ -36,6 +36,12 @@ void RoverTally::add(const VehicleReport& report) {
   }
 }
 
+void RoverTally::go_on_from(const VehicleReport& report) {
+  elevation_gain_m_ = elevation_gain_m();
+  elevation_low_m_ = elevation_high_m_ = report.elevation_m;
+  is_rising_ = false;
+}
+
 double RoverTally::elevation_gain_m() const {
   return elevation_gain_m_ + (is_rising_ ? elevation_high_m_ - elevation_low_m_ : 0);
 }

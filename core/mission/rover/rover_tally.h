@@ -10,6 +10,8 @@ class RoverTally {
  public:
   // Counts the exchange period that ends in this state.
   void add(const VehicleReport& report);
+  // The rover was put elsewhere: the difference in height is no rise that it drove.
+  void go_on_from(const VehicleReport& report);
   // At the end of an event: driving counts up to here. A rover that sways later does not drive.
   void end_event() { drive_time_in_events_ = drive_time_; }
 

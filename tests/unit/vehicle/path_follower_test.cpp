@@ -103,6 +103,34 @@ TEST(PathFollower, counts_waypoints_as_they_were_given) {
   EXPECT_EQ(follower.next_waypoint(), 2u);
 }
 
+// A rover that was put elsewhere goes on with the waypoint behind the nearest place of its path.
+TEST(PathFollower, begins_again_where_the_rover_was_put) {
+  const Path3 path{{50, 0, 0}, {50, 40, 0}, {0, 40, 0}};
+  const auto next_after = [&](const Vec2& from_S_m, const Vec2& to_S_m) {
+    PathFollower follower(path, {{0, 0}, 0, 0, 0}, {});
+    follower.update({from_S_m, 0, 1, 0}, period_s);
+    follower.begin_again({to_S_m, 0, 0, 0});
+    EXPECT_EQ(follower.status(), PathFollower::Status::driving);
+    follower.update({to_S_m, 0, 0, 0}, period_s);
+    EXPECT_EQ(follower.status(), PathFollower::Status::driving) << follower.reason();
+    return follower.next_waypoint();
+  };
+  EXPECT_EQ(next_after({10, 0}, {30, -8}), 0u) << "ahead and beside";
+  EXPECT_EQ(next_after({40, 0}, {5, 2}), 0u) << "behind";
+  EXPECT_EQ(next_after({40, 0}, {53, 20}), 1u) << "past a corner";
+  EXPECT_EQ(next_after({40, 0}, {20, 45}), 2u) << "far ahead";
+}
+
+// On the way out and back over the same line, it stays on its way out.
+TEST(PathFollower, begins_again_on_the_same_way_of_a_line_driven_twice) {
+  PathFollower follower({{100, 0, 0}, {0, 0, 0}}, {{0, 0}, 0, 0, 0}, {});
+  follower.update({{60, 0}, 0, 1, 0}, period_s);
+  follower.begin_again({{75, 1}, 0, 0, 0});
+  follower.update({{75, 1}, 0, 0, 0}, period_s);
+  EXPECT_EQ(follower.next_waypoint(), 0u);
+  EXPECT_NEAR(follower.remaining_m(), 25 + 100, 1);
+}
+
 TEST(DrivingLine, rounds_a_gentle_corner_within_the_offset_and_stops_at_a_sharp_one) {
   DrivingLimits limits;
   limits.speed_mps = 2;

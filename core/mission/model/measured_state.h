@@ -1,0 +1,25 @@
+// What was measured of a rover at a moment of a mission, to go on from in place of what was
+// simulated.
+#pragma once
+
+#include <optional>
+
+#include "planet/body.h"
+
+namespace lsos {
+
+// What is absent was not measured, and stays as simulated.
+struct MeasuredState {
+  std::optional<Geodetic> place;  // of the reference point; its height is not used
+  std::optional<double> heading_rad;
+  std::optional<double> charge;    // 0..1
+  std::optional<double> energy_j;  // that the battery holds; only without `charge`
+};
+
+// How far from its simulated place and charge a rover was put.
+struct Correction {
+  double moved_m = 0, turned_rad = 0;  // -pi..pi
+  std::optional<double> charge_before;
+};
+
+}  // namespace lsos

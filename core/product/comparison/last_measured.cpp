@@ -1,0 +1,139 @@
+#include "product/comparison/last_measured.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "base/units.h"
+#include "product/comparison/text_table.h"
+
+namespace lsos {
+
+namespace {
+
+constexpr SimTime old_age{60'000'000};  // older values are warned of: a rover drives on meanwhile
+
+// The last rows at or before a moment, searched backwards.
+class RowsBefore {
+ public:
+  RowsBefore(const Telemetry& telemetry, const std::vector<MeasuredRow>& rows, SimTime moment)
+      : telemetry_(telemetry), rows_(rows), moment_(moment) {
+    end_ = std::ranges::upper_bound(rows, moment, {}, &MeasuredRow::time);
+  }
+
+  const MeasuredRow* last_place() const {
+    return last([](const MeasuredRow& row) { return !std::isnan(row.lon_deg); });
+  }
+
+  // Position of a quantity in a row's values.
+  std::optional<std::size_t> column(std::string_view name) const {
+    const auto& all = telemetry_.quantities;
+    const auto found = std::ranges::find(all, name, &MeasuredQuantity::name);
+    if (found == all.end()) return {};
+    return static_cast<std::size_t>(found - all.begin());
+  }
+
+  const MeasuredRow* last_with(std::initializer_list<std::optional<std::size_t>> columns) const {
+    return last([&](const MeasuredRow& row) {
+      return std::ranges::all_of(
+          columns, [&](auto column) { return column && !std::isnan(row.values[*column]); });
+    });
+  }
+
+ private:
+  template <typename Predicate>
+  const MeasuredRow* last(Predicate is_wanted) const {
+    for (auto row = end_; row != rows_.begin();) {
+      if (is_wanted(*--row)) return &*row;
+    }
+    return nullptr;
+  }
+
+  const Telemetry& telemetry_;
+  const std::vector<MeasuredRow>& rows_;
+  SimTime moment_;
+  std::vector<MeasuredRow>::const_iterator end_;
+};
+
+std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment, const SiteFrame& site) {
+  LastMeasured last;
+  bool has_any = false;
+  const auto take = [&](const MeasuredRow* row) {
+    if (row == nullptr) return false;
+    has_any = true;
+    last.line = std::max(last.line, row->line);
+    last.age = std::max(last.age, moment - row->time);
+    return true;
+  };
+  const MeasuredRow* const place = rows.last_place();
+  const auto x = rows.column("x_m"), y = rows.column("y_m");
+  const MeasuredRow* const on_site = rows.last_with({x, y});
+  // The later one counts of two kinds of places.
+  if (on_site != nullptr && (place == nullptr || on_site->time > place->time)) {
+    take(on_site);
+    last.state.place = site.geodetic({on_site->values[*x], on_site->values[*y], 0});
+  } else if (take(place)) {
+    last.state.place = Geodetic{radians(place->lon_deg), radians(place->lat_deg), 0};
+  }
+  const auto heading = rows.column("heading_rad"), charge = rows.column("charge"),
+             energy = rows.column("energy_j");
+  if (const MeasuredRow* const row = rows.last_with({heading}); take(row)) {
+    last.state.heading_rad = row->values[*heading];
+  }
+  if (const MeasuredRow* const row = rows.last_with({charge}); take(row)) {
+    last.state.charge = row->values[*charge];
+  } else if (const MeasuredRow* const other = rows.last_with({energy}); take(other)) {
+    last.state.energy_j = other->values[*energy];
+  }
+  if (!has_any) return {};
+  return last;
+}
+
+}  // namespace
+
+MeasuredStates last_measured(const Telemetry& telemetry, SimTime moment,
+                             const std::vector<std::string>& rover_ids, const SiteFrame& site) {
+  MeasuredStates states;
+  states.warnings = faults_of(telemetry, Severity::warning);
+  const auto warn = [&](int line, std::string text) {
+    states.warnings.push_back({Severity::warning, {telemetry.file, line}, std::move(text)});
+  };
+  Faults errors;
+  for (const std::string& id : rover_ids) {
+    const auto rows = telemetry.by_rover.find(id);
+    const std::optional<LastMeasured> last =
+        rows == telemetry.by_rover.end()
+            ? std::nullopt
+            : last_of(RowsBefore(telemetry, rows->second, moment), moment, site);
+    if (!last) {
+      warn(0, fmt::format("has no place, heading or charge of {} up to {} of the mission: it goes "
+                          "on as simulated",
+                          id, clock_text(moment)));
+      continue;
+    }
+    const double charge = last->state.charge.value_or(0);
+    if (!(charge >= 0 && charge <= 1)) {
+      errors.error({telemetry.file, last->line},
+                   fmt::format("{} cannot go on with a charge of {:.4g} %: 0 to 100 % are possible",
+                               id, 100 * charge));
+    }
+    if (last->age > old_age) {
+      warn(last->line, fmt::format("{} goes on with values measured up to {} before", id,
+                                   clock_text(last->age)));
+    }
+    states.rovers[id] = *last;
+  }
+  errors.throw_if_errors();
+  if (states.rovers.empty()) {
+    throw InputError({telemetry.file},
+                     fmt::format("has no place, heading or charge of any rover up to {} of the "
+                                 "mission; it has rows from then on only, or other columns",
+                                 clock_text(moment)));
+  }
+  return states;
+}
+
+}  // namespace lsos
