@@ -3,13 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <thread>
 
-#include "system/run_folder.h"
+#include "system/killed_runs.h"
 #include "system/source_files.h"
 
 namespace lsos::test {
@@ -19,19 +16,10 @@ namespace fs = std::filesystem;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using Clock = std::chrono::steady_clock;
 
 void change(const std::string& log, const std::string& sql) {
   const Outcome outcome = run_command({"sqlite3", log, sql});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-}
-
-// Many checkpoints, and so many commits, that a kill often falls into one.
-const Words dense = {"--checkpoint-every", "2 s", "--no-report", "--quiet"};
-
-Words with(Words words, const Words& more) {
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
 }
 
 // Some seconds of computing, so that a run is still under way when its first rows are committed.
@@ -40,81 +28,15 @@ std::vector<Mark> many_minutes() {
           event("Route", "SEV1", 10, {{"Speed", "2"}}, line("0,0 0.03,0 0.03,0.03 0,0.03"))};
 }
 
-// A plan, and the digest of its run in one piece.
-class Resume : public ::testing::Test {
- protected:
-  void whole_run(const std::vector<Mark>& marks) {
-    plan_ = folder_.write("plan.kml", kml(marks));
-    const auto begin = Clock::now();
-    const Outcome outcome = run(with({plan_, "-o", folder_ / "whole"}, dense));
-    ASSERT_LE(outcome.exit_code, 1) << outcome.err;
-    took_s_ = std::chrono::duration<double>(Clock::now() - begin).count();
-    digest_ = summary(folder_ / "whole")["log_sha256"];
-  }
-
-  // Starts a run and kills it after this time. False when it had ended by itself.
-  bool kill_after(const Words& words, double after_s) {
-    Process process(program(words));
-    const auto begin = Clock::now();
-    while (std::chrono::duration<double>(Clock::now() - begin).count() < after_s) {
-      if (!process.is_running()) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    process.signal(SIGKILL);
-    return process.wait().was_killed;
-  }
-
-  // Kills a run, resumes it, kills that too, and resumes it to its end. The time that a run takes
-  // is learnt on the way, as the machine may be busier than it was during the whole run.
-  void kill_and_resume(std::mt19937& random) {
-    const fs::path run_folder = folder_ / "run";
-    fs::remove_all(run_folder);
-    std::uniform_real_distribution<double> share(0.15, 0.95);
-    if (!kill_after(with({plan_, "-o", run_folder}, dense), share(random) * took_s_)) {
-      took_s_ *= 0.7;
-      return;
-    }
-    if (!fs::exists(run_folder / "log.gpkg")) {
-      took_s_ *= 1.3;
-      return;
-    }
-    if (query(run_folder / "log.gpkg",
-              "select count(*) from sqlite_master where name = "
-              "'lsos_checkpoints'") != "1") {
-      EXPECT_EQ(run({"resume", run_folder}).exit_code, 2) << "before its first checkpoint";
-      took_s_ *= 1.3;
-      return;
-    }
-    const std::string threads = std::to_string(1 + random() % 3);
-    const Words resume = {"resume", run_folder, "--no-report", "--quiet", "--threads", threads};
-    kill_after(resume, share(random) * took_s_);
-    ++kills_;
-    if (fs::exists(run_folder / "summary.json")) {  // it had ended
-      EXPECT_EQ(summary(run_folder)["log_sha256"], digest_);
-      return;
-    }
-    const Outcome outcome = run(resume);
-    EXPECT_LE(outcome.exit_code, 1) << outcome.err;
-    EXPECT_EQ(summary(run_folder)["log_sha256"], digest_);
-    EXPECT_EQ(summary(run_folder)["events"], summary(folder_ / "whole")["events"]);
-    EXPECT_EQ(summary(run_folder)["warnings"], summary(folder_ / "whole")["warnings"]);
-  }
-
-  TempFolder folder_;
-  std::string plan_, digest_;
-  double took_s_ = 0;
-  int kills_ = 0;
-};
+using Resume = KilledRuns;
 
 TEST_F(Resume, ends_as_a_run_in_one_piece_wherever_it_was_killed) {
   whole_run(two_rovers());
-  std::mt19937 random(1);
-  for (int k = 0; k < 100 && kills_ < 10 && !HasFailure(); ++k) kill_and_resume(random);
-  EXPECT_EQ(kills_, 10);
+  kill_and_resume(10);
 }
 
 // Stopped runs, and what is said of them.
-class StopAndResume : public Resume {
+class StopAndResume : public KilledRuns {
  protected:
   StopAndResume() : run_(folder_ / "run") {}
 
