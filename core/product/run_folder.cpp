@@ -229,6 +229,16 @@ void RunFolder::reopen() {
   }
 }
 
+void RunFolder::discard() {
+  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
+  if (::ftruncate(lock_, 0) != 0) {
+    throw OutputError(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
+  }
+  is_prepared_ = false;
+  has_made_lock_file_ = true;
+  if (made_folders_.empty()) made_folders_.push_back(path_);
+}
+
 void RunFolder::mark_unfinished() {
   // The lock file holds this mark or nothing, so one write suffices.
   if (::pwrite(lock_, run_mark.data(), run_mark.size(), 0) != std::ssize(run_mark)) {

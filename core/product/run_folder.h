@@ -37,6 +37,9 @@ class RunFolder {
   // Removes what was made of the run's log, and keeps the log and the plan. From now on the run is
   // unfinished. To be called when the run can go on. Throws OutputError.
   void reopen();
+  // Removes the run that was begun since: it cannot go on. The folder then holds none, and is
+  // removed when it holds nothing else.
+  void discard();
 
  private:
   RunFolder(const std::string& path);

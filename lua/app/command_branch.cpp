@@ -126,73 +126,111 @@ void change(SessionParts& parts, const BranchOptions& options) {
   parts.source.bytes = kml_of(parts.source.kml);
 }
 
+// What a branch begins with: the trunk's last checkpoint before the moment, and what is to change
+// there.
+struct Leave {
+  SimTime moment{};
+  EventReferences begun;  // events of the trunk that have begun by then
+  SavedRun saved;
+  std::uint64_t seed = 0;
+  std::optional<PlanSource> source;  // of the plan that takes over; absent: the trunk's goes on
+  MissionFiles files;                // of that plan
+  MeasuredStates measured;
+};
+
+// Reads what is to change; nothing is written yet.
+Leave read_leave(const BranchOptions& options, const LogReader& log, SessionParts& parts) {
+  Leave leave;
+  leave.moment = branch_moment(log, options.folder, options.at);
+  leave.saved = saved_run_before(log, options.folder, leave.moment);
+  leave.begun = begun_events(log, leave.moment);
+  const SavedMission& mission = leave.saved.mission;
+  parts.source = source_of_run(options.folder, mission);
+  parts.files = files_of_run(options.folder, mission);
+  leave.seed = parts.files.plan.mission.seed;
+  if (options.plan.empty()) return leave;
+  leave.source = revised_source(options, parts.files, leave.begun);
+  leave.source->soil = mission.soil;
+  leave.files = branch_files(*leave.source, leave.saved, leave.seed);
+  check_revision(parts.files.plan, leave.begun, leave.files.plan, leave.files.faults);
+  leave.files.faults.throw_if_errors();
+  return leave;
+}
+
+// The trunk's simulation at its checkpoint. What is not as it was then is refused.
+void restore_trunk(SessionParts& parts, Leave& leave, const BranchOptions& options,
+                   PlanningWatch& watch) {
+  parts.simulation = std::make_unique<Simulation>(setup_of(parts.files, options, watch));
+  const SavedMission now{
+      program_build(), "", run_values(parts.files, *parts.simulation), {}, "", "", ""};
+  const Faults differing =
+      differences(leave.saved.mission, now, options.folder, options.is_renderer_allowed);
+  differing.throw_if_errors();
+  parts.files.faults.add(parts.simulation->advice());
+  parts.files.faults.add(differing.sorted());
+  leave.files.faults.add(differing.sorted());
+  restore(*parts.simulation, leave.saved, options.folder);
+}
+
+// Simulates up to the moment, in a copy of the trunk's log, and makes the changes there.
+void leave_trunk(SessionParts& parts, Leave leave, const BranchOptions& options,
+                 const LogReader& log, PlanningWatch& watch) {
+  write_file(parts.folder->file("plan.kml"), parts.source.bytes);
+  log.copy_to(parts.folder->file("log.gpkg"));
+  parts.record =
+      std::make_unique<RunRecord>(*parts.folder, parts.files, leave.saved.id, *parts.simulation);
+  const std::string trunk = std::filesystem::absolute(options.folder).lexically_normal();
+  parts.record->log().begin_branch({trunk, digest_in(options.folder), leave.moment});
+  while (parts.simulation->now() < leave.moment && !parts.simulation->is_finished()) {
+    parts.simulation->advance(leave.moment);
+  }
+  LSOS_ASSERT(parts.simulation->begun_events() == leave.begun);
+  if (!options.measured.empty()) {
+    go_on_from_measured(*parts.simulation, leave.measured, options.measured, options.is_quiet);
+  }
+  if (leave.source) {
+    take_up(parts, std::move(leave.files), options, watch);
+    parts.source = std::move(*leave.source);
+  }
+  if (!options.changes.empty()) {
+    change(parts, options);
+    MissionFiles changed = branch_files(parts.source, leave.saved, leave.seed);
+    changed.faults.throw_if_errors();
+    take_up(parts, std::move(changed), options, watch);
+  }
+  parts.files.faults.add(leave.measured.warnings);
+  write_file(parts.folder->file("plan.kml"), parts.source.bytes);
+}
+
 int branch_command(const BranchOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   check(options);
   const SimTime every = kept_every(options.checkpoints);
   const LogReader log(options.folder + "/log.gpkg");
-  const SimTime moment = branch_moment(log, options.folder, options.at);
-  const SavedRun saved = saved_run_before(log, options.folder, moment);
-  const EventReferences begun = begun_events(log, moment);
   SessionParts parts;
-  parts.source = source_of_run(options.folder, saved.mission);
-  parts.files = files_of_run(options.folder, saved.mission);
-  const std::uint64_t seed = parts.files.plan.mission.seed;
-  PlanSource revised = parts.source;
-  MissionFiles files = parts.files;
-  if (!options.plan.empty()) {
-    revised = revised_source(options, parts.files, begun);
-    revised.soil = saved.mission.soil;
-    files = branch_files(revised, saved, seed);
-    check_revision(parts.files.plan, begun, files.plan, files.faults);
-    files.faults.throw_if_errors();
-  }
+  Leave leave = read_leave(options, log, parts);
   parts.folder = std::make_unique<RunFolder>(options.output, options.is_forced);
   PlanningWatch watch(options.is_quiet);
-  parts.simulation = std::make_unique<Simulation>(setup_of(parts.files, options, watch));
-  const SavedMission now{
-      program_build(), "", run_values(parts.files, *parts.simulation), {}, "", "", ""};
-  const Faults differing =
-      differences(saved.mission, now, options.folder, options.is_renderer_allowed);
-  differing.throw_if_errors();
-  parts.files.faults.add(parts.simulation->advice());
-  parts.files.faults.add(differing.sorted());
-  files.faults.add(differing.sorted());
-  restore(*parts.simulation, saved, options.folder);
-  MeasuredStates measured;
+  restore_trunk(parts, leave, options, watch);
   if (!options.measured.empty()) {
-    measured = read_measured(options.measured, log, moment, parts.simulation->ground().site());
+    leave.measured =
+        read_measured(options.measured, log, leave.moment, parts.simulation->ground().site());
   }
+  const std::string from = leave.saved.mission.from;
 
   // From here on the folder of the branch is written. Until its first checkpoint it cannot be
   // resumed.
   parts.folder->prepare();
-  write_file(parts.folder->file("plan.kml"), parts.source.bytes);
-  log.copy_to(parts.folder->file("log.gpkg"));
-  parts.record =
-      std::make_unique<RunRecord>(*parts.folder, parts.files, saved.id, *parts.simulation);
-  const std::string trunk = std::filesystem::absolute(options.folder).lexically_normal();
-  parts.record->log().begin_branch({trunk, digest_in(options.folder), moment});
-  while (parts.simulation->now() < moment && !parts.simulation->is_finished()) {
-    parts.simulation->advance(moment);
+  try {
+    leave_trunk(parts, std::move(leave), options, log, watch);
+  } catch (const InputError&) {
+    parts.record.reset();
+    // A script that fails ends its session, and with it the folder's lock.
+    if (!parts.folder) parts.folder = std::make_unique<RunFolder>(options.output, true);
+    parts.folder->discard();
+    throw;
   }
-  LSOS_ASSERT(parts.simulation->begun_events() == begun);
-  if (!options.measured.empty()) {
-    go_on_from_measured(*parts.simulation, measured, options.measured, options.is_quiet);
-  }
-  if (!options.plan.empty()) {
-    take_up(parts, std::move(files), options, watch);
-    parts.source = std::move(revised);
-  }
-  if (!options.changes.empty()) {
-    change(parts, options);
-    MissionFiles changed = branch_files(parts.source, saved, seed);
-    changed.faults.throw_if_errors();
-    take_up(parts, std::move(changed), options, watch);
-  }
-  parts.files.faults.add(measured.warnings);
   print(parts.files.faults, options.is_quiet);
-  write_file(parts.folder->file("plan.kml"), parts.source.bytes);
   const std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
   parts.record->log().write_run(values);
   if (!options.is_quiet) {
@@ -201,10 +239,9 @@ int branch_command(const BranchOptions& options) {
   }
   catch_stop_signals();
   const std::string plan_file = std::filesystem::absolute(parts.source.file).lexically_normal();
-  Checkpoints checkpoints(
-      parts.record->log(),
-      {program_build(), plan_file, values, every, parts.source.soil, saved.mission.from, ""},
-      options.checkpoints.is_on, seconds_since(begin));
+  Checkpoints checkpoints(parts.record->log(),
+                          {program_build(), plan_file, values, every, parts.source.soil, from, ""},
+                          options.checkpoints.is_on, seconds_since(begin));
   checkpoints.start(*parts.simulation);
   return run_to_end({parts.files, *parts.simulation, *parts.folder, *parts.record, checkpoints},
                     options);

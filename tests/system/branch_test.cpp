@@ -239,6 +239,13 @@ TEST_F(Branch, refuses_telemetry_from_which_it_cannot_go_on) {
               HasSubstr("t.csv:2: SEV1 cannot go on with a charge of 150 %"));
 }
 
+// This is found only when the branch has begun.
+TEST_F(Branch, leaves_nothing_when_a_rover_was_measured_where_no_ground_is_known) {
+  const std::string table = folder_.write("t.csv", "time_s,lon_deg,lat_deg\n8,180,0\n");
+  EXPECT_THAT(refusal({"--at", "10 s", "--measured", table}),
+              HasSubstr("Rover 'SEV1': the terrain is not known there"));
+}
+
 TEST_F(Branch, refuses_what_cannot_be) {
   fs::remove_all(branch_);
   EXPECT_THAT(refusal({}), HasSubstr("--at: a time or an event of the run is required"));
@@ -266,6 +273,7 @@ TEST_F(Branch, tells_where_a_script_of_changes_fails) {
   const std::string script = folder_.write("change.lua", "local a = 1\nsim:shade('SEV9', 0.5)\n");
   const Outcome outcome = branch({"--at", "70 s", "--with", script});
   EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_FALSE(fs::exists(branch_)) << "nothing is left";
   EXPECT_THAT(outcome.err, HasSubstr("change.lua:2:"));
   EXPECT_THAT(outcome.err, HasSubstr("there is no rover 'SEV9'"));
 }

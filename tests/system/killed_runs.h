@@ -20,7 +20,7 @@ Words with(Words words, const Words& more);
 class KilledRuns : public ::testing::Test {
  protected:
   void whole_run(const std::vector<Mark>& marks);
-  // Of a plan's file. `options`: besides those that name the plan and the folder.
+  // The same of a plan's file. `options`: besides those that name the plan and the folder.
   void whole_run(const std::string& plan, const Words& options = dense);
 
   // Kills runs at `count` random moments and resumes them, each killed a second time on its way,
