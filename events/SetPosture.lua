@@ -18,7 +18,7 @@ local function check(p, rover)
   end
   local h = p.height_m
   if h and (h < rover.height_min_m or h > rover.height_max_m) then
-    return ('Height = %g m: %s can stand with %.2f to %.2f m under its chassis')
+    return ('Height = %g m: %s can stand with %.3f to %.3f m under its chassis')
       :format(h, rover.type, rover.height_min_m, rover.height_max_m)
   end
 end
@@ -68,7 +68,7 @@ return lsos.event {
     },
     duration_s = lsos.duration {
       kml = 'Duration',
-      doc = 'How long it takes; without one as long as the joints need.',
+      doc = 'How long its limbs move; without one as long as the joints need.',
     },
   },
 

@@ -122,7 +122,8 @@ return lsos.rover {
   configurations = {
     lsos.configuration {
       name          = 'RightFrontLocked',
-      doc           = 'Spirit from March 2006 on: the right front wheel does not turn.',  -- R
+      -- R; in loose sand it is stuck: a dragged wheel pulls back with twice its load (CMU)
+      doc           = 'Spirit from March 2006 on: the right front wheel does not turn.',
       locked_wheels = { 'front_right_wheel' },
     },
     lsos.configuration {

@@ -95,7 +95,8 @@ std::string to_json(const RunSummary& summary) {
   if (summary.branch) {
     document["branch"] = {{"of", summary.branch->folder},
                           {"log_sha256", summary.branch->log_sha256},
-                          {"time_s", seconds(summary.branch->time)}};
+                          {"time_s", seconds(summary.branch->time)},
+                          {"changes", summary.branch->changes}};
   }
   if (!summary.from.empty()) document["from"] = summary.from;
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -82,8 +82,10 @@ std::string to_text(const RunSummary& summary) {
   }
   text += '\n';
   if (summary.branch) {
-    text += fmt::format("a branch of {} from {} on\n", summary.branch->folder,
-                        duration_text(seconds(summary.branch->time)));
+    const std::string& changes = summary.branch->changes;
+    text += fmt::format("a branch of {} from {} on, {}\n", summary.branch->folder,
+                        duration_text(seconds(summary.branch->time)),
+                        changes.empty() ? "with nothing changed" : changes);
   }
   if (!summary.rovers.empty()) text += rover_lines(summary);
   text += event_lines(summary);

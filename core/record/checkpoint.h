@@ -28,6 +28,7 @@ struct BranchOrigin {
   std::string folder;      // of the other run
   std::string log_sha256;  // of its log; "": it was unfinished
   SimTime time{};
+  std::string changes;  // what was changed there ("with dust.lua, measured t.csv"); "": nothing
 };
 
 // A checkpoint without its state.

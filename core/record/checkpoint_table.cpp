@@ -120,19 +120,20 @@ std::optional<StoredCheckpoint> read_checkpoint(GDALDataset& dataset, std::int64
 void write_branch(GDALDataset& dataset, const BranchOrigin& origin) {
   run_sql(dataset,
           "CREATE TABLE IF NOT EXISTS lsos_branch (id INTEGER PRIMARY KEY CHECK (id = 1), folder "
-          "TEXT NOT NULL, log_sha256 TEXT NOT NULL, time_us INTEGER NOT NULL)");
-  run_sql(dataset,
-          fmt::format("INSERT OR REPLACE INTO lsos_branch VALUES (1, {}, {}, {})",
-                      quoted(origin.folder), quoted(origin.log_sha256), origin.time.count()));
+          "TEXT NOT NULL, log_sha256 TEXT NOT NULL, time_us INTEGER NOT NULL, changes "
+          "TEXT NOT NULL)");
+  run_sql(dataset, fmt::format("INSERT OR REPLACE INTO lsos_branch VALUES (1, {}, {}, {}, {})",
+                               quoted(origin.folder), quoted(origin.log_sha256),
+                               origin.time.count(), quoted(origin.changes)));
 }
 
 std::optional<BranchOrigin> read_branch(GDALDataset& dataset) {
   std::optional<BranchOrigin> origin;
   if (!has_table(dataset, "lsos_branch")) return origin;
-  run_sql(dataset, "SELECT folder, log_sha256, time_us FROM lsos_branch",
+  run_sql(dataset, "SELECT folder, log_sha256, time_us, changes FROM lsos_branch",
           [&](const OGRFeature& row) {
             origin = {row.GetFieldAsString(0), row.GetFieldAsString(1),
-                      SimTime{row.GetFieldAsInteger64(2)}};
+                      SimTime{row.GetFieldAsInteger64(2)}, row.GetFieldAsString(3)};
           });
   return origin;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "base/console.h"
 #include "base/files.h"
@@ -31,20 +32,29 @@ void go_on_from_measured(Simulation& simulation, const MeasuredStates& measured,
   for (const auto& [id, correction] : corrections) {
     const LastMeasured& last = measured.rovers.at(id);
     const PowerView power = simulation.fleet().find(id)->agent->power().view();
-    nlohmann::json fields{{"age_s", seconds(last.age)},
-                          {"file", file},
-                          {"line", last.line},
-                          {"moved_m", correction.moved_m},
-                          {"turned_rad", correction.turned_rad}};
-    std::string text = fmt::format("{} goes on {:.1f} m and {:.0f} deg from where it was simulated",
-                                   id, correction.moved_m,
-                                   std::round(degrees(correction.turned_rad)) + 0.0);  // no -0
+    nlohmann::json fields{{"age_s", seconds(last.age)}, {"file", file}, {"line", last.line}};
+    std::vector<std::string> changes;
+    if (last.state.place) {
+      fields["moved_m"] = correction.moved_m;
+      changes.push_back(fmt::format("{:.1f} m from where it was simulated", correction.moved_m));
+    }
+    if (last.state.heading_rad) {
+      fields["turned_rad"] = correction.turned_rad;
+      const double turned_deg = std::round(degrees(correction.turned_rad)) + 0.0;  // no -0
+      changes.push_back(fmt::format("turned by {:.0f} deg", turned_deg));
+    }
+    if (correction.stopped_mps > 0) {
+      fields["stopped_mps"] = correction.stopped_mps;
+      changes.push_back(
+          fmt::format("from rest, where it drove at {:.2f} m/s", correction.stopped_mps));
+    }
     if (correction.charge_before) {
       fields["charge"] = power.charge;
       fields["charge_before"] = *correction.charge_before;
-      text += fmt::format(", with {:.1f} % charge instead of {:.1f} %", 100 * power.charge,
-                          100 * *correction.charge_before);
+      changes.push_back(fmt::format("with {:.2f} % charge instead of {:.2f} %", 100 * power.charge,
+                                    100 * *correction.charge_before));
     }
+    const std::string text = fmt::format("{} goes on {}", id, fmt::join(changes, ", "));
     simulation.note_interactive(id, "measured", fields.dump());
     if (!is_quiet) print_message("{}:{}: {}\n", file, last.line, text);
   }

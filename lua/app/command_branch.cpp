@@ -81,6 +81,18 @@ SimulationSetup setup_of(const MissionFiles& files, const BranchOptions& options
   return setup;
 }
 
+// "plan b.kml, measured t.csv, with dust.lua"
+std::string changes_text(const BranchOptions& options) {
+  std::string text;
+  const auto add = [&](const char* what, const std::string& file) {
+    if (!file.empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", what, file);
+  };
+  add("plan", options.plan);
+  add("measured", options.measured);
+  add("with", options.changes);
+  return text;
+}
+
 std::string digest_in(const std::string& folder) {
   const std::string bytes = read_file(folder + "/summary.json").value_or("");
   const auto summary = nlohmann::json::parse(bytes, nullptr, false);
@@ -118,8 +130,14 @@ void take_up(SessionParts& parts, MissionFiles files, const BranchOptions& optio
 
 // Runs the script of changes. Events that it adds become part of the plan.
 void change(SessionParts& parts, const BranchOptions& options) {
+  const SimTime moment = parts.simulation->now();
   auto session = std::make_unique<SimSession>(std::move(parts));
   parts = run_change_script(std::move(session), options.changes)->release();
+  if (parts.simulation->now() != moment) {
+    throw InputError({options.changes},
+                     "lets time pass (step, run_for, run_until, run): what it changes must be at "
+                     "the moment of --at; --at names another");
+  }
   if (parts.dispatched.empty()) return;
   std::vector<SourcePlacemark>& placemarks = parts.source.kml.placemarks;
   placemarks.insert(placemarks.end(), parts.dispatched.begin(), parts.dispatched.end());
@@ -180,7 +198,8 @@ void leave_trunk(SessionParts& parts, Leave leave, const BranchOptions& options,
   parts.record =
       std::make_unique<RunRecord>(*parts.folder, parts.files, leave.saved.id, *parts.simulation);
   const std::string trunk = std::filesystem::absolute(options.folder).lexically_normal();
-  parts.record->log().begin_branch({trunk, digest_in(options.folder), leave.moment});
+  parts.record->log().begin_branch(
+      {trunk, digest_in(options.folder), leave.moment, changes_text(options)});
   while (parts.simulation->now() < leave.moment && !parts.simulation->is_finished()) {
     parts.simulation->advance(leave.moment);
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/console.h"
+#include "base/files.h"
 #include "lua/app/commands.h"
 #include "lua/app/planning_watch.h"
 #include "lua/app/progress.h"
@@ -33,6 +34,24 @@ void note_renderer(SavedRun& saved, const std::string& renderer, LogWriter& log)
   before->second = renderer;
 }
 
+// The plan in the folder counts. The one that it was made of may have been edited since, which is
+// no fault, but may surprise. A branch has a plan of its own.
+void tell_of_edited_plan(const std::string& folder, const std::string& plan_file) {
+  if (LogReader(folder + "/log.gpkg").branch()) return;
+  std::error_code unreadable;
+  const std::string goes_on = fmt::format("the run goes on with {}/plan.kml", folder);
+  if (!std::filesystem::exists(plan_file, unreadable)) {
+    print_message("{}: is gone; {}\n", plan_file, goes_on);
+    return;
+  }
+  try {
+    const std::string kept = read_file(folder + "/plan.kml").value_or("");
+    if (read_plan_source(plan_file).bytes == kept) return;
+  } catch (const InputError&) {
+  }
+  print_message("{}: has changed since it was run; {}\n", plan_file, goes_on);
+}
+
 int resume_command(const ResumeOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   RunFolder folder = RunFolder::of_run(options.folder);
@@ -57,6 +76,7 @@ int resume_command(const ResumeOptions& options) {
   for (const Fault& fault : files.faults.sorted()) {
     if (!options.is_quiet) print_message("{}\n", to_string(fault));
   }
+  if (!options.is_quiet) tell_of_edited_plan(folder.path(), saved.mission.plan_file);
   restore(simulation, saved, folder.path());
   catch_stop_signals();
   RunRecord record(folder, files, saved.id, simulation);

@@ -51,6 +51,17 @@ class Comparison {
         compare_rover(rover, found->second);
       }
     }
+    const bool is_any_known = std::ranges::any_of(
+        files_.plan.rovers, [&](const PlanRover& rover) { return end_.rovers.contains(rover.id); });
+    if (!is_any_known) {
+      std::string ids;
+      for (const auto& [id, rover] : end_.rovers) ids += (ids.empty() ? "" : ", ") + id;
+      refuse(
+          mission().place,
+          fmt::format("no rover of this plan is in {}, so nothing of it is taken over; it has {}",
+                      folder_, ids));
+      return;
+    }
     for (const auto& [id, rover] : end_.rovers) {
       const auto same = [&](const PlanRover& planned) { return planned.id == id; };
       if (std::ranges::any_of(files_.plan.rovers, same)) continue;

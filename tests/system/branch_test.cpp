@@ -183,7 +183,9 @@ TEST_F(Branch, goes_on_from_what_was_measured) {
   const std::string table = folder_.write("same.csv", rows);
   const Outcome same = branch({"--at", "10 s", "--measured", table});
   ASSERT_EQ(same.exit_code, 0) << same.err;
-  EXPECT_THAT(same.err, HasSubstr("same.csv:2: SEV1 goes on 0.0 m and 0 deg"));
+  EXPECT_THAT(
+      same.err,
+      HasSubstr("same.csv:2: SEV1 goes on 0.0 m from where it was simulated, turned by 0 deg"));
   const std::string last = "select distance_m from samples order by time_s desc limit 1";
   EXPECT_NEAR(std::stod(query(other_log, last)), std::stod(query(log, last)), 0.5);
   const nlohmann::json before = summary(trunk_)["events"], after = summary(branch_)["events"];
@@ -201,7 +203,7 @@ TEST_F(Branch, goes_on_to_the_same_waypoints_from_a_measured_place) {
   const Outcome outcome = branch({"--at", "10 s", "--measured", table});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("measured.csv:3: SEV1 goes on"));
-  EXPECT_THAT(outcome.err, HasSubstr("with 62.5 % charge instead of"));
+  EXPECT_THAT(outcome.err, HasSubstr("with 62.50 % charge instead of"));
   const auto first = [&](const std::string& column) {
     return std::stod(query(other_log, "select " + column +
                                           " from samples where time_s > 10 "
@@ -236,14 +238,29 @@ TEST_F(Branch, refuses_telemetry_from_which_it_cannot_go_on) {
               HasSubstr("has no place, heading or charge of any rover up to 0:00:10"));
   EXPECT_THAT(refusal_of("time_s,speed_mps\n2,0.5\n"), HasSubstr("has no place, heading or"));
   EXPECT_THAT(refusal_of("time_s,charge\n2,1.5\n"),
-              HasSubstr("t.csv:2: SEV1 cannot go on with a charge of 150 %"));
+              HasSubstr("t.csv:2: charge: 1.5 is out of range"));
 }
 
 // This is found only when the branch has begun.
-TEST_F(Branch, leaves_nothing_when_a_rover_was_measured_where_no_ground_is_known) {
+TEST_F(Branch, leaves_nothing_when_a_rover_was_measured_where_it_cannot_be) {
   const std::string table = folder_.write("t.csv", "time_s,lon_deg,lat_deg\n8,180,0\n");
-  EXPECT_THAT(refusal({"--at", "10 s", "--measured", table}),
-              HasSubstr("Rover 'SEV1': the terrain is not known there"));
+  EXPECT_THAT(
+      refusal({"--at", "10 s", "--measured", table}),
+      HasSubstr("SEV1 cannot go on from 180.000000,0.000000: that is 5458.2 km from where "
+                "it is simulated, farther than it can have driven; are longitude and latitude"));
+}
+
+TEST_F(Branch, tells_what_was_changed_there) {
+  const std::string script = folder_.write("dust.lua", "sim:shade('SEV1', 0.5)\n");
+  const Outcome outcome = branch({"--at", "70 s", "--with", script});
+  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("from 1 min 10 s on, with " + script));
+  EXPECT_EQ(summary(branch_)["branch"]["changes"], "with " + script);
+}
+
+TEST_F(Branch, refuses_a_script_that_lets_time_pass) {
+  fs::remove_all(branch_);
+  const std::string script = folder_.write("late.lua", "sim:run_for(5)\nsim:shade('SEV1', 0.5)\n");
+  EXPECT_THAT(refusal({"--at", "70 s", "--with", script}), HasSubstr("late.lua: lets time pass"));
 }
 
 TEST_F(Branch, refuses_what_cannot_be) {

@@ -115,6 +115,7 @@ TEST_F(StopAndResume, is_not_troubled_by_a_plan_that_was_edited) {
   folder_.write("plan.kml", kml(short_drive()));
   const Outcome resumed = run({"resume", run_, "--no-report"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_THAT(resumed.err, HasSubstr(plan_ + ": has changed since it was run; the run goes on"));
   EXPECT_EQ(summary(run_)["log_sha256"], digest_);
 }
 

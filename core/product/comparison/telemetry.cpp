@@ -31,6 +31,12 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string range_text(const Quantity& quantity) {
+  if (std::isinf(quantity.greatest)) return fmt::format("at least {:.6g}", quantity.least);
+  if (std::isinf(quantity.least)) return fmt::format("at most {:.6g}", quantity.greatest);
+  return fmt::format("{:.6g} to {:.6g}", quantity.least, quantity.greatest);
+}
+
 // Reads the rows under a heading.
 class RowReader {
  public:
@@ -148,7 +154,8 @@ class RowReader {
     for (const TelemetryColumn& column : columns_) {
       if (column.kind == TelemetryKind::quantity) {
         is_blank_row &= cell(row, &column).empty();
-        const std::optional<double> value = number(row, column);
+        std::optional<double> value = number(row, column);
+        if (value && !is_possible(row, column, *value)) value.reset();
         measured.values.push_back(value.value_or(not_modelled));
         has_any |= value.has_value();
       }
@@ -169,6 +176,21 @@ class RowReader {
     }
     if (is_blank_row) fault(row, "no values", "has no measured value");
     return has_any;
+  }
+
+  // Angles are the same after whole turns, and small numbers may be noise about a bound.
+  bool is_possible(const CsvRow& row, const TelemetryColumn& column, double value) {
+    const Quantity* const logged = column.quantity->logged;
+    if (logged == nullptr || column.quantity->is_angle()) return true;
+    constexpr double noise = 0.05;
+    if (value >= logged->least - noise && value <= logged->greatest + noise) return true;
+    fault(row, column.heading + " out of range",
+          fmt::format("{}: {} is out of range: {} is {}{}", column.heading, cell(row, &column),
+                      column.quantity->name, range_text(*logged),
+                      column.quantity->name == "charge" && column.factor == 1
+                          ? "; per cent want the heading 'charge (%)'"
+                          : ""));
+    return false;
   }
 
   bool is_place(const CsvRow& row, double lon_deg, double lat_deg) {

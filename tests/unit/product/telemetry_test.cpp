@@ -32,6 +32,13 @@ std::string told(const std::string& text) {
   return all;
 }
 
+TEST(Telemetry, leaves_out_values_that_cannot_be) {
+  const std::string text = told("time_s,rover_id,charge\n1,SEV1,99.98\n2,SEV1,0.5\n");
+  EXPECT_THAT(text, HasSubstr("t.csv:2: warning: charge: 99.98 is out of range: charge is 0 to 1; "
+                              "per cent want the heading 'charge (%)'"));
+  EXPECT_EQ(read("time_s,rover_id,charge\n1,SEV1,1.02\n").rows_used, 1u) << "noise";
+}
+
 struct HeadingCase {
   const char* heading;
   const char* quantity;

@@ -147,13 +147,14 @@ TEST(Branch, says_where_it_left_another_run_and_drops_its_checkpoints) {
   reader.copy_to(branch);
   EXPECT_EQ(LogReader(branch).sha256(), reader.sha256());
   LogWriter log(branch, test_start(), reader.checkpoints()[0].id);
-  log.begin_branch({"it's/out", "abc", SimTime{9}});
+  log.begin_branch({"it's/out", "abc", SimTime{9}, "with it's.lua"});
   const LogReader after(branch);
   EXPECT_TRUE(after.checkpoints().empty());
   ASSERT_TRUE(after.branch());
   EXPECT_EQ(after.branch()->folder, "it's/out");
   EXPECT_EQ(after.branch()->log_sha256, "abc");
   EXPECT_EQ(after.branch()->time, SimTime{9});
+  EXPECT_EQ(after.branch()->changes, "with it's.lua");
   EXPECT_EQ(after.sha256(), reader.sha256());
 }
 
