@@ -153,7 +153,7 @@ TEST_F(StopAndResume, passes_over_a_damaged_checkpoint) {
          "update lsos_checkpoints set content = zeroblob(1000) where id = (select max(id) from "
          "lsos_checkpoints)");
   Process process(program({"resume", run_, "--no-report"}));
-  for (int k = 0; k < 1000 && process.is_running(); ++k) {
+  for (int k = 0; k < 12000 && process.is_running(); ++k) {
     if (process.err_so_far().find("goes on at") != std::string::npos) break;
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }

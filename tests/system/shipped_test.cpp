@@ -36,6 +36,15 @@ TEST(ShippedPlan, completes) {
   }
 }
 
+// Plans of studies are made from tables by scripts of ours.
+TEST(ShippedPlan, of_a_study_is_as_its_script_writes_it) {
+  const TempFolder folder;
+  const Outcome outcome = run_command(
+      {"python3", "-B", repository() / "script/studies/drats.py", folder.path().string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(read_text(folder / "drats_day.kml"), read_text(repository() / "plans/drats_day.kml"));
+}
+
 struct Start {
   std::string planet = "Mars", from = "30,-40", to = "30.0003,-40.0001";
 };
