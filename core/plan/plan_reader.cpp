@@ -96,8 +96,11 @@ const Geodetic& site_of(const Plan& plan) {
 }
 
 const PlanRover* rover_of(const Plan& plan, const std::string& rover_id) {
-  const auto same = std::ranges::equal_range(plan.rovers, rover_id, {}, &PlanRover::id);
-  return same.size() == 1 ? &same.front() : nullptr;
+  const auto end = plan.rovers.end();
+  const auto first = std::ranges::lower_bound(plan.rovers, rover_id, {}, &PlanRover::id);
+  if (first == end || first->id != rover_id) return nullptr;
+  const bool is_only = first + 1 == end || (first + 1)->id != rover_id;
+  return is_only ? &*first : nullptr;
 }
 
 Plan read_plan(const std::string& file, const KmlSource& source, const Declarations& declarations,

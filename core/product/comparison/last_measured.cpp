@@ -20,9 +20,9 @@ constexpr SimTime old_age{60'000'000};  // older values are warned of: a rover d
 class RowsBefore {
  public:
   RowsBefore(const Telemetry& telemetry, const std::vector<MeasuredRow>& rows, SimTime moment)
-      : telemetry_(telemetry), rows_(rows), moment_(moment) {
-    end_ = std::ranges::upper_bound(rows, moment, {}, &MeasuredRow::time);
-  }
+      : telemetry_(telemetry),
+        rows_(rows),
+        end_(std::ranges::upper_bound(rows, moment, {}, &MeasuredRow::time)) {}
 
   const MeasuredRow* last_place() const {
     return last([](const MeasuredRow& row) { return !std::isnan(row.lon_deg); });
@@ -54,7 +54,6 @@ class RowsBefore {
 
   const Telemetry& telemetry_;
   const std::vector<MeasuredRow>& rows_;
-  SimTime moment_;
   std::vector<MeasuredRow>::const_iterator end_;
 };
 
