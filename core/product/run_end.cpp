@@ -70,7 +70,7 @@ void add_panel(RoverEnd& rover, const PanelRow& row) {
 
 void add_order(RoverEnd& rover, const OrderRow& row) {
   if (row.part == OrderRow::limb) {
-    if (!rover.start.stance) rover.start.stance.emplace();
+    if (!rover.start.stance) rover.start.stance = RoverStart::Stance{};
     rover.start.stance->hubs_B_m[row.name] = {row.x_m, row.y_m, row.z_m};
     rover.start.stance->is_level = row.order == OrderRow::level;
   }

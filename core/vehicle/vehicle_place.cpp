@@ -115,7 +115,7 @@ std::string Vehicle::put_down(const Geodetic& at, double heading_rad,
 
 std::string Vehicle::place(const Geodetic& at, double heading_rad,
                            const std::vector<double>& joints) {
-  const std::string hindrance = put_down(at, heading_rad, joints);
+  std::string hindrance = put_down(at, heading_rad, joints);
   if (!hindrance.empty()) return hindrance;
   // Limbs have all the time that they need to level the chassis.
   const SimTime longest = settle_longest + (posture_ ? PostureControl::longest : SimTime{});
