@@ -5,9 +5,9 @@
     script/studies/drats.py FOLDER --all    drats.kml too, all fourteen days
 
 Two pressurised rovers leave the same place on 31 August 2010; A works above the ridge, B below it.
-Each drives several kilometres a day over planned routes, with stops for EVAs, surveys and samples;
-masts are deployed where they stand and stowed to drive; they meet on the seventh and on the last
-day. Stops are made up: no log of the field test is public.
+Each drives several kilometres a day over planned routes, with stops for EVAs, long and short
+("survey"), and samples; masts are deployed for EVAs and nights and stowed to drive; they meet on
+the seventh and on the last day. The stops are made up.
 """
 
 import sys
