@@ -136,7 +136,7 @@ bool is_same(const Geodetic& a, const Geodetic& b) {
 // row are merged too.
 void read_corners(std::vector<Geodetic>& places, const std::string& what, int line,
                   std::vector<CoordinateFault>& wrong) {
-  places.erase(std::ranges::unique(places, is_same).begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
   if (places.size() > 1 && is_same(places.front(), places.back())) places.pop_back();
   if (places.size() < 3) {
     wrong.push_back({fmt::format("{} has {} corner{}; three or more are wanted", what,

@@ -71,7 +71,7 @@ std::string limb_hindrance(const Vehicle& vehicle, std::size_t limb) {
 
 std::string limbs_hindrance(const Vehicle& vehicle) {
   for (std::size_t i = 0; i < vehicle.config().limbs.size(); ++i) {
-    const std::string hindrance = limb_hindrance(vehicle, i);
+    std::string hindrance = limb_hindrance(vehicle, i);
     if (!hindrance.empty()) return hindrance;
   }
   return "";

@@ -1,6 +1,7 @@
 // How the line of a path follower changes while it is driven.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/segment.h"

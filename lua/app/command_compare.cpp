@@ -148,7 +148,7 @@ int compare_with_telemetry(const CompareOptions& options) {
 int compare_command(const CompareOptions& options) {
   if (std::ranges::any_of(options.others, is_table)) {
     CompareOptions with_table = options;
-    std::ranges::stable_partition(with_table.others, is_table);
+    std::stable_partition(with_table.others.begin(), with_table.others.end(), is_table);
     return compare_with_telemetry(with_table);
   }
   if (!options.page.empty()) {

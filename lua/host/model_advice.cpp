@@ -94,17 +94,19 @@ void say_doubts(MissionFiles& files) {
 
 bool is_near(const SoilPatch& patch, const Body& body, const Geodetic& place) {
   constexpr double near_m = 100e3;
-  const auto corner_m = [&](const std::pair<double, double>& corner) {
+  using LonLat = std::pair<double, double>;
+  const auto corner_m = [&](const LonLat& corner) {
     return surface_distance_m(body, geodetic_from_degrees(corner.first, corner.second), place);
   };
   if (std::ranges::any_of(patch.lon_lat_deg, [&](const auto& c) { return corner_m(c) < near_m; })) {
     return true;
   }
   // The place may lie inside a patch whose corners are farther away.
-  const auto [west, east] = std::ranges::minmax(patch.lon_lat_deg | std::views::keys);
-  const auto [south, north] = std::ranges::minmax(patch.lon_lat_deg | std::views::values);
+  const auto& corners = patch.lon_lat_deg;
+  const auto [west, east] = std::ranges::minmax_element(corners, {}, &LonLat::first);
+  const auto [south, north] = std::ranges::minmax_element(corners, {}, &LonLat::second);
   const double lon = lon_deg(place), lat = lat_deg(place);
-  return lon >= west && lon <= east && lat >= south && lat <= north;
+  return lon >= west->first && lon <= east->first && lat >= south->second && lat <= north->second;
 }
 
 // Warns where all patches of soil are far from the rovers, as with longitude and latitude

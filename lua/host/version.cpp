@@ -36,8 +36,9 @@ int find_build_id(dl_phdr_info* info, std::size_t, void* found) {
   for (int i = 0; i < info->dlpi_phnum && id.empty(); ++i) {
     const ElfW(Phdr)& segment = info->dlpi_phdr[i];
     if (segment.p_type != PT_NOTE) continue;
-    id =
-        build_id(reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr), segment.p_memsz);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader tells addresses as numbers.
+    const auto* const notes = reinterpret_cast<const char*>(info->dlpi_addr + segment.p_vaddr);
+    id = build_id(notes, segment.p_memsz);
   }
   return 1;  // the libraries are not asked
 }

@@ -62,7 +62,8 @@ void check_circles(const std::vector<Following>& followings, Faults& faults) {
   for (std::vector<CircleStep>& steps : find_circles(edges)) {
     const auto was_told = [&](const CircleStep& step) { return is_told.contains(step.node); };
     if (std::ranges::any_of(steps, was_told)) continue;
-    std::ranges::rotate(steps, std::ranges::min_element(steps, {}, &CircleStep::node));
+    const auto first = std::ranges::min_element(steps, {}, &CircleStep::node);
+    std::rotate(steps.begin(), first, steps.end());
     std::vector<const Following*> circle;
     for (const CircleStep& step : steps) {
       is_told.insert(step.node);

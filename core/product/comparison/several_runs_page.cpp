@@ -105,7 +105,7 @@ void name_rovers(Json& rovers) {
     const auto id = rover.at("id").get<std::string>();
     const std::string run = run_name(rover.at("run").get<std::size_t>());
     const auto place = static_cast<std::size_t>(std::distance(ids.begin(), ids.find(id)));
-    rover["name"] = ids.size() > 1 ? run + " " + id : run;
+    rover["name"] = ids.size() > 1 ? fmt::format("{} {}", run, id) : run;
     rover["dash"] = dashes[place % dashes.size()];
   }
 }
