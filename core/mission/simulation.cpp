@@ -370,7 +370,7 @@ void Simulation::archive(Archive& a) {
   if (sight_) LSOS_ARCHIVE(a, *sight_);
   for (FleetRover& rover : fleet_.rovers) {
     const Archive::Part part(a, rover.agent->id());
-    LSOS_ARCHIVE(a, *rover.agent, rover.wake, rover.logged);
+    LSOS_ARCHIVE(a, *rover.agent, rover.wake, rover.logged, rover.is_logged_as_parked);
     rover.sequence.archive(a, *host_);
   }
 }

@@ -28,7 +28,7 @@ struct LayerText {
 constexpr std::array layer_texts{
     LayerText{"samples",
               "One rover at one time: every LogInterval while it moves, every "
-              "ParkedLogInterval while it stands."},
+              "ParkedLogInterval while it stands, and at each change between the two."},
     LayerText{"events", "One event of the plan, with what came of it."},
     LayerText{"phases", "One phase of an event, when it ends."},
     LayerText{"pairs", "What one rover, asset or Earth sees of another at one time."},

@@ -25,6 +25,7 @@ struct FleetRover {
   EventSequence sequence;
   std::optional<SimTime> wake = SimTime{};  // when its scripts are due although it is parked
   std::optional<SimTime> logged = {};       // time of its last sample
+  bool is_logged_as_parked = true;          // whether it was parked at the exchange before
   bool was_parked = true;                   // at the start of this exchange; not saved
   Motion motion = Motion::none;             // motion of the rover or its panels now; not saved
 };

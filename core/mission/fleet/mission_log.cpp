@@ -24,8 +24,10 @@ void MissionLog::write(Fleet& fleet, const FleetSight* sight, const Moment& mome
   for (std::size_t i = 0; i < fleet.rovers.size(); ++i) {
     FleetRover& rover = fleet.rovers[i];
     write_changes(rover, moment.now);
-    const bool is_due = rover.logged != moment.now && moment.now % interval(rover) == SimTime{};
-    if (writer_ != nullptr && is_due) write_sample(fleet, sight, moment, i);
+    if (writer_ != nullptr && rover.logged != moment.now && is_due(rover, moment.now)) {
+      write_sample(fleet, sight, moment, i);
+    }
+    rover.is_logged_as_parked = rover.agent->is_parked();
   }
   if (writer_ == nullptr) return;
   if (sight != nullptr && assets_logged_ != moment.now &&
@@ -36,6 +38,10 @@ void MissionLog::write(Fleet& fleet, const FleetSight* sight, const Moment& mome
     assets_logged_ = moment.now;
   }
   writer_->commit_if_due();
+}
+
+void MissionLog::write_changes(Fleet& fleet, SimTime now) {
+  for (FleetRover& rover : fleet.rovers) write_changes(rover, now);
 }
 
 // Notes, events, phases and planned paths since the last exchange; taken also when there is no log.
@@ -79,6 +85,13 @@ void MissionLog::write_sample(Fleet& fleet, const FleetSight* sight, const Momen
 void MissionLog::write_pairs(const Fleet& fleet, const FleetSight& sight, const Moment& moment,
                              std::size_t from) {
   for (const PairRow& row : sight.rows(fleet, moment, from)) writer_->write(row);
+}
+
+// A sample where a rover parks or leaves, too: else a line from one sample to the next would show
+// it slowing down over all of the interval of a parked rover.
+bool MissionLog::is_due(const FleetRover& rover, SimTime now) const {
+  const bool parks_or_leaves = rover.is_logged_as_parked != rover.agent->is_parked();
+  return (parks_or_leaves && parked_interval_ != interval_) || now % interval(rover) == SimTime{};
 }
 
 SimTime MissionLog::interval(const FleetRover& rover) const {

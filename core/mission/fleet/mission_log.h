@@ -29,6 +29,8 @@ class MissionLog {
   // Writes the rows of an exchange; `sight` may be nullptr.
   void write(Fleet& fleet, const FleetSight* sight, const Moment& moment);
   void write(const NoteRow& note);
+  // Notes, events, phases and planned legs since they were last written.
+  void write_changes(Fleet& fleet, SimTime now);
   void write(const std::vector<SightIntervalRow>& intervals);
   // Writes the last samples, open intervals of sight, and the events that had no turn.
   void finish(Fleet& fleet, FleetSight* sight, const Moment& moment);
@@ -38,6 +40,7 @@ class MissionLog {
   void archive(Archive& a) { LSOS_ARCHIVE(a, assets_logged_); }
 
  private:
+  bool is_due(const FleetRover& rover, SimTime now) const;
   SimTime interval(const FleetRover& rover) const;
   void write_changes(FleetRover& rover, SimTime now);
   void write_sample(Fleet& fleet, const FleetSight* sight, const Moment& moment,
