@@ -174,8 +174,15 @@ class RoutePass {
       PlannedLeg leg = routes_.leg(settings, start, goal_S_m);
       report_planning("");
       const bool is_found = leg.is_found();
+      const Vec3 end_S_m = leg.ends_short() ? leg.path_S_m.back() : goal_S_m;
       if (!is_found) {
         add_fault(event, RoverRoutes::no_route_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
+      } else if (leg.ends_short()) {
+        add_fault({Severity::warning, event.place,
+                   fmt::format("{} '{}': the leg to waypoint {} ends {:.1f} m from it, within "
+                               "ArrivalRadius: {}",
+                               event.type, event.label, waypoint, (goal_S_m - end_S_m).norm(),
+                               leg.reason)});
       }
       result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg),
                               routes_.hubs_B_m()});
@@ -184,7 +191,7 @@ class RoutePass {
         heading_rad_ = start_heading_rad;
         return false;
       }
-      go_to(goal_S_m);
+      go_to(end_S_m);
       heading_rad_ = result_.legs.back().leg.end_heading_rad;
     }
     return true;

@@ -89,7 +89,16 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   request.start_heading_rad = start.heading_rad;
   request.obstacles = obstacles_about(start.p_S_m, goal_S_m);
   std::ranges::copy(settings.standing, std::back_inserter(request.obstacles.standing));
-  return legs_->leg(cost(settings), request);
+  const PlannedLeg& whole = legs_->leg(cost(settings), request);
+  const double missed_m = (whole.nearest_S_m - goal_S_m).norm();
+  const bool is_near = missed_m <= settings.arrival_radius_m &&
+                       (whole.nearest_S_m - start.p_S_m).norm() > on_start_m;
+  if (whole.is_found() || !is_near) return whole;
+  request.goal_S_m = whole.nearest_S_m;
+  PlannedLeg shorter = legs_->leg(cost(settings), request);
+  if (!shorter.is_found()) return whole;
+  shorter.reason = whole.reason;
+  return shorter;
 }
 
 Obstacles RoverRoutes::obstacles_about(const Vec3& start_S_m, const Vec3& goal_S_m) const {
@@ -194,7 +203,8 @@ PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::in
                         planned.path_S_m.end());
     way.legs.push_back({waypoint, way.path_S_m.size() - 1, planned.length_m, planned.duration_s,
                         planned.energy_j, planned.slope_max_rad});
-    at = {goal_S_m, planned.end_heading_rad, false};
+    at = {planned.ends_short() ? planned.path_S_m.back() : goal_S_m, planned.end_heading_rad,
+          false};
   }
   // The rover already stands at its goal.
   if (way.legs.empty()) way.path_S_m = {waypoints_S_m.back()};

@@ -77,12 +77,14 @@ struct PlannedLeg {
   double end_heading_rad = 0;         // clockwise from north at the goal
   std::vector<std::string> messages;  // of the optimiser, for the user
 
-  // Why there is no route ("the goal is on a slope of 31 degrees, 20 are allowed"), and the
-  // reachable place that is nearest to the goal.
+  // Why there is no route to the goal ("the goal is on a slope of 31 degrees, 20 are allowed"), and
+  // the reachable place that is nearest to it.
   std::string reason;
   Vec3 nearest_S_m = Vec3::Zero();
 
   bool is_found() const { return !path_S_m.empty(); }
+  // Whether it leads to a place near the goal in its stead.
+  bool ends_short() const { return is_found() && !reason.empty(); }
   void archive(Archive& a) {
     LSOS_ARCHIVE(a, path_S_m, cost, length_m, duration_s, energy_j, slope_max_rad, steepest_S_m,
                  end_heading_rad, messages, reason, nearest_S_m);

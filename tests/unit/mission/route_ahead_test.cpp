@@ -99,6 +99,33 @@ TEST(RouteAhead, goes_on_from_where_an_event_without_a_way_leaves_the_rover) {
   EXPECT_EQ(mission.simulation_->advice().size(), 1u);
 }
 
+// Waypoint 1 lies on the wall of a crater: near enough to it is where the wall begins, and the next
+// leg begins there.
+TEST(RouteAhead, ends_where_its_goal_can_be_reached_within_the_radius) {
+  Mission mission;
+  dig(mission, 50);
+  const auto ground = ground_at(mission.setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
+  const VehicleConfig vehicle = test::rover(1.6);
+  PlannedLegs planned(*ground, 1);
+  RoverRoutes routes(vehicle, {}, 0, *ground, planned);
+  const Vec3 goal_m(40, 0, 0);
+  RouteSettings settings;
+  const PlannedLeg none = routes.leg(settings, {{0, 0, 0}, 0}, goal_m);
+  ASSERT_FALSE(none.is_found());
+  const double missed_m = (none.nearest_S_m - goal_m).norm();
+  settings.arrival_radius_m = missed_m - 0.01;
+  EXPECT_FALSE(routes.leg(settings, {{0, 0, 0}, 0}, goal_m).is_found());
+  settings.arrival_radius_m = missed_m + 0.01;
+  const PlannedLeg near = routes.leg(settings, {{0, 0, 0}, 0}, goal_m);
+  ASSERT_TRUE(near.ends_short());
+  EXPECT_LT((near.path_S_m.back() - none.nearest_S_m).norm(), 0.01);
+  const PlannedRoute way =
+      routes.plan("A", SimTime{}, 3, {{0, 0, 0}, 0}, {goal_m, {0, 30, 0}}, 1, settings);
+  ASSERT_TRUE(way.is_found()) << way.reason;
+  ASSERT_EQ(way.legs.size(), 2u);
+  EXPECT_LT((way.path_S_m[way.legs[0].last_point] - none.nearest_S_m).norm(), 0.01);
+}
+
 // Within 5 m of the expected start the route is driven as planned; farther away it is planned anew.
 TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
