@@ -1,6 +1,7 @@
 // The panels of one rover over time: deployed or stowed, and their rotation.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,8 @@ class PanelArray {
   PanelAngles angles(std::size_t panel, SimTime now) const;
   PanelPose pose_at(std::size_t panel, SimTime now) const;
   bool is_stowed(std::size_t panel) const { return !states_[panel].goes_up; }
+  // Whether any is deployed or being deployed.
+  bool is_any_up() const { return std::ranges::any_of(states_, &State::goes_up); }
 
   // Sets how the panel begins a mission, at rest.
   void begin(std::size_t panel, bool is_up, const PanelAngles& angles, const Steering& steering);

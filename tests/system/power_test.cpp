@@ -35,34 +35,48 @@ Mark asset(const std::string& id, const std::string& type, const std::string& at
   return {"Asset", {{"AssetId", id}, {"AssetType", type}}, point(at)};
 }
 
-// A rover that nothing will charge is logged until the end of the mission. The event that waits for
-// charge says so, and the run warns of it.
-TEST(Power, that_never_comes_is_waited_for_in_rows_until_the_end) {
-  const Mark on_earth{"MissionInfo",
+// A rover that nothing will charge ends with that reason, and does not wait until MaxDuration.
+TEST(Power, that_never_comes_is_not_waited_for) {
+  const Mark on_earth{
+      "MissionInfo",
+      {{"Planet", "Earth"}, {"StartTime", "2026-01-02T00:00:00Z"}, {"Terrain", "Flat"}},
+      ""};
+  const PlanRun run(
+      {on_earth, rover("SEV", {{"InitialCharge", "0.01"}}, "10,20"), event("StowSP", "R", 1),
+       event("Consume", "R", 2, {{"Power", "50000"}, {"Duration", "1 h"}, {"OnFailure", "skip"}}),
+       event("Route", "R", 3, {}, point("10.0001,20")),
+       event("Pause", "R", 4, {{"Duration", "5"}})});
+  const json summary = run.summary();
+  EXPECT_EQ(summary["events"][2]["status"], "failed");
+  EXPECT_EQ(summary["events"][2]["reason"],
+            "the battery is empty, and nothing charges it: the solar panels are stowed");
+  EXPECT_EQ(summary["events"][3]["status"], "not_started");
+  EXPECT_LT(summary["sim_s"], 3600);
+}
+
+// While light may come, an event waits for it until the end of the mission, and says so.
+TEST(Power, that_does_not_come_is_waited_for_in_rows_until_the_end) {
+  const Mark at_night{"MissionInfo",
                       {{"Planet", "Earth"},
-                       {"StartTime", "2026-01-02T00:00:00Z"},
+                       {"StartTime", "2026-01-02T20:00:00Z"},
                        {"Terrain", "Flat"},
                        {"ParkedLogInterval", "60"},
                        {"MaxDuration", "1 h"}},
                       ""};
   const PlanRun run(
-      {on_earth, rover("Husky", {{"InitialCharge", "0.01"}}, "10,20"),
-       event("Consume", "R", 1, {{"Power", "5000"}, {"Duration", "600"}, {"OnFailure", "skip"}}),
+      {at_night, rover("SEV", {{"InitialCharge", "0.01"}}, "10,20"),
+       event("Consume", "R", 1, {{"Power", "50000"}, {"Duration", "1 h"}, {"OnFailure", "skip"}}),
        event("Route", "R", 2, {}, point("10.0001,20")),
        event("Pause", "R", 3, {{"Duration", "5"}})});
   std::size_t rows = 0;
   for (const SampleRow& row : run.samples()) rows += row.time % SimTime{60'000'000} == SimTime{};
   EXPECT_EQ(rows, 61u);
-  const json summary = run.summary();
-  // The other warning is about lunar soil on Earth.
-  ASSERT_EQ(summary["warnings"].size(), 2u) << summary["warnings"];
-  EXPECT_THAT(summary["warnings"][1].get<std::string>(), HasSubstr("R: the battery is empty at "));
   bool is_noted = false;
   for (const NoteRow& note : run.log().notes()) {
     is_noted |= note.name == "waits_for_charge" && note.sequence == 2;
   }
   EXPECT_TRUE(is_noted);
-  EXPECT_EQ(summary["events"][2]["reason"],
+  EXPECT_EQ(run.summary()["events"][2]["reason"],
             "MaxDuration is over; its turn did not come, 'Route 2' waited to start");
 }
 

@@ -153,6 +153,14 @@ bool EventSequence::may_start(const Turn& turn, std::string& impossible) {
     return false;
   }
   const bool did_wait_for_charge = std::exchange(waits_for_charge_, is_powerless(turn.agent));
+  if (waits_for_charge_ && !turn.agent.power().may_charge()) {
+    waits_for_charge_ = false;
+    impossible =
+        fmt::format("the battery is empty, and nothing charges it: {}",
+                    turn.agent.power().panels().specs().empty() ? "there are no solar panels"
+                                                                : "the solar panels are stowed");
+    return false;
+  }
   if (waits_for_charge_ && !did_wait_for_charge) {
     turn.agent.journal().set_sequence(event().sequence);
     turn.agent.note("waits_for_charge", "{}");

@@ -247,9 +247,7 @@ PowerView RoverPower::view() const {
   view.external_w = row.external_w;
   view.external_j = row.external_j;
   view.load_w = row.load_w;
-  for (std::size_t i = 0; i < spec_.panels.size(); ++i) {
-    view.is_any_panel_up |= !panels_.is_stowed(i);
-  }
+  view.is_any_panel_up = panels_.is_any_up();
   view.sun_fraction = row.sun_fraction;
   view.incidence = row.incidence;
   return view;

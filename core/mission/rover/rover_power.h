@@ -111,6 +111,8 @@ class RoverPower : public PowerPort {
   bool waits_for_reserve() const { return waits_for_reserve_; }
   // Whether waits_for_reserve() has changed at this exchange.
   bool has_reserve_changed() const { return has_reserve_changed_; }
+  // Whether power may come while no event is under way: a panel is up, or there is a generator.
+  bool may_charge() const { return spec_.generator_w > 0 || panels_.is_any_up(); }
   double shed_w() const;  // requested but not supplied
   // Earliest time at which a parked rover's battery becomes empty, becomes full from an asset, or
   // reaches its reserve or the awaited charge, a panel's motion ends, or a failure of a scenario

@@ -129,6 +129,7 @@ TEST_F(Energy, that_is_used_up_stops_a_drive) {
 
 // After a failure that is skipped, work waits for the reserve; what needs no power does not.
 TEST_F(Energy, above_the_reserve_is_wanted_to_go_on) {
+  power().generator_w = 1;  // less than it uses
   PlanEvent& first = mission.event("Work", 20000);
   first.params["power_w"] = 0.0;
   first.on_failure = OnFailure::skip;
@@ -141,6 +142,22 @@ TEST_F(Energy, above_the_reserve_is_wanted_to_go_on) {
   EXPECT_THAT(events[2].reason,
               testing::HasSubstr("; it waited for charge above the reserve, as the battery was "
                                  "empty; charge was 0"));
+}
+
+TEST_F(Energy, that_nothing_will_bring_is_not_waited_for) {
+  PlanEvent& first = mission.event("Work", 20000);
+  first.params["power_w"] = 0.0;
+  first.on_failure = OnFailure::skip;
+  PlanEvent& second = mission.event("Work", 10);
+  second.params["power_w"] = 0.0;
+  second.on_failure = OnFailure::skip;
+  mission.event("Hold", 100);
+  const auto events = mission.run();
+  EXPECT_EQ(events[1].status, EventStatus::failed);
+  EXPECT_EQ(events[1].reason,
+            "the battery is empty, and nothing charges it: there are no solar panels");
+  EXPECT_NEAR(seconds(*events[1].end), 8000, 0.3);
+  EXPECT_EQ(events[2].status, EventStatus::completed) << "it goes on without power";
 }
 
 // Without any capacity no charge is ever above the reserve: the rover goes on as soon as its
