@@ -38,6 +38,9 @@ class Simulation : private Surroundings {
   // later with a log that begins anew, which then also receives the events that have started or
   // ended by then.
   void set_log(LogWriter* log) { log_.set_writer(log, fleet_); }
+  // Writes what happened since the last exchange: notes, events and planned legs. A checkpoint does
+  // not hold them.
+  void log_changes();
   // Sets the listener that is called with each note of scripts and findings. Call it before
   // `start`.
   void set_note_listener(std::function<void(const NoteRow&)> listener) {

@@ -50,6 +50,8 @@ void Simulation::go_on_from(Simulation& earlier) {
   }
 }
 
+void Simulation::log_changes() { log_.write_changes(fleet_, now_); }
+
 std::map<std::string, Correction> Simulation::correct(
     const std::map<std::string, MeasuredState>& measured) {
   std::map<std::string, Correction> corrections;
@@ -62,7 +64,9 @@ std::map<std::string, Correction> Simulation::correct(
     } catch (const InputError& error) {
       faults.add(error.faults());
     }
-    if (!rover->sequence.is_finished()) rover->wake = now_ + exchange_period;
+    // Also a mission that was over goes on, until its rovers are logged where they come to rest.
+    rover->wake = now_ + exchange_period;
+    is_finished_ = false;
   }
   if (!faults.has_errors()) faults.add(overlapping_rovers(fleet_, machine_));
   faults.throw_if_errors();

@@ -45,10 +45,19 @@ std::optional<Breakage> breakage_of(const NoteRow& note) {
   return breakage;
 }
 
+// The share of sunlight that a note "shaded" tells of; 1 where it is another note of that name.
+double shade_of(const NoteRow& note) {
+  const Json fields = Json::parse(note.fields_json, nullptr, false);
+  if (!fields.is_object()) return 1;
+  const auto share = fields.find("share");
+  return share != fields.end() && share->is_number() ? share->get<double>() : 1;
+}
+
 void add_note(RoverEnd& rover, const NoteRow& note) {
   if (const auto found = hindrances.find(note.name); found != hindrances.end()) {
     rover.hindrance = found->second;
   }
+  if (note.name == "shaded") rover.shade = shade_of(note);
   if (note.name != "fault") return;
   const std::optional<Breakage> breakage = breakage_of(note);
   if (breakage && !breakage->what.empty()) rover.start.breakages.push_back(*breakage);
@@ -123,6 +132,12 @@ RunEnd read_run_end(const LogReader& log) {
     if (rover != end.rovers.end()) add(rover->second, row);
   };
   log.for_each_note([&](const NoteRow& row) { visit_all(row, add_note); });
+  for (auto& [id, rover] : end.rovers) {
+    if (rover.shade == 1) continue;
+    rover.doubts.push_back(
+        fmt::format("a script left its panels {:.3g} % of the sunlight; they begin in all of it",
+                    100 * rover.shade));
+  }
   const std::vector<OrderRow> orders = log.orders();
   for (const OrderRow& row : orders) visit_all(row, add_order);
   if (!orders.empty()) return end;

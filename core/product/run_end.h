@@ -14,7 +14,8 @@ struct RoverEnd {
   SampleRow sample;                 // its last
   RoverStart start;                 // a rover that begins as this one ended
   std::string hindrance;            // why none can begin so ("it had rolled over"); "": one can
-  std::vector<std::string> doubts;  // what is not known of it
+  std::vector<std::string> doubts;  // what is not known of it, or not taken over
+  double shade = 1;                 // share of sunlight that a script left its panels
 };
 
 struct RunEnd {

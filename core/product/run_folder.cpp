@@ -25,15 +25,18 @@ namespace fs = std::filesystem;
 namespace {
 
 // The summary is removed first: without it a run is unfinished, whatever other files remain.
-constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz", "report.html",
-                               "report.png",   "plan.kml",     "mission.qgz", "hillshade.tif",
-                               "log.gpkg",     "log.gpkg-wal", "log.gpkg-shm"};
+constexpr std::array run_files{"summary.json", "overlay.kml", "overlay.kmz",  "report.html",
+                               "report.png",   "plan.kml",    "mission.qgz",  "hillshade.tif",
+                               "days.csv",     "log.gpkg",    "log.gpkg-wal", "log.gpkg-shm"};
 // What a run that goes on needs.
 constexpr std::array kept_files{"plan.kml", "log.gpkg", "log.gpkg-wal", "log.gpkg-shm"};
 
 // Empty while a folder is being checked; contains `run_mark` from `prepare` on.
 constexpr const char* lock_name = ".lsos-host.lock";
 constexpr std::string_view run_mark = "a run of lsos-host that has not finished\n";
+
+// Folder within, where the files of an earlier run lie while a new one begins.
+constexpr const char* aside_name = ".lsos-host.earlier";
 
 enum class Content { nothing, finished_run, unfinished_run, foreign };
 
@@ -69,9 +72,10 @@ Content content_of(const fs::path& folder) {
   }
   if (read_file(lock_file.string()).value_or("") == run_mark) return Content::unfinished_run;
   if (is_there(folder / "log.gpkg") && is_log(folder / "log.gpkg")) return Content::unfinished_run;
-  const bool has_more = std::ranges::any_of(
-      fs::directory_iterator(folder),
-      [](const fs::directory_entry& entry) { return entry.path().filename() != lock_name; });
+  const bool has_more =
+      std::ranges::any_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
+        return entry.path().filename() != lock_name && entry.path().filename() != aside_name;
+      });
   return has_more ? Content::foreign : Content::nothing;
 }
 
@@ -220,7 +224,22 @@ void RunFolder::check_replaceable() {
 void RunFolder::prepare() {
   mark_unfinished();
   std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
+  remove_aside();
 }
+
+void RunFolder::prepare_aside() {
+  was_unfinished_ = content_of(path_) == Content::unfinished_run;
+  mark_unfinished();
+  const fs::path aside = file(aside_name);
+  // What an earlier attempt, which was killed, has kept counts more than what it began.
+  const bool keeps = !fs::exists(fs::symlink_status(aside)) && fs::create_directory(aside);
+  for (const char* name : run_files) {
+    if (keeps && is_there(file(name))) fs::rename(file(name), aside / name);
+    remove(name);
+  }
+}
+
+void RunFolder::settle() { remove_aside(); }
 
 void RunFolder::reopen() {
   mark_unfinished();
@@ -230,13 +249,30 @@ void RunFolder::reopen() {
 }
 
 void RunFolder::discard() {
-  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
+  const fs::path aside = file(aside_name);
+  bool has_run = false;
+  for (const char* name : run_files) {
+    remove(name);
+    if (!is_there(aside / name)) continue;
+    fs::rename(aside / name, file(name));
+    has_run = true;
+  }
+  remove_aside();
+  if (has_run && was_unfinished_) return;  // the mark stays
   if (::ftruncate(lock_, 0) != 0) {
     throw OutputError(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
   }
   is_prepared_ = false;
   has_made_lock_file_ = true;
-  if (made_folders_.empty()) made_folders_.push_back(path_);
+  if (!has_run && made_folders_.empty()) made_folders_.push_back(path_);
+}
+
+void RunFolder::remove_aside() {
+  const fs::path aside = file(aside_name);
+  if (!fs::is_directory(fs::symlink_status(aside))) return;
+  for (const char* name : run_files) fs::remove(aside / name);
+  std::error_code ignored;
+  fs::remove(aside, ignored);  // fails where somebody else has put something there
 }
 
 void RunFolder::mark_unfinished() {

@@ -34,11 +34,17 @@ class RunFolder {
   // unfinished run until it has a summary. To be called only when the plan has passed its checks,
   // right before the log is created. Throws OutputError when a file cannot be removed.
   void prepare();
+  // As `prepare`, but the files of the earlier run are kept in a folder within, until `settle`
+  // removes them or `discard` puts them back. To be called when the new run may still fail to
+  // begin.
+  void prepare_aside();
+  // Removes the files that were kept aside.
+  void settle();
   // Removes what was made of the run's log, and keeps the log and the plan. From now on the run is
   // unfinished. To be called when the run can go on. Throws OutputError.
   void reopen();
-  // Removes the run that was begun since: it cannot go on. The folder then holds none, and is
-  // removed when it holds nothing else.
+  // Removes what was written of a run that failed to begin. The folder then is as it was before
+  // `prepare_aside`.
   void discard();
 
  private:
@@ -49,6 +55,7 @@ class RunFolder {
   void check_replaceable();
   void mark_unfinished();
   void remove(const char* name);
+  void remove_aside();
   void release();
 
   std::string path_;
@@ -56,6 +63,7 @@ class RunFolder {
   int lock_ = -1;                          // file descriptor
   bool has_made_lock_file_ = false;
   bool is_prepared_ = false;
+  bool was_unfinished_ = false;  // the earlier run, before `prepare_aside`
 };
 
 }  // namespace lsos

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -71,6 +72,9 @@ class LogWriter {
   // Begins a branch: removes the checkpoints of the run whose log this is a copy of, and writes
   // where it was left, in an internal table.
   void begin_branch(const BranchOrigin& origin);
+
+  // Removes the rows of events that are not among these, each a rover and a Sequence.
+  void keep_events(const std::set<std::pair<std::string, std::int64_t>>& events);
 
   // Commits all, folds the write-ahead log into the one file and closes it. If another program has
   // the file open at that time, the write-ahead log is removed when that program closes it. Of the

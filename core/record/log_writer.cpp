@@ -345,6 +345,19 @@ void LogWriter::begin_branch(const BranchOrigin& origin) {
   commit();
 }
 
+void LogWriter::keep_events(const std::set<std::pair<std::string, std::int64_t>>& events) {
+  impl_->attempt("removing events", [&] {
+    if (!impl_->events.sync()) return false;
+    std::erase_if(impl_->event_fids, [&](const auto& known) {
+      if (events.contains(known.first)) return false;
+      gpkg::run_sql(*impl_->dataset,
+                    fmt::format("DELETE FROM events WHERE fid = {}", known.second));
+      return true;
+    });
+    return true;
+  });
+}
+
 void LogWriter::finish(bool can_resume) {
   if (!can_resume) {
     impl_->attempt("removing checkpoints", [&] {

@@ -8,12 +8,13 @@
 
 namespace lsos {
 
+class Ground;
 class Simulation;
 
 // Reads a table of telemetry for a branch that leaves the run of `log` at `moment`. Throws
 // InputError where it has nothing of any rover.
 MeasuredStates read_measured(const std::string& file, const LogReader& log, SimTime moment,
-                             const SiteFrame& site);
+                             const Ground& ground);
 
 // Puts the rovers where they were measured to be, with a note in the log about each, and prints
 // what that changed unless `is_quiet`. Throws InputError.

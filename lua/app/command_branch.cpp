@@ -11,11 +11,9 @@
 #include "lua/app/branch_measured.h"
 #include "lua/app/branch_moment.h"
 #include "lua/app/commands.h"
-#include "lua/app/planning_watch.h"
 #include "lua/app/progress.h"
 #include "lua/app/run_to_end.h"
 #include "lua/app/saved_run.h"
-#include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/plan_table.h"
 #include "lua/host/run_from.h"
@@ -24,6 +22,7 @@
 #include "lua/session/change_script.h"
 #include "mission/model/plan_revision.h"
 #include "plan/renumbered.h"
+#include "product/replaced_run.h"
 
 namespace lsos {
 
@@ -69,18 +68,6 @@ PlanSource revised_source(const BranchOptions& options, const MissionFiles& trun
   return source;
 }
 
-SimulationSetup setup_of(const MissionFiles& files, const BranchOptions& options,
-                         PlanningWatch& watch) {
-  SimulationSetup setup = simulation_setup(files);
-  setup.threads = options.threads;
-  setup.keeps_sight = true;
-  setup.cache_legs = [file = files.plan.file](const std::string& bytes) {
-    cache_legs(file, bytes);
-  };
-  setup.on_planning = [&watch](const std::string& what) { watch.plan(what); };
-  return setup;
-}
-
 // "plan b.kml, measured t.csv, with dust.lua"
 std::string changes_text(const BranchOptions& options) {
   std::string text;
@@ -118,11 +105,17 @@ MissionFiles branch_files(const PlanSource& source, const SavedRun& saved, std::
 // makes it, so that a branch that is stopped goes on as it would have.
 void take_up(SessionParts& parts, MissionFiles files, const BranchOptions& options,
              PlanningWatch& watch) {
-  SimulationSetup setup = setup_of(files, options, watch);
+  SimulationSetup setup = run_setup(files, options, watch);
   setup.cached_legs = parts.simulation->cached_legs();
   auto simulation = std::make_unique<Simulation>(std::move(setup));
+  parts.simulation->log_changes();
   simulation->go_on_from(*parts.simulation);
   simulation->set_log(&parts.record->log());
+  std::set<std::pair<std::string, std::int64_t>> events;
+  for (const PlanEvent& event : files.plan.events) {
+    events.insert({event.rover_id, event.sequence});
+  }
+  parts.record->log().keep_events(events);
   files.faults.add(simulation->advice());
   parts.simulation = std::move(simulation);
   parts.files = std::move(files);
@@ -144,8 +137,8 @@ void change(SessionParts& parts, const BranchOptions& options) {
   parts.source.bytes = kml_of(parts.source.kml);
 }
 
-// What a branch begins with: the trunk's last checkpoint before the moment, and what is to change
-// there.
+// What a branch begins with: the trunk's last checkpoint at or before the moment, and what is to
+// change there.
 struct Leave {
   SimTime moment{};
   EventReferences begun;  // events of the trunk that have begun by then
@@ -160,7 +153,10 @@ struct Leave {
 Leave read_leave(const BranchOptions& options, const LogReader& log, SessionParts& parts) {
   Leave leave;
   leave.moment = branch_moment(log, options.folder, options.at);
-  leave.saved = saved_run_before(log, options.folder, leave.moment);
+  std::vector<std::string> damaged;
+  leave.saved = saved_run_before(log, options.folder, leave.moment, damaged);
+  for (const std::string& what : damaged) print_message("warning: {}\n", what);
+  check_not_from(options.output, leave.saved.mission.from);
   leave.begun = begun_events(log, leave.moment);
   const SavedMission& mission = leave.saved.mission;
   parts.source = source_of_run(options.folder, mission);
@@ -178,11 +174,10 @@ Leave read_leave(const BranchOptions& options, const LogReader& log, SessionPart
 // The trunk's simulation at its checkpoint. What is not as it was then is refused.
 void restore_trunk(SessionParts& parts, Leave& leave, const BranchOptions& options,
                    PlanningWatch& watch) {
-  parts.simulation = std::make_unique<Simulation>(setup_of(parts.files, options, watch));
-  const SavedMission now{
-      program_build(), "", run_values(parts.files, *parts.simulation), {}, "", "", ""};
+  parts.simulation = std::make_unique<Simulation>(run_setup(parts.files, options, watch));
   const Faults differing =
-      differences(leave.saved.mission, now, options.folder, options.is_renderer_allowed);
+      differences(leave.saved.mission, program_build(), run_values(parts.files, *parts.simulation),
+                  options.folder, options.is_renderer_allowed);
   differing.throw_if_errors();
   parts.files.faults.add(parts.simulation->advice());
   parts.files.faults.add(differing.sorted());
@@ -217,6 +212,7 @@ void leave_trunk(SessionParts& parts, Leave leave, const BranchOptions& options,
     changed.faults.throw_if_errors();
     take_up(parts, std::move(changed), options, watch);
   }
+  parts.simulation->log_changes();
   parts.files.faults.add(leave.measured.warnings);
   write_file(parts.folder->file("plan.kml"), parts.source.bytes);
 }
@@ -228,29 +224,39 @@ int branch_command(const BranchOptions& options) {
   const LogReader log(options.folder + "/log.gpkg");
   SessionParts parts;
   Leave leave = read_leave(options, log, parts);
+  const std::string other =
+      check_replaced_run(options.output, parts.source.file, false, options.is_forced);
   parts.folder = std::make_unique<RunFolder>(options.output, options.is_forced);
   PlanningWatch watch(options.is_quiet);
   restore_trunk(parts, leave, options, watch);
   if (!options.measured.empty()) {
-    leave.measured =
-        read_measured(options.measured, log, leave.moment, parts.simulation->ground().site());
+    leave.measured = read_measured(options.measured, log, leave.moment, parts.simulation->ground());
   }
-  const std::string from = leave.saved.mission.from;
+  const SavedMission trunk = leave.saved.mission;
+  const SimTime left = leave.saved.time;
 
   // From here on the folder of the branch is written. Until its first checkpoint it cannot be
   // resumed.
-  parts.folder->prepare();
+  parts.folder->prepare_aside();
   try {
     leave_trunk(parts, std::move(leave), options, log, watch);
-  } catch (const InputError&) {
+  } catch (...) {
     parts.record.reset();
     // A script that fails ends its session, and with it the folder's lock.
     if (!parts.folder) parts.folder = std::make_unique<RunFolder>(options.output, true);
     parts.folder->discard();
     throw;
   }
+  parts.folder->settle();
+  tell_of_replaced_run(parts.folder->path(), other);
   print(parts.files.faults, options.is_quiet);
-  const std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
+  std::map<std::string, std::string> values = run_values(parts.files, *parts.simulation);
+  if (const auto renderer = values.find("renderer"); renderer != values.end()) {
+    const auto before = trunk.values.find("renderer");
+    if (before != trunk.values.end()) {
+      renderer->second = renderers_text(before->second, renderer->second, left);
+    }
+  }
   parts.record->log().write_run(values);
   if (!options.is_quiet) {
     print_message("{}: leaves {} at {} of the mission\n", parts.folder->path(), options.folder,
@@ -258,9 +264,10 @@ int branch_command(const BranchOptions& options) {
   }
   catch_stop_signals();
   const std::string plan_file = std::filesystem::absolute(parts.source.file).lexically_normal();
-  Checkpoints checkpoints(parts.record->log(),
-                          {program_build(), plan_file, values, every, parts.source.soil, from, ""},
-                          options.checkpoints.is_on, seconds_since(begin));
+  Checkpoints checkpoints(
+      parts.record->log(),
+      {program_build(), plan_file, values, every, parts.source.soil, trunk.from, ""},
+      options.checkpoints.is_on, seconds_since(begin));
   checkpoints.start(*parts.simulation);
   return run_to_end({parts.files, *parts.simulation, *parts.folder, *parts.record, checkpoints},
                     options);

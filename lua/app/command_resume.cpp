@@ -11,7 +11,6 @@
 #include "lua/app/progress.h"
 #include "lua/app/run_to_end.h"
 #include "lua/app/saved_run.h"
-#include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_values.h"
 #include "lua/host/version.h"
@@ -25,13 +24,12 @@ struct ResumeOptions : OutcomeOptions {
   bool is_renderer_allowed = false;
 };
 
-// Says in the log that another renderer draws from here on.
+// Says in the log, and in later checkpoints, that another renderer draws from here on.
 void note_renderer(SavedRun& saved, const std::string& renderer, LogWriter& log) {
   const auto before = saved.mission.values.find("renderer");
-  if (before == saved.mission.values.end() || before->second == renderer) return;
-  log.write_run({{"renderer", fmt::format("{}, from {:.6g} s on {}", before->second,
-                                          seconds(saved.time), renderer)}});
-  before->second = renderer;
+  if (before == saved.mission.values.end()) return;
+  before->second = renderers_text(before->second, renderer, saved.time);
+  log.write_run({*before});
 }
 
 // The plan in the folder counts. The one that it was made of may have been edited since, which is
@@ -61,15 +59,10 @@ int resume_command(const ResumeOptions& options) {
   for (const std::string& what : damaged) print_message("warning: {}\n", what);
   MissionFiles files = files_of_run(folder.path(), saved.mission);
   PlanningWatch watch(options.is_quiet);
-  SimulationSetup setup = simulation_setup(files);
-  setup.threads = options.threads;
-  setup.keeps_sight = true;
-  setup.cache_legs = [&](const std::string& bytes) { cache_legs(files.plan.file, bytes); };
-  setup.on_planning = [&](const std::string& what) { watch.plan(what); };
-  Simulation simulation(std::move(setup));
-  const Faults differing = differences(
-      saved.mission, {program_build(), "", run_values(files, simulation), {}, "", "", ""},
-      folder.path(), options.is_renderer_allowed);
+  Simulation simulation(run_setup(files, options, watch));
+  const Faults differing =
+      differences(saved.mission, program_build(), run_values(files, simulation), folder.path(),
+                  options.is_renderer_allowed);
   differing.throw_if_errors();
   files.faults.add(simulation.advice());
   files.faults.add(differing.sorted());

@@ -1,12 +1,9 @@
 // `lsos-host run`: reads and checks a plan, simulates it, and leaves the results in a folder.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "base/console.h"
-#include "base/files.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
@@ -17,59 +14,9 @@
 #include "lua/host/run_values.h"
 #include "lua/host/version.h"
 #include "plan/kml_text.h"
+#include "product/replaced_run.h"
 
 namespace lsos {
-
-namespace {
-
-// File of another plan whose run the folder holds; "" where it holds no run, a run of this plan, or
-// a run of a plan that no longer exists.
-std::string other_plan_in(const std::string& folder, const std::string& plan) {
-  const std::string bytes = read_file(folder + "/summary.json").value_or("");
-  const auto summary = nlohmann::json::parse(bytes, nullptr, false);
-  if (!summary.is_object() || !summary.contains("plan") || !summary["plan"].is_string()) return "";
-  const std::string other = summary["plan"].get<std::string>();
-  std::error_code ignored;
-  const bool is_other =
-      std::filesystem::exists(other, ignored) && !std::filesystem::equivalent(other, plan, ignored);
-  return is_other ? other : "";
-}
-
-// Whether the folder holds a run of this very plan that a signal stopped, and that can go on.
-bool has_stopped_run(const std::string& folder, const std::string& plan_bytes) {
-  if (read_file(folder + "/plan.kml") != plan_bytes) return false;
-  try {
-    return std::ranges::any_of(
-        LogReader(folder + "/log.gpkg").checkpoints(),
-        [](const CheckpointEntry& entry) { return entry.kind == CheckpointKind::stop; });
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-// Throws InputError where results would be lost that the user may want. Returns the plan whose run
-// is replaced, "" for none that must be told.
-std::string check_replacement(const std::string& path, const RunOptions& options,
-                              const std::string& plan_bytes) {
-  const std::string other = other_plan_in(path, options.plan);
-  if (options.is_forced) return other;
-  // Without this check plans of the same name in two folders would replace each other's results.
-  if (!other.empty() && options.folder.empty()) {
-    throw InputError({path, 0},
-                     fmt::format("holds the run of {}, another plan of that name: -o names another "
-                                 "folder, --force replaces it",
-                                 other));
-  }
-  if (has_stopped_run(path, plan_bytes)) {
-    throw InputError({path, 0},
-                     fmt::format("holds a run of this plan that was stopped; 'lsos-host resume {}' "
-                                 "goes on with it, --force replaces it, -o names another folder",
-                                 path));
-  }
-  return other;
-}
-
-}  // namespace
 
 int run_command(const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -85,15 +32,12 @@ int run_command(const RunOptions& options) {
   const std::string path =
       options.folder.empty() ? default_run_folder(options.plan) : options.folder;
   check_not_from(path, options.from);
-  const std::string other = check_replacement(path, options, files.plan_bytes);
+  const std::string other =
+      check_replaced_run(path, options.plan, options.folder.empty(), options.is_forced);
   RunFolder folder(path, options.is_forced);
-  SimulationSetup setup = simulation_setup(files);
-  setup.threads = options.threads;
-  setup.keeps_sight = true;
-  setup.save_every_exchange = options.save_every_exchange;
   PlanningWatch watch(options.is_quiet);
-  setup.cache_legs = [&](const std::string& bytes) { cache_legs(options.plan, bytes); };
-  setup.on_planning = [&](const std::string& what) { watch.plan(what); };
+  SimulationSetup setup = run_setup(files, options, watch);
+  setup.save_every_exchange = options.save_every_exchange;
   // The constructor makes the last checks, whether the plan fits the terrain. The old run is
   // removed only after them.
   Simulation simulation(std::move(setup));
@@ -104,8 +48,7 @@ int run_command(const RunOptions& options) {
   if (!options.is_quiet && !simulation.renderer().empty()) {
     print_message("light is drawn by {}\n", simulation.renderer());
   }
-  // The loss of results is reported even with --quiet.
-  if (!other.empty()) print_message("{}: the run of {} that it held is replaced\n", path, other);
+  tell_of_replaced_run(path, other);
   // Up to here a signal may end the program at once, as there are no results to write.
   catch_stop_signals();
   const std::map<std::string, std::string> values = run_values(files, simulation);

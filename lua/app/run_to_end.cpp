@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <atomic>
 #include <csignal>
+#include <cstddef>
+#include <set>
+#include <string>
 
 #include "base/console.h"
 #include "lua/app/progress.h"
 #include "lua/host/cached_routes.h"
+#include "lua/host/mission_reader.h"
 #include "product/qgis_run.h"
 #include "product/report_run.h"
 
@@ -25,9 +29,41 @@ void request_stop(int signal) {
 
 void warn(const std::string& what) { print_message("warning: {}\n", what); }
 
+// What a run says while it goes on, so that a failure of the third day need not be waited for.
+class RunNews {
+ public:
+  explicit RunNews(bool is_quiet) : is_quiet_(is_quiet) {}
+
+  // Prints warnings and events that have failed since the last call.
+  void tell(const Simulation& simulation, Progress& progress) {
+    if (is_quiet_) return;
+    const std::vector<std::string>& warnings = simulation.warnings();
+    const std::size_t ended = simulation.fleet().events_ended();
+    if (warnings_ == warnings.size() && ended_ == ended) return;
+    progress.finish();
+    for (; warnings_ < warnings.size(); ++warnings_) {
+      print_message("warning: {}\n", warnings[warnings_]);
+    }
+    if (ended_ == ended) return;
+    ended_ = ended;
+    for (const EventRow& event : simulation.events()) {
+      if (event.status != EventStatus::failed || !event.end) continue;
+      if (!failed_.insert(fmt::format("{}/{}", event.rover_id, event.sequence)).second) continue;
+      print_message("{} at {}: {} '{}' failed: {}\n", event.rover_id,
+                    clock_text(seconds(*event.end)), event.type, event.label, event.reason);
+    }
+  }
+
+ private:
+  bool is_quiet_;
+  std::size_t warnings_ = 0, ended_ = 0;  // told, and seen to have ended
+  std::set<std::string> failed_;          // told, "ROVER/SEQUENCE"
+};
+
 // Returns the signal that stopped the run, or 0.
 int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
   Progress progress(is_quiet, seconds(simulation.now()));
+  RunNews news(is_quiet);
   int stopped_by = 0;
   while (!simulation.is_finished() && stopped_by == 0) {
     stopped_by = stop_signal;
@@ -38,10 +74,12 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
     }
     simulation.advance();
     checkpoints.write_if_due(simulation);
+    news.tell(simulation, progress);
     progress.show(simulation.progress(), seconds(simulation.now()));
   }
   progress.finish();
   simulation.terminate();
+  news.tell(simulation, progress);
   return stopped_by;
 }
 
@@ -66,6 +104,18 @@ void catch_stop_signals() {
   std::signal(SIGTERM, request_stop);
 }
 
+SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,
+                          PlanningWatch& watch) {
+  SimulationSetup setup = simulation_setup(files);
+  setup.threads = options.threads;
+  setup.keeps_sight = true;
+  setup.cache_legs = [file = files.plan.file](const std::string& bytes) {
+    cache_legs(file, bytes);
+  };
+  setup.on_planning = [&watch](const std::string& what) { watch.plan(what); };
+  return setup;
+}
+
 int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   Simulation& simulation = mission.simulation;
   const int stopped_by = simulate(simulation, mission.checkpoints, options.is_quiet);
@@ -77,9 +127,6 @@ int run_to_end(MissionUnderWay mission, const OutcomeOptions& options) {
   const RunSummary summary =
       mission.record.finish(mission.files, simulation, mission.checkpoints.wall_s(), warn,
                             products_of(mission, options, stopped_by == 0), can_resume);
-  for (const std::string& warning : simulation.warnings()) {
-    if (!options.is_quiet) print_message("warning: {}\n", warning);
-  }
   const std::string& folder = mission.folder.path();
   print_result("{}", options.is_json ? to_json(summary) : to_text(summary));
   if (!options.is_json) print_result("results in {}\n", folder);

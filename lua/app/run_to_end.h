@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lua/app/checkpoints.h"
+#include "lua/app/planning_watch.h"
 #include "lua/app/run_options.h"
 #include "lua/host/mission_files.h"
 #include "product/run_folder.h"
@@ -21,6 +22,10 @@ struct MissionUnderWay {
   RunRecord& record;
   Checkpoints& checkpoints;
 };
+
+// The setup of a simulation that is to be run to its end; `watch` must outlive it.
+SimulationSetup run_setup(const MissionFiles& files, const OutcomeOptions& options,
+                          PlanningWatch& watch);
 
 // Returns the program's exit code.
 int run_to_end(MissionUnderWay mission, const OutcomeOptions& options);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <ranges>
 
 #include "base/archive.h"
 #include "base/files.h"
@@ -15,6 +14,28 @@
 #include "product/summary.h"
 
 namespace lsos {
+
+namespace {
+
+// The last of the entries, which come in order of time, that can be read.
+SavedRun last_readable(const LogReader& log, const std::string& folder,
+                       const std::vector<CheckpointEntry>& entries,
+                       std::vector<std::string>& damaged) {
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+    try {
+      return saved_run(log, folder, entry->id);
+    } catch (const InputError& error) {
+      damaged.emplace_back(error.what());
+    }
+  }
+  Faults faults;
+  for (const std::string& what : damaged) faults.error({}, what);
+  faults.error({folder}, "none of its checkpoints can be read: run the plan again");
+  faults.throw_if_errors();
+  return {};
+}
+
+}  // namespace
 
 std::vector<CheckpointEntry> resumable_checkpoints(const std::string& folder) {
   const LogReader log(folder + "/log.gpkg");
@@ -50,32 +71,19 @@ SavedRun saved_run(const LogReader& log, const std::string& folder, std::int64_t
 
 SavedRun last_saved_run(const std::string& folder, const std::vector<CheckpointEntry>& entries,
                         std::vector<std::string>& damaged) {
-  const LogReader log(folder + "/log.gpkg");
-  for (const CheckpointEntry& entry : entries | std::views::reverse) {
-    try {
-      return saved_run(log, folder, entry.id);
-    } catch (const InputError& error) {
-      damaged.emplace_back(error.what());
-    }
-  }
-  Faults faults;
-  for (const std::string& what : damaged) faults.error({}, what);
-  faults.error({folder}, "none of its checkpoints can be read: run the plan again");
-  faults.throw_if_errors();
-  return {};
+  return last_readable(LogReader(folder + "/log.gpkg"), folder, entries, damaged);
 }
 
-SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTime moment) {
-  std::optional<CheckpointEntry> last;
-  for (const CheckpointEntry& entry : log.checkpoints()) {
-    if (entry.time <= moment) last = entry;
-  }
-  if (!last) {
+SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTime moment,
+                          std::vector<std::string>& damaged) {
+  std::vector<CheckpointEntry> entries = log.checkpoints();
+  std::erase_if(entries, [&](const CheckpointEntry& entry) { return entry.time > moment; });
+  if (entries.empty()) {
     throw InputError({folder},
                      "keeps no checkpoint at or before that moment: run the plan with "
                      "--checkpoint-every, as in --checkpoint-every \"1 d\"");
   }
-  return saved_run(log, folder, last->id);
+  return last_readable(log, folder, entries, damaged);
 }
 
 PlanSource source_of_run(const std::string& folder, const SavedMission& mission) {

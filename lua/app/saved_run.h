@@ -29,8 +29,10 @@ SavedRun saved_run(const LogReader& log, const std::string& folder, std::int64_t
 SavedRun last_saved_run(const std::string& folder, const std::vector<CheckpointEntry>& entries,
                         std::vector<std::string>& damaged);
 
-// The last one at or before a moment. Throws InputError where there is none, or it is damaged.
-SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTime moment);
+// The last one at or before a moment that can be read; `damaged`: what is wrong with later ones.
+// Throws InputError where there is none.
+SavedRun saved_run_before(const LogReader& log, const std::string& folder, SimTime moment,
+                          std::vector<std::string>& damaged);
 
 // The copy of the plan that was run; scripts and rasters lie beside the plan itself.
 PlanSource source_of_run(const std::string& folder, const SavedMission& mission);

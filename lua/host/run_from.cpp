@@ -33,10 +33,10 @@ std::string place_text(const Geodetic& place) {
 }
 
 // Compares a mission with the run that it is to begin from.
-class Comparison {
+class EndComparison {
  public:
-  Comparison(std::string folder, const RunEnd& end, const RunValues& run, const Plan& then,
-             MissionFiles& files)
+  EndComparison(std::string folder, const RunEnd& end, const RunValues& run, const Plan& then,
+                MissionFiles& files)
       : folder_(std::move(folder)), end_(end), run_(run), then_(then), files_(files) {}
 
   void compare() {
@@ -62,11 +62,11 @@ class Comparison {
                       folder_, ids));
       return;
     }
-    for (const auto& [id, rover] : end_.rovers) {
-      const auto same = [&](const PlanRover& planned) { return planned.id == id; };
+    for (const auto& known : end_.rovers) {
+      const auto same = [&](const PlanRover& planned) { return planned.id == known.first; };
       if (std::ranges::any_of(files_.plan.rovers, same)) continue;
-      warn(mission().place,
-           fmt::format("rover '{}' of {} is not in this plan: it is left out", id, folder_));
+      warn(mission().place, fmt::format("rover '{}' of {} is not in this plan: it is left out",
+                                        known.first, folder_));
     }
   }
 
@@ -240,7 +240,7 @@ void begin_from(const std::string& folder, MissionFiles& files) {
     files.faults.warning({folder}, "the run in it did not finish: the last rows of its log count");
   }
   const RunEnd end = read_run_end(log);
-  Comparison(folder, end, run, then, files).compare();
+  EndComparison(folder, end, run, then, files).compare();
   files.from = MissionStart{folder, log.sha256(), end.time, site_of(then), {}};
   files.plan.mission.site = files.from->site;
   for (const PlanRover& rover : files.plan.rovers) {
@@ -253,7 +253,7 @@ void check_not_from(const std::string& folder, const std::string& from) {
   std::error_code ignored;
   if (from.empty() || !std::filesystem::equivalent(folder, from, ignored)) return;
   throw InputError({folder},
-                   "holds the run that --from names, which the new run would replace: -o "
+                   "holds the run with whose end this one begins, and would be replaced: -o "
                    "names another folder");
 }
 

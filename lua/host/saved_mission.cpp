@@ -35,6 +35,16 @@ std::string words_of(const std::string& key) {
   return fmt::format("'{}'", key);
 }
 
+// Between the time of a change of the renderer and the new one.
+constexpr std::string_view goes_on = " on ";
+
+// The last one in renderers_text().
+std::string last_renderer(const std::string& text) {
+  const std::size_t change = text.rfind(", from ");
+  const std::size_t at = change == std::string::npos ? change : text.find(goes_on, change);
+  return at == std::string::npos ? text : text.substr(at + goes_on.size());
+}
+
 }  // namespace
 
 std::string to_bytes(SavedMission mission) {
@@ -51,21 +61,29 @@ SavedMission saved_mission(const std::string& bytes) {
   return mission;
 }
 
-Faults differences(const SavedMission& saved, const SavedMission& now, const std::string& folder,
+std::string renderers_text(const std::string& saved, const std::string& renderer, SimTime time) {
+  if (last_renderer(saved) == renderer) return saved;
+  return fmt::format("{}, from {:.6g} s{}{}", saved, seconds(time), goes_on, renderer);
+}
+
+Faults differences(const SavedMission& saved, const std::string& build,
+                   const std::map<std::string, std::string>& now, const std::string& folder,
                    bool is_renderer_allowed) {
   Faults faults;
-  if (saved.build != now.build) {
+  if (saved.build != build) {
     faults.error({folder},
                  fmt::format("was written by another build of lsos-host ({}; this one is {}): only "
                              "that one can go on with it",
                              value(saved.values, "program_version"), program_version));
   }
   std::set<std::string> keys;
-  for (const auto* values : {&saved.values, &now.values}) {
+  for (const auto* values : {&saved.values, &now}) {
     for (const auto& [key, ignored] : *values) keys.insert(key);
   }
   for (const std::string& key : keys) {
-    const std::string before = value(saved.values, key), after = value(now.values, key);
+    std::string before = value(saved.values, key);
+    if (key == "renderer") before = last_renderer(before);
+    const std::string after = value(now, key);
     if (before == after || key == "program_version") continue;
     if (key != "renderer") {
       faults.error(

@@ -24,9 +24,15 @@ std::string to_bytes(SavedMission mission);
 // Throws Archive::Mismatch.
 SavedMission saved_mission(const std::string& bytes);
 
-// What differs between a saved mission and what would go on with it, each with what to do;
-// `folder`: of its run. A renderer that differs is a warning where that is allowed.
-Faults differences(const SavedMission& saved, const SavedMission& now, const std::string& folder,
+// What differs between a saved mission and what would go on with it, each with what to do.
+// `values`: run_values() of that; `folder`: of the saved run. A renderer that differs is a warning
+// where that is allowed.
+Faults differences(const SavedMission& saved, const std::string& build,
+                   const std::map<std::string, std::string>& values, const std::string& folder,
                    bool is_renderer_allowed);
+
+// What draws light and sight in a run that goes on with a renderer from that time on, as layer
+// `run` has it: "llvmpipe, from 158 s on softpipe". `saved`: the same so far.
+std::string renderers_text(const std::string& saved, const std::string& renderer, SimTime time);
 
 }  // namespace lsos

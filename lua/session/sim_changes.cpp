@@ -31,6 +31,12 @@ void note(lua_State* L, const std::string& rover_id, const char* name,
       rover_id, name, fields.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
+// A run that begins as this one ends reads its breakages from these notes.
+void inject(lua_State* L, RoverAgent& agent, const Breakage& breakage) {
+  const std::string fields = agent.inject(breakage);
+  sim_session(L).simulation().note_interactive(agent.id(), "fault", fields);
+}
+
 }  // namespace
 
 int sim_dispatch(lua_State* L) {
@@ -70,8 +76,7 @@ int sim_shade(lua_State* L) {
 
 int sim_fault(lua_State* L) {
   RoverAgent& agent = agent_of(L, 2);
-  const std::string fields = agent.inject(check_breakage(L, 3, "sim:fault"));
-  sim_session(L).simulation().note_interactive(agent.id(), "fault", fields);
+  inject(L, agent, check_breakage(L, 3, "sim:fault"));
   return 0;
 }
 
@@ -83,7 +88,7 @@ int sim_set_wheel(lua_State* L) {
   if (mode == "driven") {
     agent.inject_driven_wheel(wheel);
   } else {
-    agent.inject({.what = "wheel", .part = wheel, .mode = mode, .share = {}});
+    inject(L, agent, {.what = "wheel", .part = wheel, .mode = mode, .share = {}});
   }
   note(L, agent.id(), "wheel_set", {{"mode", mode}, {"wheel", wheel}});
   return 0;
@@ -93,8 +98,8 @@ int sim_stick_panel(lua_State* L) {
   const bool is_stuck = lua_isnoneornil(L, 4) || lua_toboolean(L, 4) != 0;
   const std::string panel = luaL_optstring(L, 3, "");
   RoverAgent& agent = agent_of(L, 2);
-  agent.inject(
-      {.what = "panel", .part = panel, .mode = "stuck", .share = {}, .is_repair = !is_stuck});
+  inject(L, agent,
+         {.what = "panel", .part = panel, .mode = "stuck", .share = {}, .is_repair = !is_stuck});
   note(L, agent.id(), "panel_stuck", {{"is_stuck", is_stuck}, {"panel", panel}});
   return 0;
 }
@@ -102,7 +107,8 @@ int sim_stick_panel(lua_State* L) {
 int sim_silence(lua_State* L) {
   const bool is_silent = lua_isnoneornil(L, 3) || lua_toboolean(L, 3) != 0;
   RoverAgent& agent = agent_of(L, 2);
-  agent.inject({.what = "antenna", .part = "", .mode = "", .share = {}, .is_repair = !is_silent});
+  inject(L, agent,
+         {.what = "antenna", .part = "", .mode = "", .share = {}, .is_repair = !is_silent});
   note(L, agent.id(), "silenced", {{"is_silent", is_silent}});
   return 0;
 }

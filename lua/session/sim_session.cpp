@@ -11,6 +11,7 @@
 #include "lua/host/event_check.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/plan_table.h"
+#include "lua/host/run_from.h"
 #include "lua/host/run_values.h"
 #include "mission/model/plan_names.h"
 #include "plan/kml_reader.h"
@@ -49,8 +50,9 @@ void SimSession::forget_interrupt() { is_interrupted = false; }
 SimSession::SimSession(PlanSource source, std::shared_ptr<const Catalog> catalog,
                        const std::string& folder)
     : source_(std::move(source)),
-      files_(files_with(source_.soil, std::move(catalog))),
+      files_(read_mission(source_, std::move(catalog))),
       folder_(std::make_unique<RunFolder>(folder, true)) {
+  files_.faults.throw_if_errors();
   replace_simulation(make_simulation(files_, true, {}), true);
   simulation_->start();
 }
@@ -60,6 +62,7 @@ SimSession::SimSession(SessionParts parts)
       files_(std::move(parts.files)),
       folder_(std::move(parts.folder)),
       record_(std::move(parts.record)),
+      begins_log_(false),
       dispatched_(std::move(parts.dispatched)) {
   replace_simulation(std::move(parts.simulation), false);
 }
@@ -82,7 +85,9 @@ MissionFiles SimSession::files_with(const std::string& soil,
                                     std::shared_ptr<const Catalog> catalog) const {
   PlanSource source = source_;
   source.soil = soil;
-  MissionFiles files = read_mission(source, std::move(catalog));
+  MissionFiles files = read_mission(source, std::move(catalog), files_.plan.mission.seed);
+  files.faults.throw_if_errors();
+  if (files_.from) begin_from(files_.from->folder, files);
   files.faults.throw_if_errors();
   return files;
 }
@@ -257,6 +262,9 @@ std::string SimSession::save() {
 }
 
 void SimSession::load(const std::string& bytes) {
+  if (!begins_log_) {
+    throw InputError({}, "cannot be gone back to: the log of a branch goes on from its moment");
+  }
   if (!bytes.starts_with(saved_head())) {
     throw InputError({}, "is not what sim:save of this version of the program wrote");
   }

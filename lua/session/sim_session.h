@@ -100,6 +100,7 @@ class SimSession {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::unique_ptr<Simulation> simulation_;
   std::unique_ptr<RunRecord> record_;
+  bool begins_log_ = true;  // its log begins with it
   // Sequences of the events dispatched to a rover.
   std::set<std::int64_t> dispatched_to(const std::string& rover_id) const;
 

@@ -1,5 +1,6 @@
 // Branches: runs that leave another run at a moment.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -104,6 +105,29 @@ TEST_F(Branch, goes_on_at_once_behind_a_waiting_event_that_the_plan_leaves_out) 
   const nlohmann::json events = summary(branch_)["events"];
   ASSERT_EQ(events.size(), 2u);
   EXPECT_DOUBLE_EQ(events[1]["start_s"].get<double>(), 180.1);
+  EXPECT_EQ(query(branch_ + "/log.gpkg", "select group_concat(sequence) from events"), "10,30")
+      << "nothing is left of what came of it in the trunk";
+}
+
+// The first checkpoint of a branch must hold the routes that are planned for it: a script of
+// changes takes the mission up a second time, and a kill may come before the next checkpoint.
+TEST_F(Branch, logs_the_routes_that_another_plan_needs) {
+  std::vector<Mark> marks{
+      mission(), sev("SEV1", "0,0"), event("Pause", "SEV1", 10, {{"Duration", "100"}}),
+      event("PathPlanRoute", "SEV1", 20, {{"ArrivalRadius", "2"}}, line("0.0003,0 0.0005,0"))};
+  folder_.write("plan.kml", kml(marks));
+  ASSERT_EQ(run({plan_, "-o", trunk_, "--checkpoint-every", "20 s", "--no-report"}).exit_code, 0);
+  marks.back() = event("PathPlanRoute", "SEV1", 20, {{"ArrivalRadius", "2"}},
+                       line("0.0003,0.0003 0.0005,0.0003"));
+  const std::string other = folder_.write("other.kml", kml(marks));
+  const std::string nothing = folder_.write("nothing.lua", "local a = 1\n");
+  const std::string routes = "select count(*) from planned_paths where time_s = 50";
+  for (const Words& options : {Words{}, Words{"--with", nothing}}) {
+    Words words{"--at", "50 s", "--plan", other};
+    words.insert(words.end(), options.begin(), options.end());
+    ASSERT_EQ(branch(words).exit_code, 0);
+    EXPECT_EQ(query(branch_ + "/log.gpkg", routes), "2") << options.size();
+  }
 }
 
 // What a script adds and changes must be made again by `resume` as the branch had it.
@@ -183,9 +207,7 @@ TEST_F(Branch, goes_on_from_what_was_measured) {
   const std::string table = folder_.write("same.csv", rows);
   const Outcome same = branch({"--at", "10 s", "--measured", table});
   ASSERT_EQ(same.exit_code, 0) << same.err;
-  EXPECT_THAT(
-      same.err,
-      HasSubstr("same.csv:2: SEV1 goes on 0.0 m from where it was simulated, turned by 0 deg"));
+  EXPECT_THAT(same.err, HasSubstr("same.csv:2: SEV1 goes on from rest, where it drove at"));
   const std::string last = "select distance_m from samples order by time_s desc limit 1";
   EXPECT_NEAR(std::stod(query(other_log, last)), std::stod(query(log, last)), 0.5);
   const nlohmann::json before = summary(trunk_)["events"], after = summary(branch_)["events"];
@@ -248,6 +270,57 @@ TEST_F(Branch, leaves_nothing_when_a_rover_was_measured_where_it_cannot_be) {
       refusal({"--at", "10 s", "--measured", table}),
       HasSubstr("SEV1 cannot go on from 180.000000,0.000000: that is 5458.2 km from where "
                 "it is simulated, farther than it can have driven; are longitude and latitude"));
+}
+
+// What was measured counts where another run begins with the end of this one.
+TEST_F(Branch, goes_on_from_what_was_measured_at_the_end) {
+  const std::string end_s = query(trunk_ + "/log.gpkg", "select max(time_s) from samples");
+  const std::string table =
+      folder_.write("t.csv", "time_s,lon_deg,lat_deg,charge\n" + end_s + ",0.0002,-0.001,0.5\n");
+  const Outcome outcome = branch({"--at", end_s + " s", "--measured", table});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto last = [&](const std::string& column) {
+    return std::stod(query(branch_ + "/log.gpkg",
+                           "select " + column + " from samples order by time_s desc limit 1"));
+  };
+  EXPECT_NEAR(last("lat_deg"), -0.001, 1e-5);
+  EXPECT_NEAR(last("charge"), 0.5, 1e-3);
+  EXPECT_NEAR(last("time_s"), std::stod(end_s), 10);
+}
+
+TEST_F(Branch, that_fails_to_begin_leaves_an_earlier_run_as_it_was) {
+  ASSERT_EQ(branch({"--at", "70 s"}).exit_code, 0);
+  const std::string script = folder_.write("change.lua", "sim:shade('SEV9', 0.5)\n");
+  EXPECT_EQ(branch({"--at", "70 s", "--with", script}).exit_code, 2);
+  EXPECT_EQ(summary(branch_)["log_sha256"], digest_);
+  EXPECT_EQ(run({"verify", branch_}).exit_code, 0);
+}
+
+TEST_F(Branch, does_not_replace_the_run_that_its_trunk_begins_from) {
+  const std::string second = folder_ / "second";
+  std::vector<Mark> marks = marks_;
+  for (Mark& mark : marks) {
+    for (auto& [name, value] : mark.fields) {
+      if (name == "StartTime" && mark.type == "MissionInfo") value = "2026-01-02T00:00:00Z";
+    }
+  }
+  const std::string plan = folder_.write("second.kml", kml(marks));
+  const Outcome begun =
+      run({plan, "--from", trunk_, "-o", second, "--checkpoint-every", "20 s", "--no-report"});
+  ASSERT_TRUE(fs::exists(second + "/log.gpkg")) << begun.err;
+  const Outcome outcome = run({"branch", second, "--at", "30 s", "-o", trunk_});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("holds the run with whose end this one begins"));
+  EXPECT_EQ(summary(trunk_)["log_sha256"], digest_);
+}
+
+TEST_F(Branch, refuses_a_script_that_goes_back_to_a_saved_state) {
+  fs::remove_all(branch_);
+  const std::string state = folder_ / "state";
+  const std::string script =
+      folder_.write("back.lua", fmt::format("sim:save('{}')\nsim:load('{}')\n", state, state));
+  EXPECT_THAT(refusal({"--at", "70 s", "--with", script}),
+              HasSubstr("cannot be gone back to: the log of a branch goes on from its moment"));
 }
 
 TEST_F(Branch, tells_what_was_changed_there) {

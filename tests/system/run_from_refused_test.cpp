@@ -159,7 +159,7 @@ TEST(RunFromRefused, what_is_no_run_and_the_folder_of_the_run_itself) {
   now = then.go_on(same_rovers());
   now = run({"run", then.folder / "next.kml", "--from", then.a(), "-o", then.a(), "--quiet"});
   EXPECT_EQ(now.exit_code, 2);
-  EXPECT_THAT(now.err, HasSubstr("holds the run that --from names"));
+  EXPECT_THAT(now.err, HasSubstr("holds the run with whose end this one begins"));
   EXPECT_TRUE(std::filesystem::exists(then.folder / "a" / "summary.json"));
 
   change(then, "delete from samples");

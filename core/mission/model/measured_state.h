@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/error.h"
 #include "planet/body.h"
 
 namespace lsos {
@@ -14,6 +15,7 @@ struct MeasuredState {
   std::optional<double> heading_rad;
   std::optional<double> charge;    // 0..1
   std::optional<double> energy_j;  // that the battery holds; only without `charge`
+  Place row;                       // of the table, for messages
 };
 
 // How far from its simulated place and charge a rover was put.

@@ -125,7 +125,9 @@ class RoverAgent : public RoverPort {
  private:
   void update_view();
   void begin_as(const RoverStart& start);
-  void check_reach(const Geodetic& measured) const;
+  void correct_place(const MeasuredState& measured, Correction& correction);
+  void check_reach(const Geodetic& measured, const Place& row) const;
+  void correct_charge(const MeasuredState& measured, Correction& correction);
   void stand_at(const Geodetic& wanted, double wanted_rad, const std::vector<double>& joints,
                 bool is_again);
   std::vector<double> joints_of(const RoverStart& start) const;

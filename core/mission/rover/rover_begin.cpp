@@ -140,57 +140,62 @@ void RoverAgent::begin_masts(const RoverStart& start) {
 
 // Where it is measured and where it is simulated, it can have driven since the start: else the
 // place is not of this rover, or its numbers are in another order.
-void RoverAgent::check_reach(const Geodetic& measured) const {
+void RoverAgent::check_reach(const Geodetic& measured, const Place& row) const {
   constexpr double inaccuracy_m = 100;
   const Body& body = motion_.ground().site().body();
   const double off_m = surface_distance_m(body, motion_.place(), measured);
   const double reach_m = 2 * motion_.config().speed_max_mps * seconds(now_) + inaccuracy_m;
   if (off_m <= reach_m) return;
   throw InputError(
-      {}, fmt::format("{} cannot go on from {:.6f},{:.6f}: that is {:.1f} km from where it is "
-                      "simulated, farther than it can have driven{}",
-                      rover_.id, lon_deg(measured), lat_deg(measured), off_m / 1000,
-                      off_m > 10 * reach_m ? "; are longitude and latitude exchanged?" : ""));
+      row, fmt::format("{} cannot go on from {:.6f},{:.6f}: that is {:.1f} km from where it is "
+                       "simulated, farther than it can have driven{}",
+                       rover_.id, lon_deg(measured), lat_deg(measured), off_m / 1000,
+                       off_m > 10 * reach_m ? "; are longitude and latitude exchanged?" : ""));
 }
 
 Correction RoverAgent::correct(const MeasuredState& measured) {
   Correction correction;
-  if (measured.place || measured.heading_rad) {
-    if (!motion_.fault().empty()) {
-      throw InputError(rover_.place, fmt::format("Rover '{}' cannot go on from another place: {}",
-                                                 rover_.id, motion_.fault()));
-    }
-    if (measured.place) check_reach(*measured.place);
-    const VehicleReport before = motion_.report();
-    const bool was_parked = is_parked();
-    stand_at(measured.place.value_or(motion_.place()),
-             measured.heading_rad.value_or(before.heading_rad), motion_.joints(), true);
-    const VehicleReport& after = motion_.report();
-    correction.moved_m = (after.p_S_m - before.p_S_m).norm();
-    correction.turned_rad =
-        std::remainder(after.heading_rad - before.heading_rad, 2 * std::numbers::pi);
-    if (!was_parked) correction.stopped_mps = before.speed_mps;
-    tally_.go_on_from(after);
-    drive_.go_on_from_here();
-    if (was_parked) power_.begin_motion();
-  }
-  if (measured.charge || measured.energy_j) {
-    if (!power_.has_battery()) {
-      throw InputError(rover_.place,
-                       fmt::format("Rover '{}' has no battery, but a measured charge", rover_.id));
-    }
-    correction.charge_before = power_.account().energy_j / power_.capacity_j();
-    const double capacity_j = power_.capacity_j();
-    const double energy_j = measured.charge ? *measured.charge * capacity_j : *measured.energy_j;
-    if (!(energy_j >= 0 && energy_j <= capacity_j)) {
-      throw InputError(
-          rover_.place,
-          fmt::format("Rover '{}' cannot go on with {:.6g} J: its battery holds 0 to {:.6g} J",
-                      rover_.id, energy_j, capacity_j));
-    }
-    power_.set_energy(energy_j);
-  }
+  if (measured.place || measured.heading_rad) correct_place(measured, correction);
+  if (measured.charge || measured.energy_j) correct_charge(measured, correction);
   return correction;
+}
+
+void RoverAgent::correct_place(const MeasuredState& measured, Correction& correction) {
+  if (!motion_.fault().empty()) {
+    throw InputError(measured.row, fmt::format("Rover '{}' cannot go on from another place: {}",
+                                               rover_.id, motion_.fault()));
+  }
+  if (measured.place) check_reach(*measured.place, measured.row);
+  const VehicleReport before = motion_.report();
+  const bool was_parked = is_parked();
+  stand_at(measured.place.value_or(motion_.place()),
+           measured.heading_rad.value_or(before.heading_rad), motion_.joints(), true);
+  const VehicleReport& after = motion_.report();
+  correction.moved_m = (after.p_S_m - before.p_S_m).norm();
+  correction.turned_rad =
+      std::remainder(after.heading_rad - before.heading_rad, 2 * std::numbers::pi);
+  if (!was_parked) correction.stopped_mps = before.speed_mps;
+  tally_.go_on_from(after);
+  drive_.go_on_from_here();
+  if (was_parked) power_.begin_motion();
+}
+
+void RoverAgent::correct_charge(const MeasuredState& measured, Correction& correction) {
+  if (!power_.has_battery()) {
+    throw InputError(measured.row,
+                     fmt::format("Rover '{}' has no battery, but a measured charge", rover_.id));
+  }
+  constexpr double noise = 0.05;  // of what the battery holds, about empty and full
+  const double capacity_j = power_.capacity_j();
+  const double energy_j = measured.charge ? *measured.charge * capacity_j : *measured.energy_j;
+  if (!(energy_j >= -noise * capacity_j && energy_j <= (1 + noise) * capacity_j)) {
+    throw InputError(
+        measured.row,
+        fmt::format("Rover '{}' cannot go on with {:.6g} J: its battery holds 0 to {:.6g} J",
+                    rover_.id, energy_j, capacity_j));
+  }
+  correction.charge_before = power_.account().energy_j / capacity_j;
+  power_.set_energy(std::clamp(energy_j, 0.0, capacity_j));
 }
 
 }  // namespace lsos

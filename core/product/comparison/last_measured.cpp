@@ -57,7 +57,22 @@ class RowsBefore {
   std::vector<MeasuredRow>::const_iterator end_;
 };
 
-std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment, const SiteFrame& site) {
+// The place on the ground that has these coordinates; without z_m its height is found by iterating.
+Geodetic place_at(Vec3 p_S_m, const MeasuredGround& ground) {
+  if (!std::isnan(p_S_m.z())) return ground.site->geodetic(p_S_m);
+  p_S_m.z() = 0;
+  constexpr int iterations = 3;  // each leaves a share of |z| / R of the error
+  for (int i = 0; i < iterations; ++i) {
+    const Geodetic place = ground.site->geodetic(p_S_m);
+    const std::optional<double> height_m = ground.height_m(place);
+    if (!height_m) break;
+    p_S_m.z() += *height_m - place.height_m;
+  }
+  return ground.site->geodetic(p_S_m);
+}
+
+std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment,
+                                    const MeasuredGround& ground) {
   LastMeasured last;
   bool has_any = false;
   const auto take = [&](const MeasuredRow* row) {
@@ -73,7 +88,9 @@ std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment, cons
   // The later one counts of two kinds of places.
   if (on_site != nullptr && (place == nullptr || on_site->time > place->time)) {
     take(on_site);
-    last.state.place = site.geodetic({on_site->values[*x], on_site->values[*y], 0});
+    const auto z = rows.column("z_m");
+    last.state.place = place_at(
+        {on_site->values[*x], on_site->values[*y], z ? on_site->values[*z] : not_modelled}, ground);
   } else if (take(place)) {
     last.state.place = Geodetic{radians(place->lon_deg), radians(place->lat_deg), 0};
   }
@@ -82,10 +99,13 @@ std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment, cons
   if (const MeasuredRow* const row = rows.last_with({heading}); take(row)) {
     last.state.heading_rad = row->values[*heading];
   }
-  if (const MeasuredRow* const row = rows.last_with({charge}); take(row)) {
-    last.state.charge = std::clamp(row->values[*charge], 0.0, 1.0);  // noise about full
-  } else if (const MeasuredRow* const other = rows.last_with({energy}); take(other)) {
-    last.state.energy_j = other->values[*energy];
+  const MeasuredRow* const with_charge = rows.last_with({charge});
+  const MeasuredRow* const with_energy = rows.last_with({energy});
+  if (with_energy != nullptr && (with_charge == nullptr || with_energy->time > with_charge->time)) {
+    take(with_energy);
+    last.state.energy_j = with_energy->values[*energy];
+  } else if (take(with_charge)) {
+    last.state.charge = std::clamp(with_charge->values[*charge], 0.0, 1.0);  // noise about full
   }
   if (!has_any) return {};
   return last;
@@ -94,7 +114,8 @@ std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment, cons
 }  // namespace
 
 MeasuredStates last_measured(const Telemetry& telemetry, SimTime moment,
-                             const std::vector<std::string>& rover_ids, const SiteFrame& site) {
+                             const std::vector<std::string>& rover_ids,
+                             const MeasuredGround& ground) {
   MeasuredStates states;
   states.warnings = faults_of(telemetry, Severity::warning);
   const auto warn = [&](int line, std::string text) {
@@ -105,7 +126,7 @@ MeasuredStates last_measured(const Telemetry& telemetry, SimTime moment,
     const std::optional<LastMeasured> last =
         rows == telemetry.by_rover.end()
             ? std::nullopt
-            : last_of(RowsBefore(telemetry, rows->second, moment), moment, site);
+            : last_of(RowsBefore(telemetry, rows->second, moment), moment, ground);
     if (!last) {
       warn(0, fmt::format("has no place, heading or charge of {} up to {} of the mission: it goes "
                           "on as simulated",
@@ -117,6 +138,7 @@ MeasuredStates last_measured(const Telemetry& telemetry, SimTime moment,
                                    clock_text(last->age)));
     }
     states.rovers[id] = *last;
+    states.rovers[id].state.row = {telemetry.file, last->line};
   }
   if (states.rovers.empty()) {
     throw InputError({telemetry.file},

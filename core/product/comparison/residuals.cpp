@@ -78,6 +78,7 @@ class RoverResiduals {
 
   // Series in which anything was measured.
   std::vector<ResidualSeries> series() && {
+    for (; next_ < rows_.size(); ++next_) miss(rows_[next_]);
     std::erase_if(series_, [](const ResidualSeries& series) {
       return series.residuals.empty() && series.without_simulated == 0;
     });
@@ -86,6 +87,13 @@ class RoverResiduals {
   const std::vector<MeasuredPlace>& places() const { return places_; }
 
  private:
+  // A row after the last sample, as of a rover that was parked when its run was killed.
+  void miss(const MeasuredRow& row) {
+    for (std::size_t k = 0; k < series_.size(); ++k) {
+      const bool is_place = k >= telemetry_.quantities.size();
+      if (!std::isnan(is_place ? row.lon_deg : row.values[k])) ++series_[k].without_simulated;
+    }
+  }
   void add(const MeasuredRow& row, const Between& at) {
     const double time_s = seconds(row.time);
     for (std::size_t k = 0; k < telemetry_.quantities.size(); ++k) {

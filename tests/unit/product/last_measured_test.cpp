@@ -1,6 +1,7 @@
 // What telemetry says of rovers at a moment.
 #include "product/comparison/last_measured.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "base/units.h"
@@ -17,9 +18,10 @@ using ::testing::SizeIs;
 const std::vector<std::string> ids = {"SEV1", "SEV2"};
 const SiteFrame site(*find_body("Moon"), {radians(10), radians(20), 0});
 
-MeasuredStates at(double time_s, const std::string& rows) {
+MeasuredStates at(double time_s, const std::string& rows, double ground_m = 0) {
   const RunExtent extent{test_start(), SimTime{3'600'000'000}, ids};
-  return last_measured(read_telemetry("t.csv", rows, extent), from_seconds(time_s), ids, site);
+  return last_measured(read_telemetry("t.csv", rows, extent), from_seconds(time_s), ids,
+                       {&site, [&](const Geodetic&) { return ground_m; }});
 }
 
 TEST(LastMeasured, is_the_last_value_of_each_kind_up_to_the_moment) {
@@ -55,6 +57,33 @@ TEST(LastMeasured, has_places_on_the_site_and_energies_too) {
   EXPECT_NEAR(state.place->lat_rad, radians(20) - 50 / 1'737'400.0, 1e-9);
   EXPECT_DOUBLE_EQ(*state.energy_j, 7.2e6);
   EXPECT_FALSE(state.charge);
+}
+
+// 50 km away the ground lies 719 m below the tangent plane, and the place of x and y at z = 0 is
+// 21 m farther than that on the ground.
+TEST(LastMeasured, has_places_far_from_the_site_on_the_ground) {
+  const Geodetic place{radians(10), radians(20) - 50'000 / 1'738'400.0, 1000};
+  const Vec3 p_S_m = site.p_S_m(place);
+  const auto latitude = [&](const std::string& rows) {
+    return at(30, rows, 1000).rovers.at("SEV1").state.place->lat_rad;
+  };
+  EXPECT_NEAR(
+      latitude(fmt::format("time_s,rover_id,x_m,y_m\n10,SEV1,{},{}\n", p_S_m.x(), p_S_m.y())),
+      place.lat_rad, 1e-9);
+  EXPECT_NEAR(latitude(fmt::format("time_s,rover_id,x_m,y_m,z_m\n10,SEV1,{},{},{}\n", p_S_m.x(),
+                                   p_S_m.y(), p_S_m.z())),
+              place.lat_rad, 1e-12);
+}
+
+TEST(LastMeasured, is_the_later_of_charge_and_energy) {
+  const MeasuredStates states = at(30,
+                                   "time_s,rover_id,charge,energy_kWh\n"
+                                   "10,SEV1,0.9,\n20,SEV1,,2\n"
+                                   "10,SEV2,,2\n20,SEV2,0.9,\n");
+  EXPECT_FALSE(states.rovers.at("SEV1").state.charge);
+  EXPECT_DOUBLE_EQ(*states.rovers.at("SEV1").state.energy_j, 7.2e6);
+  EXPECT_DOUBLE_EQ(*states.rovers.at("SEV2").state.charge, 0.9);
+  EXPECT_FALSE(states.rovers.at("SEV2").state.energy_j);
 }
 
 TEST(LastMeasured, warns_of_old_values_and_of_rovers_without_any) {

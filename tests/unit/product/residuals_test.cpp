@@ -57,9 +57,9 @@ class ResidualsTest : public ::testing::Test {
     log.write(event(20, drive_s + 20, end_s));
     log.finish();
   }
-  Residuals of(const std::string& text) {
+  Residuals of(const std::string& text, int run_s = end_s) {
     telemetry =
-        read_telemetry("t.csv", text, {test_start(), SimTime{1'000'000LL * end_s}, {"SEV1"}});
+        read_telemetry("t.csv", text, {test_start(), SimTime{1'000'000LL * run_s}, {"SEV1"}});
     return residuals(LogReader(folder / "log.gpkg"), moon(), telemetry);
   }
   static const ResidualSeries& series(const Residuals& found, const std::string& quantity) {
@@ -150,6 +150,15 @@ TEST_F(ResidualsTest, are_left_out_where_the_log_has_no_value) {
   EXPECT_EQ(series(found, "slip").without_simulated, 2u);
   EXPECT_THAT(to_text(found, telemetry, "run"),
               HasSubstr("SEV1, slip: 2 of 4 measured values have none in the log"));
+}
+
+// Another rover went on: this one was parked when the run was killed, and had no sample since.
+TEST_F(ResidualsTest, are_missed_after_the_last_sample_of_a_rover) {
+  const Residuals found =
+      of("time_s,charge,lon_deg,lat_deg\n50,0.9,80,-84.7\n250,0.8,80,-84.7\n", end_s + 100);
+  EXPECT_EQ(series(found, "charge").residuals.size(), 1u);
+  EXPECT_EQ(series(found, "charge").without_simulated, 1u);
+  EXPECT_EQ(found.places.at("SEV1").size(), 1u);
 }
 
 TEST_F(ResidualsTest, are_summed_up_by_event) {

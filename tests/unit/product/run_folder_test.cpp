@@ -68,6 +68,47 @@ TEST(RunFolder, replaces_a_finished_run_only_when_told) {
   EXPECT_EQ(read_file(path + "/my notes.txt"), "mine");
 }
 
+TEST(RunFolder, gives_an_earlier_run_back_when_the_new_one_fails_to_begin) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  write_finished_run(path);
+  {
+    RunFolder run(path, false);
+    run.prepare_aside();
+    EXPECT_FALSE(fs::exists(run.file("summary.json")));
+    write_file(run.file("log.gpkg"), "new");
+    run.discard();
+  }
+  EXPECT_EQ(read_file(path + "/log.gpkg"), "log");
+  EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 4) << "as it was";
+  EXPECT_EQ(refusal_of(path), "not refused") << "the run in it has finished";
+  {
+    RunFolder run(path, false);
+    run.prepare_aside();
+    write_file(run.file("log.gpkg"), "new");
+    run.settle();
+    write_summary(path, {});
+  }
+  EXPECT_EQ(read_file(path + "/log.gpkg"), "new");
+  EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 2) << "log and summary";
+}
+
+TEST(RunFolder, keeps_an_earlier_run_aside_when_the_new_one_is_killed_while_it_begins) {
+  const TestFolder folder;
+  const std::string path = folder / "a";
+  write_finished_run(path);
+  const auto begin = [&](bool force) {
+    auto run = std::make_unique<RunFolder>(path, force);
+    run->prepare_aside();
+    write_file(run->file("log.gpkg"), "half");
+    return run;
+  };
+  begin(false).reset();  // as a kill leaves it
+  EXPECT_THAT(refusal_of(path), HasSubstr("a run that has not finished"));
+  begin(true)->discard();
+  EXPECT_EQ(read_file(path + "/log.gpkg"), "log");
+}
+
 TEST(RunFolder, refuses_an_unfinished_run_unless_forced) {
   const TestFolder folder;
   const std::string path = folder / "a";

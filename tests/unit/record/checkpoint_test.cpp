@@ -46,6 +46,24 @@ TEST(Checkpoint, is_read_as_it_was_written) {
   EXPECT_EQ(reader.samples().size(), 3u) << "the rows up to it are committed with it";
 }
 
+TEST(Checkpoint, may_have_events_that_a_branch_does_not_keep) {
+  const TestFolder folder;
+  const std::string file = folder / "log.gpkg";
+  LogWriter log(file, moon_crs, test_start());
+  EventRow event = test_event();
+  for (const std::int64_t sequence : {10, 20, 30}) {
+    event.sequence = sequence;
+    log.write(event);
+  }
+  log.keep_events({{event.rover_id, 10}, {event.rover_id, 30}});
+  event.sequence = 20;  // another one, at the end
+  log.write(event);
+  log.finish();
+  std::vector<std::int64_t> left;
+  for (const EventRow& row : LogReader(file).events()) left.push_back(row.sequence);
+  EXPECT_EQ(left, (std::vector<std::int64_t>{10, 30, 20}));
+}
+
 TEST(Checkpoint, stays_as_long_as_its_kind_says) {
   const TestFolder folder;
   const std::string file = folder / "log.gpkg";
