@@ -159,6 +159,7 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
   const LogReader log(folder_.file("log.gpkg"));
   summary.log_sha256 = log.sha256();
   summary.branch = log.branch();
+  summary.days = days_of_long_run(log);
   write_summary(folder_.path(), summary);
   const std::size_t warnings_before = summary.warnings.size();
   const auto make = [&](const Product& product) {
@@ -171,6 +172,7 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
   };
   make({"overlay.kml", "overlay",
         [&](const RunSummary&) { write_overlay(folder_.path(), files.plan); }});
+  make({"days.csv", "report", [&](const RunSummary&) { write_days(folder_.path()); }});
   std::ranges::for_each(more, make);
   if (summary.warnings.size() > warnings_before) rewrite_summary(folder_.path(), summary);
   return summary;

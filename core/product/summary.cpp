@@ -43,6 +43,12 @@ Json json_of(const RoverSummary& rover) {
   return object;
 }
 
+Json json_of(const RoverDay& day) {
+  Json object = {{"rover_id", day.rover_id}, {"day", day.day}};
+  for (const DayColumn& column : day_columns()) object[column.name] = day.*column.value;
+  return object;
+}
+
 bool is_unfinished(const EventRow& event) {
   return event.status == EventStatus::incomplete || event.status == EventStatus::waiting ||
          event.status == EventStatus::running;
@@ -92,6 +98,10 @@ std::string to_json(const RunSummary& summary) {
       {"assumptions", summary.assumptions},
       {"program", program},
   };
+  if (!summary.days.empty()) {
+    document["days"] = Json::array();
+    for (const RoverDay& day : summary.days) document["days"].push_back(json_of(day));
+  }
   if (summary.branch) {
     document["branch"] = {{"of", summary.branch->folder},
                           {"log_sha256", summary.branch->log_sha256},

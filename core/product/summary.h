@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planet/utc.h"
+#include "product/rover_days.h"
 #include "record/checkpoint.h"
 #include "record/rows.h"
 
@@ -47,6 +48,7 @@ struct RunSummary {
   double sim_s = 0;
   double wall_s = 0;
   std::map<std::string, RoverSummary> rovers;
+  std::vector<RoverDay> days;  // of a mission longer than a day
   std::vector<EventRow> events;
   std::vector<std::string> warnings;
   std::vector<std::string> assumptions;  // simplifications of the models

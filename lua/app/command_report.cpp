@@ -16,6 +16,7 @@
 #include "product/comparison/several_runs_page.h"
 #include "product/figure.h"
 #include "product/report_run.h"
+#include "product/rover_days.h"
 
 namespace lsos {
 
@@ -120,7 +121,10 @@ int report_command(const ReportOptions& options) {
     const int dpi = options.dpi.value_or(figure_dpi);
     write_file(file, figure_png(read_report_data(log, from.run.files.plan, site), dpi));
   } else {
-    if (file.empty()) file = folder + "/report.html";
+    if (file.empty()) {
+      file = folder + "/report.html";
+      write_days(folder);
+    }
     const ReportRequest request{shadow_time(options, from.run), options.has_pictures,
                                 options.threads};
     const std::string summary = read_file(folder + "/summary.json").value_or("");

@@ -27,6 +27,20 @@ class Frame:
 
 
 @dataclass
+class PolarFrame:
+    """Metres in a polar stereographic map of the south: y away from the pole along `lon_deg`, x to
+    the right of that, with longitudes growing clockwise."""
+
+    lon_deg: float
+    radius_m: float
+
+    def place(self, x_m, y_m):
+        from_pole_rad = 2 * math.atan(math.hypot(x_m, y_m) / 2 / self.radius_m)
+        lon_deg = self.lon_deg + math.degrees(math.atan2(x_m, y_m))
+        return f"{(lon_deg + 180) % 360 - 180:.5f},{math.degrees(from_pole_rad) - 90:.6f}"
+
+
+@dataclass
 class Mark:
     """A Placemark: what it is, its fields, and its coordinates."""
 

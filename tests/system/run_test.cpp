@@ -246,5 +246,20 @@ TEST(Fsm, is_a_graph_that_graphviz_draws) {
   }
 }
 
+// In a mission of weeks a failure is told when it happens, not in the table at the end.
+TEST(Run, tells_of_a_failure_while_it_goes_on) {
+  const TempFolder folder;
+  const std::string plan = folder.write(
+      "plan.kml", kml({mission(), sev("SEV1", "0,0"),
+                       event("Consume", "SEV1", 10,
+                             {{"Resource", "oxygen"}, {"Amount", "99"}, {"OnFailure", "skip"}}),
+                       event("Pause", "SEV1", 20, {{"Duration", "60"}})}));
+  const Outcome outcome = run({plan, "-o", folder / "out", "--no-report"});
+  EXPECT_THAT(outcome.err, ::testing::HasSubstr("SEV1 at 00:00:00: Consume 'Consume 10' failed: "
+                                                "SEV1 has only 24 of oxygen, 99 are wanted\n"));
+  const Outcome quiet = run({plan, "-o", folder / "out", "--no-report", "--quiet"});
+  EXPECT_THAT(quiet.err, ::testing::Not(::testing::HasSubstr("failed")));
+}
+
 }  // namespace
 }  // namespace lsos::test

@@ -2,6 +2,7 @@
 fillHead();
 fillFindings();
 fillTables();
+fillDays();
 fillNotes();
 fillPictures();
 fillOrigins();

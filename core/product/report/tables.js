@@ -119,6 +119,41 @@ function fillTables() {
   }));
 }
 
+// A row a day and rover of a mission longer than a day; a click shows the day in the plots.
+function fillDays() {
+  const days = [...(summary?.days || [])].sort((a, b) => a.day - b.day);
+  if (days.length === 0) return;
+  const isKnown = value => value !== null && value !== undefined;
+  const percent = value => (isKnown(value) ? `${(100 * value).toFixed(0)} %` : '–');
+  const hours = value => (isKnown(value) ? `${(value / 3600).toFixed(1)} h` : '–');
+  const columns = [
+    ['Day', day => String(day.day), true],
+    ['Rover', day => swatch(roverOf(day.rover_id), day.rover_id)],
+    ['Distance', day => distanceText(day.distance_m), true],
+    ['Driving', day => durationText(day.drive_s), true],
+    ['Steepest', day => (isKnown(day.max_slope_rad) ? `${((day.max_slope_rad * 180) / Math.PI).toFixed(1)}°` : '–'), true],
+    ['Energy used', day => energyText(day.energy_used_j), true],
+    ['From the Sun', day => energyText(day.solar_j), true],
+    ['Charge at start', day => percent(day.charge_start), true],
+    ['least', day => percent(day.charge_min), true],
+    ['at end', day => percent(day.charge_end), true],
+    ['Sunlit', day => hours(day.sunlit_s), true],
+  ];
+  if (days.some(day => isKnown(day.earth_visible_s))) {
+    columns.push(['Earth in view', day => hours(day.earth_visible_s), true], ['linked', day => hours(day.earth_link_s), true]);
+  }
+  if (days.some(day => day.evas > 0)) columns.push(['EVAs', day => String(day.evas), true]);
+  columns.push(['Events ended', day => String(day.events_ended), true]);
+  document.getElementById('days').append(make('h2', {}, 'Days'), make('div', {class: 'wide', id: 'day-table'}, table(columns, days, (line, day) => {
+    line.title = 'Show this day in the plots';
+    line.addEventListener('click', () => {
+      setWindow(day.from_s, day.to_s);
+      setCursor(day.from_s);
+      document.getElementById('course').scrollIntoView({block: 'start'});
+    });
+  })));
+}
+
 const noteText = note => Object.entries(note.fields || {}).map(([name, value]) =>
   `${name} ${typeof value === 'number' ? numberText(value) : typeof value === 'object' ? JSON.stringify(value) : value}`).join(', ');
 
