@@ -73,7 +73,7 @@ void say_doubts(MissionFiles& files) {
   const auto say = [&](const Place& place, const std::string& of,
                        const std::vector<std::string>& doubts) {
     for (const std::string& doubt : doubts) {
-      files.faults.warning(place, of.empty() ? doubt : of + ": " + doubt);
+      files.faults.warning(place, of.empty() ? doubt : fmt::format("{}: {}", of, doubt));
     }
   };
   for (const auto& [name, model] : files.rover_models) {

@@ -90,13 +90,19 @@ PlannedLeg RoverRoutes::leg(const RouteSettings& settings, const LegStart& start
   request.obstacles = obstacles_about(start.p_S_m, goal_S_m);
   std::ranges::copy(settings.standing, std::back_inserter(request.obstacles.standing));
   const PlannedLeg& whole = legs_->leg(cost(settings), request);
-  const double missed_m = (whole.nearest_S_m - goal_S_m).norm();
-  const bool is_near = missed_m <= settings.arrival_radius_m &&
-                       (whole.nearest_S_m - start.p_S_m).norm() > on_start_m;
+  const Vec3 nearest_S_m = whole.nearest_S_m;
+  const bool is_near = (nearest_S_m - goal_S_m).norm() <= settings.arrival_radius_m &&
+                       (nearest_S_m - start.p_S_m).norm() > on_start_m;
   if (whole.is_found() || !is_near) return whole;
-  request.goal_S_m = whole.nearest_S_m;
+  request.goal_S_m = nearest_S_m;
   PlannedLeg shorter = legs_->leg(cost(settings), request);
   if (!shorter.is_found()) return whole;
+  // A rover that drives down a wall which it cannot climb would be lost there.
+  request.start_S_m = nearest_S_m;
+  request.goal_S_m = start.p_S_m;
+  request.start_heading_rad = shorter.end_heading_rad;
+  request.starts_at_rest = true;
+  if (!legs_->leg(cost(settings), request).is_found()) return whole;
   shorter.reason = whole.reason;
   return shorter;
 }

@@ -126,6 +126,34 @@ TEST(RouteAhead, ends_where_its_goal_can_be_reached_within_the_radius) {
   EXPECT_LT((way.path_S_m[way.legs[0].last_point] - none.nearest_S_m).norm(), 0.01);
 }
 
+// The goal lies on the floor of a crater, behind walls that the rover may drive down but not climb.
+TEST(RouteAhead, does_not_end_short_where_no_way_leads_back) {
+  Mission mission;
+  ReliefSurface relief;
+  relief.lon_rad = 0.1;
+  relief.lat_rad = 0.2;
+  relief.spacing_m = 1;
+  const Body& moon = *find_body("Moon");
+  const Geodetic place = SiteFrame(moon, {0.1, 0.2, 0}).geodetic({60, 0, 0});
+  relief.landforms.push_back({"crater", place.lon_rad, place.lat_rad, 60, 12, 0.5});
+  mission.setup_.terrain.layers = {relief};
+  const auto ground = ground_at(mission.setup_.terrain, moon, {0.1, 0.2, 0}, 0);
+  const VehicleConfig vehicle = test::rover(1.6);
+  PlannedLegs planned(*ground, 1);
+  RoverRoutes routes(vehicle, {}, 0, *ground, planned);
+  RouteSettings settings;
+  settings.arrival_radius_m = 100;
+  int short_ends = 0;
+  for (double east_m = 20; east_m <= 60; east_m += 4) {
+    const PlannedLeg leg = routes.leg(settings, {{0, 0, 0}, 0}, {east_m, 0, 0});
+    if (!leg.ends_short()) continue;
+    ++short_ends;
+    const LegStart there{leg.path_S_m.back(), leg.end_heading_rad, true};
+    EXPECT_TRUE(routes.leg({}, there, {0, 0, 0}).is_found()) << east_m;
+  }
+  EXPECT_GT(short_ends, 0);
+}
+
 // Within 5 m of the expected start the route is driven as planned; farther away it is planned anew.
 TEST(RouteAhead, is_taken_up_near_to_where_the_rover_was_expected) {
   const auto ground = ground_at(Mission().setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
