@@ -24,10 +24,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The summary is removed first: without it a run is unfinished, whatever other files remain.
-constexpr std::array run_files{"summary.json", "overlay.kml", "overlay.kmz",  "report.html",
-                               "report.png",   "plan.kml",    "mission.qgz",  "hillshade.tif",
-                               "days.csv",     "log.gpkg",    "log.gpkg-wal", "log.gpkg-shm"};
+// The summary is removed first: without it a run is unfinished, whatever other files remain. The
+// log is moved last, see take_back().
+constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz",  "report.html",
+                               "report.png",   "plan.kml",     "mission.qgz",  "hillshade.tif",
+                               "days.csv",     "log.gpkg-wal", "log.gpkg-shm", "log.gpkg"};
 // What a run that goes on needs.
 constexpr std::array kept_files{"plan.kml", "log.gpkg", "log.gpkg-wal", "log.gpkg-shm"};
 
@@ -37,6 +38,9 @@ constexpr std::string_view run_mark = "a run of lsos-host that has not finished\
 
 // Folder within, where the files of an earlier run lie while a new one begins.
 constexpr const char* aside_name = ".lsos-host.earlier";
+// The same folder once its run has been replaced.
+constexpr const char* replaced_name = ".lsos-host.replaced";
+constexpr std::array own_names{lock_name, aside_name, replaced_name};
 
 enum class Content { nothing, finished_run, unfinished_run, foreign };
 
@@ -74,7 +78,7 @@ Content content_of(const fs::path& folder) {
   if (is_there(folder / "log.gpkg") && is_log(folder / "log.gpkg")) return Content::unfinished_run;
   const bool has_more =
       std::ranges::any_of(fs::directory_iterator(folder), [](const fs::directory_entry& entry) {
-        return entry.path().filename() != lock_name && entry.path().filename() != aside_name;
+        return std::ranges::count(own_names, entry.path().filename()) == 0;
       });
   return has_more ? Content::foreign : Content::nothing;
 }
@@ -120,6 +124,7 @@ RunFolder::RunFolder(const std::string& path, bool force) : path_(path) {
     // Check before locking as well: in a foreign folder not even a lock file may be created.
     refuse_foreign(path_, content_of(path_));
     lock();
+    take_back();
     const Content content = content_of(path_);
     refuse_foreign(path_, content);
     if (content == Content::unfinished_run && !force) {
@@ -155,6 +160,7 @@ RunFolder::RunFolder(const std::string& path) : path_(path) {
   try {
     check();  // before locking: in a foreign folder not even a lock file may be created
     lock();
+    take_back();
     check();
     check_replaceable();
   } catch (const fs::filesystem_error& error) {
@@ -224,22 +230,49 @@ void RunFolder::check_replaceable() {
 void RunFolder::prepare() {
   mark_unfinished();
   std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
-  remove_aside();
 }
 
 void RunFolder::prepare_aside() {
   was_unfinished_ = content_of(path_) == Content::unfinished_run;
   mark_unfinished();
   const fs::path aside = file(aside_name);
-  // What an earlier attempt, which was killed, has kept counts more than what it began.
-  const bool keeps = !fs::exists(fs::symlink_status(aside)) && fs::create_directory(aside);
+  fs::create_directory(aside);
   for (const char* name : run_files) {
-    if (keeps && is_there(file(name))) fs::rename(file(name), aside / name);
+    if (is_there(file(name))) fs::rename(file(name), aside / name);
     remove(name);
   }
 }
 
-void RunFolder::settle() { remove_aside(); }
+void RunFolder::settle() {
+  fs::rename(file(aside_name), file(replaced_name));
+  remove_replaced();
+}
+
+void RunFolder::remove_replaced() {
+  const fs::path replaced = file(replaced_name);
+  if (!fs::is_directory(fs::symlink_status(replaced))) return;
+  for (const char* name : run_files) fs::remove(replaced / name);
+  std::error_code ignored;
+  fs::remove(replaced, ignored);  // fails where somebody else has put something there
+}
+
+// Without the log in it, moving there or back was interrupted, and what lies outside is of the
+// earlier run, too.
+void RunFolder::take_back() {
+  remove_replaced();
+  const fs::path aside = file(aside_name);
+  if (!fs::is_directory(fs::symlink_status(aside))) return;
+  if (is_plain_file(aside / "log.gpkg")) {
+    remove("log.gpkg-wal");
+    remove("log.gpkg-shm");
+    fs::rename(aside / "log.gpkg", file("log.gpkg"));
+  }
+  for (const char* name : run_files) {
+    if (is_plain_file(aside / name)) fs::rename(aside / name, file(name));
+  }
+  std::error_code ignored;
+  fs::remove(aside, ignored);  // fails where somebody else has put something there
+}
 
 void RunFolder::reopen() {
   mark_unfinished();
@@ -249,30 +282,16 @@ void RunFolder::reopen() {
 }
 
 void RunFolder::discard() {
-  const fs::path aside = file(aside_name);
-  bool has_run = false;
-  for (const char* name : run_files) {
-    remove(name);
-    if (!is_there(aside / name)) continue;
-    fs::rename(aside / name, file(name));
-    has_run = true;
-  }
-  remove_aside();
-  if (has_run && was_unfinished_) return;  // the mark stays
+  std::ranges::for_each(run_files, [&](const char* name) { remove(name); });
+  take_back();
+  if (was_unfinished_) return;  // the mark stays
   if (::ftruncate(lock_, 0) != 0) {
     throw OutputError(fmt::format("{}: {}", file(lock_name), std::strerror(errno)));
   }
   is_prepared_ = false;
   has_made_lock_file_ = true;
+  const bool has_run = content_of(path_) != Content::nothing;
   if (!has_run && made_folders_.empty()) made_folders_.push_back(path_);
-}
-
-void RunFolder::remove_aside() {
-  const fs::path aside = file(aside_name);
-  if (!fs::is_directory(fs::symlink_status(aside))) return;
-  for (const char* name : run_files) fs::remove(aside / name);
-  std::error_code ignored;
-  fs::remove(aside, ignored);  // fails where somebody else has put something there
 }
 
 void RunFolder::mark_unfinished() {

@@ -35,8 +35,8 @@ class RunFolder {
   // right before the log is created. Throws OutputError when a file cannot be removed.
   void prepare();
   // As `prepare`, but the files of the earlier run are kept in a folder within, until `settle`
-  // removes them or `discard` puts them back. To be called when the new run may still fail to
-  // begin.
+  // removes them or `discard` puts them back; after a kill in between the next RunFolder does. To
+  // be called when the new run may still fail to begin.
   void prepare_aside();
   // Removes the files that were kept aside.
   void settle();
@@ -55,7 +55,9 @@ class RunFolder {
   void check_replaceable();
   void mark_unfinished();
   void remove(const char* name);
-  void remove_aside();
+  void remove_replaced();
+  // Puts back an earlier run that lies aside: the one that was to replace it has not begun.
+  void take_back();
   void release();
 
   std::string path_;

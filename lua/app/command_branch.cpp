@@ -124,8 +124,7 @@ void take_up(SessionParts& parts, MissionFiles files, const BranchOptions& optio
 // Runs the script of changes. Events that it adds become part of the plan.
 void change(SessionParts& parts, const BranchOptions& options) {
   const SimTime moment = parts.simulation->now();
-  auto session = std::make_unique<SimSession>(std::move(parts));
-  parts = run_change_script(std::move(session), options.changes)->release();
+  run_change_script(parts, options.changes);
   if (parts.simulation->now() != moment) {
     throw InputError({options.changes},
                      "lets time pass (step, run_for, run_until, run): what it changes must be at "
@@ -242,8 +241,6 @@ int branch_command(const BranchOptions& options) {
     leave_trunk(parts, std::move(leave), options, log, watch);
   } catch (...) {
     parts.record.reset();
-    // A script that fails ends its session, and with it the folder's lock.
-    if (!parts.folder) parts.folder = std::make_unique<RunFolder>(options.output, true);
     parts.folder->discard();
     throw;
   }

@@ -1,5 +1,7 @@
 #include "lua/session/change_script.h"
 
+#include <memory>
+
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -13,14 +15,13 @@
 
 namespace lsos {
 
-std::unique_ptr<SimSession> run_change_script(std::unique_ptr<SimSession> session,
-                                              const std::string& file) {
+void run_change_script(SessionParts& parts, const std::string& file) {
   const auto source = read_file(file);
   if (!source) throw InputError({file}, "cannot be read");
   const auto say = [](const std::string& line) { print_message("{}\n", line); };
   LuaState lua(make_session_api, session_limits());
-  SimSessions sessions(session->folder(), say);
-  const ScriptInstance number = sessions.adopt(std::move(session));
+  SimSessions sessions(parts.folder->path(), say);
+  const ScriptInstance number = sessions.adopt(std::make_unique<SimSession>(std::move(parts)));
   lua.context().interactive_rovers = &sessions;
   std::string failure_text;
   lua.run([&](lua_State* L) {
@@ -37,8 +38,8 @@ std::unique_ptr<SimSession> run_change_script(std::unique_ptr<SimSession> sessio
     if (failure) failure_text = failure->message;
   });
   lua.context().interactive_rovers = nullptr;
+  parts = sessions.release(number)->release();
   if (!failure_text.empty()) throw InputError({}, failure_text);
-  return sessions.release(number);
 }
 
 }  // namespace lsos

@@ -2,16 +2,14 @@
 // have.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "lua/session/sim_session.h"
 
 namespace lsos {
 
-// Runs the script; its global `sim` is the session. Throws InputError with file and line where it
-// fails.
-std::unique_ptr<SimSession> run_change_script(std::unique_ptr<SimSession> session,
-                                              const std::string& file);
+// Runs the script; its global `sim` is a session of the parts, which come back also where it fails.
+// Throws InputError then, with file and line.
+void run_change_script(SessionParts& parts, const std::string& file);
 
 }  // namespace lsos

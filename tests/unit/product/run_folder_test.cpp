@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+#include <vector>
+
 #include "base/error.h"
 #include "base/files.h"
 #include "product/summary.h"
@@ -93,20 +96,48 @@ TEST(RunFolder, gives_an_earlier_run_back_when_the_new_one_fails_to_begin) {
   EXPECT_EQ(std::distance(fs::directory_iterator(path), {}), 2) << "log and summary";
 }
 
-TEST(RunFolder, keeps_an_earlier_run_aside_when_the_new_one_is_killed_while_it_begins) {
+// Whatever was moved when the kill came: all files but the log, or all of them, or some were put
+// back already.
+TEST(RunFolder, takes_an_earlier_run_back_when_the_new_one_was_killed_while_it_began) {
+  const std::vector<std::string> names{"log.gpkg", "overlay.kml", "plan.kml", "summary.json"};
+  const TestFolder folder;
+  int number = 0;
+  const auto expect_taken_back = [&](const std::set<std::string>& aside, bool has_new_log) {
+    const std::string path = folder / std::to_string(number++);
+    write_finished_run(path);
+    fs::create_directory(path + "/.lsos-host.earlier");
+    for (const std::string& name : aside) {
+      fs::rename(path + "/" + name, path + "/.lsos-host.earlier/" + name);
+    }
+    if (has_new_log) {
+      write_file(path + "/log.gpkg", "half");
+      write_file(path + "/log.gpkg-wal", "half");
+      write_file(path + "/plan.kml", "other");
+    }
+    write_file(path + "/.lsos-host.lock", "a run of lsos-host that has not finished\n");
+    EXPECT_EQ(refusal_of(path), "not refused") << "the run in it has finished";
+    EXPECT_EQ(read_file(path + "/log.gpkg"), "log");
+    EXPECT_EQ(read_file(path + "/plan.kml"), "plan");
+    for (const std::string& name : names) EXPECT_TRUE(fs::exists(path + "/" + name)) << name;
+    EXPECT_FALSE(fs::exists(path + "/log.gpkg-wal"));
+    EXPECT_FALSE(fs::exists(path + "/.lsos-host.earlier"));
+  };
+  expect_taken_back({}, false);
+  expect_taken_back({"summary.json", "overlay.kml"}, false);
+  expect_taken_back({"summary.json", "overlay.kml", "plan.kml"}, false);
+  expect_taken_back({names.begin(), names.end()}, false);
+  expect_taken_back({names.begin(), names.end()}, true);
+}
+
+TEST(RunFolder, removes_a_replaced_run_when_a_kill_came_meanwhile) {
   const TestFolder folder;
   const std::string path = folder / "a";
   write_finished_run(path);
-  const auto begin = [&](bool force) {
-    auto run = std::make_unique<RunFolder>(path, force);
-    run->prepare_aside();
-    write_file(run->file("log.gpkg"), "half");
-    return run;
-  };
-  begin(false).reset();  // as a kill leaves it
-  EXPECT_THAT(refusal_of(path), HasSubstr("a run that has not finished"));
-  begin(true)->discard();
-  EXPECT_EQ(read_file(path + "/log.gpkg"), "log");
+  fs::create_directory(path + "/.lsos-host.replaced");
+  write_file(path + "/.lsos-host.replaced/log.gpkg", "old");
+  EXPECT_EQ(refusal_of(path), "not refused");
+  EXPECT_EQ(read_file(path + "/log.gpkg"), "log") << "that of the run that replaced it";
+  EXPECT_FALSE(fs::exists(path + "/.lsos-host.replaced"));
 }
 
 TEST(RunFolder, refuses_an_unfinished_run_unless_forced) {
