@@ -103,7 +103,8 @@ return lsos.event {
     arrival_radius_m = lsos.number {
       kml = 'ArrivalRadius', unit = 'm', min = 0.1, max = 100, default = 1,
       role = 'arrival_radius',
-      doc = 'Near enough to the last waypoint, which it drives up to all the same.',
+      doc = 'Near enough to the last waypoint, which it drives up to all the same; a waypoint '
+        .. 'beyond a limit is met at the nearest place within it.',
     },
     slope_max_rad = lsos.number {
       kml = 'MaxSlope', unit = 'deg', min = 1, max = 60,

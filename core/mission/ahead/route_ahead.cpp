@@ -179,10 +179,8 @@ class RoutePass {
         add_fault(event, RoverRoutes::no_route_text(ground_, waypoint, start.p_S_m, goal_S_m, leg));
       } else if (leg.ends_short()) {
         add_fault({Severity::warning, event.place,
-                   fmt::format("{} '{}': the leg to waypoint {} ends {:.1f} m from it, within "
-                               "ArrivalRadius: {}",
-                               event.type, event.label, waypoint, (goal_S_m - end_S_m).norm(),
-                               leg.reason)});
+                   fmt::format("{} '{}': {}", event.type, event.label,
+                               RoverRoutes::short_end_text(waypoint, goal_S_m, leg))});
       }
       result_.legs.push_back({event.sequence, waypoint, start, goal_S_m, settings, std::move(leg),
                               routes_.hubs_B_m()});

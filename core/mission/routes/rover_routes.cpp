@@ -148,6 +148,12 @@ std::string RoverRoutes::no_route_text(const Ground& ground, std::int64_t waypoi
       off_m(leg.nearest_S_m));
 }
 
+std::string RoverRoutes::short_end_text(std::int64_t waypoint, const Vec3& goal_S_m,
+                                        const PlannedLeg& leg) {
+  return fmt::format("the leg to waypoint {} ends {:.1f} m from it, within ArrivalRadius: {}",
+                     waypoint, (goal_S_m - leg.path_S_m.back()).norm(), leg.reason);
+}
+
 void RoverRoutes::log_ahead(const std::string& rover_id, SimTime now,
                             const std::set<std::int64_t>* sequences) {
   if (ahead_ == nullptr) return;
@@ -203,6 +209,10 @@ PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::in
               {},
               no_route_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
               planned.nearest_S_m};
+    }
+    if (known == nullptr && planned.ends_short()) {
+      warnings_.push_back(
+          fmt::format("{}: {}", rover_id, short_end_text(waypoint, goal_S_m, planned)));
     }
     // Each leg begins at the last point of the one before.
     way.path_S_m.insert(way.path_S_m.end(), planned.path_S_m.begin() + (way.legs.empty() ? 0 : 1),

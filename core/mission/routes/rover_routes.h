@@ -73,6 +73,9 @@ class RoverRoutes {
   static std::string no_route_text(const Ground& ground, std::int64_t waypoint,
                                    const Vec3& start_S_m, const Vec3& goal_S_m,
                                    const PlannedLeg& leg);
+  // "the leg to waypoint 2 ends 1.3 m from it, within ArrivalRadius: the goal is on ..."
+  static std::string short_end_text(std::int64_t waypoint, const Vec3& goal_S_m,
+                                    const PlannedLeg& leg);
 
   std::vector<PlannedPathRow> take_rows();
   std::vector<std::string> take_warnings();

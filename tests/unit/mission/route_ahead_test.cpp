@@ -122,6 +122,8 @@ TEST(RouteAhead, ends_where_its_goal_can_be_reached_within_the_radius) {
   const PlannedRoute way =
       routes.plan("A", SimTime{}, 3, {{0, 0, 0}, 0}, {goal_m, {0, 30, 0}}, 1, settings);
   ASSERT_TRUE(way.is_found()) << way.reason;
+  EXPECT_THAT(routes.take_warnings(),
+              testing::ElementsAre(HasSubstr("A: the leg to waypoint 1 ends ")));
   ASSERT_EQ(way.legs.size(), 2u);
   EXPECT_LT((way.path_S_m[way.legs[0].last_point] - none.nearest_S_m).norm(), 0.01);
 }
