@@ -64,6 +64,7 @@ std::map<std::string, Correction> Simulation::correct(
     } catch (const InputError& error) {
       faults.add(error.faults());
     }
+    take_warnings(*rover);
     // Also a mission that was over goes on, until its rovers are logged where they come to rest.
     rover->wake = now_ + exchange_period;
     is_finished_ = false;

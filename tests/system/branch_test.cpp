@@ -214,6 +214,16 @@ TEST_F(Branch, goes_on_from_what_was_measured) {
   EXPECT_NEAR(after[0]["end_s"].get<double>(), before[0]["end_s"].get<double>(), 5);
 }
 
+// Noise about a full battery is no fault, but is told.
+TEST_F(Branch, tells_that_more_charge_was_measured_than_a_battery_holds) {
+  const std::string table = folder_.write("t.csv", "time_s,charge (%)\n8,103\n");
+  const Outcome outcome = branch({"--at", "10 s", "--measured", table});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string text = "SEV1: a charge of 103.00 % was measured; it goes on with 100 %";
+  EXPECT_THAT(outcome.err, HasSubstr("warning: " + text));
+  EXPECT_THAT(summary(branch_)["warnings"].dump(), HasSubstr(text));
+}
+
 TEST_F(Branch, goes_on_to_the_same_waypoints_from_a_measured_place) {
   const std::string log = trunk_ + "/log.gpkg", other_log = branch_ + "/log.gpkg";
   // 0.001 degrees of latitude are 30.3 m on the Moon.

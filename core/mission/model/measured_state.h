@@ -13,7 +13,7 @@ namespace lsos {
 struct MeasuredState {
   std::optional<Geodetic> place;  // of the reference point; its height is not used
   std::optional<double> heading_rad;
-  std::optional<double> charge;    // 0..1
+  std::optional<double> charge;    // 0..1, with some noise beyond
   std::optional<double> energy_j;  // that the battery holds; only without `charge`
   Place row;                       // of the table, for messages
 };

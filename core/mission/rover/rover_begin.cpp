@@ -195,7 +195,12 @@ void RoverAgent::correct_charge(const MeasuredState& measured, Correction& corre
                     rover_.id, energy_j, capacity_j));
   }
   correction.charge_before = power_.account().energy_j / capacity_j;
-  power_.set_energy(std::clamp(energy_j, 0.0, capacity_j));
+  const double held_j = std::clamp(energy_j, 0.0, capacity_j);
+  if (held_j != energy_j) {
+    journal_.warn(fmt::format("{}: a charge of {:.2f} % was measured; it goes on with {:.0f} %",
+                              rover_.id, 100 * energy_j / capacity_j, 100 * held_j / capacity_j));
+  }
+  power_.set_energy(held_j);
 }
 
 }  // namespace lsos

@@ -105,7 +105,7 @@ std::optional<LastMeasured> last_of(const RowsBefore& rows, SimTime moment,
     take(with_energy);
     last.state.energy_j = with_energy->values[*energy];
   } else if (take(with_charge)) {
-    last.state.charge = std::clamp(with_charge->values[*charge], 0.0, 1.0);  // noise about full
+    last.state.charge = with_charge->values[*charge];
   }
   if (!has_any) return {};
   return last;
