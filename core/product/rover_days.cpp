@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -175,6 +176,7 @@ std::vector<RoverDay> days_of_long_run(const LogReader& log) {
 }
 
 void write_days(const std::string& run_dir) {
+  if (!std::filesystem::exists(run_dir + "/summary.json")) return;
   const LogReader log(run_dir + "/log.gpkg");
   const std::vector<RoverDay> days = days_of_long_run(log);
   if (!days.empty()) write_file(run_dir + "/days.csv", days_csv(days, log.start()));

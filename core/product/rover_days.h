@@ -2,8 +2,6 @@
 // the report.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,10 +38,11 @@ struct DayColumn {
 };
 const std::vector<DayColumn>& day_columns();
 
-// A header and a row a day, with RFC 4180's commas; UTC in the second column.
+// A header and a row a day, with RFC 4180's commas.
 std::string days_csv(const std::vector<RoverDay>& days, Instant start);
 
-// Writes DIR/days.csv of a mission that is longer than a day.
+// Writes DIR/days.csv of a finished run that is longer than a day: that of one which goes on would
+// lack the sight of Earth that has not ended.
 void write_days(const std::string& run_dir);
 
 }  // namespace lsos

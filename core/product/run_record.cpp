@@ -172,7 +172,11 @@ RunSummary RunRecord::finish(const MissionModel& files, const Simulation& simula
   };
   make({"overlay.kml", "overlay",
         [&](const RunSummary&) { write_overlay(folder_.path(), files.plan); }});
-  make({"days.csv", "report", [&](const RunSummary&) { write_days(folder_.path()); }});
+  make({"days.csv", "report", [&](const RunSummary& whole) {
+          if (!whole.days.empty()) {
+            write_file(folder_.file("days.csv"), days_csv(whole.days, whole.start));
+          }
+        }});
   std::ranges::for_each(more, make);
   if (summary.warnings.size() > warnings_before) rewrite_summary(folder_.path(), summary);
   return summary;

@@ -131,7 +131,7 @@ function fillDays() {
     ['Rover', day => swatch(roverOf(day.rover_id), day.rover_id)],
     ['Distance', day => distanceText(day.distance_m), true],
     ['Driving', day => durationText(day.drive_s), true],
-    ['Steepest', day => (isKnown(day.max_slope_rad) ? `${((day.max_slope_rad * 180) / Math.PI).toFixed(1)}°` : '–'), true],
+    ['Steepest sample', day => (isKnown(day.max_slope_rad) ? `${((day.max_slope_rad * 180) / Math.PI).toFixed(1)}°` : '–'), true],
     ['Energy used', day => energyText(day.energy_used_j), true],
     ['From the Sun', day => energyText(day.solar_j), true],
     ['Charge at start', day => percent(day.charge_start), true],
