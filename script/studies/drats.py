@@ -10,11 +10,9 @@ Each drives several kilometres a day over planned routes, with stops for EVAs, l
 the seventh and on the last day. The stops are made up.
 """
 
-import sys
 from datetime import datetime, timedelta
-from pathlib import Path
 
-from study import Frame, Plan, day_text, utc
+from study import Frame, Plan, day_text, main, utc
 
 START = datetime(2010, 8, 31, 15, 0)  # 08:00 in Arizona, UTC-7
 FRAME = Frame(-111.466, 35.690, 6_371_000)
@@ -121,9 +119,4 @@ def drats(days):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    folder = Path(sys.argv[1])
-    (folder / "drats_day.kml").write_text(drats([1]), encoding="utf-8")
-    if "--all" in sys.argv[2:]:
-        (folder / "drats.kml").write_text(drats(range(1, 15)), encoding="utf-8")
+    main(__doc__, {"drats_day.kml": lambda: drats([1]), "drats.kml": lambda: drats(range(1, 15))})

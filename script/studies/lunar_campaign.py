@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes a study of four weeks of two SEVs and an ATHLETE on the rim of Shackleton, or one day.
 
-    script/studies/lunar_campaign.py FOLDER          lunar_campaign_day.kml, as it ships in plans/
+    script/studies/lunar_campaign.py FOLDER          lunar_campaign_day.kml
     script/studies/lunar_campaign.py FOLDER --all    lunar_campaign.kml too, all 28 days
 
 The habitat stands where the Sun hardly ever sets. Each SEV drives about an hour a day, with EVAs
@@ -10,11 +10,9 @@ a third of that, near the habitat, and lies down for the night. The SEVs meet at
 seventh day. The stops are made up; some camps lie where the Sun never shines.
 """
 
-import sys
 from datetime import datetime, timedelta
-from pathlib import Path
 
-from study import Plan, PolarFrame, day_text, utc
+from study import Plan, PolarFrame, day_text, main, utc
 
 START = datetime(2027, 1, 1, 6, 0)
 FRAME = PolarFrame(57.5, 1_737_400)
@@ -133,9 +131,4 @@ def lunar_campaign(days):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    folder = Path(sys.argv[1])
-    (folder / "lunar_campaign_day.kml").write_text(lunar_campaign([1]), encoding="utf-8")
-    if "--all" in sys.argv[2:]:
-        (folder / "lunar_campaign.kml").write_text(lunar_campaign(range(1, 29)), encoding="utf-8")
+    main(__doc__, {"lunar_campaign_day.kml": lambda: lunar_campaign([1]), "lunar_campaign.kml": lambda: lunar_campaign(range(1, 29))})

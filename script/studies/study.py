@@ -5,7 +5,9 @@ here, so that the plan itself needs nothing to be understood by.
 """
 
 import math
+import sys
 from dataclasses import dataclass, field
+from pathlib import Path
 from xml.sax.saxutils import escape
 
 EVENT_FIELDS = ["Enabled", "StartTime", "StartAfter", "StartWhen", "SkipWhen", "StopWhen",
@@ -125,6 +127,15 @@ class Plan:
             lines.append(f"        <{shape}><coordinates>{' '.join(mark.at)}</coordinates></{shape}>")
         lines.append("      </Placemark>")
         return lines
+
+
+def main(usage, plans):
+    """`plans`: a function for the text of each file, by its name; all but the first with --all."""
+    if len(sys.argv) < 2:
+        sys.exit(usage)
+    names = list(plans) if "--all" in sys.argv[2:] else list(plans)[:1]
+    for name in names:
+        (Path(sys.argv[1]) / name).write_text(plans[name](), encoding="utf-8")
 
 
 def utc(moment):

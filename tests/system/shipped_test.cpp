@@ -57,6 +57,19 @@ TEST(ShippedPlan, of_a_study_is_as_its_script_writes_it) {
   EXPECT_EQ(read_text(folder / "drats_day.kml"), read_text(repository() / "plans/drats_day.kml"));
 }
 
+// A study that does not ship is sound, too.
+TEST(Study, of_a_month_at_the_pole_has_a_first_day_without_a_warning) {
+  const TempFolder folder;
+  ASSERT_EQ(run_command({"python3", "-B", repository() / "script/studies/lunar_campaign.py",
+                         folder.path().string()})
+                .exit_code,
+            0);
+  const Outcome outcome = run({"check", folder / "lunar_campaign_day.kml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out + outcome.err,
+              ::testing::HasSubstr("can be run, nothing is wrong with it: 3 rovers, 26 events"));
+}
+
 struct Start {
   std::string planet = "Mars", from = "30,-40", to = "30.0003,-40.0001";
 };
