@@ -7,13 +7,11 @@
 #include <limits>
 #include <numbers>
 
-#include "planet/vertical_cells.h"
 #include "terrain/blend.h"
 #include "terrain/grid/cell_sides.h"
 #include "terrain/grid/grid_edge.h"
-#include "terrain/layer.h"
+#include "terrain/ground_impl.h"
 #include "terrain/raster/raster_advice.h"
-#include "terrain/soil_map.h"
 #include "terrain/spec/terrain_beyond.h"
 
 namespace lsos {
@@ -25,9 +23,6 @@ namespace {
 // net of longitudes and latitudes, net_rad apart, that is nearest to the site.
 constexpr double local_rad = 0.35;
 constexpr double net_rad = 5 * std::numbers::pi / 180;
-
-// Larger cells get no detail: what lies in them does not concern wheels.
-constexpr double detail_cell_max_m = 1000;
 
 // Beyond this the map of landforms would stretch them.
 constexpr double relief_reach_rad = std::numbers::pi / 6;
@@ -119,158 +114,71 @@ std::string text(const Detail& detail) {
 
 }  // namespace
 
-struct Ground::Impl {
-  Impl(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed_of_plan)
-      : spec(terrain), seed(seed_of_plan), plane(site), soils(spec, plane) {
-    for (std::size_t k = 0; k < spec.layers.size(); ++k) {
-      std::unique_ptr<HeightGrid> grid = make_grid(spec.layers[k], spec, plane, seed);
-      if (place_of(k) == LayerPlace::above) check_room_to_fade(grid->extent(), spec);
-      const double side_m = middle_sides(*grid).mean_m();
-      layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, place_of(k)));
-    }
-    if (spec.beyond) check_beyond();
-    if (!spec.detail) return;
-    const std::size_t first = first_with_detail();
-    const Stereographic map = detail_map(spec.layers[first], layers[first]->grid(), plane);
-    for (std::size_t k = first; k < layers.size(); ++k) {
-      if (!(layers[k]->cell_m() <= detail_cell_max_m)) continue;
-      const CellSides sides = middle_sides(layers[k]->grid());
-      layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
-    }
+Ground::Impl::Impl(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed_of_plan)
+    : spec(terrain), seed(seed_of_plan), plane(site), soils(spec, plane) {
+  for (std::size_t k = 0; k < spec.layers.size(); ++k) {
+    std::unique_ptr<HeightGrid> grid = make_grid(spec.layers[k], spec, plane, seed);
+    if (place_of(k) == LayerPlace::above) check_room_to_fade(grid->extent(), spec);
+    const double side_m = middle_sides(*grid).mean_m();
+    layers.push_back(std::make_unique<Layer>(std::move(grid), side_m, place_of(k)));
   }
-
-  std::size_t first_with_detail() const {
-    return spec.beyond && spec.beyond->has_detail_alone ? spec.beyond->first_layer : 0;
+  if (spec.beyond) check_beyond();
+  if (!spec.detail) return;
+  const std::size_t first = first_with_detail();
+  const Stereographic map = detail_map(spec.layers[first], layers[first]->grid(), plane);
+  for (std::size_t k = first; k < layers.size(); ++k) {
+    if (!(layers[k]->cell_m() <= detail_cell_max_m)) continue;
+    const CellSides sides = middle_sides(layers[k]->grid());
+    layers[k]->add_detail(*spec.detail, map, setting_of(spec.layers[k], sides), seed);
   }
+}
 
-  // Refuses a terrain beyond that has no ground along the edge of this terrain's coarsest layer.
-  void check_beyond() {
-    const std::size_t first = spec.beyond->first_layer;
-    const auto is_ground = [&](const Geodetic& place) {
-      return std::any_of(layers.begin() + static_cast<std::ptrdiff_t>(first), layers.end(),
-                         [&](const auto& layer) {
-                           return Layer::Probe(*layer, LevelOfDetail{}).sample(place).has_value();
-                         });
-    };
-    if (std::ranges::any_of(places_along_edge(layers[first - 1]->grid(), 1), is_ground)) return;
-    const bool is_finer = layers[first]->cell_m() < layers[first - 1]->cell_m();
-    throw InputError(
-        spec.place,
-        fmt::format("terrain {} has no ground anywhere along the edge of {}, so that nothing of "
-                    "it would lie beyond{}",
-                    spec.beyond->name, spec.name,
-                    is_finer ? "; its cells are the finer ones: are the two exchanged?" : ""));
+std::size_t Ground::Impl::first_with_detail() const {
+  return spec.beyond && spec.beyond->has_detail_alone ? spec.beyond->first_layer : 0;
+}
+
+void Ground::Impl::check_beyond() {
+  const std::size_t first = spec.beyond->first_layer;
+  const auto is_ground = [&](const Geodetic& place) {
+    return std::any_of(layers.begin() + static_cast<std::ptrdiff_t>(first), layers.end(),
+                       [&](const auto& layer) {
+                         return Layer::Probe(*layer, LevelOfDetail{}).sample(place).has_value();
+                       });
+  };
+  if (std::ranges::any_of(places_along_edge(layers[first - 1]->grid(), 1), is_ground)) return;
+  const bool is_finer = layers[first]->cell_m() < layers[first - 1]->cell_m();
+  throw InputError(
+      spec.place,
+      fmt::format("terrain {} has no ground anywhere along the edge of {}, so that nothing of "
+                  "it would lie beyond{}",
+                  spec.beyond->name, spec.name,
+                  is_finer ? "; its cells are the finer ones: are the two exchanged?" : ""));
+}
+
+CellSides Ground::Impl::middle_sides(const HeightGrid& grid) const {
+  return cell_sides(grid, plane.site().body(), centre(grid.extent()));
+}
+
+LayerPlace Ground::Impl::place_of(std::size_t layer) const {
+  if (spec.layers.size() == 1) return LayerPlace::alone;
+  return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
+}
+
+std::optional<std::size_t> Ground::Impl::main_layer(const Geodetic& place) const {
+  std::optional<std::size_t> most;
+  double left = 1, largest_share = 0;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    Layer& layer = *layers[k];
+    const auto sample = Layer::Probe(layer, layer.level_of_detail(0)).sample(place);
+    if (!sample) continue;
+    const double share = left * sample->weight;
+    left -= share;
+    if (share <= largest_share) continue;
+    largest_share = share;
+    most = k;
   }
-
-  CellSides middle_sides(const HeightGrid& grid) const {
-    return cell_sides(grid, plane.site().body(), centre(grid.extent()));
-  }
-
-  LayerPlace place_of(std::size_t layer) const {
-    if (spec.layers.size() == 1) return LayerPlace::alone;
-    return layer + 1 < spec.layers.size() ? LayerPlace::above : LayerPlace::last;
-  }
-
-  // First place with ground on the line from an edge to the middle of a layer, whose corners may be
-  // empty; the edge where there is none.
-  Geodetic first_with_ground(std::size_t k, const Geodetic& edge) const {
-    constexpr int steps = 16;
-    const HeightGrid& grid = layers[k]->grid();
-    const auto from = grid.coordinates(edge);
-    if (!from) return edge;
-    const auto middle = centre(grid.extent());
-    for (int step = 0; step < steps; ++step) {
-      const double share = static_cast<double>(step) / steps;
-      const auto place =
-          grid.place({std::lerp(from->u, middle.u, share), std::lerp(from->v, middle.v, share)});
-      if (place && Layer::Probe(*layers[k], LevelOfDetail{}).sample(*place)) return *place;
-    }
-    return edge;
-  }
-
-  // Warns of a raster that lies above or below the layer around it by more than their heights
-  // scatter, as with heights of two datums: the blend would be a slope that is not there.
-  std::string datum_step_advice(std::size_t k) const {
-    constexpr double least_m = 5, scatters = 3;
-    constexpr std::size_t least_places = 12;
-    const auto* upper = std::get_if<RasterSurface>(&spec.layers[k]);
-    const auto* lower = std::get_if<RasterSurface>(&spec.layers[k + 1]);
-    // Generated ground below a script's rasters is its author's, but not what a plan lays around.
-    const bool is_beyond = spec.beyond && k + 1 == spec.beyond->first_layer;
-    if (upper == nullptr || (lower == nullptr && !is_beyond)) return "";
-    std::vector<double> steps_m;
-    for (const Geodetic& edge : places_along_edge(layers[k]->grid(), -1)) {
-      const auto place = first_with_ground(k, edge);
-      const auto above = Layer::Probe(*layers[k], LevelOfDetail{}).sample(place);
-      const auto below = Layer::Probe(*layers[k + 1], LevelOfDetail{}).sample(place);
-      if (above && below) steps_m.push_back(above->height_m - below->height_m);
-    }
-    if (steps_m.size() < least_places) return "";
-    const auto median = [](std::vector<double> values) {
-      std::ranges::nth_element(values, values.begin() + values.size() / 2);
-      return values[values.size() / 2];
-    };
-    const double step_m = median(steps_m);
-    for (double& each_m : steps_m) each_m = std::abs(each_m - step_m);
-    const double scatter_m = median(steps_m);
-    if (std::abs(step_m) < std::max(least_m, scatters * scatter_m)) return "";
-    return fmt::format(
-        "raster '{}' lies {:.3g} m {} '{}' along its edge (the median; they scatter by {:.2g} m): "
-        "{}? Where one goes over into the other the ground is "
-        "a slope that is not there; {}",
-        upper->file, std::abs(step_m), step_m < 0 ? "below" : "above",
-        lower == nullptr ? spec.beyond->name : lower->file, scatter_m,
-        lower == nullptr ? "is it ground of another place"
-                         : "are they heights above two references",
-        lower == nullptr ? "light and sight beyond the raster are those of that slope"
-                         : "bring both to one reference first");
-  }
-
-  // Warns of craters or rocks all larger than may be added to the finest raster that gets detail.
-  std::string detail_advice() const {
-    const std::size_t first = first_with_detail();
-    const auto* raster = std::get_if<RasterSurface>(&spec.layers[first]);
-    const double cell_m = layers[first]->cell_m();
-    if (!spec.detail || raster == nullptr || !(cell_m <= detail_cell_max_m)) return "";
-    const auto none = [&](const char* what, double least_m) {
-      if (least_m < DetailField::largest_over_raster(cell_m)) return std::string();
-      return fmt::format(
-          "detail adds no {} to raster '{}': what is as wide as its cells of {:.3g} m stands in "
-          "it, "
-          "and diameter_min_m is {:.3g}",
-          what, raster->file, cell_m, least_m);
-    };
-    std::string text;
-    if (const auto& craters = spec.detail->craters) text = none("craters", craters->diameter_min_m);
-    if (const auto& rocks = spec.detail->rocks; rocks && text.empty()) {
-      text = none("rocks", rocks->diameter_min_m);
-    }
-    return text;
-  }
-
-  // Layer that most of the ground at the place is made of; nullopt without ground.
-  std::optional<std::size_t> main_layer(const Geodetic& place) const {
-    std::optional<std::size_t> most;
-    double left = 1, largest_share = 0;
-    for (std::size_t k = 0; k < layers.size(); ++k) {
-      Layer& layer = *layers[k];
-      const auto sample = Layer::Probe(layer, layer.level_of_detail(0)).sample(place);
-      if (!sample) continue;
-      const double share = left * sample->weight;
-      left -= share;
-      if (share <= largest_share) continue;
-      largest_share = share;
-      most = k;
-    }
-    return most;
-  }
-
-  TerrainSpec spec;
-  std::uint64_t seed;
-  SitePlane plane;
-  SoilMap soils;
-  std::vector<std::unique_ptr<Layer>> layers;
-};
+  return most;
+}
 
 Ground::Ground(const TerrainSpec& spec, const SiteFrame& site, std::uint64_t seed)
     : impl_(std::make_unique<Impl>(spec, site, seed)) {}
@@ -296,21 +204,6 @@ std::string Ground::stamp() const {
   hash.add(this->hash());
   for (const auto& layer : impl_->layers) layer->grid().add_change_to(hash);
   return hash.hex();
-}
-
-std::vector<Fault> Ground::advice() const {
-  std::vector<Fault> faults;
-  for (const auto& layer : impl_->layers) {
-    for (const std::string& advice : layer->grid().advice()) {
-      faults.push_back({Severity::warning, impl_->spec.place, advice});
-    }
-  }
-  const auto add = [&](const std::string& advice) {
-    if (!advice.empty()) faults.push_back({Severity::warning, impl_->spec.place, advice});
-  };
-  for (std::size_t k = 0; k + 1 < impl_->layers.size(); ++k) add(impl_->datum_step_advice(k));
-  add(impl_->detail_advice());
-  return faults;
 }
 
 std::string Ground::slivers(const Geodetic& place) const {
@@ -339,62 +232,6 @@ std::optional<double> Ground::elevation_m(const Geodetic& place, double resoluti
     return Layer::Probe(layer, layer.level_of_detail(resolution_m)).sample(place);
   });
   return sample ? std::optional(sample->height_m) : std::nullopt;
-}
-
-struct Ground::Probe::Impl {
-  Impl(Ground::Impl& of, double resolution_m, double detail_nodes, bool fades)
-      : ground(of), is_full_resolution(resolution_m == 0), verticals(of.plane.site()) {
-    for (const auto& layer : of.layers) {
-      layers.emplace_back(*layer, layer->level_of_detail(resolution_m, detail_nodes, fades));
-    }
-  }
-  // Samples at full resolution lie close together; coarse ones would fill a new cell each.
-  ProjectedPoint projected(const Vec3& p_S_m) {
-    return is_full_resolution ? ground.plane.projected(p_S_m, verticals.at(p_S_m))
-                              : ground.plane.projected(p_S_m);
-  }
-
-  Ground::Impl& ground;
-  bool is_full_resolution;
-  VerticalCells verticals;
-  std::vector<Layer::Probe> layers;
-};
-
-Ground::Probe::Probe(const Ground& ground, double resolution_m)
-    : Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown, false)) {
-}
-Ground::Probe::Probe(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
-Ground::Probe Ground::Probe::with_sparse_detail(const Ground& ground, double resolution_m) {
-  return Probe(std::make_unique<Impl>(*ground.impl_, resolution_m, 1, false));
-}
-Ground::Probe Ground::Probe::with_fading_detail(const Ground& ground, double resolution_m) {
-  return Probe(
-      std::make_unique<Impl>(*ground.impl_, resolution_m, Layer::detail_nodes_shown, true));
-}
-Ground::Probe::~Probe() = default;
-Ground::Probe::Probe(Probe&&) noexcept = default;
-Ground::Probe& Ground::Probe::operator=(Probe&&) noexcept = default;
-
-GroundSample Ground::Probe::sample(const Vec3& p_S_m) {
-  const Ground::Impl& ground = impl_->ground;
-  const ProjectedPoint point = impl_->projected(p_S_m);
-  if (!point.is_near) return {};
-  const std::optional<LayerSample> surface = blended(
-      impl_->layers.size(), [&](std::size_t k) { return impl_->layers[k].sample(point.at); });
-  if (!surface) return {};
-
-  GroundSample sample;
-  sample.elevation_m = surface->height_m;
-  sample.up_S = point.up_S;
-  sample.gap_m = point.height_m - surface->height_m;
-  sample.soil = surface->is_rock ? ground.soils.rock_index() : ground.soils.at(point.at);
-  // The surface is where height(p) - surface(x, y) is 0; its normal is the gradient of that. The
-  // gradients of x and y grow from the sampled point down to the surface.
-  const double growth = point.radius_m / (point.radius_m - sample.gap_m);
-  const Vec3 gradient_S = point.up_S - growth * (surface->height_by_xy.x() * point.grad_x_S +
-                                                 surface->height_by_xy.y() * point.grad_y_S);
-  sample.normal_S = gradient_S * (1 / std::sqrt(gradient_S.squaredNorm()));
-  return sample;
 }
 
 }  // namespace lsos

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ class Ground {
     Probe(Probe&&) noexcept;
     Probe& operator=(Probe&&) noexcept;
     GroundSample sample(const Vec3& p_S_m);
+    // Upper bound on the elevation that samples have over a convex region with these corners, such
+    // that regions of about ten times the resolution need no samples where they are known to lie
+    // low. Nullopt where the ground has holes or an end, and over regions much larger.
+    std::optional<double> highest_m(std::span<const Vec3> corners_S_m);
 
    private:
     struct Impl;

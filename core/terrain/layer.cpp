@@ -103,11 +103,14 @@ const Patch& Layer::Probe::patch(const PlanePoint& at) {
   return *cached;
 }
 
-std::optional<LayerSample> Layer::Probe::sample(const PlanePoint& at) {
+std::optional<GridPoint> Layer::Probe::grid_point(const PlanePoint& at) {
   const Patch& patch = this->patch(at);
-  if (patch.is_good()) return at_grid(patch.at(at));
-  if (const auto exact = layer_->grid_->exact(at)) return at_grid(*exact);
-  return {};
+  return patch.is_good() ? std::optional(patch.at(at)) : layer_->grid_->exact(at);
+}
+
+std::optional<LayerSample> Layer::Probe::sample(const PlanePoint& at) {
+  const std::optional<GridPoint> point = grid_point(at);
+  return point ? at_grid(*point) : std::nullopt;
 }
 
 std::optional<LayerSample> Layer::Probe::sample(const Geodetic& place) {

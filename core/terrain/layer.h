@@ -4,12 +4,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "terrain/detail/detail.h"
 #include "terrain/grid/edge_weight.h"
 #include "terrain/grid/height_grid.h"
 #include "terrain/grid/key_cache.h"
 #include "terrain/grid/patch_map.h"
+#include "terrain/grid/tile_top.h"
 
 namespace lsos {
 
@@ -36,6 +38,12 @@ class TileCache {
 
  private:
   std::array<std::shared_ptr<const Tile>, 4> cached_;
+};
+
+// Upper bound on the ground of one layer in a region.
+struct LayerTop {
+  HighestGround ground;
+  bool is_alone = false;  // no coarser layer takes over anywhere in it
 };
 
 // Position of a layer in the stack, whose layers take over from each other at edges and holes.
@@ -76,8 +84,16 @@ class Layer {
     // Sample of the surface; nullopt where this layer has no ground.
     std::optional<LayerSample> sample(const PlanePoint& at);
     std::optional<LayerSample> sample(const Geodetic& place);
+    // Upper bound on all samples in the convex region with these corners; nullopt where the region
+    // is large or its place on the grid is not known.
+    std::optional<LayerTop> top(std::span<const PlanePoint> corners);
 
    private:
+    struct GridBox;
+    std::optional<GridBox> box(std::span<const PlanePoint> corners);
+    std::optional<GridPoint> grid_point(const PlanePoint& at);
+    bool is_alone(const GridBox& box);
+    double corner_bound_m(const GridBox& box, const Vec2& bend_m);
     const Patch& patch(const PlanePoint& at);
     std::optional<LayerSample> at_grid(GridPoint at);
     void add_detail(const GridPoint& at, SurfaceHeight& surface, LayerSample& sample);
@@ -90,12 +106,15 @@ class Layer {
     TileCache<HeightTile> tiles_;
     TileCache<DetailTile> details_;
     TileCache<WeightTile> weights_;
+    TileCache<TileTop> tops_, detail_tops_;
   };
 
  private:
   std::shared_ptr<const HeightTile> tile(const TileKey& key);
   std::shared_ptr<const DetailTile> detail_tile(const TileKey& key);
   std::shared_ptr<const WeightTile> weight_tile(const TileKey& key);
+  std::shared_ptr<const TileTop> top(const TileKey& key);
+  std::shared_ptr<const TileTop> detail_top(const TileKey& key);
 
   std::unique_ptr<HeightGrid> grid_;
   double cell_m_;
@@ -107,6 +126,7 @@ class Layer {
   KeyCache<TileKey, HeightTile> tiles_{megabytes(75)};
   KeyCache<TileKey, DetailTile> details_{megabytes(150)};
   KeyCache<TileKey, WeightTile> weights_{megabytes(20)};
+  KeyCache<TileKey, TileTop> tops_{megabytes(4)}, detail_tops_{megabytes(8)};
 };
 
 }  // namespace lsos

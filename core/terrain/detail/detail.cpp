@@ -47,6 +47,14 @@ NodeRectangle rectangle(const NodeLattice& at) {
 
 }  // namespace
 
+TileTop tile_top(const DetailTile& tile) {
+  TileTop top = tile_top(tile.heights);
+  for (std::size_t square = 0; square < top.highest_m.size(); ++square) {
+    top.highest_m[square] += tile.craters.top_m(square) + tile.rocks.top_m(square);
+  }
+  return top;
+}
+
 DetailField::DetailField(const Detail& detail, const HeightGrid& grid, const Stereographic& map,
                          const DetailSetting& setting, std::uint64_t seed)
     : detail_(detail),

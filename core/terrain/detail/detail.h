@@ -29,6 +29,9 @@ struct DetailTile {
   std::size_t bytes() const { return sizeof(*this) + craters.bytes() + rocks.bytes(); }
 };
 
+// Upper bounds on the detail of a tile.
+TileTop tile_top(const DetailTile& tile);
+
 // Relation of the detail to the grid below it.
 struct DetailSetting {
   double cell_m = 1;            // mean side of the grid's cells

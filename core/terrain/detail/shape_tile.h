@@ -12,6 +12,7 @@
 #include "terrain/detail/craters.h"
 #include "terrain/detail/rocks.h"
 #include "terrain/grid/height_tile.h"
+#include "terrain/grid/tile_top.h"
 
 namespace lsos {
 
@@ -33,6 +34,7 @@ struct PlacedRock {
   static constexpr double reach = 1;  // radii
   ShapePlace place;
   double height_m = 0;
+  double top_m() const { return height_m; }
   ShapeHeight at(double q) const {
     const RockShape shape = rock_shape(q);
     return {height_m * shape.height, height_m * shape.by_q};
@@ -43,6 +45,7 @@ struct PlacedCrater {
   static constexpr double reach = crater_reach;
   ShapePlace place;
   double depth_m = 0, rim_m = 0;
+  double top_m() const { return rim_m; }
   ShapeHeight at(double q) const {
     const double r = std::sqrt(q);
     // The bowl is linear in q, so that the derivative is finite also at r = 0.
@@ -64,10 +67,19 @@ class ShapeTile {
 
   // Height of all shapes at a point of the tile, and derivatives by U and V. Zero beside them.
   SurfaceHeight at(const CellPoint& at) const;
+  // Sum of the greatest heights of the shapes that reach into a square, TileTop::index() numbers
+  // it: an upper bound on the height of all in it.
+  double top_m(std::size_t square) const {
+    double sum_m = 0;
+    for (std::uint32_t k = first_[square]; k < first_[square + 1]; ++k) {
+      sum_m += std::max(0.0, shapes_[in_square_[k]].top_m());
+    }
+    return sum_m;
+  }
 
  private:
   static constexpr int cells = HeightTile::cells;
-  static constexpr int squares = 8;  // per side of the tile
+  static constexpr int squares = TileTop::squares;  // per side of the tile
   static constexpr int square_cells = cells / squares;
   std::vector<Shape> shapes_;
   std::array<std::uint32_t, std::size_t{squares} * squares + 1> first_{};
