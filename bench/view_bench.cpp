@@ -72,7 +72,8 @@ void ground(benchmark::State& state, double reach_m, bool is_new) {
   lsos::Ground::Probe probe(terrain);
   for (auto _ : state) {
     const double gap_m = probe.sample({0, y_m, 0}).gap_m;
-    const lsos::Mesh mesh = ground_mesh(terrain, {{0, y_m, 2 - gap_m}, 1.2, sun, disc_rad});
+    const lsos::Mesh mesh =
+        ground_mesh(terrain, lsos::sun_column({0, y_m, 2 - gap_m}, 1.2, sun, disc_rad));
     benchmark::DoNotOptimize(mesh.vertices.data());
     triangles = mesh.triangles.size();
     if (is_new) y_m += 4;
@@ -88,7 +89,7 @@ void whole(benchmark::State& state, double reach_m) {
   const lsos::Ground terrain(cratered(reach_m), site, 1);
   lsos::Ground::Probe probe(terrain);
   const double gap_m = probe.sample({0, 0, 0}).gap_m;
-  lsos::Mesh mesh = ground_mesh(terrain, {{0, 0, 2 - gap_m}, 1.2, sun, disc_rad});
+  lsos::Mesh mesh = ground_mesh(terrain, lsos::sun_column({0, 0, 2 - gap_m}, 1.2, sun, disc_rad));
   append(mesh, rover(), lsos::Mat3::Identity(), Vec3::Zero());
   std::vector<Vec3> towards;
   for (const auto& s : lsos::disc_samples(sun, disc_rad, 16)) towards.push_back(s.direction);

@@ -103,7 +103,8 @@ PictureFrameOut as_the_sun_sees(const PictureRun& run, const PictureMoment& mome
   frame.size_px = size_px;
   // Add the ground that may hide the Sun, and the ground about the rover.
   const double wide_m = neighbours_reaches * reach_m;
-  solids.push_back({ground_mesh(*run.ground, {eye_S_m, wide_m, sun_S, 0}), ground_grey, false});
+  solids.push_back(
+      {ground_mesh(*run.ground, sun_column(eye_S_m, wide_m, sun_S, 0)), ground_grey, false});
   solids.push_back(
       {ground_patch(*run.ground, eye_S_m, patch_reaches * reach_m, 160), ground_grey, false});
   for (const PanelFace& face : panels) {

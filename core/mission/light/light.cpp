@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "view/exposure/sun_column.h"
 #include "view/exposure/sun_disc.h"
@@ -17,12 +18,19 @@ bool is_deep_night(const SiteFrame& site, const Vec3& eye_S_m, const Sunlight& l
          -horizon_dip_rad(site.body(), site.height_m(eye_S_m));
 }
 
-double reach_m(const std::vector<PanelFace>& faces) {
-  double reach_m = 0;
+// The ground that may hide the Sun from the faces, which are relative to the eye.
+SunColumn column_of(const std::vector<PanelFace>& faces, const Vec3& eye_S_m, const Vec3& up_S) {
+  SunColumn column{eye_S_m, 0, std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
   for (const PanelFace& face : faces) {
-    reach_m = std::max(reach_m, face.centre_m.norm() + face.half_u_m.norm() + face.half_v_m.norm());
+    const double middle_m = face.centre_m.dot(up_S);
+    const double half_m = std::abs(face.half_u_m.dot(up_S)) + std::abs(face.half_v_m.dot(up_S));
+    column.low_m = std::min(column.low_m, middle_m - half_m);
+    column.high_m = std::max(column.high_m, middle_m + half_m);
+    column.reach_m = std::max(column.reach_m, (face.centre_m - middle_m * up_S).norm() +
+                                                  face.half_u_m.norm() + face.half_v_m.norm());
   }
-  return reach_m;
+  return column;
 }
 
 }  // namespace
@@ -40,8 +48,10 @@ std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& 
   std::vector<Vec3> directions;
   for (const DiscSample& sample : disc) directions.push_back(sample.direction);
   Mesh all = scene.near;
-  append(all, ground_mesh(*ground_, {scene.eye_S_m, reach_m(scene.faces), sun_S, light.disc_rad}),
-         Mat3::Identity(), Vec3::Zero());
+  SunColumn column = column_of(scene.faces, scene.eye_S_m, ground_->site().up_S(scene.eye_S_m));
+  column.sun_S = sun_S;
+  column.disc_rad = light.disc_rad;
+  append(all, ground_mesh(*ground_, column), Mat3::Identity(), Vec3::Zero());
   const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
   for (std::size_t i = 0; i < scene.faces.size(); ++i) {
     if (!is_facing(scene.faces[i])) continue;

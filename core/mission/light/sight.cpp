@@ -39,7 +39,7 @@ Sight::Disc Sight::disc(const Vec3& from_S_m, const Vec3& direction_S, double di
   if (elevation_rad + disc_rad < -horizon_dip_rad(site_.body(), site_.height_m(from_S_m)))
     return {};
   Mesh all = solids;
-  append(all, ground_mesh(*ground_, {from_S_m, target_half_m, direction_S, disc_rad}),
+  append(all, ground_mesh(*ground_, sun_column(from_S_m, target_half_m, direction_S, disc_rad)),
          Mat3::Identity(), Vec3::Zero());
   std::vector<Viewpoint> viewers{{direction_S}};
   const std::vector<DiscSample> places = disc_samples(direction_S, disc_rad, disc_samples_count);

@@ -1,6 +1,7 @@
 #include "view/exposure/sun_column.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -44,12 +45,12 @@ class Strip {
   // Greatest and least slope at which a point is seen from any part of the lit object; its x must
   // exceed the reach.
   double steepest(const Vec3& at) const {
-    return (at.z() + column_.reach_m) /
-           (at.z() + column_.reach_m > 0 ? at.x() - column_.reach_m : at.x() + column_.reach_m);
+    const double rise_m = at.z() - column_.low_m;
+    return rise_m / (rise_m > 0 ? at.x() - column_.reach_m : at.x() + column_.reach_m);
   }
   double flattest(const Vec3& at) const {
-    return (at.z() - column_.reach_m) /
-           (at.z() - column_.reach_m > 0 ? at.x() + column_.reach_m : at.x() - column_.reach_m);
+    const double rise_m = at.z() - column_.high_m;
+    return rise_m / (rise_m > 0 ? at.x() + column_.reach_m : at.x() - column_.reach_m);
   }
   bool is_past_reach(double x_m) const { return x_m > 2 * column_.reach_m; }
   // Ground that is seen at a steeper slope than this hides the whole disc.
@@ -59,7 +60,8 @@ class Strip {
   // Height of the lowest ray to the Sun from any part of the lit object.
   double lowest_ray_m(double x_m) const {
     const double lowest_rad = elevation_rad_ - column_.disc_rad;
-    return x_m * std::tan(std::clamp(lowest_rad, -1.5, 1.5)) - column_.reach_m;
+    const double slope = std::tan(std::clamp(lowest_rad, -1.5, 1.5));
+    return column_.low_m + x_m * slope - column_.reach_m * std::abs(slope);
   }
   // Whether even the highest ground of the body would lie below all rays at that distance.
   bool is_beyond(double x_m) const {
@@ -73,6 +75,21 @@ class Strip {
   // The same without detail narrower than two nodes, which are as far apart as the coarse rows. The
   // missing detail is at most twice that spacing high; rocks are as high as they are wide.
   Vec3 first_point(double x_m) { return point(first_probe(x_m), x_m, 0); }
+  // Upper bound on the height in the strip's axes of the ground between two rows; infinite where
+  // none is known.
+  double highest_m(double x_m, double next_m) {
+    const std::array<Vec3, 4> corners_S_m{
+        place_S_m(x_m, -half_width_m(next_m)), place_S_m(x_m, half_width_m(next_m)),
+        place_S_m(next_m, -half_width_m(next_m)), place_S_m(next_m, half_width_m(next_m))};
+    std::optional<double> highest_m = probes_.at(x_m).highest_m(corners_S_m);
+    if (highest_m && &probes_.at(next_m) != &probes_.at(x_m)) {
+      const auto beyond_m = probes_.at(next_m).highest_m(corners_S_m);
+      highest_m = beyond_m ? std::optional(std::max(*highest_m, *beyond_m)) : std::nullopt;
+    }
+    if (!highest_m) return std::numeric_limits<double>::infinity();
+    return std::max(at_height(place_S_m(x_m, 0), *highest_m).z(),
+                    at_height(place_S_m(next_m, 0), *highest_m).z());
+  }
 
  private:
   Vec3 point(Ground::Probe& probe, double x_m, double y_m) {
@@ -80,14 +97,21 @@ class Strip {
       last_height_m_ = ground_.site().height_m(column_.eye_S_m + axes_S_ * *found);
       return *found;
     }
-    const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+    return at_height(place_S_m(x_m, y_m), last_height_m_);
+  }
+
+  Vec3 place_S_m(double x_m, double y_m) const {
+    return column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+  }
+  // The point above or below a place at that height above the reference surface, in the strip's
+  // axes.
+  Vec3 at_height(const Vec3& p_S_m, double height_m) const {
     const Vertical at = ground_.site().vertical(p_S_m);
-    return axes_S_.transpose() *
-           (p_S_m - (at.height_m - last_height_m_) * at.up_S - column_.eye_S_m);
+    return axes_S_.transpose() * (p_S_m - (at.height_m - height_m) * at.up_S - column_.eye_S_m);
   }
 
   std::optional<Vec3> node(Ground::Probe& probe, double x_m, double y_m) {
-    const Vec3 p_S_m = column_.eye_S_m + axes_S_ * Vec3(x_m, y_m, 0);
+    const Vec3 p_S_m = place_S_m(x_m, y_m);
     const GroundSample sample = probe.sample(p_S_m);
     if (!sample.is_ground()) return {};
     return axes_S_.transpose() * (p_S_m - sample.gap_m * sample.up_S - column_.eye_S_m);
@@ -164,11 +188,14 @@ Mesh ground_mesh(const Ground& ground, const SunColumn& column) {
     z_m = next_z_m;
     const double missing_m = 2 * (next_m - x_m);
     const double rise_m = rise_max * (next_m - x_m + strip.half_width_m(next_m)) + missing_m;
-    const double highest_m = height_m + rise_m;
-    const bool is_hidden =
-        strip.is_past_reach(x_m) && std::max(strip.steepest({x_m, 0, highest_m}),
-                                             strip.steepest({next_m, 0, highest_m})) < mesh.ridge();
-    if (is_hidden || highest_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m))) {
+    // Whether ground up to that height lies below all rays, or behind what is in the mesh.
+    const auto is_free = [&](double highest_m) {
+      const bool is_hidden = strip.is_past_reach(x_m) &&
+                             std::max(strip.steepest({x_m, 0, highest_m}),
+                                      strip.steepest({next_m, 0, highest_m})) < mesh.ridge();
+      return is_hidden || highest_m < std::min(strip.lowest_ray_m(x_m), strip.lowest_ray_m(next_m));
+    };
+    if (is_free(height_m + rise_m) || is_free(strip.highest_m(x_m, next_m))) {
       is_open = false;
       x_m = next_m;
       continue;

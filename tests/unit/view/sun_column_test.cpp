@@ -34,7 +34,7 @@ double share_by_drawing(PanelView& view, const Ground& ground, const PanelFace& 
                         const std::vector<DiscSample>& samples, const Vec3& sun_S,
                         double disc_rad) {
   const double reach_m = panel.half_u_m.norm() + panel.half_v_m.norm();
-  const Mesh mesh = ground_mesh(ground, {panel.centre_m, reach_m, sun_S, disc_rad});
+  const Mesh mesh = ground_mesh(ground, sun_column(panel.centre_m, reach_m, sun_S, disc_rad));
   PanelFace about = panel;
   about.centre_m = Vec3::Zero();
   std::vector<Vec3> directions;
