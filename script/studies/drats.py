@@ -56,9 +56,9 @@ DAYS = {
 
 MEETINGS = (7, 14)
 WORK = {
-    "eva": ("EVA", "EVA", {"ActivityDuration": "90 min", "Crew": 2}),
-    "sample": ("Sample", "Sample", {"Duration": "25 min"}),
-    "survey": ("EVA", "Short EVA", {"ActivityDuration": "30 min", "Crew": 1}),
+    "eva": ("EVA", "EVA", {"ActivityDuration": "150 min", "Crew": 2}),
+    "sample": ("Sample", "Sample", {"Duration": "40 min"}),
+    "survey": ("EVA", "Short EVA", {"ActivityDuration": "1 h", "Crew": 1}),
 }
 
 
@@ -80,7 +80,7 @@ def add_day(plan, rover, day, stops, is_first):
         if schema == "EVA" and not is_camp:
             plan.event(rover, "StowCA", f"Mast down, {stop}")
         if number == 1:
-            plan.event(rover, "Pause", f"Lunch, day {day}", Duration="45 min")
+            plan.event(rover, "Pause", f"Lunch, day {day}", Duration="1 h")
 
 
 def add_night(plan, rover, day, stops):
@@ -89,8 +89,9 @@ def add_night(plan, rover, day, stops):
                    StartAfter=f"A/{plan.sequences['A']}")
     if WORK[stops[-1][2]][0] != "EVA" or day in MEETINGS:
         plan.event(rover, "DeployCA", f"Mast up for night {day}")
-    plan.event(rover, "Recharge", f"Night {day}: from the support trailer", EnergyRate="3 kW",
-               UntilCharge="95 %", Duration="9 h", OnFailure="skip")
+    evening = START + timedelta(days=day - 1, hours=10)  # 18:00 in Arizona
+    plan.event(rover, "Recharge", f"Night {day}: from the support trailer", StartTime=utc(evening),
+               EnergyRate="3 kW", UntilCharge="95 %", Duration="9 h", OnFailure="skip")
 
 
 def drats(days):
