@@ -28,11 +28,11 @@ end
 add('lava flow', 1000, 1700, 5000, 40)
 -- The ridge: hills in a row that overlap, higher and lower ones, so that it has saddles; a wider
 -- row behind them makes its northern side gentle.
-for k = 0, 42 do
-  local east_m = 550 + 112 * k
-  local north_m = -150 - 7 * k + 55 * math.sin(0.33 * k) + 25 * math.sin(0.9 * k + 1)
+for k = 0, 45 do
+  local east_m = 250 + 112 * k
+  local north_m = -190 - 6 * k + 55 * math.sin(0.33 * k) + 25 * math.sin(0.9 * k + 1)
   add('ridge', east_m, north_m, 520, 8 + 4 * math.sin(0.42 * k) + 2 * math.sin(1.13 * k))
-  if k % 3 == 0 then add('ridge, back', east_m, north_m + 220, 1000, 8) end
+  if k % 3 == 2 then add('ridge, back', east_m + 300, north_m + 220, 1000, 8) end
 end
 -- Washes: shallow hollows in a row.
 for k = 0, 20 do

@@ -91,7 +91,7 @@ def add_night(plan, rover, day, stops):
         plan.event(rover, "DeployCA", f"Mast up for night {day}")
     evening = START + timedelta(days=day - 1, hours=10)  # 18:00 in Arizona
     plan.event(rover, "Recharge", f"Night {day}: from the support trailer", StartTime=utc(evening),
-               EnergyRate="3 kW", UntilCharge="95 %", Duration="9 h", OnFailure="skip")
+               EnergyRate="3 kW", Duration="12 h", OnFailure="skip")
 
 
 def drats(days):

@@ -33,4 +33,19 @@ std::vector<SourceFile> source_files(const std::vector<std::string>& extensions)
   return files;
 }
 
+std::vector<std::filesystem::path> long_plans() {
+  return {repository() / "plans/drats.kml", repository() / "plans/lunar_campaign.kml"};
+}
+
+std::vector<std::filesystem::path> shipped_plans() {
+  std::vector<std::filesystem::path> plans;
+  const std::vector<std::filesystem::path> of_weeks = long_plans();
+  for (const auto& entry : std::filesystem::directory_iterator(repository() / "plans")) {
+    const bool is_long = std::ranges::find(of_weeks, entry.path()) != of_weeks.end();
+    if (entry.path().extension() == ".kml" && !is_long) plans.push_back(entry.path());
+  }
+  std::ranges::sort(plans);
+  return plans;
+}
+
 }  // namespace lsos::test

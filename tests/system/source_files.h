@@ -17,6 +17,10 @@ struct SourceFile {
 std::vector<SourceFile> source_files(const std::vector<std::string>& extensions);
 
 std::filesystem::path repository();
+// Shipped plans, in order of name: those that run in a minute or so, and those of weeks, which take
+// many.
+std::vector<std::filesystem::path> shipped_plans();
+std::vector<std::filesystem::path> long_plans();
 // Lines without their line ends. Throws std::runtime_error when the file cannot be read.
 std::vector<std::string> read_lines(const std::filesystem::path& file);
 
