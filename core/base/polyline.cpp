@@ -8,7 +8,15 @@
 namespace lsos {
 
 std::vector<Vec2> simplified(const std::vector<Vec2>& line_m, double tolerance_m) {
-  if (line_m.size() < 3) return line_m;
+  std::vector<Vec2> simple_m;
+  for (const std::size_t k : points_of_simplified(line_m, tolerance_m)) {
+    simple_m.push_back(line_m[k]);
+  }
+  return simple_m;
+}
+
+std::vector<std::size_t> points_of_simplified(const std::vector<Vec2>& line_m, double tolerance_m) {
+  if (line_m.empty()) return {};
   std::vector<bool> is_kept(line_m.size(), false);
   is_kept.front() = is_kept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> pieces{{0, line_m.size() - 1}};
@@ -28,11 +36,11 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& line_m, double tolerance_m
     pieces.push_back({first, farthest});
     pieces.push_back({farthest, last});
   }
-  std::vector<Vec2> simple_m;
+  std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < line_m.size(); ++k) {
-    if (is_kept[k]) simple_m.push_back(line_m[k]);
+    if (is_kept[k]) kept.push_back(k);
   }
-  return simple_m;
+  return kept;
 }
 
 }  // namespace lsos

@@ -255,13 +255,6 @@ std::vector<EventRow> Simulation::events() const {
   return rows;
 }
 
-double Simulation::progress() const {
-  auto ended = static_cast<double>(fleet_.events_ended());
-  for (const FleetRover& rover : fleet_.rovers) ended += rover.agent->drive().share();
-  const auto events = static_cast<double>(setup_.plan.events.size());
-  return events > 0 ? std::min(1.0, ended / events) : 1;
-}
-
 std::vector<RoverResult> Simulation::results() const {
   std::vector<RoverResult> results;
   for (const FleetRover& rover : fleet_.rovers) results.push_back(result_of(rover));

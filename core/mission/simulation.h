@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/worker_pool.h"
+#include "mission/ahead/mission_work.h"
 #include "mission/fleet/fleet.h"
 #include "mission/fleet/fleet_sight.h"
 #include "mission/fleet/fleet_sunlight.h"
@@ -81,6 +82,11 @@ class Simulation : private Surroundings {
   // Progress of the mission, 0..1: events that have ended, plus the driven share of those under
   // way.
   double progress() const;
+  // What it has done and has yet to do, for an estimate of the time that is left.
+  MissionWork work() const;
+  // Ids of the rovers that are not parked.
+  std::vector<std::string> moving_rovers() const;
+  bool is_at_rest() const;
 
   // Interactive control by a prompt or a scenario, between exchanges: rovers may be commanded.
   const Fleet& fleet() const { return fleet_; }

@@ -164,6 +164,7 @@ class Writer {
     open("Folder");
     element("name", folder_to_write.name);
     if (folder_to_write.open) element("open", "1");
+    description(folder_to_write.description);
     for (const KmlFolder& each : folder_to_write.folders) folder(each);
     for (const KmlPlacemark& each : folder_to_write.placemarks) placemark(each);
     close();

@@ -72,6 +72,7 @@ struct KmlPlacemark {
 
 struct KmlFolder {
   std::string name;
+  std::string description = {};  // "": none
   bool open = false;
   std::vector<KmlPlacemark> placemarks;
   std::vector<KmlFolder> folders;

@@ -172,7 +172,8 @@ std::optional<ReportMap> report_map(const Ground& ground, const ReportData& data
   if (bounds.is_empty()) return std::nullopt;
   ReportMap map = bounds.map();
   const MapCells grid = cells_over(map, relief_px);
-  const std::vector<double> heights_m = elevations_m(ground, grid, grid.cell_m, threads);
+  const std::vector<double> heights_m =
+      elevations_m(ground, grid, grid.cell_m, threads, MapDetail::sparse);
   map.lowest_m = 1e300;
   map.highest_m = -1e300;
   for (const double height_m : heights_m) {

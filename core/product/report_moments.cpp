@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "product/rover_days.h"
+
 namespace lsos {
 
 namespace {
@@ -15,6 +17,9 @@ constexpr SimTime stop{60'000'000};        // shortest stop that counts
 constexpr SimTime picture_spacing{30'000'000};
 constexpr std::size_t stops_most = 8;
 constexpr std::size_t rovers_most = 3;  // whose start and end are shown
+// A mission longer than a day has fewer pictures: each takes a second or two where the ground has
+// much detail, and few show more than the plots.
+constexpr std::size_t stops_most_of_days = 3, starts_most_of_days = 1;
 
 // Times at which each rover's panels went up or down.
 class PanelTimes {
@@ -80,21 +85,41 @@ std::vector<ReportMoment> solar_stops(const ReportData& data, const PanelTimes& 
   return stops;
 }
 
+// The moment at which the first event failed, unless a picture of that rover is taken about then.
+std::optional<ReportMoment> first_failure(const ReportData& data,
+                                          const std::vector<ReportMoment>& moments) {
+  const EventRow* first = nullptr;
+  for (const EventRow& event : data.events) {
+    if (event.status != EventStatus::failed || !event.end) continue;
+    if (first == nullptr || *event.end < *first->end) first = &event;
+  }
+  if (first == nullptr) return std::nullopt;
+  const SimTime time = round_up_to_exchange(*first->end);
+  const bool is_seen = std::ranges::any_of(moments, [&](const ReportMoment& moment) {
+    return moment.rover_id == first->rover_id && moment.time + picture_spacing >= time &&
+           time + picture_spacing >= moment.time;
+  });
+  if (is_seen) return std::nullopt;
+  return ReportMoment{time, first->rover_id, first->label + " failed", false};
+}
+
 }  // namespace
 
 std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData& data,
                                          std::vector<std::string>& left_out) {
   const PanelTimes panels(log);
+  const bool has_days = from_seconds(data.end_s) > day_length;
+  const std::size_t starts_most = has_days ? starts_most_of_days : rovers_most;
   std::vector<ReportMoment> moments;
   for (std::size_t k = 0; k < std::min(rovers_most, data.rovers.size()); ++k) {
     const ReportRover& rover = data.rovers[k];
     const SimTime end = from_seconds(rover.last_s);
-    moments.push_back({{}, rover.id, "Start", false});
+    if (k < starts_most) moments.push_back({{}, rover.id, "Start", false});
     if (end > picture_spacing) moments.push_back({end, rover.id, "End", false});
   }
   const std::vector<ReportMoment> stops = solar_stops(data, panels);
   // If there are too many stops, some from all parts of the mission are kept.
-  const std::size_t count = std::min(stops_most, stops.size());
+  const std::size_t count = std::min(has_days ? stops_most_of_days : stops_most, stops.size());
   if (count < stops.size()) {
     left_out.push_back(fmt::format("pictures of {} of the {} stops with panels up",
                                    stops.size() - count, stops.size()));
@@ -106,6 +131,7 @@ std::vector<ReportMoment> report_moments(const LogReader& log, const ReportData&
   for (std::size_t k = 0; k < count; ++k) {
     moments.push_back(stops[k * stops.size() / count]);
   }
+  if (const auto failure = first_failure(data, moments)) moments.push_back(*failure);
   std::ranges::stable_sort(moments, {}, [](const ReportMoment& moment) {
     return std::pair(moment.time, moment.rover_id);
   });

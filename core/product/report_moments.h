@@ -1,5 +1,5 @@
-// Selects the times of a run that its report has pictures of: the start, each stop in the Sun, the
-// end.
+// Selects the times of a run that its report has pictures of: the start, stops in the Sun, the end,
+// and the first failure.
 #pragma once
 
 #include <string>

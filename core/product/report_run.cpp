@@ -9,12 +9,16 @@
 #include "picture/picture_frame.h"
 #include "product/report_map.h"
 #include "product/report_moments.h"
+#include "product/rover_days.h"
 
 namespace lsos {
 
 namespace {
 
 constexpr int chase_px = 800, sun_px = 450, quality = 80;
+// Of a mission longer than a day: the time of a picture is about that of its ground's mesh, which
+// has nodes by the pixel.
+constexpr int chase_px_of_days = 640;
 
 std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const ReportData& data,
                                     std::vector<std::string>& left_out) {
@@ -23,6 +27,7 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
   for (const ReportMoment& moment : moments) times.push_back(moment.time);
   times.erase(std::unique(times.begin(), times.end()), times.end());
   read_moments(run, log, times);
+  const int behind_px = from_seconds(data.end_s) > day_length ? chase_px_of_days : chase_px;
   const Gpu gpu;
   Lettering letters;
   std::vector<ReportPicture> drawn;
@@ -38,7 +43,7 @@ std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const
                        {"image/jpeg",
                         jpeg_bytes(picture.width_px, picture.height_px, 3, picture.rgb, quality)}});
     };
-    add("chase", chase_px, "from behind");
+    add("chase", behind_px, "from behind");
     if (moment.is_solar) add("sun", sun_px, "as the Sun sees it, panels green");
   }
   return drawn;

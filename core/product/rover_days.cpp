@@ -15,8 +15,6 @@ namespace lsos {
 
 namespace {
 
-constexpr SimTime day_length{86'400'000'000};
-
 // Sums since the start of the mission, and what is read off between two samples.
 constexpr std::array cumulative{&SampleRow::distance_m, &SampleRow::solar_j, &SampleRow::external_j,
                                 &SampleRow::load_j,     &SampleRow::drive_j, &SampleRow::loss_j};

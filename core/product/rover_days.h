@@ -9,6 +9,9 @@
 
 namespace lsos {
 
+// Days last 24 hours, counted from the start of the mission.
+inline constexpr SimTime day_length{86'400'000'000};
+
 // NaN: not modelled.
 struct RoverDay {
   std::string rover_id;
@@ -25,8 +28,8 @@ struct RoverDay {
   double events_ended = 0, evas = 0;    // counts; an EVA counts where it begins
 };
 
-// Days last 24 hours, counted from the start of the mission; the last may be shorter. Values
-// between two samples are linear. In the order of rovers, then days.
+// The last day may be shorter. Values between two samples are linear. In the order of rovers, then
+// days.
 std::vector<RoverDay> rover_days(const LogReader& log);
 // The same of a mission that is longer than a day; none of a shorter one.
 std::vector<RoverDay> days_of_long_run(const LogReader& log);

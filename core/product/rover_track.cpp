@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/polyline.h"
+#include "planet/site_frame.h"
 
 namespace lsos {
 
@@ -12,6 +14,11 @@ namespace {
 constexpr double vertex_spacing_m = 0.5;  // less than a wheelbase, so that no turn is lost
 
 SimTime round_up(SimTime time, SimTime step) { return (time + step - SimTime{1}) / step * step; }
+
+// A line ends where the rover stands, however near to its last point that is.
+void end_at(const Geodetic& last, const Body& body, std::vector<Geodetic>& line) {
+  if (surface_distance_m(body, line.back(), last) > 0) line.push_back(last);
+}
 
 }  // namespace
 
@@ -24,12 +31,27 @@ SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime pa
   return fits ? parked_too : interval;
 }
 
+std::vector<Geodetic> simplified_line(const Body& body, const std::vector<Geodetic>& line) {
+  if (line.size() < 3) return line;
+  const SiteFrame frame(body, {line.front().lon_rad, line.front().lat_rad, 0});
+  std::vector<Vec2> points_m;
+  for (const Geodetic& place : line) {
+    points_m.emplace_back(frame.p_S_m({place.lon_rad, place.lat_rad, 0}).head<2>());
+  }
+  std::vector<Geodetic> simple;
+  for (const std::size_t k : points_of_simplified(points_m, line_tolerance_m)) {
+    simple.push_back(line[k]);
+  }
+  return simple;
+}
+
 RoverTrack::RoverTrack(const Body& body, DriveMarks marks, DriveMarks track_marks,
-                       SimTime track_interval)
+                       SimTime track_interval, SimTime piece_length)
     : body_(&body),
       marks_(std::move(marks)),
       track_marks_(std::move(track_marks)),
-      track_interval_(track_interval) {}
+      track_interval_(track_interval),
+      piece_length_(piece_length) {}
 
 void RoverTrack::add(const SampleRow& row) {
   samples_.add(row, marks_.next(row));
@@ -39,17 +61,26 @@ void RoverTrack::add(const SampleRow& row) {
     if (track_interval_ > SimTime{0}) next_ = (row.time / track_interval_ + 1) * track_interval_;
   }
   track_.add(row, wanted);
-  last_ = row.place;
-  if (line_.empty() || surface_distance_m(*body_, line_.back(), row.place) >= vertex_spacing_m) {
-    line_.push_back(row.place);
+  if (pieces_.empty()) {
+    pieces_.push_back({row.time, {row.place}});
+  } else if (piece_length_ > SimTime{0} &&
+             row.time / piece_length_ > pieces_.back().from / piece_length_) {
+    end_at(last_, *body_, pieces_.back().line);
+    pieces_.push_back({row.time / piece_length_ * piece_length_, {last_}});
   }
+  std::vector<Geodetic>& line = pieces_.back().line;
+  if (surface_distance_m(*body_, line.back(), row.place) >= vertex_spacing_m) {
+    line.push_back(row.place);
+  }
+  last_ = row.place;
 }
 
-std::vector<Geodetic> RoverTrack::line() const {
-  std::vector<Geodetic> line = line_;
-  const bool has_moved_on = !line.empty() && surface_distance_m(*body_, line.back(), last_) > 0;
-  if (has_moved_on) line.push_back(last_);
-  return line;
+std::vector<RoverTrack::Piece> RoverTrack::driven() const {
+  std::vector<Piece> driven = pieces_;
+  if (!driven.empty()) end_at(last_, *body_, driven.back().line);
+  std::erase_if(driven, [](const Piece& piece) { return piece.line.size() < 2; });
+  for (Piece& piece : driven) piece.line = simplified_line(*body_, piece.line);
+  return driven;
 }
 
 }  // namespace lsos

@@ -16,17 +16,33 @@ namespace lsos {
 // because a parked rover has rows at those times only.
 SimTime sample_interval(SimTime end, int count, SimTime log_interval, SimTime parked_log_interval);
 
+// Lines of an overlay leave out points that they hardly bend at, Douglas and Peucker (1973): none
+// of them is farther than this from the line. Viewers show a metre as a pixel at the closest.
+inline constexpr double line_tolerance_m = 0.2;
+
+// The line without such points; it keeps its ends.
+std::vector<Geodetic> simplified_line(const Body& body, const std::vector<Geodetic>& line);
+
 class RoverTrack {
  public:
+  // A part of the driven line, from its first place at the earliest.
+  struct Piece {
+    SimTime from{};
+    std::vector<Geodetic> line;
+  };
+
   // `marks` chooses the samples. `track_marks` and one sample in each `track_interval` make up the
-  // track; if the interval is 0 the track has every sample.
-  RoverTrack(const Body& body, DriveMarks marks, DriveMarks track_marks, SimTime track_interval);
+  // track; if the interval is 0 the track has every sample. The driven line is cut each
+  // `piece_length`; 0: it is left whole.
+  RoverTrack(const Body& body, DriveMarks marks, DriveMarks track_marks, SimTime track_interval,
+             SimTime piece_length = {});
 
   // Rows come in order of time.
   void add(const SampleRow& row);
 
-  // The driven line, with a point about every 0.5 m; fewer than two points if it never moved.
-  std::vector<Geodetic> line() const;
+  // The pieces in which it moved. Each goes on where the last one ended, and no place that the
+  // rover passed is farther than `line_tolerance_m` from it.
+  std::vector<Piece> driven() const;
   std::vector<SampleRow> samples() const { return samples_.rows(); }
   std::vector<SampleRow> track() const { return track_.rows(); }
 
@@ -35,7 +51,8 @@ class RoverTrack {
   DriveMarks marks_, track_marks_;
   SimTime track_interval_, next_{};  // when the next sample of the track is due
   KeptRows samples_, track_;
-  std::vector<Geodetic> line_;
+  SimTime piece_length_;
+  std::vector<Piece> pieces_;  // with a point about every 0.5 m
   Geodetic last_;
 };
 

@@ -1,6 +1,7 @@
 #include "lua/app/planning_watch.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 
@@ -10,7 +11,8 @@ namespace lsos {
 
 namespace {
 
-constexpr std::chrono::seconds first_after{2}, then_every{10};
+// On a terminal one line is drawn over; elsewhere a long search has a line a minute.
+constexpr std::chrono::seconds first_after{2}, redraw_every{1}, line_every{60};
 
 }  // namespace
 
@@ -37,6 +39,7 @@ void PlanningWatch::plan(const std::string& what) {
 }
 
 void PlanningWatch::watch() {
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
   std::unique_lock lock(mutex_);
   while (!is_ending_) {
     const long long now = number_;
@@ -46,10 +49,15 @@ void PlanningWatch::watch() {
       continue;
     }
     const auto begin = std::chrono::steady_clock::now();
-    for (auto wait = first_after; !changed_.wait_for(lock, wait, is_other); wait = then_every) {
+    bool is_drawn = false;
+    for (auto wait = first_after; !changed_.wait_for(lock, wait, is_other);
+         wait = is_terminal ? redraw_every : line_every) {
       const std::chrono::duration<double> so_far = std::chrono::steady_clock::now() - begin;
-      print_message("planning {}: {:.0f} s so far\n", what_, so_far.count());
+      print_message("{}planning {}: {:.0f} s so far{}", is_terminal ? "\r" : "", what_,
+                    so_far.count(), is_terminal ? "\x1b[K" : "\n");
+      is_drawn = true;
     }
+    if (is_drawn && is_terminal) print_message("\r\x1b[K");
   }
 }
 

@@ -1,7 +1,10 @@
 #include "lua/app/progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include <cmath>
 
 #include "base/console.h"
 
@@ -11,28 +14,53 @@ namespace {
 
 constexpr int bar_width = 30;
 constexpr auto redraw = std::chrono::milliseconds(100);
-constexpr auto line_every = std::chrono::seconds(10);
+constexpr auto line_every = std::chrono::seconds(60);
+
+// "40 s", "12 min", "3 h 20 min": an estimate has no more digits.
+std::string rough_time(double time_s) {
+  if (time_s < 90) return fmt::format("{:.0f} s", std::ceil(time_s / 10) * 10);
+  const auto minutes = static_cast<int>(std::lround(time_s / 60));
+  if (minutes < 90) return fmt::format("{} min", minutes);
+  return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+}
 
 }  // namespace
 
 Progress::Progress(bool is_quiet, double from_s)
     : is_quiet_(is_quiet), is_terminal_(isatty(STDERR_FILENO) != 0), from_s_(from_s) {}
 
-void Progress::show(double share, std::optional<double> sim_s) {
-  const Clock::time_point now = Clock::now();
-  if (is_quiet_ || now - drawn_ < (is_terminal_ ? redraw : Clock::duration(line_every))) return;
-  drawn_ = now;
-  const double wall_s = std::chrono::duration<double>(now - begin_).count();
+bool Progress::is_due() const {
+  return !is_quiet_ &&
+         Clock::now() - drawn_ >= (is_terminal_ ? redraw : Clock::duration(line_every));
+}
+
+void Progress::show(double share) {
+  if (!is_due()) return;
+  const double wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
+  draw(share, share > 0 ? fmt::format("{} left", clock_text(wall_s * (1 - share) / share))
+                        : std::string());
+}
+
+void Progress::show_mission(double share, double sim_s, std::optional<double> left_s,
+                            const std::string& what) {
+  if (!is_due()) return;
+  const double wall_s = std::chrono::duration<double>(Clock::now() - begin_).count();
+  draw(share, fmt::format("{} simulated, {:.0f} x real time{}{}", clock_text(sim_s),
+                          (sim_s - from_s_) / wall_s,
+                          left_s ? fmt::format(", {} left", rough_time(*left_s)) : "",
+                          what.empty() ? "" : ", " + what));
+}
+
+void Progress::draw(double share, const std::string& state) {
+  drawn_ = Clock::now();
   const int full = static_cast<int>(share * bar_width);
-  std::string state;
-  if (sim_s) {
-    state = fmt::format("{} simulated, {:.0f} x real time", clock_text(*sim_s),
-                        (*sim_s - from_s_) / wall_s);
-  } else if (share > 0) {
-    state = fmt::format("{} left", clock_text(wall_s * (1 - share) / share));
-  }
-  print_message("{}[{:=<{}}{: <{}}] {:3.0f} %  {}{}", is_terminal_ ? "\r" : "", "", full, "",
-                bar_width - full, share * 100, state, is_terminal_ ? "\x1b[K" : "\n");
+  const std::string line = fmt::format("[{:=<{}}{: <{}}] {:3.0f} %  {}", "", full, "",
+                                       bar_width - full, share * 100, state);
+  if (!is_terminal_) return print_message("{}\n", line);
+  // A line that wraps cannot be drawn over.
+  winsize size{};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  print_message("\r{}\x1b[K", line.substr(0, is_known ? size.ws_col - 1U : line.size()));
 }
 
 void Progress::finish() {

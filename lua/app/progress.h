@@ -1,4 +1,4 @@
-// Progress of a command on standard error: a bar on a terminal, an occasional line elsewhere.
+// Progress of a command on standard error: a bar on a terminal, a line a minute elsewhere.
 #pragma once
 
 #include <chrono>
@@ -12,14 +12,22 @@ class Progress {
   // `from_s`: where a mission's time stands now.
   explicit Progress(bool is_quiet, double from_s = 0);
 
-  // `share`: completed part, 0..1. Draws at most ten times a second. With `sim_s`: of a mission,
-  // with the time simulated; without: with the time that is left.
-  void show(double share, std::optional<double> sim_s = {});
+  // `share`: completed part, 0..1. Draws when is_due(), with the time that is left.
+  void show(double share);
+  // Of a mission, at its time `sim_s`. `left_s`: of wall time, where it is known. `what`: what is
+  // being done.
+  void show_mission(double share, double sim_s, std::optional<double> left_s,
+                    const std::string& what);
+  // Ten times a second on a terminal, else once a minute: what is to be shown need not be found out
+  // more often.
+  bool is_due() const;
   // Removes the bar.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void draw(double share, const std::string& state);
 
   bool is_quiet_;
   bool is_terminal_;

@@ -1,9 +1,11 @@
 #include "lua/app/run_to_end.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
 #include <set>
@@ -19,6 +21,12 @@
 namespace lsos {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
 
 std::atomic<int> stop_signal{0};
 
@@ -60,10 +68,35 @@ class RunNews {
   std::set<std::string> failed_;          // told, "ROVER/SEQUENCE"
 };
 
+// The rovers that move, and the day of a mission longer than one.
+std::string doing_text(const Simulation& simulation, double expected_end_s) {
+  constexpr double day_s = 86400;
+  const std::vector<std::string> moving = simulation.moving_rovers();
+  std::string text =
+      expected_end_s > day_s
+          ? fmt::format("day {}: ", 1 + static_cast<int>(seconds(simulation.now()) / day_s))
+          : "";
+  if (moving.empty()) return text + "all stand";
+  return text + fmt::format("{} move{}", fmt::join(moving, ", "), moving.size() == 1 ? "s" : "");
+}
+
+void show(const Simulation& simulation, const TimeLeft& time_left, double wall_s,
+          Progress& progress) {
+  if (!progress.is_due()) return;
+  const double now_s = seconds(simulation.now());
+  const MissionWork work = simulation.work();
+  const std::optional<double> left_s = time_left.left_s(work, now_s);
+  const double share = left_s ? wall_s / (wall_s + *left_s) : simulation.progress();
+  progress.show_mission(share, now_s, left_s, doing_text(simulation, work.stand_until_s));
+}
+
 // Returns the signal that stopped the run, or 0.
 int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
   Progress progress(is_quiet, seconds(simulation.now()));
   RunNews news(is_quiet);
+  TimeLeft time_left(simulation.work());
+  const Clock::time_point begin = Clock::now();
+  Clock::time_point step = begin;
   int stopped_by = 0;
   while (!simulation.is_finished() && stopped_by == 0) {
     stopped_by = stop_signal;
@@ -72,10 +105,15 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
       simulation.stop(fmt::format("stopped by {}", stopped_by == SIGINT ? "SIGINT" : "SIGTERM"));
       continue;
     }
+    const double before_s = seconds(simulation.now());
+    const bool drives = !simulation.is_at_rest();
     simulation.advance();
     checkpoints.write_if_due(simulation);
+    const Clock::time_point now = Clock::now();
+    time_left.add(seconds_between(step, now), seconds(simulation.now()) - before_s, drives);
+    step = now;
     news.tell(simulation, progress);
-    progress.show(simulation.progress(), seconds(simulation.now()));
+    show(simulation, time_left, seconds_between(begin, now), progress);
   }
   progress.finish();
   simulation.terminate();

@@ -22,6 +22,29 @@ function fillHead() {
 // Whether an assumption concerns the terrain or the body as a whole, not one vehicle's part.
 const isBasic = assumption => [page.terrain, page.body].some(name => assumption.startsWith(`${name}:`));
 
+// What failed, in order of time, each with a link to its time in the plots. Of a rover whose later
+// events never began the last failure says how many.
+function failureList(bad) {
+  const ended = event => event.end_s ?? endS;
+  const inOrder = [...bad].sort((a, b) => ended(a) - ended(b));
+  const lost = new Map();
+  for (const event of inOrder) {
+    const count = page.events.filter(other => other.rover_id === event.rover_id && other.status === 'not_started').length;
+    if (count > 0) lost.set(event.rover_id, {event, count});
+  }
+  const lines = inOrder.map(event => {
+    const go = make('button', {type: 'button', class: 'link', title: 'Show it in the plots'}, elapsedText(ended(event)));
+    go.addEventListener('click', () => (event.start_s === null ? showTime(ended(event)) : showEvent(event)));
+    const after = lost.get(event.rover_id);
+    return make('li', {}, `${event.rover_id}, ${event.label}: ${statusText(event.status)}${event.reason ? ', ' + event.reason : ''} (`, go,
+      `)${after?.event === event ? `; ${after.count} event${after.count > 1 ? 's' : ''} of ${event.rover_id} never began` : ''}`);
+  });
+  const shown = 10, list = items => make('ul', items.length > 4 ? {class: 'long'} : {}, ...items);
+  if (lines.length <= shown) return list(lines);
+  return make('div', {}, list(lines.slice(0, shown)),
+    make('details', {}, make('summary', {}, `${lines.length - shown} more`), list(lines.slice(shown))));
+}
+
 function fillFindings() {
   const list = items => make('ul', items.length > 4 ? {class: 'long'} : {}, ...items.map(item => make('li', {}, item)));
   const box = (kind, title, ...more) => make('div', {class: `finding ${kind}`}, make('h3', {}, title), ...more);
@@ -33,7 +56,7 @@ function fillFindings() {
       .map(status => [page.events.filter(event => event.status === status).length, status])
       .filter(([count]) => count > 0).map(([count, status]) => `${count} ${statusText(status)}`);
     place.append(box('bad', `Of ${page.events.length} event${page.events.length > 1 ? 's' : ''} ${counts.join(', ')}`,
-      list(bad.map(event => `${event.rover_id}, ${event.label}: ${statusText(event.status)}${event.reason ? ', ' + event.reason : ''}`))));
+      failureList(bad)));
   }
   const warnings = summary?.warnings || [], assumptions = summary?.assumptions || [];
   // Without a summary the warnings are unknown.
@@ -100,7 +123,7 @@ function fillTables() {
   }
   document.getElementById('rover-table').append(table(columns, rovers));
   const at = time => (time === null ? '–' : elapsedText(time));
-  document.getElementById('event-table').append(table([
+  const eventColumns = [
     ['Rover', event => swatch(roverOf(event.rover_id), event.rover_id)],
     ['No', event => String(event.sequence), true],
     ['Event', event => event.label],
@@ -113,45 +136,11 @@ function fillTables() {
     ['Energy used', event => energyText(event.energy_used_j), true],
     ['From the Sun', event => energyText(event.solar_j), true],
     ['Reason', event => event.reason || ''],
-  ], page.events, (line, event) => {
+  ];
+  showEvents(events => table(eventColumns, events, (line, event) => {
     line.title = event.start_s === null ? 'It did not start' : 'Show it in the plots';
     line.addEventListener('click', () => showEvent(event));
   }));
-}
-
-// A row a day and rover of a mission longer than a day; a click shows the day in the plots.
-function fillDays() {
-  const days = [...(summary?.days || [])].sort((a, b) => a.day - b.day);
-  if (days.length === 0) return;
-  const isKnown = value => value !== null && value !== undefined;
-  const percent = value => (isKnown(value) ? `${(100 * value).toFixed(0)} %` : '–');
-  const hours = value => (isKnown(value) ? `${(value / 3600).toFixed(1)} h` : '–');
-  const columns = [
-    ['Day', day => String(day.day), true],
-    ['Rover', day => swatch(roverOf(day.rover_id), day.rover_id)],
-    ['Distance', day => distanceText(day.distance_m), true],
-    ['Driving', day => durationText(day.drive_s), true],
-    ['Steepest sample', day => (isKnown(day.max_slope_rad) ? `${((day.max_slope_rad * 180) / Math.PI).toFixed(1)}°` : '–'), true],
-    ['Energy used', day => energyText(day.energy_used_j), true],
-    ['From the Sun', day => energyText(day.solar_j), true],
-    ['Charge at start', day => percent(day.charge_start), true],
-    ['least', day => percent(day.charge_min), true],
-    ['at end', day => percent(day.charge_end), true],
-    ['Sunlit', day => hours(day.sunlit_s), true],
-  ];
-  if (days.some(day => isKnown(day.earth_visible_s))) {
-    columns.push(['Earth in view', day => hours(day.earth_visible_s), true], ['linked', day => hours(day.earth_link_s), true]);
-  }
-  if (days.some(day => day.evas > 0)) columns.push(['EVAs', day => String(day.evas), true]);
-  columns.push(['Events ended', day => String(day.events_ended), true]);
-  document.getElementById('days').append(make('h2', {}, 'Days'), make('div', {class: 'wide', id: 'day-table'}, table(columns, days, (line, day) => {
-    line.title = 'Show this day in the plots';
-    line.addEventListener('click', () => {
-      setWindow(day.from_s, day.to_s);
-      setCursor(day.from_s);
-      document.getElementById('course').scrollIntoView({block: 'start'});
-    });
-  })));
 }
 
 const noteText = note => Object.entries(note.fields || {}).map(([name, value]) =>

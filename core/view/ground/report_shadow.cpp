@@ -80,11 +80,14 @@ double horizon(const std::vector<Level>& levels, const Vec3& from_S_m, double he
 }  // namespace
 
 std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, double resolution_m,
-                                 int threads) {
+                                 int threads, MapDetail detail) {
+  constexpr double sparse_share = 0.25;
   std::vector<double> heights_m(cells.size());
   WorkerPool pool(threads);
   pool.for_each(static_cast<std::size_t>(threads), [&](std::size_t part) {
-    Ground::Probe probe(ground, resolution_m);
+    Ground::Probe probe = detail == MapDetail::sparse ? Ground::Probe::with_sparse_detail(
+                                                            ground, sparse_share * resolution_m)
+                                                      : Ground::Probe(ground, resolution_m);
     for (int row = static_cast<int>(part); row < cells.rows; row += threads) {
       for (int column = 0; column < cells.columns; ++column) {
         heights_m[cells.index(column, row)] = probe.sample(cells.p_S_m(column, row)).elevation_m;

@@ -26,10 +26,15 @@ struct MapCells {
   }
 };
 
+// How much of the detail below a raster is in the cells of a map. `shown`: all that a resolution
+// shows, with nodes a sixteenth of it apart. `sparse`: with nodes a quarter of it apart, in a tenth
+// of the time; a relief looks the same, shadows lose the smallest rims.
+enum class MapDetail { shown, sparse };
+
 // Elevation of each cell; NaN where there is no ground. `resolution_m`: resolution at which the
 // ground is sampled, as Ground has it.
 std::vector<double> elevations_m(const Ground& ground, const MapCells& cells, double resolution_m,
-                                 int threads);
+                                 int threads, MapDetail detail = MapDetail::shown);
 
 // Share of the disc that each cell sees, 0..1; NaN where there is no ground.
 std::vector<double> sunlit_shares(const Ground& ground, const MapCells& cells, Instant at,

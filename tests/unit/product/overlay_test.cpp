@@ -3,6 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,9 +14,11 @@
 #include <string>
 
 #include "base/files.h"
+#include "base/segment.h"
 #include "picture/png.h"
 #include "plan/kmz_archive.h"
 #include "product/overlay_icons.h"
+#include "product/rover_days.h"
 #include "product/rover_track.h"
 #include "support/reference_data.h"
 #include "unit/record/log_fixture.h"
@@ -81,6 +87,30 @@ std::string overlay_of(const TestFolder& folder, int count) {
   write_log(folder / "log.gpkg", count);
   write_overlay(folder.path(), test_plan());
   return read_file(folder / "overlay.kml").value_or("");
+}
+
+// Writes a log of three days; `rovers` drive all the time.
+void write_days_log(const std::string& file, int rovers, int rows) {
+  LogWriter log(file, moon_crs, test_start());
+  for (int i = 0; i < rows; ++i) {
+    SampleRow row = test_sample(i);
+    row.time = 3 * day_length * i / (rows - 1);
+    for (int k = 1; k <= rovers; ++k) {
+      row.rover_id = fmt::format("SEV{}", k);
+      log.write(row);
+    }
+  }
+  EventRow event = test_event();
+  event.start = day_length;
+  event.end = day_length + SimTime{60'000'000};
+  event.place = test_sample(2).place;
+  log.write(event);
+  event.sequence = 20;
+  event.label = "Never begun";
+  event.status = EventStatus::not_started;
+  event.ready = event.start = event.end = std::nullopt;
+  log.write(event);
+  log.finish();
 }
 
 std::string output_of(const std::string& command, const std::string& file) {
@@ -205,13 +235,18 @@ TEST(Overlay, is_valid_against_the_schema_of_kml) {
   const std::string schema = reference_file("kml/xsd/ogckml22.xsd");
   if (!has_program("xmllint")) FAIL() << "no xmllint here";
   const TestFolder folder;
+  const std::string days = folder / "days";
+  std::filesystem::create_directory(days);
   overlay_of(folder, 5);
+  write_days_log(days + "/log.gpkg", 1, 50);
+  write_overlay(days, test_plan());
   // The catalog beside the schema names local copies of the schemas that it includes.
   const std::string catalog = schema.substr(0, schema.rfind('/')) + "/catalog.xml";
   const std::string command = "XML_CATALOG_FILES='" + catalog +
                               "' xmllint --nonet --noout --schema '" + schema + "' '" +
-                              (folder / "overlay.kml") + "'";
-  EXPECT_THAT(output_of(command, folder / "answer.txt"), HasSubstr("overlay.kml validates"));
+                              (folder / "overlay.kml") + "' '" + days + "/overlay.kml'";
+  const std::string answer = output_of(command, folder / "answer.txt");
+  EXPECT_EQ(count_of(answer, "overlay.kml validates"), 2) << answer;
 }
 
 TEST(Overlay, is_read_by_gis_tools_with_its_fields) {
@@ -229,6 +264,46 @@ TEST(Overlay, is_read_by_gis_tools_with_its_fields) {
   EXPECT_THAT(answer, HasSubstr("fields (String) = {\"waypoint\":2}"));
   EXPECT_THAT(answer, HasSubstr("LINESTRING"));
   EXPECT_THAT(answer, Not(HasSubstr("ERROR")));
+}
+
+TEST(Overlay, of_several_days_has_a_folder_for_each) {
+  if (!has_program("ogrinfo")) FAIL() << "no ogrinfo here";
+  const TestFolder folder;
+  write_days_log(folder / "log.gpkg", 2, 301);
+  write_overlay(folder.path(), test_plan());
+  const std::string kml = read_file(folder / "overlay.kml").value_or("");
+
+  EXPECT_THAT(kml, HasSubstr("<name>SEV1 day 3</name><description>2026-07-03 12:00 to 2026-07-04 "
+                             "12:00 UTC</description>"));
+  EXPECT_THAT(kml, Not(HasSubstr("SEV1 day 4"))) << "the last sample ends the third day";
+  // The second day's line appears with it.
+  EXPECT_THAT(kml, HasSubstr("<begin>2026-07-02T12:00:00.000Z</begin>"));
+  const std::string answer =
+      output_of("ogrinfo -ro -al -so '" + (folder / "overlay.kml") + "'", folder / "answer.txt");
+  EXPECT_THAT(answer, Not(HasSubstr("ERROR")));
+  const auto features = [&](const std::string& layer) {
+    const std::regex count("Layer name: " + layer + "\n(?:[^\n]*\n){0,2}?Feature Count: ([0-9]+)");
+    std::smatch found;
+    return std::regex_search(answer, found, count) ? std::stoi(found[1]) : -1;
+  };
+  EXPECT_EQ(features("SEV1 day 1 samples"), 100) << "at 0 h, 0.24 h, ..., 23.76 h";
+  EXPECT_EQ(features("SEV1 day 2 samples"), 100);
+  EXPECT_EQ(features("SEV2 day 3 samples"), 101);
+  EXPECT_EQ(features("SEV1 day 1 driven"), 1);
+  EXPECT_EQ(features("SEV1 day 1 events"), -1) << "none on that day";
+  EXPECT_EQ(features("SEV1 day 2 events"), 1);
+  EXPECT_EQ(features("SEV1 events"), 1) << "never begun";
+}
+
+TEST(Overlay, of_many_rovers_has_at_most_4000_samples) {
+  const TestFolder folder;
+  write_days_log(folder / "log.gpkg", 4, 1500);
+  write_overlay(folder.path(), test_plan());
+  const std::string kml = read_file(folder / "overlay.kml").value_or("");
+  EXPECT_LE(count_of(kml, "#lsos_samples"), 4000);
+  EXPECT_GT(count_of(kml, "#lsos_samples"), 3000);
+  EXPECT_GT(count_of(kml, "<name>SEV4 "), 700);
+  EXPECT_LT(kml.size(), 2700u * 4000) << "2.7 kB a sample";
 }
 
 TEST(Overlay, of_a_log_without_samples_has_no_rovers) {
@@ -263,10 +338,54 @@ TEST(RoverTrack, has_a_line_that_ends_where_the_rover_stands) {
     row.place = {0.1, 0.2 + step_rad * i, 0};
     track.add(row);
   }
-  const std::vector<Geodetic> line = track.line();
-  // The points lie at 0, 0.6, 1.2, 1.8 and 2.0 m.
-  ASSERT_EQ(line.size(), 5u);
+  const std::vector<RoverTrack::Piece> driven = track.driven();
+  ASSERT_EQ(driven.size(), 1u);
+  // A straight drive needs its ends alone.
+  const std::vector<Geodetic>& line = driven.front().line;
+  ASSERT_EQ(line.size(), 2u);
   EXPECT_NEAR(surface_distance_m(*find_body("Moon"), line.front(), line.back()), 2.0, 1e-6);
+}
+
+TEST(RoverTrack, is_cut_by_day_and_stays_near_every_place_that_was_passed) {
+  const Body& moon = *find_body("Moon");
+  const double radius_m = moon.equatorial_radius_m;
+  const DriveMarks marks({400, 400, 4000}, {}, "SEV1", 100);
+  RoverTrack track(moon, marks, marks, SimTime{2'000'000}, day_length);
+  std::vector<Geodetic> passed;
+  for (int i = 0; i < 400; ++i) {
+    SampleRow row = test_sample(i);
+    row.time = i * SimTime{600'000'000};  // 10 min: 2.8 days
+    // A circle of 60 m.
+    row.place = {0.1 + 60 * std::cos(0.05 * i) / radius_m, 60 * std::sin(0.05 * i) / radius_m, 0};
+    track.add(row);
+    passed.push_back(row.place);
+  }
+  const std::vector<RoverTrack::Piece> driven = track.driven();
+  ASSERT_EQ(driven.size(), 3u);
+  EXPECT_EQ(driven[1].from, day_length);
+  std::size_t points = 0;
+  for (std::size_t k = 0; k < driven.size(); ++k) {
+    points += driven[k].line.size();
+    if (k == 0) continue;
+    EXPECT_EQ(surface_distance_m(moon, driven[k - 1].line.back(), driven[k].line.front()), 0);
+  }
+  EXPECT_LT(points, 300u);
+  // On the equator longitude and latitude are a plane.
+  const auto plane_m = [&](const Geodetic& place) {
+    return Vec2(radius_m * (place.lon_rad - 0.1), radius_m * place.lat_rad);
+  };
+  double farthest_m = 0;
+  for (std::size_t i = 0; i < passed.size(); ++i) {
+    double nearest_m = 1e9;
+    const std::vector<Geodetic>& line = driven[i / 144].line;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      nearest_m = std::min(
+          nearest_m, point_distance_m(plane_m(line[k - 1]), plane_m(line[k]), plane_m(passed[i])));
+    }
+    farthest_m = std::max(farthest_m, nearest_m);
+  }
+  EXPECT_LT(farthest_m, 1.001 * line_tolerance_m);
+  EXPECT_GT(farthest_m, 0.1 * line_tolerance_m) << "points were left out";
 }
 
 }  // namespace
