@@ -6,10 +6,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "base/files.h"
+#include "planet/sunlight.h"
 
 namespace lsos {
 
@@ -34,10 +37,17 @@ SampleRow between(const SampleRow& before, const SampleRow& after, SimTime time)
   return row;
 }
 
+// Elevation of the Sun's middle where a rover was.
+using SunElevation = std::function<double(const SampleRow&)>;
+
 // Cuts the samples of one rover into days.
 class DayCutter {
  public:
+  explicit DayCutter(SunElevation sun_elevation_rad)
+      : sun_elevation_rad_(std::move(sun_elevation_rad)) {}
+
   void add(const SampleRow& row) {
+    note_dawn_and_dusk(row);
     if (!before_) {
       begin(row);
       before_ = row;
@@ -58,6 +68,11 @@ class DayCutter {
     if (before_ && !days_.empty()) end();
     // Nothing happens on a day that ends as it begins.
     if (days_.size() > 1 && days_.back().from_s >= days_.back().to_s) days_.pop_back();
+    for (const auto& [day, crossing] : crossings_) {
+      if (day >= days_.size()) continue;
+      days_[day].charge_dawn = crossing.dawn;
+      days_[day].charge_dusk = crossing.dusk;
+    }
     return std::move(days_);
   }
 
@@ -73,6 +88,18 @@ class DayCutter {
     day.charge_start = day.charge_min = day.charge_max = row.charge;
     day.max_slope_rad = row.slope_rad;
     if (!std::isnan(row.sun_fraction)) day.sunlit_s = 0;
+  }
+
+  // A crossing of the horizon counts for the day on which the sample after it is.
+  void note_dawn_and_dusk(const SampleRow& row) {
+    const double now_rad = sun_elevation_rad_(row);
+    const double then_rad = std::exchange(elevation_rad_, now_rad);
+    if (!before_ || !(then_rad * now_rad < 0)) return;
+    const double share = then_rad / (then_rad - now_rad);
+    const double charge = before_->charge + share * (row.charge - before_->charge);
+    Crossing& crossing = crossings_[static_cast<std::size_t>(row.time / day_length)];
+    if (now_rad > 0 && std::isnan(crossing.dawn)) crossing.dawn = charge;
+    if (now_rad < 0) crossing.dusk = charge;
   }
 
   // Up to a row: a rover that stands at one end of a stretch has driven if it moves at the other.
@@ -101,10 +128,24 @@ class DayCutter {
     last_.reset();
   }
 
+  struct Crossing {
+    double dawn = not_modelled, dusk = not_modelled;  // charge
+  };
+
+  SunElevation sun_elevation_rad_;
+  double elevation_rad_ = not_modelled;        // at the last sample
+  std::map<std::size_t, Crossing> crossings_;  // by day, from 0
   std::vector<RoverDay> days_;
   SampleRow first_;
   std::optional<SampleRow> before_, last_;
 };
+
+// The body of a log; nullptr when it does not say.
+const Body* body_of(const LogReader& log) {
+  const std::map<std::string, std::string> run = log.run();
+  const auto planet = run.find("planet");
+  return planet == run.end() ? nullptr : find_body(planet->second);
+}
 
 using DaysByRover = std::map<std::string, std::vector<RoverDay>>;
 
@@ -155,8 +196,15 @@ std::string csv_text(const std::string& text) {
 }  // namespace
 
 std::vector<RoverDay> rover_days(const LogReader& log) {
+  const Body* const body = body_of(log);
+  const SunElevation sun_elevation_rad = [&](const SampleRow& row) {
+    if (body == nullptr) return not_modelled;
+    return sunlight(*body, row.place, log.start() + row.time, 0).seen.elevation_rad;
+  };
   std::map<std::string, DayCutter> cutters;
-  log.for_each_sample([&](const SampleRow& row) { cutters[row.rover_id].add(row); });
+  log.for_each_sample([&](const SampleRow& row) {
+    cutters.try_emplace(row.rover_id, sun_elevation_rad).first->second.add(row);
+  });
   DaysByRover rovers;
   for (auto& [id, cutter] : cutters) rovers[id] = cutter.take();
   count_events(log, rovers);
@@ -193,6 +241,8 @@ const std::vector<DayColumn>& day_columns() {
       {"charge_min", &RoverDay::charge_min},
       {"charge_max", &RoverDay::charge_max},
       {"charge_end", &RoverDay::charge_end},
+      {"charge_dawn", &RoverDay::charge_dawn},
+      {"charge_dusk", &RoverDay::charge_dusk},
       {"sunlit_s", &RoverDay::sunlit_s},
       {"earth_visible_s", &RoverDay::earth_visible_s},
       {"earth_link_s", &RoverDay::earth_link_s},

@@ -18,6 +18,9 @@ function dayColumns(days) {
     ['Charge at start', day => chargeText(day.charge_start), true],
     ['least', day => chargeText(day.charge_min), true],
     ['at end', day => chargeText(day.charge_end), true],
+    ...(days.some(day => isKnown(day.charge_dawn) || isKnown(day.charge_dusk)) ? [
+      ['at dawn', day => chargeText(day.charge_dawn), true], ['at dusk', day => chargeText(day.charge_dusk), true],
+    ] : []),
     ['Sunlit', day => hoursText(day.sunlit_s), true],
   ];
   if (days.some(day => isKnown(day.earth_visible_s))) {

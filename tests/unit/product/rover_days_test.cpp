@@ -90,6 +90,28 @@ TEST_F(RoverDays, are_cut_between_two_samples) {
   EXPECT_NEAR(days[2].to_s, 2 * day_s + 6 * hour_s, 1e-9);
 }
 
+// At 0 N 0 E on 20 March 2010 the Sun is due south, or nearly overhead, at 12:07:30 UTC by the
+// equation of time (NOAA). Its middle rises 6 h 2 min before, as the air lifts it by 0.5 degrees,
+// and sets as long after.
+TEST_F(RoverDays, know_the_charge_at_dawn_and_dusk) {
+  LogWriter log(folder / "log.gpkg", moon_crs, *parse_utc("2010-03-20T00:00:00Z").value);
+  log.write_run({{"planet", "Earth"}});
+  for (int time_s = 0; time_s <= 2 * day_s; time_s += 600) {
+    SampleRow row = sample(time_s);
+    row.place = {};
+    log.write(row);
+  }
+  log.finish();
+  const std::vector<RoverDay> days = rover_days(LogReader(folder / "log.gpkg"));
+  ASSERT_EQ(days.size(), 2u);
+  const double noon_s = 12 * hour_s + 450, half_s = 6 * hour_s + 130;
+  EXPECT_NEAR(days[0].charge_dawn, 1 - (noon_s - half_s) / 1e6, 60 / 1e6);
+  EXPECT_NEAR(days[0].charge_dusk, 1 - (noon_s + half_s) / 1e6, 60 / 1e6);
+  EXPECT_NEAR(days[1].charge_dawn, 1 - (day_s + noon_s - half_s) / 1e6, 90 / 1e6);
+  // A log that does not say where it was has neither.
+  EXPECT_TRUE(std::isnan(days_of(day_s)[0].charge_dawn));
+}
+
 TEST_F(RoverDays, that_end_at_midnight_are_not_followed_by_an_empty_one) {
   EXPECT_EQ(days_of(2 * day_s).size(), 2u);
 }
