@@ -84,9 +84,6 @@ def add_day(plan, rover, day, stops, is_first):
 
 
 def add_night(plan, rover, day, stops):
-    if day in MEETINGS and rover == "B":
-        plan.event("B", "Rendezvous", f"Meeting, day {day}", With="A", Distance="90 m",
-                   StartAfter=f"A/{plan.sequences['A']}")
     if WORK[stops[-1][2]][0] != "EVA" or day in MEETINGS:
         plan.event(rover, "DeployCA", f"Mast up for night {day}")
     evening = START + timedelta(days=day - 1, hours=10)  # 18:00 in Arizona
@@ -114,6 +111,9 @@ def drats(days):
         plan.folder(day_text(day, START + timedelta(days=day - 1)))
         for rover in "AB":
             add_day(plan, rover, day, DAYS[rover][day - 1], day == days[0])
+        if day in MEETINGS:
+            plan.event("B", "Rendezvous", f"Meeting, day {day}", With="A", Distance="40 m",
+                       StartAfter=f"A/{plan.sequences['A']}")
         for rover in "AB":
             add_night(plan, rover, day, DAYS[rover][day - 1])
     return plan.text()

@@ -107,7 +107,8 @@ def make_camp(plan, rover, name):
     plan.event(rover, "DeployCA", f"Mast up, {name}")
 
 
-def add_sev_day(plan, rover, day, is_first):
+def add_sev_day(plan, rover, day, is_first, camp_of_other=None):
+    """Returns the number of the drive to the camp. `camp_of_other`: that of the rover to meet."""
     short = f"{rover[-1]}{day}"
     morning = START + timedelta(days=day - 1, hours=1)
     plan.event(rover, "StowSP", f"{short} Panel down", StartTime=utc(morning))
@@ -120,15 +121,17 @@ def add_sev_day(plan, rover, day, is_first):
     plan.event(rover, "Sample", f"{short} samples", Duration="30 min")
     to(plan, rover, f"{short} survey", survey_m)
     plan.event(rover, "EVA", f"{short} Short EVA", ActivityDuration="30 min", Crew=1)
+    if day in MEETINGS and rover == "SEV_B":
+        plan.event(rover, "Rendezvous", f"Meeting, day {day}", With="SEV_A", Distance="60 m",
+                   StartAfter=f"SEV_A/{camp_of_other}", Timeout="6 h", OnFailure="skip")
     is_home = camp_m == HOME[rover]
     to(plan, rover, f"{short} camp", camp_m, 2 if is_home else 10)
-    if day in MEETINGS and rover == "SEV_B":
-        plan.event(rover, "Rendezvous", f"Meeting, day {day}", With="SEV_A", Distance="250 m",
-                   Timeout="4 h", OnFailure="skip")
+    camp = plan.sequences[rover]
     make_camp(plan, rover, f"{short} camp")
     if is_home:
         plan.event(rover, "Recharge", f"{short} from the habitat", From="Habitat",
                    UntilCharge="95 %", Duration="8 h", OnFailure="skip")
+    return camp
 
 
 def add_athlete_day(plan, day, is_first):
@@ -157,8 +160,8 @@ def lunar_campaign(days):
                  **({"RoverConfig": "Stow"} if rover == "ATHLETE" else {}))
     for day in days:
         plan.folder(day_text(day, START + timedelta(days=day - 1)))
-        for rover in DAYS:
-            add_sev_day(plan, rover, day, day == days[0])
+        camp_of_a = add_sev_day(plan, "SEV_A", day, day == days[0])
+        add_sev_day(plan, "SEV_B", day, day == days[0], camp_of_a)
         add_athlete_day(plan, day, day == days[0])
     return plan.text()
 
