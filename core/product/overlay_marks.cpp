@@ -148,7 +148,7 @@ OverlayMarks driven_lines(const RoverTrack& track, Instant start, const std::str
     line.name = rover_id + " driven";
     line.style_id = style.driven_id;
     line.geometry = {KmlGeometryKind::line, unwrapped_longitudes(piece.line)};
-    // Of several days a time slider shows those that have begun.
+    // A time slider shows those of several days that have begun.
     if (pieces.size() > 1) line.begin_utc = xml_time(start + piece.from);
     marks.push_back({piece.from, std::move(line)});
   }

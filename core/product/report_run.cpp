@@ -16,8 +16,8 @@ namespace lsos {
 namespace {
 
 constexpr int chase_px = 800, sun_px = 450, quality = 80;
-// Of a mission longer than a day: the time of a picture is about that of its ground's mesh, which
-// has nodes by the pixel.
+// Smaller where a mission is longer than a day: most of a picture's time goes into the mesh of its
+// ground, which has nodes by the pixel.
 constexpr int chase_px_of_days = 640;
 
 std::vector<ReportPicture> pictures(PictureRun& run, const LogReader& log, const ReportData& data,

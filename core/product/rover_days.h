@@ -24,7 +24,7 @@ struct RoverDay {
   double charge_max = not_modelled, charge_end = not_modelled;  // 0..1
   // When the middle of the Sun rises for the first time and sets for the last time on the day.
   double charge_dawn = not_modelled, charge_dusk = not_modelled;
-  double sunlit_s = not_modelled;                               // some sunlight falls on it
+  double sunlit_s = not_modelled;  // some sunlight falls on it
   double earth_visible_s = not_modelled, earth_link_s = not_modelled;
   double max_slope_rad = not_modelled;  // of the samples
   double events_ended = 0, evas = 0;    // counts; an EVA counts where it begins

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "terrain/grid/grid_edge.h"
-#include "terrain/ground_impl.h"
+#include "terrain/ground_layers.h"
 
 namespace lsos {
 
-Geodetic Ground::Impl::first_with_ground(std::size_t k, const Geodetic& edge) const {
+Geodetic GroundLayers::first_with_ground(std::size_t k, const Geodetic& edge) const {
   constexpr int steps = 16;
   const HeightGrid& grid = layers[k]->grid();
   const auto from = grid.coordinates(edge);
@@ -24,7 +24,7 @@ Geodetic Ground::Impl::first_with_ground(std::size_t k, const Geodetic& edge) co
   return edge;
 }
 
-std::string Ground::Impl::datum_step_advice(std::size_t k) const {
+std::string GroundLayers::datum_step_advice(std::size_t k) const {
   constexpr double least_m = 5, scatters = 3;
   constexpr std::size_t least_places = 12;
   const auto* upper = std::get_if<RasterSurface>(&spec.layers[k]);
@@ -59,7 +59,7 @@ std::string Ground::Impl::datum_step_advice(std::size_t k) const {
                        : "bring both to one reference first");
 }
 
-std::string Ground::Impl::detail_advice() const {
+std::string GroundLayers::detail_advice() const {
   const std::size_t first = first_with_detail();
   const auto* raster = std::get_if<RasterSurface>(&spec.layers[first]);
   const double cell_m = layers[first]->cell_m();
@@ -80,18 +80,18 @@ std::string Ground::Impl::detail_advice() const {
   return text;
 }
 
-std::vector<Fault> Ground::advice() const {
+std::vector<Fault> GroundLayers::advice() const {
   std::vector<Fault> faults;
-  for (const auto& layer : impl_->layers) {
+  for (const auto& layer : layers) {
     for (const std::string& advice : layer->grid().advice()) {
-      faults.push_back({Severity::warning, impl_->spec.place, advice});
+      faults.push_back({Severity::warning, spec.place, advice});
     }
   }
   const auto add = [&](const std::string& advice) {
-    if (!advice.empty()) faults.push_back({Severity::warning, impl_->spec.place, advice});
+    if (!advice.empty()) faults.push_back({Severity::warning, spec.place, advice});
   };
-  for (std::size_t k = 0; k + 1 < impl_->layers.size(); ++k) add(impl_->datum_step_advice(k));
-  add(impl_->detail_advice());
+  for (std::size_t k = 0; k + 1 < layers.size(); ++k) add(datum_step_advice(k));
+  add(detail_advice());
   return faults;
 }
 

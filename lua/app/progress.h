@@ -14,8 +14,8 @@ class Progress {
 
   // `share`: completed part, 0..1. Draws when is_due(), with the time that is left.
   void show(double share);
-  // Of a mission, at its time `sim_s`. `left_s`: of wall time, where it is known. `what`: what is
-  // being done.
+  // Shows a mission at its time `sim_s`. `left_s`: wall time that is left, where it is known.
+  // `what`: what is being done.
   void show_mission(double share, double sim_s, std::optional<double> left_s,
                     const std::string& what);
   // Ten times a second on a terminal, else once a minute: what is to be shown need not be found out

@@ -339,55 +339,6 @@ TEST(ReportElsewhere, finds_the_scripts_beside_the_plan_that_was_run) {
   EXPECT_THAT(bare.err, HasSubstr("warning: map and pictures: "));
 }
 
-// A mission of 26 hours, in which B has not got what its second event wants.
-TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
-  if (browser().empty()) GTEST_SKIP() << "no Chromium is installed";
-  const TempFolder folder;
-  const auto rover = [](const std::string& id, const std::string& place) {
-    return Mark{"Rover", {{"RoverId", id}, {"RoverType", "SEV"}}, point(place)};
-  };
-  const std::string plan = folder.write(
-      "plan.kml", kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
-                       event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
-                       event("Pause", "A", 2, {{"Duration", "26 h"}}),
-                       event("Pause", "B", 1, {{"Duration", "25 h"}}),
-                       event("Consume", "B", 2, {{"Resource", "oxygen"}, {"Amount", "99"}}),
-                       event("Pause", "B", 3, {{"Duration", "20"}})}));
-  ASSERT_EQ(run({plan, "-o", folder / "run", "--quiet"}).exit_code, 1);
-  const json seen = in_browser(folder, folder / "run/report.html", R"js(
-    await rest();
-    const choice = document.querySelector('#day');
-    const rows = () => [...document.querySelectorAll('#day-numbers tbody tr')].map(row => row.textContent);
-    const whole = rows().length;
-    choice.value = '2';
-    choice.dispatchEvent(new Event('change'));
-    await rest();
-    const second = {rows: rows(), heads: text('#day-numbers thead'), clock: text('#clock-elapsed')};
-    await click(document.querySelector('#findings button.link'));
-    const folds = [...document.querySelectorAll('#event-table details')];
-    const before = document.querySelectorAll('#event-table tbody tr').length;
-    for (const fold of folds) fold.open = true;
-    await rest();
-    return {whole, second, choice: choice.value, folds: folds.map(fold => fold.querySelector('summary').textContent),
-      before, after: document.querySelectorAll('#event-table tbody tr').length,
-      first: document.querySelector('#findings').firstElementChild.textContent,
-      pictures: text('#picture-list')};
-  )js");
-  ASSERT_FALSE(seen.contains("error")) << seen;
-  EXPECT_EQ(seen["whole"], 0);
-  ASSERT_EQ(seen["second"]["rows"].size(), 2u);
-  EXPECT_THAT(seen["second"]["rows"][0].get<std::string>(), StartsWith("A0.0 m"));
-  EXPECT_THAT(seen["second"]["heads"].get<std::string>(), HasSubstr("Charge at start"));
-  EXPECT_EQ(seen["second"]["clock"], "1 d 00:00:00");
-  EXPECT_EQ(seen["choice"], "-1") << "the failed event is no day";
-  EXPECT_THAT(seen["first"].get<std::string>(), HasSubstr("1 failed, 1 not started"));
-  EXPECT_THAT(seen["first"].get<std::string>(), HasSubstr("1 event of B never began"));
-  EXPECT_EQ(seen["before"], 0);
-  EXPECT_EQ(seen["after"], 5);
-  EXPECT_EQ(seen["folds"].size(), 3u) << seen["folds"];
-  EXPECT_THAT(seen["pictures"].get<std::string>(), HasSubstr("failed"));
-}
-
 TEST_F(Report, compare_finds_a_run_equal_to_itself_and_not_to_another) {
   const std::string plan = folder_->write("other.kml", read_text(*folder_ / "run/plan.kml"));
   std::string text = read_text(plan);

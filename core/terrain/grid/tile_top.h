@@ -51,8 +51,8 @@ struct HighestGround {
   bool is_whole = true;        // there is ground everywhere
 };
 
-// By how much the surface may rise above the highest of its heights at the corners of a rectangle
-// of u x v cells. Interpolation that is linear along both sides errs by at most an eighth of the
+// Height by which the surface may exceed the highest of its values at the corners of a rectangle of
+// u x v cells. Interpolation that is linear along both sides errs by at most an eighth of the
 // square of each side times the second derivative along it. That of a Catmull-Rom cubic is at most
 // three second differences of its nodes, and the weights across it add up to at most 5/4.
 inline double greatest_bulge_m(const Vec2& bend_m, double u, double v) {

@@ -1,4 +1,4 @@
-// What a Ground is made of, for the files that implement it.
+// The layers that ground is made of, from fine to coarse.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "terrain/grid/cell_sides.h"
-#include "terrain/ground.h"
 #include "terrain/layer.h"
 #include "terrain/soil_map.h"
 
@@ -16,8 +15,9 @@ namespace lsos {
 // Larger cells get no detail: what lies in them does not concern wheels.
 inline constexpr double detail_cell_max_m = 1000;
 
-struct Ground::Impl {
-  Impl(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed_of_plan);
+struct GroundLayers {
+  // Throws InputError as Ground() does.
+  GroundLayers(const TerrainSpec& terrain, const SiteFrame& site, std::uint64_t seed_of_plan);
 
   std::size_t first_with_detail() const;
   // Refuses a terrain beyond that has no ground along the edge of this terrain's coarsest layer.
@@ -27,6 +27,8 @@ struct Ground::Impl {
   // Layer that most of the ground at the place is made of; nullopt without ground.
   std::optional<std::size_t> main_layer(const Geodetic& place) const;
 
+  // Warnings about rasters and detail, as Ground has them.
+  std::vector<Fault> advice() const;
   // First place with ground on the line from an edge to the middle of a layer, whose corners may be
   // empty; the edge where there is none.
   Geodetic first_with_ground(std::size_t k, const Geodetic& edge) const;
