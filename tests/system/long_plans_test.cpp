@@ -2,6 +2,7 @@
 // planner looks at.
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -104,8 +105,8 @@ TEST(LongPlan, four_weeks_at_the_pole) {
         "select max(visible) from pairs where to_id = 'Earth' and time_s "
         "between " +
         from_s + " and " + to_s);
-    if (earth_deg[day] < -2) EXPECT_EQ(seen, 0) << "day " << day + 1;
-    if (earth_deg[day] > 2) EXPECT_EQ(seen, 1) << "day " << day + 1;
+    if (std::abs(earth_deg[day]) < 2) continue;
+    EXPECT_EQ(seen, earth_deg[day] > 0 ? 1 : 0) << "day " << day + 1;
   }
   EXPECT_EQ(query(of.log(),
                   "select group_concat(label) from (select label from events where type "

@@ -59,7 +59,7 @@ KmlDocument example() {
   KmlFolder inner;
   inner.name = "samples";
   inner.placemarks = {sample};
-  document.folders = {{"rovers", true, {line}, {inner}}};
+  document.folders = {{"rovers", "All of them", true, {line}, {inner}}};
   document.placemarks = {bare};
   return document;
 }
