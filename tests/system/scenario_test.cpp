@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "system/plan_text.h"
 #include "system/process.h"
 #include "system/run_folder.h"
+#include "system/source_files.h"
 #include "system/temp_folder.h"
 
 namespace lsos::test {
@@ -41,13 +43,40 @@ lsos.scenario('bad', function(t)
 end)
 )";
 
-TEST(Scenarios, that_are_shipped_pass) {
+// One test a file, so that those of whole days run side by side.
+class ShippedScenarios : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(ShippedScenarios, pass) {
   const TempFolder folder;
-  const Outcome outcome =
-      run({"test", "tests/scenarios", "-o", folder / "logs"}, {LSOS_SOURCE_DIR});
+  const std::string file = "tests/scenarios/" + GetParam() + ".lua";
+  const Outcome outcome = run({"test", file, "-o", folder / "logs"}, {LSOS_SOURCE_DIR});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("TAP version 14\nok 1 - tests/scenarios/"));
-  EXPECT_FALSE(fs::exists(folder / "logs/driving/Route_goes_through_its_waypoints"));
+  EXPECT_THAT(outcome.out, StartsWith("TAP version 14\nok 1 - " + file));
+}
+
+std::vector<std::string> scenario_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(repository() / "tests/scenarios")) {
+    names.push_back(entry.path().stem());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenarios, ShippedScenarios, ::testing::ValuesIn(scenario_files()),
+                         [](const auto& tested) { return tested.param; });
+
+TEST(Scenarios, of_a_folder_are_run_together_and_keep_no_log_when_they_pass) {
+  const TempFolder folder;
+  std::string good = two_scenarios;
+  good.resize(good.find("lsos.scenario('bad'"));
+  folder.write("tests/scenarios/one.lua", good);
+  folder.write("tests/scenarios/two.lua", good);
+  const Outcome outcome = test(folder, {"tests/scenarios", "-o", folder / "logs"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("ok 1 - tests/scenarios/one.lua: good"));
+  EXPECT_THAT(outcome.out, HasSubstr("ok 2 - tests/scenarios/two.lua: good"));
+  EXPECT_FALSE(fs::exists(folder / "logs/one/good"));
 }
 
 TEST(Scenarios, that_fail_say_what_was_expected_and_found_and_when_and_keep_their_log) {
