@@ -13,20 +13,20 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-// A mission of 26 hours, in which B has not got what its second event wants.
+// A mission of 26 hours, in which B's second event is not done in time.
 TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
   if (browser().empty()) GTEST_SKIP() << "no Chromium is installed";
   const TempFolder folder;
   const auto rover = [](const std::string& id, const std::string& place) {
     return Mark{"Rover", {{"RoverId", id}, {"RoverType", "SEV"}}, point(place)};
   };
-  const std::string plan = folder.write(
-      "plan.kml", kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
-                       event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
-                       event("Pause", "A", 2, {{"Duration", "26 h"}}),
-                       event("Pause", "B", 1, {{"Duration", "25 h"}}),
-                       event("Consume", "B", 2, {{"Resource", "oxygen"}, {"Amount", "99"}}),
-                       event("Pause", "B", 3, {{"Duration", "20"}})}));
+  const std::string plan =
+      folder.write("plan.kml", kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
+                                    event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
+                                    event("Pause", "A", 2, {{"Duration", "26 h"}}),
+                                    event("Pause", "B", 1, {{"Duration", "25 h"}}),
+                                    event("Pause", "B", 2, {{"Duration", "1 h"}, {"Timeout", "5"}}),
+                                    event("Pause", "B", 3, {{"Duration", "20"}})}));
   ASSERT_EQ(run({plan, "-o", folder / "run", "--quiet"}).exit_code, 1);
   const json seen = in_browser(folder, folder / "run/report.html", R"js(
     await rest();

@@ -67,6 +67,7 @@ function showDayChooser(days) {
   };
   choice.addEventListener('change', () => showDay(Number(choice.value)));
   document.querySelector('#bar .tools').prepend(step('‹', 'The day before', -1), choice, step('›', 'The next day', 1));
+  let shown = 0;  // not the chooser's value, which a choice has changed already
   viewers.push({
     windowChanged() {
       const isAt = (a, b) => Math.abs(a - b) < 0.5;
@@ -76,7 +77,8 @@ function showDayChooser(days) {
         const [from, to] = daySpan(k);
         if (isAt(view.from, from) && isAt(view.to, to)) day = k;
       }
-      if (choice.value === String(day)) return;
+      if (day === shown) return;
+      shown = day;
       choice.value = String(day);
       const those = days.filter(each => each.day === day);
       numbers.replaceChildren(...(those.length > 0 ? [make('div', {class: 'wide'}, table(dayColumns(days), those))] : []));

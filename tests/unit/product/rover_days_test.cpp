@@ -94,7 +94,7 @@ TEST_F(RoverDays, are_cut_between_two_samples) {
 // equation of time (NOAA). Its middle rises 6 h 2 min before, as the air lifts it by 0.5 degrees,
 // and sets as long after.
 TEST_F(RoverDays, know_the_charge_at_dawn_and_dusk) {
-  LogWriter log(folder / "log.gpkg", moon_crs, *parse_utc("2010-03-20T00:00:00Z").value);
+  LogWriter log(folder / "earth.gpkg", moon_crs, *parse_utc("2010-03-20T00:00:00Z").value);
   log.write_run({{"planet", "Earth"}});
   for (int time_s = 0; time_s <= 2 * day_s; time_s += 600) {
     SampleRow row = sample(time_s);
@@ -102,7 +102,7 @@ TEST_F(RoverDays, know_the_charge_at_dawn_and_dusk) {
     log.write(row);
   }
   log.finish();
-  const std::vector<RoverDay> days = rover_days(LogReader(folder / "log.gpkg"));
+  const std::vector<RoverDay> days = rover_days(LogReader(folder / "earth.gpkg"));
   ASSERT_EQ(days.size(), 2u);
   const double noon_s = 12 * hour_s + 450, half_s = 6 * hour_s + 130;
   EXPECT_NEAR(days[0].charge_dawn, 1 - (noon_s - half_s) / 1e6, 60 / 1e6);
