@@ -36,17 +36,25 @@ struct Layer::Probe::GridBox {
 std::optional<Layer::Probe::GridBox> Layer::Probe::box(std::span<const PlanePoint> corners) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   GridBox box{infinite, -infinite, infinite, -infinite};
+  std::optional<GridPoint> first;
+  double bend = 0;  // of the map over the region: by how much corners miss the linear map, in cells
   for (const PlanePoint& corner : corners) {
     const std::optional<GridPoint> at = grid_point(corner);
     if (!at) return {};
+    if (!first) first = at;
+    const double x_m = corner.x_m - corners[0].x_m, y_m = corner.y_m - corners[0].y_m;
+    bend = std::max({bend, std::abs(first->u + first->u_by_x * x_m + first->u_by_y * y_m - at->u),
+                     std::abs(first->v + first->v_by_x * x_m + first->v_by_y * y_m - at->v)});
     box.u_low = std::min(box.u_low, at->u);
     box.u_high = std::max(box.u_high, at->u);
     box.v_low = std::min(box.v_low, at->v);
     box.v_high = std::max(box.v_high, at->v);
   }
-  // The region's sides may bulge on the grid.
+  // The region's sides may bulge on the grid, by less than its corners miss the linear map. Where
+  // they miss it by more, a pole of the grid may lie in the region, or the seam of its columns.
   constexpr double bulge = 0.05;
   const double margin = bulge * std::max(box.u_high - box.u_low, box.v_high - box.v_low);
+  if (!(bend <= margin)) return {};
   box.u_low -= margin;
   box.u_high += margin;
   box.v_low -= margin;
@@ -56,7 +64,7 @@ std::optional<Layer::Probe::GridBox> Layer::Probe::box(std::span<const PlanePoin
     const double turns = std::floor((box.u_low - extent.u_low) / extent.period);
     box.u_low -= turns * extent.period;
     box.u_high -= turns * extent.period;
-    // Beyond the seam its columns have other numbers.
+    // Columns beyond the seam have other numbers.
     if (box.u_high > extent.u_low + extent.period) return {};
   }
   const GridBox all = box;

@@ -4,24 +4,13 @@
 #include <random>
 
 #include "ground_fixture.h"
+#include "support/cratered_terrain.h"
 
 namespace lsos {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-
 TerrainSpec cratered() {
-  TerrainSpec spec;
-  ReliefSurface relief;
-  relief.lat_rad = -85 * deg;
-  relief.landforms = {{"bowl", 0, -84.8 * deg, 8000, 1500, 300},
-                      {"hill", 0.3, -84.4 * deg, 9000, 0, 1200}};
-  spec.layers = {relief};
-  spec.detail.emplace();
-  spec.detail->craters.emplace();
-  spec.detail->craters->age_gyr = 3.8;
-  spec.detail->craters->diameter_min_m = 1;
-  spec.detail->craters->diameter_max_m = 3000;
+  TerrainSpec spec = cratered_terrain(1);
   spec.detail->rocks.emplace();
   spec.detail->rocks->cover = 0.01;
   spec.detail->rocks->diameter_min_m = 0.2;
@@ -108,6 +97,31 @@ TEST(HighestGround, is_unknown_at_holes_and_beyond_the_edge) {
   const Bounds found = bounds(ground, 2, 80, 200);
   EXPECT_GT(found.known, 150);
   EXPECT_GE(found.least_over_m, 0);
+}
+
+// A map in longitude and latitude has a seam, and at a pole all columns meet: what lies between the
+// columns of a region's corners is then not what lies in the region.
+TEST(HighestGround, is_right_or_unknown_at_the_seam_and_the_pole_of_a_globe) {
+  const TextRaster globe{"+proj=longlat +R=1737400", "-180,0.5,0,90,0,-0.5", "",
+                         rows_of(720, 360, [](int column, int row) {
+                           return 500.0 * ((column * 7 + row * 13) % 11) + (row < 2 ? 9000 : 0);
+                         })};
+  const TerrainSpec spec = raster_terrain(globe.write("globe"));
+  int known = 0;
+  for (const auto& [lon_deg, lat_deg] : {std::pair{180.0, 0.0},
+                                         {-179.7, 40.0},
+                                         {0.0, 89.8},
+                                         {77.0, 89.0},
+                                         {30.0, 86.0},
+                                         {12.0, 5.0}}) {
+    const Ground ground(spec, site_on("Moon", lon_deg, lat_deg), 0);
+    for (const double resolution_m : {3e3, 1e4, 4e4}) {
+      const Bounds found = bounds(ground, resolution_m, 2 * resolution_m, 40);
+      known += found.known;
+      EXPECT_GE(found.least_over_m, 0) << lon_deg << " " << lat_deg << " at " << resolution_m;
+    }
+  }
+  EXPECT_GT(known, 100);
 }
 
 TEST(HighestGround, bounds_ground_where_a_fine_layer_fades_into_a_coarse_one) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "support/cratered_terrain.h"
 #include "view/exposure/panel_view.h"
 #include "view/exposure/sun_disc.h"
 
@@ -14,21 +15,6 @@ namespace lsos {
 namespace {
 
 constexpr double deg = std::numbers::pi / 180;
-
-TerrainSpec cratered() {
-  TerrainSpec spec;
-  ReliefSurface relief;
-  relief.lat_rad = -85 * deg;
-  relief.landforms = {{"bowl", 0, -84.8 * deg, 8000, 1500, 300},
-                      {"hill", 0.3, -84.4 * deg, 9000, 0, 1200}};
-  spec.layers = {relief};
-  spec.detail.emplace();
-  spec.detail->craters.emplace();
-  spec.detail->craters->age_gyr = 3.8;
-  spec.detail->craters->diameter_min_m = 2;
-  spec.detail->craters->diameter_max_m = 3000;
-  return spec;
-}
 
 double share_by_drawing(PanelView& view, const Ground& ground, const PanelFace& panel,
                         const std::vector<DiscSample>& samples, const Vec3& sun_S,
@@ -100,7 +86,7 @@ double share_by_marching(const Ground& ground, const PanelFace& panel,
 
 TEST(SunColumn, hides_what_marched_rays_do_not_reach) {
   const SiteFrame site(*find_body("Moon"), geodetic_from_degrees(2, -85.05));
-  const Ground ground(cratered(), site, 3);
+  const Ground ground(cratered_terrain(2), site, 3);
   const Gpu gpu;
   PanelView view(gpu);
   std::mt19937 random(2);
