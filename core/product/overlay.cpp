@@ -117,10 +117,10 @@ int samples_of_each(const std::map<std::string, SampleTotals>& totals) {
 }
 
 std::map<std::string, RoverTrack> tracks(const LogReader& log, const Plan& plan,
+                                         const std::map<std::string, SampleTotals>& totals,
                                          const std::vector<EventRow>& events) {
   const MissionInfo& mission = plan.mission;
   LSOS_ASSERT(mission.planet != nullptr);
-  const std::map<std::string, SampleTotals> totals = log.sample_totals();
   // Half of a track's points are spaced by distance driven, half by time.
   const int half = overlay_track_max / 2;
   const SimTime end = log.last_sample_time();
@@ -197,12 +197,17 @@ std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_h
     }
   }
   LookAtBounds bounds;
-  for (const auto& [rover_id, track] : tracks(log, plan, logged.events)) {
+  const std::map<std::string, SampleTotals> totals = log.sample_totals();
+  for (const auto& [rover_id, track] : tracks(log, plan, totals, logged.events)) {
     const RoverStyle style(i++);
     style.add_to(document.styles, icon_href);
     for (const SampleRow& row : track.samples()) bounds.add(row.place);
     KmlFolder rover = named_folder(rover_id);
     rover.open = true;
+    const std::size_t shown = track.samples().size(), in_log = totals.at(rover_id).rows;
+    if (shown < in_log) {
+      rover.description = fmt::format("{} of {} samples; log.gpkg has all", shown, in_log);
+    }
     rover.folders = rover_folders(track, logged, rover_id, style);
     document.folders.push_back(std::move(rover));
   }

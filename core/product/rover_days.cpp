@@ -90,16 +90,19 @@ class DayCutter {
     if (!std::isnan(row.sun_fraction)) day.sunlit_s = 0;
   }
 
-  // A crossing of the horizon counts for the day on which the sample after it is.
+  // A crossing of the horizon counts for the day on which the sample after it is. The Sun is looked
+  // at every few minutes, in which it moves by a degree and the charge is linear.
   void note_dawn_and_dusk(const SampleRow& row) {
-    const double now_rad = sun_elevation_rad_(row);
-    const double then_rad = std::exchange(elevation_rad_, now_rad);
-    if (!before_ || !(then_rad * now_rad < 0)) return;
-    const double share = then_rad / (then_rad - now_rad);
-    const double charge = before_->charge + share * (row.charge - before_->charge);
+    constexpr SimTime step{300'000'000};
+    if (sun_ && row.time - sun_->time < step) return;
+    const SunSample now{row.time, sun_elevation_rad_(row), row.charge};
+    const std::optional<SunSample> then = std::exchange(sun_, now);
+    if (!then || !(then->elevation_rad * now.elevation_rad < 0)) return;
+    const double share = then->elevation_rad / (then->elevation_rad - now.elevation_rad);
+    const double charge = std::lerp(then->charge, now.charge, share);
     Crossing& crossing = crossings_[static_cast<std::size_t>(row.time / day_length)];
-    if (now_rad > 0 && std::isnan(crossing.dawn)) crossing.dawn = charge;
-    if (now_rad < 0) crossing.dusk = charge;
+    if (now.elevation_rad > 0 && std::isnan(crossing.dawn)) crossing.dawn = charge;
+    if (now.elevation_rad < 0) crossing.dusk = charge;
   }
 
   // Up to a row: a rover that stands at one end of a stretch has driven if it moves at the other.
@@ -131,9 +134,13 @@ class DayCutter {
   struct Crossing {
     double dawn = not_modelled, dusk = not_modelled;  // charge
   };
+  struct SunSample {
+    SimTime time;
+    double elevation_rad, charge;
+  };
 
   SunElevation sun_elevation_rad_;
-  double elevation_rad_ = not_modelled;        // at the last sample
+  std::optional<SunSample> sun_;               // where the Sun was looked at last
   std::map<std::size_t, Crossing> crossings_;  // by day, from 0
   std::vector<RoverDay> days_;
   SampleRow first_;

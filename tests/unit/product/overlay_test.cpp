@@ -169,6 +169,7 @@ TEST(Overlay, has_at_most_2000_samples_a_rover_evenly_along_its_drive) {
   // 5000 rows, 0.6 m apart.
   const int samples = count_of(kml, "#lsos_samples");
   EXPECT_LE(samples, 2 * 2000);
+  EXPECT_THAT(kml, HasSubstr(" samples; log.gpkg has all</description>"));
   EXPECT_GT(samples, 2 * 1500);
   const std::regex name("<name>SEV1 ([0-9]+) s</name>");
   int last_s = 0;
