@@ -2,9 +2,7 @@
 // simulation takes: where rovers drive it takes much, where all stand next to nothing.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <string>
 
 #include "mission/events/event_record.h"
 #include "mission/model/machine.h"
