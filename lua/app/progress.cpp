@@ -4,6 +4,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/console.h"
@@ -57,10 +58,12 @@ void Progress::draw(double share, const std::string& state) {
   const std::string line = fmt::format("[{:=<{}}{: <{}}] {:3.0f} %  {}", "", full, "",
                                        bar_width - full, share * 100, state);
   if (!is_terminal_) return print_message("{}\n", line);
-  // A line that wraps cannot be drawn over.
+  // A line that wraps cannot be drawn over. It is cut before a character, not within one of UTF-8.
   winsize size{};
   const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
-  print_message("\r{}\x1b[K", line.substr(0, is_known ? size.ws_col - 1U : line.size()));
+  std::size_t end = std::min(line.size(), is_known ? size.ws_col - 1U : line.size());
+  while (end > 0 && end < line.size() && (line[end] & 0xc0) == 0x80) --end;
+  print_message("\r{}\x1b[K", line.substr(0, end));
 }
 
 void Progress::finish() {
