@@ -10,7 +10,7 @@ namespace lsos {
 
 namespace {
 
-constexpr double nearest_m = 2, farthest_m = 30e3, step_share = 0.05;
+constexpr double nearest_m = 2, farthest_m = 30e3, step_share = 0.1;
 constexpr double detail_share = 0.5;  // resolution of the ground, of a step
 constexpr double finest_m = detail_share * step_share * nearest_m;
 constexpr double step_rad = 2 * std::numbers::pi / TerrainHorizon::azimuths;
@@ -31,7 +31,7 @@ TerrainHorizon terrain_horizon(const Ground& ground, const Vec3& eye_S_m) {
   const Vertical eye = site.vertical(eye_S_m);
   const Vec3 north_S = site.north_S(eye_S_m), east_S = site.east_S(eye_S_m);
   const double over_eye_m = site.body().highest_ground_m - eye.height_m;
-  GroundProbes probes(ground);
+  GroundProbes probes(ground, ProbeDetail::sparse);
   TerrainHorizon horizon;
   for (int k = 0; k < TerrainHorizon::azimuths; ++k) {
     const Vec3 along_S = std::cos(k * step_rad) * north_S + std::sin(k * step_rad) * east_S;

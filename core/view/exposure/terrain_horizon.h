@@ -16,7 +16,7 @@ struct TerrainHorizon {
   double at(double azimuth_rad) const;
 };
 
-// The ground between 2 m and 30 km away, sampled at steps of 5 % of the distance with detail as
+// The ground between 2 m and 30 km away, sampled at steps of 10 % of the distance with detail as
 // coarse as that: the sky is an even light, of which a degree of horizon hides 0.03 % on level
 // ground. Beyond its end the ground counts as level with the eye. A pure function of its arguments.
 TerrainHorizon terrain_horizon(const Ground& ground, const Vec3& eye_S_m);
