@@ -29,6 +29,7 @@ Simulation::Simulation(SimulationSetup setup)
       site_(make_site(setup_)),
       log_(setup_.plan.mission),
       pool_(std::min(setup_.threads, static_cast<int>(setup_.plan.rovers.size()))) {
+  site_.legs->set_keeper(setup_.cache_legs);
   fleet_.assets = place_assets(setup_, site_);
   build();
   Faults faults = place_rovers(fleet_, machine_, *site_.ground, *host_, setup_.starts);

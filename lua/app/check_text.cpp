@@ -37,6 +37,40 @@ std::string leg_text(const PlannedLegLine& leg) {
                      leg.steepest_lon_deg, leg.steepest_lat_deg);
 }
 
+// Many legs make a line a rover.
+constexpr std::size_t legs_listed_max = 30;
+
+std::string rover_text(const std::string& rover_id, const std::vector<PlannedLegLine>& legs) {
+  std::size_t count = 0;
+  double length_m = 0, duration_s = 0, energy_j = 0;
+  const PlannedLegLine* steepest = nullptr;
+  for (const PlannedLegLine& leg : legs) {
+    if (leg.rover_id != rover_id || leg.is_passed) continue;
+    ++count;
+    length_m += leg.length_m;
+    duration_s += leg.duration_s;
+    energy_j += leg.energy_j;
+    if (steepest == nullptr || leg.slope_max_deg > steepest->slope_max_deg) steepest = &leg;
+  }
+  if (steepest == nullptr) return "";
+  return fmt::format(
+      "  planned: {}: {}, {:.1f} km, {:.1f} h of driving, {:.1f} kWh, steepest {:.1f} deg at "
+      "{:.6f},{:.6f} on '{}'\n",
+      rover_id, counted(count, "leg"), length_m / 1000, duration_s / 3600, energy_j / 3.6e6,
+      steepest->slope_max_deg, steepest->steepest_lon_deg, steepest->steepest_lat_deg,
+      steepest->label);
+}
+
+std::string legs_text(const Plan& plan, const std::vector<PlannedLegLine>& legs, bool is_verbose) {
+  std::string text;
+  if (is_verbose || legs.size() <= legs_listed_max) {
+    for (const PlannedLegLine& leg : legs) text += leg_text(leg);
+    return text;
+  }
+  for (const PlanRover& rover : plan.rovers) text += rover_text(rover.id, legs);
+  return text + fmt::format("  {} in all: --verbose lists them\n", counted(legs.size(), "leg"));
+}
+
 std::string line_text(const DrawnEventLine& line) {
   std::vector<std::string> parts;
   if (line.drawn.to_first_m) {
@@ -111,7 +145,7 @@ std::string check_text(const MissionModel& files, const RoutesAhead& routes, boo
   std::string text = files.faults.has_errors() ? "" : verdict(files, faults.size());
   for (const Fault& fault : faults) text += to_string(fault) + "\n";
   if (files.faults.has_errors()) return text;
-  for (const PlannedLegLine& leg : routes.planned) text += leg_text(leg);
+  text += legs_text(files.plan, routes.planned, is_verbose);
   for (const DrawnEventLine& line : routes.drawn) text += line_text(line);
   text += timed_text(files.plan);
   if (!is_verbose) {

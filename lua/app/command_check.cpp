@@ -161,6 +161,7 @@ std::string json_text(const MissionMachine& machine) {
 int check_command(const CheckOptions& options) {
   MissionFiles files = read_mission(options.plan, options.seed);
   RoutesAhead routes;
+  std::vector<Fault> not_kept;
   if (!files.faults.has_errors()) {
     try {
       if (!options.from.empty()) begin_from(options.from, files);
@@ -170,11 +171,12 @@ int check_command(const CheckOptions& options) {
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = simulation_setup(files);
       setup.cache_legs = [&](const std::string& bytes) {
-        files.faults.add(cache_legs(options.plan, bytes));
+        not_kept = cache_legs(options.plan, bytes);
       };
       setup.on_planning = [&](const std::string& what) { watch.plan(what); };
       files.faults.add(cached_legs_advice(options.plan));
       const Simulation simulation(std::move(setup));
+      files.faults.add(not_kept);
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
       files.faults.add(simulation.ground_end_warnings());
@@ -204,7 +206,7 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("--from", options->from, from_help);
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
   command.add_flag("--json", options->is_json, "The answer as JSON");
-  command.add_flag("--verbose", options->is_verbose, "Each default and assumption");
+  command.add_flag("--verbose", options->is_verbose, "Each leg, default and assumption");
   command.add_flag("--quiet", options->is_quiet, "No progress");
   return [options] { return check_command(*options); };
 }

@@ -15,6 +15,7 @@ namespace lsos::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A plan in which a rover drives from a place to others, given in metres east and north of it.
 std::vector<Mark> route_plan(const std::string& rover, const std::string& terrain,
@@ -156,6 +157,20 @@ TEST(PathPlanReport, a_waypoint_that_it_stands_on_is_reported_too) {
       run({"check", folder.write("plan.kml", kml(route_plan("SEV", "Flat", {{0, 0}, {20, 0}})))});
   EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 1: already there"));
   EXPECT_THAT(check.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 2: 20"));
+}
+
+// 31 legs of 5 m.
+TEST(PathPlanReport, many_legs_are_summed_up) {
+  const TempFolder folder;
+  std::vector<std::pair<double, double>> east_north_m;
+  for (int k = 0; k < 31; ++k) east_north_m.emplace_back(5.0 * (k + 1), 0);
+  const std::string plan = folder.write("plan.kml", kml(route_plan("SEV", "Flat", east_north_m)));
+  const Outcome check = run({"check", plan});
+  EXPECT_THAT(check.out, HasSubstr("planned: R: 31 legs, 0.2 km, "));
+  EXPECT_THAT(check.out, HasSubstr("31 legs in all: --verbose lists them"));
+  EXPECT_THAT(check.out, Not(HasSubstr("to waypoint")));
+  const Outcome verbose = run({"check", plan, "--verbose"});
+  EXPECT_THAT(verbose.out, HasSubstr("planned: R 'PathPlanRoute 1' to waypoint 31: 5.0 m"));
 }
 
 TEST(PathPlanReport, lines_go_on_over_the_meridian) {

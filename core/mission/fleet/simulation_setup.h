@@ -33,8 +33,8 @@ struct SimulationSetup {
   // Whether routes are planned before the start. A simulation that resumes a saved state needs
   // none.
   bool plans_ahead = true;
-  // Called once the routes are planned with the legs to keep for later runs, also when a leg has no
-  // route.
+  // Called with the legs to keep for later runs, while routes are planned and once they are, also
+  // when a leg has no route.
   std::function<void(const std::string& bytes)> cache_legs = {};
   // Called with a description as the planning of each leg begins, and with "" when it ends.
   std::function<void(const std::string& what)> on_planning = {};

@@ -9,6 +9,7 @@ namespace lsos {
 namespace {
 
 constexpr std::size_t kept_max = 2000;
+constexpr std::size_t kept_parts = 50;
 constexpr std::string_view tag = "lsos-host planned legs";
 
 std::string bytes_of(auto value) {
@@ -33,9 +34,14 @@ const PlannedLeg& PlannedLegs::leg(const DriveCost& cost, LegRequest request) {
   requested_.insert(key);
   const auto known = legs_.find(key);
   if (known != legs_.end()) return known->second;
-  has_planned_ = true;
   request.seed = mix_key(seed_, key);
-  return legs_.emplace(key, plan_leg(*ground_, cost, request)).first->second;
+  const PlannedLeg& leg = legs_.emplace(key, plan_leg(*ground_, cost, request)).first->second;
+  ++planned_;
+  if (keep_ && ++not_yet_kept_ > planned_ / kept_parts) {
+    keep_(kept());
+    not_yet_kept_ = 0;
+  }
+  return leg;
 }
 
 void PlannedLegs::recall(const std::string& bytes) {
@@ -54,7 +60,7 @@ void PlannedLegs::recall(const std::string& bytes) {
 }
 
 std::string PlannedLegs::kept() const {
-  if (!has_planned_) return "";
+  if (planned_ == 0) return "";
   std::map<std::string, PlannedLeg> legs;
   for (const auto& [key, leg] : legs_) {
     if (requested_.contains(key)) legs.insert({key, leg});

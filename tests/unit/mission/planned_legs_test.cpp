@@ -30,6 +30,27 @@ TEST(PlannedLegs, are_recalled_to_the_last_bit) {
   EXPECT_EQ(second.kept(), "") << "it has planned though it knew";
 }
 
+TEST(PlannedLegs, are_kept_while_more_are_planned) {
+  const Site site({});
+  PlannedLegs first(site.ground(), 7);
+  std::string kept;
+  first.set_keeper([&](const std::string& bytes) { kept = bytes; });
+  LegRequest near = request(), far = request();
+  near.goal_S_m = {8, 0, 0};
+  far.goal_S_m = {12, 0, 0};
+  first.leg(simple_rover(), near);
+  PlannedLegs after_one(site.ground(), 7);
+  after_one.recall(kept);
+  after_one.leg(simple_rover(), near);
+  EXPECT_EQ(after_one.kept(), "");
+  first.leg(simple_rover(), far);
+  PlannedLegs after_both(site.ground(), 7);
+  after_both.recall(kept);
+  after_both.leg(simple_rover(), near);
+  after_both.leg(simple_rover(), far);
+  EXPECT_EQ(after_both.kept(), "");
+}
+
 TEST(PlannedLegs, of_a_way_that_does_not_exist_are_kept_too) {
   const Site site({{60, 0, 40, 14, 2}});
   PlannedLegs first(site.ground(), 7), second(site.ground(), 7);
