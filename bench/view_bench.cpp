@@ -110,7 +110,7 @@ void sight(benchmark::State& state, double distance_m, bool is_new) {
   };
   double y_m = 0, seen = 0;
   for (auto _ : state) {
-    seen += between.target_share(antenna(0, y_m, 4), antenna(distance_m, 0, 10), {});
+    seen += between.line(antenna(0, y_m, 4), antenna(distance_m, 0, 10), {}).share;
     if (is_new) y_m += 4;
   }
   state.counters["seen"] = benchmark::Counter(seen, benchmark::Counter::kAvgIterations);

@@ -299,6 +299,7 @@ void Simulation::warn_of_ends() {
   if (!sight_) return;
   add(sight_->watch().earth_over_end());
   add(sight_->watch().pairs_over_end());
+  std::ranges::copy(sight_->warnings_of_own_way(fleet_, now_), std::back_inserter(warnings_));
 }
 
 void Simulation::terminate() {

@@ -161,6 +161,14 @@ void read_pairs(const LogReader& log, ReportData& data) {
     (is_link ? pair.link_s : pair.visible_s).emplace_back(seconds(begin), seconds(end));
   };
   for (const SightIntervalRow& row : log.sight_intervals()) {
+    if (row.kind == "hidden" || row.kind == "relayed") {
+      ReportPair& pair = pairs[{row.from_id, row.to_id}];
+      pair.from_id = row.from_id;
+      pair.to_id = row.to_id;
+      auto& spans_by = row.kind == "hidden" ? pair.hidden_s : pair.relayed_s;
+      spans_by[row.by].emplace_back(seconds(row.start), seconds(row.end));
+      continue;
+    }
     const bool is_link = row.kind == "link";
     add(row.from_id, row.to_id, is_link, row.start, row.end);
     OpenSight& sight = open[{row.from_id, row.to_id}];

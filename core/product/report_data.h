@@ -62,7 +62,9 @@ struct ReportRover {
 
 struct ReportPair {
   std::string from_id, to_id;
-  std::vector<std::pair<double, double>> visible_s, link_s;
+  using Spans = std::vector<std::pair<double, double>>;  // from, to, s
+  Spans visible_s, link_s;
+  std::map<std::string, Spans> hidden_s, relayed_s;  // key: by what
 };
 
 struct ReportDistance {

@@ -122,7 +122,7 @@ Json notes(const ReportData& data, const SiteFrame& site) {
 }
 
 Json pairs(const ReportData& data) {
-  const auto flat = [](const std::vector<std::pair<double, double>>& intervals) {
+  const auto flat = [](const ReportPair::Spans& intervals) {
     Json array = Json::array();
     for (const auto& [start_s, end_s] : intervals) {
       array.push_back(start_s);
@@ -130,12 +130,19 @@ Json pairs(const ReportData& data) {
     }
     return array;
   };
+  const auto by = [&](const std::map<std::string, ReportPair::Spans>& intervals) {
+    Json object = Json::object();
+    for (const auto& [what, spans] : intervals) object[what] = flat(spans);
+    return object;
+  };
   Json array = Json::array();
   for (const ReportPair& pair : data.pairs) {
     array.push_back({{"from", pair.from_id},
                      {"to", pair.to_id},
                      {"visible", flat(pair.visible_s)},
-                     {"link", flat(pair.link_s)}});
+                     {"link", flat(pair.link_s)},
+                     {"hidden", by(pair.hidden_s)},
+                     {"relayed", by(pair.relayed_s)}});
   }
   return array;
 }

@@ -182,6 +182,7 @@ void add_earth(const LogReader& log, DaysByRover& rovers) {
   }
   for (const SightIntervalRow& row : log.sight_intervals()) {
     const auto rover = rovers.find(row.from_id);
+    if (row.kind != "visible" && row.kind != "link") continue;
     if (row.to_id != "Earth" || rover == rovers.end()) continue;
     for (RoverDay& day : rover->second) {
       const double from_s = std::max(day.from_s, seconds(row.start));

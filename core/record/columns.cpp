@@ -202,7 +202,8 @@ std::span<const Column<SightIntervalRow>> columns<SightIntervalRow>() {
       text<&R::from_id>("from_id"), text<&R::to_id>("to_id"),
       text<&R::kind>("kind"),       time<&R::start>("start_s"),
       time<&R::end>("end_s"),       real<&R::light_time_s>("light_time_s"),
-      utc<&R::start>("utc"),        utc<&R::end>("end_utc"),
+      text<&R::by>("by"),           utc<&R::start>("utc"),
+      utc<&R::end>("end_utc"),
   };
   return table;
 }

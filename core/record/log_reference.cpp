@@ -32,7 +32,7 @@ constexpr std::array layer_texts{
     LayerText{"events", "One event of the plan, with what came of it."},
     LayerText{"phases", "One phase of an event, when it ends."},
     LayerText{"pairs", "What one rover, asset or Earth sees of another at one time."},
-    LayerText{"sight_intervals", "How long one end saw another, or was linked to it."},
+    LayerText{"sight_intervals", "How long one end saw another or did not, or was joined to it."},
     LayerText{"panels", "What the Sun did for one panel."},
     LayerText{"joints", "One joint or mast of a rover."},
     LayerText{"resources", "What is left of a resource."},

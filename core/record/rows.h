@@ -53,12 +53,16 @@ struct PairRow {
   std::string relay;  // ids that join the two without a direct link, comma-separated; "" = NULL
 };
 
-// Layer `sight_intervals`: times during which one end saw another, or was linked to it.
+// Layer `sight_intervals`: times during which one end saw another or did not, was linked to it, or
+// was joined to it by others alone.
 struct SightIntervalRow {
   std::string from_id, to_id;
-  std::string kind;  // "visible" or "link"
+  std::string kind;  // "visible", "hidden", "link" or "relayed"
   SimTime start{}, end{};
   double light_time_s = 0;  // from one to the other, at its start
+  // Comma-separated: what hides it, "ground" or the ids of rovers and assets whose bodies do; or
+  // the ids that relay; "" = NULL.
+  std::string by = {};
 };
 
 // Layer `panels`: exposure and power of one panel.

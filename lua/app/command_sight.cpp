@@ -112,7 +112,7 @@ AnswerRow lines(const Ground& ground, const SightQuestion& question) {
   AnswerRow answer = AnswerRow::array();
   for (std::size_t k = 0; k < to_S_m.size(); ++k) {
     const Vec3& p_S_m = to_S_m[k];
-    AnswerRow line{{"visible", sight.sees(from_S_m, p_S_m, {}) ? 1 : 0}};
+    AnswerRow line{{"visible", sight.line(from_S_m, p_S_m, {}).is_seen ? 1 : 0}};
     line.update(line_of(ground.site(), from_S_m, p_S_m));
     add_end(question.to[k], end.between(from_S_m, p_S_m), line);
     answer.push_back(line);

@@ -51,7 +51,7 @@ Agreement agreement(const Ground& ground, const Pairs& pairs) {
     const Vec3 from_S_m = antenna(x_m, y_m);
     const Vec3 to_S_m =
         antenna(x_m + apart_m * std::sin(azimuth_rad), y_m + apart_m * std::cos(azimuth_rad));
-    const bool is_drawn = drawn.sees(from_S_m, to_S_m, {});
+    const bool is_drawn = drawn.line(from_S_m, to_S_m, {}).is_seen;
     const SightLine line = march.between(from_S_m, to_S_m);
     found.equal += is_drawn == line.is_free();
     found.seen += line.is_free();

@@ -12,6 +12,7 @@
 namespace lsos::test {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // A distance along the Moon's equator in degrees of longitude.
@@ -41,6 +42,16 @@ PairRow pair_at(const PlanRun& run, double time_s, const std::string& from, cons
   return {};
 }
 
+// What the intervals of that kind of a pair say, in order of time.
+std::vector<std::string> by(const PlanRun& run, const std::string& from, const std::string& to,
+                            const std::string& kind) {
+  std::vector<std::string> found;
+  for (const SightIntervalRow& row : run.log().sight_intervals()) {
+    if (row.from_id == from && row.to_id == to && row.kind == kind) found.push_back(row.by);
+  }
+  return found;
+}
+
 // On a sphere, points at heights h1 and h2 see each other up to sqrt(2 R h1) + sqrt(2 R h2).
 TEST(Pairs, ends_at_the_horizon) {
   const double reach_m = std::sqrt(2 * 1737400.0) * (std::sqrt(10.0) + std::sqrt(4.0));
@@ -52,6 +63,8 @@ TEST(Pairs, ends_at_the_horizon) {
     const PairRow row = pair_at(run, 60, "M1", "M2");
     EXPECT_EQ(row.visible, share < 1) << share;
     EXPECT_EQ(row.link, share < 1) << share;
+    EXPECT_EQ(by(run, "M1", "M2", "hidden"),
+              share < 1 ? std::vector<std::string>{} : std::vector<std::string>{"ground"});
     EXPECT_NEAR(row.distance_m, share * reach_m, 1);
   }
 }
@@ -73,6 +86,11 @@ TEST(Pairs, two_below_each_others_horizon_are_joined_through_an_asset) {
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").visible, 1);
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").link, 0);
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").relay, "Mid");
+  EXPECT_THAT(by(run, "A", "B", "relayed"), ElementsAre("Mid"));
+  EXPECT_THAT(by(run, "A", "Earth", "relayed"), ElementsAre("Mid"));
+  EXPECT_THAT(by(run, "A", "Mid", "relayed"), ElementsAre());
+  EXPECT_THAT(by(run, "A", "Off", "relayed"), ElementsAre());
+  EXPECT_THAT(by(run, "A", "Off", "hidden"), ElementsAre("ground"));
 }
 
 // Both stand so high that they see each other; the antennas reach 30 km.
@@ -105,6 +123,7 @@ TEST(Pairs, of_earth_ends_when_another_rover_stands_before_it) {
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
   EXPECT_EQ(pair_at(run, 0, "A", "Earth").visible, 1);
   EXPECT_EQ(pair_at(run, 100, "A", "Earth").visible, 0);
+  EXPECT_THAT(by(run, "A", "Earth", "hidden"), ElementsAre("B"));
 }
 
 TEST(Pairs, has_each_pair_once_at_each_sample) {
@@ -129,6 +148,8 @@ TEST(Pairs, a_habitat_stands_between) {
                        event("Pause", "A", 1, {{"Duration", "60"}})});
     ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
     EXPECT_EQ(pair_at(run, 0, "A", "B").visible, aside_deg > 0);
+    EXPECT_EQ(by(run, "A", "B", "hidden"),
+              aside_deg > 0 ? std::vector<std::string>{} : std::vector<std::string>{"Home"});
   }
 }
 

@@ -50,6 +50,10 @@ std::vector<SightIntervalRow> FleetSight::finish(const Fleet& fleet, SimTime now
   return watch_.finish(now, ends_of(fleet, now));
 }
 
+std::vector<std::string> FleetSight::warnings_of_own_way(const Fleet& fleet, SimTime now) const {
+  return watch_.warnings_of_own_way(ends_of(fleet, now));
+}
+
 std::optional<PairSight> FleetSight::between(const Fleet& fleet, const std::string& one,
                                              const std::string& other) const {
   // The order is that of ends_of(), then Earth.

@@ -26,6 +26,7 @@ class FleetSight {
   // When a pair is next due if nothing moves; absent: never.
   std::optional<SimTime> wake() const { return watch_.wake(); }
   const SightWatch& watch() const { return watch_; }
+  std::vector<std::string> warnings_of_own_way(const Fleet& fleet, SimTime now) const;
 
   void archive(Archive& a) { LSOS_ARCHIVE(a, watch_); }
 

@@ -49,23 +49,26 @@ Mesh solids_near(const Fleet& fleet, const SiteFrame& site, const Vec3& eye_S_m,
   return mesh;
 }
 
-Mesh solids_between(const Fleet& fleet, const SiteFrame& site, const Vec3& from_S_m,
-                    const Vec3& to_S_m, const Moment& moment) {
+std::vector<NamedMesh> solids_between(const Fleet& fleet, const SiteFrame& site,
+                                      const Vec3& from_S_m, const Vec3& to_S_m,
+                                      const Moment& moment) {
   const double aside_m = from_S_m == to_S_m ? shading_reach_m : beyond_reach_m;
   const auto is_near = [&](const Vec3& p_S_m, double body_m) {
     return point_distance_m(from_S_m, to_S_m, p_S_m) < body_m + aside_m;
   };
-  Mesh mesh;
+  std::vector<NamedMesh> solids;
   for (const FleetRover& rover : fleet.rovers) {
     if (!is_near(rover.agent->view().p_S_m, reach_m(*rover.agent))) continue;
-    append_solids(mesh, *rover.agent, from_S_m, moment.now);
+    NamedMesh& solid = solids.emplace_back(NamedMesh{rover.agent->id(), {}});
+    append_solids(solid.mesh, *rover.agent, from_S_m, moment.now);
   }
   for (const StandingAsset& asset : fleet.assets) {
     if (!is_near(asset.pose.p_S_m, asset.shape.reach_m())) continue;
     const Sunlight sun = sunlight(site.body(), site.geodetic(asset.pose.p_S_m), moment.utc, 0);
-    append_solids(mesh, asset, from_S_m, direction_S(site, asset.pose.p_S_m, sun.seen));
+    NamedMesh& solid = solids.emplace_back(NamedMesh{asset.plan.id, {}});
+    append_solids(solid.mesh, asset, from_S_m, direction_S(site, asset.pose.p_S_m, sun.seen));
   }
-  return mesh;
+  return solids;
 }
 
 }  // namespace lsos

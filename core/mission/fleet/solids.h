@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mission/fleet/fleet.h"
+#include "mission/light/sight_watch.h"
 #include "planet/sunlight.h"
-#include "view/gl/mesh.h"
 
 namespace lsos {
 
@@ -20,9 +20,10 @@ Motion motion_near(const Fleet& fleet, const Vec3& p_S_m, const RoverAgent* exce
 // relative to `eye_S_m`, in site axes.
 Mesh solids_near(const Fleet& fleet, const SiteFrame& site, const Vec3& eye_S_m,
                  const std::string& except_id, const Sunlight& sun, SimTime now);
-// Solids that may stand between two places; when the two are equal, all solids near them. The mesh
-// is relative to `from_S_m`, in site axes.
-Mesh solids_between(const Fleet& fleet, const SiteFrame& site, const Vec3& from_S_m,
-                    const Vec3& to_S_m, const Moment& moment);
+// Bodies that may stand between two places; when the two are equal, all bodies near them. Their
+// meshes are relative to `from_S_m`, in site axes.
+std::vector<NamedMesh> solids_between(const Fleet& fleet, const SiteFrame& site,
+                                      const Vec3& from_S_m, const Vec3& to_S_m,
+                                      const Moment& moment);
 
 }  // namespace lsos

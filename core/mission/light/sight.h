@@ -2,11 +2,20 @@
 // the other; likewise the visible share of the disc of Earth.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "terrain/ground.h"
 #include "view/exposure/renderer.h"
 #include "view/ground/sight_ground.h"
 
 namespace lsos {
+
+// A rover or asset as it stands in the way.
+struct NamedMesh {
+  std::string id;
+  Mesh mesh;
+};
 
 // Results are pure functions of the arguments. `solids`: what may stand in between, relative to
 // `from_S_m`, site axes; what lies within 0.3 m of an antenna belongs to the antenna.
@@ -23,21 +32,29 @@ class Sight {
   Sight(const Ground& ground, Renderer& renderer)
       : site_(ground.site()), ground_(&ground), renderer_(&renderer), between_(ground) {}
 
-  // Share 0..1 of the target at `to_S_m` that is visible from `from_S_m`.
-  double target_share(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids);
-  bool sees(const Vec3& from_S_m, const Vec3& to_S_m, const Mesh& solids) {
-    return target_share(from_S_m, to_S_m, solids) >= seen_share;
-  }
+  struct Line {
+    double share = 0;  // of the target at the far end that is visible, 0..1
+    bool is_seen = false;
+    std::string hidden_by;  // as of Disc
+  };
+  Line line(const Vec3& from_S_m, const Vec3& to_S_m, const std::vector<NamedMesh>& solids);
 
   struct Disc {
     bool is_centre_seen = false;
     double fraction = 0;  // visible share of the disc, 0..1
+    // What hides the centre: "ground" where the ground alone would, else the ids of bodies of which
+    // each alone would, in the order of `solids`, comma-separated; of all near when none would.
+    std::string hidden_by;
   };
   // Visibility of a disc of angular radius `disc_rad` about `direction_S` (unit), infinitely far
   // away.
-  Disc disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad, const Mesh& solids);
+  Disc disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad,
+            const std::vector<NamedMesh>& solids);
 
  private:
+  // Share of a target that is visible from a viewpoint.
+  double share(const PanelFace& target, const Mesh& solids, const Viewpoint& viewer);
+
   SiteFrame site_;
   const Ground* ground_;
   Renderer* renderer_;

@@ -76,14 +76,17 @@ void SightWatch::evaluate(Pair& pair, SimTime now, Instant utc, const std::vecto
                                          solids(from.antenna_S_m, from.antenna_S_m));
     pair.is_visible = seen.is_centre_seen;
     pair.fraction = seen.fraction;
+    pair.hidden_by = seen.hidden_by;
     pair.is_linked = pair.is_visible && from.has_link && from.reaches_earth;
     if (!pair.is_visible) return;
     earth_over_end_.add_towards(from.antenna_S_m, direction_S, earth.disc_rad, from.id, now);
     return;
   }
   const SightEnd& to = ends[pair.to];
-  pair.is_visible =
-      sight_.sees(from.antenna_S_m, to.antenna_S_m, solids(from.antenna_S_m, to.antenna_S_m));
+  const Sight::Line seen =
+      sight_.line(from.antenna_S_m, to.antenna_S_m, solids(from.antenna_S_m, to.antenna_S_m));
+  pair.is_visible = seen.is_seen;
+  pair.hidden_by = seen.hidden_by;
   if (pair.is_visible) {
     pairs_over_end_.add_between(from.antenna_S_m, to.antenna_S_m,
                                 fmt::format("{} to {}", from.id, to.id), now);
@@ -109,39 +112,88 @@ std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
                                                const std::vector<SightEnd>& ends,
                                                const SolidsBetween& solids) {
   std::vector<SightIntervalRow> ended;
+  bool have_links_changed = false;
   for (Pair& pair : pairs_) {
     if (!is_due(pair, now, ends)) continue;
+    const bool was_linked = pair.is_linked, is_first = !pair.time;
+    count_own_way(pair, now, ends);
     evaluate(pair, now, utc, ends, solids);
     pair.time = now;
     pair.is_near_turning = std::ranges::any_of(ends, [&](const SightEnd& other) {
       return other.turns_with_sun && is_near(pair, other, ends);
     });
-    const auto follow = [&](const char* kind, bool is_so, std::optional<OpenInterval>& interval) {
-      if (is_so && !interval)
-        interval = OpenInterval{now, distance_m(pair, utc, ends) / speed_of_light_mps};
-      if (is_so || !interval) return;
-      ended.push_back({id(pair.from, ends), id(pair.to, ends), kind, interval->start, now,
-                       interval->light_time_s});
-      interval.reset();
-    };
-    follow("visible", pair.is_visible, pair.visible);
-    follow("link", pair.is_linked, pair.linked);
+    have_links_changed |= is_first || was_linked != pair.is_linked;
+    if (!have_links_changed) follow(pair, now, utc, ends, ended);
+  }
+  if (!have_links_changed) return ended;
+  for (Pair& pair : pairs_) {
+    if (pair.time) follow(pair, now, utc, ends, ended);
   }
   return ended;
+}
+
+std::array<std::pair<const char*, std::optional<OpenInterval>*>, 4> SightWatch::intervals(
+    Pair& pair) {
+  return {{{"visible", &pair.visible},
+           {"hidden", &pair.hidden},
+           {"link", &pair.linked},
+           {"relayed", &pair.relayed}}};
+}
+
+void SightWatch::follow(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
+                        std::vector<SightIntervalRow>& ended) const {
+  const std::string relays = pair.is_linked ? "" : relay(pair, ends);
+  const std::array states{pair.is_visible, !pair.is_visible, pair.is_linked, !relays.empty()};
+  const std::array<std::string, 4> by{"", pair.hidden_by, "", relays};
+  const auto all = intervals(pair);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    auto& [kind, interval] = all[k];
+    if (*interval && (!states[k] || (*interval)->by != by[k])) {
+      ended.push_back(row(pair, kind, **interval, now, ends));
+      interval->reset();
+    }
+    if (!states[k] || *interval) continue;
+    *interval = OpenInterval{now, distance_m(pair, utc, ends) / speed_of_light_mps, by[k]};
+  }
+}
+
+SightIntervalRow SightWatch::row(const Pair& pair, const char* kind, const OpenInterval& interval,
+                                 SimTime end, const std::vector<SightEnd>& ends) const {
+  return {id(pair.from, ends),   id(pair.to, ends), kind, interval.start, end,
+          interval.light_time_s, interval.by};
 }
 
 std::vector<SightIntervalRow> SightWatch::finish(SimTime now, const std::vector<SightEnd>& ends) {
   std::vector<SightIntervalRow> ended;
   for (Pair& pair : pairs_) {
-    for (const auto& [kind, interval] :
-         {std::pair{"visible", &pair.visible}, std::pair{"link", &pair.linked}}) {
+    for (const auto& [kind, interval] : intervals(pair)) {
       if (!*interval) continue;
-      ended.push_back({id(pair.from, ends), id(pair.to, ends), kind, (*interval)->start, now,
-                       (*interval)->light_time_s});
+      ended.push_back(row(pair, kind, **interval, now, ends));
       interval->reset();
     }
   }
   return ended;
+}
+
+void SightWatch::count_own_way(Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const {
+  if (pair.to != earth_ || !pair.time || pair.is_visible) return;
+  const SightEnd& from = ends[pair.from];
+  if (pair.hidden_by == from.id && from.has_link && from.reaches_earth) {
+    pair.in_own_way += now - *pair.time;
+  }
+}
+
+std::vector<std::string> SightWatch::warnings_of_own_way(const std::vector<SightEnd>& ends) const {
+  constexpr SimTime worth_telling{3600 * 1'000'000LL};
+  std::vector<std::string> warnings;
+  for (const Pair& pair : pairs_) {
+    if (pair.in_own_way < worth_telling) continue;
+    warnings.push_back(
+        fmt::format("{}: its own body or panels hid Earth from its antenna for {:.1f} h in all; "
+                    "sight_intervals says when",
+                    id(pair.from, ends), seconds(pair.in_own_way) / 3600));
+  }
+  return warnings;
 }
 
 std::optional<PairSight> SightWatch::last(std::size_t one, std::size_t other) const {

@@ -2,10 +2,12 @@
 // visible, and who is linked to whom, directly or through relays.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/archive.h"
@@ -24,12 +26,13 @@ SimTime earth_interval(const Body& body);
 
 inline constexpr const char* earth_id = "Earth";
 
-// An open interval in which one end sees another or is linked to it.
+// An open row of the layer `sight_intervals`.
 struct OpenInterval {
   SimTime start{};
   double light_time_s = 0;
+  std::string by;
 
-  void archive(Archive& a) { LSOS_ARCHIVE(a, start, light_time_s); }
+  void archive(Archive& a) { LSOS_ARCHIVE(a, start, light_time_s, by); }
 };
 
 // Distance by which panels, and limbs that have moved from their rest, may stand out of the reach
@@ -51,8 +54,9 @@ struct SightEnd {
 
 class SightWatch {
  public:
-  // Returns the solids that may stand between two places, relative to the first, site axes.
-  using SolidsBetween = std::function<Mesh(const Vec3& from_S_m, const Vec3& to_S_m)>;
+  // Returns the bodies that may stand between two places, relative to the first, site axes.
+  using SolidsBetween =
+      std::function<std::vector<NamedMesh>(const Vec3& from_S_m, const Vec3& to_S_m)>;
 
   // `ground` and `renderer` must outlive it. Ends are always passed in the same order; Earth
   // follows them unless it is the planet.
@@ -68,6 +72,9 @@ class SightWatch {
                             std::size_t from) const;
   // Ends all open intervals and returns them.
   std::vector<SightIntervalRow> finish(SimTime now, const std::vector<SightEnd>& ends);
+  // Warns of ends that could have been linked to Earth for an hour or more in all, but for their
+  // own bodies.
+  std::vector<std::string> warnings_of_own_way(const std::vector<SightEnd>& ends) const;
   // When a pair is next due if nothing moves; absent: never.
   std::optional<SimTime> wake() const;
 
@@ -87,12 +94,14 @@ class SightWatch {
     std::optional<SimTime> time;
     bool is_visible = false, is_linked = false;
     double fraction = not_modelled;
+    std::string hidden_by;         // what hides it while it is not visible
     bool is_near_turning = false;  // panels that follow the Sun may stand in between
-    std::optional<OpenInterval> visible, linked;
+    std::optional<OpenInterval> visible, hidden, linked, relayed;
+    SimTime in_own_way{};  // its `from` could have been linked to Earth but for its own body
 
     void archive(Archive& a) {
-      LSOS_ARCHIVE(a, from, to, time, is_visible, is_linked, fraction, is_near_turning, visible,
-                   linked);
+      LSOS_ARCHIVE(a, from, to, time, is_visible, is_linked, fraction, hidden_by, is_near_turning,
+                   visible, hidden, linked, relayed, in_own_way);
     }
   };
 
@@ -100,10 +109,20 @@ class SightWatch {
   bool is_near(const Pair& pair, const SightEnd& other, const std::vector<SightEnd>& ends) const;
   SimTime interval(const Pair& pair) const;
   bool is_due(const Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const;
+  // Counts the time since its last evaluation, for which that result held.
+  void count_own_way(Pair& pair, SimTime now, const std::vector<SightEnd>& ends) const;
   void evaluate(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                 const SolidsBetween& solids);
+  // Opens and ends intervals by what the pair's state is now.
+  void follow(Pair& pair, SimTime now, Instant utc, const std::vector<SightEnd>& ends,
+              std::vector<SightIntervalRow>& ended) const;
+  SightIntervalRow row(const Pair& pair, const char* kind, const OpenInterval& interval,
+                       SimTime end, const std::vector<SightEnd>& ends) const;
+  // The pair's four intervals by kind.
+  static std::array<std::pair<const char*, std::optional<OpenInterval>*>, 4> intervals(Pair& pair);
   double distance_m(const Pair& pair, Instant utc, const std::vector<SightEnd>& ends) const;
   std::string id(std::size_t end, const std::vector<SightEnd>& ends) const;
+  // The relays that join a pair without a direct link, comma-separated; "" when none do.
   std::string relay(const Pair& pair, const std::vector<SightEnd>& ends) const;
 
   const Ground* ground_;

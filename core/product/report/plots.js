@@ -253,7 +253,8 @@ class Plot {
   }
 }
 
-// Lines of sight and links between pairs: a pale bar means visible, a dark one in it linked.
+// Lines of sight and links between pairs: a pale bar means visible, a dark one in it linked; another
+// colour means joined through others. What hides a pair is told where the cursor is.
 class SightPlot {
   constructor() {
     this.key = 'sight';
@@ -272,7 +273,7 @@ class SightPlot {
     this.surface = make('div', {class: 'surface'}, this.bar, this.names, this.chosen, this.cursor);
     const key = (colour, text) => make('span', {}, make('i', {class: 'kind', style: `background:${colour}`}), text);
     this.element = make('figure', {class: 'plot', id: 'plot-sight'},
-      make('figcaption', {}, make('h3', {}, 'Lines of sight'), make('div', {class: 'keys'}, key('#b9d3c4', 'visible'), key('#2c7a53', 'linked'))),
+      make('figcaption', {}, make('h3', {}, 'Lines of sight'), make('div', {class: 'keys'}, key('#b9d3c4', 'visible'), key('#2c7a53', 'linked'), key('#8f7fb8', 'linked through others'))),
       this.surface);
     this.height = page.sight.length * this.rowHeight + 3;
     this.bar.style.height = `${this.height + axisHeight}px`;
@@ -288,7 +289,8 @@ class SightPlot {
       pen.fillStyle = '#f1f4f6';
       pen.fillRect(gutter, y, width, 9);
       if (!this.isOn(pair)) return;
-      for (const [spans, colour, inset] of [[pair.visible, '#b9d3c4', 0], [pair.link, '#2c7a53', 2.5]]) {
+      const relayed = Object.values(pair.relayed).map(spans => [spans, '#8f7fb8', 2.5]);
+      for (const [spans, colour, inset] of [[pair.visible, '#b9d3c4', 0], [pair.link, '#2c7a53', 2.5], ...relayed]) {
         pen.fillStyle = colour;
         for (let i = 0; i < spans.length; i += 2) {
           const x0 = Math.max(gutter, timeX(spans[i], width)), x1 = Math.min(gutter + width, timeX(spans[i + 1], width));
@@ -305,8 +307,15 @@ class SightPlot {
       for (let i = 0; i < spans.length; i += 2) if (view.cursor >= spans[i] && view.cursor <= spans[i + 1]) return true;
       return false;
     };
+    const by = intervals => Object.keys(intervals).find(what => holds(intervals[what]))?.replaceAll(',', ', ');
+    const state = pair => {
+      if (holds(pair.link)) return 'linked';
+      const hider = by(pair.hidden), relays = by(pair.relayed);
+      const seen = holds(pair.visible) ? 'visible' : hider ? `hidden by ${hider}` : 'hidden';
+      return relays ? `${seen}, linked through ${relays}` : seen;
+    };
     page.sight.forEach((pair, k) => {
-      this.states[k].textContent = !this.isOn(pair) ? '' : holds(pair.link) ? 'linked' : holds(pair.visible) ? 'visible' : 'hidden';
+      this.states[k].textContent = this.isOn(pair) ? state(pair) : '';
     });
   }
   refresh() { Plot.prototype.refresh.call(this); }

@@ -30,7 +30,7 @@ const ContractLayer contract[] = {
     {"pairs", LayerGeometry::none,
      "time_s from_id to_id distance_m visible visible_fraction link relay | utc"},
     {"sight_intervals", LayerGeometry::none,
-     "from_id to_id kind start_s end_s light_time_s | utc end_utc"},
+     "from_id to_id kind start_s end_s light_time_s | by utc end_utc"},
     {"panels", LayerGeometry::none,
      "time_s rover_id panel sun_fraction incidence power_w azimuth_rad elevation_rad"},
     {"joints", LayerGeometry::none, "time_s rover_id joint angle_rad extension_m"},
