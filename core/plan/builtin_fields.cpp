@@ -101,6 +101,9 @@ const std::vector<FieldDeclaration>& mission_fields() {
                      "the run ends there as incomplete; default by what the plan says of times, "
                      "366 d where a condition may keep it waiting"),
                "s", seconds(exchange_period), longest_duration_s),
+      field("OnFailure", "on_failure", FieldKind::text,
+            "what follows a failure where neither the event nor its Rover says it: stop, skip, "
+            "abort, goto LABEL (the next later event of the rover so called, else stop)"),
   };
   return fields;
 }
@@ -121,6 +124,9 @@ const std::vector<FieldDeclaration>& rover_fields() {
                                   "of the battery at the start"),
                             1.0),
                "1", 0, 1),
+      field("OnFailure", "on_failure", FieldKind::text,
+            "what follows a failure where the event does not say it: stop, skip, abort, goto "
+            "LABEL (the next later event so called, else stop)"),
   };
   return fields;
 }

@@ -23,6 +23,8 @@ struct DraftEvent {
   // PlanPlacemark.
   const SourceField* start_after = nullptr;
   const SourceField* on_failure = nullptr;
+  // It says no OnFailure of its own, and takes that of its Rover or the mission.
+  bool takes_default_on_failure = false;
   std::vector<std::string> defaults;
   // Its geometry's places where its coordinates may be meant with decimal commas, see
   // with_decimal_commas(); else empty.

@@ -34,6 +34,7 @@ class EventsReader {
     draft.drives = declaration.drives;
     draft.start_after = fields.find("StartAfter");
     draft.on_failure = fields.find("OnFailure");
+    draft.takes_default_on_failure = draft.on_failure == nullptr;
     PlanEvent& event = draft.event;
     event.place = fields.subject().place;
     event.type = declaration.name;
@@ -143,7 +144,8 @@ std::vector<DraftEvent> read_events(const std::vector<PlanPlacemark>& events,
   return drafts;
 }
 
-std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& events) {
+std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& events,
+                                         const std::vector<DraftEvent>& drafts) {
   std::vector<std::string> defaults;
   for (const FieldDeclaration& declaration : common_event_fields()) {
     if (!declaration.default_value) continue;
@@ -152,7 +154,10 @@ std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& event
         return field.name == declaration.name && !field.text.empty();
       });
     };
-    const auto count = std::ranges::count_if(events, lacks_it);
+    const auto count =
+        declaration.name == "OnFailure"  // of some events their Rover or the mission says it
+            ? std::ranges::count_if(drafts, &DraftEvent::takes_default_on_failure)
+            : std::ranges::count_if(events, lacks_it);
     if (count == 0) continue;
     defaults.push_back(fmt::format("{} = {} ({} of {} events)", declaration.name,
                                    format_value(declaration, *declaration.default_value), count,

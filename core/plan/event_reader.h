@@ -18,7 +18,9 @@ std::vector<DraftEvent> read_events(const std::vector<PlanPlacemark>& events,
                                     const PlanGaps& gaps);
 
 // Which of the common event fields were filled in from their defaults, and in how many events:
-// "Enabled = true (12 of 14 events)".
-std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& events);
+// "Enabled = true (12 of 14 events)". `drafts`: the events, once apply_failure_defaults() has seen
+// them.
+std::vector<std::string> common_defaults(const std::vector<PlanPlacemark>& events,
+                                         const std::vector<DraftEvent>& drafts);
 
 }  // namespace lsos

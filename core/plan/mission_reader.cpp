@@ -135,6 +135,9 @@ MissionInfo read_mission(const std::vector<PlanPlacemark>& missions, const ReadC
     mission.max_duration = from_seconds(*longest_s);
     mission.has_max_duration = true;
   }
+  if (const SourceField* field = fields.find("OnFailure")) {
+    mission.on_failure = {field->text, field->line};
+  }
   return mission;
 }
 

@@ -26,6 +26,13 @@ struct TerrainName {
   const std::string& hashed() const { return is_raster ? as_written : name; }
 };
 
+// What OnFailure of MissionInfo or a Rover says of events that say nothing of their own, as
+// written; its text is "" when there is none. The events have taken it over already.
+struct FailureDefault {
+  std::string text;
+  int line = 0;
+};
+
 struct MissionInfo {
   Place place;
   const Body* planet = nullptr;
@@ -37,6 +44,7 @@ struct MissionInfo {
   SimTime parked_log_interval{60'000'000};
   SimTime max_duration{366LL * 86400 * 1'000'000};
   bool has_max_duration = false;  // given in the plan; false: default_max_duration() gives it
+  FailureDefault on_failure;      // of all rovers
   // Origin of the site frame, about which generated ground is laid out, when the mission begins as
   // another ended. Absent: the start of the first rover, see site_of().
   std::optional<Geodetic> site = {};
@@ -51,6 +59,7 @@ struct PlanRover {
   Geodetic start;                     // height 0: rovers stand on the ground
   std::optional<double> heading_rad;  // clockwise from true north
   double initial_charge = 1;
+  FailureDefault on_failure;  // comes before the mission's
 
   // Name of the rover's set of numbers: its type, with the changes to them.
   std::string model() const { return variant.empty() ? type : type + " with " + variant; }

@@ -143,6 +143,8 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
   }
   set_times(drafts, declarations, plan.mission, plan.gaps);
   resolve_references(drafts, faults);
+  const std::vector<std::string> failure_defaults =
+      apply_failure_defaults(drafts, plan.mission, plan.rovers, faults);
   check_timed_events(drafts, declarations, faults);
   check_circles(drafts, declarations, faults);
   if (plan.mission.planet != nullptr) {
@@ -150,7 +152,8 @@ Plan read_plan(const std::string& file, const KmlSource& source, const Declarati
     check_far_places(drafts, plan.rovers, plan.assets, plan.gaps, *plan.mission.planet, faults);
   }
   std::erase_if(drafts, [](const DraftEvent& draft) { return !draft.is_read; });
-  for (std::string& text : common_defaults(ours.events)) plan.defaults.push_back(std::move(text));
+  std::ranges::copy(common_defaults(ours.events, drafts), std::back_inserter(plan.defaults));
+  std::ranges::copy(failure_defaults, std::back_inserter(plan.defaults));
   for (DraftEvent& draft : drafts) {
     plan.events.push_back(std::move(draft.event));
     std::ranges::move(draft.defaults, std::back_inserter(plan.defaults));
@@ -183,6 +186,7 @@ PlanEvent read_event(const SourcePlacemark& placemark, const Plan& plan,
   std::ranges::stable_sort(drafts, {}, identity_of);
   set_times(drafts, declarations, plan.mission, plan.gaps);
   resolve_references(drafts, faults);
+  apply_failure_defaults(drafts, plan.mission, plan.rovers, faults);
   check_timed_events(drafts, declarations, faults);
   check_circles(drafts, declarations, faults);
   faults.throw_if_errors();

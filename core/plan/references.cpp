@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -45,6 +46,23 @@ std::string joined_parts(const std::string& label) {
   return joined;
 }
 
+// What OnFailure says, before a label is resolved.
+struct FailureRule {
+  OnFailure what = OnFailure::stop;
+  std::string label;  // with OnFailure::go_to
+};
+
+// Where an OnFailure stands, for messages.
+struct FailurePlace {
+  std::string subject;
+  Place place;
+  std::string text;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 class Resolver {
  public:
   Resolver(std::vector<DraftEvent>& drafts, Faults& faults) : drafts_(drafts), faults_(faults) {
@@ -65,8 +83,43 @@ class Resolver {
   void run() {
     for (DraftEvent& draft : drafts_) {
       if (draft.start_after != nullptr) read_start_after(draft);
-      if (draft.on_failure != nullptr) read_on_failure(draft);
+      if (draft.on_failure == nullptr) continue;
+      const FailurePlace place{
+          draft.subject, {draft.event.place.file, draft.on_failure->line}, draft.on_failure->text};
+      const auto rule = read_rule(place, "a later event of the rover");
+      if (!rule) continue;
+      if (rule->what == OnFailure::go_to) {
+        read_go_to(draft, place, rule->label);
+      } else {
+        draft.event.on_failure = rule->what;
+      }
     }
+  }
+
+  // Gives the events of `rovers` that say nothing of their own what OnFailure says of them all;
+  // returns their number.
+  int apply_default(const FailurePlace& place, const std::vector<std::string>& rovers) {
+    const auto rule = read_rule(place, "an event");
+    if (!rule) return 0;
+    const bool goes = rule->what == OnFailure::go_to;
+    const Indices targets = goes ? default_targets(place, rule->label, rovers) : Indices{};
+    int count = 0;
+    for (DraftEvent& draft : drafts_) {
+      PlanEvent& event = draft.event;
+      if (!draft.takes_default_on_failure || !contains(rovers, event.rover_id)) continue;
+      if (goes) {
+        const auto next = std::ranges::find_if(targets, [&](std::size_t i) {
+          const PlanEvent& target = drafts_[i].event;
+          return target.rover_id == event.rover_id && target.sequence > event.sequence;
+        });
+        if (next == targets.end() || !draft.is_placed || event.at) continue;
+        event.go_to_sequence = drafts_[*next].event.sequence;
+      }
+      event.on_failure = rule->what;
+      draft.takes_default_on_failure = false;
+      ++count;
+    }
+    return count;
   }
 
  private:
@@ -186,33 +239,61 @@ class Resolver {
     awaited.erase(std::unique(awaited.begin(), awaited.end()), awaited.end());
   }
 
-  void read_on_failure(DraftEvent& draft) {
-    constexpr std::array<std::pair<std::string_view, OnFailure>, 3> words{
-        {{"stop", OnFailure::stop}, {"skip", OnFailure::skip}, {"abort", OnFailure::abort}}};
-    const std::string& text = draft.on_failure->text;
-    for (const auto& [word, meaning] : words) {
-      if (text == word) {
-        draft.event.on_failure = meaning;
-        return;
-      }
-    }
-    if (text == "goto") {
-      error(draft, *draft.on_failure, "goto wants the label of a later event of the rover");
-    } else if (text.starts_with("goto ") || text.starts_with("goto\t")) {
-      read_go_to(draft, unescaped(std::string(trimmed(text.substr(5)))));
-    } else {
-      const std::vector<std::string> known{"stop", "skip", "abort", "goto LABEL"};
-      error(draft, *draft.on_failure,
-            fmt::format("must be one of {}{}", listed(known),
-                        text.size() > 20 ? "" : did_you_mean(text, known)));
-    }
+  void error(const FailurePlace& place, const std::string& what) {
+    faults_.error(place.place,
+                  fmt::format("{}: OnFailure = {}: {}", place.subject, shown(place.text), what));
   }
 
-  void read_go_to(DraftEvent& draft, const std::string& label) {
+  // Absent after a fault. `wanted`: what a goto may name.
+  std::optional<FailureRule> read_rule(const FailurePlace& place, const char* wanted) {
+    constexpr std::array<std::pair<std::string_view, OnFailure>, 3> words{
+        {{"stop", OnFailure::stop}, {"skip", OnFailure::skip}, {"abort", OnFailure::abort}}};
+    const std::string& text = place.text;
+    for (const auto& [word, meaning] : words) {
+      if (text == word) return FailureRule{meaning, ""};
+    }
+    if (text == "goto") {
+      error(place, fmt::format("goto wants the label of {}", wanted));
+    } else if (text.starts_with("goto ") || text.starts_with("goto\t")) {
+      return FailureRule{OnFailure::go_to, unescaped(std::string(trimmed(text.substr(5))))};
+    } else {
+      const std::vector<std::string> known{"stop", "skip", "abort", "goto LABEL"};
+      error(place, fmt::format("must be one of {}{}", listed(known),
+                               text.size() > 20 ? "" : did_you_mean(text, known)));
+    }
+    return {};
+  }
+
+  // The events of `rovers` that a default of goto LABEL means, in order of rover and sequence; it
+  // is a fault that there are none.
+  Indices default_targets(const FailurePlace& place, const std::string& label,
+                          const std::vector<std::string>& rovers) {
+    const Indices found = meanings(label);
+    if (!are_placed(found)) return {};
+    Indices targets, timed;
+    for (const std::size_t i : found) {
+      const PlanEvent& event = drafts_[i].event;
+      if (contains(rovers, event.rover_id)) (event.at ? timed : targets).push_back(i);
+    }
+    const bool is_for_none = rovers.empty() && !found.empty();  // each rover has one of its own
+    if (!targets.empty() || is_for_none || may_be_unplaced(label)) return targets;
+    if (found.empty()) {
+      error(place, fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
+    } else if (timed.empty()) {
+      error(place, fmt::format("{} is no event of {}", choices(found),
+                               rovers.size() == 1 ? fmt::format("rover {}", quoted(rovers.front()))
+                                                  : "a rover that it is for"));
+    } else {
+      error(place,
+            fmt::format("{} takes effect at a time of its own, without a turn", choices(timed)));
+    }
+    return {};
+  }
+
+  void read_go_to(DraftEvent& draft, const FailurePlace& place, const std::string& label) {
     const Indices found = meanings(label);
     if (found.empty() && !may_be_unplaced(label)) {
-      error(draft, *draft.on_failure,
-            fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
+      error(place, fmt::format("there is no event {}{}", shown(label), suggestions_(label)));
     }
     if (found.empty() || !draft.is_placed || !are_placed(found)) return;
     Indices later;
@@ -223,11 +304,10 @@ class Resolver {
       }
     }
     if (later.empty()) {
-      error(draft, *draft.on_failure,
-            fmt::format("{} is no later event of rover {}", choices(found),
-                        quoted(draft.event.rover_id)));
+      error(place, fmt::format("{} is no later event of rover {}", choices(found),
+                               quoted(draft.event.rover_id)));
     } else if (later.size() > 1) {
-      error(draft, *draft.on_failure,
+      error(place,
             fmt::format("{} can be {}; ROVER/SEQUENCE says which", shown(label), choices(later)));
     } else {
       draft.event.on_failure = OnFailure::go_to;
@@ -264,6 +344,32 @@ std::vector<std::string> split_references(const std::string& text) {
 
 void resolve_references(std::vector<DraftEvent>& drafts, Faults& faults) {
   Resolver(drafts, faults).run();
+}
+
+std::vector<std::string> apply_failure_defaults(std::vector<DraftEvent>& drafts,
+                                                const MissionInfo& mission,
+                                                const std::vector<PlanRover>& rovers,
+                                                Faults& faults) {
+  std::vector<std::string> lines, others;
+  Resolver resolver(drafts, faults);
+  const auto apply = [&](const FailurePlace& place, const std::vector<std::string>& ids) {
+    const int count = resolver.apply_default(place, ids);
+    if (count == 0) return;
+    lines.push_back(fmt::format("{}: OnFailure = {} ({} of {} events)", place.subject, place.text,
+                                count, drafts.size()));
+  };
+  for (const PlanRover& rover : rovers) {
+    const auto& [text, line] = rover.on_failure;
+    if (text.empty()) {
+      others.push_back(rover.id);
+    } else {
+      apply({fmt::format("Rover {}", quoted(rover.id)), {rover.place.file, line}, text},
+            {rover.id});
+    }
+  }
+  const auto& [text, line] = mission.on_failure;
+  if (!text.empty()) apply({"MissionInfo", {mission.place.file, line}, text}, others);
+  return lines;
 }
 
 }  // namespace lsos

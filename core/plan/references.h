@@ -1,4 +1,4 @@
-// References between events: StartAfter and OnFailure = goto LABEL.
+// References to events: StartAfter and OnFailure = goto LABEL, also of a Rover or the mission.
 #pragma once
 
 #include <vector>
@@ -11,6 +11,14 @@ namespace lsos {
 // ambiguous reference, and a goto to an event that is not later on the same rover, is a fault,
 // unless it may refer to an event whose rover or Sequence cannot be read.
 void resolve_references(std::vector<DraftEvent>& drafts, Faults& faults);
+
+// Gives events without an OnFailure that of their Rover, else that of the mission. goto LABEL there
+// means the next later event of the same rover with that label; where there is none, the rover
+// stops. A label that none of these rovers has is a fault. Returns lines for Plan::defaults.
+std::vector<std::string> apply_failure_defaults(std::vector<DraftEvent>& drafts,
+                                                const MissionInfo& mission,
+                                                const std::vector<PlanRover>& rovers,
+                                                Faults& faults);
 
 // Reports events that wait for each other in a circle and would never start. An event waits for the
 // events that its StartAfter names, for those before it on its own rover and, when it follows

@@ -122,6 +122,9 @@ DraftRover read_rover(const PlanPlacemark& ours, const ReadContext& context, IdP
   if (const auto* charge = find_value<double>(values, "initial_charge")) {
     rover.initial_charge = *charge;
   }
+  if (const SourceField* field = fields.find("OnFailure")) {
+    rover.on_failure = {field->text, field->line};
+  }
   if (ours.placemark->is_from_camera) {
     const SourceField* heading = fields.find("Heading");
     context.faults.warning(

@@ -91,6 +91,8 @@ class PlanTableReader {
     t.number(optional, "log_interval_s", log_interval_s, positive, "Between samples (2).");
     t.number(optional, "parked_log_interval_s", parked_log_interval_s, positive, "While parked.");
     t.number(optional, "max_duration_s", max_duration_s, positive, "The mission's end (a day).");
+    std::optional<std::string> on_failure;
+    t.text(optional, "on_failure", on_failure, "Of all events that say nothing of their own.");
     std::vector<double> site{0, 0};
     t.numbers(optional, "site", site, any_number,
               "{ lon_deg, lat_deg } of east 0, north 0 (0, 0).");
@@ -116,6 +118,7 @@ class PlanTableReader {
     // An interactive mission without an end is a mistake in it, which should show within seconds.
     constexpr double longest_s = 86'400;
     set(mission, "MaxDuration", fmt::format("{}", max_duration_s.value_or(longest_s)));
+    if (on_failure) set(mission, "OnFailure", *on_failure);
     for_each_named(t, required, "rovers", "Id = { type = 'SEV', at = {0, 0}, events = {...} }",
                    [&](const std::string& id) { read_rover(id, frame, plan.source); });
     for_each_named(t, optional, "assets", "Id = { type = 'Habitat', at = {0, 0} }",
@@ -250,6 +253,9 @@ class PlanTableReader {
     if (heading_deg) set(rover, "Heading", fmt::format("{}", *heading_deg));
     t.number(optional, "charge", charge, fraction, "Of its battery at the start (1).");
     if (charge) set(rover, "InitialCharge", fmt::format("{}", *charge));
+    std::optional<std::string> on_failure;
+    t.text(optional, "on_failure", on_failure, "Of its events that say nothing of their own.");
+    if (on_failure) set(rover, "OnFailure", *on_failure);
     read_point(t, rover, site);
     if (!t.take(optional, "events", "list of events", "{ 'Pause', Duration = 60 }, ...")) return;
     if (lua_istable(L_, -1)) {

@@ -12,11 +12,9 @@ const std::vector<ApiFunction>& session_functions() {
        "An interactive simulation, of a plan's file or a table: `planet`, `terrain`, "
        "`terrain_beyond`, "
        "`soil`, `start`, "
-       "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { "
-       "Id "
-       "= { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and "
-       "`assets`. In "
-       "scenarios and at the prompt only.",
+       "`seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, "
+       "`on_failure`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , "
+       "charge = , on_failure = , events = } }` and `assets`. In scenarios and at the prompt only.",
        "fun(plan: string|table): lsos.sim"},
       {"scenario", guard<add_scenario>, "lsos.scenario(name, function(t))",
        "One more scenario of this file; `lsos-host test` runs them.",

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/moment_text.h"
+
 namespace lsos {
 namespace {
 
@@ -36,6 +38,13 @@ TEST(SimTime, rounds_negative_times_up_too) {
   EXPECT_EQ(round_up_to_exchange(SimTime{-1}), SimTime{0});
   EXPECT_EQ(round_up_to_exchange(SimTime{-100'000}), SimTime{-100'000});
   EXPECT_EQ(round_up_to_exchange(SimTime{-100'001}), SimTime{-100'000});
+}
+
+TEST(SimTime, of_the_second_day_on_is_told_with_its_day) {
+  EXPECT_EQ(moment_text(from_seconds(1200.5)), "1200.5 s");
+  EXPECT_EQ(moment_text(from_seconds(86399.9)), "86399.9 s");
+  EXPECT_EQ(moment_text(from_seconds(86400)), "86400 s (day 2, 00:00:00)");
+  EXPECT_EQ(moment_text(from_seconds(384471.6)), "384471.6 s (day 5, 10:47:51)");
 }
 
 }  // namespace
