@@ -2,6 +2,16 @@
 
 local lsos = require 'lsos'
 
+-- Oxygen of one who works outside, kg/h: NASA's Life Support Baseline Values and Assumptions
+-- Document (Anderson and others, NASA/TP-2015-218570, rev. 2: Ewert, Chen and Powell 2022).
+local oxygen_kgph = 0.075
+
+-- What the suits are filled with before anyone goes out.
+local function oxygen_kg(p)
+  local outside_s = p.exit_duration_s + p.activity_duration_s + p.entry_duration_s
+  return p.crew * oxygen_kgph * outside_s / 3600
+end
+
 -- A phase that lasts as long as the parameter says.
 local function stay(duration, next)
   return function(ev, rover)
@@ -36,8 +46,14 @@ local function check(p, rover)
   end
 end
 
-local function start(ev, _)
-  ev:log('eva', { crew = ev.params.crew })
+-- A rover without stores of oxygen carries suits that are full.
+local function start(ev, rover)
+  local wanted_kg, left_kg = oxygen_kg(ev.params), rover:resource('oxygen')
+  if left_kg and not rover:use('oxygen', wanted_kg) then
+    return lsos.fail('%s has only %.3g kg of oxygen, a crew of %d takes %.3g kg out', rover.id,
+      left_kg, ev.params.crew, wanted_kg)
+  end
+  ev:log('eva', { crew = ev.params.crew, oxygen_kg = left_kg and wanted_kg })
   return 'exit'
 end
 
@@ -62,7 +78,7 @@ return lsos.event {
     },
     crew                = lsos.integer {
       kml = 'Crew', min = 1, max = 20, default = 2,
-      doc = 'How many go; it is logged.',
+      doc = 'How many go; each takes 0.075 kg of oxygen an hour from what the rover carries.',
     },
     power_w             = lsos.number {
       kml = 'Power', unit = 'W', min = 0, default = 0,
@@ -71,6 +87,7 @@ return lsos.event {
   },
 
   check  = check,
+  uses   = function(p) return { oxygen = oxygen_kg(p) } end,
   start  = 'start',
   -- What follows would leave them behind.
   on_abort = function(ev, _)

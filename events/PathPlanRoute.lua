@@ -37,6 +37,7 @@ local function plan(ev, rover)
     arrival_radius_m   = ev.params.arrival_radius_m,
     stray_max_m        = ev.params.stray_max_m,
     keeps_room_to_turn = true,
+    slope_max_rad      = ev.params.slope_max_rad or rover.slope_max_rad,
   })
   return 'drive'
 end

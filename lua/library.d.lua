@@ -60,6 +60,7 @@
 ---@field cruise_speed_mps number The type's usual speed.
 ---@field length_m number Of the ground that it covers, ahead.
 ---@field turning_radius_m number The least; 0: it turns on the spot.
+---@field slope_max_rad number Steepest slope that its routes are planned over; nil without a limit.
 ---@field is_parked boolean Brakes on and standing still.
 ---@field is_adjusting boolean Its limbs move although it stands.
 ---@field clearance_m number Under its chassis, mean over its wheels; nil when it is not on limbs.
@@ -80,6 +81,7 @@
 ---@field work fun(self: lsos.rover, power_w: number) Power that the event uses until it ends.
 ---@field resource fun(self: lsos.rover, name: string): number? What is left of it; nil when the rover carries none.
 ---@field use fun(self: lsos.rover, name: string, amount: number): boolean Takes it; false, and nothing is taken, when there is not so much.
+---@field restock fun(self: lsos.rover, name: string, amount?: number): number Adds it, up to what there was at the start, or all that is missing without an amount; gives how much was added.
 ---@field place_of fun(self: lsos.rover, id: string): vec3? Position of another rover or an asset; nil when there is none with that id.
 ---@field sees fun(self: lsos.rover, id: string): boolean? Whether its antenna saw that of another rover, of an asset, or 'Earth', when they were last looked at; nil before.
 ---@field is_linked_to fun(self: lsos.rover, id: string): boolean? The same, within range and with both antennas up.
@@ -176,6 +178,8 @@
 ---@field check? any Called for each event of a plan before anything runs: what is wrong with its parameters together, as a text, or nil; and what to warn of, as a second text. rover is what is known of the event's: `id`, `type`, `length_m`, `initial_charge`, `crew`, `configuration`, `battery_capacity_j`, `charge_power_max_w`, `generator_w`, `height_min_m`, `height_max_m`, `has_posture_control` (on limbs), `slope_max_rad`, `panels` (each with `name`, `turns`, `is_stowable` and limits such as `elevation_min_rad`); nil where faults of the plan leave it open.
 ---@field route? any For an event that plans its routes: gives what rover:plan_path will be told, so that they are planned and checked before the run.
 ---@field breaks? any For an event that breaks or repairs something: gives what rover:break_part will be told, so that a plan is checked for what the rover has.
+---@field uses? any For an event that takes of the rover's resources: how much it will, as { oxygen = 0.4 }, so that a plan is checked for what is left of each. Names that the rover does not carry are passed over.
+---@field fills? any For an event that restocks: by how much at most it fills up the rover's resources, as { oxygen = 10 }; math.huge: to what there was at the start.
 ---@field on_abort? any Called once when the event is ended from outside. A text that it answers says how far the event had come, and stands in its reason.
 ---@field open_ended? any Whether it ends only by something that no field says, as the Sun or another rover: MaxDuration is then 366 d by default (default: whether it neither drives nor has a duration or time among its params).
 ---@field deploys? string Key of the text that names the panel or antenna that it deploys, so that a plan is checked for what is up already.
@@ -622,7 +626,7 @@
 ---@field random fun(low?: number, high?: number): number A uniform random number in low..high (0..1 when left out), repeatable by the plan's Seed.
 ---@field is_empty fun(table: table): boolean Whether a table has no entry.
 ---@field derive fun(base: string, changes: table): lsos.made In rovers/: the rover or asset of that name with changes: `{ doc = '...', battery = { capacity_j = 2e8 }, panels = { Roof = { efficiency = 0.32 } }, loads = { radio = false } }`. Its `assumptions` are added to those of the base.
----@field sim fun(plan: string|table): lsos.sim An interactive simulation, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , charge = , events = } }` and `assets`. In scenarios and at the prompt only.
+---@field sim fun(plan: string|table): lsos.sim An interactive simulation, of a plan's file or a table: `planet`, `terrain`, `terrain_beyond`, `soil`, `start`, `seed`, `site`, `log_interval_s`, `parked_log_interval_s`, `max_duration_s`, `on_failure`, `rovers = { Id = { type = , at = , heading_deg = , config = , variant = , charge = , on_failure = , events = } }` and `assets`. In scenarios and at the prompt only.
 ---@field scenario fun(name: string, scenario: fun(t: lsos.t)) One more scenario of this file; `lsos-host test` runs them.
 ---@field done lsos.answer Answer: the event is completed.
 ---@field arrival lsos.answer Answer: call this phase again when the drive has ended (rover.drive says how).

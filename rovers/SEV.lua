@@ -147,7 +147,8 @@ return lsos.rover {
     lsos.load { name = 'heaters', power_w = 300, when = 'dark' }, -- A
   },
   resources = {
-    -- A: oxygen for two over 14 days at 0.84 kg a day
+    -- A: as much as two breathe in 14 days at 0.84 kg a day each. EVAs take theirs from it; what
+    -- the crew breathes aboard is not counted.
     lsos.resource { name = 'oxygen', unit = 'kg', amount = 24 },  -- A
     lsos.resource { name = 'sample bags', unit = 'bags', amount = 100 },  -- A
   },

@@ -157,6 +157,7 @@ SimTime Simulation::next_time() const {
     const RoverAgent& agent = *rover.agent;
     if (!agent.is_parked() || agent.drive().is_to_pursue()) return now_ + exchange_period;
     may_wake |= rover.wake || agent.power().waits_for_reserve();
+    may_wake |= rover.sequence.waits_for_charge();
     earlier(wake, rover.wake);
     earlier(wake, quiet_wake(rover));
     earlier(next, log_.next_sample(rover, now_));
@@ -175,8 +176,7 @@ void Simulation::exchange() {
     rover.agent->observe();
     rover.agent->update_energy(now_);
     take_warnings(rover);  // also for a rover whose events are over
-    const RoverPower& power = rover.agent->power();
-    const bool is_news = power.has_reserve_changed() || power.has_reached_charge();
+    const bool is_news = rover.agent->power().has_news();
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
   lead_followers(fleet_, now_);

@@ -12,7 +12,9 @@ struct BatterySpec {
   double discharge_efficiency = 1;  // share of the energy taken out that reaches the bus, 0..1
   double charge_power_max_w = std::numeric_limits<double>::infinity();     // at the bus
   double discharge_power_max_w = std::numeric_limits<double>::infinity();  // at the bus
-  double reserve = 0;  // charge 0..1 above which a mission resumes after the battery was empty
+  // Charge 0..1 that is kept for loads: no drive goes on below it, and after the battery was empty
+  // work goes on above it.
+  double reserve = 0;
 };
 
 // Power offered and requested, W, each at least 0.

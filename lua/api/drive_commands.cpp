@@ -28,6 +28,8 @@ FollowSettings check_settings(lua_State* L, int argument) {
             "Before a rover that stands it ends so early that it can still turn on the spot.");
   t.number(optional, "stray_max_m", settings.cross_track_max_m, positive,
            "Farther than this from the path the drive fails (default: however far).");
+  t.number(optional, "slope_max_rad", settings.slope_max_rad, positive,
+           "On a steeper slope it warns, once a drive (default: none is too steep).");
   t.finish();
   faults.throw_if_errors();
   return settings;

@@ -292,6 +292,15 @@ void read_event(TableReader& t, EventDeclaration& event, int functions) {
                 "For an event that breaks or repairs something: gives what rover:break_part will "
                 "be told, so that a plan is checked for what the rover has.",
                 functions);
+  read_function(t, "uses", "function(params)",
+                "For an event that takes of the rover's resources: how much it will, as { oxygen = "
+                "0.4 }, so that a plan is checked for what is left of each. Names that the rover "
+                "does not carry are passed over.",
+                functions);
+  read_function(t, "fills", "function(params)",
+                "For an event that restocks: by how much at most it fills up the rover's "
+                "resources, as { oxygen = 10 }; math.huge: to what there was at the start.",
+                functions);
   read_function(t, "on_abort", "function(ev, rover)",
                 "Called once when the event is ended from outside. A text that it answers says how "
                 "far the event had come, and stands in its reason.",

@@ -7,6 +7,7 @@
 #include "lua/api/arguments.h"
 #include "lua/api/breakage.h"
 #include "lua/api/drive_commands.h"
+#include "lua/api/resources.h"
 #include "lua/api/route.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/reader.h"
@@ -71,6 +72,12 @@ int set_posture(lua_State* L) {
   return 1;
 }
 
+int slope_max(lua_State* L) {
+  const double slope_rad = rover_of(L).view().slope_max_rad;
+  push_quantity(L, std::isfinite(slope_rad) ? slope_rad : not_modelled);
+  return 1;
+}
+
 int is_parked(lua_State* L) {
   lua_pushboolean(L, view_of(L).is_parked);
   return 1;
@@ -108,27 +115,6 @@ int work(lua_State* L) {
   }
   rover_of(L).power().set_work(power_w);
   return 0;
-}
-
-int resource(lua_State* L) {
-  const auto amount = rover_of(L).power().resource(luaL_checkstring(L, 2));
-  push_quantity(L, amount.value_or(not_modelled));
-  return 1;
-}
-
-int use(lua_State* L) {
-  const double amount = luaL_checknumber(L, 3);
-  if (!(amount >= 0 && std::isfinite(amount))) {
-    throw std::runtime_error(
-        fmt::format("rover:use: {}; an amount of 0 or more is wanted", amount));
-  }
-  const std::string name = luaL_checkstring(L, 2);
-  PowerPort& power = rover_of(L).power();
-  if (!power.resource(name)) {
-    throw std::runtime_error(fmt::format("rover:use: the rover carries no '{}'", name));
-  }
-  lua_pushboolean(L, power.use(name, amount));
-  return 1;
 }
 
 // Charges for planning, the most expensive work that a script can request: a kilometre may take a
@@ -298,6 +284,8 @@ const HandleType& rover_handle_type() {
        {"length_m", quantity<&V::length_m>, "number", "Of the ground that it covers, ahead."},
        {"turning_radius_m", quantity<&V::turning_radius_m>, "number",
         "The least; 0: it turns on the spot."},
+       {"slope_max_rad", slope_max, "number",
+        "Steepest slope that its routes are planned over; nil without a limit."},
        {"is_parked", is_parked, "boolean", "Brakes on and standing still."},
        {"is_adjusting", is_adjusting, "boolean", "Its limbs move although it stands."},
        {"clearance_m", quantity<&V::clearance_m>, "number",
@@ -365,12 +353,16 @@ const HandleType& rover_handle_type() {
         "number, is_repair?: boolean })"},
        {"work", guard<work>, "rover:work(power_w)", "Power that the event uses until it ends.",
         "fun(self: lsos.rover, power_w: number)"},
-       {"resource", guard<resource>, "rover:resource(name)",
+       {"resource", guard<left_of_resource>, "rover:resource(name)",
         "What is left of it; nil when the rover carries none.",
         "fun(self: lsos.rover, name: string): number?"},
-       {"use", guard<use>, "rover:use(name, amount)",
+       {"use", guard<use_resource>, "rover:use(name, amount)",
         "Takes it; false, and nothing is taken, when there is not so much.",
         "fun(self: lsos.rover, name: string, amount: number): boolean"},
+       {"restock", guard<restock>, "rover:restock(name, amount)",
+        "Adds it, up to what there was at the start, or all that is missing without an amount; "
+        "gives how much was added.",
+        "fun(self: lsos.rover, name: string, amount?: number): number"},
        {"place_of", guard<place_of>, "rover:place_of(id)",
         "Position of another rover or an asset; nil when there is none with that id.",
         "fun(self: lsos.rover, id: string): vec3?"},

@@ -8,7 +8,6 @@
 #include "lua/host/condition.h"
 #include "lua/host/host.h"
 #include "mission/model/breakable.h"
-#include "mission/model/plan_names.h"
 
 namespace lsos {
 
@@ -118,6 +117,22 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
       faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, error.what()));
     }
   }
+}
+
+void check_names(const Plan& plan, const MissionFiles& files, Faults& faults) {
+  LuaHost host(*files.catalog);
+  const auto change_of = [&](const PlanEvent& event) -> ResourceChange {
+    // A script says nothing useful of a time that cannot be read.
+    if (plan.gaps.start_time) return {};
+    try {
+      return host.resource_change(event.type, {event.params, {}}, plan.mission.start_time);
+    } catch (const ScriptError& error) {
+      faults.error(event.place, fmt::format("{} '{}': {}", event.type, event.label, error.what()));
+      return {};
+    }
+  };
+  check_plan_names(plan, files.catalog->declarations(), files.rover_models, files.asset_models,
+                   change_of, faults);
 }
 
 }  // namespace lsos

@@ -9,4 +9,7 @@ namespace lsos {
 // of the plan, with its rovers.
 void check_events(const Plan& plan, const MissionFiles& files, Faults& faults);
 
+// What events name and take of what their rovers have, see check_plan_names().
+void check_names(const Plan& plan, const MissionFiles& files, Faults& faults);
+
 }  // namespace lsos

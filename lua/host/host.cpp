@@ -7,6 +7,7 @@
 #include "lua/api/answer.h"
 #include "lua/api/arguments.h"
 #include "lua/api/breakage.h"
+#include "lua/api/resources.h"
 #include "lua/api/route.h"
 #include "lua/api/rover_facts.h"
 #include "lua/host/condition.h"
@@ -215,11 +216,8 @@ LuaHost::CheckAnswer LuaHost::check(const std::string& type, const EventArgument
   };
   const auto text_at = [](lua_State* L, int index) -> std::string {
     if (lua_isnil(L, index)) return "";
-    if (lua_type(L, index) != LUA_TSTRING) {
-      throw std::runtime_error(
-          fmt::format("a text or nil is wanted, found {}", describe(L, index)));
-    }
-    return lua_tostring(L, index);
+    if (lua_type(L, index) == LUA_TSTRING) return lua_tostring(L, index);
+    throw std::runtime_error(fmt::format("a text or nil is wanted, found {}", describe(L, index)));
   };
   impl_->call_optional(type, "check", arguments, mission_start, push_rover, 2, [&](lua_State* L) {
     answer = {text_at(L, -2), text_at(L, -1)};
@@ -287,6 +285,16 @@ std::optional<Breakage> LuaHost::breakage(const std::string& type, const EventAr
   impl_->call_optional(type, "breaks", arguments, mission_start,
                        [&](lua_State* L) { breakage = check_breakage(L, -1, "breaks"); });
   return breakage;
+}
+
+ResourceChange LuaHost::resource_change(const std::string& type, const EventArguments& arguments,
+                                        Instant mission_start) {
+  ResourceChange change;
+  impl_->call_optional(type, "uses", arguments, mission_start,
+                       [&](lua_State* L) { change.used = check_amounts(L, -1); });
+  impl_->call_optional(type, "fills", arguments, mission_start,
+                       [&](lua_State* L) { change.filled = check_amounts(L, -1); });
+  return change;
 }
 
 ScriptInstance LuaHost::begin(const std::string& type, const EventArguments& arguments) {

@@ -8,6 +8,7 @@
 #include "lua/host/catalog.h"
 #include "lua/host/condition_world.h"
 #include "lua/runtime/context.h"
+#include "mission/model/plan_names.h"
 #include "mission/model/rover_model.h"
 #include "mission/port/script_host.h"
 #include "plan/plan.h"
@@ -34,6 +35,11 @@ class LuaHost : public ScriptHost {
   // ScriptError.
   std::optional<Breakage> breakage(const std::string& type, const EventArguments& arguments,
                                    Instant mission_start);
+
+  // What an event takes of its rover's resources and fills up, as its script says before the run.
+  // Throws ScriptError.
+  ResourceChange resource_change(const std::string& type, const EventArguments& arguments,
+                                 Instant mission_start);
 
   bool is_open_ended(const std::string& type, const EventArguments& arguments,
                      Instant mission_start) override;

@@ -20,7 +20,6 @@
 #include "lua/host/variant.h"
 #include "mission/model/followings.h"
 #include "mission/model/mission_span.h"
-#include "mission/model/plan_names.h"
 #include "mission/model/plan_requests.h"
 #include "mission/model/site.h"
 #include "plan/kml_reader.h"
@@ -126,7 +125,7 @@ void read_models(MissionFiles& files) {
     });
   }
   check_events(files.plan, files, files.faults);
-  check_plan_names(files.plan, declarations, files.rover_models, files.asset_models, files.faults);
+  check_names(files.plan, files, files.faults);
   check_followings(files.plan, declarations, files.rover_models, files.faults);
   check_plan_requests(files.plan, declarations, files.rover_models, files.asset_models,
                       files.faults);

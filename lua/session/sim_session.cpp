@@ -13,7 +13,6 @@
 #include "lua/host/plan_table.h"
 #include "lua/host/run_from.h"
 #include "lua/host/run_values.h"
-#include "mission/model/plan_names.h"
 #include "plan/kml_reader.h"
 
 namespace lsos {
@@ -26,7 +25,7 @@ constexpr SimTime quiet_interval{1'000'000};
 constexpr std::size_t hash_bytes = 64;
 
 // The number changes with the saved format.
-std::string saved_head() { return std::string(SimSession::saved_mark) + " 4\n"; }
+std::string saved_head() { return std::string(SimSession::saved_mark) + " 5\n"; }
 
 // An event that is checked as those of a plan's file are. Throws InputError.
 PlanEvent checked_event(const SourcePlacemark& placemark, const Plan& plan,
@@ -36,8 +35,7 @@ PlanEvent checked_event(const SourcePlacemark& placemark, const Plan& plan,
   with.events = {event};
   Faults faults;
   check_events(with, files, faults);
-  check_plan_names(with, files.catalog->declarations(), files.rover_models, files.asset_models,
-                   faults);
+  check_names(with, files, faults);
   faults.throw_if_errors();
   return event;
 }

@@ -78,6 +78,50 @@ lsos.scenario('Consume takes a resource until there is none', function(t)
   t:check(sim:event('A/30').energy_used_j > 3.6e6, 'one kWh and the losses')
 end)
 
+lsos.scenario('EVAs take oxygen until there is none, and Restock brings more', function(t)
+  local sim = lsos.sim {
+    rovers = rover {
+      { 'EVA', ActivityDuration = '90 min', Crew = 2 },
+      { 'Consume', Resource = 'oxygen', Amount = 23.5 },
+      { 'EVA', ActivityDuration = '90 min', Crew = 2, OnFailure = 'skip' },
+      { 'Restock', Amount = 1 },
+      { 'EVA', ActivityDuration = '90 min', Crew = 2 },
+      { 'Restock', From = 'Habitat' },
+      { 'Restock' },
+    },
+    assets = { Habitat = { type = 'Habitat', at = { 0, 30 } } },
+  }
+  sim:run()
+  -- 2 h with exit and entry, at 0.075 kg an hour for each of two: 0.3 kg.
+  t:near(sim:notes('eva')[1].fields.oxygen_kg, 0.3, 1e-9)
+  t:equal(sim:event('A/30').status, 'failed')
+  t:equal(sim:event('A/30').reason, 'A has only 0.2 kg of oxygen, a crew of 2 takes 0.3 kg out')
+  t:near(sim:event('A/30').end_s - sim:event('A/30').start_s, 0, 0, 's: nobody went out')
+  t:equal(sim:event('A/50').status, 'completed')
+  t:equal(sim:event('A/60').status, 'failed')
+  t:check(sim:event('A/60').reason:find("'Habitat' is 30 m away, 20 m at most", 1, true),
+    sim:event('A/60').reason)
+  t:near(sim.rovers.A:resource('oxygen'), 0.9, 1e-9)
+end)
+
+lsos.scenario('Restock beside a habitat fills up to what there was at the start', function(t)
+  local sim = lsos.sim {
+    rovers = rover {
+      { 'Consume', Resource = 'oxygen', Amount = 10 },
+      { 'Restock', From = 'Habitat', Duration = '20 min' },
+      { 'Restock', From = 'Habitat' },
+    },
+    assets = { Habitat = { type = 'Habitat', at = { 0, 12 } } },
+  }
+  sim:run()
+  t:near(sim:event('A/20').end_s - sim:event('A/20').start_s, '20 min', '0 s')
+  t:near(sim:notes('restocked')[1].fields.added, 10, 1e-9)
+  t:near(sim.rovers.A:resource('oxygen'), 24, 0)
+  t:equal(sim:event('A/30').status, 'completed')
+  t:equal(sim:notes('warning')[1].fields.text,
+    'oxygen: as much as at the start is there already')
+end)
+
 lsos.scenario('Recharge sets a level at once, and charges until there is enough', function(t)
   local sim = lsos.sim {
     rovers = rover({

@@ -46,8 +46,15 @@ std::string awaited_text(const PlanEvent& event, bool waits_for_charge, const Tu
   }
   const SampleRow row = condition_row(turn.agent, turn.now, "", "");  // as the condition saw it
   if (waits_for_charge) {
-    return fmt::format("charge above the reserve, as the battery was empty; charge was {:.4g}",
-                       row.charge);
+    const RoverPower& power = turn.agent.power();
+    if (power.waits_for_reserve()) {
+      return fmt::format("charge above the reserve, as the battery was empty; charge was {:.4g}",
+                         row.charge);
+    }
+    return fmt::format(
+        "a charge of {:.4g} to drive with, as it was below the reserve; charge was "
+        "{:.4g}",
+        power.drives_again_at(), row.charge);
   }
   if (event.start_time && *event.start_time - turn.mission.start_time > turn.now) {
     return fmt::format("StartTime: {}", format_utc(*event.start_time));

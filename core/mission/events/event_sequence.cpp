@@ -95,6 +95,10 @@ bool EventSequence::go_on(const Turn& turn, int& changes) {
 std::string EventSequence::hindrance(const RoverAgent& agent) const {
   if (is_powerless(agent)) return "the battery is empty";
   const bool drives = agent.drive_state().status != DriveState::Status::none;
+  if (const std::string reason = reserve_text(agent.power());
+      agent.power().keeps_reserve() && agent.drive_state().reason == reason) {
+    return reason;  // whatever the script would do about a failed drive
+  }
   const RoverMotion& motion = agent.motion();
   return !motion.fault().empty() && (drives || motion.is_broken()) ? motion.fault() : "";
 }
@@ -129,6 +133,11 @@ bool EventSequence::is_powerless(const RoverAgent& agent) const {
          !machine_.events[index_].declaration.goes_on_without_power;
 }
 
+bool EventSequence::lacks_charge(const RoverAgent& agent) const {
+  return is_powerless(agent) ||
+         (agent.power().keeps_reserve() && machine_.events[index_].declaration.drives);
+}
+
 bool EventSequence::may_start(const Turn& turn, std::string& impossible) {
   // An end counts from the next exchange on, so that the order of rovers within one exchange does
   // not matter.
@@ -152,13 +161,14 @@ bool EventSequence::may_start(const Turn& turn, std::string& impossible) {
     waits_for_others_ = !is_late;
     return false;
   }
-  const bool did_wait_for_charge = std::exchange(waits_for_charge_, is_powerless(turn.agent));
+  const bool did_wait_for_charge = std::exchange(waits_for_charge_, lacks_charge(turn.agent));
   if (waits_for_charge_ && !turn.agent.power().may_charge()) {
     waits_for_charge_ = false;
-    impossible =
-        fmt::format("the battery is empty, and nothing charges it: {}",
-                    turn.agent.power().panels().specs().empty() ? "there are no solar panels"
-                                                                : "the solar panels are stowed");
+    impossible = fmt::format(
+        "{}, and nothing charges it: {}",
+        is_powerless(turn.agent) ? "the battery is empty" : reserve_text(turn.agent.power()),
+        turn.agent.power().panels().specs().empty() ? "there are no solar panels"
+                                                    : "the solar panels are stowed");
     return false;
   }
   if (waits_for_charge_ && !did_wait_for_charge) {

@@ -42,6 +42,8 @@ class EventSequence {
   void stop(const Turn& turn, const std::string& reason, bool is_failure);
 
   bool is_finished() const { return is_finished_; }
+  // Whether the event whose turn it is waits for charge.
+  bool waits_for_charge() const { return has_turn_ && waits_for_charge_; }
   // Label of a failed event with OnFailure = abort, else "".
   const std::string& aborts_mission() const { return aborts_mission_; }
 
@@ -90,6 +92,8 @@ class EventSequence {
   // Why the running event cannot go on, whatever its script requests; "" when it can.
   std::string hindrance(const RoverAgent& agent) const;
   bool is_powerless(const RoverAgent& agent) const;
+  // Whether the event whose turn it is must wait for charge.
+  bool lacks_charge(const RoverAgent& agent) const;
   bool is_timed_out(SimTime now) const;
   // Ends the running event from outside. Returns its progress as far as its script reports it.
   std::string abort(const Turn& turn);
@@ -108,7 +112,7 @@ class EventSequence {
   std::size_t index_ = 0;
   bool has_turn_ = false;          // events_[index_] is waiting or running
   bool waits_for_others_ = false;  // for the end of an event in StartAfter
-  bool waits_for_charge_ = false;  // the battery was empty
+  bool waits_for_charge_ = false;  // the battery was empty, or a drive below the reserve
   bool waits_for_condition_ = false;
   bool is_finished_ = false;
   bool has_failed_ = false;  // it is finished because an event failed

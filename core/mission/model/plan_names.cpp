@@ -185,9 +185,22 @@ class Stores {
       if (field.amount_of.empty() || amount == event.params.end() || name == event.params.end()) {
         continue;
       }
-      const auto store = stores_.find(std::get<std::string>(name->second));
+      const double wanted = std::get<double>(amount->second);
+      use(event, fmt::format("{} = {:.6g}", field.name, wanted), wanted,
+          std::get<std::string>(name->second), faults);
+    }
+  }
+
+  void change(const PlanEvent& event, const ResourceChange& change, Faults& faults) {
+    for (const auto& [name, amount] : change.used) {
+      const auto store = stores_.find(name);
       if (store == stores_.end()) continue;
-      use(event, field, std::get<double>(amount->second), store->first, store->second, faults);
+      use(event, "takes " + amount_text(amount, store->second), amount, name, faults);
+    }
+    for (const auto& [name, amount] : change.filled) {
+      const auto store = stores_.find(name);
+      if (store == stores_.end()) continue;
+      store->second.left = std::min(store->second.left + amount, store->second.at_start);
     }
   }
 
@@ -197,24 +210,30 @@ class Stores {
     std::string unit;
   };
 
-  static void use(const PlanEvent& event, const FieldDeclaration& field, double amount,
-                  const std::string& name, Store& store, Faults& faults) {
+  static std::string amount_text(double amount, const Store& store) {
+    return fmt::format("{:.6g}{}{}", amount, store.unit.empty() ? "" : " ", store.unit);
+  }
+
+  // `subject`: what is wanted, as messages tell it.
+  void use(const PlanEvent& event, const std::string& subject, double amount,
+           const std::string& name, Faults& faults) {
+    const auto found = stores_.find(name);
+    if (found == stores_.end()) return;
+    Store& store = found->second;
     const double rounding = 1e-9 * store.at_start;
-    const auto amount_text = [&](double value) {
-      return fmt::format("{:.6g}{}{}", value, store.unit.empty() ? "" : " ", store.unit);
-    };
     if (amount > store.at_start + rounding) {
       faults.add({foreseen_failure(
-          event, fmt::format("{} = {:.6g}: more {} than is aboard at the start, {}", field.name,
-                             amount, name, amount_text(store.at_start)))});
+          event, fmt::format("{}: more {} than is aboard at the start, {}", subject, name,
+                             amount_text(store.at_start, store)))});
       return;
     }
     if (amount > store.left + rounding) {
-      faults.warning(event.place,
-                     fmt::format("{} '{}': {} = {:.6g}: more {} than is left, {} of {}, when the "
-                                 "events before it have taken theirs",
-                                 event.type, event.label, field.name, amount, name,
-                                 amount_text(store.left), amount_text(store.at_start)));
+      faults.warning(
+          event.place,
+          fmt::format("{} '{}': {}: more {} than is left, {} of {}, when the "
+                      "events before it have taken theirs",
+                      event.type, event.label, subject, name, amount_text(store.left, store),
+                      amount_text(store.at_start, store)));
       return;
     }
     store.left -= amount;
@@ -227,7 +246,8 @@ class Stores {
 
 void check_plan_names(const Plan& plan, const Declarations& declarations,
                       const std::map<std::string, RoverModel>& rovers,
-                      const std::map<std::string, AssetModel>& assets, Faults& faults) {
+                      const std::map<std::string, AssetModel>& assets,
+                      const ResourceChangeOf& change_of, Faults& faults) {
   const Known sources = power_sources(plan, assets);
   std::map<std::string, Stores> stores;  // key: RoverId
   for (const PlanEvent& event : plan.events) {
@@ -242,8 +262,10 @@ void check_plan_names(const Plan& plan, const Declarations& declarations,
     const EventDeclaration& declaration = declarations.events.at(event.type);
     check_names(event, declaration, known_of, faults);
     if (model == rovers.end() || !event.is_enabled) continue;
-    stores.try_emplace(event.rover_id, model->second.power.resources)
-        .first->second.use(event, declaration, faults);
+    Stores& aboard =
+        stores.try_emplace(event.rover_id, model->second.power.resources).first->second;
+    aboard.use(event, declaration, faults);
+    if (event.has_all_params) aboard.change(event, change_of(event), faults);
   }
 }
 

@@ -171,7 +171,7 @@ void check_charges(const Plan& plan, const std::map<std::string, RoverModel>& ro
       faults.warning(
           rover.place,
           fmt::format("Rover '{}': InitialCharge = {:g} %: is below the reserve of {}, "
-                      "{:g} %",
+                      "{:g} %, below which no drive begins or goes on",
                       rover.id, 100 * rover.initial_charge, rover.type, 100 * battery->reserve));
       continue;
     }

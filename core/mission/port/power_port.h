@@ -54,6 +54,9 @@ class PowerPort {
   virtual std::optional<double> resource(const std::string& name) const = 0;
   // Uses an amount of a resource. Returns false when less is left; then nothing is taken.
   virtual bool use(const std::string& name, double amount) = 0;
+  // Adds an amount of a resource, up to what there was at the start; returns what was added, 0 when
+  // the rover carries none.
+  virtual double restock(const std::string& name, double amount) = 0;
 
   // Raises, stows or steers the panel with that name, "" for all. Throws std::runtime_error when no
   // panel has the name, EquipmentFault for what panels cannot do.

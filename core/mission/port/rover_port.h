@@ -28,6 +28,7 @@ struct RoverView {
   double cruise_speed_mps = 0;  // the type's default driving speed
   double length_m = 0;          // length of its footprint
   double turning_radius_m = 0;  // the least; 0: it turns on the spot
+  double slope_max_rad = std::numeric_limits<double>::infinity();  // that routes are planned over
   bool is_parked = false;
   bool is_adjusting = false;  // its limbs move although it stands
   // On limbs: under the chassis, mean over the wheels as the limbs hold them.
@@ -56,6 +57,9 @@ struct FollowSettings {
   bool keeps_room_to_turn = false;
   // Greatest cross-track error; beyond it the drive fails.
   double cross_track_max_m = std::numeric_limits<double>::infinity();
+  // Steepest slope under its wheels that it was planned over; it warns where it meets a steeper
+  // one.
+  double slope_max_rad = std::numeric_limits<double>::infinity();
 };
 
 // Kept free between two bodies, of which one follows the other, at the end of braking; a drive ends

@@ -33,6 +33,7 @@ RoverAgent::RoverAgent(const PlanRover& rover, const RoverModel& model, const Ve
   view_.type = rover.type;
   view_.cruise_speed_mps = config.cruise_speed_mps;
   view_.length_m = 2 * motion_.footprint_at_rest().half_m.x();
+  if (model.limits.slope_max_rad) view_.slope_max_rad = *model.limits.slope_max_rad;
   view_.turning_radius_m = config.can_turn_on_spot ? 0 : config.turning_radius_min_m;
 }
 
@@ -65,6 +66,7 @@ void RoverAgent::update_energy(SimTime now) {
   now_ = now;
   power_.begin(now, view_.p_S_m, view_.drive_w, is_parked());
   if (supply_watch_.observe(power_, now, journal_)) drive_.fail("the battery is empty");
+  if (power_.keeps_reserve()) drive_.fail(reserve_text(power_));
 }
 
 void RoverAgent::keep_track() {
@@ -73,6 +75,7 @@ void RoverAgent::keep_track() {
 }
 
 void RoverAgent::control() {
+  drive_.warn_of_slope(now_);
   drive_.control();
   update_view();
 }

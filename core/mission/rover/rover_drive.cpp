@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/moment_text.h"
 #include "base/units.h"
 #include "mission/port/note_json.h"
 #include "mission/routes/follower_limits.h"
@@ -192,6 +193,23 @@ void RoverDrive::warn_of_stance() {
       journal_->rover_id(), height_m(vehicle.config(), vehicle.hubs_B_m())));
 }
 
+void RoverDrive::warn_of_slope(SimTime now) {
+  // Routes are planned for a plane through the wheels' ground; a wheel on a rock tilts it a little.
+  constexpr double beyond_rad = radians(2);
+  const VehicleReport& report = motion_->report();
+  if (!is_under_way() || !(report.slope_rad > slope_max_rad_ + beyond_rad)) return;
+  const bool turns = command_.speed_mps == 0 && command_.left_mps == 0;
+  const Geodetic place = motion_->place();
+  journal_->note("steep",
+                 fmt::format(R"({{"allowed_rad":{},"slope_rad":{},"turns_on_spot":{}}})",
+                             note_json(slope_max_rad_), note_json(report.slope_rad), turns));
+  journal_->warn(fmt::format(
+      "{}: at {} it {} on a slope of {:.1f} deg, {:.1f} deg are allowed, at {:.6f}, {:.6f}",
+      journal_->rover_id(), moment_text(now), turns ? "turns on the spot" : "drives",
+      degrees(report.slope_rad), degrees(slope_max_rad_), lon_deg(place), lat_deg(place)));
+  slope_max_rad_ = std::numeric_limits<double>::infinity();  // once a drive
+}
+
 void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   const VehicleConfig& config = motion_->config();
   if (settings.speed_mps && *settings.speed_mps > config.speed_max_mps) {
@@ -214,6 +232,7 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   may_touch_with_chassis_ = report.is_chassis_on_ground;
   room_to_turn_m_ =
       settings.keeps_room_to_turn ? lsos::room_to_turn_m(motion_->footprint_at_rest()) : 0;
+  slope_max_rad_ = settings.slope_max_rad;
   follower_.emplace(path_S_m, follower_pose(report), limits);
   if (!motion_->fault().empty()) return;
   give(follower_->update(follower_pose(report), seconds(exchange_period)));
@@ -299,8 +318,8 @@ std::vector<Footprint> RoverDrive::footprints_ahead(double beyond_m) const {
 
 void RoverDrive::archive(Archive& a) {
   LSOS_ARCHIVE(a, follower_, pursuit_, command_, has_new_command_, blocker_id_, failure_,
-               room_to_turn_m_, may_touch_with_chassis_, is_parked_, has_warned_of_tilt_,
-               exchanges_at_rest_, has_motion_ended_, slip_);
+               room_to_turn_m_, slope_max_rad_, may_touch_with_chassis_, is_parked_,
+               has_warned_of_tilt_, exchanges_at_rest_, has_motion_ended_, slip_);
 }
 
 }  // namespace lsos

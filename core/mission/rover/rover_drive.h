@@ -52,6 +52,8 @@ class RoverDrive {
   void go_on_from_here();
   // The same for another stance, in which it may stand tilted again.
   void wake_in_other_stance() { is_parked_ = has_warned_of_tilt_ = false; }
+  // Warns once a drive of a slope that is much steeper than FollowSettings::slope_max_rad.
+  void warn_of_slope(SimTime now);
   // Warns of a rover on limbs that rests otherwise than it is to: tilted, or on its chassis.
   void warn_of_stance();
   // Ends the drive, when there is one, for a reason that it does not note.
@@ -91,6 +93,7 @@ class RoverDrive {
   std::string blocker_id_;  // what it would have touched, "": nothing
   std::string failure_;     // why the present drive ended early, "" when it did not
   double room_to_turn_m_ = 0;
+  double slope_max_rad_ = std::numeric_limits<double>::infinity();
   bool may_touch_with_chassis_ = false;  // high-centred when this drive began; may drive free
   bool is_parked_ = true;
   bool has_warned_of_tilt_ = false;  // in this stance

@@ -23,18 +23,21 @@ std::string stuck_text(const PanelSpec& panel) {
 
 RoverPower::RoverPower(const PowerSpec& spec, double initial_charge,
                        std::span<const PowerSource> sources)
-    : spec_(spec), sources_(sources), panels_(spec.panels), panels_lost_(spec.panels.size(), 0.0) {
+    : spec_(spec),
+      sources_(sources),
+      panels_(spec.panels),
+      panels_lost_(spec.panels.size(), 0.0),
+      stores_(spec.resources) {
   if (spec_.battery) {
     capacity_at_first_j_ = spec_.battery->capacity_j;
     at_start_.energy_j = energy_at_start_j_ = initial_charge * spec_.battery->capacity_j;
     charge_at_start_ = energy_at_start_j_ / capacity_at_first_j_;
   }
-  for (const ResourceSpec& resource : spec_.resources) resources_[resource.name] = resource.amount;
 }
 
 void RoverPower::begin_with(std::optional<double> energy_j,
                             const std::map<std::string, double>& resources) {
-  for (const auto& [name, amount] : resources) resources_.at(name) = amount;
+  stores_.begin_with(resources);
   if (!energy_j) return;
   at_start_ = {};
   at_start_.energy_j = energy_at_start_j_ = std::min(*energy_j, capacity_j());
@@ -50,7 +53,7 @@ bool RoverPower::needs_sun() const {
 void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_parked) {
   now_ = now;
   p_S_m_ = p_S_m;
-  has_reserve_changed_ = has_reached_charge_ = false;
+  has_reserve_changed_ = has_reached_charge_ = has_keeping_changed_ = false;
   if (!has_battery()) return;
   if (!is_parked) {
     demand_.drive_w = drive_w;
@@ -67,6 +70,9 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
   const bool waits = waits_for_reserve_ ? !is_above : is_empty;
   has_reserve_changed_ = waits != waits_for_reserve_;
   waits_for_reserve_ = waits;
+  const double least = keeps_reserve_ ? drives_again_at() : spec_.battery->reserve;
+  const bool keeps = has_capacity() && energy_j < least * spec_.battery->capacity_j;
+  has_keeping_changed_ = std::exchange(keeps_reserve_, keeps) != keeps;
   std::optional<double>& awaited = claims_.charge_awaited;
   has_reached_charge_ =
       awaited && has_capacity() && energy_j >= *awaited * spec_.battery->capacity_j;
@@ -157,6 +163,12 @@ double RoverPower::time_to_energy_s(double energy_j) const {
                                             : std::numeric_limits<double>::infinity();
 }
 
+double RoverPower::drives_again_at() const {
+  constexpr double margin = 0.05;
+  const double reserve = spec_.battery->reserve;
+  return reserve + std::min(margin, (1 - reserve) / 2);
+}
+
 std::optional<SimTime> RoverPower::wake() const {
   std::optional<SimTime> wake = panels_.next_end(now_);
   if (injected_at_ && *injected_at_ > now_)
@@ -182,6 +194,10 @@ std::optional<SimTime> RoverPower::wake() const {
   if (waits_for_reserve_ && !has_capacity() && now.shed_w <= 0) at(0);
   if (waits_for_reserve_ && now.energy_rate_w > 0) {
     at(time_to_energy_s(spec_.battery->reserve * spec_.battery->capacity_j));
+  }
+  if (has_capacity() && spec_.battery->reserve > 0) {
+    if (!keeps_reserve_ && now.energy_rate_w < 0) at(time_to_charge_s(spec_.battery->reserve));
+    if (keeps_reserve_ && now.energy_rate_w > 0) at(time_to_charge_s(drives_again_at()));
   }
   return wake;
 }
@@ -309,22 +325,6 @@ std::string RoverPower::plug_into(const std::string& asset_id, std::optional<dou
   return "";
 }
 
-std::optional<double> RoverPower::resource(const std::string& name) const {
-  const auto found = resources_.find(name);
-  return found == resources_.end() ? std::nullopt : std::optional(found->second);
-}
-
-bool RoverPower::use(const std::string& name, double amount) {
-  const auto found = resources_.find(name);
-  if (found == resources_.end()) return false;
-  // A remainder from rounding, as after taking equal parts, counts as none.
-  const double at_first = std::ranges::find(spec_.resources, name, &ResourceSpec::name)->amount;
-  const double nothing = rounding * at_first, left = found->second - amount;
-  if (left < -nothing) return false;
-  found->second = left > nothing ? left : 0;
-  return true;
-}
-
 std::vector<std::size_t> RoverPower::panels_named(const std::string& name) const {
   std::vector<std::size_t> found;
   std::vector<std::string> names;
@@ -386,9 +386,10 @@ void RoverPower::archive(Archive& a) {
   LSOS_ARCHIVE(a, panels_, now_, p_S_m_, start_, at_start_.energy_j, at_start_.solar_j,
                at_start_.external_j, at_start_.load_j, at_start_.drive_j, at_start_.loss_j,
                demand_.solar_available_w, demand_.external_w, demand_.load_w, demand_.drive_w, sun_,
-               claims_, given_w_, injected_at_, sun_share_, resources_, waits_for_reserve_,
-               has_reserve_changed_, has_reached_charge_, has_panel_command_, panels_lost_,
-               capacity_lost_, energy_at_start_j_, charge_at_start_);
+               claims_, given_w_, injected_at_, sun_share_, stores_, waits_for_reserve_,
+               has_reserve_changed_, keeps_reserve_, has_keeping_changed_, has_reached_charge_,
+               has_panel_command_, panels_lost_, capacity_lost_, energy_at_start_j_,
+               charge_at_start_);
   if (a.is_reading() && has_battery()) {
     spec_.battery->capacity_j = capacity_at_first_j_ * (1 - capacity_lost_);
   }

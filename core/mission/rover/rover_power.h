@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mission/port/power_port.h"
+#include "mission/rover/resource_stores.h"
 #include "plan/plan.h"
 #include "power/power_spec.h"
 #include "record/rows.h"
@@ -111,12 +112,17 @@ class RoverPower : public PowerPort {
   bool waits_for_reserve() const { return waits_for_reserve_; }
   // Whether waits_for_reserve() has changed at this exchange.
   bool has_reserve_changed() const { return has_reserve_changed_; }
+  // Whether the charge fell below the reserve and has not risen well above it since: what is left
+  // is for the loads, and no drive goes on or begins. So far above, a drive does not end as it
+  // begins.
+  bool keeps_reserve() const { return keeps_reserve_; }
+  double drives_again_at() const;  // charge, 0..1
   // Whether power may come while no event is under way: a panel is up, or there is a generator.
   bool may_charge() const { return spec_.generator_w > 0 || panels_.is_any_up(); }
   double shed_w() const;  // requested but not supplied
   // Earliest time at which a parked rover's battery becomes empty, becomes full from an asset, or
-  // reaches its reserve or the awaited charge, a panel's motion ends, or a failure of a scenario
-  // takes effect.
+  // reaches its reserve, the charge to drive with again or the awaited charge, a panel's motion
+  // ends, or a failure of a scenario takes effect.
   std::optional<SimTime> wake() const;
 
   double energy_at_start_j() const { return energy_at_start_j_; }
@@ -129,7 +135,7 @@ class RoverPower : public PowerPort {
   // Power that comes from outside the rover, W: external power without that of its generator.
   double outside_w() const;
   double solar_available_w() const { return demand_.solar_available_w; }
-  const std::map<std::string, double>& resources() const { return resources_; }
+  const std::map<std::string, double>& resources() const { return stores_.amounts(); }
   const PowerClaims& claims() const { return claims_; }
   // Restores the claims of the enclosing event when an event has ended; none after the outermost.
   void set_claims(const PowerClaims& claims);
@@ -144,8 +150,13 @@ class RoverPower : public PowerPort {
   void set_supply(double power_w) override { claims_.supply_w = power_w; }
   void set_work(double power_w) override { claims_.work_w = power_w; }
   std::string plug_into(const std::string& asset_id, std::optional<double> power_w) override;
-  std::optional<double> resource(const std::string& name) const override;
-  bool use(const std::string& name, double amount) override;
+  std::optional<double> resource(const std::string& name) const override {
+    return stores_.amount(name);
+  }
+  bool use(const std::string& name, double amount) override { return stores_.use(name, amount); }
+  double restock(const std::string& name, double amount) override {
+    return stores_.restock(name, amount);
+  }
   Deployment deploy_panel(const std::string& panel, bool up,
                           std::optional<double> duration_s) override;
   void steer_panel(const std::string& panel, const Steering& steering) override;
@@ -154,6 +165,10 @@ class RoverPower : public PowerPort {
   void await_charge(double charge) override { claims_.charge_awaited = charge; }
   // Whether the awaited charge has been reached at this exchange.
   bool has_reached_charge() const { return has_reached_charge_; }
+  // Whether anything at this exchange may let events begin or end.
+  bool has_news() const {
+    return has_reserve_changed_ || has_keeping_changed_ || has_reached_charge_;
+  }
   bool is_panel_turning() const { return panels_.is_turning(now_); }
   // Whether panels were commanded since sunlight was last evaluated.
   bool has_panel_command() const { return has_panel_command_; }
@@ -189,9 +204,10 @@ class RoverPower : public PowerPort {
   double capacity_lost_ = 0;            // share
   double capacity_at_first_j_ = 0;      // not saved: the rover's script gives it
   bool waits_for_reserve_ = false, has_reserve_changed_ = false;
+  bool keeps_reserve_ = false, has_keeping_changed_ = false;
   bool has_panel_command_ = false;
   bool has_reached_charge_ = false;
-  std::map<std::string, double> resources_;
+  ResourceStores stores_;
 };
 
 }  // namespace lsos

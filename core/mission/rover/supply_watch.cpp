@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/moment_text.h"
 #include "mission/port/note_json.h"
 
 namespace lsos {
@@ -23,15 +24,20 @@ void report_short_supply(RoverPower& power, SimTime now, RoverJournal& journal) 
                   note_json(std::isfinite(asked_w) ? asked_w : not_modelled), note_json(got_w)));
   const std::string from = is_plugged ? fmt::format("'{}'", claims.plugged_into) : "outside";
   if (!std::isfinite(asked_w)) {
-    journal.warn(fmt::format("{}: at {} s {} has no power left to give", journal.rover_id(),
-                             seconds(now), from));
+    journal.warn(fmt::format("{}: at {} {} has no power left to give", journal.rover_id(),
+                             moment_text(now), from));
     return;
   }
-  journal.warn(fmt::format("{}: at {} s {:.0f} W come from {}, {:.0f} W are requested",
-                           journal.rover_id(), seconds(now), got_w, from, asked_w));
+  journal.warn(fmt::format("{}: at {} {:.0f} W come from {}, {:.0f} W are requested",
+                           journal.rover_id(), moment_text(now), got_w, from, asked_w));
 }
 
 }  // namespace
+
+std::string reserve_text(const RoverPower& power) {
+  return fmt::format("its charge is below the reserve of {:.4g} %, which is kept for its loads",
+                     100 * power.reserve());
+}
 
 bool SupplyWatch::observe(const RoverPower& power, SimTime now, RoverJournal& journal) {
   warn_of_low_charge(power, now, journal);
@@ -40,9 +46,9 @@ bool SupplyWatch::observe(const RoverPower& power, SimTime now, RoverJournal& jo
   journal.note("battery_empty", fmt::format(R"({{"shed_w":{}}})", note_json(power.shed_w())));
   if (!std::exchange(has_warned_of_empty_, true)) {
     journal.warn(fmt::format(
-        "{}: the battery is empty at {} s, and {:.0f} W are shed; what drives or works fails, and "
+        "{}: the battery is empty at {}, and {:.0f} W are shed; what drives or works fails, and "
         "what comes later waits until its charge is above the reserve",
-        journal.rover_id(), seconds(now), power.shed_w()));
+        journal.rover_id(), moment_text(now), power.shed_w()));
   }
   return true;
 }
@@ -54,8 +60,11 @@ void SupplyWatch::warn_of_low_charge(const RoverPower& power, SimTime now, Rover
   const double charge = power.capacity_j() > 0 ? power.account().energy_j / power.capacity_j() : 0;
   if (!(charge < power.reserve())) return;
   has_warned_of_low_ = true;
-  journal.warn(fmt::format("{}: at {} s its charge is {:.1f} %, below the reserve of {:.0f} %",
-                           journal.rover_id(), seconds(now), 100 * charge, 100 * power.reserve()));
+  journal.warn(
+      fmt::format("{}: at {} its charge is {:.1f} %, below the reserve of {:.4g} %; "
+                  "it does not drive before it is above {:.4g} %",
+                  journal.rover_id(), moment_text(now), 100 * charge, 100 * power.reserve(),
+                  100 * power.drives_again_at()));
 }
 
 // observe() reports an empty battery.
@@ -63,9 +72,9 @@ void SupplyWatch::warn_of_shed_loads(const RoverPower& power, SimTime now, Rover
   if (has_warned_of_shed_ || !(power.account().energy_j > 0)) return;
   has_warned_of_shed_ = true;
   journal.warn(fmt::format(
-      "{}: at {} s its loads and motors ask {:.0f} W more than its battery gives; events go on "
+      "{}: at {} its loads and motors ask {:.0f} W more than its battery gives; events go on "
       "as if they had them, and the energy is not counted",
-      journal.rover_id(), seconds(now), power.shed_w()));
+      journal.rover_id(), moment_text(now), power.shed_w()));
 }
 
 void SupplyWatch::settle(RoverPower& power, SimTime now, RoverJournal& journal) {

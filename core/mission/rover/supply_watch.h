@@ -9,6 +9,9 @@
 
 namespace lsos {
 
+// Why a rover does not drive that keeps its reserve.
+std::string reserve_text(const RoverPower& power);
+
 class SupplyWatch {
  public:
   // After the energy was brought up to `now`. Returns whether the battery has become empty.

@@ -118,6 +118,7 @@ TEST_F(Energy, that_is_used_up_ends_work_then_and_there) {
 
 TEST_F(Energy, that_is_used_up_stops_a_drive) {
   power().battery = battery(3e4);
+  power().battery->reserve = 0;
   power().loads = {{"lamp", 500, LoadState::driving}};
   mission.drive(200);
   const auto events = mission.run();
@@ -125,6 +126,52 @@ TEST_F(Energy, that_is_used_up_stops_a_drive) {
   EXPECT_EQ(events[0].reason, "the battery is empty");
   EXPECT_LT(mission.simulation_->results()[0].distance_m, 150);
   EXPECT_GT(mission.simulation_->results()[0].distance_m, 5);
+}
+
+// The drive ends at the exchange at which 80 % are used, so it uses less than two exchanges' energy
+// more than that.
+TEST_F(Energy, down_to_the_reserve_stops_a_drive_but_no_work) {
+  power().battery = battery(3e4);
+  power().loads = {{"lamp", 500, LoadState::driving}};
+  PlanEvent& drive = mission.drive(200);
+  drive.on_failure = OnFailure::skip;
+  mission.event("Work", 10).params["power_w"] = 20.0;
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_EQ(events[0].reason,
+            "its charge is below the reserve of 20 %, which is kept for its loads");
+  EXPECT_GT(events[0].energy_used_j, 0.8 * 3e4);
+  const double duration_s = seconds(*events[0].end - *events[0].start);
+  const double of_an_exchange_j = events[0].energy_used_j / duration_s * seconds(exchange_period);
+  EXPECT_LT(events[0].energy_used_j, 0.8 * 3e4 + 2 * of_an_exchange_j);
+  EXPECT_EQ(events[1].status, EventStatus::completed) << events[1].reason;
+  EXPECT_THAT(mission.simulation_->warnings(),
+              ::testing::Contains(HasSubstr("below the reserve of 20 %; it does not drive before "
+                                            "it is above 25 %")));
+}
+
+// From 10 % to 25 % of 1e6 J by 200 W less 100 W: 1500 s. Work below the reserve goes on.
+TEST_F(Energy, well_above_the_reserve_is_wanted_to_drive) {
+  mission.setup_.plan.rovers[0].initial_charge = 0.1;
+  power().generator_w = 200;
+  mission.event("Work", 100).params["power_w"] = 0.0;
+  mission.drive(5);
+  const auto events = mission.run();
+  EXPECT_NEAR(seconds(*events[0].end), 100, 0.2);
+  EXPECT_EQ(events[1].status, EventStatus::completed) << events[1].reason;
+  EXPECT_NEAR(seconds(*events[1].start), 1500, 0.2);
+}
+
+TEST_F(Energy, below_the_reserve_fails_a_drive_where_nothing_charges) {
+  mission.setup_.plan.rovers[0].initial_charge = 0.1;
+  mission.drive(5).on_failure = OnFailure::skip;
+  mission.event("Hold", 10);
+  const auto events = mission.run();
+  EXPECT_EQ(events[0].status, EventStatus::failed);
+  EXPECT_EQ(events[0].reason,
+            "its charge is below the reserve of 20 %, which is kept for its loads, and nothing "
+            "charges it: there are no solar panels");
+  EXPECT_EQ(events[1].status, EventStatus::completed);
 }
 
 // After a failure that is skipped, work waits for the reserve; what needs no power does not.

@@ -1,6 +1,8 @@
 // Time, rovers and state of a mission.
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "test_mission.h"
 
 namespace lsos {
@@ -112,6 +114,20 @@ TEST(Simulation, refuses_a_start_too_steep_to_stand_on) {
                 AllOf(HasSubstr("does not come to rest there: after 20 s it still moves at "),
                       HasSubstr(" m/s; the plane under its wheels slopes by 52 deg")));
   }
+}
+
+// Down a slope of 6 degrees: once a drive, and 2 degrees more than was planned for is no news.
+TEST(Simulation, warns_of_a_steeper_slope_than_a_drive_was_planned_for) {
+  Mission mission;
+  mission.rover("A");
+  const double deg = std::numbers::pi / 180;
+  mission.setup_.terrain.layers = {PlaneSurface{0, 6 * deg, 90 * deg}};
+  mission.drive(3).params["slope_max_rad"] = 3 * deg;
+  mission.drive(6).params["slope_max_rad"] = 4.5 * deg;
+  mission.run();
+  ASSERT_EQ(mission.simulation_->warnings().size(), 1u);
+  EXPECT_THAT(mission.simulation_->warnings()[0], HasSubstr("it drives on a slope of 6.0 deg, 3.0 "
+                                                            "deg are allowed, at "));
 }
 
 TEST(Simulation, warns_of_a_speed_that_the_rover_does_not_reach) {

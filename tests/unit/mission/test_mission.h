@@ -41,6 +41,9 @@ inline std::unique_ptr<ScriptHost> make_host() {
   host->add("Drive", "go", [](MockInstance& i, PhaseContext& c) -> PhaseAnswer {
     FollowSettings settings;
     if (i.arguments.params.contains("speed_mps")) settings.speed_mps = number(i, "speed_mps");
+    if (i.arguments.params.contains("slope_max_rad")) {
+      settings.slope_max_rad = number(i, "slope_max_rad");
+    }
     c.rover.follow(i.arguments.geometry_S_m, settings);
     return GoTo{"arrive"};
   });
