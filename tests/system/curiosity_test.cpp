@@ -2,7 +2,6 @@
 // m HiRISE elevation model of Gale crater in the reference data. The test reads and projects the
 // raster by other means than the program.
 #include <fmt/format.h>
-#include <gdal_priv.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
@@ -13,10 +12,10 @@
 #include <cstdlib>
 #include <map>
 #include <numbers>
-#include <sstream>
 
 #include "record/log.h"
 #include "support/reference_data.h"
+#include "system/gale_ground.h"
 #include "system/plan_text.h"
 #include "system/run_folder.h"
 
@@ -25,97 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mars_radius_m = 3396190;  // sphere of the raster, IAU 2000
 constexpr double deg = std::numbers::pi / 180;
-
-// One localisation. Yaw is the heading, clockwise from north: the rover's x axis is forward and its
-// z axis down. Longitude and latitude are planetocentric; easting and northing are these angles
-// times the sphere's radius.
-struct Localisation {
-  int sol = 0;
-  double easting_m = 0, northing_m = 0, elevation_m = 0, yaw_rad = 0;
-  double lon_deg() const { return easting_m / mars_radius_m / deg; }
-  double lat_deg() const { return northing_m / mars_radius_m / deg; }
-};
-
-struct TraverseRow : Localisation {
-  double lon_as_written_deg = 0, lat_as_written_deg = 0;
-};
-
-std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
-  return result;
-}
-
-std::vector<TraverseRow> traverse() {
-  std::istringstream text(read_text(reference_file("traverses/MSL_Waypoints_sol3_1782.csv")));
-  std::string line;
-  std::getline(text, line);
-  const std::vector<std::string> names = cells(line);
-  const auto column = [&](const char* name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-  };
-  std::vector<TraverseRow> rows;
-  while (std::getline(text, line)) {
-    const std::vector<std::string> row = cells(line);
-    const auto number = [&](const char* name) { return std::stod(row.at(column(name))); };
-    TraverseRow stand;
-    stand.sol = static_cast<int>(number("sol"));
-    stand.easting_m = number("easting_m");
-    stand.northing_m = number("northing_m");
-    stand.elevation_m = number("elev_m");
-    stand.yaw_rad = number("yaw_rad");
-    stand.lon_as_written_deg = number("lon_dd");
-    stand.lat_as_written_deg = number("lat_dd");
-    rows.push_back(stand);
-  }
-  return rows;
-}
-
-class Raster {
- public:
-  explicit Raster(const fs::path& file) {
-    GDALAllRegister();
-    dataset_.reset(GDALDataset::FromHandle(GDALOpen(file.c_str(), GA_ReadOnly)));
-    if (dataset_) dataset_->GetGeoTransform(transform_);
-  }
-
-  // Whether the raster holds a place, with room for a rover and the cells around it.
-  bool holds(const Localisation& stand) const {
-    const double u = column(stand.easting_m), v = row(stand.northing_m);
-    return u > 4 && v > 4 && u < dataset_->GetRasterXSize() - 5 &&
-           v < dataset_->GetRasterYSize() - 5;
-  }
-
-  // Height interpolated by Catmull and Rom's cubic through the 4 x 4 nearest cell centres.
-  double height_m(double easting_m, double northing_m) const {
-    const double u = column(easting_m), v = row(northing_m);
-    const int i = static_cast<int>(u), j = static_cast<int>(v);
-    double h[16];
-    EXPECT_EQ(dataset_->GetRasterBand(1)->RasterIO(GF_Read, i - 1, j - 1, 4, 4, h, 4, 4,
-                                                   GDT_Float64, 0, 0),
-              CE_None);
-    const std::array<double, 4> across = weights(u - i), down = weights(v - j);
-    double sum_m = 0;
-    for (int k = 0; k < 16; ++k) sum_m += down[k / 4] * across[k % 4] * h[k];
-    return sum_m;
-  }
-
- private:
-  static std::array<double, 4> weights(double t) {
-    return {t * (-1 + t * (2 - t)) / 2, (2 + t * t * (-5 + 3 * t)) / 2,
-            t * (1 + t * (4 - 3 * t)) / 2, t * t * (t - 1) / 2};
-  }
-  double column(double easting_m) const {
-    return (easting_m - transform_[0]) / transform_[1] - 0.5;
-  }
-  double row(double northing_m) const { return (northing_m - transform_[3]) / transform_[5] - 0.5; }
-
-  GDALDatasetUniquePtr dataset_;
-  double transform_[6] = {};
-};
 
 struct Attitude {
   double pitch_rad = 0, roll_rad = 0;
@@ -127,7 +36,8 @@ constexpr double half_base_m = 1.41 / 2;  // rovers/MER.lua
 constexpr std::array<double, 3> forward_m{half_base_m, 0, -half_base_m}, right_m{0.53, 0.61, 0.53};
 constexpr double track_m = 2 * (0.53 + 0.61 + 0.53) / 3;
 
-Eigen::Matrix<double, 6, 3> ground_under_wheels(const Raster& raster, const Localisation& stand) {
+Eigen::Matrix<double, 6, 3> ground_under_wheels(const GaleRaster& raster,
+                                                const Localisation& stand) {
   const double north = std::cos(stand.yaw_rad), east = std::sin(stand.yaw_rad);
   Eigen::Matrix<double, 6, 3> points;
   for (int k = 0; k < 6; ++k) {
@@ -213,24 +123,24 @@ std::map<std::string, SampleRow> placed(const std::vector<Localisation>& stands,
 class Curiosity : public ::testing::Test {
  protected:
   void SetUp() override {
-    LSOS_NEEDS_REFERENCE("traverses/MSL_Waypoints_sol3_1782.csv");
-    LSOS_NEEDS_REFERENCE("dem/mars/gale_hirise_1m_missionDEM.tif");
+    LSOS_NEEDS_REFERENCE(gale_traverse);
+    LSOS_NEEDS_REFERENCE(gale_raster);
   }
 
-  std::vector<Localisation> stands_on(const Raster& raster) const {
+  std::vector<Localisation> stands_on(const GaleRaster& raster) const {
     std::vector<Localisation> stands;
-    for (const TraverseRow& row : traverse()) {
+    for (const TraverseRow& row : curiosity_traverse()) {
       if (raster.holds(row)) stands.push_back(row);
     }
     return stands;
   }
 
-  const fs::path raster_file = reference_file("dem/mars/gale_hirise_1m_missionDEM.tif");
+  const fs::path raster_file = reference_file(gale_raster);
 };
 
 // The meaning of the columns is documented nowhere, so it is derived from the rover's drives.
 TEST_F(Curiosity, yaw_is_the_heading_clockwise_from_north) {
-  const std::vector<TraverseRow> rows = traverse();
+  const std::vector<TraverseRow> rows = curiosity_traverse();
   std::map<std::string, std::vector<double>> off_deg;  // by possible meaning of yaw
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double east_m = rows[i].easting_m - rows[i - 1].easting_m;
@@ -258,7 +168,7 @@ TEST_F(Curiosity, yaw_is_the_heading_clockwise_from_north) {
 // Planetographic latitudes would lie 3.3 km away. A few of the rows are damaged.
 TEST_F(Curiosity, latitudes_are_planetocentric_on_the_sphere_of_the_raster) {
   int good = 0, damaged = 0;
-  for (const TraverseRow& row : traverse()) {
+  for (const TraverseRow& row : curiosity_traverse()) {
     const double off_m = std::hypot(row.easting_m - row.lon_as_written_deg * deg * mars_radius_m,
                                     row.northing_m - row.lat_as_written_deg * deg * mars_radius_m);
     ++(off_m < 0.05 ? good : damaged);
@@ -269,7 +179,7 @@ TEST_F(Curiosity, latitudes_are_planetocentric_on_the_sphere_of_the_raster) {
 
 // The heights of the localisations and of the raster come from the same HiRISE stereo pairs.
 TEST_F(Curiosity, stood_at_the_height_of_the_raster) {
-  const Raster raster(raster_file);
+  const GaleRaster raster(raster_file);
   const std::vector<Localisation> stands = stands_on(raster);
   ASSERT_EQ(stands.size(), 33u);
   for (const Localisation& stand : stands) {
@@ -287,7 +197,7 @@ double turn_by_rockers_rad(const Eigen::Matrix<double, 6, 3>& points) {
 }
 
 // Compares MER at rest with the raster and its suspension at the place where it came to rest.
-void expect_rest(const SampleRow& row, const Localisation& stand, const Raster& raster) {
+void expect_rest(const SampleRow& row, const Localisation& stand, const GaleRaster& raster) {
   const Localisation rest{.sol = stand.sol,
                           .easting_m = row.place.lon_rad * mars_radius_m,
                           .northing_m = row.place.lat_rad * mars_radius_m,
@@ -314,7 +224,7 @@ void expect_rest(const SampleRow& row, const Localisation& stand, const Raster& 
 }
 
 TEST_F(Curiosity, ground_carries_mer_as_its_suspension_says) {
-  const Raster raster(raster_file);
+  const GaleRaster raster(raster_file);
   const std::vector<Localisation> stands = stands_on(raster);
   std::map<std::string, SampleRow> rows;
   for (const std::vector<Localisation>& group : clear_of_each_other(stands)) {
