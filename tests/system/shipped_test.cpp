@@ -48,7 +48,8 @@ TEST(ShippedPlan, of_a_study_is_as_its_script_writes_it) {
                      folder.path().string(), "--all"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
-  for (const std::string plan : {"drats.kml", "drats_day.kml", "lunar_campaign_day.kml"}) {
+  for (const std::string plan :
+       {"drats.kml", "drats_day.kml", "lunar_campaign.kml", "lunar_campaign_day.kml"}) {
     EXPECT_EQ(read_text(folder / plan), read_text(repository() / "plans" / plan)) << plan;
   }
 }

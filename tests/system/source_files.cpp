@@ -33,7 +33,9 @@ std::vector<SourceFile> source_files(const std::vector<std::string>& extensions)
   return files;
 }
 
-std::vector<std::filesystem::path> long_plans() { return {repository() / "plans/drats.kml"}; }
+std::vector<std::filesystem::path> long_plans() {
+  return {repository() / "plans/drats.kml", repository() / "plans/lunar_campaign.kml"};
+}
 
 std::vector<std::filesystem::path> shipped_plans() {
   std::vector<std::filesystem::path> plans;
