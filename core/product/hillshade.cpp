@@ -9,8 +9,11 @@ std::string write_hillshade(const std::string& file, const Ground& ground, const
   const SiteFrame& site = ground.site();
   const MapGrid grid = grid_about(site.body(), site.origin(), extent.west_m, extent.south_m,
                                   extent.east_m, extent.north_m, cell_m);
+  // Detail below the cells would make a shade of noise, and take minutes where they are large.
+  Ground::Probe probe = Ground::Probe::with_sparse_detail(ground, cell_m);
   write_raster({file, true}, grid, site.body(), [&](const Geodetic& place) {
-    return ground.elevation_m(place).value_or(not_modelled);
+    const GroundSample sample = probe.sample(site.p_S_m({place.lon_rad, place.lat_rad, 0}));
+    return sample.is_ground() ? sample.elevation_m : not_modelled;
   });
   return grid.crs;
 }

@@ -14,7 +14,8 @@ namespace {
 // Share of an even sky's light on level ground that a horizon leaves: the mean of cos^2 h.
 double open_share(const std::array<double, TerrainHorizon::azimuths>& elevation_rad) {
   double share = 0;
-  for (const double h : elevation_rad) share += std::cos(h) * std::cos(h) / TerrainHorizon::azimuths;
+  for (const double h : elevation_rad)
+    share += std::cos(h) * std::cos(h) / TerrainHorizon::azimuths;
   return share;
 }
 
