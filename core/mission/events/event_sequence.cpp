@@ -95,9 +95,10 @@ bool EventSequence::go_on(const Turn& turn, int& changes) {
 std::string EventSequence::hindrance(const RoverAgent& agent) const {
   if (is_powerless(agent)) return "the battery is empty";
   const bool drives = agent.drive_state().status != DriveState::Status::none;
-  if (const std::string reason = reserve_text(agent.power());
-      agent.power().keeps_reserve() && agent.drive_state().reason == reason) {
-    return reason;  // whatever the script would do about a failed drive
+  if (agent.power().keeps_reserve()) {
+    std::string reason = reserve_text(agent.power());
+    // Whatever the script would do about a failed drive.
+    if (agent.drive_state().reason == reason) return reason;
   }
   const RoverMotion& motion = agent.motion();
   return !motion.fault().empty() && (drives || motion.is_broken()) ? motion.fault() : "";
