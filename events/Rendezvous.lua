@@ -38,6 +38,7 @@ local function aim(ev, rover, target)
   rover:follow(path, {
     speed_mps        = ev.params.speed_mps,
     arrival_radius_m = ev.params.distance_m,
+    slope_max_rad    = ev.params.plans and rover.slope_max_rad or nil,
   })
   ev.state.target = target
 end

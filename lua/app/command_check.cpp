@@ -176,7 +176,6 @@ int check_command(const CheckOptions& options) {
       setup.on_planning = [&](const std::string& what) { watch.plan(what); };
       files.faults.add(cached_legs_advice(options.plan));
       const Simulation simulation(std::move(setup));
-      files.faults.add(not_kept);
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
       files.faults.add(simulation.ground_end_warnings());
@@ -184,6 +183,7 @@ int check_command(const CheckOptions& options) {
     } catch (const InputError& error) {
       if (!files.faults.has_errors()) files.faults.add(error.faults());
     }
+    files.faults.add(not_kept);  // also when a leg has no route
   }
   print_result("{}", options.is_json ? json_text(files, routes)
                                      : check_text(files, routes, options.is_verbose));
