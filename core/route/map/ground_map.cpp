@@ -44,6 +44,12 @@ GroundMap GroundMap::coarser(int times) const {
   return map;
 }
 
+GroundMap GroundMap::guide(int times) const {
+  GroundMap map(*ground_, frame_, low_m_, place_m(columns_ - 1, rows_ - 1), times * spacing_m_);
+  map.probe_ = Ground::Probe::with_sparse_detail(*ground_, map.spacing_m_);
+  return map;
+}
+
 // A copy is bit-identical to a new sample: scaling by a power of two is exact, so that both maps
 // have the node at the same place.
 bool GroundMap::take_from_finer(int column, int row) {

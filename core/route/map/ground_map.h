@@ -42,6 +42,9 @@ class GroundMap {
   // of the columns and rows of this map, and one more where the division leaves a remainder. Nodes
   // that this map has sampled are copied, so this map must outlive the new one.
   GroundMap coarser(int times) const;
+  // The same without detail that is smaller than its spacing and without copies: a map that guides a
+  // search over this one, in half of the time that all detail takes.
+  GroundMap guide(int times) const;
 
   double spacing_m() const { return spacing_m_; }
   int columns() const { return columns_; }

@@ -21,16 +21,21 @@ constexpr std::array<std::array<int, 2>, 8> neighbours{
 constexpr std::uint8_t no_direction = 255, to_goal = 8;
 // Cost quantum, as a share of the lower bound of the cost of the whole route.
 constexpr double cost_quantum_share = 1e-9;
-// A route over more than `corridor_nodes` nodes is searched in a corridor around the route over a
-// lattice `coarser_times` as coarse, `corridor_spacings` of the finer spacing to either side. For
-// SEV over 800 m of LunarSouthPole (the test RoughSearch) that expands a fortieth of the nodes, for
-// a route that costs at most 2 % more than the cheapest.
+// A route over more than `corridor_nodes` nodes, and any route on a map of more than `map_nodes`,
+// is searched in a corridor around the route over a lattice `coarser_times` as coarse,
+// `corridors_spacings` of the finer spacing to either side. For SEV over 800 m of LunarSouthPole
+// (the test RoughSearch) that expands a fortieth of the nodes, for a route that costs at most 2 %
+// more than the cheapest.
 constexpr double corridor_nodes = 150;
+constexpr int map_nodes = 100'000;
 constexpr int coarser_times = 4;
-constexpr double corridor_spacings = 10;
-// Where the route in the corridor costs more than this many times the coarser one, the coarser map
-// does not show what matters, and the whole map is searched.
-constexpr double trusted_ratio = 1.25;
+// Wider ones are tried where that has no route, since the coarser map does not show all hazards: on
+// legs of 600 m over LunarSouthPole the whole map takes some ten seconds then.
+constexpr double corridors_spacings[] = {10, 40, 160};
+// Where the route in the corridor costs more than `trusted_ratio` times the coarser one, the
+// coarser map does not show what matters, and the next corridor is tried, or the whole map; unless
+// the last one gained less than this share.
+constexpr double trusted_ratio = 1.25, gain_share = 0.05;
 
 struct Candidate {
   double total = 0;     // estimated cost of a whole route through it
@@ -271,19 +276,26 @@ double octile_m(const Vec2& delta_m) {
 }
 
 GridRoute search_grid(RouteCost& costs, const Vec2& start_m, const Vec2& goal_m) {
-  const double spacing_m = costs.map().spacing_m();
+  const GroundMap& map = costs.map();
+  const double spacing_m = map.spacing_m();
   std::size_t expanded = 0;
-  if (octile_m(goal_m - start_m) > corridor_nodes * spacing_m) {
-    GroundMap coarser_map = costs.map().coarser(coarser_times);
+  const bool is_long = octile_m(goal_m - start_m) > corridor_nodes * spacing_m;
+  if (is_long || map.columns() * map.rows() > map_nodes) {
+    GroundMap coarser_map = map.guide(coarser_times);
     RouteCost coarser = costs.over(coarser_map);
     const GridRoute way = search_grid(coarser, start_m, goal_m);
     expanded += way.expanded;
-    if (!way.line.empty()) {
-      const Corridor corridor(costs.map(), way.line, corridor_spacings * spacing_m);
+    double cost_before = infinite;
+    for (const double off_spacings : corridors_spacings) {
+      if (way.line.empty()) break;
+      const Corridor corridor(map, way.line, off_spacings * spacing_m);
       GridRoute route = Search(costs, start_m, goal_m, &corridor).run();
-      route.expanded += expanded;
-      if (route.cost < trusted_ratio * way.cost) return route;
-      expanded = route.expanded;
+      expanded += route.expanded;
+      route.expanded = expanded;
+      const bool is_settled =
+          std::isfinite(cost_before) && route.cost > (1 - gain_share) * cost_before;
+      if (route.cost < trusted_ratio * way.cost || is_settled) return route;
+      cost_before = route.cost;
     }
   }
   GridRoute route = Search(costs, start_m, goal_m).run();
