@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/segment.h"
 
@@ -88,10 +89,9 @@ class LineBuilder {
   std::vector<DrivingPiece> pieces_;
 };
 
-}  // namespace
-
-std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
-                                       const DrivingLimits& limits) {
+// The line through waypoints that are driven in one gear.
+std::vector<DrivingPiece> stretch(std::span<const Vec2> waypoints_S_m,
+                                  const DrivingLimits& limits) {
   std::vector<Vec2> points;
   for (const Vec2& p : waypoints_S_m) {
     if (points.empty() || (p - points.back()).norm() > same_point_m) points.push_back(p);
@@ -102,6 +102,31 @@ std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
     builder.round_corner(points[i], points[i + 1]);
   builder.go_to(points.back(), 0);
   return builder.finished();
+}
+
+}  // namespace
+
+std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
+                                       const DrivingLimits& limits,
+                                       const std::vector<std::size_t>& gear_changes) {
+  if (gear_changes.empty()) return stretch(waypoints_S_m, limits);
+  std::vector<DrivingPiece> line;
+  bool is_backward = false;
+  double begin_m = 0;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k <= gear_changes.size(); ++k) {
+    const std::size_t last = k < gear_changes.size() ? gear_changes[k] : waypoints_S_m.size() - 1;
+    for (DrivingPiece piece :
+         stretch(std::span(waypoints_S_m).subspan(first, last - first + 1), limits)) {
+      piece.begin_m += begin_m;
+      piece.is_backward = is_backward;
+      line.push_back(piece);
+    }
+    if (!line.empty()) begin_m = line.back().begin_m + line.back().length_m;
+    is_backward = !is_backward;
+    first = last;
+  }
+  return line;
 }
 
 }  // namespace lsos

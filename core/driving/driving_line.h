@@ -2,6 +2,7 @@
 // corners are rounded by fillets; at sharp ones the rover stops and turns on the spot.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/vector.h"
@@ -29,10 +30,14 @@ struct DrivingPiece {
   double speed_max_mps = 0;  // on this piece
   double end_speed_mps = 0;  // at its end, low enough for all that follows
   bool ends_in_stop = false;
+  bool is_backward = false;  // the rover backs up along it
 };
 
 // Waypoints within 1 cm of the previous one are left out; fewer than two give an empty line.
+// `gear_changes`: indices of waypoints, ascending, at which the rover stops and changes between
+// forwards and backwards; 0: it begins backwards.
 std::vector<DrivingPiece> driving_line(const std::vector<Vec2>& waypoints_S_m,
-                                       const DrivingLimits& limits);
+                                       const DrivingLimits& limits,
+                                       const std::vector<std::size_t>& gear_changes = {});
 
 }  // namespace lsos

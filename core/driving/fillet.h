@@ -13,6 +13,8 @@ inline constexpr double fillet_offset_m = 0.1;
 // Rate at which wheels steer from straight into an arc, in 1/m per second, and the greatest
 // distance driven meanwhile.
 inline constexpr double curvature_rate_1pms = 0.2, steering_distance_m = 0.5;
+// Time that wheels are given to follow when they are steered at rest, before the rover backs up.
+inline constexpr double steering_lag_s = 1;
 
 // Radius of the widest arc that is tangent to both sides of a corner, with half = bend_rad / 2:
 //  it passes   R (1/cos(half) - 1)  inside the corner, `offset_m` at most,

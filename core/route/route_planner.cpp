@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "base/segment.h"
+#include "route/car_route.h"
 #include "route/cost/explain.h"
 #include "route/cost/standing_obstacles.h"
-#include "route/dubins_route.h"
 #include "route/refine/optimise.h"
 #include "route/refine/simplify.h"
 #include "route/search/grid_search.h"
@@ -38,6 +38,8 @@ constexpr int attempts_base = 12;
 constexpr double attempt_every_m = 50;
 // Share of the room beside the tightest arc that an avoided disc may take up.
 constexpr double passing_share = 0.9;
+// Greatest number of poses that the searches for a leg expand in all, some seconds of work.
+constexpr std::size_t leg_poses_max = 600'000;
 // Greatest number of nodes of a map: where a search expands all of 60 million, nodes and queue take
 // some three gigabytes.
 constexpr double nodes_max = 6e7;
@@ -140,7 +142,7 @@ class LegPlanner {
     const int attempts = attempts_base + static_cast<int>(goal_m_.norm() / attempt_every_m);
     for (int k = 0; k < attempts; ++k) {
       passed_m.reset();
-      turns_too_wide_ = are_turns_at_border_ = false;
+      turns_too_wide_ = are_turns_at_border_ = is_start_blocked_ = false;
       RouteCost costs(map, finder_, request_.aim, avoided_);
       costs.set_tight({{start_m, tight_m}, {goal_m_, tight_m}});
       costs.set_leaving(leaving_, leaving_limits_);
@@ -151,26 +153,25 @@ class LegPlanner {
       reach = find_reachability(costs, start_m, goal_m_, !at_goal.empty());
       nearest_m = reach.nearest_m;
       if (reach.answer != Reachability::Answer::joined) break;
-      const std::optional<OptimisedRoute> route = finder_.cost().can_turn_on_spot
-                                                      ? over_nodes(costs, nearest_m)
-                                                      : over_poses(costs, nearest_m);
-      if (!route || !std::isfinite(costs.along(route->line))) break;
+      const Stretches route = finder_.cost().can_turn_on_spot ? over_nodes(costs, nearest_m)
+                                                              : over_poses(costs, nearest_m);
+      if (!std::isfinite(driven(costs, route))) break;
       // A limit may be exceeded between the samples of the costs: the next attempt avoids those
       // places.
-      for (const Vec2& at_m : costs.hazards(route->line, step_m())) {
+      for (const Vec2& at_m : hazards(costs, route, step_m())) {
         if (is_near_end(at_m)) continue;
         passed_m = passed_m.value_or(at_m);
         avoided_.push_back({at_m, step_m()});
       }
       if (!passed_m && finder_.cost().can_turn_on_spot) {
-        if (const auto thing = blocked_turn(corners(route->line))) {
+        if (const auto thing = blocked_turn(corners(route.front().line))) {
           return refuse(map,
                         fmt::format("there is no room to turn beside '{}'", standing_.id(*thing)),
                         nearest_m);
         }
       }
       if (!passed_m) {
-        fill_result(map, costs, *route);
+        fill_result(map, costs, route);
         return true;
       }
     }
@@ -205,6 +206,10 @@ class LegPlanner {
   }
 
   std::string why_cut_off(GroundMap& map, const Reachability& reach) const {
+    if (is_start_blocked_) {
+      return "as it stands at the start it can drive neither forwards nor backwards, and it cannot "
+             "turn on the spot";
+    }
     if (turns_too_wide_)
       return "there is a route, but none was found with turns as wide as it needs";
     if (reach.answer == Reachability::Answer::start_enclosed) {
@@ -261,60 +266,73 @@ class LegPlanner {
     return std::min(at_m.norm(), (at_m - goal_m_).norm()) < tight_m + step_m();
   }
 
-  std::optional<OptimisedRoute> over_nodes(RouteCost& costs, Vec2& nearest_m) {
+  // Both return the empty route where there is none.
+  Stretches over_nodes(RouteCost& costs, Vec2& nearest_m) {
     const RouteSteering straight = RouteSteering::on_the_spot();
     const auto is_free = [&] {
-      return std::isfinite(costs.along(straight.line(before_optimising_)));
+      return std::isfinite(costs.along(straight.line(before_optimising_.front().poses)));
     };
     if (before_optimising_.empty() || !is_free()) {
       const GridRoute route = search_grid(costs, Vec2::Zero(), goal_m_);
       nearest_m = route.nearest_m;
-      if (route.line.empty()) return std::nullopt;
       before_optimising_.clear();
-      for (const Vec2& at_m : corners(route.line)) before_optimising_.push_back({at_m, 0});
+      if (route.line.empty()) return {};
+      before_optimising_.emplace_back();
+      for (const Vec2& at_m : corners(route.line)) {
+        before_optimising_.front().poses.push_back({at_m, 0});
+      }
     }
-    OptimisedRoute best = optimise(costs, straight, before_optimising_, request_.seed);
-    if (!std::isfinite(costs.along(best.line))) best.line = straight.line(before_optimising_);
-    return best;
+    const std::vector<Pose2>& poses = before_optimising_.front().poses;
+    OptimisedRoute best = optimise(costs, straight, poses, request_.seed);
+    if (!std::isfinite(costs.along(best.line))) best.line = straight.line(poses);
+    leg_.messages = std::move(best.messages);
+    return {{poses, std::move(best.line), false}};
   }
 
-  std::optional<OptimisedRoute> over_poses(RouteCost& costs, Vec2& nearest_m) {
+  Stretches over_poses(RouteCost& costs, Vec2& nearest_m) {
     const Pose2 start{Vec2::Zero(), std::numbers::pi / 2 - request_.start_heading_rad};
-    DubinsRoute found = dubins_route(costs, finder_.cost(), start, goal_m_, radius_m_,
-                                     request_.seed, before_optimising_);
+    CarRoute found = car_route(costs, finder_.cost(), start, goal_m_, radius_m_, request_.seed,
+                               poses_left_, before_optimising_);
     before_optimising_ = std::move(found.before_optimising);
-    if (found.route) return std::move(found.route);
+    leg_.messages = std::move(found.messages);
+    if (found.is_found()) return std::move(found.stretches);
     nearest_m = found.nearest_m;
     turns_too_wide_ = found.is_turn_too_wide;
+    is_start_blocked_ = found.is_start_blocked;
     are_turns_at_border_ = found.is_at_border;
-    return std::nullopt;
+    return {};
   }
 
-  void fill_result(GroundMap& map, RouteCost& costs, const OptimisedRoute& route) {
-    const LegSummary reported = costs.of(route.line);
+  void fill_result(GroundMap& map, RouteCost& costs, const Stretches& route) {
+    const LegSummary reported = summary(costs, route);
     leg_.cost = reported.cost;
     leg_.length_m = reported.length_m;
     leg_.duration_s = reported.duration_s;
     leg_.energy_j = reported.energy_j;
-    add_start(costs, route.line);
+    add_start(costs, route.front());
     leg_.slope_max_rad = reported.slope_max_rad;
     leg_.steepest_S_m = on_ground(map, probe_, reported.steepest_m);
-    leg_.messages = route.messages;
-    for (const Vec2& at_m : corners(route.line)) {
-      leg_.path_S_m.push_back(on_ground(map, probe_, at_m));
-    }
+    GearedLine whole = corners(route);
+    for (const Vec2& at_m : whole.line) leg_.path_S_m.push_back(on_ground(map, probe_, at_m));
+    leg_.gear_changes = std::move(whole.gear_changes);
     leg_.path_S_m.back() = request_.goal_S_m;
     const Vec3& goal_S_m = request_.goal_S_m;
     const Vec3 last_S_m = goal_S_m - leg_.path_S_m[leg_.path_S_m.size() - 2];
     leg_.end_heading_rad = ground_.site().azimuth_rad(last_S_m, goal_S_m);
+    if (route.back().is_backward) {
+      leg_.end_heading_rad =
+          std::remainder(leg_.end_heading_rad + std::numbers::pi, 2 * std::numbers::pi);
+    }
     if (goal_m_.norm() < same_m) leg_.end_heading_rad = request_.start_heading_rad;
   }
 
   // Adds setting off from rest; or the corner between the previous leg and this one, where the
   // previous leg is taken to end in a piece as long as the first of this one.
-  void add_start(const RouteCost& costs, const Line2& line) {
+  void add_start(const RouteCost& costs, const Stretch& first) {
     const DriveCost& cost = finder_.cost();
-    if (request_.starts_at_rest) {
+    const Line2& line = first.line;
+    // To begin backwards counts as a change of gear, which includes a stop.
+    if (request_.starts_at_rest && !first.is_backward) {
       leg_.energy_j += cost.stop_j;
       leg_.duration_s += cost.stop_s;
     }
@@ -344,6 +362,7 @@ class LegPlanner {
 
   bool refuse(GroundMap& map, const std::string& reason, const Vec2& nearest_m) {
     leg_.reason = reason;
+    leg_.messages.clear();
     leg_.nearest_S_m = on_ground(map, probe_, nearest_m);
     return true;
   }
@@ -359,10 +378,11 @@ class LegPlanner {
   TurnRoom turn_room_;
   Disc2 leaving_;
   DriveLimits leaving_limits_;
-  bool turns_too_wide_ = false, are_turns_at_border_ = false;
+  bool turns_too_wide_ = false, are_turns_at_border_ = false, is_start_blocked_ = false;
   // Route of the last attempt before refinement: the next attempt, which avoids a little more,
   // begins with it.
-  std::vector<Pose2> before_optimising_;
+  Stretches before_optimising_;
+  std::size_t poses_left_ = leg_poses_max;  // that the searches may still expand
   Ground::Probe probe_;
   PlannedLeg leg_;
 };
@@ -371,19 +391,6 @@ class LegPlanner {
 
 PlannedLeg plan_leg(const Ground& ground, const DriveCost& cost, const LegRequest& request) {
   return LegPlanner(ground, cost, request).run();
-}
-
-bool is_free(const Ground& ground, const DriveCost& cost, const Obstacles& obstacles,
-             const Vec3& from_S_m, const Vec3& to_S_m) {
-  const StanceFinder finder(cost);
-  const MapFrame frame(ground.site(), from_S_m);
-  const Vec2 to_m = frame.at(to_S_m);
-  const Vec2 half_width_m = Vec2::Constant(corridor_min_m);
-  GroundMap map(ground, frame, to_m.cwiseMin(0) - half_width_m, to_m.cwiseMax(0) + half_width_m,
-                map_spacing_m(cost));
-  RouteCost costs(map, finder, RouteAim::risk);
-  costs.set_standing(StandingObstacles(obstacles, frame).footprints(), obstacles.rover_at_rest);
-  return costs.is_free(Vec2::Zero(), to_m);
 }
 
 }  // namespace lsos

@@ -22,7 +22,7 @@ constexpr double elsewhere_share = 0.1;
 }  // namespace
 
 void PathFollower::extend(const std::vector<Vec2>& waypoints_S_m, const FollowerPose& pose) {
-  LSOS_ASSERT(!waypoints_S_m.empty());
+  LSOS_ASSERT(!waypoints_S_m.empty() && gear_changes_.empty());
   if (status_ != Status::driving) return;
   forget_driven(pose);
   const auto on = line_.empty() ? DrivingPiece{} : line_[leg_];
@@ -64,14 +64,19 @@ void PathFollower::begin_again(const FollowerPose& pose) {
     }
     begin_m += piece_m;
   }
+  // The gear of the piece that leads to this waypoint stays: the path begins at the rover.
   Path3 path_S_m;
+  std::vector<std::size_t> gear_changes;
+  const bool backs_up = !gear_changes_.empty();
+  if (backs_up) path_S_m.emplace_back(pose.p_S_m.x(), pose.p_S_m.y(), 0);
+  for (const std::size_t at : gear_changes_) gear_changes.push_back(at < next ? 0 : at - next + 1);
   for (std::size_t i = next; i < waypoints_S_m_.size(); ++i) {
     path_S_m.emplace_back(waypoints_S_m_[i].x(), waypoints_S_m_[i].y(), 0);
   }
   if (path_S_m.empty()) path_S_m.emplace_back(waypoints_S_m_[0].x(), waypoints_S_m_[0].y(), 0);
-  const std::size_t passed = passed_ + next - 1;
+  const std::size_t passed = passed_ + next - (backs_up ? 2 : 1);
   const double speed_limit_mps = speed_limit_mps_;
-  *this = PathFollower(path_S_m, pose, limits_);
+  *this = PathFollower(path_S_m, pose, limits_, gear_changes);
   passed_ += passed;
   speed_limit_mps_ = speed_limit_mps;
 }

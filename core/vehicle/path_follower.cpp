@@ -52,25 +52,35 @@ double saturated_sine(double error_rad) {
 }  // namespace
 
 PathFollower::PathFollower(const Path3& path_S_m, const FollowerPose& start,
-                           const FollowerLimits& limits)
+                           const FollowerLimits& limits,
+                           const std::vector<std::size_t>& gear_changes)
     : waypoints_S_m_{start.p_S_m}, limits_(limits) {
+  const std::vector<std::size_t> changes =
+      limits.is_crabbing ? std::vector<std::size_t>{} : gear_changes;
   // A waypoint on which the rover stands is behind it; a rover that cannot turn on the spot would
   // circle around it.
-  const auto stands_on = [&](const Vec3& p) {
-    const double radius_m = std::min(limits.arrival_radius_m, passed_radius_m);
+  const double here_m = std::min(limits.arrival_radius_m, passed_radius_m);
+  const auto is_within = [&](const Vec3& p, double radius_m) {
     return (p.head<2>() - start.p_S_m).norm() <= radius_m;
   };
   auto first = path_S_m.begin();
-  while (first + 1 < path_S_m.end() && stands_on(*first)) ++first;
+  if (changes.empty()) {
+    while (first + 1 < path_S_m.end() && is_within(*first, here_m)) ++first;
+  } else if (is_within(*first, passed_radius_m)) {
+    // A path with changes is driven from its first point on, however near the others are.
+    ++first;
+  }
   passed_ = static_cast<std::size_t>(first - path_S_m.begin());
   for (auto p = first; p < path_S_m.end(); ++p) waypoints_S_m_.push_back(p->head<2>());
+  for (const std::size_t at : changes) gear_changes_.push_back(at < passed_ ? 0 : at - passed_ + 1);
   build_line();
   if (!line_.empty()) remaining_m_ = line_.back().begin_m + line_.back().length_m;
   best_remaining_m_ = remaining_m_;
   best_heading_error_rad_ = 2 * std::numbers::pi;
   heading_rad_ = start.yaw_rad;
   is_turning_ = limits_.can_turn_on_spot && !limits_.is_crabbing;
-  is_stopping_ = line_.empty() || (first + 1 == path_S_m.end() && stands_on(*first));
+  is_changing_gear_ = !gear_changes_.empty() && !line_.empty();
+  is_stopping_ = line_.empty() || (first + 1 == path_S_m.end() && is_within(*first, here_m));
 }
 
 void PathFollower::build_line() {
@@ -81,30 +91,33 @@ void PathFollower::build_line() {
   limits.can_turn_on_spot = limits_.can_turn_on_spot;
   limits.corner_offset_m = limits_.corner_offset_m;
   limits.steering_m = limits_.steering_m;
-  line_ = driving_line(waypoints_S_m_, limits);
+  line_ = driving_line(waypoints_S_m_, limits, gear_changes_);
 }
 
-DriveCommand PathFollower::update(const FollowerPose& pose, double period_s) {
-  if (status_ != Status::driving || is_stopping_) return stop(pose, period_s);
-
-  const auto travelled_m = [&] {
-    return line_[leg_].along_S.dot(pose.p_S_m - line_[leg_].from_S_m);
-  };
+void PathFollower::find_piece(const FollowerPose& pose) {
   while (leg_ + 1 < line_.size()) {
     const DrivingPiece& leg = line_[leg_];
-    if (travelled_m() < leg.length_m - (leg.ends_in_stop ? at_end_m : 0)) break;
-    if (leg.ends_in_stop) is_turning_ = true;
+    const double travelled_m = leg.along_S.dot(pose.p_S_m - leg.from_S_m);
+    if (travelled_m < leg.length_m - (leg.ends_in_stop ? at_end_m : 0)) break;
+    const bool changes = line_[leg_ + 1].is_backward != leg.is_backward;
+    if (changes) change_gear();
+    if (!changes && leg.ends_in_stop) is_turning_ = true;
     ++leg_;
     best_heading_error_rad_ = 2 * std::numbers::pi;
+    if (changes) break;
   }
+}
+
+DriveCommand PathFollower::along_line(const FollowerPose& pose, double period_s) {
   const DrivingPiece& leg = line_[leg_];
   const Vec2 offset_m = pose.p_S_m - leg.from_S_m;
   const double cross_track_m = leg.along_S.x() * offset_m.y() - leg.along_S.y() * offset_m.x();
-  const double to_end_m = leg.length_m - travelled_m();
+  const double travelled_m = leg.along_S.dot(offset_m);
+  const double to_end_m = leg.length_m - travelled_m;
   const double heading_error_rad =
       wrapped_rad(pose.yaw_rad - std::atan2(leg.along_S.y(), leg.along_S.x()));
   const DrivingPiece& last = line_.back();
-  remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - travelled_m());
+  remaining_m_ = std::max(0.0, last.begin_m + last.length_m - leg.begin_m - travelled_m);
 
   if (std::abs(cross_track_m) > limits_.cross_track_max_m) {
     status_ = Status::failed;
@@ -198,11 +211,12 @@ DriveCommand PathFollower::drive(const FollowerPose& pose, double to_end_m, doub
   //  e'' + (2/l) e' + e/l^2 = 0,  about the curvature of the arc itself.
   const double lookahead_m = std::max(limits_.lookahead_min_m, lookahead_s * pose.speed_mps);
   const double most_1pm = 1 / limits_.radius_min_m, ramp_1pm = curvature_rate_1pms * period_s;
-  const double wanted_1pm =
-      std::clamp(curvature_ahead_1pm(to_end_m, preview_s * pose.speed_mps) -
-                     cross_track_m / (lookahead_m * lookahead_m) -
-                     2 * saturated_sine(heading_error_rad + side_slip_rad) / lookahead_m,
-                 -most_1pm, most_1pm);
+  const double preview_m =
+      std::max(preview_s * pose.speed_mps, gear_changes_.empty() ? 0 : steered_for_m);
+  const double wanted_1pm = std::clamp(
+      curvature_ahead_1pm(to_end_m, preview_m) - cross_track_m / (lookahead_m * lookahead_m) -
+          2 * saturated_sine(heading_error_rad + side_slip_rad) / lookahead_m,
+      -most_1pm, most_1pm);
   const double off_1pm = std::abs(wanted_1pm - command_curvature_1pm_);
   command_curvature_1pm_ =
       std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);
@@ -314,6 +328,7 @@ std::vector<FollowerPose> PathFollower::poses_ahead(const FollowerPose& pose, do
     next.p_S_m = line_[leg].from_S_m + along_m * line_[leg].along_S + off_share * off_m;
     next.yaw_rad = limits_.is_crabbing ? heading_rad_
                                        : std::atan2(line_[leg].along_S.y(), line_[leg].along_S.x());
+    if (line_[leg].is_backward) next.yaw_rad += std::numbers::pi;
     poses.push_back(next);
   }
   return poses;
@@ -346,11 +361,11 @@ bool PathFollower::makes_no_progress(double heading_error_rad, double period_s) 
 
 void PathFollower::archive(Archive& a) {
   a.tag("follower");
-  LSOS_ARCHIVE(a, waypoints_S_m_, limits_, leg_, is_turning_, is_stopping_, command_mps_,
-               command_curvature_1pm_, side_slip_rad_, incline_.pitch_rad, incline_.bank_rad,
-               heading_rad_, remaining_m_, best_remaining_m_, best_heading_error_rad_, stopping_s_,
-               since_progress_s_, status_, reason_, is_stuck_, is_off_line_, passed_,
-               speed_limit_mps_);
+  LSOS_ARCHIVE(a, waypoints_S_m_, gear_changes_, limits_, leg_, is_turning_, is_changing_gear_,
+               steering_s_, is_stopping_, command_mps_, command_curvature_1pm_, side_slip_rad_,
+               incline_.pitch_rad, incline_.bank_rad, heading_rad_, remaining_m_, best_remaining_m_,
+               best_heading_error_rad_, stopping_s_, since_progress_s_, status_, reason_, is_stuck_,
+               is_off_line_, passed_, speed_limit_mps_);
   if (a.is_reading()) build_line();
 }
 

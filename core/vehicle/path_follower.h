@@ -54,8 +54,10 @@ class PathFollower {
   PathFollower() = default;
   // `path_S_m` has at least one waypoint; only x and y matter. The line begins at the rover; the
   // first waypoints count as passed as long as they are within the arrival radius (at most 1 m) of
-  // it.
-  PathFollower(const Path3& path_S_m, const FollowerPose& start, const FollowerLimits& limits);
+  // it. `gear_changes`: indices of waypoints, ascending, at which it changes between forwards and
+  // backwards, 0: it begins backwards; while crabbing they have no meaning.
+  PathFollower(const Path3& path_S_m, const FollowerPose& start, const FollowerLimits& limits,
+               const std::vector<std::size_t>& gear_changes = {});
 
   // Moves the end of the line: the last waypoint is replaced by these, of which there is at least
   // one. What lies well behind the rover is forgotten.
@@ -65,6 +67,9 @@ class PathFollower {
   void begin_again(const FollowerPose& pose);
   // Limits the speed from now on, besides what the line and the ground allow.
   void limit_speed(double speed_mps) { speed_limit_mps_ = speed_mps; }
+
+  // Whether it backs up, or is to.
+  bool is_backward() const { return !line_.empty() && line_[leg_].is_backward; }
 
   // Called once per exchange period; the command holds until the next call.
   DriveCommand update(const FollowerPose& pose, double period_s);
@@ -89,6 +94,12 @@ class PathFollower {
   void archive(Archive& a);
 
  private:
+  // Passes to the piece of the line that the rover is on.
+  void find_piece(const FollowerPose& pose);
+  void change_gear();
+  bool has_steered(double period_s);
+  // The command for a rover that faces along the line, as one that backs up does not.
+  DriveCommand along_line(const FollowerPose& pose, double period_s);
   DriveCommand drive(const FollowerPose& pose, double to_end_m, double cross_track_m,
                      double heading_error_rad, double period_s);
   double curvature_ahead_1pm(double to_end_m, double preview_m) const;
@@ -108,18 +119,24 @@ class PathFollower {
   SideSlip side_slip(const FollowerPose& pose, double period_s);
   bool makes_no_progress(double heading_error_rad, double period_s);
   void build_line();
+  // On a line on which the rover backs up, its wheels are steered for the arc that begins within so
+  // much: such arcs are short and begin at rest.
+  static constexpr double steered_for_m = 0.5;
   // Distance along the line of a rover on one of its pieces.
   static double driven_m(const DrivingPiece& leg, const FollowerPose& pose);
   void forget_driven(const FollowerPose& pose);
   std::size_t leg_near(const FollowerPose& pose, double driven_m) const;
   std::size_t leg_again(const DrivingPiece& on, const FollowerPose& pose, double driven_m) const;
 
-  std::vector<Vec2> waypoints_S_m_;  // beginning where the rover was
+  std::vector<Vec2> waypoints_S_m_;        // beginning where the rover was
+  std::vector<std::size_t> gear_changes_;  // indices of these waypoints
   FollowerLimits limits_;
-  std::vector<DrivingPiece> line_;  // derived from waypoints_S_m_ and limits_
+  std::vector<DrivingPiece> line_;  // derived from the three before
 
   std::size_t leg_ = 0;
   bool is_turning_ = false;
+  bool is_changing_gear_ = false;  // comes to rest and steers before it drives the other way
+  double steering_s_ = 0;          // how long the wheels have been commanded to be steered for that
   bool is_stopping_ = false;
   double command_mps_ = 0;  // rate-limited
   double command_curvature_1pm_ = 0;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lua/api/arguments.h"
+#include "lua/api/route.h"
 #include "lua/runtime/handle.h"
 #include "lua/runtime/reader.h"
 #include "lua/runtime/state.h"
@@ -42,7 +43,9 @@ int command_follow(lua_State* L) {
   lua_settop(L, 3);
   const Path3 path = read_path(L, 2, "rover:follow");
   if (path.empty()) throw std::runtime_error("rover:follow wants at least one waypoint");
-  rover.follow(path, check_settings(L, 3));
+  FollowSettings settings = check_settings(L, 3);
+  settings.gear_changes = read_gear_changes(L, 2, path.size(), "rover:follow");
+  rover.follow(path, settings);
   return 0;
 }
 

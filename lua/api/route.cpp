@@ -31,6 +31,18 @@ void push_leg(lua_State* L, const PlannedRoute::Leg& leg) {
   push_field(L, "slope_max_rad", leg.slope_max_rad);
 }
 
+// Sets gear_changes of the path on top of the stack.
+void push_gear_changes(lua_State* L, const std::vector<std::size_t>& points) {
+  if (points.empty()) return;
+  lua_createtable(L, static_cast<int>(points.size()), 0);
+  lua_Integer number = 0;
+  for (const std::size_t point : points) {
+    lua_pushinteger(L, static_cast<lua_Integer>(point) + 1);
+    lua_rawseti(L, -2, ++number);
+  }
+  lua_setfield(L, -2, "gear_changes");
+}
+
 // Reads avoid = list of vec3, avoid_radius_m = number.
 void read_avoided(TableReader& t, std::vector<AvoidedDisc>& avoided) {
   Path3 places;
@@ -81,6 +93,30 @@ RouteOptions check_route_options(lua_State* L, int index, const char* what) {
   return options;
 }
 
+std::vector<std::size_t> read_gear_changes(lua_State* L, int index, std::size_t point_count,
+                                           const std::string& what) {
+  index = lua_absindex(L, index);
+  std::vector<std::size_t> points;
+  if (!lua_istable(L, index) || is_vec3(L, index)) return points;
+  lua_pushliteral(L, "gear_changes");
+  const int type = lua_rawget(L, index);
+  const lua_Integer count = type == LUA_TTABLE ? static_cast<lua_Integer>(lua_rawlen(L, -1)) : 0;
+  bool is_list = type == LUA_TTABLE || type == LUA_TNIL;
+  for (lua_Integer i = 1; is_list && i <= count; ++i) {
+    lua_rawgeti(L, -1, i);
+    const lua_Integer point = lua_isinteger(L, -1) ? lua_tointeger(L, -1) : 0;
+    const lua_Integer least = points.empty() ? 1 : static_cast<lua_Integer>(points.back()) + 2;
+    is_list = point >= least && point < static_cast<lua_Integer>(point_count);
+    if (is_list) points.push_back(static_cast<std::size_t>(point) - 1);
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+  if (is_list) return points;
+  throw std::runtime_error(fmt::format(
+      "{}: gear_changes of the path must be a list of its points, integers from 1 to {}, ascending",
+      what, point_count - 1));
+}
+
 void push_route(lua_State* L, const PlannedRoute& way) {
   lua_createtable(L, 0, 6);
   lua_createtable(L, static_cast<int>(way.path_S_m.size()), 0);
@@ -89,6 +125,7 @@ void push_route(lua_State* L, const PlannedRoute& way) {
     push_vec3(L, p_S_m);
     lua_rawseti(L, -2, ++number);
   }
+  push_gear_changes(L, way.gear_changes);
   lua_setfield(L, -2, "path");
   PlannedRoute::Leg sum;
   lua_createtable(L, static_cast<int>(way.legs.size()), 0);

@@ -300,11 +300,12 @@ const HandleType& rover_handle_type() {
         "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = , ... })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival. With "
         "`keeps_room_to_turn` it ends so early before a rover that stands that it can still turn "
-        "on "
-        "the spot.",
+        "on the spot; on a slope steeper than `slope_max_rad` it warns, once. A path may name, in "
+        "its own field `gear_changes`, the points at which the rover changes between forwards and "
+        "backwards (from 1, where it begins backwards), as that of rover:plan_path does.",
         "fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, "
         "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number, keeps_room_to_turn?: "
-        "boolean })"},
+        "boolean, slope_max_rad?: number })"},
        {"follow_rover", guard<command_follow_rover>,
         "rover:follow_rover(id, { distance_m = , speed_mps = })",
         "Drives behind another rover along its track, at that distance (default 20), at most so "

@@ -146,7 +146,7 @@ class RoutePass {
   bool plan(const PlanEvent& event, const RouteSettings& settings) {
     const std::optional<Vec3> start_S_m = place_S_m_;
     const std::optional<double> start_heading_rad = heading_rad_;
-    bool is_first = true;
+    bool is_first = true, backed_up = false;
     std::int64_t waypoint = 0;
     if (!is_stance_known_) {
       add_fault({Severity::warning, event.place,
@@ -160,7 +160,8 @@ class RoutePass {
         result_.passed.push_back({event.sequence, waypoint});
         continue;
       }
-      const bool is_at_rest = std::exchange(is_first, false);
+      // It also stops where it has backed up.
+      const bool is_at_rest = std::exchange(is_first, false) || backed_up;
       const bool is_heading_known = heading_rad_ || routes_.can_turn_on_spot();
       if (!place_S_m_ || !is_heading_known || !is_stance_known_) {
         if (!ground_.elevation_m(point)) add_fault(event, unknown_ground_text(waypoint, point));
@@ -191,6 +192,7 @@ class RoutePass {
       }
       go_to(end_S_m);
       heading_rad_ = result_.legs.back().leg.end_heading_rad;
+      backed_up = result_.legs.back().leg.ends_backwards();
     }
     return true;
   }

@@ -52,6 +52,9 @@ struct FollowSettings {
   std::optional<double> speed_mps;  // absent: the rover's cruise speed
   double arrival_radius_m = 1;
   bool is_crabbing = false;  // along the path without turning into it, if the rover can
+  // Points of the path, ascending, at which the rover changes between forwards and backwards; 0: it
+  // begins backwards.
+  std::vector<std::size_t> gear_changes = {};
   // Before another rover it ends so early that it still has room to turn on the spot there, to go
   // round it on another path.
   bool keeps_room_to_turn = false;
@@ -93,6 +96,7 @@ struct PlannedRoute {
     double length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
   };
   Path3 path_S_m;
+  std::vector<std::size_t> gear_changes;  // FollowSettings::gear_changes for this path
   std::vector<Leg> legs;
   // Why there is no route, "" when there is one; and the reachable place nearest to the goal, when
   // it is known.

@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::size_t kept_max = 2000;
 constexpr std::size_t kept_parts = 50;
+// Of a leg's key, from which its seed is made; and of what is kept.
 constexpr std::string_view tag = "lsos-host planned legs";
+constexpr std::string_view kept_tag = "lsos-host planned legs with gears";
 
 std::string bytes_of(auto value) {
   Archive a = Archive::writer();
@@ -52,7 +54,7 @@ void PlannedLegs::recall(const std::string& bytes) {
   try {
     Archive a = Archive::reader(body);
     std::map<std::string, PlannedLeg> legs;
-    a.tag(tag)(legs);
+    a.tag(kept_tag)(legs);
     legs_.merge(legs);
   } catch (const Archive::Mismatch&) {
     // The legs are planned again.
@@ -69,7 +71,7 @@ std::string PlannedLegs::kept() const {
     legs.insert(*other);
   }
   Archive a = Archive::writer();
-  a.tag(tag)(legs);
+  a.tag(kept_tag)(legs);
   return sha256_hex(a.bytes()) + a.bytes();
 }
 

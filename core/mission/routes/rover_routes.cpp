@@ -175,8 +175,10 @@ const LegAhead* RoverRoutes::ahead(std::int64_t sequence, std::int64_t waypoint,
   const double off_m = (start.p_S_m - found->start.p_S_m).norm();
   const double off_rad =
       std::remainder(start.heading_rad - found->start.heading_rad, 2 * std::numbers::pi);
+  // Where the rover backs up, arcs are short and there is no room to come to them from elsewhere.
+  const double within_m = found->leg.gear_changes.empty() ? expected_within_m : on_start_m;
   const bool fits =
-      off_m <= expected_within_m &&
+      off_m <= within_m &&
       (vehicle_.can_turn_on_spot || std::abs(off_rad) <= expected_heading_rad) &&
       (off_m <= on_start_m || !found->leg.is_found() ||
        is_free(*ground_, cost(settings), obstacles_about(start.p_S_m, found->start.p_S_m),
@@ -205,22 +207,28 @@ PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::in
           fmt::format("{}: planning the leg to waypoint {}: {}", rover_id, waypoint, message));
     }
     if (!planned.is_found()) {
-      return {{},
-              {},
-              no_route_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned),
-              planned.nearest_S_m};
+      PlannedRoute none;
+      none.reason = no_route_text(*ground_, waypoint, at.p_S_m, goal_S_m, planned);
+      none.nearest_S_m = planned.nearest_S_m;
+      return none;
     }
     if (known == nullptr && planned.ends_short()) {
       warnings_.push_back(
           fmt::format("{}: {}", rover_id, short_end_text(waypoint, goal_S_m, planned)));
     }
-    // Each leg begins at the last point of the one before.
+    // Each leg begins at the last point of the one before, in a gear of its own.
+    const std::size_t joint = way.path_S_m.empty() ? 0 : way.path_S_m.size() - 1;
+    const bool was_backward = way.gear_changes.size() % 2 == 1;
+    if (was_backward && !planned.begins_backwards()) way.gear_changes.push_back(joint);
+    for (const std::size_t at_point : planned.gear_changes) {
+      if (at_point > 0 || !was_backward) way.gear_changes.push_back(joint + at_point);
+    }
     way.path_S_m.insert(way.path_S_m.end(), planned.path_S_m.begin() + (way.legs.empty() ? 0 : 1),
                         planned.path_S_m.end());
     way.legs.push_back({waypoint, way.path_S_m.size() - 1, planned.length_m, planned.duration_s,
                         planned.energy_j, planned.slope_max_rad});
     at = {planned.ends_short() ? planned.path_S_m.back() : goal_S_m, planned.end_heading_rad,
-          false};
+          planned.ends_backwards()};
   }
   // The rover already stands at its goal.
   if (way.legs.empty()) way.path_S_m = {waypoints_S_m.back()};

@@ -233,7 +233,7 @@ void RoverDrive::follow(const Path3& path_S_m, const FollowSettings& settings) {
   room_to_turn_m_ =
       settings.keeps_room_to_turn ? lsos::room_to_turn_m(motion_->footprint_at_rest()) : 0;
   slope_max_rad_ = settings.slope_max_rad;
-  follower_.emplace(path_S_m, follower_pose(report), limits);
+  follower_.emplace(path_S_m, follower_pose(report), limits, settings.gear_changes);
   if (!motion_->fault().empty()) return;
   give(follower_->update(follower_pose(report), seconds(exchange_period)));
 }

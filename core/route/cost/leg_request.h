@@ -70,11 +70,14 @@ struct LegRequest {
 };
 
 struct PlannedLeg {
-  Path3 path_S_m;   // from start to goal, on the ground; empty when there is no route
+  Path3 path_S_m;  // from start to goal, on the ground; empty when there is no route
+  // Points of the path at which a rover that cannot turn on the spot changes between forwards and
+  // backwards, ascending; 0 where it begins backwards.
+  std::vector<std::size_t> gear_changes;
   double cost = 0;  // of the request's aim: J, or m for RouteAim::risk
   double length_m = 0, duration_s = 0, energy_j = 0, slope_max_rad = 0;
   Vec3 steepest_S_m = Vec3::Zero();
-  double end_heading_rad = 0;         // clockwise from north at the goal
+  double end_heading_rad = 0;         // of the rover, clockwise from north at the goal
   std::vector<std::string> messages;  // of the optimiser, for the user
 
   // Why there is no route to the goal ("the goal is on a slope of 31 degrees, 20 are allowed"), and
@@ -83,11 +86,13 @@ struct PlannedLeg {
   Vec3 nearest_S_m = Vec3::Zero();
 
   bool is_found() const { return !path_S_m.empty(); }
+  bool begins_backwards() const { return !gear_changes.empty() && gear_changes.front() == 0; }
+  bool ends_backwards() const { return gear_changes.size() % 2 == 1; }
   // Whether it leads to a place near the goal in its stead.
   bool ends_short() const { return is_found() && !reason.empty(); }
   void archive(Archive& a) {
-    LSOS_ARCHIVE(a, path_S_m, cost, length_m, duration_s, energy_j, slope_max_rad, steepest_S_m,
-                 end_heading_rad, messages, reason, nearest_S_m);
+    LSOS_ARCHIVE(a, path_S_m, gear_changes, cost, length_m, duration_s, energy_j, slope_max_rad,
+                 steepest_S_m, end_heading_rad, messages, reason, nearest_S_m);
   }
 };
 

@@ -89,6 +89,7 @@ RouteCost RouteCost::over(GroundMap& map) const {
   costs.leaving_ = leaving_;
   costs.leaving_limits_ = leaving_limits_;
   costs.is_rounding_ = is_rounding_;
+  costs.is_backing_ = is_backing_;
   return costs;
 }
 
@@ -158,8 +159,9 @@ void RouteCost::find_least() {
 
 double RouteCost::rate(const Stance& stance) const {
   const DriveCost& cost = finder_.cost();
-  if (aim_ == RouteAim::risk) return 1 / std::max(share_left_min, 1 - limit_use(stance, cost));
-  return stance_drive(finder_.cost(), stance).energy_jpm;
+  const double ratio = is_backing_ ? backing_ratio : 1;
+  if (aim_ == RouteAim::risk) return ratio / std::max(share_left_min, 1 - limit_use(stance, cost));
+  return ratio * stance_drive(finder_.cost(), stance).energy_jpm;
 }
 
 double RouteCost::straight(const Vec2& from_m, const Vec2& to_m, double most) {

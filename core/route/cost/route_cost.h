@@ -125,6 +125,16 @@ class RouteCost {
   // The same costs for lines of such a rover whose corners are rounded later: corner() returns what
   // the widest arcs that have room cost.
   RouteCost of_rounded_corners() const;
+  // The same costs for a rover that drives backwards: its footprint faces the other way, and a
+  // metre counts `backing_ratio` times, since drivers and cameras look ahead; of() returns energy
+  // and time as they are. It is taken to stand as one that drives ahead there.
+  static constexpr double backing_ratio = 2;
+  RouteCost backing() const;
+  // Energy and time of changing between forwards and backwards: to stop, steer and set off again.
+  CornerCost gear_change() const;
+  // Cost of a number of changes, each with `gear_change_m` metres on the level besides.
+  static constexpr double gear_change_m = 5;
+  double gear_changes(std::size_t count) const;
   // driven(), with length, duration, energy, steepest slope and first hazard.
   LegSummary of(const Line2& line);
   // Places of a line where a limit is exceeded, more than `apart_m` apart. The line is sampled
@@ -172,7 +182,7 @@ class RouteCost {
   TurnRoom turn_room_;
   Disc2 leaving_;  // none while its radius is 0
   DriveLimits leaving_limits_;
-  bool is_rounding_ = false;
+  bool is_rounding_ = false, is_backing_ = false;
   double least_per_metre_ = 1, per_rise_ = 0, steep_per_metre_ = 1;
   double border_m_ = 0;
   double cost_per_j_ = 1;  // of corners and arcs

@@ -18,7 +18,7 @@ constexpr double corner_room_m = 2;
 
 bool RouteCost::is_occupied(const Vec2& at_m, const Vec2& ahead) const {
   if (standing_.empty()) return false;
-  const Footprint rover = moved(rover_at_rest_, at_m, ahead);
+  const Footprint rover = moved(rover_at_rest_, at_m, is_backing_ ? Vec2(-ahead) : ahead);
   const double off_m = rover.half_m.norm() + cross_track_margin_m;
   const bool is_tight =
       std::ranges::any_of(tight_, [&](const Disc2& disc) { return disc.holds(at_m); });

@@ -16,4 +16,17 @@ Line2 corners(const Line2& line) {
   return kept;
 }
 
+GearedLine corners(const Stretches& stretches) {
+  GearedLine whole;
+  bool is_backward = false;
+  for (const Stretch& stretch : stretches) {
+    const Line2 line = corners(stretch.line);
+    const std::size_t first = whole.line.empty() ? 0 : whole.line.size() - 1;
+    if (stretch.is_backward != is_backward) whole.gear_changes.push_back(first);
+    is_backward = stretch.is_backward;
+    whole.line.insert(whole.line.end(), line.begin() + (whole.line.empty() ? 0 : 1), line.end());
+  }
+  return whole;
+}
+
 }  // namespace lsos

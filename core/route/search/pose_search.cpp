@@ -1,10 +1,12 @@
 #include "route/search/pose_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <queue>
 #include <span>
 #include <unordered_set>
@@ -52,12 +54,16 @@ constexpr Resolution fine{1, 36, fine_stages}, coarse{2, 18, coarse_stages};
 constexpr double detour_bounds[] = {1.5, 4}, detour_turns = 1.5;
 
 struct Reached {
-  Pose2 pose;
+  Pose2 pose;  // of the rover, which backs up against its heading
   double cost = 0;
   std::int32_t before = -1;
-  double curvature_1pm = 0;  // of the edge to it
+  double curvature_1pm = 0;  // of the edge to it, positive to the left of the direction of travel
+  bool is_backward = false;
   RouteCost::ArcState speeds;
 };
+
+// Whether backwards, of the gears that are tried.
+constexpr std::array<bool, 2> gears{false, true};
 
 // Entry of the queue: a pose; an edge from a pose, whose cost is a lower bound until it is
 // evaluated; or a complete route, by analytic expansion from a pose.
@@ -68,6 +74,7 @@ struct Candidate {
   std::int32_t node = 0;
   Kind kind = Kind::pose;
   double turn = 0;  // curvature of an edge or of the arc to the goal, in units of the tightest
+  bool is_backward = false;
 
   // std::priority_queue returns the greatest element: here the least total, then the greatest cost
   // so far.
@@ -75,7 +82,8 @@ struct Candidate {
     if (total != other.total) return total > other.total;
     if (cost != other.cost) return cost < other.cost;
     if (node != other.node) return node > other.node;
-    return turn > other.turn;
+    if (turn != other.turn) return turn > other.turn;
+    return is_backward && !other.is_backward;
   }
 };
 
@@ -84,7 +92,9 @@ class Search {
   Search(RouteCost& costs, const Pose2& start, const Vec2& goal_m, double radius_m,
          const PoseGuide& guide)
       : costs_(costs),
+        backing_(costs.backing()),
         map_(costs.map()),
+        gears_(std::span(gears).first(guide.may_reverse ? 2 : 1)),
         start_(start),
         goal_m_(goal_m),
         resolution_(guide.is_coarse ? coarse : fine),
@@ -124,6 +134,7 @@ class Search {
       begin(stage.weight);
       const bool is_found = reach_goal(std::min(stage.poses, left), route);
       left -= std::min(left, closed_.size());
+      route.expanded += closed_.size();
       if (is_found) return false;
       if (queue_.empty()) return true;
     }
@@ -137,7 +148,7 @@ class Search {
     closed_.clear();
     reached_.clear();
     queue_ = {};
-    reached_.push_back({start_, 0, -1, 0, {}});
+    reached_.push_back({start_, 0, -1, 0, false, {}});
     queue_.push({left(start_.at_m), 0, 0});
   }
 
@@ -156,7 +167,7 @@ class Search {
       }
       const Reached& node = reached_[static_cast<std::size_t>(best.node)];
       const Pose2 pose = node.pose;
-      if (!closed_.insert(cell_of(pose, node.curvature_1pm)).second) continue;
+      if (!closed_.insert(cell_of(pose, node.curvature_1pm, node.is_backward)).second) continue;
       const double off_m = (pose.at_m - goal_m_).norm();
       if (off_m < (route.nearest_m - goal_m_).norm()) route.nearest_m = pose.at_m;
       expand(best, pose);
@@ -180,7 +191,7 @@ class Search {
   }
   // Poses reached by sharp and by gentle arcs have separate cells: what a pose costs later depends
   // on the arc to it, since the rover slows down for another one.
-  std::size_t cell_of(const Pose2& pose, double curvature_1pm) const {
+  std::size_t cell_of(const Pose2& pose, double curvature_1pm, bool is_backward) const {
     const Vec2 cells = (pose.at_m - map_.low_m()) / cell_m_;
     const auto column = std::clamp(std::lround(cells.x()), 0L, map_.columns() - 1L);
     const auto row = std::clamp(std::lround(cells.y()), 0L, map_.rows() - 1L);
@@ -189,60 +200,77 @@ class Search {
         std::lround((turn - std::floor(turn)) * resolution_.headings) % resolution_.headings;
     const long kind = std::abs(curvature_1pm) * radius_m_ < sharp_turn ? 0 : 1;
     return static_cast<std::size_t>(
-        ((row * map_.columns() + column) * resolution_.headings + heading) * 2 + kind);
+        ((row * map_.columns() + column) * resolution_.headings + heading) * 4 +
+        (is_backward ? 2 : 0) + kind);
   }
 
   // Edges are queued by a lower bound of their cost; most are never evaluated.
   void expand(const Candidate& from, const Pose2& pose) {
     const double height_m = map_.height_m(pose.at_m);
-    for (const double turn : turns) {
-      const double curvature_1pm = turn / radius_m_, length_m = edge_m(curvature_1pm);
-      const Pose2 to = along_arc(pose, curvature_1pm, length_m);
-      is_at_border_ = is_at_border_ || costs_.is_at_border(to.at_m);
-      const double rise_m = map_.height_m(to.at_m) - height_m;
-      if (std::isnan(rise_m) || closed_.contains(cell_of(to, curvature_1pm))) continue;
-      const double left = this->left(to.at_m);
-      was_pruned_ = was_pruned_ || !std::isfinite(left);
-      if (!std::isfinite(left)) continue;
-      const double cost = from.cost + costs_.least((to.at_m - pose.at_m).norm(), rise_m) +
-                          arc(from.node, turn).cost;
-      queue_.push({cost + left, cost, from.node, Candidate::Kind::edge, turn});
+    for (const bool is_backward : gears_) {
+      for (const double turn : turns) {
+        const double curvature_1pm = turn / radius_m_;
+        const Pose2 to = after_edge(pose, curvature_1pm, is_backward);
+        is_at_border_ = is_at_border_ || costs_.is_at_border(to.at_m);
+        const double rise_m = map_.height_m(to.at_m) - height_m;
+        if (std::isnan(rise_m)) continue;
+        if (closed_.contains(cell_of(to, curvature_1pm, is_backward))) continue;
+        const double left = this->left(to.at_m);
+        was_pruned_ = was_pruned_ || !std::isfinite(left);
+        if (!std::isfinite(left)) continue;
+        const double cost = from.cost + costs_.least((to.at_m - pose.at_m).norm(), rise_m) +
+                            arc(from.node, turn, is_backward).cost;
+        queue_.push({cost + left, cost, from.node, Candidate::Kind::edge, turn, is_backward});
+      }
     }
   }
+
+  Pose2 after_edge(const Pose2& from, double curvature_1pm, bool is_backward) const {
+    return standing(along_arc(travelling(from, is_backward), curvature_1pm, edge_m(curvature_1pm)),
+                    is_backward);
+  }
+  Line2 edge_line(const Pose2& from, double curvature_1pm, bool is_backward) const {
+    return arc_line(travelling(from, is_backward), curvature_1pm, edge_m(curvature_1pm),
+                    map_.spacing_m());
+  }
+  RouteCost& costs_of(bool is_backward) { return is_backward ? backing_ : costs_; }
 
   // Cost of slowing down for an edge, and the speeds after it.
   struct EdgeArc {
     double cost = 0;
     RouteCost::ArcState speeds;
   };
-  EdgeArc arc(std::int32_t from, double turn) const {
+  EdgeArc arc(std::int32_t from, double turn, bool is_backward) const {
     const Reached& node = reached_[static_cast<std::size_t>(from)];
     const double curvature_1pm = turn / radius_m_, length_m = edge_m(curvature_1pm);
-    EdgeArc arc{0, node.speeds};
+    const bool changes = is_backward != node.is_backward;
+    EdgeArc arc{costs_.gear_changes(changes ? 1 : 0),
+                changes ? RouteCost::ArcState{} : node.speeds};
     if (turn == 0) {
       arc.speeds.free_m += length_m;
       return arc;
     }
     // Between arcs to opposite sides, one piece of the line is straight.
-    if (turn * node.curvature_1pm < 0) {
+    if (!changes && turn * node.curvature_1pm < 0) {
       arc.speeds.free_m += length_m / arc_pieces(curvature_1pm, length_m, map_.spacing_m());
     }
-    arc.cost =
+    arc.cost +=
         costs_.arc(arc.speeds, 1 / std::abs(curvature_1pm), length_m * std::abs(curvature_1pm));
     return arc;
   }
 
   void evaluate(const Candidate& edge) {
     const Reached& from = reached_[static_cast<std::size_t>(edge.node)];
-    const double curvature_1pm = edge.turn / radius_m_, length_m = edge_m(curvature_1pm);
-    const Pose2 to = along_arc(from.pose, curvature_1pm, length_m);
-    if (closed_.contains(cell_of(to, curvature_1pm))) return;
+    const double curvature_1pm = edge.turn / radius_m_;
+    const bool is_backward = edge.is_backward;
+    const Pose2 to = after_edge(from.pose, curvature_1pm, is_backward);
+    if (closed_.contains(cell_of(to, curvature_1pm, is_backward))) return;
     const double along =
-        costs_.along(arc_line(from.pose, curvature_1pm, length_m, map_.spacing_m()));
+        costs_of(is_backward).along(edge_line(from.pose, curvature_1pm, is_backward));
     if (!std::isfinite(along)) return;
-    const EdgeArc arc = this->arc(edge.node, edge.turn);
+    const EdgeArc arc = this->arc(edge.node, edge.turn, is_backward);
     const double cost = from.cost + along + arc.cost;
-    reached_.push_back({to, cost, edge.node, curvature_1pm, arc.speeds});
+    reached_.push_back({to, cost, edge.node, curvature_1pm, is_backward, arc.speeds});
     queue_.push({cost + left(to.at_m), cost, static_cast<std::int32_t>(reached_.size() - 1)});
   }
 
@@ -250,22 +278,35 @@ class Search {
     const Vec2 delta_m = goal_m_ - pose.at_m;
     const double rise_m = map_.height_m(goal_m_) - map_.height_m(pose.at_m);
     if (!(from.cost + costs_.least(delta_m.norm(), rise_m) < least_)) return;
-    for (const double share : turns) {
-      if (share == 0) continue;
-      const double radius_m = radius_m_ / std::abs(share);
-      const auto line = arc_and_straight(pose, goal_m_, radius_m, share > 0, map_.spacing_m());
-      if (!line) continue;
-      double cost = from.cost + costs_.along(*line);
-      double turn_m = 0;
-      for (std::size_t k = 0; k + 2 < line->size(); ++k) {
-        turn_m += ((*line)[k + 1] - (*line)[k]).norm();
+    for (const bool is_backward : gears_) {
+      for (const double share : turns) {
+        if (share != 0) offer_to_goal(from, pose, share, is_backward);
       }
-      RouteCost::ArcState speeds = reached_[static_cast<std::size_t>(from.node)].speeds;
-      if (turn_m > 0) cost += costs_.arc(speeds, radius_m, turn_m / radius_m);
-      if (!(cost < least_)) continue;
-      least_ = cost;
-      queue_.push({cost, cost, from.node, Candidate::Kind::to_goal, share});
     }
+  }
+
+  void offer_to_goal(const Candidate& from, const Pose2& pose, double share, bool is_backward) {
+    const double radius_m = radius_m_ / std::abs(share);
+    const auto line = last_piece(pose, share, is_backward);
+    if (!line) return;
+    const Reached& node = reached_[static_cast<std::size_t>(from.node)];
+    const bool changes = is_backward != node.is_backward;
+    double cost =
+        from.cost + costs_.gear_changes(changes ? 1 : 0) + costs_of(is_backward).along(*line);
+    double turn_m = 0;
+    for (std::size_t k = 0; k + 2 < line->size(); ++k) {
+      turn_m += ((*line)[k + 1] - (*line)[k]).norm();
+    }
+    RouteCost::ArcState speeds = changes ? RouteCost::ArcState{} : node.speeds;
+    if (turn_m > 0) cost += costs_.arc(speeds, radius_m, turn_m / radius_m);
+    if (!(cost < least_)) return;
+    least_ = cost;
+    queue_.push({cost, cost, from.node, Candidate::Kind::to_goal, share, is_backward});
+  }
+
+  std::optional<Line2> last_piece(const Pose2& pose, double share, bool is_backward) const {
+    return arc_and_straight(travelling(pose, is_backward), goal_m_, radius_m_ / std::abs(share),
+                            share > 0, map_.spacing_m());
   }
 
   void finish(const Candidate& end, PoseRoute& route) const {
@@ -275,26 +316,34 @@ class Search {
       node = way.back().before;
     }
     std::ranges::reverse(way);
-    route.line = {way.front().pose.at_m};
-    for (std::size_t k = 0; k < way.size(); ++k) {
-      route.poses.push_back(way[k].pose);
-      if (k == 0) continue;
-      const Line2 arc = arc_line(way[k - 1].pose, way[k].curvature_1pm,
-                                 edge_m(way[k].curvature_1pm), map_.spacing_m());
-      route.line.insert(route.line.end(), arc.begin() + 1, arc.end());
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      const bool is_backward = way[k].is_backward;
+      add(route, way[k - 1].pose, edge_line(way[k - 1].pose, way[k].curvature_1pm, is_backward),
+          travelling(way[k].pose, is_backward), is_backward);
     }
-    const auto last = arc_and_straight(way.back().pose, goal_m_, radius_m_ / std::abs(end.turn),
-                                       end.turn > 0, map_.spacing_m());
-    route.line.insert(route.line.end(), last->begin() + 1, last->end());
-    const Vec2 end_m = goal_m_ - (*last)[last->size() - 2];
-    route.poses.push_back({goal_m_, std::atan2(end_m.y(), end_m.x())});
+    const Line2 last = *last_piece(way.back().pose, end.turn, end.is_backward);
+    const Vec2 end_m = goal_m_ - last[last.size() - 2];
+    add(route, way.back().pose, last, {goal_m_, std::atan2(end_m.y(), end_m.x())}, end.is_backward);
     route.cost = end.cost;
     route.weight = weight_;
     route.nearest_m = goal_m_;
   }
 
+  // Adds a piece to a route; where the gear changes, a stretch begins with the pose `from`.
+  static void add(PoseRoute& route, const Pose2& from, const Line2& piece, const Pose2& travel_to,
+                  bool is_backward) {
+    if (!route.is_found() || route.stretches.back().is_backward != is_backward) {
+      route.stretches.push_back({{travelling(from, is_backward)}, {from.at_m}, is_backward});
+    }
+    Stretch& stretch = route.stretches.back();
+    stretch.line.insert(stretch.line.end(), piece.begin() + 1, piece.end());
+    stretch.poses.push_back(travel_to);
+  }
+
   RouteCost& costs_;
+  RouteCost backing_;  // of driving backwards
   GroundMap& map_;
+  std::span<const bool> gears_;
   Pose2 start_;
   Vec2 goal_m_;
   const Resolution& resolution_;

@@ -88,6 +88,13 @@ TEST(Handle, follow_refuses_what_is_no_path_and_unknown_settings) {
                         "not all finite numbers"));
   EXPECT_THAT(error("rover:follow(lsos.vec3(1, 2, 0/0))"),
               HasSubstr("list of vec3, found a vec3 whose x, y, z are not all finite numbers"));
+  for (const std::string changes : {"{ 0 }", "{ 2 }", "{ 1, 1 }", "{ 1.5 }", "'1'"}) {
+    EXPECT_THAT(
+        error("rover:follow { lsos.vec3(1, 2), lsos.vec3(3, 4), gear_changes = " + changes + " }"),
+        HasSubstr("rover:follow: gear_changes of the path must be a list of its points, "
+                  "integers from 1 to 1, ascending"))
+        << changes;
+  }
   EXPECT_THAT(error("rover:follow(lsos.vec3(1, 2), { speed = 2 })"),
               HasSubstr("events/Probe.lua:3: Probe 'probe 1' in phase go at 0 s: rover:follow: "
                         "unknown key 'speed'; did you mean 'speed_mps'?"));

@@ -101,6 +101,12 @@ TEST_F(PathPlanRoute, follows_the_way_that_is_planned) {
   EXPECT_THAT(rover.calls, ElementsAre("plan from 1 of 3", "follow 4 points"));
 }
 
+TEST_F(PathPlanRoute, backs_up_where_that_is_planned) {
+  rover.planned.gear_changes = {0, 2};
+  run("plan");
+  EXPECT_THAT(rover.settings.gear_changes, ElementsAre(0u, 2u));
+}
+
 // The route planned ahead is used only if its settings equal those that the event later requests.
 TEST_F(PathPlanRoute, asks_for_the_same_before_the_run) {
   run("plan");

@@ -1,6 +1,9 @@
 // Routes planned before the mission starts, and their use when it runs.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <numbers>
+
 #include "mission/model/site.h"
 #include "test_mission.h"
 
@@ -126,6 +129,35 @@ TEST(RouteAhead, ends_where_its_goal_can_be_reached_within_the_radius) {
               testing::ElementsAre(HasSubstr("A: the leg to waypoint 1 ends ")));
   ASSERT_EQ(way.legs.size(), 2u);
   EXPECT_LT((way.path_S_m[way.legs[0].last_point] - none.nearest_S_m).norm(), 0.01);
+}
+
+// Boxes stand ahead of the rover and beside it, so that it backs up to a first waypoint; the second
+// lies beyond the boxes.
+TEST(RouteAhead, joins_legs_that_back_up) {
+  Mission mission;
+  const auto ground = ground_at(mission.setup_.terrain, *find_body("Moon"), {0.1, 0.2, 0}, 0);
+  VehicleConfig vehicle = test::rover(1.6);
+  vehicle.can_turn_on_spot = false;
+  vehicle.turning_radius_min_m = 4;
+  PlannedLegs planned(*ground, 1);
+  planned.set_standing({{"Front", {6, 0, 0}, {1, 0, 0}, {1, 8}},
+                        {"Left", {0, 5, 0}, {1, 0, 0}, {4.5, 1}},
+                        {"Right", {0, -5, 0}, {1, 0, 0}, {4.5, 1}}});
+  RoverRoutes routes(vehicle, {}, 0, *ground, planned);
+  const double east_rad = std::numbers::pi / 2;
+  const PlannedRoute way =
+      routes.plan("A", SimTime{}, 3, {{0, 0, 0}, east_rad, true}, {{-7, 0, 0}, {40, 0, 0}}, 1, {});
+  ASSERT_TRUE(way.is_found()) << way.reason;
+  ASSERT_EQ(way.legs.size(), 2u);
+  ASSERT_FALSE(way.gear_changes.empty());
+  EXPECT_EQ(way.gear_changes.front(), 0u) << "it begins backwards";
+  EXPECT_EQ(way.gear_changes.size() % 2, 0u) << "and ends forwards";
+  // The line turns back where the gear changes, and nowhere else.
+  for (std::size_t k = 1; k + 1 < way.path_S_m.size(); ++k) {
+    const Vec3 in_m = way.path_S_m[k] - way.path_S_m[k - 1];
+    const Vec3 out_m = way.path_S_m[k + 1] - way.path_S_m[k];
+    EXPECT_EQ(in_m.dot(out_m) < 0, std::ranges::count(way.gear_changes, k) == 1) << k;
+  }
 }
 
 // The goal lies on the floor of a crater, behind walls that the rover may drive down but not climb.

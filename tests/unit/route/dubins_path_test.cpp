@@ -5,28 +5,12 @@
 
 #include "base/random.h"
 #include "route/search/grid_search.h"
-#include "test_rover.h"
+#include "test_turner.h"
 
 namespace lsos::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr double pi = std::numbers::pi;
-
-DriveCost wide_turner() {
-  DriveCost cost = simple_rover();
-  cost.can_turn_on_spot = false;
-  cost.turning_radius_min_m = 4;
-  return cost;
-}
-
-LegRequest towards(const Vec3& goal_m, double heading_rad) {
-  LegRequest request;
-  request.goal_S_m = goal_m;
-  request.start_heading_rad = heading_rad;
-  return request;
-}
 
 // The tightest circle through three neighbours of a line.
 double radius_min_m(const Path3& line) {
@@ -194,38 +178,12 @@ TEST(TurningPlan, says_that_a_ring_of_walls_is_in_the_way) {
   EXPECT_THAT(leg.reason, HasSubstr("no route comes nearer to the goal than "));
 }
 
-// Level ground from -10 to 60 m, `aside_m` to either side; discs that no route leads through.
-struct OpenGround {
-  OpenGround(double aside_m, std::vector<Disc2> avoided, double slope_east_rad = 0)
-      : site(Site::slope(slope_east_rad)),
-        map(site.ground(), MapFrame(site.ground().site(), Vec3::Zero()), {-10, -aside_m},
-            {60, aside_m}, 1),
-        costs(map, finder, RouteAim::energy, std::move(avoided)) {}
-
-  Site site;
-  DriveCost cost = wide_turner();
-  StanceFinder finder{cost};
-  GroundMap map;
-  RouteCost costs;
-};
-constexpr double turn_m = 4.4;
-constexpr std::size_t many_poses = 500'000;
-
-std::vector<Disc2> ring(double radius_m, double open_at_rad) {
-  std::vector<Disc2> discs;
-  for (double at_rad = 0; at_rad < 2 * pi; at_rad += 0.05) {
-    if (std::abs(std::remainder(at_rad - open_at_rad, 2 * pi)) < 0.3) continue;
-    discs.push_back({radius_m * Vec2(std::cos(at_rad), std::sin(at_rad)), 1});
-  }
-  return discs;
-}
-
 TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
   OpenGround ahead(30, ring(8, 0)), behind(30, ring(8, pi));
   const PoseRoute out = search_poses(ahead.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses);
-  EXPECT_FALSE(out.line.empty());
+  EXPECT_TRUE(out.is_found());
   const PoseRoute none = search_poses(behind.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses);
-  EXPECT_TRUE(none.line.empty());
+  EXPECT_FALSE(none.is_found());
   EXPECT_FALSE(none.is_at_border) << "no wider map helps";
   EXPECT_TRUE(none.is_exhausted);
   // A corridor does not help either where all of the ring is within it; where it ends before the
@@ -235,7 +193,7 @@ TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
     const Corridor corridor(same.map, {Vec2::Zero(), {50, 0}}, off_m);
     const PoseRoute within = search_poses(same.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m,
                                           many_poses, {&corridor, false});
-    EXPECT_TRUE(within.line.empty());
+    EXPECT_FALSE(within.is_found());
     EXPECT_EQ(within.is_exhausted, off_m > 10) << off_m;
   }
   EXPECT_LT(none.nearest_m.norm(), 8);
@@ -247,8 +205,8 @@ TEST(SearchTurning, heading_up_a_slope_turns_round) {
     OpenGround ground(30, {{{20, 0}, 3}}, slope_deg * deg);
     const Pose2 uphill{{10, 0}, pi};
     for (const double goal_m : {6, 20, 50}) {
-      EXPECT_FALSE(search_poses(ground.costs, uphill, {10 + 0.8 * goal_m, 5}, turn_m, many_poses)
-                       .line.empty())
+      EXPECT_TRUE(
+          search_poses(ground.costs, uphill, {10 + 0.8 * goal_m, 5}, turn_m, many_poses).is_found())
           << slope_deg << " deg, " << goal_m << " m";
     }
   }
@@ -257,7 +215,7 @@ TEST(SearchTurning, heading_up_a_slope_turns_round) {
 TEST(SearchTurning, comes_to_a_goal_close_abeam) {
   OpenGround ground(30, {});
   for (const Vec2& goal_m : {Vec2(20, 0.5), Vec2(20, 1), Vec2(20, -1), Vec2(19, 2)}) {
-    EXPECT_FALSE(search_poses(ground.costs, {{20, 0}, 0}, goal_m, turn_m, many_poses).line.empty())
+    EXPECT_TRUE(search_poses(ground.costs, {{20, 0}, 0}, goal_m, turn_m, many_poses).is_found())
         << goal_m.transpose();
   }
 }
@@ -266,9 +224,9 @@ TEST(SearchTurning, that_had_no_room_to_turn_round_says_that_the_map_was_too_nar
   OpenGround narrow(4, {}), wide(10, {});
   const Pose2 away{{30, 0}, 0};
   const PoseRoute none = search_poses(narrow.costs, away, {0, 0}, turn_m, many_poses);
-  EXPECT_TRUE(none.line.empty());
+  EXPECT_FALSE(none.is_found());
   EXPECT_TRUE(none.is_at_border);
-  EXPECT_FALSE(search_poses(wide.costs, away, {0, 0}, turn_m, many_poses).line.empty());
+  EXPECT_TRUE(search_poses(wide.costs, away, {0, 0}, turn_m, many_poses).is_found());
 }
 
 // Walls have gaps far to the left and to the right alternately: whole rooms are expanded in vain.
@@ -288,15 +246,15 @@ TEST(SearchTurning, with_a_greater_weight_finds_a_route_through_walls) {
   const Vec2 goal_m(56, 0);
   const PoseRoute easy = search_poses(few.costs, start, goal_m, turn_m, many_poses);
   const PoseRoute hard = search_poses(many.costs, start, goal_m, turn_m, many_poses);
-  ASSERT_FALSE(easy.line.empty());
-  ASSERT_FALSE(hard.line.empty());
-  EXPECT_TRUE(std::isfinite(many.costs.along(hard.line)));
+  ASSERT_TRUE(easy.is_found());
+  ASSERT_TRUE(hard.is_found());
+  EXPECT_TRUE(std::isfinite(many.costs.along(hard.stretches.front().line)));
   const double over_lattice = search_grid(many.costs, start.at_m, goal_m).cost;
   std::printf("heuristic weights %.2f and %.2f, %.3f of the cost over the lattice\n", easy.weight,
               hard.weight, hard.cost / over_lattice);
   EXPECT_LT(easy.weight, hard.weight);
   EXPECT_LT(hard.cost, 1.2 * over_lattice) << "it winds between the walls";
-  EXPECT_TRUE(search_poses(many.costs, start, goal_m, turn_m, 20).line.empty())
+  EXPECT_FALSE(search_poses(many.costs, start, goal_m, turn_m, 20).is_found())
       << "so few poses do not lead there";
 }
 
@@ -311,9 +269,9 @@ TEST(SearchTurning, by_a_coarse_guide_is_as_good_and_looks_at_less) {
       search_poses(fine.costs, start, goal_m, turn_m, many_poses, {&corridor, false});
   const PoseRoute by_coarse =
       search_poses(coarse.costs, start, goal_m, turn_m, many_poses, {&corridor, true});
-  ASSERT_FALSE(by_fine.line.empty());
-  ASSERT_FALSE(by_coarse.line.empty());
-  EXPECT_TRUE(std::isfinite(coarse.costs.along(by_coarse.line)));
+  ASSERT_TRUE(by_fine.is_found());
+  ASSERT_TRUE(by_coarse.is_found());
+  EXPECT_TRUE(std::isfinite(coarse.costs.along(by_coarse.stretches.front().line)));
   EXPECT_LT(by_coarse.cost, 1.2 * by_fine.cost);
   EXPECT_LT(coarse.map.sampled_nodes(), fine.map.sampled_nodes());
 }

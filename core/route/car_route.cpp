@@ -1,9 +1,11 @@
-#include "route/dubins_route.h"
+#include "route/car_route.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "base/polyline.h"
+#include "route/refine/optimise.h"
 #include "route/refine/shortcut.h"
 #include "route/refine/simplify.h"
 #include "route/search/grid_search.h"
@@ -34,52 +36,66 @@ constexpr double corridor_radii = 6;
 class Planner {
  public:
   Planner(RouteCost& costs, const DriveCost& cost, const Pose2& start, const Vec2& goal_m,
-          double radius_m, std::uint64_t seed)
+          double radius_m, std::uint64_t seed, std::size_t& poses_left)
       : costs_(costs),
         spacing_m_(costs.map().spacing_m()),
         start_(start),
         goal_m_(goal_m),
         radius_m_(radius_m),
         seed_(seed),
+        poses_left_(poses_left),
         steering_(RouteSteering::dubins(radius_m, spacing_m_,
                                         [&](double of_m) { return arc_price_m(cost, of_m); })) {}
 
   // The lattice route with rounded corners is found fast and is mostly smooth. Poses are searched
   // where it costs notably more than the lattice route itself, which a rover that turns on the spot
   // would take.
-  DubinsRoute run(const std::vector<Pose2>& known) {
-    DubinsRoute answer;
-    answer.nearest_m = start_.at_m;
+  CarRoute run(const Stretches& known) {
+    best_.nearest_m = start_.at_m;
     if (driven(known) < infinite) offer_optimised(known);
-    if (!best_) look(answer);
-    if (!best_) return answer;
+    if (!best_.is_found()) look();
     // Where points are too close together the rover slows down for corners that do not exist.
-    Line2 thin = simplified(best_->line, simplify_m);
-    if (costs_.driven(thin) <= simplify_cost_ratio * least_) best_->line = std::move(thin);
-    answer.route = std::move(best_);
-    answer.before_optimising = std::move(before_optimising_);
-    return answer;
+    for (Stretch& stretch : best_.stretches) {
+      RouteCost costs = stretch.is_backward ? costs_.backing() : costs_;
+      Line2 thin = simplified(stretch.line, simplify_m);
+      if (costs.driven(thin) <= simplify_cost_ratio * costs.driven(stretch.line)) {
+        stretch.line = std::move(thin);
+      }
+    }
+    return std::move(best_);
   }
 
  private:
-  void look(DubinsRoute& answer) {
+  void look() {
     const GridRoute over_lattice = search_grid(costs_, start_.at_m, goal_m_);
     round(over_lattice.line);
     if (!(least_ <= poses_cost_ratio * over_lattice.cost)) {
-      search(over_lattice.line, answer);
-      answer.is_turn_too_wide = !best_;
+      search(over_lattice.line);
+      best_.is_turn_too_wide = !best_.is_found();
     }
   }
 
-  void offer(OptimisedRoute other, std::vector<Pose2> before_optimising = {}) {
-    const double cost = costs_.driven(other.line);
+  void offer(Stretches stretches, std::vector<std::string> messages = {},
+             Stretches before_optimising = {}) {
+    const double cost = lsos::driven(costs_, stretches);
     if (!(cost < least_)) return;
     least_ = cost;
-    best_ = std::move(other);
-    before_optimising_ = std::move(before_optimising);
+    best_.stretches = std::move(stretches);
+    best_.messages = std::move(messages);
+    best_.before_optimising = std::move(before_optimising);
   }
-  void offer_optimised(const std::vector<Pose2>& poses) {
-    offer(optimise(costs_, steering_, poses, seed_), poses);
+  void offer_line(Line2 line) { offer({{{}, std::move(line), false}}); }
+  // Each stretch is optimised between the poses at which it begins and ends.
+  void offer_optimised(const Stretches& over) {
+    Stretches better = over;
+    std::vector<std::string> messages;
+    for (Stretch& stretch : better) {
+      RouteCost costs = stretch.is_backward ? costs_.backing() : costs_;
+      OptimisedRoute found = optimise(costs, steering_, stretch.poses, seed_);
+      stretch.line = std::move(found.line);
+      std::ranges::move(found.messages, std::back_inserter(messages));
+    }
+    offer(std::move(better), std::move(messages), over);
   }
 
   // Optimises the line with sharp corners by the cost of rounding them, then rounds it. Where its
@@ -96,7 +112,7 @@ class Planner {
     const Line2 better = perturb(rounding, sharp, poses, seed_).line;
     std::vector<Pose2> other = rounded(better);
     if (driven(other) < driven(arcs)) arcs = std::move(other);
-    offer_optimised(arcs);
+    offer_optimised({{std::move(arcs), {}, false}});
   }
 
   // Poses in the middle of each piece of the line.
@@ -116,28 +132,37 @@ class Planner {
   double driven(const std::vector<Pose2>& arcs) {
     return arcs.size() > 1 ? costs_.driven(steering_.line(arcs)) : infinite;
   }
+  double driven(Stretches over) {
+    for (Stretch& stretch : over) stretch.line = steering_.line(stretch.poses);
+    return lsos::driven(costs_, over);
+  }
 
-  void search(const Line2& over_lattice, DubinsRoute& answer) {
+  void search(const Line2& over_lattice) {
     const Corridor corridor(costs_.map(), over_lattice, corridor_radii * radius_m_);
-    const std::size_t poses = best_ ? poses_to_better : poses_max;
-    const auto look = [&](std::size_t poses_left, const PoseGuide& guide) {
-      return search_poses(costs_, start_, goal_m_, radius_m_, poses_left, guide);
+    const bool is_only_to_better = best_.is_found();
+    PoseRoute found;
+    const auto look = [&](std::size_t poses_most, const PoseGuide& guide) {
+      const std::size_t poses = std::min(poses_most, poses_left_);
+      found = search_poses(costs_, start_, goal_m_, radius_m_, poses, guide);
+      poses_left_ -= std::min(poses_left_, found.expanded);
     };
-    PoseRoute found = look(poses_to_better, {&corridor, true});
-    if (found.line.empty()) found = look(poses_to_better, {&corridor, false});
-    if (found.line.empty() && !found.is_exhausted) found = look(poses, {});
-    answer.is_at_border = found.is_at_border;
-    answer.nearest_m = found.nearest_m;
-    if (!found.line.empty()) {
-      offer_optimised(found.poses);
+    look(poses_to_better, {&corridor, true, false});
+    if (!found.is_found() && is_only_to_better) look(poses_to_better, {&corridor, false, false});
+    if (!found.is_found() && !is_only_to_better) look(poses_to_better, {&corridor, true, true});
+    if (!found.is_found() && !is_only_to_better) look(poses_max, {nullptr, false, true});
+    best_.is_at_border = found.is_at_border;
+    best_.nearest_m = found.nearest_m;
+    best_.is_start_blocked = found.expanded <= 1;
+    if (found.is_found()) {
+      offer_optimised(found.stretches);
       // Steering between its poses may lead over other places than the line that was searched.
-      offer({found.line, {}});
+      offer(std::move(found.stretches));
     }
     // The yaw at the goal is free, so one arc and a straight line may do.
     for (const bool to_left : {true, false}) {
       for (const double wider : {1, 2, 4, 8}) {
         auto direct = arc_and_straight(start_, goal_m_, wider * radius_m_, to_left, spacing_m_);
-        if (direct) offer({std::move(*direct), {}});
+        if (direct) offer_line(std::move(*direct));
       }
     }
   }
@@ -148,18 +173,18 @@ class Planner {
   Vec2 goal_m_;
   double radius_m_;
   std::uint64_t seed_;
+  std::size_t& poses_left_;
   RouteSteering steering_;
-  std::optional<OptimisedRoute> best_;
-  std::vector<Pose2> before_optimising_;  // those of `best_`
+  CarRoute best_;
   double least_ = infinite;
 };
 
 }  // namespace
 
-DubinsRoute dubins_route(RouteCost& costs, const DriveCost& cost, const Pose2& start,
-                         const Vec2& goal_m, double radius_m, std::uint64_t seed,
-                         const std::vector<Pose2>& known) {
-  return Planner(costs, cost, start, goal_m, radius_m, seed).run(known);
+CarRoute car_route(RouteCost& costs, const DriveCost& cost, const Pose2& start, const Vec2& goal_m,
+                   double radius_m, std::uint64_t seed, std::size_t& poses_left,
+                   const Stretches& known) {
+  return Planner(costs, cost, start, goal_m, radius_m, seed, poses_left).run(known);
 }
 
 }  // namespace lsos

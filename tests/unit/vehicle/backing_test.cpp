@@ -1,0 +1,155 @@
+// Lines on which a rover backs up: it stops where the gear changes and drives the other way.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/segment.h"
+#include "base/units.h"
+#include "driving/driving_line.h"
+#include "test_rover.h"
+#include "vehicle/path_follower.h"
+#include "vehicle/vehicle.h"
+
+namespace lsos {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr double g = 1.6242;
+constexpr double period_s = 0.1;
+
+// Points of an arc from a pose of travel, which they end in.
+void add_arc(std::vector<Vec2>& line, double& travel_rad, double radius_m, double turn_rad) {
+  constexpr int pieces = 8;
+  const double side = turn_rad > 0 ? 1 : -1;
+  const Vec2 from = line.back();
+  const Vec2 center = from + side * radius_m * Vec2(-std::sin(travel_rad), std::cos(travel_rad));
+  for (int k = 1; k <= pieces; ++k) {
+    line.push_back(center + Eigen::Rotation2Dd(turn_rad * k / pieces) * (from - center));
+  }
+  travel_rad += turn_rad;
+}
+
+// A turn in three strokes, each of 60 degrees, on arcs of `radius_m`, and 20 m on: from the origin,
+// heading east, to heading west.
+struct ThreeStrokes {
+  explicit ThreeStrokes(double radius_m) {
+    double travel_rad = 0;
+    add_arc(line, travel_rad, radius_m, radians(60));
+    gear_changes.push_back(line.size() - 1);
+    travel_rad += radians(180);
+    add_arc(line, travel_rad, radius_m, radians(60));
+    gear_changes.push_back(line.size() - 1);
+    travel_rad += radians(180);
+    add_arc(line, travel_rad, radius_m, radians(60));
+    line.push_back(line.back() + 20 * Vec2(std::cos(travel_rad), std::sin(travel_rad)));
+  }
+  Path3 path() const {
+    Path3 points;
+    for (const Vec2& p : line) points.emplace_back(p.x(), p.y(), 0);
+    return points;
+  }
+  double off_m(const Vec2& p) const {
+    double least_m = 1e9;
+    for (std::size_t k = 0; k + 1 < line.size(); ++k) {
+      least_m = std::min(least_m, point_distance_m(line[k], line[k + 1], p));
+    }
+    return least_m;
+  }
+
+  std::vector<Vec2> line{Vec2::Zero()};
+  std::vector<std::size_t> gear_changes;
+};
+
+TEST(DrivingLine, stops_where_the_gear_changes) {
+  DrivingLimits limits;
+  limits.can_turn_on_spot = false;
+  const std::vector<DrivingPiece> line =
+      driving_line({{0, 0}, {10, 0}, {4, 0}, {20, 0}}, limits, {1, 2});
+  ASSERT_EQ(line.size(), 3u);
+  std::vector<bool> backward, stops;
+  for (const DrivingPiece& piece : line) {
+    backward.push_back(piece.is_backward);
+    stops.push_back(piece.ends_in_stop);
+    EXPECT_EQ(piece.end_speed_mps, 0);
+  }
+  EXPECT_THAT(backward, ElementsAre(false, true, false));
+  EXPECT_THAT(stops, ElementsAre(true, true, true));
+  EXPECT_EQ(line[1].begin_m, 10);
+  EXPECT_EQ(line[2].begin_m, 16);
+  EXPECT_EQ(line[1].along_S, Vec2(-1, 0));
+}
+
+TEST(DrivingLine, may_begin_backwards) {
+  const std::vector<DrivingPiece> line = driving_line({{0, 0}, {-5, 0}, {3, 0}}, {}, {0, 1});
+  ASSERT_EQ(line.size(), 2u);
+  EXPECT_TRUE(line[0].is_backward);
+  EXPECT_FALSE(line[1].is_backward);
+}
+
+// The rover is placed, not driven.
+TEST(PathFollower, commands_a_rover_backwards) {
+  FollowerLimits limits;
+  limits.can_turn_on_spot = false;
+  // A point that is nearer than the arrival radius is not passed where the gear changes.
+  PathFollower follower({{0, 0, 0}, {-0.8, 0, 0}, {20, 0, 0}}, {{0, 0}, 0, 0, 0}, limits, {0, 1});
+  const auto after_steering = [&](const FollowerPose& at_rest) {
+    for (int k = 0; k < 20; ++k) follower.update(at_rest, period_s);
+    return follower.update(at_rest, period_s);
+  };
+  const DriveCommand first = follower.update({{0, 0}, 0, 0, 0}, period_s);
+  EXPECT_NEAR(first.speed_mps, 0, 0.01) << "it steers first";
+  const DriveCommand back = after_steering({{0, 0}, 0, 0, 0});
+  EXPECT_LT(back.speed_mps, -0.1);
+  EXPECT_NEAR(back.yaw_rate_radps, 0, 1e-9);
+  EXPECT_EQ(follower.next_waypoint(), 1u);
+  // Left of the line it turns its back to the right, so that its heading turns to the left.
+  const DriveCommand aside = follower.update({{-0.2, 0.1}, 0, 0.3, 0}, period_s);
+  EXPECT_LT(aside.speed_mps, -0.1);
+  EXPECT_GT(aside.yaw_rate_radps, 0);
+  EXPECT_EQ(follower.update({{-0.8, 0}, 0, 0.3, 0}, period_s).speed_mps, 0) << "it stops first";
+  const DriveCommand on = after_steering({{-0.8, 0}, 0, 0, 0});
+  EXPECT_GT(on.speed_mps, 0.1);
+  EXPECT_NEAR(follower.remaining_m(), 20.8, 0.01);
+  EXPECT_EQ(follower.next_waypoint(), 2u);
+}
+
+TEST(PathFollower, turns_round_in_three_strokes) {
+  const auto ground = test::moon();
+  FollowerLimits limits;
+  limits.speed_mps = 2;
+  limits.acceleration_mps2 = 0.3;
+  limits.can_turn_on_spot = false;
+  limits.radius_min_m = 4;
+  const ThreeStrokes strokes(1.1 * limits.radius_min_m);
+  Vehicle vehicle(test::rover(g), *ground);
+  ASSERT_EQ(vehicle.place(ground->site().origin(), radians(90)), "");
+  const auto pose = [&] {
+    const VehicleReport report = vehicle.report();
+    const Vec2 left_S(-std::sin(report.yaw_rad), std::cos(report.yaw_rad));
+    return FollowerPose{report.p_S_m.head<2>(), report.yaw_rad, report.speed_mps,
+                        left_S.dot(report.v_S_mps.head<2>())};
+  };
+  PathFollower follower(strokes.path(), pose(), limits, strokes.gear_changes);
+  double worst_m = 0, backwards_m = 0;
+  for (int i = 0; i < 3000 && follower.status() == PathFollower::Status::driving; ++i) {
+    const Vec2 before_m = pose().p_S_m;
+    vehicle.command(follower.update(pose(), period_s));
+    vehicle.advance(exchange_period);
+    worst_m = std::max(worst_m, strokes.off_m(pose().p_S_m));
+    if (follower.is_backward()) backwards_m += (pose().p_S_m - before_m).norm();
+  }
+  std::printf("greatest cross-track error %.2f m, %.2f m backwards\n", worst_m, backwards_m);
+  EXPECT_EQ(follower.status(), PathFollower::Status::arrived) << follower.reason();
+  EXPECT_LT(worst_m, 0.2);
+  EXPECT_NEAR(backwards_m, 1.1 * limits.radius_min_m * radians(60), 0.2);
+  EXPECT_NEAR(std::abs(std::remainder(pose().yaw_rad, 2 * std::numbers::pi)), std::numbers::pi,
+              0.05);
+  EXPECT_LT((pose().p_S_m - strokes.line.back()).norm(), 0.3);
+}
+
+}  // namespace
+}  // namespace lsos
