@@ -27,6 +27,7 @@ struct CheckOptions {
   bool is_json = false;
   bool is_verbose = false;
   bool is_quiet = false;
+  int threads = 2;
 };
 
 struct FsmOptions {
@@ -170,6 +171,7 @@ int check_command(const CheckOptions& options) {
       // are planned, but nothing moves.
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = simulation_setup(files);
+      setup.threads = options.threads;
       setup.cache_legs = [&](const std::string& bytes) {
         not_kept = cache_legs(options.plan, bytes);
       };
@@ -208,6 +210,7 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_flag("--json", options->is_json, "The answer as JSON");
   command.add_flag("--verbose", options->is_verbose, "Each leg, default and assumption");
   command.add_flag("--quiet", options->is_quiet, "No progress");
+  add_threads(command, options->threads, "Threads that plan routes, of one rover each");
   return [options] { return check_command(*options); };
 }
 

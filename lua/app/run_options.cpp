@@ -13,7 +13,7 @@ void add_outcome_options(CommandOptions& command, OutcomeOptions& options) {
   command.add_flag("!--no-report", options.has_report, "No report.html, which takes some seconds");
   command.add_flag("--quiet", options.is_quiet, "No progress");
   command.add_flag("--json", options.is_json, "The summary as JSON");
-  add_threads(command, options.threads, "Threads that step rovers");
+  add_threads(command, options.threads, "Threads that plan for rovers and step them");
 }
 
 void add_checkpoint_options(CommandOptions& command, CheckpointOptions& options) {

@@ -57,6 +57,11 @@ std::string area_warning(const PlanGeometry& geometry, const Path3& outline_S_m,
                      std::ceil(100.0 * missing / places), lon_deg(first), lat_deg(first));
 }
 
+// Whether the rover comes to the event in turn; others are done at their times, or not at all.
+bool is_passed_through(const EventMachine& event) {
+  return event.event.is_enabled && !event.event.at;
+}
+
 // Goes through a rover's events and tracks its position, as far as the plan determines it.
 class RoutePass {
  public:
@@ -257,32 +262,42 @@ class RoutePass {
 
 }  // namespace
 
-RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
-                      double start_heading_rad, ScriptHost& host, const Ground& ground,
-                      RoverRoutes& routes, std::span<const PowerSource> sources,
+AskedRoutes asked_routes(const RoverMachine& machine, const MissionInfo& mission, ScriptHost& host,
+                         std::vector<Fault>& faults) {
+  AskedRoutes asked;
+  for (const EventMachine& event : machine.events) {
+    asked.emplace_back();
+    if (!is_passed_through(event)) continue;
+    try {
+      asked.back() =
+          host.route_settings(event.event.type, {event.event.params, {}}, mission.start_time);
+    } catch (const ScriptError& error) {
+      faults.push_back(
+          {Severity::error, event.event.place,
+           fmt::format("{} '{}': {}", event.event.type, event.event.label, error.what())});
+    }
+  }
+  return asked;
+}
+
+RouteAhead plan_ahead(const RoverMachine& machine, const AskedRoutes& asked,
+                      double start_heading_rad, const Ground& ground, RoverRoutes& routes,
+                      std::span<const PowerSource> sources,
                       const std::function<void(const std::string& what)>& on_planning) {
   const Geodetic& start = machine.rover.start;
   const Vec3 start_S_m =
       ground.site().p_S_m({start.lon_rad, start.lat_rad, ground.elevation_m(start).value_or(0)});
   RoutePass ahead(ground, routes, {start_S_m, start_heading_rad}, on_planning);
   std::optional<std::int64_t> gone_to;  // sequence at which the rover goes on after a failure
-  for (const EventMachine& event : machine.events) {
-    if (!event.event.is_enabled || event.event.at) continue;
+  for (std::size_t k = 0; k < machine.events.size(); ++k) {
+    const EventMachine& event = machine.events[k];
+    if (!is_passed_through(event)) continue;
     if (gone_to && event.event.sequence < *gone_to) continue;
     ahead.warn_of_speed(event.event, event.declaration);
     ahead.change_stance(event.event, event.declaration);
     ahead.find_cable(event.event, event.declaration, sources);
-    std::optional<RouteSettings> settings;
-    try {
-      settings =
-          host.route_settings(event.event.type, {event.event.params, {}}, mission.start_time);
-    } catch (const ScriptError& error) {
-      ahead.add_fault(
-          {Severity::error, event.event.place,
-           fmt::format("{} '{}': {}", event.event.type, event.event.label, error.what())});
-    }
-    if (settings) {
-      if (ahead.plan(event.event, *settings)) continue;
+    if (asked[k]) {
+      if (ahead.plan(event.event, *asked[k])) continue;
       const OnFailure next = event.event.on_failure;
       if (next == OnFailure::stop || next == OnFailure::abort) break;
       if (next == OnFailure::go_to) gone_to = event.event.go_to_sequence;

@@ -39,11 +39,19 @@ struct RouteAhead {
   std::vector<Fault> faults;
 };
 
-// Each event begins where those before it leave the rover. `sources`: assets with power to give.
-// `on_planning` may be empty; it is called with what is being planned, and with "" when that ends.
-RouteAhead plan_ahead(const RoverMachine& machine, const MissionInfo& mission,
-                      double start_heading_rad, ScriptHost& host, const Ground& ground,
-                      RoverRoutes& routes, std::span<const PowerSource> sources,
+// What a rover's events ask of their routes, in their order; absent where an event plans none. Adds
+// what goes wrong in their scripts to `faults`.
+using AskedRoutes = std::vector<std::optional<RouteSettings>>;
+AskedRoutes asked_routes(const RoverMachine& machine, const MissionInfo& mission, ScriptHost& host,
+                         std::vector<Fault>& faults);
+
+// Each event begins where those before it leave the rover. `asked`: asked_routes() of the rover.
+// `sources`: assets with power to give. `on_planning` may be empty; it is called with what is being
+// planned, and with "" when that ends. Rovers may be planned for at the same time by several
+// threads.
+RouteAhead plan_ahead(const RoverMachine& machine, const AskedRoutes& asked,
+                      double start_heading_rad, const Ground& ground, RoverRoutes& routes,
+                      std::span<const PowerSource> sources,
                       const std::function<void(const std::string& what)>& on_planning);
 
 }  // namespace lsos

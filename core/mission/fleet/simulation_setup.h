@@ -36,7 +36,8 @@ struct SimulationSetup {
   // Called with the legs to keep for later runs, while routes are planned and once they are, also
   // when a leg has no route.
   std::function<void(const std::string& bytes)> cache_legs = {};
-  // Called with a description as the planning of each leg begins, and with "" when it ends.
+  // Called with a description as the planning of each leg begins, and with "" when it ends, by one
+  // thread at a time; of legs planned at the same time the one that began first.
   std::function<void(const std::string& what)> on_planning = {};
 };
 

@@ -1,5 +1,7 @@
 #include "mission/routes/planned_legs.h"
 
+#include <utility>
+
 #include "base/random.h"
 #include "base/sha256.h"
 #include "route/route_planner.h"
@@ -33,14 +35,19 @@ PlannedLegs::PlannedLegs(const Ground& ground, std::uint64_t seed) : ground_(&gr
 const PlannedLeg& PlannedLegs::leg(const DriveCost& cost, LegRequest request) {
   request.seed = 0;
   const std::string key = sha256_hex(ground_key_ + bytes_of(cost) + bytes_of(request));
-  requested_.insert(key);
-  const auto known = legs_.find(key);
-  if (known != legs_.end()) return known->second;
+  {
+    const std::lock_guard lock(mutex_);
+    requested_.insert(key);
+    const auto known = legs_.find(key);
+    if (known != legs_.end()) return known->second;
+  }
   request.seed = mix_key(seed_, key);
-  const PlannedLeg& leg = legs_.emplace(key, plan_leg(*ground_, cost, request)).first->second;
+  PlannedLeg planned = plan_leg(*ground_, cost, request);
+  const std::lock_guard lock(mutex_);
+  const PlannedLeg& leg = legs_.emplace(key, std::move(planned)).first->second;
   ++planned_;
   if (keep_ && ++not_yet_kept_ > planned_ / kept_parts) {
-    keep_(kept());
+    keep_(kept_locked());
     not_yet_kept_ = 0;
   }
   return leg;
@@ -55,6 +62,7 @@ void PlannedLegs::recall(const std::string& bytes) {
     Archive a = Archive::reader(body);
     std::map<std::string, PlannedLeg> legs;
     a.tag(kept_tag)(legs);
+    const std::lock_guard lock(mutex_);
     legs_.merge(legs);
   } catch (const Archive::Mismatch&) {
     // The legs are planned again.
@@ -62,6 +70,11 @@ void PlannedLegs::recall(const std::string& bytes) {
 }
 
 std::string PlannedLegs::kept() const {
+  const std::lock_guard lock(mutex_);
+  return kept_locked();
+}
+
+std::string PlannedLegs::kept_locked() const {
   if (planned_ == 0) return "";
   std::map<std::string, PlannedLeg> legs;
   for (const auto& [key, leg] : legs_) {

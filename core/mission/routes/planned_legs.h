@@ -1,9 +1,10 @@
 // Cache of planned legs: a leg that was planned once, in this run or an earlier one, is not planned
-// again.
+// again. Several threads may request legs at once.
 #pragma once
 
 #include <functional>
 #include <map>
+#include <mutex>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,8 +24,8 @@ class PlannedLegs {
   // first leg.
   void set_standing(std::vector<Obstacle> standing) { standing_ = std::move(standing); }
   const std::vector<Obstacle>& standing() const { return standing_; }
-  // Has kept() given to `keep` while legs are planned, so often that one who stops the program
-  // loses a fiftieth of them at most, or one leg.
+  // Has kept() given to `keep` while legs are planned, by one thread at a time, so often that one
+  // who stops the program loses a fiftieth of them at most, or one leg.
   void set_keeper(std::function<void(const std::string& bytes)> keep) { keep_ = std::move(keep); }
 
   // Returns the planned leg; plans it when it is not known. The seed of the request is replaced by
@@ -39,10 +40,13 @@ class PlannedLegs {
   std::string kept() const;
 
  private:
+  std::string kept_locked() const;
+
   const Ground* ground_;
   std::uint64_t seed_;
   std::string ground_key_;
   std::vector<Obstacle> standing_;
+  mutable std::mutex mutex_;  // guards all that follows; not held while a leg is planned
   std::map<std::string, PlannedLeg> legs_;  // key: hash of all that the leg depends on
   std::set<std::string> requested_;
   std::function<void(const std::string& bytes)> keep_;
