@@ -29,7 +29,7 @@ void Pursuit::update(const Leader& leader, const FollowerPose& pose,
   if (follower && has_driven_on) lengthen(track, pose, *follower);
   if (follower) gap_m_ = follower->remaining_m() + (track.here_S_m() - end_S_m_).norm();
   has_ended_ = leader.has_ended;
-  const double wanted_mps = speed_mps(leader);
+  const double wanted_mps = speed_mps(leader, pose);
   is_waiting_ = wanted_mps < (is_waiting_ ? start_share : stop_share) * limits_.speed_mps;
   if (is_waiting_ || has_ended_) return;
   if (!follower) {
@@ -74,8 +74,10 @@ void Pursuit::lengthen(const DrivenTrack& track, const FollowerPose& pose, PathF
 // The leader's speed, and more or less by what the gap is wrong; and at most the speed from which
 // the rover stops before the leader even if that stood still:
 //  v^2 / (2 a) <= gap - half lengths - clearance.
-double Pursuit::speed_mps(const Leader& leader) const {
-  const double free_m = gap_m_ - half_length_m_ - leader.half_length_m - pursuit_clearance_m;
+// A leader that backs up, or comes back on another way, is nearer than along its track.
+double Pursuit::speed_mps(const Leader& leader, const FollowerPose& pose) const {
+  const double apart_m = std::min(gap_m_, (leader.track.here_S_m() - pose.p_S_m).norm());
+  const double free_m = apart_m - half_length_m_ - leader.half_length_m - pursuit_clearance_m;
   const double safe_mps = std::sqrt(2 * limits_.acceleration_mps2 * std::max(0.0, free_m));
   const double kept_mps = leader.speed_mps + gap_gain_1ps * (gap_m_ - settings_.distance_m);
   return std::min({limits_.speed_mps, kept_mps, safe_mps});

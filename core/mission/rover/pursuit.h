@@ -53,7 +53,7 @@ class Pursuit {
  private:
   void aim(const Leader& leader, const FollowerPose& pose, std::optional<PathFollower>& follower);
   void lengthen(const DrivenTrack& track, const FollowerPose& pose, PathFollower& follower);
-  double speed_mps(const Leader& leader) const;
+  double speed_mps(const Leader& leader, const FollowerPose& pose) const;
 
   PursuitSettings settings_;
   FollowerLimits limits_;
