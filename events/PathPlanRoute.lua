@@ -57,7 +57,8 @@ local function replan(ev, rover)
     table.insert(ev.state.around, drive.blocked_by)
   elseif drive.is_blocked then
     ev.state.avoid = ev.state.avoid or {}
-    table.insert(ev.state.avoid, rover:ahead(1.25 * rover.length_m))
+    local way = drive.is_backward and -1 or 1
+    table.insert(ev.state.avoid, rover:ahead(way * 1.25 * rover.length_m))
   end
   ev.state.replans = (ev.state.replans or 0) + 1
   ev.state.blocked_by = drive.reason

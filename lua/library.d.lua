@@ -69,7 +69,7 @@
 ---@field battery lsos.rover.battery? Its energy; nil when the rover has no battery.
 ---@field panels lsos.rover.panels Its solar panels.
 ---@field antennas lsos.rover.antennas Its antennas.
----@field follow fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, arrival_radius_m?: number, crab?: boolean, stray_max_m?: number, keeps_room_to_turn?: boolean, slope_max_rad?: number }) Drives along waypoints (list of vec3, or one); then answer lsos.arrival. With `keeps_room_to_turn` it ends so early before a rover that stands that it can still turn on the spot; on a slope steeper than `slope_max_rad` it warns, once. A path may name, in its own field `gear_changes`, the points at which the rover changes between forwards and backwards (from 1, where it begins backwards), as that of rover:plan_path does.
+---@field follow fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, arrival_radius_m?: number, crab?: boolean, stray_max_m?: number, keeps_room_to_turn?: boolean, slope_max_rad?: number }) Drives along waypoints (list of vec3, or one); then answer lsos.arrival. With `keeps_room_to_turn` it ends so early before a rover that stands that it can still turn on the spot; on a slope steeper than `slope_max_rad` it warns, once. A path that begins at the rover may name, in its own field `gear_changes`, the points at which it changes between forwards and backwards (1: it begins backwards), as that of rover:plan_path does; crabbing ignores it.
 ---@field follow_rover fun(self: lsos.rover, id: string, settings?: { distance_m?: number, speed_mps?: number }) Drives behind another rover along its track, at that distance (default 20), at most so fast (default as fast as its type can), until all events of that one have ended; then answer lsos.arrival. It enters the track where that is nearest, and stands while the other one does.
 ---@field plan_path fun(self: lsos.rover, waypoints: vec3[], settings?: { first?: integer, speed_mps?: number, slope_max_rad?: number, aim?: 'energy'|'risk', arrival_radius_m?: number, avoid?: vec3[], avoid_radius_m?: number, around?: string[] }): table?, string?, vec3? A route over the ground through the waypoints from number `first` (default 1) on, with the least 'energy' (default) or 'risk', its aim; `arrival_radius_m` passes a first waypoint; `avoid` (list of vec3) and `avoid_radius_m` keep it off places; it goes round the rovers in `around` (list of RoverIds) where they are now. Gives { path = , legs = , length_m = , duration_s = , energy_j = , slope_max_rad = }, a leg with `waypoint` and `last_point` besides; or nil, why there is none, and the place nearest to the waypoint that can be reached.
 ---@field ahead fun(self: lsos.rover, distance_m: number): vec3 The place so far ahead of the rover, on the ground.
@@ -93,6 +93,7 @@
 ---@field reason string Why it failed, else ''.
 ---@field remaining_m number Along the path; behind another rover, to where that is.
 ---@field next_point integer Number of the path's point that comes next.
+---@field is_backward boolean It backs up, or did when it ended (see gear_changes of rover:follow).
 ---@field is_blocked boolean It failed because of what lies ahead: ground it gets stuck on, another rover.
 ---@field blocked_by string The rover or asset that it would have touched; nil when there was none.
 

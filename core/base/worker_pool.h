@@ -1,4 +1,4 @@
-// Threads that step rovers in parallel between two exchanges.
+// Threads that do parts of a task at the same time, such as stepping rovers between two exchanges.
 #pragma once
 
 #include <atomic>

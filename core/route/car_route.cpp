@@ -145,14 +145,17 @@ class Planner {
       const std::size_t poses = std::min(poses_most, poses_left_);
       found = search_poses(costs_, start_, goal_m_, radius_m_, poses, guide);
       poses_left_ -= std::min(poses_left_, found.expanded);
+      const auto off_m = [&](const Vec2& at_m) { return (at_m - goal_m_).norm(); };
+      if (off_m(found.nearest_m) < off_m(best_.nearest_m)) best_.nearest_m = found.nearest_m;
     };
     look(poses_to_better, {&corridor, true, false});
     if (!found.is_found() && is_only_to_better) look(poses_to_better, {&corridor, false, false});
-    if (!found.is_found() && !is_only_to_better) look(poses_to_better, {&corridor, true, true});
-    if (!found.is_found() && !is_only_to_better) look(poses_max, {nullptr, false, true});
+    if (!found.is_found() && !is_only_to_better) {
+      look(poses_to_better, {&corridor, true, true});
+      if (!found.is_found()) look(poses_max, {nullptr, false, true});
+      best_.is_start_blocked = found.is_start_blocked;
+    }
     best_.is_at_border = found.is_at_border;
-    best_.nearest_m = found.nearest_m;
-    best_.is_start_blocked = found.expanded <= 1;
     if (found.is_found()) {
       offer_optimised(found.stretches);
       // Steering between its poses may lead over other places than the line that was searched.

@@ -41,7 +41,7 @@ constexpr double passing_share = 0.9;
 // Greatest number of poses that the searches for a leg expand in all, some seconds of work.
 constexpr std::size_t leg_poses_max = 600'000;
 // Greatest number of nodes of a map: where a search expands all of 60 million, nodes and queue take
-// some three gigabytes.
+// some three gigabytes, for each rover that is planned for at the same time.
 constexpr double nodes_max = 6e7;
 
 Vec3 on_ground(GroundMap& map, Ground::Probe& probe, const Vec2& at_m) {
@@ -331,7 +331,9 @@ class LegPlanner {
   void add_start(const RouteCost& costs, const Stretch& first) {
     const DriveCost& cost = finder_.cost();
     const Line2& line = first.line;
-    // To begin backwards counts as a change of gear, which includes a stop.
+    // To begin backwards counts as a change of gear, which includes a stop. A leg does not know the
+    // gear in which the one before it ended: where that was backwards this is taken to begin at
+    // rest, and a change too many or too few is counted.
     if (request_.starts_at_rest && !first.is_backward) {
       leg_.energy_j += cost.stop_j;
       leg_.duration_s += cost.stop_s;

@@ -101,7 +101,7 @@ void PathFollower::find_piece(const FollowerPose& pose) {
     if (travelled_m < leg.length_m - (leg.ends_in_stop ? at_end_m : 0)) break;
     const bool changes = line_[leg_ + 1].is_backward != leg.is_backward;
     if (changes) change_gear();
-    if (!changes && leg.ends_in_stop) is_turning_ = true;
+    if (!changes && leg.ends_in_stop) is_turning_ = limits_.can_turn_on_spot;
     ++leg_;
     best_heading_error_rad_ = 2 * std::numbers::pi;
     if (changes) break;
@@ -306,7 +306,8 @@ double PathFollower::share() const {
 double PathFollower::turn_remaining_rad(double yaw_rad) const {
   if (line_.empty() || !is_turning_) return 0;
   const Vec2& along_S = line_[leg_].along_S;
-  return wrapped_rad(std::atan2(along_S.y(), along_S.x()) - yaw_rad);
+  const double back_rad = line_[leg_].is_backward ? std::numbers::pi : 0;
+  return wrapped_rad(std::atan2(along_S.y(), along_S.x()) + back_rad - yaw_rad);
 }
 
 std::vector<FollowerPose> PathFollower::poses_ahead(const FollowerPose& pose, double length_m,

@@ -53,7 +53,7 @@ void PathFollower::change_gear() {
 
 // Steers the wheels of a rover at rest for the arc that comes next.
 bool PathFollower::has_steered(double period_s) {
-  const double wanted_1pm = curvature_ahead_1pm(0, steered_for_m);
+  const double wanted_1pm = curvature_ahead_1pm(line_[leg_].length_m, steered_for_m);
   const double ramp_1pm = curvature_rate_1pms * period_s;
   command_curvature_1pm_ =
       std::clamp(wanted_1pm, command_curvature_1pm_ - ramp_1pm, command_curvature_1pm_ + ramp_1pm);

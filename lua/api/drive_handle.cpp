@@ -18,6 +18,11 @@ int drive_reason(lua_State* L) {
   return 1;
 }
 
+int drive_is_backward(lua_State* L) {
+  lua_pushboolean(L, drive_of(L).is_backward);
+  return 1;
+}
+
 int drive_is_blocked(lua_State* L) {
   lua_pushboolean(L, drive_of(L).is_blocked);
   return 1;
@@ -57,6 +62,8 @@ const HandleType& drive_handle_type() {
        {"remaining_m", drive_remaining_m, "number",
         "Along the path; behind another rover, to where that is."},
        {"next_point", drive_next_point, "integer", "Number of the path's point that comes next."},
+       {"is_backward", drive_is_backward, "boolean",
+        "It backs up, or did when it ended (see gear_changes of rover:follow)."},
        {"is_blocked", drive_is_blocked, "boolean",
         "It failed because of what lies ahead: ground it gets stuck on, another rover."},
        {"blocked_by", drive_blocked_by, "text",

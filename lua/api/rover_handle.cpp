@@ -300,9 +300,10 @@ const HandleType& rover_handle_type() {
         "rover:follow(path, { speed_mps = , arrival_radius_m = , crab = , stray_max_m = , ... })",
         "Drives along waypoints (list of vec3, or one); then answer lsos.arrival. With "
         "`keeps_room_to_turn` it ends so early before a rover that stands that it can still turn "
-        "on the spot; on a slope steeper than `slope_max_rad` it warns, once. A path may name, in "
-        "its own field `gear_changes`, the points at which the rover changes between forwards and "
-        "backwards (from 1, where it begins backwards), as that of rover:plan_path does.",
+        "on the spot; on a slope steeper than `slope_max_rad` it warns, once. A path that "
+        "begins at the rover may name, in its own field `gear_changes`, the points at which it "
+        "changes between forwards and backwards (1: it begins backwards), as that of "
+        "rover:plan_path does; crabbing ignores it.",
         "fun(self: lsos.rover, path: vec3|vec3[], settings?: { speed_mps?: number, "
         "arrival_radius_m?: number, crab?: boolean, stray_max_m?: number, keeps_room_to_turn?: "
         "boolean, slope_max_rad?: number })"},

@@ -107,6 +107,57 @@ TEST(PathPlan, is_the_same_kept_or_planned_again) {
   EXPECT_EQ(first, again);
 }
 
+// Several rovers are planned for at the same time.
+TEST(PathPlan, is_the_same_on_any_threads) {
+  const TempFolder folder;
+  std::vector<Mark> marks = on_craters(crossing());
+  for (const std::string id : {"SEV2", "SEV3"}) {
+    const std::string east = id == "SEV2" ? "0.004" : "-0.004";
+    marks.push_back(sev(id, east + ",0"));
+    marks.push_back(event("PathPlanRoute", id, 1, {}, line(east + ",0 0,0.006")));
+  }
+  const std::string plan = folder.write("plan.kml", kml(marks));
+  const auto answer = [&](const std::string& threads) {
+    std::filesystem::remove(plan + ".routes");
+    const Outcome outcome = run({"check", plan, "--json", "--threads", threads});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return std::pair(outcome.out, read_text(plan + ".routes"));
+  };
+  const auto one = answer("1");
+  EXPECT_EQ(nlohmann::json::parse(one.first)["planned_paths"].size(), 4u);
+  EXPECT_EQ(one, answer("2"));
+  EXPECT_EQ(one, answer("3"));
+}
+
+// An LRV that faces a habitat two metres ahead and cannot turn on the spot.
+TEST(PathPlan, backs_up_as_it_was_planned) {
+  const PlanRun run({mission({{"LogInterval", "1"}}),
+                     {"Asset", {{"AssetId", "Hab"}, {"AssetType", "Habitat"}}, point("0,0")},
+                     {"Rover",
+                      {{"RoverId", "LRV1"}, {"RoverType", "LRV"}, {"Heading", "180"}},
+                      point("0,0.00033")},
+                     event("PathPlanRoute", "LRV1", 1, {}, point("0,-0.0014"))});
+  ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const std::vector<PlannedPathRow> paths = run.log().planned_paths();
+  ASSERT_EQ(paths.size(), 1u);
+  double north_deg = 0, driven_deg = 0;
+  for (const Geodetic& at : paths[0].line) north_deg = std::max(north_deg, lat_deg(at));
+  const std::vector<SampleRow> samples = run.samples();
+  for (const SampleRow& row : samples) {
+    EXPECT_LT(off_m(paths, row.place), 0.4) << seconds(row.time);
+    driven_deg = std::max(driven_deg, lat_deg(row.place));
+  }
+  EXPECT_GT(north_deg, 0.00035);
+  EXPECT_NEAR(driven_deg, north_deg, 1e-5) << "it did not back up so far";
+  const SampleRow& last = samples.back();
+  std::printf("driven %.1f m, planned %.1f m; %.0f s, planned %.0f s; %.0f J, planned %.0f J\n",
+              last.distance_m, paths[0].length_m, seconds(last.time), paths[0].duration_s,
+              last.drive_j, paths[0].energy_j);
+  EXPECT_NEAR(last.distance_m, paths[0].length_m, 0.03 * paths[0].length_m);
+  EXPECT_NEAR(last.drive_j, paths[0].energy_j, 0.15 * paths[0].energy_j);
+  EXPECT_NEAR(seconds(last.time), paths[0].duration_s, 0.15 * paths[0].duration_s);
+}
+
 // A rover on a slope of loose sand slips off its path after a sharp corner.
 TEST(PathPlan, is_made_anew_when_the_rover_strays) {
   const auto plan = [](const std::string& replans) {

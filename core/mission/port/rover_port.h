@@ -46,6 +46,7 @@ struct DriveState {
   bool is_blocked = false;      // it failed because of what lies ahead: ground, another rover
   std::string blocked_by = {};  // the rover or asset that it would have touched, "": none
   std::size_t next_point = 0;   // index of the path point it drives to, from 0
+  bool is_backward = false;     // it backs up, or did when it ended
 };
 
 struct FollowSettings {

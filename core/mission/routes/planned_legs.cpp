@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kept_max = 2000;
 constexpr std::size_t kept_parts = 50;
-// Of a leg's key, from which its seed is made; and of what is kept.
+// Tags of a leg's key, from which its seed is made, and of what is kept.
 constexpr std::string_view tag = "lsos-host planned legs";
 constexpr std::string_view kept_tag = "lsos-host planned legs with gears";
 

@@ -49,6 +49,7 @@ DriveState RoverDrive::state() const {
   state.reason = motion_->fault();
   state.remaining_m = pursuit_ ? pursuit_->gap_m() : follower_->remaining_m();
   if (follower_) state.next_point = follower_->next_waypoint();
+  if (follower_) state.is_backward = follower_->is_backward();
   if (!motion_->fault().empty()) return state;
   state.reason = failure_;
   state.is_blocked = !failure_.empty();

@@ -1,6 +1,6 @@
 // Elevation map of the ground around a leg on a square lattice, which planning reads thousands of
-// times for each metre of route. Heights have the full resolution of the terrain and are sampled at
-// first access.
+// times for each metre of route. Heights have the full resolution of the terrain, but in a guide,
+// and are sampled at first access.
 #pragma once
 
 #include <algorithm>
@@ -42,8 +42,8 @@ class GroundMap {
   // of the columns and rows of this map, and one more where the division leaves a remainder. Nodes
   // that this map has sampled are copied, so this map must outlive the new one.
   GroundMap coarser(int times) const;
-  // The same without detail that is smaller than its spacing and without copies: a map that guides a
-  // search over this one, in half of the time that all detail takes.
+  // The same without detail that is smaller than its spacing and without copies: a map that guides
+  // a search over this one, in half of the time that all detail takes.
   GroundMap guide(int times) const;
 
   double spacing_m() const { return spacing_m_; }

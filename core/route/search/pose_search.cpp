@@ -121,7 +121,7 @@ class Search {
       if (!run_stages(poses_left, route)) return route;
       if (!to_go_.was_limited()) break;
     }
-    route.is_exhausted = !was_pruned_;
+    route.is_start_blocked = reached_.size() == 1;
     route.is_at_border = is_at_border_;
     return route;
   }
@@ -144,7 +144,7 @@ class Search {
   void begin(double weight) {
     weight_ = weight;
     least_ = infinite;
-    is_at_border_ = was_pruned_ = false;
+    is_at_border_ = false;
     closed_.clear();
     reached_.clear();
     queue_ = {};
@@ -216,7 +216,6 @@ class Search {
         if (std::isnan(rise_m)) continue;
         if (closed_.contains(cell_of(to, curvature_1pm, is_backward))) continue;
         const double left = this->left(to.at_m);
-        was_pruned_ = was_pruned_ || !std::isfinite(left);
         if (!std::isfinite(left)) continue;
         const double cost = from.cost + costs_.least((to.at_m - pose.at_m).norm(), rise_m) +
                             arc(from.node, turn, is_backward).cost;
@@ -359,7 +358,6 @@ class Search {
   double weight_ = 1;
   double least_ = infinite;  // least cost of the complete routes
   bool is_at_border_ = false;
-  bool was_pruned_ = false;  // an edge was dropped, as the cost to go at its end is infinite
   std::unordered_set<std::size_t> closed_;  // cells, each with a heading; never iterated
   std::vector<Reached> reached_;
   std::priority_queue<Candidate> queue_;

@@ -13,9 +13,9 @@ struct PoseRoute {
   double weight = 1;         // heuristic weight: `cost` is at most about this many times the least
   Vec2 nearest_m;            // the place nearest to the goal that was reached
   std::size_t expanded = 0;  // poses
-  // Without a route: whether all poses that can be reached were expanded, so that no other guide
-  // would find one; and whether a wider map may hold one.
-  bool is_exhausted = false, is_at_border = false;
+  // Without a route, and with all poses expanded: whether there was none but the start, and whether
+  // a wider map may hold a route.
+  bool is_start_blocked = false, is_at_border = false;
 
   bool is_found() const { return !stretches.empty(); }
 };

@@ -135,6 +135,16 @@ TEST_F(PathPlanRoute, plans_anew_from_the_next_waypoint_around_what_blocks) {
   EXPECT_EQ(std::get<Fail>(run("drive")).reason, "stuck");
 }
 
+TEST_F(PathPlanRoute, that_is_stuck_while_it_backs_up_avoids_what_lies_behind) {
+  run("plan");
+  fail_drive(true, 2);
+  rover.driving.is_backward = true;
+  run("drive");
+  run("plan");
+  ASSERT_EQ(rover.route.avoided.size(), 1u);
+  EXPECT_EQ(rover.route.avoided[0].center_S_m, Vec3(0, -5, 0));
+}
+
 TEST_F(PathPlanRoute, that_strays_avoids_nothing) {
   run("plan");
   fail_drive(false, 3);

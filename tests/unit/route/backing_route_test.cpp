@@ -1,6 +1,7 @@
 // Routes of a rover that cannot turn on the spot and backs up where no route leads forwards.
 #include <gmock/gmock.h>
 
+#include "route/car_route.h"
 #include "route/refine/simplify.h"
 #include "route/search/pose_search.h"
 #include "test_turner.h"
@@ -111,6 +112,19 @@ TEST(BackingRoute, joins_stretches_and_names_where_the_gear_changes) {
   EXPECT_THAT(line.line, ElementsAre(Vec2(0, 0), Vec2(-2, 0), Vec2(4, 0), Vec2(6, 1), Vec2(5, 1)));
   EXPECT_THAT(line.gear_changes, ElementsAre(0u, 1u, 3u));
   EXPECT_THAT(corners(Stretches{{{}, {{0, 0}, {1, 0}}, false}}).gear_changes, IsEmpty());
+}
+
+TEST(BackingRoute, without_poses_left_is_not_told_as_a_start_that_is_blocked) {
+  OpenGround behind(30, ring(8, pi));
+  for (std::size_t poses_left : {std::size_t{0}, std::size_t{3}, many_poses}) {
+    const bool is_enough = poses_left == many_poses;
+    const CarRoute route =
+        car_route(behind.costs, behind.cost, {Vec2::Zero(), 0}, {50, 0}, turn_m, 1, poses_left);
+    EXPECT_EQ(route.is_found(), is_enough);
+    EXPECT_EQ(route.is_turn_too_wide, !is_enough);
+    EXPECT_FALSE(route.is_start_blocked);
+    EXPECT_LT(poses_left, many_poses);
+  }
 }
 
 // Boxes ahead of the rover and beside it; the goal lies beyond them, or behind.

@@ -185,17 +185,7 @@ TEST(SearchTurning, leaves_a_ring_ahead_but_not_behind) {
   const PoseRoute none = search_poses(behind.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m, many_poses);
   EXPECT_FALSE(none.is_found());
   EXPECT_FALSE(none.is_at_border) << "no wider map helps";
-  EXPECT_TRUE(none.is_exhausted);
-  // A corridor does not help either where all of the ring is within it; where it ends before the
-  // ring, more may be outside.
-  for (const double off_m : {20.0, 3.0}) {
-    OpenGround same(30, ring(8, pi));
-    const Corridor corridor(same.map, {Vec2::Zero(), {50, 0}}, off_m);
-    const PoseRoute within = search_poses(same.costs, {Vec2::Zero(), 0}, {50, 0}, turn_m,
-                                          many_poses, {&corridor, false});
-    EXPECT_FALSE(within.is_found());
-    EXPECT_EQ(within.is_exhausted, off_m > 10) << off_m;
-  }
+  EXPECT_FALSE(none.is_start_blocked);
   EXPECT_LT(none.nearest_m.norm(), 8);
 }
 

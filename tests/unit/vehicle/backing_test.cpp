@@ -117,6 +117,78 @@ TEST(PathFollower, commands_a_rover_backwards) {
   EXPECT_EQ(follower.next_waypoint(), 2u);
 }
 
+// Before a long straight piece the wheels stay straight.
+TEST(PathFollower, steers_for_the_piece_that_it_stands_on) {
+  FollowerLimits limits;
+  limits.can_turn_on_spot = false;
+  std::vector<Vec2> line{{0, 0}, {-8, 0}};
+  double travel_rad = std::numbers::pi;
+  add_arc(line, travel_rad, 6, radians(60));
+  Path3 path;
+  for (const Vec2& p : line) path.emplace_back(p.x(), p.y(), 0);
+  PathFollower straight(path, {{0, 0}, 0, 0, 0}, limits, {0});
+  for (int k = 0; k < 15; ++k) {
+    const DriveCommand command = straight.update({{0, 0}, 0, 0, 0}, period_s);
+    EXPECT_LT(command.speed_mps, 0);
+    EXPECT_EQ(command.yaw_rate_radps, 0) << k;
+  }
+  path.erase(path.begin());
+  const Vec2 begin(-8, 0);
+  PathFollower bent(path, {begin, 0, 0, 0}, limits, {0});
+  DriveCommand command;
+  for (int k = 0; k < 15; ++k) command = bent.update({begin, 0, 0, 0}, period_s);
+  EXPECT_NEAR(command.yaw_rate_radps / std::abs(command.speed_mps), 1 / 6.0, 0.01);
+}
+
+// East 20 m, back 6 m, and on to the north-east.
+const Path3 there_and_back{{20, 0, 0}, {14, 0, 0}, {40, 5, 0}};
+const std::vector<std::size_t> its_changes{0, 1};
+
+TEST(PathFollower, begins_again_in_the_gear_of_the_piece_that_is_nearest) {
+  FollowerLimits limits;
+  limits.can_turn_on_spot = false;
+  struct Put {
+    Vec2 from_S_m, to_S_m;  // where it was, and where it is put
+    bool is_backward;
+    std::size_t next;
+  };
+  for (const Put& put : {Put{{5, 0}, {8, 1}, false, 0}, Put{{19, 0}, {30, 3}, false, 2}}) {
+    PathFollower follower(there_and_back, {{0, 0}, 0, 0, 0}, limits, its_changes);
+    follower.update({put.from_S_m, 0, 1, 0}, period_s);
+    follower.begin_again({put.to_S_m, 0, 0, 0});
+    EXPECT_EQ(follower.is_backward(), put.is_backward) << put.to_S_m.transpose();
+    EXPECT_EQ(follower.next_waypoint(), put.next) << put.to_S_m.transpose();
+  }
+  // While it backs up it goes on backwards.
+  PathFollower follower(there_and_back, {{0, 0}, 0, 0, 0}, limits, its_changes);
+  follower.update({{20, 0}, 0, 0, 0}, period_s);
+  ASSERT_TRUE(follower.is_backward());
+  for (int k = 0; k < 30; ++k) follower.update({{17, 0}, 0, 0, 0}, period_s);
+  follower.begin_again({{16, 0.5}, 0, 0, 0});
+  EXPECT_TRUE(follower.is_backward());
+  EXPECT_EQ(follower.next_waypoint(), 1u);
+  EXPECT_NEAR(follower.remaining_m(), 2.06 + std::hypot(26, 5), 0.01);
+}
+
+TEST(PathFollower, that_is_saved_while_it_changes_its_gear_goes_on_alike) {
+  FollowerLimits limits;
+  limits.can_turn_on_spot = false;
+  PathFollower follower(there_and_back, {{0, 0}, 0, 0, 0}, limits, its_changes);
+  for (int k = 0; k < 4; ++k) follower.update({{20, 0}, 0, 0, 0}, period_s);
+  Archive writer = Archive::writer();
+  follower.archive(writer);
+  PathFollower again;
+  Archive reader = Archive::reader(writer.bytes());
+  again.archive(reader);
+  for (int k = 0; k < 30; ++k) {
+    const FollowerPose pose{{20 - 0.01 * k, 0.02}, 0.01, 0.1, 0};
+    const DriveCommand one = follower.update(pose, period_s), two = again.update(pose, period_s);
+    EXPECT_EQ(one.speed_mps, two.speed_mps) << k;
+    EXPECT_EQ(one.yaw_rate_radps, two.yaw_rate_radps) << k;
+  }
+  EXPECT_TRUE(again.is_backward());
+}
+
 TEST(PathFollower, turns_round_in_three_strokes) {
   const auto ground = test::moon();
   FollowerLimits limits;
