@@ -25,9 +25,9 @@ struct CarRoute {
 };
 
 // Plans with arcs of `radius_m` or wider; where a coarse search near the lattice route finds none
-// forwards, the rover backs up too. `poses_left`: how many poses may be expanded, less those that were. `known`: stretches
-// before refinement of the same leg, found with less ground to avoid; if they are still free no
-// other route is searched. The same seed gives the same bits.
+// forwards, the rover backs up too. `poses_left`: how many poses may be expanded, less those that
+// were. `known`: stretches before refinement of the same leg, found with less ground to avoid; if
+// they are still free no other route is searched. The same seed gives the same bits.
 CarRoute car_route(RouteCost& costs, const DriveCost& cost, const Pose2& start, const Vec2& goal_m,
                    double radius_m, std::uint64_t seed, std::size_t& poses_left,
                    const Stretches& known = {});
