@@ -32,16 +32,20 @@ std::string leg_text(const PlannedLegLine& leg) {
   const std::string name =
       fmt::format("  planned: {} '{}' to waypoint {}", leg.rover_id, leg.label, leg.waypoint);
   if (leg.is_passed) return name + ": already there\n";
-  return fmt::format("{}: {:.1f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} deg at {:.6f},{:.6f}\n",
+  const std::string backing =
+      leg.gear_changes == 0
+          ? ""
+          : fmt::format(", backs up with {}", counted(leg.gear_changes, "gear change"));
+  return fmt::format("{}: {:.1f} m, {:.0f} s, {:.1f} Wh, steepest {:.1f} deg at {:.6f},{:.6f}{}\n",
                      name, leg.length_m, leg.duration_s, leg.energy_j / 3600, leg.slope_max_deg,
-                     leg.steepest_lon_deg, leg.steepest_lat_deg);
+                     leg.steepest_lon_deg, leg.steepest_lat_deg, backing);
 }
 
 // Many legs make a line a rover.
 constexpr std::size_t legs_listed_max = 30;
 
 std::string rover_text(const std::string& rover_id, const std::vector<PlannedLegLine>& legs) {
-  std::size_t count = 0;
+  std::size_t count = 0, backing = 0;
   double length_m = 0, duration_s = 0, energy_j = 0;
   const PlannedLegLine* steepest = nullptr;
   for (const PlannedLegLine& leg : legs) {
@@ -50,15 +54,17 @@ std::string rover_text(const std::string& rover_id, const std::vector<PlannedLeg
     length_m += leg.length_m;
     duration_s += leg.duration_s;
     energy_j += leg.energy_j;
+    backing += leg.gear_changes == 0 ? 0 : 1;
     if (steepest == nullptr || leg.slope_max_deg > steepest->slope_max_deg) steepest = &leg;
   }
   if (steepest == nullptr) return "";
   return fmt::format(
       "  planned: {}: {}, {:.1f} km, {:.1f} h of driving, {:.1f} kWh, steepest {:.1f} deg at "
-      "{:.6f},{:.6f} on '{}'\n",
+      "{:.6f},{:.6f} on '{}'{}\n",
       rover_id, counted(count, "leg"), length_m / 1000, duration_s / 3600, energy_j / 3.6e6,
       steepest->slope_max_deg, steepest->steepest_lon_deg, steepest->steepest_lat_deg,
-      steepest->label);
+      steepest->label,
+      backing == 0 ? "" : fmt::format("; on {} it backs up", counted(backing, "leg")));
 }
 
 std::string legs_text(const Plan& plan, const std::vector<PlannedLegLine>& legs, bool is_verbose) {

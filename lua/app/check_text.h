@@ -16,7 +16,8 @@ struct PlannedLegLine {
   std::int64_t sequence = 0, waypoint = 0;
   double length_m = 0, duration_s = 0, energy_j = 0, slope_max_deg = 0;
   double steepest_lon_deg = 0, steepest_lat_deg = 0;
-  bool is_passed = false;  // the rover stands there already: nothing is planned
+  std::size_t gear_changes = 0;  // between forwards and backwards
+  bool is_passed = false;        // the rover stands there already: nothing is planned
 };
 
 // Lengths of the line that an event drives as drawn, without planning.

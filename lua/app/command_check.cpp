@@ -64,7 +64,7 @@ std::vector<PlannedLegLine> planned_legs(const Simulation& simulation) {
       lines.push_back({routes.rover_id, label(ahead.sequence), ahead.sequence, ahead.waypoint,
                        ahead.leg.length_m, ahead.leg.duration_s, ahead.leg.energy_j,
                        degrees(ahead.leg.slope_max_rad), rounded_deg(lon_deg(steepest)),
-                       rounded_deg(lat_deg(steepest))});
+                       rounded_deg(lat_deg(steepest)), ahead.leg.gear_changes.size()});
     }
   }
   std::ranges::stable_sort(lines, {}, [](const PlannedLegLine& line) {
@@ -96,7 +96,8 @@ std::string json_text(const MissionFiles& files, const RoutesAhead& routes) {
                      {"energy_j", leg.energy_j},
                      {"slope_max_deg", leg.slope_max_deg},
                      {"steepest_lon_deg", leg.steepest_lon_deg},
-                     {"steepest_lat_deg", leg.steepest_lat_deg}});
+                     {"steepest_lat_deg", leg.steepest_lat_deg},
+                     {"gear_changes", leg.gear_changes}});
   }
   nlohmann::ordered_json lines = nlohmann::ordered_json::array();
   for (const DrawnEventLine& line : routes.drawn) {

@@ -138,6 +138,8 @@ TEST(PathPlan, backs_up_as_it_was_planned) {
                       point("0,0.00033")},
                      event("PathPlanRoute", "LRV1", 1, {}, point("0,-0.0014"))});
   ASSERT_EQ(run.outcome.exit_code, 0) << run.outcome.err;
+  const Outcome check = test::run({"check", run.folder / "plan.kml"});
+  EXPECT_THAT(check.out, HasSubstr(", backs up with 2 gear changes\n"));
   const std::vector<PlannedPathRow> paths = run.log().planned_paths();
   ASSERT_EQ(paths.size(), 1u);
   double north_deg = 0, driven_deg = 0;
