@@ -58,6 +58,9 @@ const std::vector<FieldDeclaration>& common_event_fields() {
             "the event is skipped if this holds before it starts"),
       field("StopWhen", "stop_when", FieldKind::text,
             "the event fails when this holds while it runs; OnFailure says what follows"),
+      field("WarnWhen", "warn_when", FieldKind::text,
+            "a warning and a note each time this begins to hold while the event runs; it stops "
+            "nothing"),
       in_range(field("Timeout", "timeout_s", FieldKind::duration,
                      "the event fails when it takes longer, from the start of its first phase"),
                "s", seconds(exchange_period), longest_duration_s),

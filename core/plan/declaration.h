@@ -114,7 +114,7 @@ struct Declarations {
 };
 
 // Fields that every event has beside its own: Enabled, StartTime, StartAfter, StartWhen, SkipWhen,
-// StopWhen, Timeout and OnFailure.
+// StopWhen, WarnWhen, Timeout and OnFailure.
 const std::vector<FieldDeclaration>& common_event_fields();
 // RoverId and Sequence, which identify an event.
 const std::vector<FieldDeclaration>& event_identity_fields();

@@ -99,6 +99,7 @@ class EventsReader {
     read("StartWhen", event.start_when);
     read("SkipWhen", event.skip_when);
     read("StopWhen", event.stop_when);
+    read("WarnWhen", event.warn_when);
   }
 
   const ReadContext& context_;

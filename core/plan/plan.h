@@ -109,7 +109,7 @@ struct PlanEvent {
     std::string text;
     int line = 0;
   };
-  Condition start_when, skip_when, stop_when;
+  Condition start_when, skip_when, stop_when, warn_when;
   std::optional<SimTime> timeout;
   OnFailure on_failure = OnFailure::stop;
   std::int64_t go_to_sequence = 0;  // with OnFailure::go_to

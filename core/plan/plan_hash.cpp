@@ -96,6 +96,7 @@ void add_event(Digest& digest, const PlanEvent& event) {
   add_condition("start_when", event.start_when);
   add_condition("skip_when", event.skip_when);
   add_condition("stop_when", event.stop_when);
+  add_condition("warn_when", event.warn_when);
   if (event.timeout) digest.integer("timeout", event.timeout->count());
   digest.integer("on_failure", static_cast<std::int64_t>(event.on_failure));
   if (event.on_failure == OnFailure::go_to) digest.integer("go_to", event.go_to_sequence);

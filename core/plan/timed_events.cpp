@@ -18,6 +18,7 @@ std::vector<std::string> fields_of_turns(const PlanEvent& event) {
   if (!event.start_after.empty()) fields.emplace_back("StartAfter");
   if (!event.start_when.text.empty()) fields.emplace_back("StartWhen");
   if (!event.stop_when.text.empty()) fields.emplace_back("StopWhen");
+  if (!event.warn_when.text.empty()) fields.emplace_back("WarnWhen");
   if (event.timeout) fields.emplace_back("Timeout");
   return fields;
 }

@@ -196,6 +196,7 @@ std::string overlay_kml(const LogReader& log, const Plan& plan, IconPlace icon_h
       document.styles.push_back(status_style(status, has_label, icon_href));
     }
   }
+  document.styles.push_back(warning_style(icon_href));
   LookAtBounds bounds;
   const std::map<std::string, SampleTotals> totals = log.sample_totals();
   for (const auto& [rover_id, track] : tracks(log, plan, totals, logged.events)) {

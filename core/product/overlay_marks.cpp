@@ -234,7 +234,10 @@ OverlayMarks note_points(const ThinnedNotes& notes, Instant start) {
     KmlPlacemark mark = placemark(note, start, note.name);
     mark.description =
         fmt::format("{} at {} s: {}", note.rover_id, seconds(note.time), note.fields_json);
-    mark.when_utc = xml_time(start + note.time);
+    // It shows where the warning began, so it stays on the map.
+    const bool is_warning = note.name == "warn_when";
+    if (is_warning) mark.style_id = warning_style_id;
+    (is_warning ? mark.begin_utc : mark.when_utc) = xml_time(start + note.time);
     mark.geometry = point(note.place);
     marks.push_back({note.time, std::move(mark)});
   }

@@ -6,6 +6,12 @@
 
 namespace lsos {
 
+namespace {
+
+constexpr const char* red_abgr = "ff1c19d7";
+
+}  // namespace
+
 std::string status_style_id(EventStatus status, bool has_label) {
   return fmt::format("event-{}{}", to_string(status), has_label ? "" : "-unlabelled");
 }
@@ -21,7 +27,7 @@ KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href) {
       style.icon_href = icon_href(OverlayIcon::disc);
       break;
     case EventStatus::failed:
-      style.icon_color_abgr = "ff1c19d7";
+      style.icon_color_abgr = red_abgr;
       style.icon_href = icon_href(OverlayIcon::cross);
       break;
     case EventStatus::incomplete:
@@ -32,6 +38,15 @@ KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href) {
       style.icon_color_abgr = "ff969696";
       style.icon_href = icon_href(OverlayIcon::diamond);
   }
+  return style;
+}
+
+KmlStyle warning_style(IconPlace icon_href) {
+  KmlStyle style;
+  style.id = warning_style_id;
+  style.icon_color_abgr = red_abgr;
+  style.icon_href = icon_href(OverlayIcon::diamond);
+  style.icon_scale = style.label_scale = 0.8;
   return style;
 }
 

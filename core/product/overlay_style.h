@@ -15,6 +15,10 @@ namespace lsos {
 std::string status_style_id(EventStatus status, bool has_label);
 KmlStyle status_style(EventStatus status, bool has_label, IconPlace icon_href);
 
+// Style of notes that warn: red.
+inline constexpr const char* warning_style_id = "note-warning";
+KmlStyle warning_style(IconPlace icon_href);
+
 // The styles of one rover. Its colour depends on its index `i` among the rovers.
 struct RoverStyle {
   std::string plan_id, planned_id, driven_id, sample_id, track_id;

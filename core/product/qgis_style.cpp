@@ -97,12 +97,15 @@ std::string events() {
 }
 
 std::string notes() {
+  const std::string warns_red =
+      R"(if("name" = 'warn_when', color_rgb(215, 25, 28), color_rgb(255, 255, 255)))";
   return qgis_single_symbol(qgis_symbol("marker", "0",
                                         {{"SimpleMarker",
                                           {{"name", "square"},
                                            {"size", "1.6"},
                                            {"color", "255,255,255,255"},
-                                           {"outline_color", "60,60,60,255"}}}}));
+                                           {"outline_color", "60,60,60,255"}},
+                                          {{"fillColor", warns_red}}}}));
 }
 
 // One label per place, with the texts of all its features.

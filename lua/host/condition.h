@@ -1,5 +1,5 @@
-// Conditions of a plan: StartWhen, SkipWhen and StopWhen hold a Lua expression over the logged
-// quantities of the event's rover, such as `charge < 0.3 or distance_to('SEV2') < 100`.
+// Conditions of a plan: StartWhen, SkipWhen, StopWhen and WarnWhen hold a Lua expression over
+// the logged quantities of the event's rover, such as `charge < 0.3 or distance_to('SEV2') < 100`.
 #pragma once
 
 #include <lua.hpp>

@@ -93,6 +93,7 @@ void check_events(const Plan& plan, const MissionFiles& files, Faults& faults) {
     check("StartWhen", event.start_when);
     check("SkipWhen", event.skip_when);
     check("StopWhen", event.stop_when);
+    check("WarnWhen", event.warn_when);
     const bool has_time = std::ranges::any_of(event.params, [](const auto& param) {
       return std::holds_alternative<Instant>(param.second);
     });

@@ -104,7 +104,7 @@ An editor with the Lua language server completes and checks scripts by `lua/libr
 constexpr const char* conditions = R"(
 ## Conditions
 
-`StartWhen`, `SkipWhen` and `StopWhen` of any event hold an expression, with `and`, `or`, `not`,
+`StartWhen`, `SkipWhen`, `StopWhen` and `WarnWhen` of any event hold an expression, with `and`, `or`, `not`,
 comparisons and `math`, over these quantities of its rover: `charge < 0.3 and sun_fraction == 0`.
 They are asked when the event's turn comes (or it starts), then at whole seconds. A quantity that is
 not modelled is not-a-number: comparisons with it are false, except `~=`, which is true. What was decided is in the log's notes.

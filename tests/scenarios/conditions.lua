@@ -1,4 +1,4 @@
--- StartWhen, SkipWhen and StopWhen.
+-- StartWhen, SkipWhen, StopWhen and WarnWhen.
 
 local lsos = require 'lsos'
 
@@ -22,6 +22,24 @@ lsos.scenario('StopWhen fails an event, and OnFailure goes on elsewhere', functi
   t:equal(sim:event('between').status, 'skipped')
   t:equal(sim:event('rest').status, 'completed')
   t:equal(#sim:notes('stop_when'), 1)
+end)
+
+lsos.scenario('WarnWhen tells each time that it begins to hold, and stops nothing', function(t)
+  local sim = lsos.sim {
+    rovers = {
+      A = {
+        type   = 'SEV',
+        events = { { 'Pause', Duration = 55, WarnWhen = 'time_s % 20 > 5', label = 'stand' } },
+      },
+    },
+  }
+  sim:run()
+  local notes = sim:notes('warn_when')
+  t:equal(#notes, 3)
+  t:equal(notes[1].time_s, 6)
+  t:equal(notes[3].time_s, 46)
+  t:equal(notes[1].fields.event, 'stand')
+  t:equal(sim:event('stand').status, 'completed')
 end)
 
 lsos.scenario('SkipWhen skips, and StartWhen waits', function(t)

@@ -10,6 +10,10 @@ namespace lsos {
 // Conditions are evaluated when they first matter, then at whole multiples of this.
 inline constexpr SimTime condition_period{1'000'000};
 
+inline bool is_condition_due(bool is_first, SimTime now) {
+  return is_first || now % condition_period == SimTime{};
+}
+
 // Whether one of the plan's conditions on `event` holds now. `name`: that of its field. Returns
 // false and sets `fault` when its script fails.
 bool holds(const char* name, const PlanEvent::Condition& condition, const PlanEvent& event,

@@ -54,9 +54,10 @@ bool EventSequence::begin(const Turn& turn) {
 }
 
 bool EventSequence::go_on(const Turn& turn, int& changes) {
+  const bool is_first = turn.now == *current().start;
+  watch_.observe(event(), phase(), is_first, turn);
   std::string hindered = hindrance(turn.agent);
-  if (hindered.empty() &&
-      is_met("StopWhen", event().stop_when, turn.now == *current().start, turn, hindered)) {
+  if (hindered.empty() && is_met("StopWhen", event().stop_when, is_first, turn, hindered)) {
     note("stop_when", event().stop_when, event().sequence, turn.agent);
     hindered = "StopWhen: " + event().stop_when.text;
   }
@@ -191,8 +192,8 @@ bool EventSequence::may_start(const Turn& turn, std::string& impossible) {
 
 bool EventSequence::is_met(const char* name, const PlanEvent::Condition& condition, bool is_first,
                            const Turn& turn, std::string& fault) const {
-  const bool is_due = is_first || turn.now % condition_period == SimTime{};
-  return !condition.text.empty() && is_due && holds(name, condition, event(), phase(), turn, fault);
+  return !condition.text.empty() && is_condition_due(is_first, turn.now) &&
+         holds(name, condition, event(), phase(), turn, fault);
 }
 
 void EventSequence::note(const char* decision, const PlanEvent::Condition& condition,
@@ -238,6 +239,7 @@ void EventSequence::start(const Turn& turn) {
   warn(late_start_warning(event(), current(), turn));
   if (!machine_.events[index_].declaration.drives) warn(far_start_warning(event(), turn));
   running_.emplace(event(), arguments_of(event()), turn);
+  watch_ = {};
 }
 
 std::string EventSequence::abort(const Turn& turn) {
@@ -304,7 +306,7 @@ std::optional<SimTime> EventSequence::wake_of_turns(SimTime now, Instant mission
   const SimTime next_evaluation = (now / condition_period + 1) * condition_period;
   if (running_) {
     std::optional<SimTime> wake = running_->wake(now);
-    if (!event().stop_when.text.empty())
+    if (!event().stop_when.text.empty() || !event().warn_when.text.empty())
       wake = std::min(wake.value_or(next_evaluation), next_evaluation);
     if (event().timeout) {
       const SimTime over = round_up_to_exchange(*records_[index_].start + *event().timeout);
@@ -325,44 +327,6 @@ std::optional<SimTime> EventSequence::wake_of_turns(SimTime now, Instant mission
   if (!event().skip_when.text.empty())
     wake = std::min(wake.value_or(next_evaluation), next_evaluation);
   return wake;
-}
-
-std::string EventSequence::progress_until(const Turn& turn) {
-  std::string text = fmt::format("in phase '{}' since {:.0f} s", running_->phase(),
-                                 seconds(running_->phase_start()));
-  const DriveState drive = turn.agent.drive_state();
-  std::string state = abort(turn);
-  if (state.empty() && drive.status == DriveState::Status::driving) {
-    state = fmt::format("{:.0f} m are left to drive", drive.remaining_m);
-  }
-  return state.empty() ? text : text + "; " + state;
-}
-
-void EventSequence::stop(const Turn& turn, const std::string& why, bool is_failure) {
-  stop_turns(turn, why, is_failure);
-  records_.prevent_rest(turn.now, why, is_failure, true);
-}
-
-void EventSequence::stop_turns(const Turn& turn, const std::string& why, bool is_failure) {
-  std::string reason = why, of_the_rest = why;
-  if (has_turn_ && !is_failure) {
-    of_the_rest += fmt::format("; its turn did not come, '{}' {}", event().label,
-                               running_ ? "was under way" : "waited to start");
-  }
-  if (running_ && is_failure) {
-    abort(turn);
-  } else if (running_) {
-    reason += ", " + progress_until(turn);
-  } else if (has_turn_ && !is_failure) {
-    const std::string awaited = awaited_text(event(), waits_for_charge_, turn);
-    if (!awaited.empty()) reason += "; it waited for " + awaited;
-  }
-  if (has_turn_) {
-    const bool has_started = current().start.has_value();
-    current().is_prevented = is_failure && !has_started;
-    end(has_started ? EventStatus::incomplete : EventStatus::not_started, reason, turn);
-  }
-  finish(turn.now, of_the_rest, is_failure);
 }
 
 std::string EventSequence::event_label() const { return running_ ? event().label : ""; }
@@ -392,6 +356,7 @@ void EventSequence::archive(Archive& a, ScriptHost& host) {
                waits_for_condition_, is_finished_, has_failed_, aborts_mission_, is_running);
   if (a.is_reading() && is_running) running_.emplace(event());
   if (!is_running) return;
+  LSOS_ARCHIVE(a, watch_);
   const Archive::Part part(a, "running_");
   running_->archive(a, host);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mission/events/condition_watch.h"
 #include "mission/events/event_record.h"
 #include "mission/events/running_event.h"
 #include "mission/events/turn.h"
@@ -117,6 +118,7 @@ class EventSequence {
   bool is_finished_ = false;
   bool has_failed_ = false;  // it is finished because an event failed
   std::optional<RunningEvent> running_;
+  ConditionWatch watch_;  // of the running event
   std::string aborts_mission_;
 
   std::vector<PhaseRow> phases_;

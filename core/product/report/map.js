@@ -1,3 +1,5 @@
+// Notes of WarnWhen are red.
+const isWarning = note => note.name === 'warn_when';
 const placedNotes = () => page.notes.filter(note => note.x_m !== undefined && roverOf(note.rover_id));
 // Of several runs the first one's events are marked, and those of others that ended in another way.
 const markedEvents = () => page.events.filter(event => event.x_m !== undefined && event.start_s !== null && !isAsInFirst(event));
@@ -93,7 +95,7 @@ class MissionMap {
     this.notes = placedNotes().map(note => {
       const rover = roverOf(note.rover_id);
       const mark = draw('g', {class: 'note-mark', style: 'cursor:pointer'},
-        draw('path', {d: 'M0 -4.5 L4.5 0 L0 4.5 L-4.5 0 Z', fill: '#fff', stroke: rover.ink, 'stroke-width': 1.6}),
+        draw('path', {d: 'M0 -4.5 L4.5 0 L0 4.5 L-4.5 0 Z', fill: isWarning(note) ? statusColours.failed : '#fff', stroke: rover.ink, 'stroke-width': 1.6}),
         draw('title', {}, `${rover.id}, ${elapsedText(note.time_s)}: ${note.name.replaceAll('_', ' ')} ${noteText(note)}`));
       mark.addEventListener('click', () => showTime(note.time_s));
       this.marks.append(mark);

@@ -63,6 +63,8 @@ void write_log(const std::string& file, int count) {
   log.write(event);
   log.write(NoteRow{SimTime{4'000'000}, "SEV1", 10, "reached", R"({"waypoint":2})",
                     test_sample(2).place});
+  log.write(NoteRow{SimTime{5'000'000}, "SEV1", 10, "warn_when", R"({"condition":"charge < 0.3"})",
+                    test_sample(2).place});
   log.finish();
 }
 
@@ -147,6 +149,10 @@ TEST(Overlay, shows_events_and_notes_where_they_happened) {
   EXPECT_THAT(kml, HasSubstr("<begin>2026-07-01T12:00:05.000Z</begin>")) << "its end";
   EXPECT_THAT(kml, HasSubstr("<SimpleData name=\"status\">not_started</SimpleData>"));
   EXPECT_THAT(kml, HasSubstr("<name>reached</name>"));
+  EXPECT_THAT(kml, HasSubstr("</description><TimeSpan><begin>2026-07-01T12:00:05.000Z</begin>"
+                             "</TimeSpan><styleUrl>#note-warning</styleUrl>"))
+      << "a warning, red";
+  EXPECT_THAT(kml, HasSubstr("<Style id=\"note-warning\"><IconStyle><color>ff1c19d7</color>"));
 }
 
 TEST(Overlay, carries_every_column_of_the_samples) {
