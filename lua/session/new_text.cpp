@@ -1,4 +1,4 @@
-#include "lua/app/new_text.h"
+#include "lua/session/new_text.h"
 
 #include <fmt/format.h>
 

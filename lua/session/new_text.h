@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lua/app/schema_kinds.h"
+#include "lua/session/schema_kinds.h"
 
 namespace lsos {
 

@@ -1,4 +1,4 @@
-#include "lua/app/schema_kinds.h"
+#include "lua/session/schema_kinds.h"
 
 #include <fmt/format.h>
 
