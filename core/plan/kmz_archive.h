@@ -1,4 +1,4 @@
-// Reads the KML documents inside a KMZ archive.
+// Reads and replaces the KML documents inside a KMZ archive.
 #pragma once
 
 #include <cstddef>
@@ -34,5 +34,9 @@ class KmzArchive {
   ZipHandle archive_;
   std::size_t max_bytes_, left_bytes_;
 };
+
+// The archive with other bytes in one of its files, whose name it has; the others stay as they are.
+// Throws std::runtime_error when memory runs out.
+std::string repacked_zip(const std::string& zip, const std::string& name, const std::string& bytes);
 
 }  // namespace lsos

@@ -1,10 +1,37 @@
 // Packs files into a zip archive, the format of KMZ and QGZ.
 #include <stdexcept>
+#include <utility>
 
 #include "plan/kml_writer.h"
+#include "plan/kmz_archive.h"
 #include "plan/zip_handle.h"
 
 namespace lsos {
+
+namespace {
+
+[[noreturn]] void fail(zip_error_t* error) {
+  throw std::runtime_error("an archive cannot be packed: " + message(error));
+}
+
+// Closes the archive and returns the bytes of what it is written to.
+std::string closed(ZipHandle archive, zip_source_t* packed) {
+  if (zip_close(archive.get()) != 0) fail(zip_get_error(archive.get()));
+  static_cast<void>(archive.release());  // closed
+  std::string bytes;
+  if (zip_source_open(packed) != 0 || zip_source_seek(packed, 0, SEEK_END) != 0) {
+    fail(zip_source_error(packed));
+  }
+  bytes.resize(static_cast<std::size_t>(zip_source_tell(packed)));
+  const bool is_read =
+      zip_source_seek(packed, 0, SEEK_SET) == 0 &&
+      zip_source_read(packed, bytes.data(), bytes.size()) == static_cast<zip_int64_t>(bytes.size());
+  zip_source_close(packed);
+  if (!is_read) fail(zip_source_error(packed));
+  return bytes;
+}
+
+}  // namespace
 
 std::string pack_kmz(const std::string& kml, const std::vector<PackedFile>& others) {
   std::vector<PackedFile> files{{"doc.kml", kml}};
@@ -13,9 +40,6 @@ std::string pack_kmz(const std::string& kml, const std::vector<PackedFile>& othe
 }
 
 std::string pack_zip(const std::vector<PackedFile>& files) {
-  const auto fail = [](zip_error_t* error) {
-    throw std::runtime_error("an archive cannot be packed: " + message(error));
-  };
   zip_error_t error;
   zip_error_init(&error);
   const ZipSource packed(zip_source_buffer_create(nullptr, 0, 0, &error));
@@ -36,19 +60,26 @@ std::string pack_zip(const std::vector<PackedFile>& files) {
       fail(zip_get_error(archive.get()));
     }
   }
-  if (zip_close(archive.get()) != 0) fail(zip_get_error(archive.get()));
-  static_cast<void>(archive.release());  // closed
-  std::string bytes;
-  if (zip_source_open(packed.get()) != 0 || zip_source_seek(packed.get(), 0, SEEK_END) != 0) {
-    fail(zip_source_error(packed.get()));
+  return closed(std::move(archive), packed.get());
+}
+
+std::string repacked_zip(const std::string& zip, const std::string& name,
+                         const std::string& bytes) {
+  zip_error_t error;
+  zip_error_init(&error);
+  const ZipSource packed(zip_source_buffer_create(zip.data(), zip.size(), 0, &error));
+  if (!packed) fail(&error);
+  zip_source_keep(packed.get());
+  ZipHandle archive(zip_open_from_source(packed.get(), 0, &error));
+  if (!archive) fail(&error);
+  const zip_int64_t index = zip_name_locate(archive.get(), name.c_str(), 0);
+  zip_source_t* source = zip_source_buffer(archive.get(), bytes.data(), bytes.size(), 0);
+  if (index < 0 || source == nullptr ||
+      zip_file_replace(archive.get(), static_cast<zip_uint64_t>(index), source, 0) != 0) {
+    if (source != nullptr) zip_source_free(source);
+    fail(zip_get_error(archive.get()));
   }
-  bytes.resize(static_cast<std::size_t>(zip_source_tell(packed.get())));
-  const bool is_read = zip_source_seek(packed.get(), 0, SEEK_SET) == 0 &&
-                       zip_source_read(packed.get(), bytes.data(), bytes.size()) ==
-                           static_cast<zip_int64_t>(bytes.size());
-  zip_source_close(packed.get());
-  if (!is_read) fail(zip_source_error(packed.get()));
-  return bytes;
+  return closed(std::move(archive), packed.get());
 }
 
 }  // namespace lsos

@@ -14,9 +14,9 @@ namespace {
 
 // A folder includes itself and folders on lower layers, never a neighbour.
 const std::map<std::string, int> layers = {
-    {"base", 0},    {"planet", 1},  {"driving", 1}, {"terrain", 2}, {"vehicle", 3},
-    {"view", 3},    {"power", 3},   {"route", 3},   {"plan", 3},    {"record", 3},
-    {"mission", 4}, {"picture", 5}, {"product", 6}, {"lua", 7},
+    {"base", 0}, {"planet", 1},  {"driving", 1}, {"terrain", 2}, {"vehicle", 3},
+    {"view", 3}, {"power", 3},   {"route", 3},   {"plan", 3},    {"record", 3},
+    {"edit", 4}, {"mission", 4}, {"picture", 5}, {"product", 6}, {"lua", 7},
 };
 
 // The same of the rooms within a folder, "" being the folder's own files.
@@ -36,7 +36,7 @@ const std::map<std::string, std::map<std::string, int>> rooms = {
       {"fleet", 6},
       {"", 7}}},
     {"product", {{"", 0}, {"comparison", 1}}},
-    {"lua", {{"runtime", 0}, {"api", 1}, {"host", 2}, {"session", 3}, {"app", 4}}},
+    {"lua", {{"runtime", 0}, {"api", 1}, {"host", 2}, {"session", 3}, {"edit", 3}, {"app", 4}}},
 };
 
 constexpr std::size_t units_max = 40;  // a header and its source, in one folder
@@ -54,6 +54,7 @@ const std::vector<Library>& libraries() {
       {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"), {"terrain", "record", "plan"}},
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
       {std::regex("tinyxml2\\.h"), {"plan"}},
+      {std::regex("libxml/.*"), {"edit"}},  // changes in place
       {std::regex("zip(conf)?\\.h"), {"plan"}},
       {std::regex("epoxy/.*"), {"view"}},
       {std::regex("png\\.h"), {"picture"}},

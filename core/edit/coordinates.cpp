@@ -1,0 +1,75 @@
+#include "edit/coordinates.h"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+#include "base/error.h"
+#include "base/quantity.h"
+#include "plan/suggestions.h"
+#include "planet/body.h"
+#include "planet/site_frame.h"
+
+namespace lsos {
+
+namespace {
+
+[[noreturn]] void refuse(PlanDocument& document, const PlanMark& mark) {
+  throw InputError({document.plan().file, 0},
+                   fmt::format("{} {}: its place stands in no <coordinates> (but a Camera or a "
+                               "gx:Track), and is not moved; draw it again as a placemark or path",
+                               mark.type, quoted(document.name(mark))));
+}
+
+// In the C locale.
+double number(const std::string& text) {
+  const Parsed<double> value = parse_quantity(text, *find_unit("1"));
+  LSOS_ASSERT(value);
+  return *value.value;
+}
+
+}  // namespace
+
+std::string coordinates_text(const Geodetic& place) {
+  return fmt::format("{:.9f},{:.9f}", lon_deg(place), lat_deg(place));
+}
+
+std::string moved_coordinates(const std::string& text, const Body& body, const Vec2& offset_m) {
+  static const std::regex place(R"(([-+.0-9eE]+)\s*,\s*([-+.0-9eE]+))");
+  // The altitude, if any, follows behind a comma of its own, which the pattern would take for one
+  // between longitude and latitude if it began there.
+  static const std::regex tuple(R"([-+.0-9eE]+(\s*,\s*[-+.0-9eEnNaA]*)+)");
+  std::string moved;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator each(text.begin(), text.end(), tuple), none; each != none; ++each) {
+    moved.append(rest, (*each)[0].first);
+    const std::string whole = (*each)[0].str();
+    std::smatch parts;
+    if (std::regex_search(whole, parts, place)) {
+      const Geodetic from = geodetic_from_degrees(number(parts[1]), number(parts[2]));
+      const SiteFrame site(body, from);
+      moved += coordinates_text(site.geodetic({offset_m.x(), offset_m.y(), 0}));
+      moved += parts.suffix();
+    } else {
+      moved += whole;
+    }
+    rest = (*each)[0].second;
+  }
+  return moved.append(rest, text.cend());
+}
+
+void move_places(PlanDocument& document, const PlanMark& mark, const Vec2& offset_m) {
+  const std::vector<KmlElement> places = coordinates_of(mark.element);
+  if (places.empty()) refuse(document, mark);
+  for (const KmlElement each : places) {
+    set_text(each, moved_coordinates(text_of(each), *document.plan().mission.planet, offset_m));
+  }
+}
+
+void set_point(PlanDocument& document, const PlanMark& mark, const std::string& coordinates) {
+  const std::vector<KmlElement> places = coordinates_of(mark.element);
+  if (places.size() != 1) refuse(document, mark);
+  set_text(places.front(), coordinates);
+}
+
+}  // namespace lsos

@@ -1,0 +1,27 @@
+// `edit mirror`: another rover's events, for a rover.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vector.h"
+#include "edit/plan_document.h"
+
+namespace lsos {
+
+struct Mirror {
+  std::string from, to;          // ids of rovers
+  Vec2 offset_m = Vec2::Zero();  // of its places, east and north
+};
+
+struct Mirrored {
+  int count = 0;
+  std::vector<std::string> warnings;
+};
+
+// Copies the events of the rover `from` for the rover `to`, behind its own. Where they name one of
+// the two (a leader, whom to meet), they name the other. Throws InputError where a place that is to
+// be moved stands in no <coordinates>.
+Mirrored mirror(PlanDocument& document, const Mirror& mirror);
+
+}  // namespace lsos
