@@ -79,6 +79,8 @@ CommandOption CommandOptions::add_flag(const char* names, std::function<void()> 
   return CommandOption(app_->add_flag_callback(names, std::move(when_given), what));
 }
 
+void CommandOptions::set_footer(const std::string& text) { app_->footer(text); }
+
 bool CommandOptions::has_option(const char* name) const {
   return app_->get_option_no_throw(name) != nullptr;
 }

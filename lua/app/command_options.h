@@ -48,6 +48,9 @@ class CommandOptions {
   CommandOption add_flag(const char* names, bool& value, const char* what);
   CommandOption add_flag(const char* names, std::function<void()> when_given, const char* what);
 
+  // A text below the options in the help.
+  void set_footer(const std::string& text);
+
   bool has_option(const char* name) const;
 
  private:

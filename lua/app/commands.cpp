@@ -8,6 +8,8 @@ const std::vector<Command>& commands() {
       {"resume", "Go on with a run that was stopped or killed", prepare_resume},
       {"branch", "What if: go on otherwise from a moment of a run", prepare_branch},
       {"check", "Read and check a plan", prepare_check},
+      {"edit", "Change a plan: renumber, shift, enable, disable, merge, repeat, split, mirror",
+       prepare_edit},
       {"fsm", "The machine synthesised from a plan, as Graphviz DOT", prepare_fsm},
       {"list", "What a plan can name", prepare_list},
       {"test", "Run scenarios: scripts that say what must come of a mission", prepare_test},

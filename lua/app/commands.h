@@ -24,6 +24,7 @@ std::function<int()> prepare_run(CommandOptions& command);
 std::function<int()> prepare_resume(CommandOptions& command);
 std::function<int()> prepare_branch(CommandOptions& command);
 std::function<int()> prepare_check(CommandOptions& command);
+std::function<int()> prepare_edit(CommandOptions& command);
 std::function<int()> prepare_fsm(CommandOptions& command);
 std::function<int()> prepare_list(CommandOptions& command);
 std::function<int()> prepare_test(CommandOptions& command);

@@ -1,0 +1,108 @@
+// `lsos-host edit`: changes of a plan that would take an hour by hand; the rest of the document
+// stays as it was.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "base/console.h"
+#include "base/files.h"
+#include "base/output_file.h"
+#include "lua/app/commands.h"
+#include "lua/edit/verb_table.h"
+#include "lua/host/mission_reader.h"
+
+namespace lsos {
+
+namespace {
+
+void check_new_file(const EditOptions& options) {
+  Faults faults;
+  check_output("-o", options.output, {".kml", ".kmz"}, {}, faults);
+  std::error_code absent;
+  if (std::filesystem::exists(options.output, absent) && !options.is_forced) {
+    faults.error({}, fmt::format("-o {}: is there already; --force replaces it", options.output));
+  }
+  faults.throw_if_errors();
+}
+
+// The new plan, before it is written. Throws InputError with its faults, if any.
+MissionFiles read_edited(const std::string& bytes, const std::string& file) {
+  const PlanSource source{file, parse_kml(bytes, file), "", bytes, true};
+  MissionFiles edited = read_mission(source, read_catalog(file));
+  if (edited.faults.has_errors()) {
+    print_message("{}: is not written, as the edited plan would have faults (lines are its own):\n",
+                  file);
+    edited.faults.throw_if_errors();
+  }
+  return edited;
+}
+
+// Tells warnings of the new plan that the old one had not.
+void tell_new_warnings(const Faults& old_faults, const Faults& new_faults) {
+  constexpr int most = 10;
+  std::set<std::string> known;
+  for (const Fault& fault : old_faults.sorted()) known.insert(fault.what);
+  int count = 0;
+  for (const Fault& fault : new_faults.sorted()) {
+    if (known.contains(fault.what) || ++count > most) continue;
+    print_message("{}\n", to_string(fault));
+  }
+  if (count > most) print_message("{} more warnings; 'check' tells them\n", count - most);
+}
+
+int edit_command(const EditOptions& options) {
+  check_verb(options);
+  check_new_file(options);
+  const MissionFiles files = read_mission(options.plan);
+  files.faults.throw_if_errors();
+  const EditOutcome outcome = edited(options, files);
+  const MissionFiles new_files = read_edited(outcome.bytes, options.output);
+  write_file(options.output, outcome.bytes);
+  tell_new_warnings(files.faults, new_files.faults);
+  for (const std::string& warning : outcome.warnings) print_message("warning: {}\n", warning);
+  print_result("{}; wrote {}\n", outcome.what, options.output);
+  return 0;
+}
+
+void add_options(CommandOptions& command, EditOptions& options) {
+  command.add_option("PLAN", options.plan, "A plan: KML or KMZ").required();
+  command.add_option("VERB", options.verb, "What to do, see below").required();
+  command.add_option("ARGUMENT", options.arguments, "Events, or other plans");
+  command.add_option("-o,--output", options.output, "The new plan, .kml or, of a KMZ, .kmz")
+      .required();
+  command.add_flag("--force", options.is_forced, "Replace the file if it is there");
+  command.add_option("--rover", options.rover, "Events of this rover");
+  command.add_option("--label", options.label, "Events with this label");
+  command.add_option("--type", options.type, "Events of this type");
+  command.add_option(
+      "--day", options.day,
+      "Events of a day, or of FIRST..LAST, counted from the mission's start, from 1");
+  command.add_option("--step", options.step, "renumber: between two sequences (10)");
+  command.add_option("--by", options.by, "shift: by how much, such as '+1 d' or --by='-90 min'");
+  command.add_option(
+      "--from", options.from,
+      "shift: this event (label, or ROVER/SEQUENCE) and the later ones of its rover; "
+      "mirror: the rover that has the events");
+  command.add_option("--to", options.to, "mirror: the rover that gets them");
+  command.add_option("--offset", options.offset,
+                     "mirror: how far its places are moved, EAST,NORTH in m");
+  command.add_option("--times", options.times, "repeat: how often");
+  command.add_option("--places", options.places,
+                     "repeat: a KML whose Points are gone to in their order, each once");
+  command
+      .add_option("--charge", options.charges,
+                  "split: charge of a rover at the beginning, ROVER=0.8")
+      .repeated();
+  command.set_footer(verb_examples());
+}
+
+}  // namespace
+
+std::function<int()> prepare_edit(CommandOptions& command) {
+  const auto options = std::make_shared<EditOptions>();
+  add_options(command, *options);
+  return [options] { return edit_command(*options); };
+}
+
+}  // namespace lsos

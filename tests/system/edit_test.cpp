@@ -1,0 +1,186 @@
+// `lsos-host edit` as a planner uses it, on shipped plans.
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "base/replaced.h"
+#include "system/plan_text.h"
+#include "system/process.h"
+#include "system/source_files.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string plan(const std::string& name) { return repository() / "plans" / (name + ".kml"); }
+
+// The document in W3C's canonical form.
+std::string canonical(const std::string& file) {
+  const Outcome outcome = run_command({"xmllint", "--nonet", "--c14n", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome.out;
+}
+
+class Edit : public ::testing::Test {
+ protected:
+  Outcome edit(const std::string& plan, const Words& words) const {
+    Words all{"edit", plan};
+    all.insert(all.end(), words.begin(), words.end());
+    all.insert(all.end(), {"-o", new_plan_, "--force"});
+    return run(all);
+  }
+  // The new plan, which `check` must find good.
+  std::string edited(const std::string& plan, const Words& words, const std::string& result) const {
+    const Outcome outcome = edit(plan, words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, result + "; wrote " + new_plan_ + "\n");
+    return canonical(new_plan_);
+  }
+
+  TempFolder folder_;
+  std::string new_plan_ = folder_ / "new.kml";
+};
+
+TEST_F(Edit, renumber_changes_sequences_alone) {
+  const std::string before = canonical(plan("drats_day"));
+  const std::string after =
+      edited(plan("drats_day"), {"renumber", "--step", "5"}, "22 events renumbered");
+  const std::regex sequence(R"(name="Sequence">[0-9]+<)");
+  EXPECT_EQ(std::regex_replace(after, sequence, "name=\"Sequence\">N<"),
+            std::regex_replace(before, sequence, "name=\"Sequence\">N<"));
+  // In steps of ten again it is the plan that it was.
+  const std::string twice = folder_.write("twice.kml", read_text(new_plan_));
+  EXPECT_EQ(edited(twice, {"renumber"}, "22 events renumbered"), before);
+}
+
+TEST_F(Edit, shift_there_and_back_changes_nothing) {
+  edited(plan("drats_day"), {"shift", "--by", "+1 d"}, "3 times moved by +1 d");
+  const std::string there = folder_.write("there.kml", read_text(new_plan_));
+  EXPECT_THAT(read_text(there), HasSubstr("2010-09-01T15:00:00Z"));
+  EXPECT_EQ(edited(there, {"shift", "--by", "-24h"}, "3 times moved by -24h"),
+            canonical(plan("drats_day")));
+}
+
+TEST_F(Edit, enable_takes_back_what_disable_did) {
+  const std::string disabled =
+      edited(plan("drats_day"), {"disable", "--type", "EVA", "--rover", "A"}, "2 events disabled");
+  const std::string enabled = "<SimpleData name=\"Enabled\">true</SimpleData>";
+  const std::string off = folder_.write("off.kml", read_text(new_plan_));
+  EXPECT_EQ(edited(off, {"enable", "A/10..1000"}, "2 events enabled, 9 were so already"),
+            replaced(disabled, "<SimpleData name=\"Enabled\">false</SimpleData>", enabled));
+}
+
+TEST_F(Edit, an_event_is_of_the_day_on_which_it_is_expected) {
+  const std::string long_day = folder_.write(
+      "long.kml",
+      kml({mission(), sev("A", "0,0"), sev("B", "0,0.001"),
+           event("Pause", "A", 10, {{"Duration", "30 h"}}),
+           event("Pause", "A", 20, {{"Duration", "60"}}),
+           event("Pause", "B", 10, {{"Duration", "60"}, {"StartAfter", "A/20"}}),
+           event("Pause", "B", 20, {{"Duration", "60"}, {"StartTime", "2026-01-03"}})}));
+  edited(long_day, {"disable", "--day", "2"}, "2 events disabled");
+  edited(long_day, {"disable", "--day", "3"}, "1 event disabled");
+  // What the new plan is warned of, and the old one was not.
+  EXPECT_THAT(edit(long_day, {"disable", "A/20"}).err,
+              HasSubstr("new.kml:32: warning: Pause 10: StartAfter = 'A/20': is disabled, and "
+                        "counts as ended from the beginning"));
+}
+
+TEST_F(Edit, a_repeated_day_can_be_split_off_again) {
+  edited(plan("drats_day"), {"repeat", "--day", "1", "--times", "1"},
+         "22 events of day 1 repeated 1 time, 22 events added");
+  const std::string days = folder_.write("days.kml", read_text(new_plan_));
+  const Outcome outcome =
+      edit(days, {"split", "--day", "2", "--charge", "A=0.8", "--charge", "B=0.7"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("22 events of day 2 kept, 22 left out"));
+  EXPECT_THAT(read_text(new_plan_), HasSubstr("2010-09-01T15:00:00Z"));
+  EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"InitialCharge\">0.8<"));
+}
+
+TEST_F(Edit, merges_a_plan_and_its_mirrored_rover) {
+  const auto one = [](const std::string& rover, const std::string& at) {
+    return kml({mission(), sev(rover, at), event("Pause", rover, 10, {{"Duration", "60"}})});
+  };
+  const std::string first = folder_.write("first.kml", one("A", "0,0"));
+  const std::string second = folder_.write("second.kml", one("B", "0,0.001"));
+  edited(first, {"merge", second}, "1 rover and 1 event of 1 plan merged");
+  const std::string both = folder_.write("both.kml", read_text(new_plan_));
+  edited(both, {"mirror", "--from", "A", "--to", "B"}, "1 event of A copied for B");
+  EXPECT_EQ(run({new_plan_, "-o", folder_ / "run", "--quiet", "--no-report"}).exit_code, 0);
+}
+
+TEST_F(Edit, writes_nothing_where_the_new_plan_would_be_wrong) {
+  const std::string both = folder_.write(
+      "both.kml",
+      kml({mission(), sev("A", "0,0"), sev("B", "0,0.001"),
+           event("Rendezvous", "A", 10, {{"With", "B"}}),
+           event("Pause", "A", 20, {{"Duration", "60"}, {"StopWhen", "distance_to('B') &lt; 10"}}),
+           event("Pause", "B", 10, {{"Duration", "60"}})}));
+  const Outcome outcome = edit(both, {"mirror", "--from", "A", "--to", "B"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("new.kml: is not written, as the edited plan would have "
+                                     "faults (lines are its own)"));
+  EXPECT_THAT(outcome.err, HasSubstr("StopWhen = distance_to('B') < 10"));
+  EXPECT_FALSE(fs::exists(new_plan_));
+}
+
+TEST_F(Edit, tells_the_faults_of_a_wrong_plan) {
+  const std::string wrong = folder_.write(
+      "wrong.kml",
+      kml({mission(), sev("A", "0,0"), event("Pause", "A", 10, {{"Duratoin", "60"}})}));
+  const Outcome outcome = edit(wrong, {"renumber"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("did you mean 'Duration'?"));
+  EXPECT_FALSE(fs::exists(new_plan_));
+}
+
+TEST_F(Edit, replaces_a_file_only_by_force) {
+  const std::string file = folder_.write("plan.kml", read_text(plan("two_rovers")));
+  const Outcome refused = run({"edit", file, "renumber", "--step", "7", "-o", file});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(read_text(file), read_text(plan("two_rovers")));
+  EXPECT_EQ(run({"edit", file, "renumber", "--step", "7", "-o", file, "--force"}).exit_code, 0);
+  EXPECT_THAT(read_text(file), HasSubstr(">7<"));
+}
+
+// Edits a KMZ of a document and a picture, as map tools make them.
+TEST_F(Edit, keeps_the_other_files_of_a_kmz) {
+  const std::string kmz = folder_ / "plan.kmz", new_kmz = folder_ / "new.kmz";
+  const auto python = [&](const std::string& script, const Words& words) {
+    Words all{"python3", "-c", "import sys, zipfile\n" + script};
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = run_command(all);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  python(
+      "z = zipfile.ZipFile(sys.argv[1], 'w')\nz.writestr('files/a.png', 'a picture')\n"
+      "z.write(sys.argv[2], 'mine.kml')\nz.close()",
+      {kmz, plan("two_rovers")});
+  const Outcome refused = run({"edit", kmz, "renumber", "-o", new_plan_});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("new.kml: the name must end in .kmz, as the plan is that"));
+  const Outcome outcome = run({"edit", kmz, "renumber", "--step", "7", "-o", new_kmz});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(python("z = zipfile.ZipFile(sys.argv[1])\nprint(z.namelist(), z.read('files/a.png'), "
+                   "b'>7<' in z.read('mine.kml'))",
+                   {new_kmz}),
+            "['files/a.png', 'mine.kml'] b'a picture' True\n");
+}
+
+TEST_F(Edit, says_what_to_do_with_a_geopackage) {
+  const std::string layers = folder_ / "plan.gpkg";
+  ASSERT_EQ(run_command({"ogr2ogr", "-f", "GPKG", layers, plan("two_rovers")}).exit_code, 0);
+  const Outcome outcome = edit(layers, {"renumber"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("is a GeoPackage, and KML or KMZ is edited: save it as KML"));
+}
+
+}  // namespace
+}  // namespace lsos::test
