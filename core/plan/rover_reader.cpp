@@ -11,10 +11,12 @@ namespace lsos {
 
 namespace {
 
-// Rovers and assets share one set of ids. "Earth" is reserved for the planet in the log's pairs.
+// Rovers and assets share one set of ids. "Earth" is reserved for the planet in the log's pairs,
+// "ground" for what hides a view.
 void check_id(FieldReader& fields, const std::string& field_name, const std::string& id,
               IdPlaces& ids) {
   if (id == "Earth") fields.error(field_name, "this name stands for the planet in the log");
+  if (id == "ground") fields.error(field_name, "this name stands for the ground in the log");
   if (id.find(',') != std::string::npos) {
     fields.error(field_name, "a comma is not allowed: it stands between ids in lists");
   }
