@@ -11,7 +11,8 @@ std::string to_string(const Fault& fault) {
   const std::string_view level = fault.severity == Severity::warning ? "warning: " : "";
   if (fault.place.file.empty()) return fmt::format("{}{}", level, fault.what);
   if (fault.place.line == 0) return fmt::format("{}: {}{}", fault.place.file, level, fault.what);
-  return fmt::format("{}:{}: {}{}", fault.place.file, fault.place.line, level, fault.what);
+  return fmt::format("{}:{}{}: {}{}", fault.place.file, fault.place.column, fault.place.line, level,
+                     fault.what);
 }
 
 namespace {

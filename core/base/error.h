@@ -13,6 +13,7 @@ namespace lsos {
 struct Place {
   std::string file;
   int line = 0;
+  std::string column = {};  // of a spreadsheet, "C": `line` is its row; "": the whole line
 
   auto operator<=>(const Place&) const = default;
 };
@@ -27,8 +28,8 @@ struct Fault {
   std::string what;
 };
 
-// For example "plans/a.kml:41: Route 'leg 2': Speed = -1: must be at least 0.05 m/s"; a warning has
-// "warning: " before the text.
+// For example "plans/a.kml:41: Route 'leg 2': Speed = -1: must be at least 0.05 m/s", in a
+// spreadsheet "tasks.xlsx/Events:C7: ..."; a warning has "warning: " before the text.
 std::string to_string(const Fault& fault);
 
 // Thrown when the input (plan, script, raster, option) is wrong: exit code 2. Holds at least one

@@ -159,10 +159,10 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
   for (const SourceField& field : data_.fields) {
     const auto [first, is_new] = lines.emplace(field.name, field.line);
     if (!is_new) {
-      report(field.line, fmt::format("{} is given twice; the first is at line {}",
-                                     shown(field.name), first->second));
+      report(field, fmt::format("{} is given twice; the first is at line {}", shown(field.name),
+                                first->second));
     } else if (field.name.empty()) {
-      report(field.line, "a SimpleData has no name");
+      report(field, "a SimpleData has no name");
     } else if (!is_known(field.name)) {
       std::vector<std::string> names;
       for (const auto& list : known) {
@@ -170,7 +170,7 @@ void FieldReader::check_names(std::initializer_list<std::span<const FieldDeclara
       }
       std::string hint = field.name.size() > 100 ? "" : did_you_mean(field.name, names);
       if (hint.empty()) hint = fmt::format("; there are {}", listed(names));
-      report(field.line, fmt::format("there is no field {}{}", shown(field.name), hint));
+      report(field, fmt::format("there is no field {}{}", shown(field.name), hint));
       hints_.push_back(std::move(hint));
     }
   }
@@ -202,7 +202,7 @@ FieldValues FieldReader::read(std::span<const FieldDeclaration> declarations,
       // The field is given under a misspelt name, which has been reported.
       const std::string hint = fmt::format("; did you mean '{}'?", declaration.name);
       if (std::ranges::find(hints_, hint) != hints_.end()) continue;
-      report(subject_.place.line, fmt::format("{} is missing; it is required", declaration.name));
+      report(fmt::format("{} is missing; it is required", declaration.name));
     } else if (declaration.default_value) {
       values[declaration.key] = *declaration.default_value;
       if (defaults != nullptr) {
@@ -224,15 +224,21 @@ const SourceField* FieldReader::find(const std::string& name) const {
 void FieldReader::error(const std::string& field_name, const std::string& what) {
   const SourceField* field = find(field_name);
   if (field == nullptr) {
-    report(subject_.place.line, fmt::format("{}: {}", field_name, what));
+    report(fmt::format("{}: {}", field_name, what));
   } else {
-    report(field->line, fmt::format("{} = {}: {}", field_name, shown(field->text), what));
+    report(*field, fmt::format("{} = {}: {}", field_name, shown(field->text), what));
   }
 }
 
-void FieldReader::report(int line, const std::string& what) {
+void FieldReader::report(const std::string& what) {
   ++fault_count_;
-  faults_.error({subject_.place.file, line}, fmt::format("{}: {}", subject_.name, what));
+  faults_.error(subject_.place, fmt::format("{}: {}", subject_.name, what));
+}
+
+void FieldReader::report(const SourceField& field, const std::string& what) {
+  ++fault_count_;
+  faults_.error({subject_.place.file, field.line, field.column},
+                fmt::format("{}: {}", subject_.name, what));
 }
 
 std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration,
@@ -242,7 +248,7 @@ std::optional<FieldValue> FieldReader::parse(const FieldDeclaration& declaration
   if (result.why.empty()) {
     if (const std::string advice = bare_number_advice(declaration, *result.value, field.text);
         !advice.empty()) {
-      faults_.warning({subject_.place.file, field.line},
+      faults_.warning({subject_.place.file, field.line, field.column},
                       fmt::format("{}: {} = {}: {}", subject_.name, declaration.name,
                                   shown(field.text), advice));
     }

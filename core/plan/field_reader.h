@@ -71,7 +71,8 @@ class FieldReader {
   void add(const std::vector<Fault>& faults) { faults_.add(faults); }
 
  private:
-  void report(int line, const std::string& what);
+  void report(const std::string& what);  // at the Placemark's line
+  void report(const SourceField& field, const std::string& what);
   std::optional<FieldValue> parse(const FieldDeclaration& declaration, const SourceField& field);
   Parsed<FieldValue> parsed(const FieldDeclaration& declaration, const std::string& text) const;
 

@@ -64,6 +64,8 @@ SourcePlacemark placemark(const XMLElement& element) {
     const std::string_view name = local_name(*each);
     if (name == "name") {
       found.name = text_of(*each).text;
+    } else if (name == "description") {
+      found.description = text_of(*each).text;
     } else if (name == "ExtendedData") {
       for (const auto* data = each->FirstChildElement(); data; data = data->NextSiblingElement()) {
         if (local_name(*data) == "SchemaData") found.data.push_back(schema_data(*data));

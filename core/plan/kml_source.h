@@ -12,6 +12,7 @@ struct SourceField {
   std::string name;
   std::string text;
   int line = 0;
+  std::string column = {};  // of a spreadsheet's cell, "C"; "": none
 };
 
 // One <SchemaData>.
@@ -47,6 +48,7 @@ struct SourcePlacemark {
   int line = 0;
   std::string file = {};        // that the lines are of, where it is not the document's
   bool is_from_camera = false;  // its place, and a field Heading, stood in a Camera
+  std::string description = {};
 };
 
 // One <Schema>: what types it gives to fields.

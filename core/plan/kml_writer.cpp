@@ -187,6 +187,8 @@ class Writer {
     if (!placemark.schema_id.empty() && !is_track) data(placemark);
     if (is_track) {
       track(placemark);
+    } else if (placemark.coordinates.kind != KmlGeometryKind::none) {
+      geometry(placemark.coordinates);
     } else {
       geometry(placemark.geometry);
     }
@@ -269,6 +271,29 @@ class Writer {
     open(name);
     open("LinearRing");
     coordinates(geometry, ring);
+    close();
+    close();
+  }
+
+  void geometry(const KmlCoordinates& written) {
+    const bool is_point = written.kind == KmlGeometryKind::point;
+    const bool is_polygon = written.kind == KmlGeometryKind::polygon;
+    open(is_point ? "Point" : is_polygon ? "Polygon" : "LineString");
+    if (!is_point) element("tessellate", "1");
+    element("altitudeMode", "clampToGround");
+    if (!is_polygon) {
+      element("coordinates", written.outline);
+    } else {
+      boundary("outerBoundaryIs", written.outline);
+      for (const std::string& hole : written.holes) boundary("innerBoundaryIs", hole);
+    }
+    close();
+  }
+
+  void boundary(const char* name, const std::string& ring) {
+    open(name);
+    open("LinearRing");
+    element("coordinates", ring);
     close();
     close();
   }

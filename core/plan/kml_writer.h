@@ -48,6 +48,14 @@ struct KmlGeometry {
   std::vector<std::vector<Geodetic>> holes = {};
 };
 
+// A geometry whose coordinates are KML text already ("lon,lat lon,lat"), so that not a bit of them
+// changes. Rings of a polygon end where they begin.
+struct KmlCoordinates {
+  KmlGeometryKind kind = KmlGeometryKind::none;
+  std::string outline;
+  std::vector<std::string> holes = {};
+};
+
 // Places in order of time, along which a viewer moves an icon.
 struct KmlTrack {
   std::vector<std::string> when_utc;  // ISO 8601
@@ -65,6 +73,7 @@ struct KmlPlacemark {
   std::string end_utc;
   std::optional<double> icon_heading_deg;  // clockwise from north
   KmlGeometry geometry;
+  KmlCoordinates coordinates = {};  // replaces the geometry unless its kind is `none`
   KmlTrack track;         // replaces the geometry when it has points
   std::string schema_id;  // a schema of the document; "": no data
   std::vector<std::pair<std::string, std::string>> data;  // field name, text

@@ -25,9 +25,11 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-// Whether QGIS stores data of its own in the table.
-bool is_qgis_table(std::string_view layer) {
-  return layer == "layer_styles" || layer == "qgis_projects";
+// Whether the layer holds nothing drawn: QGIS stores data of its own in two tables, and GDAL gives
+// the points of the routes and tracks of a GPX file once more.
+bool is_left_out(std::string_view layer) {
+  return layer == "layer_styles" || layer == "qgis_projects" || layer == "route_points" ||
+         layer == "track_points";
 }
 
 bool is_name(std::string name) {
@@ -184,24 +186,26 @@ bool is_geopackage(std::string_view bytes) {
   return bytes.starts_with("SQLite format 3\0"sv);
 }
 
-KmlSource read_layers(const std::string& file) {
+namespace {
+
+// `what` it is that cannot be opened: "is no GPX file".
+KmlSource read(const std::string& file, const char* driver, const std::string& what) {
   const GdalSilence silence;
   GDALAllRegister();
-  const char* const drivers[] = {"GPKG", nullptr};
-  // GDAL opens the file itself, not its bytes: while QGIS has it open, the last edits are in a
-  // separate file beside it.
+  const char* const drivers[] = {driver, nullptr};
+  CPLStringList options;
+  // Times of GeoJSON are texts, and stay so: seconds of GDAL's own times are single precision.
+  if (drivers[0] == std::string_view("GeoJSON")) options.SetNameValue("DATE_AS_STRING", "YES");
   const Dataset dataset(
-      GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+      GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, options.List()));
   if (dataset == nullptr) {
-    throw InputError({file, 0},
-                     fmt::format("is an SQLite database but no GeoPackage with layers: {}",
-                                 GdalSilence::message()));
+    throw InputError({file, 0}, fmt::format("{}: {}", what, GdalSilence::message()));
   }
   KmlSource source{file, {}};
   for (int i = 0; i < dataset->GetLayerCount(); ++i) {
     OGRLayer& layer = *dataset->GetLayer(i);
     const std::string name = layer.GetName();
-    if (is_qgis_table(name)) continue;
+    if (is_left_out(name)) continue;
     const std::string layer_file = fmt::format("{}/{}", file, name);
     const LayerPlaces places(layer.GetSpatialRef(), layer_file);
     if (layer.GetGeomType() != wkbNone) {
@@ -213,6 +217,18 @@ KmlSource read_layers(const std::string& file) {
     }
   }
   return source;
+}
+
+}  // namespace
+
+KmlSource read_layers(const std::string& file) {
+  // GDAL opens the file itself, not its bytes: while QGIS has it open, the last edits are in a
+  // separate file beside it.
+  return read(file, "GPKG", "is an SQLite database but no GeoPackage with layers");
+}
+
+KmlSource read_layers(const std::string& file, const std::string& driver) {
+  return read(file, driver.c_str(), fmt::format("cannot be read as {}", driver));
 }
 
 }  // namespace lsos

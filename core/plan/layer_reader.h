@@ -15,5 +15,8 @@ bool is_geopackage(std::string_view bytes);
 // each is its fid. Places in any CRS are converted to degrees on its body. Throws InputError when
 // the file cannot be opened or a layer's CRS cannot be used.
 KmlSource read_layers(const std::string& file);
+// The same of a map of another format, by the name of GDAL's driver: "GeoJSON", "ESRI Shapefile",
+// "GPX" (its waypoints, routes and tracks).
+KmlSource read_layers(const std::string& file, const std::string& driver);
 
 }  // namespace lsos

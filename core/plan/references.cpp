@@ -179,7 +179,7 @@ class Resolver {
 
   void error(const DraftEvent& draft, const SourceField& field, const std::string& what) {
     faults_.error(
-        {draft.event.place.file, field.line},
+        {draft.event.place.file, field.line, field.column},
         fmt::format("{}: {} = {}: {}", draft.subject, field.name, shown(field.text), what));
   }
 
