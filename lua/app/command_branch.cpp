@@ -8,6 +8,7 @@
 
 #include "base/console.h"
 #include "base/files.h"
+#include "interchange/plan_document.h"
 #include "lua/app/branch_measured.h"
 #include "lua/app/branch_moment.h"
 #include "lua/app/commands.h"

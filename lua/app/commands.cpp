@@ -16,6 +16,8 @@ const std::vector<Command>& commands() {
       {"repl", "A prompt with an interactive simulation; piped input is a script", prepare_repl},
       {"schema", "KML <Schema> elements of events, and a plan with one Placemark of each",
        prepare_schema},
+      {"import", "Make a plan of spreadsheets, maps and outlines", prepare_import},
+      {"export", "Write a plan as a spreadsheet, map or outline", prepare_export},
       {"new", "A plan or script that works, to begin from", prepare_new},
       {"overlay", "Write overlay.kml of a run again from its log", prepare_overlay},
       {"rig", "A single-wheel test bed: one wheel on a soil at given slips", prepare_rig},

@@ -30,6 +30,8 @@ std::function<int()> prepare_list(CommandOptions& command);
 std::function<int()> prepare_test(CommandOptions& command);
 std::function<int()> prepare_repl(CommandOptions& command);
 std::function<int()> prepare_schema(CommandOptions& command);
+std::function<int()> prepare_import(CommandOptions& command);
+std::function<int()> prepare_export(CommandOptions& command);
 std::function<int()> prepare_new(CommandOptions& command);
 std::function<int()> prepare_overlay(CommandOptions& command);
 std::function<int()> prepare_rig(CommandOptions& command);

@@ -1,4 +1,5 @@
 #include "lua/host/mission_reader.h"
+#include "interchange/plan_document.h"
 
 #include <fmt/format.h>
 

@@ -25,7 +25,4 @@ PlanTable read_plan_table(lua_State* L, int index, const Place& place);
 SourcePlacemark read_event_table(lua_State* L, int index, const SiteFrame& site,
                                  const Place& place);
 
-// The plan as KML.
-std::string kml_of(const KmlSource& source);
-
 }  // namespace lsos

@@ -1,4 +1,5 @@
 #include "lua/session/sim_session.h"
+#include "interchange/plan_document.h"
 
 #include <fmt/format.h>
 

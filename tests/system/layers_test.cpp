@@ -14,9 +14,10 @@ namespace {
 
 // A folder includes itself and folders on lower layers, never a neighbour.
 const std::map<std::string, int> layers = {
-    {"base", 0}, {"planet", 1},  {"driving", 1}, {"terrain", 2}, {"vehicle", 3},
-    {"view", 3}, {"power", 3},   {"route", 3},   {"plan", 3},    {"record", 3},
-    {"edit", 4}, {"mission", 4}, {"picture", 5}, {"product", 6}, {"lua", 7},
+    {"base", 0},    {"planet", 1},  {"driving", 1}, {"terrain", 2},
+    {"vehicle", 3}, {"view", 3},    {"power", 3},   {"route", 3},
+    {"plan", 3},    {"record", 3},  {"edit", 4},    {"interchange", 4},
+    {"mission", 4}, {"picture", 5}, {"product", 6}, {"lua", 7},
 };
 
 // The same of the rooms within a folder, "" being the folder's own files.
@@ -51,11 +52,11 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> table = {
       {std::regex("(lua|lauxlib|lualib)\\.h(pp)?"), {"lua"}},
       {std::regex("(Bullet|LinearMath|bt)[^.]*\\.h"), {"vehicle"}},
-      {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"), {"terrain", "record", "plan"}},
+      {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"), {"terrain", "record", "plan", "interchange"}},
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
-      {std::regex("tinyxml2\\.h"), {"plan"}},
+      {std::regex("tinyxml2\\.h"), {"plan", "interchange"}},
       {std::regex("libxml/.*"), {"edit"}},  // changes in place
-      {std::regex("zip(conf)?\\.h"), {"plan"}},
+      {std::regex("zip(conf)?\\.h"), {"plan", "interchange"}},
       {std::regex("epoxy/.*"), {"view"}},
       {std::regex("png\\.h"), {"picture"}},
       {std::regex("ft2build\\.h"), {"picture"}},  // letters: captions of pictures
@@ -65,7 +66,7 @@ const std::vector<Library>& libraries() {
       {std::regex("CLI/.*"), {"lua"}},
       {std::regex("(editline/.*|histedit\\.h)"), {"lua"}},
       {std::regex("gnu/libc-version\\.h"), {"route"}},  // version of the C library
-      {std::regex("nlohmann/.*"), {"picture", "product", "lua"}},
+      {std::regex("nlohmann/.*"), {"interchange", "picture", "product", "lua"}},
       {std::regex("openssl/.*"), {"base"}},
   };
   return table;

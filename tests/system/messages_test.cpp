@@ -113,6 +113,45 @@ TEST_P(OptionsMessage, is_as_expected) {
 INSTANTIATE_TEST_SUITE_P(Messages, OptionsMessage,
                          ::testing::ValuesIn(names(messages / "options", ".txt")), test_name);
 
+class ImportMessage : public ::testing::TestWithParam<std::string> {};
+
+// The file is imported together with a mission, a rover and two places.
+TEST_P(ImportMessage, is_as_expected) {
+  const fs::path file = messages / "import" / GetParam();
+  const std::vector<std::string> lines = read_lines(file);
+  const Words expected = values(lines, "# expect: ");
+  ASSERT_FALSE(expected.empty()) << "the first lines must be '# expect: TEXT'";
+  const bool is_alone = !values(lines, "# alone").empty();
+  const bool is_sound = std::ranges::all_of(expected, [](const std::string& text) {
+    return text.find("warning: ") != std::string::npos || text.starts_with("left out: ");
+  });
+  const TempFolder folder;
+  const std::string plan = (folder / "plan.kml").string();
+  Words arguments{"import", file.string()};
+  if (!is_alone) arguments.push_back((messages / "import" / "with" / "mission.csv").string());
+  arguments.insert(arguments.end(), {"-o", plan});
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.exit_code, is_sound ? 0 : 2) << outcome.err;
+  EXPECT_EQ(fs::exists(plan), is_sound);
+  for (const std::string& text : expected) EXPECT_THAT(outcome.err + outcome.out, HasSubstr(text));
+  // No other fault is reported, such as one that only follows from another.
+  std::istringstream output(outcome.err);
+  for (std::string line; std::getline(output, line) && !is_sound;) {
+    if (!line.starts_with(file.string())) continue;
+    EXPECT_TRUE(std::ranges::any_of(expected, [&](const std::string& text) {
+      return line.find(text) != std::string::npos;
+    })) << line;
+  }
+}
+
+std::vector<std::string> imported() {
+  std::vector<std::string> all = names(messages / "import", ".csv");
+  for (const std::string& name : names(messages / "import", ".txt")) all.push_back(name);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, ImportMessage, ::testing::ValuesIn(imported()), test_name);
+
 TEST(Messages, stand_in_the_folders_that_are_walked) {
   EXPECT_GT(names(messages / "plan", ".kml").size(), 10u);
   EXPECT_GT(names(messages / "options", ".txt").size(), 10u);

@@ -24,18 +24,28 @@ Words environment() {
   return {"LSOS_BUILD=" LSOS_BUILD_DIR, "PATH=" + program_folder + ":" + std::getenv("PATH")};
 }
 
-// The commands in fenced sh blocks that start the program; a trailing backslash joins lines.
+// The commands in fenced sh blocks that start the program; a trailing backslash joins lines. Files
+// that are written as `cat > NAME <<'END'` are commands too.
 Words shown_commands(const fs::path& file) {
+  const std::string end_of_file = "END";
   Words commands;
   bool is_in_block = false;
   std::string command;
   for (const std::string& line : read_lines(file)) {
+    if (command.starts_with("cat > ")) {
+      command += "\n" + line;
+      if (line != end_of_file) continue;
+      commands.push_back(command);
+      command.clear();
+      continue;
+    }
     if (line.starts_with("```")) {
       is_in_block = line == "```sh";
       continue;
     }
     if (!is_in_block) continue;
     command += line;
+    if (command.starts_with("cat > ")) continue;
     if (command.ends_with('\\')) {
       command.pop_back();
       continue;

@@ -1,0 +1,104 @@
+#include "interchange/cell_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+#include "base/unit_spellings.h"
+#include "interchange/clock_text.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool is_number(FieldKind kind) {
+  return kind == FieldKind::number || kind == FieldKind::integer || kind == FieldKind::duration ||
+         kind == FieldKind::moment;
+}
+
+// "5,5" is 5.5: one comma between digits, and no point.
+std::string with_point(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  if (comma == std::string::npos || comma == 0 || !is_digit(comma - 1) || !is_digit(comma + 1)) {
+    return text;
+  }
+  if (text.find(',', comma + 1) != std::string::npos || text.find('.') != std::string::npos) {
+    return text;
+  }
+  std::string pointed = text;
+  pointed[comma] = '.';
+  return pointed;
+}
+
+bool is_bare_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+std::string kind_of(const FieldDeclaration& field) {
+  const bool is_time = field.kind == FieldKind::duration || field.kind == FieldKind::moment;
+  if (is_time) return "duration";
+  return std::string(field.unit == nullptr ? "fraction" : field.unit->kind);
+}
+
+// The number with its unit, as a plan reads them: "mph" becomes km/h.
+std::string with_unit(const std::string& number, const std::string& unit,
+                      const FieldDeclaration& field) {
+  if (find_unit(unit) != nullptr) return fmt::format("{} {}", number, unit);
+  const auto meant = spelled_unit(unit, kind_of(field));
+  if (!meant) return number;
+  if (meant->factor == 1) return fmt::format("{} {}", number, meant->symbol);
+  double value = 0;
+  std::from_chars(number.data(), number.data() + number.size(), value);
+  return fmt::format("{} {}", value * meant->factor, meant->symbol);
+}
+
+std::string boolean_text(const std::string& text) {
+  constexpr std::array<std::string_view, 4> yes{"yes", "y", "x", "true"};
+  constexpr std::array<std::string_view, 4> no{"no", "n", "-", "false"};
+  const std::string word = lower(text);
+  if (std::ranges::find(yes, word) != yes.end()) return "true";
+  if (std::ranges::find(no, word) != no.end()) return "false";
+  return text;
+}
+
+}  // namespace
+
+std::string field_text(const std::string& text, const FieldDeclaration& field,
+                       const std::string& unit, bool has_commas) {
+  if (field.kind == FieldKind::boolean) return boolean_text(text);
+  if (!is_number(field.kind)) return text;
+  std::string number = has_commas ? with_point(text) : text;
+  if (field.kind == FieldKind::duration) {
+    if (const auto span_s = clock_s(number)) return fmt::format("{} s", *span_s);
+  }
+  return unit.empty() || !is_bare_number(number) ? number : with_unit(number, unit, field);
+}
+
+std::string unit_fault(const std::string& unit, const FieldDeclaration& field) {
+  if (unit.empty() || !is_number(field.kind)) return "";
+  const std::string kind = kind_of(field);
+  const Unit* known = find_unit(unit);
+  if (known != nullptr ? known->kind == kind : spelled_unit(unit, kind).has_value()) return "";
+  std::string allowed;
+  for (const Unit& each : all_units()) {
+    if (each.kind == kind) allowed += fmt::format("{}{}", allowed.empty() ? "" : ", ", each.symbol);
+  }
+  return fmt::format("({}) is no unit of {}; there are {}", unit, field.name, allowed);
+}
+
+}  // namespace lsos

@@ -1,0 +1,20 @@
+// Texts of cells as a plan writes them.
+#pragma once
+
+#include <string>
+
+#include "plan/declaration.h"
+
+namespace lsos {
+
+// The text of a field in a plan: with the unit of its column ("5" under "Speed (km/h)" is "5
+// km/h"), a point for a decimal comma where `has_commas`, a duration in seconds for "1:30", and
+// true or false for "yes", "x" and "no". A text that cannot be read so stays as it is: the reader
+// of the plan says what is wrong with it. UTC times are not changed here.
+std::string field_text(const std::string& text, const FieldDeclaration& field,
+                       const std::string& unit, bool has_commas);
+
+// Why the unit in a column's header cannot be used for a field; "" when it can.
+std::string unit_fault(const std::string& unit, const FieldDeclaration& field);
+
+}  // namespace lsos

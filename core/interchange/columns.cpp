@@ -1,0 +1,186 @@
+#include "interchange/columns.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "base/text.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+// The letters and digits of a text, in lower case: "Rover ID" and "rover_id" are the same.
+std::string bare(std::string_view text) {
+  std::string letters;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte) != 0) letters += static_cast<char>(std::tolower(byte));
+  }
+  return letters;
+}
+
+// Everyday words for columns, as bare() makes them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 39> everyday{
+    {{"event", column::type},
+     {"task", column::type},
+     {"activity", column::type},
+     {"kind", column::type},
+     {"what", column::type},
+     {"label", column::name},
+     {"title", column::name},
+     {"names", column::name},
+     {"notes", column::description},
+     {"note", column::description},
+     {"comment", column::description},
+     {"comments", column::description},
+     {"remarks", column::description},
+     {"desc", column::description},
+     {"date", column::day},
+     {"days", column::day},
+     {"location", column::place},
+     {"where", column::place},
+     {"site", column::place},
+     {"places", column::place},
+     {"waypoints", column::place},
+     {"via", column::place},
+     {"longitude", column::lon},
+     {"long", column::lon},
+     {"lng", column::lon},
+     {"londeg", column::lon},
+     {"latitude", column::lat},
+     {"latdeg", column::lat},
+     {"geometry", column::wkt},
+     {"geom", column::wkt},
+     {"rover", "RoverId"},
+     {"vehicle", "RoverId"},
+     {"seq", "Sequence"},
+     {"no", "Sequence"},
+     {"nr", "Sequence"},
+     {"start", "StartTime"},
+     {"time", "StartTime"},
+     {"starts", "StartTime"},
+     {"begin", "StartTime"}}};
+
+constexpr std::array special{column::type,  column::name, column::description, column::day,
+                             column::place, column::lon,  column::lat,         column::wkt};
+
+// Canonical names by their bare letters.
+std::map<std::string, std::string> known_columns(const Declarations& declarations) {
+  std::map<std::string, std::string> known;
+  for (const auto& [word, name] : everyday) known.emplace(word, name);
+  // Names of fields come before everyday words: an event may have a field Kind.
+  const auto add = [&](const std::string& name) { known.insert_or_assign(bare(name), name); };
+  for (const std::string& name : plan_names(declarations)) {
+    for (const auto& list : fields_of(name, declarations)) {
+      for (const FieldDeclaration& field : list) add(field.name);
+    }
+  }
+  for (const char* name : special) add(name);
+  return known;
+}
+
+// Splits "Speed (km/h)" or "Speed [km/h]" into its name and its unit.
+std::pair<std::string, std::string> name_and_unit(const std::string& header) {
+  const std::size_t open = header.find_last_of("([");
+  if (open == std::string::npos || open == 0) return {header, ""};
+  const char close = header[open] == '(' ? ')' : ']';
+  if (header.back() != close) return {header, ""};
+  return {std::string(trimmed(header.substr(0, open))),
+          std::string(trimmed(header.substr(open + 1, header.size() - open - 2)))};
+}
+
+bool is_filled(const Table& table, std::size_t index) {
+  return std::ranges::any_of(table.rows,
+                             [&](const TableRow& row) { return !cell(row, index).empty(); });
+}
+
+// Columns that map tools add to every feature.
+bool is_tool_column(const std::string& letters) {
+  constexpr std::array<std::string_view, 12> stamped{
+      "fid",        "id",      "timestamp",  "end",       "altitude", "altitudemode",
+      "tessellate", "extrude", "visibility", "draworder", "icon",     "snippet"};
+  return std::ranges::find(stamped, letters) != stamped.end();
+}
+
+}  // namespace
+
+std::vector<std::string> plan_names(const Declarations& declarations) {
+  std::vector<std::string> names{"MissionInfo", "Rover", "Asset"};
+  for (const auto& [name, event] : declarations.events) names.push_back(name);
+  return names;
+}
+
+std::string name_meant(const std::string& text, const Declarations& declarations) {
+  const std::string letters = bare(text);
+  if (letters.empty()) return "";
+  if (letters == "mission") return "MissionInfo";
+  for (const std::string& name : plan_names(declarations)) {
+    const std::string known = bare(name);
+    if (letters == known || letters == known + "s") return name;
+  }
+  return "";
+}
+
+Columns::Columns(const Table& table, const Declarations& declarations, Faults& faults) {
+  const std::map<std::string, std::string> known = known_columns(declarations);
+  std::vector<std::string> names;
+  for (const auto& [letters, name] : known) {
+    if (bare(name) == letters) names.push_back(name);
+  }
+  Suggestions suggest(names);
+  std::map<std::string, Place> first;
+  for (std::size_t i = 0; i < table.header.size(); ++i) {
+    const std::string header(trimmed(table.header[i]));
+    const Place place = place_of_cell(table, table.header_number, i);
+    if (header.empty()) {
+      if (!is_filled(table, i)) continue;
+      faults.warning(place, "a column without a header is not used");
+      continue;
+    }
+    const auto [word, unit] = name_and_unit(header);
+    // A header may be a name with brackets in it, too.
+    auto found = known.find(bare(header));
+    if (found == known.end()) found = known.find(bare(word));
+    if (found == known.end()) {
+      if (is_tool_column(bare(header)) || !is_filled(table, i)) continue;
+      // A slip in a sheet is an error, and the column is read as it was meant; a map has columns of
+      // its own.
+      const std::string meant = table.has_letters ? suggest(word) : "";
+      const std::string what =
+          fmt::format("the column {} is not used: no field is called so", quoted(header));
+      if (meant.empty()) {
+        faults.warning(place, what);
+        continue;
+      }
+      faults.error(place, what + meant);
+      found = known.find(bare(meant.substr(meant.find('\''))));
+      if (found == known.end()) continue;
+    }
+    if (const auto earlier = first.find(found->second); earlier != first.end()) {
+      faults.error(place,
+                   fmt::format("the column {} stands twice, here and at {}{}; one of them is "
+                               "to be renamed or removed",
+                               found->second, earlier->second.column, earlier->second.line));
+      continue;
+    }
+    first.emplace(found->second, place);
+    columns_.emplace(found->second, Column{i, found->first == bare(header) ? "" : unit});
+  }
+}
+
+const Column* Columns::find(const std::string& name) const {
+  const auto found = columns_.find(name);
+  return found == columns_.end() ? nullptr : &found->second;
+}
+
+std::string Columns::text(const TableRow& row, const std::string& name) const {
+  const Column* found = find(name);
+  return found == nullptr ? "" : cell(row, found->index);
+}
+
+}  // namespace lsos

@@ -1,0 +1,57 @@
+// What the columns of a table mean: the fields of a plan and the few columns that are none.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "interchange/table.h"
+#include "plan/declaration.h"
+
+namespace lsos {
+
+// Columns that are no fields of a plan's things.
+namespace column {
+inline constexpr const char* type = "Type";
+inline constexpr const char* name = "name";
+inline constexpr const char* description = "description";
+inline constexpr const char* day = "Day";
+inline constexpr const char* place = "Place";
+inline constexpr const char* lon = "Lon";
+inline constexpr const char* lat = "Lat";
+inline constexpr const char* wkt = "WKT";
+}  // namespace column
+
+struct Column {
+  std::size_t index = 0;
+  std::string unit;  // of the header, as written: "km/h"; "": none
+};
+
+class Columns {
+ public:
+  // Finds columns by their headers: "Speed", "speed", "Rover ID", "Speed (km/h)", and everyday
+  // words such as "Rover", "Start" and "Notes". Reports headers that stand twice, and warns of
+  // those that mean nothing though their column is filled.
+  Columns(const Table& table, const Declarations& declarations, Faults& faults);
+
+  // By canonical name: a field as plans write it, or one of namespace column.
+  const Column* find(const std::string& name) const;
+  const std::map<std::string, Column>& all() const { return columns_; }
+
+  // Text of the row's cell in that column; "" when there is none.
+  std::string text(const TableRow& row, const std::string& name) const;
+
+ private:
+  std::map<std::string, Column> columns_;
+};
+
+// The NAME that a text means, in any case of letters, with or without blanks and a plural s:
+// "route", "Path plan route", "Rovers"; "" when it means none.
+std::string name_meant(const std::string& text, const Declarations& declarations);
+// MissionInfo, Rover, Asset and the events.
+std::vector<std::string> plan_names(const Declarations& declarations);
+
+}  // namespace lsos

@@ -1,0 +1,161 @@
+#include "interchange/places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/text.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, from), text.size());
+    parts.emplace_back(trimmed(std::string_view(text).substr(from, end - from)));
+    from = end + 1;
+  }
+  return parts;
+}
+
+std::optional<double> number_of(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
+
+// "lon,lat" of "30.1, -89.9"; "" when the text is no pair of numbers.
+std::string tuple_of(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 2 || !number_of(parts[0]) || !number_of(parts[1])) return "";
+  return parts[0] + "," + parts[1];
+}
+
+}  // namespace
+
+std::vector<std::string> tuples_of(const std::string& coordinates) {
+  std::vector<std::string> tuples;
+  constexpr const char* blanks = " \t\r\n";
+  for (std::size_t at = coordinates.find_first_not_of(blanks); at != std::string::npos;) {
+    const std::size_t end = std::min(coordinates.find_first_of(blanks, at), coordinates.size());
+    tuples.push_back(coordinates.substr(at, end - at));
+    at = coordinates.find_first_not_of(blanks, end);
+  }
+  return tuples;
+}
+
+void PlaceNames::add(const std::string& name, NamedPlace place) {
+  places_.emplace(name, std::move(place));
+}
+
+Parsed<SourceGeometry> PlaceNames::one(const std::string& text) const {
+  const auto [first, last] = places_.equal_range(text);
+  if (first == last) {
+    if (const std::string tuple = tuple_of(text); !tuple.empty()) {
+      return {SourceGeometry{"Point", tuple, 0}, {}};
+    }
+    for (const char* keyword : {"POINT", "LINESTRING", "POLYGON"}) {
+      if (text.starts_with(keyword)) return parse_wkt(text);
+    }
+    std::vector<std::string> names;
+    for (const auto& [name, place] : places_) {
+      if (names.empty() || names.back() != name) names.push_back(name);
+    }
+    if (names.empty()) {
+      return {{}, "there are no places: a map, or a sheet with names and Lon and Lat, has them"};
+    }
+    const std::string hint = did_you_mean(text, names);
+    return {{},
+            fmt::format("there is no place {}{}", quoted(text),
+                        hint.empty() ? "; there are " + listed(names) : hint)};
+  }
+  if (const auto second = std::next(first); second != last) {
+    const auto where = [](const NamedPlace& place) {
+      return fmt::format("{}:{}", place.place.file, place.place.line);
+    };
+    return {{},
+            fmt::format("there are several places {}: at {} and {}; names must differ",
+                        quoted(text), where(first->second), where(second->second))};
+  }
+  first->second.is_used = true;
+  return {first->second.geometry, {}};
+}
+
+Parsed<SourceGeometry> PlaceNames::geometry(const std::string& text) const {
+  if (text.find(';') == std::string::npos || places_.contains(text)) return one(text);
+  SourceGeometry line{"LineString", "", 0};
+  for (const std::string& part : split(text, ';')) {
+    if (part.empty()) continue;
+    Parsed<SourceGeometry> place = one(part);
+    if (!place) return place;
+    if (place.value->kind != "Point" && place.value->kind != "LineString") {
+      return {{},
+              fmt::format("{} is a {}; a line goes through points and lines", quoted(part),
+                          place.value->kind)};
+    }
+    line.coordinates += (line.coordinates.empty() ? "" : " ") + place.value->coordinates;
+  }
+  const std::size_t count = tuples_of(line.coordinates).size();
+  if (count == 0) return {{}, "names no place"};
+  if (count == 1) line.kind = "Point";
+  return {std::move(line), {}};
+}
+
+std::vector<std::string> PlaceNames::unused() const {
+  std::vector<std::string> names;
+  for (const auto& [name, place] : places_) {
+    if (!place.is_used) names.push_back(name);
+  }
+  return names;
+}
+
+SourceGeometry own_geometry(const Table& table, const TableRow& row, const Columns& columns,
+                            Faults& faults) {
+  if (row.geometry) return *row.geometry;
+  if (const std::string wkt = columns.text(row, column::wkt); !wkt.empty()) {
+    Parsed<SourceGeometry> geometry = parse_wkt(wkt);
+    if (geometry) return std::move(*geometry.value);
+    faults.error(place_of_cell(table, row.number, columns.find(column::wkt)->index),
+                 fmt::format("WKT = {}: {}", quoted(wkt), geometry.why));
+    return {};
+  }
+  std::string numbers[2];
+  const char* const names[2] = {column::lon, column::lat};
+  const double least_deg[2] = {-180, -90}, most_deg[2] = {360, 90};
+  bool is_right = true;
+  for (int i = 0; i < 2; ++i) {
+    std::string text = columns.text(row, names[i]);
+    if (table.has_commas && std::ranges::count(text, ',') == 1) {
+      std::ranges::replace(text, ',', '.');
+    }
+    // Copied from a map: "30.1°".
+    if (text.ends_with("\xc2\xb0")) text.resize(text.size() - 2);
+    const std::optional<double> value = text.empty() ? std::nullopt : number_of(text);
+    if (!text.empty() && (!value || *value < least_deg[i] || *value > most_deg[i])) {
+      is_right = false;
+      faults.error(
+          place_of_cell(table, row.number, columns.find(names[i])->index),
+          fmt::format("{} = {}: a number of degrees from {} to {} is wanted, such as {}", names[i],
+                      quoted(text), least_deg[i], most_deg[i], i == 0 ? "30.125" : "-89.5"));
+    }
+    numbers[i] = std::move(text);
+  }
+  if (!is_right || (numbers[0].empty() && numbers[1].empty())) return {};
+  if (numbers[0].empty() || numbers[1].empty()) {
+    const int absent = numbers[0].empty() ? 0 : 1;
+    faults.error({table.file, row.number},
+                 fmt::format("{} = {}, but {} is empty; a place has both", names[1 - absent],
+                             numbers[1 - absent], names[absent]));
+    return {};
+  }
+  return {"Point", numbers[0] + "," + numbers[1], row.number};
+}
+
+}  // namespace lsos

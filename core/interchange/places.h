@@ -1,0 +1,51 @@
+// Places by name, to which rows of a sheet or lines of an outline refer.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/parsed.h"
+#include "interchange/columns.h"
+#include "plan/kml_source.h"
+
+namespace lsos {
+
+// A named feature of a map or row of a sheet.
+struct NamedPlace {
+  SourceGeometry geometry;
+  Place place;  // where it stands
+  mutable bool is_used = false;
+};
+
+class PlaceNames {
+ public:
+  void add(const std::string& name, NamedPlace place);
+  // The geometry that a text means: the name of a place, or several as "A; B; C", which make a line
+  // through all their points; or coordinates "lon, lat", several as "lon, lat; lon, lat"; or
+  // well-known text.
+  Parsed<SourceGeometry> geometry(const std::string& text) const;
+  bool has(const std::string& name) const { return places_.contains(name); }
+  // Those that nothing has referred to, in the order of their names.
+  std::vector<std::string> unused() const;
+
+ private:
+  Parsed<SourceGeometry> one(const std::string& text) const;
+
+  std::multimap<std::string, NamedPlace> places_;
+};
+
+// The place that a row states itself: the feature's geometry, WKT, or Lon and Lat. A geometry
+// without a kind when it states none. Reports wrong numbers.
+SourceGeometry own_geometry(const Table& table, const TableRow& row, const Columns& columns,
+                            Faults& faults);
+
+// Reads well-known text, such as "LINESTRING (30.1 -89.9, 30.2 -89.9)".
+Parsed<SourceGeometry> parse_wkt(const std::string& text);
+// A geometry as well-known text; its coordinates keep their digits.
+std::string wkt_of(const SourceGeometry& geometry);
+// The tuples "lon,lat" of a text of coordinates.
+std::vector<std::string> tuples_of(const std::string& coordinates);
+
+}  // namespace lsos

@@ -1,0 +1,102 @@
+#include "interchange/row_types.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+// Whether the row has a field that only things of a plan have.
+bool looks_like_ours(const TableRow& row, const Columns& columns) {
+  for (const char* field : {"RoverId", "Sequence", "RoverType", "AssetType", "Planet"}) {
+    if (!columns.text(row, field).empty()) return true;
+  }
+  return false;
+}
+
+class RowTyper {
+ public:
+  RowTyper(const Table& table, const Columns& columns, const Declarations& declarations,
+           PlaceNames& places, Faults& faults)
+      : table_(table),
+        columns_(columns),
+        declarations_(declarations),
+        places_(places),
+        faults_(faults),
+        names_(plan_names(declarations)),
+        table_type_(name_meant(table.name, declarations)) {}
+
+  void add(const TableRow& row) {
+    const std::string text = columns_.text(row, column::type);
+    std::string type = text.empty() ? table_type_ : name_meant(text, declarations_);
+    if (!type.empty()) {
+      typed_.push_back({&table_, &row, &columns_, std::move(type)});
+      return;
+    }
+    const std::string name = columns_.text(row, column::name);
+    // Layers of a map have columns Type of their own: "crater", "ridge".
+    const bool is_ours = looks_like_ours(row, columns_);
+    if (!text.empty() && (is_ours || table_.has_letters)) {
+      if (broken_script(text)) return;
+      const std::string hint = names_(text);
+      faults_.error(place_of_cell(table_, row.number, columns_.find(column::type)->index),
+                    fmt::format("Type = {}: there is no such event{}", quoted(text),
+                                hint.empty() ? "; there are " + listed(names_.known()) : hint));
+      return;
+    }
+    SourceGeometry geometry;
+    if (!is_ours) geometry = own_geometry(table_, row, columns_, faults_);
+    if (!name.empty() && !geometry.kind.empty()) {
+      places_.add(name, {std::move(geometry), {table_.file, row.number}});
+    } else if (table_.has_letters || is_ours) {
+      faults_.error({table_.file, row.number},
+                    fmt::format("the row has neither a Type nor a name with a place; Type is one "
+                                "of {}",
+                                listed(names_.known())));
+    } else {
+      nameless_ += 1;
+    }
+  }
+
+  std::vector<TypedRow> take(std::vector<std::string>& left_out) {
+    if (nameless_ > 0) {
+      left_out.push_back(fmt::format("{}: {} feature{} without a Type and a name", table_.file,
+                                     nameless_, nameless_ == 1 ? "" : "s"));
+    }
+    return std::move(typed_);
+  }
+
+ private:
+  bool broken_script(const std::string& name) {
+    const auto broken = declarations_.broken_events.find(name);
+    if (broken == declarations_.broken_events.end()) return false;
+    faults_.add(broken->second);
+    return true;
+  }
+
+  const Table& table_;
+  const Columns& columns_;
+  const Declarations& declarations_;
+  PlaceNames& places_;
+  Faults& faults_;
+  Suggestions names_;
+  std::string table_type_;
+  std::vector<TypedRow> typed_;
+  int nameless_ = 0;
+};
+
+}  // namespace
+
+std::vector<TypedRow> typed_rows(const Table& table, const Columns& columns,
+                                 const Declarations& declarations, PlaceNames& places,
+                                 std::vector<std::string>& left_out, Faults& faults) {
+  RowTyper typer(table, columns, declarations, places, faults);
+  for (const TableRow& row : table.rows) typer.add(row);
+  return typer.take(left_out);
+}
+
+}  // namespace lsos

@@ -1,0 +1,205 @@
+#include "interchange/sheets.h"
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+#include "base/csv.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "interchange/clock_text.h"
+#include "interchange/workbook_archive.h"
+#include "plan/kml_text.h"
+#include "planet/utc.h"
+#include "terrain/raster/gdal_call.h"
+
+namespace lsos {
+
+namespace {
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+
+// Options of GDAL's drivers for as long as it lives, on this thread.
+class SheetOptions {
+ public:
+  SheetOptions() { set("DISABLE", "STRING"); }
+  ~SheetOptions() { set(nullptr, nullptr); }
+  SheetOptions(const SheetOptions&) = delete;
+  SheetOptions& operator=(const SheetOptions&) = delete;
+
+ private:
+  static void set(const char* headers, const char* types) {
+    for (const char* key : {"OGR_XLSX_HEADERS", "OGR_ODS_HEADERS"}) {
+      CPLSetThreadLocalConfigOption(key, headers);
+    }
+    for (const char* key : {"OGR_XLSX_FIELD_TYPES", "OGR_ODS_FIELD_TYPES"}) {
+      CPLSetThreadLocalConfigOption(key, types);
+    }
+  }
+};
+
+using Cells = std::vector<std::vector<std::string>>;
+
+bool is_empty(const std::vector<std::string>& cells) {
+  return std::ranges::all_of(cells, [](const std::string& text) { return trimmed(text).empty(); });
+}
+
+// Adds the rows as a table that begins with the first row with text.
+void add_table(Cells rows, const std::string& file, const std::string& name,
+               std::vector<Table>& tables) {
+  Table table;
+  table.file = file;
+  table.name = name;
+  table.has_letters = true;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (is_empty(rows[i])) continue;
+    const int number = static_cast<int>(i) + 1;
+    if (table.header.empty()) {
+      table.header = std::move(rows[i]);
+      table.header_number = number;
+    } else {
+      table.rows.push_back({number, std::move(rows[i])});
+    }
+  }
+  if (!table.header.empty()) tables.push_back(std::move(table));
+}
+
+// Shortest digits of a number that GDAL prints as "5.5000000000000000".
+std::string plain_number(const std::string& text) {
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos || !text.ends_with('0')) return text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return text;
+  return fmt::format("{}", value);
+}
+
+// A date that was counted from 1900 though the file counts from 1904.
+std::string shifted_date(const std::string& text) {
+  constexpr int days_between = 1462;
+  const bool is_date = text.size() >= 10 && text[4] == '/' && text[7] == '/';
+  if (!is_date) return text;
+  const Parsed<std::string> utc = utc_text(text, {});
+  const Parsed<Instant> instant = parse_utc(utc ? *utc.value : "");
+  if (!instant) return text;
+  const Parsed<std::string> date = date_of_day(fmt::format("{}", days_between + 1), *instant.value);
+  return date ? *date.value + text.substr(10) : text;
+}
+
+void fill_merged(const std::vector<MergedCells>& merged, Cells& rows) {
+  for (const MergedCells& block : merged) {
+    if (block.row >= rows.size() || block.column >= rows[block.row].size()) continue;
+    const std::string text = rows[block.row][block.column];
+    const std::size_t end = std::min(block.row + block.rows, rows.size());
+    for (std::size_t row = block.row; row < end; ++row) {
+      const std::size_t columns = std::min(block.column + block.columns, rows[row].size());
+      for (std::size_t i = block.column; i < columns; ++i) rows[row][i] = text;
+    }
+  }
+}
+
+Cells cells_of(OGRLayer& layer, const WorkbookFacts& facts, const std::string& file,
+               std::size_t& cells_left) {
+  Cells rows;
+  layer.ResetReading();
+  while (const std::unique_ptr<OGRFeature> feature{layer.GetNextFeature()}) {
+    const auto columns = static_cast<std::size_t>(feature->GetFieldCount());
+    if (columns > cells_left) {
+      throw InputError({file, 0}, fmt::format("has more than {} cells", cells_max));
+    }
+    cells_left -= columns;
+    const auto number = static_cast<std::size_t>(std::max<GIntBig>(feature->GetFID(), 1));
+    rows.resize(std::max(rows.size(), number));
+    for (int i = 0; i < feature->GetFieldCount(); ++i) {
+      std::string text =
+          feature->IsFieldSetAndNotNull(i) != 0 ? feature->GetFieldAsString(i) : std::string();
+      if (facts.is_ods) text = plain_number(text);
+      if (facts.counts_from_1904) text = shifted_date(text);
+      rows[number - 1].push_back(std::move(text));
+    }
+  }
+  return rows;
+}
+
+bool is_utf8(const std::string& bytes) {
+  return CPLIsUTF8(bytes.c_str(), static_cast<int>(bytes.size())) != 0;
+}
+
+}  // namespace
+
+std::string csv_text(const std::string& bytes, const std::string& file) {
+  using namespace std::string_view_literals;
+  const std::string_view text = bytes;
+  const bool is_wide = text.starts_with("\xff\xfe"sv) || text.starts_with("\xfe\xff"sv);
+  if (is_wide) return to_utf8(bytes, file);
+  if (bytes.find('\0') != std::string::npos) {
+    throw InputError({file, 0}, "holds a zero byte, so it is no text; save the sheet as CSV UTF-8");
+  }
+  if (is_utf8(bytes)) return bytes;
+  const std::unique_ptr<char, decltype(&VSIFree)> recoded(
+      CPLRecode(bytes.c_str(), "CP1252", CPL_ENC_UTF8), &VSIFree);
+  return recoded.get();
+}
+
+std::vector<Table> read_csv(const std::string& bytes, const std::string& file) {
+  const CsvTable csv = parse_csv(csv_text(bytes, file));
+  if (!csv.fault.empty()) throw InputError({file, csv.fault_line}, csv.fault);
+  Table table;
+  table.file = file;
+  table.name = std::filesystem::path(file).stem().string();
+  table.has_letters = true;
+  table.has_commas = csv.separator == ';' || csv.separator == '\t';
+  std::size_t cells_left = cells_max;
+  for (const CsvRow& row : csv.rows) {
+    if (row.cells.size() > cells_left) {
+      throw InputError({file, row.line}, fmt::format("has more than {} cells", cells_max));
+    }
+    cells_left -= row.cells.size();
+    if (is_empty(row.cells)) continue;
+    if (table.header.empty()) {
+      table.header = row.cells;
+      table.header_number = row.line;
+    } else {
+      table.rows.push_back({row.line, row.cells});
+    }
+  }
+  if (table.header.empty()) throw InputError({file, 0}, "has no cell with text in it");
+  return {std::move(table)};
+}
+
+std::vector<Table> read_workbook(const std::string& bytes, const std::string& file) {
+  const WorkbookFacts facts = workbook_facts(bytes, file, sheet_bytes_max);
+  const GdalSilence silence;
+  const SheetOptions options;
+  GDALAllRegister();
+  const char* const drivers[] = {facts.is_ods ? "ODS" : "XLSX", nullptr};
+  const std::unique_ptr<GDALDataset, CloseDataset> dataset(
+      GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+  if (dataset == nullptr) {
+    throw InputError({file, 0},
+                     fmt::format("cannot be read as a spreadsheet: {}", GdalSilence::message()));
+  }
+  std::vector<Table> tables;
+  std::size_t cells_left = cells_max;
+  for (int i = 0; i < dataset->GetLayerCount(); ++i) {
+    OGRLayer& layer = *dataset->GetLayer(i);
+    const std::string name = layer.GetName();
+    Cells rows = cells_of(layer, facts, file, cells_left);
+    if (const auto merged = facts.merged.find(name); merged != facts.merged.end()) {
+      fill_merged(merged->second, rows);
+    }
+    add_table(std::move(rows), fmt::format("{}/{}", file, name), name, tables);
+  }
+  if (tables.empty()) throw InputError({file, 0}, "has no cell with text in it");
+  return tables;
+}
+
+}  // namespace lsos

@@ -1,0 +1,157 @@
+#include "interchange/table_writer.h"
+
+#include <cpl_vsi.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <charconv>
+#include <memory>
+
+#include "base/error.h"
+#include "base/output_error.h"
+#include "interchange/places.h"
+#include "terrain/raster/gdal_call.h"
+
+namespace lsos {
+
+namespace {
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+constexpr std::size_t cell_bytes_max = 32767;  // of XLSX
+
+const char* driver_of(const std::string& ending) {
+  if (ending == ".csv") return "CSV";
+  if (ending == ".xlsx") return "XLSX";
+  if (ending == ".ods") return "ODS";
+  return ending == ".gpkg" ? "GPKG" : "GeoJSON";
+}
+
+bool is_spreadsheet(const std::string& ending) {
+  return ending == ".csv" || ending == ".xlsx" || ending == ".ods";
+}
+
+// Whether the text is the shortest form of a number that survives a spreadsheet.
+template <typename T>
+bool is_shortest(const std::string& text) {
+  constexpr std::size_t digits_max = 12;
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() && text.size() <= digits_max &&
+         fmt::format("{}", value) == text;
+}
+
+OGRFieldType type_of(const Table& table, std::size_t column) {
+  bool is_integer = true, is_real = true;
+  for (const TableRow& row : table.rows) {
+    const std::string text = cell(row, column);
+    if (text.empty()) continue;
+    is_integer = is_integer && is_shortest<std::int64_t>(text);
+    is_real = is_real && is_shortest<double>(text);
+  }
+  return is_integer ? OFTInteger64 : is_real ? OFTReal : OFTString;
+}
+
+OGRwkbGeometryType geometry_of(const Table& table) {
+  OGRwkbGeometryType type = wkbNone;
+  for (const TableRow& row : table.rows) {
+    if (!row.geometry) continue;
+    const OGRwkbGeometryType own = row.geometry->kind == "Point"        ? wkbPoint
+                                   : row.geometry->kind == "LineString" ? wkbLineString
+                                                                        : wkbPolygon;
+    type = type == wkbNone || type == own ? own : wkbUnknown;
+  }
+  return type;
+}
+
+class TableWriter {
+ public:
+  TableWriter(const std::string& ending, const Body& body, const std::string& file)
+      : ending_(ending), file_(file), path_("/vsimem/lsos_export/plan" + ending) {
+    VSIMkdirRecursive("/vsimem/lsos_export", 0700);
+    crs_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    if (crs_.SetFromUserInput(std::string(body.crs).c_str()) != OGRERR_NONE) {
+      refuse("PROJ does not know " + std::string(body.crs));
+    }
+  }
+  ~TableWriter() { VSIRmdirRecursive("/vsimem/lsos_export"); }
+  TableWriter(const TableWriter&) = delete;
+  TableWriter& operator=(const TableWriter&) = delete;
+
+  std::string write(const std::vector<Table>& tables) {
+    GDALAllRegister();
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(ending_));
+    if (driver == nullptr) refuse(fmt::format("GDAL has no driver {}", driver_of(ending_)));
+    Dataset dataset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    if (dataset == nullptr) refuse(GdalSilence::message());
+    for (const Table& table : tables) add(table, *dataset);
+    dataset.reset();
+    vsi_l_offset size = 0;
+    const GByte* bytes = VSIGetMemFileBuffer(path_.c_str(), &size, false);
+    if (bytes == nullptr || size == 0) refuse(GdalSilence::message());
+    return {reinterpret_cast<const char*>(bytes), size};
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw OutputError(fmt::format("{}: cannot be written: {}", file_, why));
+  }
+
+  void add(const Table& table, GDALDataset& dataset) {
+    CPLStringList options;
+    if (ending_ == ".geojson") options.SetNameValue("COORDINATE_PRECISION", "12");
+    if (ending_ == ".gpkg") options.SetNameValue("GEOMETRY_NAME", "geom");
+    const OGRwkbGeometryType kind = is_spreadsheet(ending_) ? wkbNone : geometry_of(table);
+    // GeoJSON is degrees of no stated body: one in its own CRS is refused by most viewers.
+    OGRSpatialReference* crs = ending_ == ".gpkg" && kind != wkbNone ? &crs_ : nullptr;
+    OGRLayer* layer = dataset.CreateLayer(table.name.c_str(), crs, kind, options.List());
+    if (layer == nullptr) refuse(GdalSilence::message());
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      OGRFieldDefn field(table.header[i].c_str(), type_of(table, i));
+      if (layer->CreateField(&field) != OGRERR_NONE) refuse(GdalSilence::message());
+    }
+    for (const TableRow& row : table.rows) add(row, table, *layer);
+  }
+
+  void add(const TableRow& row, const Table& table, OGRLayer& layer) {
+    const std::unique_ptr<OGRFeature> feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
+    for (std::size_t i = 0; i < table.header.size(); ++i) {
+      const std::string text = cell(row, i);
+      if (text.empty()) continue;
+      if (text.size() > cell_bytes_max && ending_ == ".xlsx") {
+        throw InputError({file_, 0},
+                         fmt::format("{} of row {} has {} characters, a cell of a .xlsx "
+                                     "file at most {}; .ods, .csv, .gpkg and .geojson "
+                                     "have room for it",
+                                     table.header[i], row.number + 1, text.size(), cell_bytes_max));
+      }
+      feature->SetField(static_cast<int>(i), text.c_str());
+    }
+    if (row.geometry) {
+      const std::string wkt = wkt_of(*row.geometry);
+      OGRGeometry* geometry = nullptr;
+      if (OGRGeometryFactory::createFromWkt(wkt.c_str(), nullptr, &geometry) != OGRERR_NONE) {
+        refuse(GdalSilence::message());
+      }
+      feature->SetGeometryDirectly(geometry);
+    }
+    if (layer.CreateFeature(feature.get()) != OGRERR_NONE) refuse(GdalSilence::message());
+  }
+
+  std::string ending_, file_, path_;
+  OGRSpatialReference crs_;
+};
+
+}  // namespace
+
+std::string tables_as(const std::string& ending, const std::vector<Table>& tables, const Body& body,
+                      const std::string& file) {
+  const GdalSilence silence;
+  return TableWriter(ending, body, file).write(tables);
+}
+
+}  // namespace lsos

@@ -1,0 +1,211 @@
+#include "interchange/workbook_archive.h"
+
+#include <fmt/format.h>
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <string_view>
+
+#include "base/error.h"
+#include "plan/xml_element.h"
+#include "plan/zip_handle.h"
+
+namespace lsos {
+
+namespace {
+
+using tinyxml2::XMLElement;
+
+class Archive {
+ public:
+  Archive(const std::string& bytes, const std::string& file) : file_(file) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+    zip_t* archive = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+    if (archive == nullptr) {
+      if (source != nullptr) zip_source_free(source);
+      const std::string why = message(&error);
+      zip_error_fini(&error);
+      throw InputError({file, 0},
+                       fmt::format("cannot be unpacked: {}; the spreadsheet is cut short "
+                                   "or damaged",
+                                   why));
+    }
+    zip_error_fini(&error);
+    archive_.reset(archive);
+  }
+
+  // Sum of the sizes in the archive's directory.
+  std::size_t unpacked_bytes() const {
+    std::size_t total = 0;
+    const zip_int64_t count = zip_get_num_entries(archive_.get(), 0);
+    for (zip_int64_t i = 0; i < count; ++i) {
+      zip_stat_t stat;
+      if (zip_stat_index(archive_.get(), static_cast<zip_uint64_t>(i), 0, &stat) == 0) {
+        total += stat.size;
+      }
+    }
+    return total;
+  }
+
+  bool has(const std::string& name) const {
+    return zip_name_locate(archive_.get(), name.c_str(), 0) >= 0;
+  }
+
+  // "" when there is no such file. Reads no more than the directory says.
+  std::string unpacked(const std::string& name) const {
+    zip_stat_t stat;
+    if (zip_stat(archive_.get(), name.c_str(), 0, &stat) != 0) return "";
+    const ZipEntry entry(zip_fopen(archive_.get(), name.c_str(), 0));
+    std::string bytes(stat.size, '\0');
+    const zip_int64_t count =
+        entry == nullptr ? -1 : zip_fread(entry.get(), bytes.data(), bytes.size());
+    if (count < 0 || static_cast<std::size_t>(count) != bytes.size()) {
+      throw InputError({file_, 0}, fmt::format("{} in it cannot be unpacked: the spreadsheet is "
+                                               "damaged",
+                                               name));
+    }
+    return bytes;
+  }
+
+ private:
+  std::string file_;
+  ZipHandle archive_;
+};
+
+// Index 27 of "AB12", and 11 for its row; absent when the text is no cell.
+struct CellIndex {
+  std::size_t row = 0, column = 0;
+};
+std::optional<CellIndex> cell_index(std::string_view text) {
+  constexpr std::size_t letters = 26, most = 1'000'000'000;
+  CellIndex index;
+  std::size_t i = 0;
+  for (; i < text.size() && std::isupper(static_cast<unsigned char>(text[i])) != 0; ++i) {
+    index.column = index.column * letters + static_cast<std::size_t>(text[i] - 'A') + 1;
+    if (index.column > most) return {};
+  }
+  const std::string_view digits = text.substr(i);
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), index.row);
+  const bool is_cell = error == std::errc() && end == digits.data() + digits.size();
+  if (!is_cell || index.row == 0 || index.column == 0) return {};
+  --index.row;
+  --index.column;
+  return index;
+}
+
+// The blocks of <mergeCell ref="A2:A5"/> in a sheet's XML.
+std::vector<MergedCells> merged_of_xlsx(const std::string& xml) {
+  constexpr std::string_view element = "mergeCell ", key = "ref=\"";
+  std::vector<MergedCells> merged;
+  for (std::size_t at = xml.find(element); at != std::string::npos; at = xml.find(element, at)) {
+    at += element.size();
+    const std::size_t open = xml.find(key, at);
+    if (open == std::string::npos) break;
+    const std::size_t from = open + key.size(), to = std::min(xml.find('"', from), xml.size());
+    const std::string_view range = std::string_view(xml).substr(from, to - from);
+    const std::size_t colon = range.find(':');
+    if (colon == std::string_view::npos) continue;
+    const auto first = cell_index(range.substr(0, colon)),
+               last = cell_index(range.substr(colon + 1));
+    if (!first || !last || last->row < first->row || last->column < first->column) continue;
+    merged.push_back(
+        {first->row, first->column, last->row - first->row + 1, last->column - first->column + 1});
+  }
+  return merged;
+}
+
+void add_xlsx(const Archive& archive, WorkbookFacts& facts) {
+  tinyxml2::XMLDocument workbook, links;
+  workbook.Parse(archive.unpacked("xl/workbook.xml").c_str());
+  links.Parse(archive.unpacked("xl/_rels/workbook.xml.rels").c_str());
+  if (workbook.RootElement() == nullptr || links.RootElement() == nullptr) return;
+  std::map<std::string, std::string> targets;
+  for (const XMLElement* link = links.RootElement()->FirstChildElement(); link != nullptr;
+       link = link->NextSiblingElement()) {
+    targets[attribute(*link, "Id")] = attribute(*link, "Target");
+  }
+  const XMLElement& root = *workbook.RootElement();
+  if (const XMLElement* properties = child(root, "workbookPr")) {
+    const std::string value = attribute(*properties, "date1904");
+    facts.counts_from_1904 = value == "1" || value == "true";
+  }
+  const XMLElement* sheets = child(root, "sheets");
+  if (sheets == nullptr) return;
+  for (const XMLElement* sheet = sheets->FirstChildElement(); sheet != nullptr;
+       sheet = sheet->NextSiblingElement()) {
+    const std::string target = targets[attribute(*sheet, "r:id")];
+    const std::string name = target.starts_with('/') ? target.substr(1) : "xl/" + target;
+    facts.merged[attribute(*sheet, "name")] = merged_of_xlsx(archive.unpacked(name));
+  }
+}
+
+std::size_t count_of(const XMLElement& element, const char* name) {
+  constexpr int most = 2'000'000;
+  const int count = element.IntAttribute(name, 1);
+  return static_cast<std::size_t>(std::clamp(count, 1, most));
+}
+
+std::vector<MergedCells> merged_of_ods(const XMLElement& table) {
+  std::vector<MergedCells> merged;
+  std::size_t row = 0;
+  for (const XMLElement* line = table.FirstChildElement(); line != nullptr;
+       line = line->NextSiblingElement()) {
+    if (local_name(*line) != "table-row") continue;
+    std::size_t column = 0;
+    for (const XMLElement* each = line->FirstChildElement(); each != nullptr;
+         each = each->NextSiblingElement()) {
+      const std::size_t rows = count_of(*each, "table:number-rows-spanned");
+      const std::size_t columns = count_of(*each, "table:number-columns-spanned");
+      if (rows > 1 || columns > 1) merged.push_back({row, column, rows, columns});
+      column += count_of(*each, "table:number-columns-repeated");
+    }
+    row += count_of(*line, "table:number-rows-repeated");
+  }
+  return merged;
+}
+
+void add_ods(const Archive& archive, WorkbookFacts& facts) {
+  tinyxml2::XMLDocument content;
+  content.Parse(archive.unpacked("content.xml").c_str());
+  if (content.RootElement() == nullptr) return;
+  const XMLElement* body = child(*content.RootElement(), "body");
+  const XMLElement* sheet = body == nullptr ? nullptr : child(*body, "spreadsheet");
+  if (sheet == nullptr) return;
+  for (const XMLElement* table = sheet->FirstChildElement(); table != nullptr;
+       table = table->NextSiblingElement()) {
+    if (local_name(*table) != "table") continue;
+    facts.merged[attribute(*table, "table:name")] = merged_of_ods(*table);
+  }
+}
+
+}  // namespace
+
+WorkbookFacts workbook_facts(const std::string& bytes, const std::string& file,
+                             std::size_t max_bytes) {
+  const Archive archive(bytes, file);
+  if (const std::size_t size = archive.unpacked_bytes(); size > max_bytes) {
+    throw InputError({file, 0},
+                     fmt::format("unpacks to {} MiB; a spreadsheet of a plan has at most "
+                                 "{} MiB",
+                                 size >> 20, max_bytes >> 20));
+  }
+  WorkbookFacts facts;
+  facts.is_ods = archive.has("content.xml");
+  if (!facts.is_ods && !archive.has("xl/workbook.xml")) {
+    throw InputError({file, 0}, "is an archive, but no spreadsheet (XLSX or ODS) is in it");
+  }
+  if (facts.is_ods) {
+    add_ods(archive, facts);
+  } else {
+    add_xlsx(archive, facts);
+  }
+  return facts;
+}
+
+}  // namespace lsos

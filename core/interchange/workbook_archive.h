@@ -1,0 +1,27 @@
+// The ZIP archive of a spreadsheet: whether it may be opened, and what GDAL does not tell of it.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lsos {
+
+// A block of merged cells, counted from 0.
+struct MergedCells {
+  std::size_t row = 0, column = 0, rows = 1, columns = 1;
+};
+
+struct WorkbookFacts {
+  bool is_ods = false;
+  bool counts_from_1904 = false;                           // dates of an XLSX file
+  std::map<std::string, std::vector<MergedCells>> merged;  // by sheet
+};
+
+// Judges the archive by its directory before anything is unpacked. Throws InputError when it is no
+// spreadsheet, damaged, or would unpack to more than `max_bytes`.
+WorkbookFacts workbook_facts(const std::string& bytes, const std::string& file,
+                             std::size_t max_bytes);
+
+}  // namespace lsos

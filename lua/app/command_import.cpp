@@ -1,0 +1,148 @@
+// `lsos-host import`: makes a plan of spreadsheets, maps, xGDS plans and outlines.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/console.h"
+#include "base/files.h"
+#include "base/output_file.h"
+#include "interchange/imported_plan.h"
+#include "interchange/plan_document.h"
+#include "interchange/source_tables.h"
+#include "lua/app/commands.h"
+#include "lua/host/mission_reader.h"
+#include "plan/kml_reader.h"
+#include "plan/kml_writer.h"
+
+namespace lsos {
+
+namespace {
+
+struct ImportOptions {
+  std::vector<std::string> files;
+  std::string output;
+  bool replaces = false;  // a file that is there
+  bool is_json = false;
+};
+
+void check_options(const ImportOptions& options) {
+  Faults faults;
+  check_output("-o", options.output, {".kml", ".kmz"}, options.files, faults);
+  std::error_code absent;
+  if (!options.replaces && std::filesystem::exists(options.output, absent)) {
+    faults.error({}, fmt::format("-o {}: is there already; --force replaces it", options.output));
+  }
+  faults.throw_if_errors();
+}
+
+ImportedPlan imported(const ImportOptions& options, const Declarations& declarations,
+                      Faults& faults) {
+  std::vector<Table> tables;
+  std::vector<std::string> left_out;
+  for (const std::string& file : options.files) {
+    try {
+      for (Table& table : read_tables(file, declarations, left_out)) {
+        tables.push_back(std::move(table));
+      }
+    } catch (const InputError& error) {
+      faults.add(error.faults());
+    }
+  }
+  faults.throw_if_errors();  // a place that is missing would only follow from these
+  ImportedPlan plan = import_tables(tables, declarations, faults);
+  plan.left_out.insert(plan.left_out.begin(), left_out.begin(), left_out.end());
+  return plan;
+}
+
+// The faults of the plan, in words for sheets: its reader speaks of Placemarks where something is
+// missing in all files.
+Faults in_words_for_sheets(const Faults& faults) {
+  Faults told;
+  for (const Fault& fault : faults.sorted()) {
+    const bool lacks_mission = fault.what.starts_with("has no MissionInfo");
+    const bool lacks_place = fault.what.find(": has no geometry; ") != std::string::npos;
+    const bool lacks_rover = fault.what.starts_with("has no Rover");
+    if (lacks_mission) {
+      told.error({},
+                 "no file says the mission: a row of Type MissionInfo with Planet, StartTime and "
+                 "Terrain is wanted, or a line 'Mission: Planet Moon, StartTime ..., Terrain "
+                 "...' in an outline");
+    } else if (lacks_rover) {
+      told.error({},
+                 "no file has a rover: a row of Type Rover with RoverId, RoverType and a place is "
+                 "wanted, or a line 'Rover ID: TYPE at PLACE' in an outline");
+    } else if (lacks_place) {
+      told.error(fault.place, fault.what + "; Place, Lon and Lat, or WKT say where it is");
+    } else {
+      told.add({fault});
+    }
+  }
+  return told;
+}
+
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string answer_text(const ImportOptions& options, const Plan& plan, const Faults& faults,
+                        const std::vector<std::string>& left_out) {
+  std::string text;
+  for (const Fault& fault : faults.sorted()) text += to_string(fault) + "\n";
+  for (const std::string& line : left_out) text += fmt::format("left out: {}\n", line);
+  return text + fmt::format("{}: {}, {}, {} of {}\n", options.output,
+                            counted(plan.rovers.size(), "rover"),
+                            counted(plan.assets.size(), "asset"),
+                            counted(plan.events.size(), "event"), fmt::join(options.files, ", "));
+}
+
+std::string answer_json(const ImportOptions& options, const Plan& plan, const Faults& faults,
+                        const std::vector<std::string>& left_out) {
+  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+  for (const Fault& fault : faults.sorted()) warnings.push_back(to_string(fault));
+  const nlohmann::ordered_json answer{
+      {"plan", options.output},       {"plan_sha256", plan.hash()},
+      {"rovers", plan.rovers.size()}, {"assets", plan.assets.size()},
+      {"events", plan.events.size()}, {"warnings", warnings},
+      {"left_out", left_out}};
+  return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+int import_command(const ImportOptions& options) {
+  check_options(options);
+  const std::shared_ptr<const Catalog> catalog = read_catalog(options.output);
+  const Declarations& declarations = catalog->declarations();
+  Faults faults;
+  const ImportedPlan made = imported(options, declarations, faults);
+  const Plan plan = read_plan(options.output, made.source, declarations, faults);
+  in_words_for_sheets(faults).throw_if_errors();
+
+  DocumentLook look;
+  look.name = std::filesystem::path(options.output).stem().string();
+  look.description = fmt::format("Imported from {}.", fmt::join(options.files, ", "));
+  look.target = target_of(*plan.mission.planet);
+  look.has_folders = true;
+  const std::string kml = kml_of(made.source, look);
+  // What was checked is what is written.
+  Faults none;
+  LSOS_ASSERT(
+      read_plan(options.output, parse_kml(kml, options.output), declarations, none).hash() ==
+      plan.hash());
+  write_file(options.output, options.output.ends_with(".kmz") ? pack_kmz(kml) : kml);
+  print_result("{}", options.is_json ? answer_json(options, plan, faults, made.left_out)
+                                     : answer_text(options, plan, faults, made.left_out));
+  return 0;
+}
+
+}  // namespace
+
+std::function<int()> prepare_import(CommandOptions& command) {
+  const auto options = std::make_shared<ImportOptions>();
+  command.add_option("FILE", options->files, import_formats).required();
+  command.add_option("-o,--output", options->output, "The plan: X.kml or X.kmz").required();
+  command.add_flag("--force", options->replaces, "Replace the plan where it is there already");
+  command.add_flag("--json", options->is_json, "What was made, as JSON");
+  return [options] { return import_command(*options); };
+}
+
+}  // namespace lsos

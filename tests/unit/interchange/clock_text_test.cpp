@@ -1,0 +1,44 @@
+#include "interchange/clock_text.h"
+
+#include <gmock/gmock.h>
+
+namespace lsos {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Instant start = *parse_utc("2026-02-27T14:00:00Z").value;
+
+TEST(DayOfTable, counts_from_the_date_on_which_the_mission_starts) {
+  EXPECT_EQ(date_of_day("1", start).value, "2026-02-27");
+  EXPECT_EQ(date_of_day("Day 3", start).value, "2026-03-01");
+  EXPECT_EQ(date_of_day("3.0", start).value, "2026-03-01");
+  EXPECT_EQ(date_of_day("2026/3/5", start).value, "2026-03-05");
+  EXPECT_EQ(date_of_day("2026-03-05 00:00:00", start).value, "2026-03-05");
+  for (const char* wrong : {"0", "-1", "soon", "1.5", "2026-02-30", "99999"}) {
+    EXPECT_THAT(date_of_day(wrong, start).why, HasSubstr("is no day")) << wrong;
+  }
+}
+
+TEST(TimeOfTable, is_a_clock_on_its_day_or_counts_from_the_row_before) {
+  const TimeContext context{"2026-03-01", start};
+  const auto read = [&](const char* text) {
+    const Parsed<std::string> utc = utc_text(text, context);
+    return utc ? format_utc(*parse_utc(*utc.value).value) : utc.why;
+  };
+  EXPECT_EQ(read("8:05"), "2026-03-01T08:05:00.000Z");
+  EXPECT_EQ(read("08:05:30.5"), "2026-03-01T08:05:30.500Z");
+  EXPECT_EQ(read("08:00-07:00"), "2026-03-01T15:00:00.000Z");
+  EXPECT_EQ(read("+2 h"), "2026-02-27T16:00:00.000Z");
+  EXPECT_EQ(read("+1:30"), "2026-02-27T15:30:00.000Z");
+  EXPECT_EQ(read("2026/03/02 06:00:00"), "2026-03-02T06:00:00.000Z");
+  EXPECT_EQ(read("2026-03-02"), "2026-03-02T00:00:00.000Z");
+  EXPECT_THAT(read("24:00"), HasSubstr("a clock time is from 00:00 to 23:59"));
+  EXPECT_THAT(read("+soon"), HasSubstr("is written '+2 h'"));
+  EXPECT_EQ(utc_text("soon", context).value, "soon");  // the plan's reader says what is wrong
+  EXPECT_THAT(utc_text("+2 h", {"", {}}).why, HasSubstr("says a start to count from"));
+  EXPECT_THAT(utc_text("08:00", {"", {}}).why, HasSubstr("a clock time needs a Day"));
+}
+
+}  // namespace
+}  // namespace lsos

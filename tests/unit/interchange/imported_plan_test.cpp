@@ -1,0 +1,108 @@
+#include "interchange/imported_plan.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "interchange/map_tables.h"
+#include "interchange/sheets.h"
+#include "unit/plan/plan_fixture.h"
+
+namespace lsos::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const std::string mission =
+    "Type,RoverId,RoverType,Planet,StartTime,Terrain,Lon,Lat\n"
+    "MissionInfo,,,Moon,2026-07-01 06:00,Flat,,\n"
+    "Rover,A,SEV,,,,0,0\n";
+
+struct Imported {
+  Plan plan;
+  ImportedPlan source;
+  std::string faults;
+};
+
+Imported import(const std::vector<std::string>& sheets) {
+  std::vector<Table> tables;
+  for (const std::string& sheet : sheets) {
+    for (Table& table : read_csv(sheet, fmt::format("s{}.csv", tables.size() + 1))) {
+      tables.push_back(std::move(table));
+    }
+  }
+  Faults faults;
+  Imported imported{{}, import_tables(tables, declarations(), faults), ""};
+  imported.plan = read_plan("plan.kml", imported.source.source, declarations(), faults);
+  imported.faults = faults_text(faults);
+  return imported;
+}
+
+std::string start(const PlanEvent& event) {
+  return event.start_time ? format_utc(*event.start_time) : "none";
+}
+
+TEST(ImportedPlan, takes_over_rover_and_day_of_the_row_above) {
+  const Imported made = import({mission, "name,lon,lat\nRidge,0.01,0.005\nCamp,0.02,0\n",
+                                "Type,Rover,Day,Start,Place,Speed (km/h),Duration (min)\n"
+                                "route,A,1,08:00,Ridge,3.6,\n"
+                                "Pause,,,+30 min,,,90\n"
+                                "Route,,2,,Ridge; Camp,7.2,\n"
+                                "Pauses,,,,,,1:30\n"});
+  ASSERT_EQ(made.faults, "");
+  const auto& events = made.plan.events;
+  ASSERT_EQ(events.size(), 4u);
+  EXPECT_EQ(start(events[0]), "2026-07-01T08:00:00.000Z");
+  EXPECT_EQ(start(events[1]), "2026-07-01T08:30:00.000Z");
+  EXPECT_EQ(start(events[2]), "2026-07-02T00:00:00.000Z");  // the day begins
+  EXPECT_EQ(start(events[3]), "none");
+  EXPECT_EQ(std::get<double>(events[0].params.at("speed_mps")), 1.0);
+  EXPECT_EQ(std::get<double>(events[1].params.at("duration_s")), 5400.0);
+  EXPECT_EQ(std::get<double>(events[3].params.at("duration_s")), 5400.0);
+  EXPECT_EQ(events[0].geometry.points.size(), 1u);
+  EXPECT_EQ(events[2].geometry.points.size(), 2u);
+  EXPECT_EQ(events[3].sequence, 40);
+  EXPECT_THAT(made.source.source.placemarks.back().folders, ElementsAre("A", "2026-07-02"));
+}
+
+TEST(ImportedPlan, joins_a_line_on_a_map_with_the_row_of_its_name) {
+  KmlSource map{"map.kml", {}};
+  SourcePlacemark line;
+  line.name = "Traverse";
+  line.geometries.push_back({"LineString", "0,0 0.01,0 0.01,0.01", 7});
+  map.placemarks = {line};
+  line.name = "Elsewhere";
+  map.placemarks.push_back(line);
+  std::vector<Table> tables = tables_of(map);
+  for (const char* sheet : {mission.c_str(), "Type,name,Rover,Day\nRoute,Traverse,A,3\n"}) {
+    tables.push_back(read_csv(sheet, "s.csv").at(0));
+  }
+  Faults faults;
+  const ImportedPlan made = import_tables(tables, declarations(), faults);
+  const Plan plan = read_plan("plan.kml", made.source, declarations(), faults);
+  ASSERT_EQ(faults_text(faults), "");
+  EXPECT_EQ(plan.events.at(0).geometry.points.size(), 3u);
+  EXPECT_EQ(start(plan.events[0]), "2026-07-03T00:00:00.000Z");
+  EXPECT_THAT(made.left_out, ElementsAre("1 place that no row names: Elsewhere"));
+}
+
+TEST(ImportedPlan, tells_faults_by_sheet_and_cell) {
+  const Imported made = import({mission,
+                                "Type,Rover,Day,Start,Speed (kg),Place,Speed,Colour\n"
+                                "Rout,A,,,,,,\n"
+                                "Route,A,soon,25:00,5,Nowhere,,red\n"});
+  EXPECT_THAT(made.faults,
+              HasSubstr("s2.csv:A2: Type = 'Rout': there is no such event; did you mean "
+                        "'Route'?"));
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:C3: Day = 'soon' is no day"));
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:D3: StartTime = '25:00': a clock time is"));
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:E1: (kg) is no unit of Speed; there are m/s, km/h"));
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:F3: Place: there is no place 'Nowhere'; there are A"));
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:G1: the column Speed stands twice, here and at E1"));
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:H1: warning: the column 'Colour' is not used"));
+}
+
+}  // namespace
+}  // namespace lsos::test

@@ -1,0 +1,173 @@
+// Spreadsheets as programs save them: encodings, formulas, merged cells, dates, archives that would
+// burst.
+#include "interchange/sheets.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "interchange/workbook_archive.h"
+#include "plan/kml_writer.h"
+
+namespace lsos {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// Writes the bytes to a file and removes it at the end.
+class SheetFile {
+ public:
+  SheetFile(const std::string& name, const std::string& bytes)
+      : path_((fs::temp_directory_path() / fmt::format("{}_{}", ::getpid(), name)).string()),
+        bytes_(bytes) {
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+  ~SheetFile() { fs::remove(path_); }
+  std::vector<Table> tables() const { return read_workbook(bytes_, path_); }
+  std::string error() const {
+    try {
+      tables();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+ private:
+  std::string path_, bytes_;
+};
+
+// A workbook with one sheet, whose rows are XML.
+std::string xlsx(const std::string& rows, const std::string& after_rows = "",
+                 const std::string& properties = "") {
+  const std::string head = R"(<?xml version="1.0" encoding="UTF-8"?>)";
+  const std::string main = "http://schemas.openxmlformats.org/spreadsheetml/2006/main";
+  const std::string office = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
+  const std::string package = "http://schemas.openxmlformats.org/package/2006/";
+  return pack_zip(
+      {{"[Content_Types].xml",
+        head + "<Types xmlns=\"" + package +
+            "content-types\"><Default Extension=\"xml\" ContentType=\"application/xml\"/><Default "
+            "Extension=\"rels\" "
+            "ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/><Override "
+            "PartName=\"/xl/workbook.xml\" "
+            "ContentType=\"application/vnd.openxmlformats-officedocument.spreadsheetml.sheet.main+"
+            "xml\"/><Override PartName=\"/xl/worksheets/sheet1.xml\" "
+            "ContentType=\"application/vnd.openxmlformats-officedocument.spreadsheetml.worksheet+"
+            "xml\"/></Types>"},
+       {"_rels/.rels", head + "<Relationships xmlns=\"" + package +
+                           "relationships\"><Relationship Id=\"rId1\" Type=\"" + office +
+                           "/officeDocument\" Target=\"xl/workbook.xml\"/></Relationships>"},
+       {"xl/workbook.xml", head + "<workbook xmlns=\"" + main + "\" xmlns:r=\"" + office + "\">" +
+                               properties +
+                               "<sheets><sheet name=\"Events\" sheetId=\"1\" "
+                               "r:id=\"rId1\"/></sheets></workbook>"},
+       {"xl/_rels/workbook.xml.rels",
+        head + "<Relationships xmlns=\"" + package +
+            "relationships\"><Relationship Id=\"rId1\" Type=\"" + office +
+            "/worksheet\" Target=\"worksheets/sheet1.xml\"/><Relationship Id=\"rId2\" Type=\"" +
+            office + "/styles\" Target=\"styles.xml\"/></Relationships>"},
+       {"xl/styles.xml",
+        head + "<styleSheet xmlns=\"" + main +
+            "\"><numFmts count=\"0\"/><cellXfs count=\"3\"><xf numFmtId=\"0\"/><xf "
+            "numFmtId=\"22\"/><xf numFmtId=\"14\"/></cellXfs></styleSheet>"},
+       {"xl/worksheets/sheet1.xml", head + "<worksheet xmlns=\"" + main + "\"><sheetData>" + rows +
+                                        "</sheetData>" + after_rows + "</worksheet>"}});
+}
+
+std::string text_cell(const std::string& at, const std::string& text) {
+  return "<c r=\"" + at + "\" t=\"inlineStr\"><is><t>" + text + "</t></is></c>";
+}
+
+const std::string header = "<row r=\"1\">" + text_cell("A1", "Type") + text_cell("B1", "Day") +
+                           text_cell("C1", "Start") + "</row>";
+
+TEST(Workbook, keeps_row_numbers_and_values_of_formulas) {
+  const SheetFile file("formula.xlsx", xlsx(header + "<row r=\"4\">" + text_cell("A4", "Pause") +
+                                            "<c r=\"B4\"><f>1+2</f><v>3</v></c></row>"));
+  const Table table = file.tables().at(0);
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0].number, 4);
+  EXPECT_EQ(cell(table.rows[0], 0), "Pause");
+  EXPECT_EQ(cell(table.rows[0], 1), "3");
+  EXPECT_THAT(table.file, HasSubstr(".xlsx/Events"));
+}
+
+TEST(Workbook, fills_merged_cells) {
+  const SheetFile file("merged.xlsx",
+                       xlsx(header + "<row r=\"2\">" + text_cell("A2", "Pause") +
+                                "<c r=\"B2\"><v>2</v></c></row><row r=\"3\">" +
+                                text_cell("A3", "EVA") + "<c r=\"B3\"/></row><row r=\"4\">" +
+                                text_cell("A4", "Pause") + "<c r=\"B4\"/></row>",
+                            "<mergeCells count=\"1\"><mergeCell ref=\"B2:B3\"/></mergeCells>"));
+  const Table table = file.tables().at(0);
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(cell(table.rows[1], 1), "2");
+  EXPECT_EQ(cell(table.rows[2], 1), "");
+}
+
+// Excel's serial number 46204.25 is 2026-07-01 06:00 counted from 1900 (ECMA-376, 18.17.4.1), and
+// 44742.25 counted from 1904.
+TEST(Workbook, reads_dates_counted_from_1900_and_1904) {
+  const auto start = [](const std::string& serial, const std::string& properties) {
+    const SheetFile file(
+        "dates.xlsx", xlsx(header + "<row r=\"2\">" + text_cell("A2", "Wait") +
+                               "<c r=\"B2\"/><c r=\"C2\" s=\"1\"><v>" + serial + "</v></c></row>",
+                           "", properties));
+    return cell(file.tables().at(0).rows.at(0), 2);
+  };
+  EXPECT_THAT(start("46204.25", ""), HasSubstr("2026/07/01 06:00:00"));
+  EXPECT_THAT(start("44742.25", "<workbookPr date1904=\"1\"/>"), HasSubstr("2026-07-01 06:00:00"));
+}
+
+TEST(Workbook, is_judged_by_its_directory_before_it_is_opened) {
+  const std::string bytes = xlsx(header + std::string(3'000'000, ' '));
+  EXPECT_LT(bytes.size(), 20'000u);
+  try {
+    workbook_facts(bytes, "bomb.xlsx", 1'000'000);
+    ADD_FAILURE() << "a bomb was opened";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("bomb.xlsx: unpacks to 2 MiB; a spreadsheet of a plan has "
+                                        "at most 0 MiB"));
+  }
+}
+
+TEST(Workbook, that_is_damaged_or_none_is_told) {
+  const std::string bytes = xlsx(header);
+  EXPECT_THAT(SheetFile("cut.xlsx", bytes.substr(0, bytes.size() / 2)).error(),
+              HasSubstr("the spreadsheet is cut short or damaged"));
+  EXPECT_THAT(SheetFile("other.xlsx", pack_zip({{"a.txt", "text"}})).error(),
+              HasSubstr("is an archive, but no spreadsheet (XLSX or ODS) is in it"));
+  EXPECT_THAT(SheetFile("empty.xlsx", xlsx("")).error(), HasSubstr("has no cell with text in it"));
+}
+
+TEST(Csv, is_read_in_utf_8_utf_16_and_windows_1252) {
+  const std::string utf8 =
+      "Type;Place\nRoute;Gr\xc3\xb6\xc3\x9f"
+      "e\n";
+  std::string utf16 = "\xff\xfe";
+  for (const char c : std::string("Type;Place\nRoute;Gr")) utf16 += std::string{c, '\0'};
+  utf16 += std::string("\xf6\0\xdf\0e\0\n\0", 8);
+  for (const std::string& bytes : {utf8, utf16,
+                                   std::string("Type;Place\nRoute;Gr\xf6\xdf"
+                                               "e\n")}) {
+    const Table table = read_csv(bytes, "tasks.csv").at(0);
+    EXPECT_EQ(cell(table.rows.at(0), 1),
+              "Gr\xc3\xb6\xc3\x9f"
+              "e");
+    EXPECT_TRUE(table.has_commas);
+  }
+}
+
+TEST(Csv, without_text_is_told) {
+  EXPECT_THROW(read_csv(";;\n;;\n", "tasks.csv"), InputError);
+  EXPECT_THROW(read_csv(std::string("a\0b", 3), "tasks.csv"), InputError);
+}
+
+}  // namespace
+}  // namespace lsos
