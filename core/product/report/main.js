@@ -3,6 +3,7 @@ fillHead();
 fillFindings();
 fillTables();
 fillDays();
+fillTimeline();
 fillNotes();
 fillPictures();
 fillOrigins();
