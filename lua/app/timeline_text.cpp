@@ -1,0 +1,90 @@
+#include "lua/app/timeline_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace lsos {
+
+namespace {
+
+constexpr double day_s = 86400, cell_s = 1200;
+constexpr int cells_a_day = 72, cells_a_label = 9;  // a label each three hours
+
+double overlap_s(const TimelineSpan& span, double begin_s) {
+  return std::min(span.end_s, begin_s + cell_s) - std::max(span.begin_s, begin_s);
+}
+
+// The letter that takes most of a cell; an event that is over at once counts where nothing else is.
+char letter_at(const TimelineRover& rover, double begin_s) {
+  std::map<char, double> taken_s;
+  for (const TimelineBar& bar : rover.bars) {
+    const double share_s = overlap_s(bar.time, begin_s);
+    if (share_s >= 0 && bar.time.begin_s < begin_s + cell_s) taken_s[bar.letter] += share_s;
+  }
+  const auto most =
+      std::ranges::max_element(taken_s, {}, [](const auto& entry) { return entry.second; });
+  return most == taken_s.end() ? '.' : most->first;
+}
+
+// Whether the spans take more than half of a cell.
+bool covers(const std::vector<TimelineSpan>& spans, double begin_s) {
+  double sum_s = 0;
+  for (const TimelineSpan& span : spans) sum_s += std::max(0.0, overlap_s(span, begin_s));
+  return sum_s > cell_s / 2;
+}
+
+char shade_at(const TimelineRover& rover, double begin_s) {
+  const bool is_dark = covers(rover.dark, begin_s), is_unseen = covers(rover.unseen, begin_s);
+  if (is_dark && is_unseen) return 'b';
+  return is_dark ? 'n' : is_unseen ? 'e' : ' ';
+}
+
+// "06:00    09:00    ...", the clock at the beginning of each label's cells.
+std::string clock_line(Instant start, double day_begin_s) {
+  std::string line;
+  for (int cell = 0; cell < cells_a_day; cell += cells_a_label) {
+    const Instant at = start + from_seconds(day_begin_s + cell * cell_s);
+    line += fmt::format("{:<{}}", format_utc(at).substr(11, 5), cells_a_label);
+  }
+  return line;
+}
+
+std::string without_end_blanks(std::string line) {
+  line.resize(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string timeline_text(const std::vector<TimelineRover>& rovers, Instant start, double end_s) {
+  std::size_t width = 5;
+  for (const TimelineRover& rover : rovers)
+    width = std::max(width, std::min<std::size_t>(rover.id.size(), 12));
+  std::string text;
+  const int days = std::max(1, static_cast<int>(std::ceil(end_s / day_s - 1e-9)));
+  for (int day = 0; day < days; ++day) {
+    const double begin_s = day * day_s;
+    text += fmt::format("day {}, {}\n", day + 1,
+                        format_utc(start + from_seconds(begin_s)).substr(0, 10));
+    text +=
+        without_end_blanks(fmt::format("  {:<{}} {}", "UTC", width, clock_line(start, begin_s)));
+    for (const TimelineRover& rover : rovers) {
+      std::string events, shades;
+      for (int cell = 0; cell < cells_a_day; ++cell) {
+        const double at_s = begin_s + cell * cell_s;
+        events += at_s < end_s ? letter_at(rover, at_s) : ' ';
+        shades += at_s < end_s ? shade_at(rover, at_s) : ' ';
+      }
+      text +=
+          without_end_blanks(fmt::format("  {:<{}} {}", rover.id.substr(0, width), width, events));
+      if (shades.find_first_not_of(' ') == std::string::npos) continue;
+      text += without_end_blanks(fmt::format("  {:<{}} {}", "", width, shades));
+    }
+  }
+  return text;
+}
+
+}  // namespace lsos
