@@ -41,6 +41,10 @@ function fillTimeline() {
     ...used.map(kind => key({style: `background:${kind.colour}`}, kind.name)),
     ...([...shades.values()].some(shade => shade.dark.length > 0) ? [key({class: 'kind dark'}, 'no Sun')] : []),
     ...([...shades.values()].some(shade => shade.unseen.length > 0) ? [key({class: 'kind unseen'}, 'no Earth')] : [])));
+  // Days begin at the clock time at which the mission does.
+  const clocks = [0, 0.25, 0.5, 0.75].map(share => make('span', {style: `left:${100 * share}%`}, utcText(share * dayS).slice(11, 16)));
+  place.append(make('div', {class: 'day-block'}, make('span', {class: 'day-name'}, make('small', {}, 'UTC')),
+    make('div', {class: 'lanes'}, make('div', {class: 'lane-row'}, make('b', {}, ''), make('div', {class: 'clocks'}, ...clocks)))));
   for (let day = 1; day <= dayCount; ++day) {
     const [from, to] = [(day - 1) * dayS, day * dayS];
     const bar = (begin, end, attributes) => {
