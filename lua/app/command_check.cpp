@@ -8,10 +8,10 @@
 
 #include "base/console.h"
 #include "base/units.h"
-#include "lua/app/check_text.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
+#include "lua/check/check_text.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_from.h"

@@ -37,7 +37,14 @@ const std::map<std::string, std::map<std::string, int>> rooms = {
       {"fleet", 6},
       {"", 7}}},
     {"product", {{"", 0}, {"comparison", 1}}},
-    {"lua", {{"runtime", 0}, {"api", 1}, {"host", 2}, {"session", 3}, {"edit", 3}, {"app", 4}}},
+    {"lua",
+     {{"runtime", 0},
+      {"api", 1},
+      {"host", 2},
+      {"session", 3},
+      {"edit", 3},
+      {"check", 3},
+      {"app", 4}}},
 };
 
 constexpr std::size_t units_max = 40;  // a header and its source, in one folder

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "lua/app/timeline_text.h"
+#include "lua/check/timeline_text.h"
 
 namespace lsos {
 namespace {

@@ -1,4 +1,4 @@
-#include "lua/app/timeline_text.h"
+#include "lua/check/timeline_text.h"
 
 #include <fmt/format.h>
 

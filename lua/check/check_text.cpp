@@ -1,4 +1,4 @@
-#include "lua/app/check_text.h"
+#include "lua/check/check_text.h"
 
 #include <fmt/format.h>
 
