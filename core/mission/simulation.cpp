@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mission/ahead/ground_end_warnings.h"
 #include "mission/fleet/avoidance.h"
 #include "mission/fleet/convoy.h"
 #include "mission/fleet/power_sharing.h"
@@ -51,6 +50,9 @@ void Simulation::build() {
                                       site_.vehicle(rover.rover), *site_.ground, site_.sources,
                                       *site_.legs, static_cast<const Surroundings&>(*this)),
          EventSequence(rover, *site_.ground)});
+    if (!setup_.is_estimate) continue;
+    fleet_.rovers.back().agent->foresee_drives();
+    fleet_.rovers.back().sequence.wait_coarsely();
   }
   hand_out_routes();
 }
@@ -71,10 +73,12 @@ void Simulation::make_light_and_sight() {
       setup_.keeps_sight && (fleet_.rovers.size() + fleet_.assets.size() > 1 || is_earth_seen);
   if (is_lit || has_sight) renderer_ = std::make_unique<Renderer>();
   if (is_lit) {
-    sunlight_ = std::make_unique<FleetSunlight>(
-        *site_.ground, *renderer_, setup_.terrain.optical_depth, setup_.terrain.albedo);
+    sunlight_ =
+        std::make_unique<FleetSunlight>(*site_.ground, *renderer_, setup_.terrain.optical_depth,
+                                        setup_.terrain.albedo, setup_.is_estimate);
   }
-  if (has_sight) sight_ = std::make_unique<FleetSight>(*site_.ground, *renderer_, fleet_);
+  if (!has_sight) return;
+  sight_ = std::make_unique<FleetSight>(*site_.ground, *renderer_, fleet_, setup_.is_estimate);
 }
 
 // Warnings about the ground explain errors that it causes, so they are reported together.
@@ -95,22 +99,10 @@ void Simulation::plan_routes() {
   throw_with_advice(faults);
 }
 
-std::vector<Fault> Simulation::advice() const {
-  std::vector<Fault> advice = site_.ground->advice();
-  advice.insert(advice.end(), routes_ahead_.faults.begin(), routes_ahead_.faults.end());
-  for (const RoverMachine& rover : machine_.rovers) {
-    const std::vector<Fault> coarse = coarse_ground(rover, *site_.ground);
-    if (coarse.empty()) continue;
-    advice.insert(advice.end(), coarse.begin(), coarse.end());
-    break;
-  }
-  return advice;
-}
-
 void Simulation::start() {
   for (FleetRover& rover : fleet_.rovers) {
     rover.agent->routes().log_ahead(rover.agent->id(), now_);
-    rover.agent->observe();
+    rover.agent->observe(now_);
   }
   // Sunlight and sight are evaluated first, so that the first decisions of scripts know them.
   update_light_and_sight();
@@ -157,7 +149,7 @@ SimTime Simulation::next_time() const {
     const RoverAgent& agent = *rover.agent;
     if (!agent.is_parked() || agent.drive().is_to_pursue()) return now_ + exchange_period;
     may_wake |= rover.wake || agent.power().waits_for_reserve();
-    may_wake |= rover.sequence.waits_for_charge();
+    may_wake |= rover.sequence.waits_for_charge() || agent.drive().is_carried();
     earlier(wake, rover.wake);
     earlier(wake, quiet_wake(rover));
     earlier(next, log_.next_sample(rover, now_));
@@ -173,10 +165,10 @@ SimTime Simulation::next_time() const {
 void Simulation::exchange() {
   for (FleetRover& rover : fleet_.rovers) {
     rover.was_parked = rover.agent->is_parked();
-    rover.agent->observe();
+    const bool has_arrived = rover.agent->observe(now_);
     rover.agent->update_energy(now_);
     take_warnings(rover);  // also for a rover whose events are over
-    const bool is_news = rover.agent->power().has_news();
+    const bool is_news = rover.agent->power().has_news() || has_arrived;
     if (is_news && !rover.sequence.is_finished()) rover.wake = now_;
   }
   lead_followers(fleet_, now_);
@@ -262,46 +254,6 @@ std::vector<RoverResult> Simulation::results() const {
   return results;
 }
 
-std::vector<std::string> Simulation::assumptions() const {
-  std::vector<std::string> assumptions = vehicle_assumptions(site_);
-  const bool has_routes = std::ranges::any_of(
-      routes_ahead_.rovers, [](const RoverRoutesAhead& routes) { return !routes.legs.empty(); });
-  if (has_routes) {
-    assumptions.push_back(
-        "planned routes: wheels share the load evenly, and all roll when turning on the spot");
-  }
-  const auto add = [&](const std::vector<std::string>& more) {
-    assumptions.insert(assumptions.end(), more.begin(), more.end());
-  };
-  for (const auto& [type, model] : setup_.asset_models) add(model.assumptions);
-  if (sunlight_) add(sunlight_->assumptions());
-  if (setup_.terrain.is_synthetic) {
-    const bool is_placed = std::holds_alternative<ReliefSurface>(setup_.terrain.layers.back());
-    assumptions.push_back(fmt::format("{}: the terrain is synthetic{}", setup_.terrain.name,
-                                      is_placed
-                                          ? ": landforms at their places, no measured heights"
-                                          : " and laid out from the start of the first rover"));
-  }
-  return assumptions;
-}
-
-std::vector<Fault> Simulation::ground_end_warnings() const {
-  return lsos::ground_end_warnings(machine_, setup_.rover_models, *site_.ground,
-                                   sunlight_ != nullptr);
-}
-
-void Simulation::warn_of_ends() {
-  const auto add = [&](const SightOverEnd& looks) {
-    const auto warning = looks.warning(setup_.plan.mission.start_time);
-    if (warning) warnings_.push_back(*warning);
-  };
-  if (sunlight_) add(sunlight_->over_end());
-  if (!sight_) return;
-  add(sight_->watch().earth_over_end());
-  add(sight_->watch().pairs_over_end());
-  std::ranges::copy(sight_->warnings_of_own_way(fleet_, now_), std::back_inserter(warnings_));
-}
-
 void Simulation::terminate() {
   log_.write(fleet_, sight_.get(), moment());
   warn_of_ends();
@@ -316,6 +268,7 @@ std::optional<SimTime> Simulation::quiet_wake(const FleetRover& rover) const {
   if (sunlight_) at(sunlight_->wake(*rover.agent, fleet_, now_));
   if (sight_) at(sight_->wake());
   at(rover.agent->antennas().next_end(now_));
+  if (setup_.is_estimate) at(foreseen_wake(fleet_, rover, now_));
   if (wake) wake = std::max(*wake, now_ + exchange_period);
   return wake;
 }

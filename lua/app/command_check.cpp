@@ -7,14 +7,18 @@
 #include <tuple>
 
 #include "base/console.h"
+#include "base/files.h"
+#include "base/output_file.h"
 #include "base/units.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
+#include "lua/app/estimate_text.h"
 #include "lua/app/planning_watch.h"
 #include "lua/check/check_text.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_from.h"
+#include "mission/estimate/estimate_warnings.h"
 
 namespace lsos {
 
@@ -22,6 +26,7 @@ namespace {
 
 struct CheckOptions {
   std::string plan;
+  std::string csv;   // file for the estimate; "": none
   std::string from;  // folder of the run with whose end it begins; "": none
   std::optional<std::uint64_t> seed;
   bool is_json = false;
@@ -84,7 +89,8 @@ std::vector<DrawnEventLine> drawn_lines(const Simulation& simulation) {
   return lines;
 }
 
-std::string json_text(const MissionFiles& files, const RoutesAhead& routes) {
+std::string json_text(const MissionFiles& files, const RoutesAhead& routes,
+                      const MissionEstimate& estimate) {
   nlohmann::ordered_json paths = nlohmann::ordered_json::array();
   for (const PlannedLegLine& leg : routes.planned) {
     if (leg.is_passed) continue;
@@ -131,6 +137,7 @@ std::string json_text(const MissionFiles& files, const RoutesAhead& routes) {
                                       {"planned_paths", paths},
                                       {"drawn_lines", lines},
                                       {"timed_events", timed_events},
+                                      {"estimate", estimate_json(estimate)},
                                       {"defaults", files.plan.defaults},
                                       {"assumptions", files.assumptions}};
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -161,35 +168,47 @@ std::string json_text(const MissionMachine& machine) {
 }
 
 int check_command(const CheckOptions& options) {
+  if (!options.csv.empty()) {
+    Faults faults;
+    check_output("--csv", options.csv, {".csv"}, {options.plan}, faults);
+    faults.throw_if_errors();
+  }
   MissionFiles files = read_mission(options.plan, options.seed);
   RoutesAhead routes;
+  MissionEstimate estimate;
   std::vector<Fault> not_kept;
   if (!files.faults.has_errors()) {
     try {
       if (!options.from.empty()) begin_from(options.from, files);
       files.faults.throw_if_errors();
       // The constructor runs the machine's `initialise`: rovers are placed on the ground and routes
-      // are planned, but nothing moves.
+      // are planned, but nothing moves. Then events are gone through without dynamics.
       PlanningWatch watch(options.is_quiet);
       SimulationSetup setup = simulation_setup(files);
       setup.threads = options.threads;
+      setup.is_estimate = setup.keeps_sight = true;
       setup.cache_legs = [&](const std::string& bytes) {
         not_kept = cache_legs(options.plan, bytes);
       };
       setup.on_planning = [&](const std::string& what) { watch.plan(what); };
       files.faults.add(cached_legs_advice(options.plan));
-      const Simulation simulation(std::move(setup));
+      Simulation simulation(std::move(setup));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
       files.faults.add(simulation.advice());
       files.faults.add(simulation.ground_end_warnings());
       routes = {planned_legs(simulation), drawn_lines(simulation)};
+      estimate = estimate_mission(simulation);
+      files.faults.add(
+          estimate_warnings(estimate.events, simulation.plan(), files.faults.sorted()));
+      if (!options.csv.empty()) write_file(options.csv, estimate_csv(estimate));
     } catch (const InputError& error) {
       if (!files.faults.has_errors()) files.faults.add(error.faults());
     }
     files.faults.add(not_kept);  // also when a leg has no route
   }
-  print_result("{}", options.is_json ? json_text(files, routes)
-                                     : check_text(files, routes, options.is_verbose));
+  print_result("{}", options.is_json ? json_text(files, routes, estimate)
+                                     : check_text(files, routes, options.is_verbose) +
+                                           estimate_text(estimate, options.is_verbose));
   return files.faults.has_errors() ? 2 : 0;
 }
 
@@ -208,8 +227,9 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
   command.add_option("--from", options->from, from_help);
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
+  command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
   command.add_flag("--json", options->is_json, "The answer as JSON");
-  command.add_flag("--verbose", options->is_verbose, "Each leg, default and assumption");
+  command.add_flag("--verbose", options->is_verbose, "Each leg, event, default and assumption");
   command.add_flag("--quiet", options->is_quiet, "No progress");
   add_threads(command, options->threads, "Threads that plan routes, of one rover each");
   return [options] { return check_command(*options); };

@@ -23,8 +23,8 @@ bool EventRecord::has_begun() const {
 
 void EventRecord::archive(Archive& a) {
   LSOS_ARCHIVE(a, status, reason, ready, start, end, distance_start_m, distance_m, used_start_j,
-               energy_used_j, solar_start_j, solar_j, place.lon_rad, place.lat_rad, place.height_m,
-               is_prevented, is_timed, is_written);
+               energy_used_j, solar_start_j, solar_j, charge_start, charge_end, place.lon_rad,
+               place.lat_rad, place.height_m, is_prevented, is_timed, is_written);
 }
 
 void EventRecords::insert(std::size_t index, bool is_timed) {

@@ -19,6 +19,7 @@ struct EventRecord {
   double distance_start_m = 0, distance_m = not_modelled;
   double used_start_j = not_modelled, energy_used_j = not_modelled;
   double solar_start_j = not_modelled, solar_j = not_modelled;
+  double charge_start = not_modelled, charge_end = not_modelled;  // 0..1
   Geodetic place;             // place of the rover at the start, then at the end
   bool is_prevented = false;  // will not start because of a failure
   bool is_timed = false;      // PlanEvent::at: it has no turn

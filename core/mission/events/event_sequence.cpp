@@ -303,7 +303,7 @@ void EventSequence::skip_to(std::size_t index, SimTime now) {
 std::optional<SimTime> EventSequence::wake_of_turns(SimTime now, Instant mission_start) const {
   if (is_finished_) return std::nullopt;
   const SimTime next = now + exchange_period;
-  const SimTime next_evaluation = (now / condition_period + 1) * condition_period;
+  const SimTime next_evaluation = this->next_evaluation(now);
   if (running_) {
     std::optional<SimTime> wake = running_->wake(now);
     if (!event().stop_when.text.empty() || !event().warn_when.text.empty())

@@ -22,6 +22,8 @@ class EventSequence {
   // `ground` must outlive it.
   EventSequence(const RoverMachine& machine, const Ground& ground);
 
+  // In an estimate: conditions are evaluated the less often the longer they have been waited for.
+  void wait_coarsely() { waits_coarsely_ = true; }
   // Runs what is due now.
   void run(const Turn& turn);
   // Adds an event behind those with a lower sequence. Throws InputError when its sequence is taken
@@ -86,6 +88,7 @@ class EventSequence {
   void begin_record(EventRecord& record, const Turn& turn) const;
   void end_record(EventRecord& record, EventStatus status, const std::string& reason,
                   const Turn& turn);
+  SimTime next_evaluation(SimTime now) const;
   std::optional<SimTime> wake_of_turns(SimTime now, Instant mission_start) const;
   void stop_turns(const Turn& turn, const std::string& why, bool is_failure);
   // Calls the running event's script, or ends the event. Returns false when nothing more is due.
@@ -109,7 +112,8 @@ class EventSequence {
   RoverMachine machine_;
   const Ground* ground_;
   EventRecords records_;
-  bool has_timed_ = false;  // not saved
+  bool has_timed_ = false;       // not saved
+  bool waits_coarsely_ = false;  // not saved
   std::size_t index_ = 0;
   bool has_turn_ = false;          // events_[index_] is waiting or running
   bool waits_for_others_ = false;  // for the end of an event in StartAfter

@@ -50,12 +50,22 @@ std::optional<SimTime> EventSequence::wake(SimTime now, Instant mission_start) c
   return wake;
 }
 
+SimTime EventSequence::next_evaluation(SimTime now) const {
+  constexpr int waited_parts = 100;
+  const SimTime soon = (now / condition_period + 1) * condition_period;
+  if (!waits_coarsely_ || !has_turn_) return soon;
+  const EventRecord& record = records_[index_];
+  const SimTime waited = now - record.start.value_or(*record.ready);
+  return soon + waited / waited_parts / condition_period * condition_period;
+}
+
 void EventSequence::begin_record(EventRecord& record, const Turn& turn) const {
   const RoverAgent& agent = turn.agent;
   record.start = turn.now;
   record.distance_start_m = agent.view().distance_m;
   record.used_start_j = agent.power().energy_used_j();
   record.solar_start_j = agent.power().solar_j();
+  record.charge_start = agent.power().view().charge;
   record.place = agent.motion().place();
 }
 
@@ -72,6 +82,7 @@ void EventSequence::end_record(EventRecord& record, EventStatus status, const st
   record.distance_m = agent.view().distance_m - record.distance_start_m;
   record.energy_used_j = agent.power().energy_used_j() - record.used_start_j;
   record.solar_j = agent.power().solar_j() - record.solar_start_j;
+  record.charge_end = agent.power().view().charge;
 }
 
 void EventSequence::close(SimTime now) {

@@ -15,6 +15,16 @@ void keep_tracks(Fleet& fleet, const MissionMachine& machine) {
   }
 }
 
+std::optional<SimTime> foreseen_wake(const Fleet& fleet, const FleetRover& rover, SimTime now) {
+  const RoverDrive& drive = rover.agent->drive();
+  const FleetRover* leader = drive.is_foreseen_pursuit() ? fleet.find(drive.leader_id()) : nullptr;
+  if (leader != nullptr &&
+      (leader->sequence.is_finished() || drive.is_left_behind(leader->agent->drive()))) {
+    return now + exchange_period;
+  }
+  return drive.is_carried() ? std::optional(drive.foreseen()->next_mark()) : std::nullopt;
+}
+
 void lead_followers(Fleet& fleet, SimTime now) {
   for (FleetRover& rover : fleet.rovers) {
     if (rover.agent->track() && !rover.agent->is_parked()) rover.agent->keep_track();
@@ -25,6 +35,11 @@ void lead_followers(Fleet& fleet, SimTime now) {
     if (leader_id.empty()) continue;
     const FleetRover& leader = *fleet.find(leader_id);
     RoverAgent& agent = *leader.agent;
+    if (drive.is_foreseen_pursuit()) {
+      rover.agent->pursue_foreseen(agent, leader.sequence.is_finished());
+      if (!drive.is_driving()) rover.wake = now;
+      continue;
+    }
     if (!agent.track()) agent.keep_track();
     drive.pursue({*agent.track(), agent.view().speed_mps,
                   agent.motion().footprint_at_rest().half_m.x(), leader.sequence.is_finished()});

@@ -15,4 +15,7 @@ void keep_tracks(Fleet& fleet, const MissionMachine& machine);
 // nothing else.
 void lead_followers(Fleet& fleet, SimTime now);
 
+// In an estimate: when a rover must take part because of its foreseen drive; absent: it has none.
+std::optional<SimTime> foreseen_wake(const Fleet& fleet, const FleetRover& rover, SimTime now);
+
 }  // namespace lsos

@@ -31,8 +31,10 @@ std::vector<SightEnd> ends_of(const Fleet& fleet, SimTime now) {
 
 }  // namespace
 
-FleetSight::FleetSight(const Ground& ground, Renderer& renderer, const Fleet& fleet)
-    : ground_(&ground), watch_(ground, renderer, fleet.rovers.size() + fleet.assets.size()) {}
+FleetSight::FleetSight(const Ground& ground, Renderer& renderer, const Fleet& fleet,
+                       bool is_estimate)
+    : ground_(&ground),
+      watch_(ground, renderer, fleet.rovers.size() + fleet.assets.size(), is_estimate) {}
 
 std::vector<SightIntervalRow> FleetSight::update(const Fleet& fleet, const Moment& moment) {
   return watch_.look(moment.now, moment.utc, ends_of(fleet, moment.now),

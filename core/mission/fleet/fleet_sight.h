@@ -12,7 +12,8 @@ namespace lsos {
 class FleetSight {
  public:
   // `ground` and `renderer` must outlive it.
-  FleetSight(const Ground& ground, Renderer& renderer, const Fleet& fleet);
+  FleetSight(const Ground& ground, Renderer& renderer, const Fleet& fleet,
+             bool is_estimate = false);
 
   // Evaluates the pairs that are due. Returns the intervals that end now.
   std::vector<SightIntervalRow> update(const Fleet& fleet, const Moment& moment);

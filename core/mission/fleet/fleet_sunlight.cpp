@@ -6,7 +6,6 @@
 
 #include "mission/fleet/solids.h"
 #include "mission/light/sun_watch.h"
-#include "planet/sunlight.h"
 
 namespace lsos {
 
@@ -33,13 +32,15 @@ std::string diffuse_light_assumption(const Body& body, double optical_depth, dou
 }  // namespace
 
 FleetSunlight::FleetSunlight(const Ground& ground, Renderer& renderer,
-                             std::optional<double> optical_depth, std::optional<double> albedo)
+                             std::optional<double> optical_depth, std::optional<double> albedo,
+                             bool is_estimate)
     : ground_(&ground),
       light_(ground, renderer),
       over_end_(ground, "the Sun"),
       optical_depth_(optical_depth.value_or(body().assumed_optical_depth)),
       albedo_(albedo.value_or(body().assumed_albedo)),
-      is_depth_assumed_(body().air == Air::dusty && !optical_depth) {}
+      is_depth_assumed_(body().air == Air::dusty && !optical_depth),
+      is_estimate_(is_estimate) {}
 
 std::vector<std::string> FleetSunlight::assumptions() const {
   std::vector<std::string> assumptions;
@@ -66,9 +67,9 @@ bool FleetSunlight::is_due(const RoverAgent& rover, SimTime now, Motion near) co
   const RoverPower& power = rover.power();
   if (!power.needs_sun()) return false;
   const std::optional<PanelSunlight>& sun = power.sun();
-  if (!sun || now >= sun->time + sun_interval(body())) return true;
+  if (!sun || now >= sun->time + interval()) return true;
   if (near == Motion::has_ended) return true;
-  const bool moves = !rover.is_parked() || near == Motion::goes_on || power.is_panel_turning();
+  const bool moves = !rover.is_parked() || near == Motion::goes_on || follows_turns(power);
   if (moves && now > sun->time && now % moving_update_period == SimTime{}) return true;
   const std::optional<SimTime> motion_end = power.panels().last_end(now);
   return rover.drive().has_motion_ended() || power.has_panel_command() ||
@@ -76,7 +77,7 @@ bool FleetSunlight::is_due(const RoverAgent& rover, SimTime now, Motion near) co
 }
 
 bool FleetSunlight::is_due(const StandingAsset& asset, SimTime now, Motion near) const {
-  return !asset.sun || now >= asset.sun->time + sun_interval(body()) || near == Motion::has_ended ||
+  return !asset.sun || now >= asset.sun->time + interval() || near == Motion::has_ended ||
          (near == Motion::goes_on && now % moving_update_period == SimTime{});
 }
 
@@ -89,9 +90,9 @@ void FleetSunlight::update(Fleet& fleet, const Moment& moment) {
     const Vec3& p_S_m = agent.view().p_S_m;
     if (!is_due(agent, now, motion_near(fleet, p_S_m, &agent))) continue;
     const Sunlight sun = sunlight_at(agent.motion().place(), moment);
-    if (!agent.power().is_panel_turning() || is_whole) aim_panels(*ground_, agent, sun, now);
+    if (!follows_turns(agent.power()) || is_whole) aim_panels(*ground_, agent, sun, now);
     // Turning panels are evaluated at whole multiples of the period and when they arrive.
-    if (agent.power().is_panel_turning() && !is_whole && agent.power().sun()) continue;
+    if (follows_turns(agent.power()) && !is_whole && agent.power().sun()) continue;
     const PanelSunlight value = evaluate_sunlight(
         light_, *ground_, agent, solids_near(fleet, site, p_S_m, agent.id(), sun, now), sun, now);
     agent.power().set_sun(value);
@@ -123,13 +124,12 @@ std::optional<SimTime> FleetSunlight::wake(const RoverAgent& rover, const Fleet&
   const RoverPower& power = rover.power();
   if (power.needs_sun() && power.sun()) {
     // Turning panels are also evaluated when they arrive, which RoverPower::wake() covers.
-    wake = power.is_panel_turning()
-               ? (now / moving_update_period + 1) * moving_update_period
-               : round_up_to_exchange(power.sun()->time + sun_interval(body()));
+    wake = follows_turns(power) ? (now / moving_update_period + 1) * moving_update_period
+                                : round_up_to_exchange(power.sun()->time + interval());
   }
   for (const StandingAsset& asset : fleet.assets) {
     if (!asset.sun || power.plugged_into() != asset.plan.id) continue;
-    const SimTime due = round_up_to_exchange(asset.sun->time + sun_interval(body()));
+    const SimTime due = round_up_to_exchange(asset.sun->time + interval());
     wake = std::min(wake.value_or(due), due);
   }
   return wake;

@@ -8,15 +8,20 @@
 #include "mission/fleet/fleet.h"
 #include "mission/light/light.h"
 #include "mission/light/sight_over_end.h"
+#include "planet/sunlight.h"
 
 namespace lsos {
 
 class FleetSunlight {
  public:
+  static constexpr int estimate_steps = 5;
+
   // Ground and renderer must outlive it. `optical_depth`: of the air's dust, straight up; `albedo`:
   // share of sunlight that the ground reflects; absent: what the body assumes.
+  // `is_estimate`: evaluates it for parked rovers alone, and when the Sun has moved
+  // `estimate_steps` times as far.
   FleetSunlight(const Ground& ground, Renderer& renderer, std::optional<double> optical_depth,
-                std::optional<double> albedo);
+                std::optional<double> albedo, bool is_estimate = false);
 
   // Evaluates the rovers that are due.
   void update(Fleet& fleet, const Moment& moment);
@@ -34,6 +39,11 @@ class FleetSunlight {
 
  private:
   const Body& body() const { return ground_->site().body(); }
+  SimTime interval() const { return (is_estimate_ ? estimate_steps : 1) * sun_interval(body()); }
+  // Panels turn a long way in one go, so that what they give meanwhile counts.
+  bool follows_turns(const RoverPower& power) const {
+    return power.is_panel_turning() && !is_estimate_;
+  }
   bool is_due(const RoverAgent& rover, SimTime now, Motion near) const;
   bool is_due(const StandingAsset& asset, SimTime now, Motion near) const;
   Sunlight sunlight_at(const Geodetic& place, const Moment& moment) const;
@@ -43,6 +53,7 @@ class FleetSunlight {
   SightOverEnd over_end_;
   double optical_depth_ = 0, albedo_ = 0;
   bool is_depth_assumed_ = false;
+  bool is_estimate_ = false;
 };
 
 }  // namespace lsos

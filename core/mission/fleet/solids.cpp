@@ -18,7 +18,8 @@ Motion motion_of(const FleetRover& rover, SimTime now) {
   const bool has_panel_moved =
       power.has_panel_command() || power.panels().last_end(now) == std::optional(now);
   const bool has_mast_moved = rover.agent->antennas().has_changed(now);
-  return !rover.was_parked || has_panel_moved || has_mast_moved ? Motion::has_ended : Motion::none;
+  const bool has_moved = !rover.was_parked || rover.agent->drive().has_passed_mark();
+  return has_moved || has_panel_moved || has_mast_moved ? Motion::has_ended : Motion::none;
 }
 
 Motion motion_near(const Fleet& fleet, const Vec3& p_S_m, const RoverAgent* except) {

@@ -19,12 +19,13 @@ constexpr double speed_of_light_mps = 299792458;
 
 SimTime earth_interval(const Body& body) { return from_seconds(body.earth_interval_s); }
 
-SightWatch::SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends)
+SightWatch::SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends, bool is_estimate)
     : ground_(&ground),
       sight_(ground, renderer),
       earth_over_end_(ground, "Earth"),
       pairs_over_end_(ground, "another antenna"),
-      earth_(ends) {
+      earth_(ends),
+      steps_(is_estimate ? estimate_steps : 1) {
   const bool has_earth = ground.site().body().name != earth_id;
   for (std::size_t from = 0; from < ends; ++from) {
     for (std::size_t to = from + 1; to < ends + (has_earth ? 1 : 0); ++to) {
@@ -46,7 +47,7 @@ bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
 // How long a result between parked ends holds.
 SimTime SightWatch::interval(const Pair& pair) const {
   const Body& body = ground_->site().body();
-  if (pair.to == earth_) return earth_interval(body);
+  if (pair.to == earth_) return steps_ * earth_interval(body);
   return pair.is_near_turning ? sun_interval(body) : SimTime::max() / 2;
 }
 

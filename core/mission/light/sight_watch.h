@@ -60,7 +60,9 @@ class SightWatch {
 
   // `ground` and `renderer` must outlive it. Ends are always passed in the same order; Earth
   // follows them unless it is the planet.
-  SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends);
+  // `is_estimate`: Earth is evaluated `estimate_steps` times less often.
+  SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends, bool is_estimate = false);
+  static constexpr int estimate_steps = 6;
 
   // Evaluates the pairs that are due. Returns the intervals that end now.
   std::vector<SightIntervalRow> look(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
@@ -129,6 +131,7 @@ class SightWatch {
   Sight sight_;
   SightOverEnd earth_over_end_, pairs_over_end_;
   std::size_t earth_;  // number of Earth as an end
+  int steps_;
   std::vector<Pair> pairs_;
 };
 

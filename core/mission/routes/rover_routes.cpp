@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mission/routes/drive_cost_model.h"
+#include "mission/routes/follower_limits.h"
 #include "planet/ellipsoid.h"
 #include "route/route_planner.h"
 #include "vehicle/footprint.h"
@@ -232,7 +233,19 @@ PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::in
   }
   // The rover already stands at its goal.
   if (way.legs.empty()) way.path_S_m = {waypoints_S_m.back()};
+  last_ = way;
   return way;
+}
+
+DriveEstimate RoverRoutes::estimate(const Vec3& from_S_m, double yaw_rad, const Path3& path_S_m,
+                                    const FollowSettings& settings) {
+  if (path_S_m == last_.path_S_m) return estimate_planned(from_S_m, last_, settings);
+  RouteSettings route;
+  route.speed_mps = settings.speed_mps;
+  const DriveCost& driven = cost(route);
+  return estimate_drawn(*ground_, driven,
+                        limits_of(vehicle_, driven.speed_mps, driven.gravity_mps2), from_S_m,
+                        yaw_rad, path_S_m, settings);
 }
 
 void RoverRoutes::log(const std::string& rover_id, SimTime now, std::int64_t sequence,

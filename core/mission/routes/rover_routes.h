@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mission/port/rover_port.h"
+#include "mission/routes/drive_estimate.h"
 #include "mission/routes/planned_legs.h"
 #include "record/rows.h"
 #include "route/map/ground_limits.h"
@@ -67,6 +68,11 @@ class RoverRoutes {
                     const LegStart& start, const Path3& waypoints_S_m, std::int64_t first,
                     const RouteSettings& settings);
 
+  // What a drive is expected to take: the legs of the route that was planned last know, where that
+  // is what is driven.
+  DriveEstimate estimate(const Vec3& from_S_m, double yaw_rad, const Path3& path_S_m,
+                         const FollowSettings& settings);
+
   // Whether a rover is so near to its next waypoint that it need not drive to it.
   static bool is_passed(const RouteSettings& settings, const Vec3& p_S_m, const Vec3& waypoint_S_m);
   // "the leg to waypoint 2: the goal is on ...; the nearest place that can be reached is ..."
@@ -101,6 +107,7 @@ class RoverRoutes {
   // How often each leg was planned, by sequence and waypoint; at waypoint 0 how often the event has
   // requested a route.
   std::map<std::int64_t, std::map<std::int64_t, std::int64_t>> attempts_;
+  PlannedRoute last_;  // not saved: only estimates ask for it
   std::vector<PlannedPathRow> rows_;
   std::vector<std::string> warnings_;
 };

@@ -54,17 +54,22 @@ void RoverAgent::place(double default_heading_rad) {
 
 void RoverAgent::advance() { motion_.vehicle().advance(exchange_period); }
 
-void RoverAgent::observe() {
-  if (is_parked()) return;
+bool RoverAgent::observe(SimTime now) {
+  if (is_parked()) {
+    const bool is_carried = drive_.is_carried(), has_ended = drive_.carry(now);
+    if (is_carried) update_view();
+    return has_ended;
+  }
   motion_.read();
   update_view();
   tally_.add(motion_.report());
   drive_.observe();
+  return false;
 }
 
 void RoverAgent::update_energy(SimTime now) {
   now_ = now;
-  power_.begin(now, view_.p_S_m, view_.drive_w, is_parked());
+  power_.begin(now, view_.p_S_m, view_.drive_w, is_at_rest());
   if (supply_watch_.observe(power_, now, journal_)) drive_.fail("the battery is empty");
   if (power_.keeps_reserve()) drive_.fail(reserve_text(power_));
 }
@@ -82,7 +87,7 @@ void RoverAgent::control() {
 
 double RoverAgent::accepted_w(double offered_w) {
   power_.set_antennas(antennas_.power_w(now_));
-  return power_.accepted_w(offered_w, is_parked());
+  return power_.accepted_w(offered_w, is_at_rest());
 }
 
 void RoverAgent::settle_energy() {
@@ -92,7 +97,9 @@ void RoverAgent::settle_energy() {
 
 void RoverAgent::update_flows() {
   power_.set_antennas(antennas_.power_w(now_));
-  power_.settle(is_parked());
+  power_.set_expected_drive(drive_.is_carried() ? std::optional(drive_.foreseen()->power_w())
+                                                : std::nullopt);
+  power_.settle(is_at_rest());
 }
 
 void RoverAgent::release() {
@@ -120,8 +127,8 @@ void RoverAgent::update_view() {
   view_.drive_w = motion_.drive_w();
   view_.drive_j = motion_.drive_j();
   view_.length_m = 2 * motion_.footprint_at_rest().half_m.x();
-  view_.is_parked = is_parked();
-  view_.is_adjusting = motion_.is_adjusting();
+  view_.is_parked = is_at_rest();
+  view_.is_adjusting = motion_.is_adjusting() && !(foresees_ && is_parked());
   view_.clearance_m = posture_clearance_m(motion_.vehicle());
   view_.stance_fault = stance_fault(motion_.vehicle());
 }
@@ -131,7 +138,20 @@ Vec3 RoverAgent::antenna_S_m() const {
 }
 
 void RoverAgent::follow(const Path3& path_S_m, const FollowSettings& settings) {
-  drive_.follow(path_S_m, settings);
+  if (!foresees_) return drive_.follow(path_S_m, settings);
+  drive_.foresee(estimate(path_S_m, settings), now_);
+  update_view();
+}
+
+DriveEstimate RoverAgent::estimate(const Path3& path_S_m, const FollowSettings& settings) {
+  return routes_.estimate(view_.p_S_m, motion_.report().yaw_rad, path_S_m, settings);
+}
+
+void RoverAgent::pursue_foreseen(const RoverAgent& leader, bool has_leader_ended) {
+  const std::optional<double> speed_mps = motion_.config().speed_max_mps;
+  drive_.pursue_foreseen(leader.drive_, has_leader_ended, now_, [&](const Path3& line_S_m) {
+    return estimate(line_S_m, {.speed_mps = speed_mps});
+  });
 }
 
 void RoverAgent::follow_rover(const PursuitSettings& settings) {
@@ -143,6 +163,7 @@ void RoverAgent::follow_rover(const PursuitSettings& settings) {
                                  ? fmt::format("'{}' is an asset, which does not drive", leader)
                                  : fmt::format("there is no rover '{}'", leader));
   }
+  if (foresees_) return drive_.foresee_pursuit(settings);
   drive_.follow_rover(settings);
 }
 
@@ -187,6 +208,11 @@ Deployment RoverAgent::deploy_antenna(const std::string& antenna, bool up,
 
 double RoverAgent::set_posture(const PostureRequest& request) {
   const double takes_s = lsos::set_posture(motion_.vehicle(), request);
+  if (foresees_ && motion_.config().posture) {
+    motion_.take_posture();  // at once: the event waits all the same
+    update_view();
+    return takes_s;
+  }
   drive_.wake_in_other_stance();
   view_.is_adjusting = motion_.is_adjusting();
   return takes_s;

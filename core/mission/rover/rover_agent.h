@@ -39,6 +39,9 @@ class RoverAgent : public RoverPort {
   const std::string& id() const { return rover_.id; }
   bool is_parked() const { return drive_.is_parked(); }
 
+  // From now on its drives are foreseen in place of stepped: for an estimate of the mission.
+  void foresee_drives() { foresees_ = true; }
+
   // Places the rover at its start. Throws InputError when the terrain there is not known or too
   // steep to stand on.
   void place(double default_heading_rad);
@@ -54,8 +57,11 @@ class RoverAgent : public RoverPort {
   // The moments of an exchange, in their order.
   // Before it: steps the physics. It touches nothing but this rover and the ground.
   void advance();
-  // Reads the state of the vehicle and updates the path follower.
-  void observe();
+  // Reads the state of the vehicle and updates the path follower. Returns whether a foreseen drive
+  // has ended.
+  bool observe(SimTime now);
+  // In an estimate, after all have observed: drives on behind the rover that it follows.
+  void pursue_foreseen(const RoverAgent& leader, bool has_leader_ended);
   // Brings the energy balance up to `now`. A rover whose battery is empty stops.
   void update_energy(SimTime now);
   // Scripts run here, and command it through RoverPort.
@@ -124,6 +130,8 @@ class RoverAgent : public RoverPort {
 
  private:
   void update_view();
+  bool is_at_rest() const { return is_parked() && !drive_.is_carried(); }
+  DriveEstimate estimate(const Path3& path_S_m, const FollowSettings& settings);
   void begin_as(const RoverStart& start);
   void correct_place(const MeasuredState& measured, Correction& correction);
   void check_reach(const Geodetic& measured, const Place& row) const;
@@ -149,6 +157,7 @@ class RoverAgent : public RoverPort {
   AntennaArray antennas_;
   BreakableParts breakable_parts_;
   RoverRoutes routes_;
+  bool foresees_ = false;
   SimTime now_{};  // time of the last exchange
   RoverView view_;
 };

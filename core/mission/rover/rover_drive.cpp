@@ -39,10 +39,13 @@ double room_to_turn_m(const Footprint& at_rest) {
 
 bool RoverDrive::is_driving() const {
   if (!failure_.empty() || (pursuit_ && pursuit_->has_ended())) return false;
+  if (foreseen_pursuit_) return !foreseen_pursuit_->has_ended;
+  if (foreseen_) return !foreseen_->has_ended();
   return follower_ ? follower_->status() == PathFollower::Status::driving : pursuit_.has_value();
 }
 
 DriveState RoverDrive::state() const {
+  if (foreseen_ || foreseen_pursuit_) return foreseen_state();
   if (!follower_ && !pursuit_) return {};
   DriveState state;
   state.status = DriveState::Status::failed;
@@ -268,6 +271,8 @@ void RoverDrive::pursue(const Leader& leader) {
 void RoverDrive::brake() {
   follower_.reset();
   pursuit_.reset();
+  foreseen_.reset();
+  foreseen_pursuit_.reset();
   failure_.clear();
   blocker_id_.clear();
   room_to_turn_m_ = 0;

@@ -2,12 +2,14 @@
 // and whether the rover is parked.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mission/port/rover_port.h"
 #include "mission/rover/drive_slip.h"
+#include "mission/rover/foreseen_drive.h"
 #include "mission/rover/pursuit.h"
 #include "mission/rover/rover_motion.h"
 #include "vehicle/path_follower.h"
@@ -30,7 +32,7 @@ class RoverDrive {
   }
   DriveState state() const;
   // Share 0..1 of the followed line that lies behind; 0 when it follows none, or another rover.
-  double share() const { return follower_ && !pursuit_ ? follower_->share() : 0; }
+  double share() const;
   const DriveSlip& slip() const { return slip_; }
 
   // At an exchange, after the motion was read: counts slip, finds faults and hindrances, and
@@ -42,7 +44,7 @@ class RoverDrive {
   void follow(const Path3& path_S_m, const FollowSettings& settings);
   void follow_rover(const PursuitSettings& settings);
   // The rover that it follows, "" when it follows none any more.
-  std::string leader_id() const { return pursuit_ && is_driving() ? pursuit_->leader_id() : ""; }
+  std::string leader_id() const;
   // At an exchange, after all rovers have observed: keeps its distance to that rover.
   void pursue(const Leader& leader);
   void brake();
@@ -62,6 +64,26 @@ class RoverDrive {
   // away. `ends_both`: the drive of the other one ends too.
   void end_before(const std::string& other_id, double distance_m, bool ends_both);
 
+  // In an estimate drives are foreseen in place of followed: the rover counts as parked all the
+  // time, and is carried along its line. A drive begins:
+  void foresee(DriveEstimate estimate, SimTime now);
+  // The same behind another rover.
+  void foresee_pursuit(const PursuitSettings& settings);
+  const std::optional<ForeseenDrive>& foreseen() const { return foreseen_; }
+  bool is_foreseen_pursuit() const { return foreseen_pursuit_.has_value(); }
+  // A foreseen drive takes it elsewhere.
+  bool is_carried() const { return foreseen_ && !foreseen_->has_ended() && is_driving(); }
+  // At an exchange: carries the rover to where it is then. Returns whether a drive has ended.
+  bool carry(SimTime now);
+  // It has come to a mark of its drive, so that light and sight are due.
+  bool has_passed_mark() const { return has_passed_mark_; }
+  // Whether the rover that it follows has set off and it has not yet set off behind it.
+  bool is_left_behind(const RoverDrive& leader) const;
+  // At an exchange, after all rovers were carried: it drives where the leader is expected to drive,
+  // up to the distance that it keeps. `on_line` estimates its drive along a line.
+  void pursue_foreseen(const RoverDrive& leader, bool has_leader_ended, SimTime now,
+                       const std::function<DriveEstimate(const Path3&)>& on_line);
+
   // Footprints, in order, up to where the rover would rest if it braked now: on its line when it
   // follows one, else straight ahead; while it turns on the spot, within a second. `beyond_m`:
   // farther by this along its line.
@@ -78,6 +100,7 @@ class RoverDrive {
 
  private:
   FollowerLimits limits(double speed_mps) const;
+  DriveState foreseen_state() const;
   void update_slip();
   void find_hindrances();
   void give(const DriveCommand& command);
@@ -88,6 +111,16 @@ class RoverDrive {
   RoverJournal* journal_;
   std::optional<PathFollower> follower_;
   std::optional<Pursuit> pursuit_;  // when it follows another rover
+  // Not saved: estimates are not.
+  struct ForeseenPursuit {
+    PursuitSettings settings;
+    std::optional<SimTime> left_at;  // when the leader's drive that it is behind began
+    double gap_m = 0;
+    bool has_ended = false;
+  };
+  std::optional<ForeseenDrive> foreseen_;
+  std::optional<ForeseenPursuit> foreseen_pursuit_;
+  bool has_passed_mark_ = false;
   DriveCommand command_;
   bool has_new_command_ = false;
   std::string blocker_id_;  // what it would have touched, "": nothing

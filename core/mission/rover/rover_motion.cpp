@@ -24,10 +24,25 @@ void RoverMotion::read() {
   }
   report_ = report;
   joints_ = vehicle_.joint_positions();
-  distance_m_ = vehicle_.distance_m();
+  distance_m_ = carried_m_ + vehicle_.distance_m();
   drive_w_ = vehicle_.drive_w();
-  drive_j_ = vehicle_.drive_j();
+  drive_j_ = carried_j_ + vehicle_.drive_j();
   update_footprint();
+}
+
+void RoverMotion::carry(const Carried& to) {
+  carried_m_ += to.more_m;
+  carried_j_ += to.more_j;
+  vehicle_.put_down(ground_->site().geodetic(to.p_S_m), to.heading_rad, joints_);
+  read();
+  drive_w_ = to.drive_w;
+  if (report_.is_finite) report_.speed_mps = to.speed_mps;
+}
+
+void RoverMotion::take_posture() {
+  const PostureControl& posture = *vehicle_.posture();
+  vehicle_.stand_on(posture.target_hubs_B_m(), posture.is_level());
+  carry({report_.p_S_m, report_.heading_rad});
 }
 
 void RoverMotion::update_footprint() {

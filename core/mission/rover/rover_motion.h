@@ -26,6 +26,17 @@ class RoverMotion {
   const VehicleConfig& config() const { return vehicle_.config(); }
   const Ground& ground() const { return *ground_; }
 
+  // In an estimate: the rover has come to a place without being stepped. `more_j`: what its drives
+  // have used since it was last carried. Where the ground is not known it stays where it is.
+  struct Carried {
+    Vec3 p_S_m = Vec3::Zero();
+    double heading_rad = 0;  // clockwise from north
+    double more_m = 0, more_j = 0, drive_w = 0, speed_mps = 0;
+  };
+  void carry(const Carried& to);
+  // Likewise: it stands in the stance that its limbs are moving to. It has posture control.
+  void take_posture();
+
   // Reads the state of the vehicle. When its numbers are not finite, the last finite ones stay.
   void read();
   const VehicleReport& report() const { return report_; }
@@ -61,6 +72,7 @@ class RoverMotion {
   VehicleReport report_;
   std::vector<double> joints_;
   double distance_m_ = 0, drive_w_ = 0, drive_j_ = 0;
+  double carried_m_ = 0, carried_j_ = 0;  // not saved: estimates are not
   std::string fault_;
   bool is_broken_ = false;
 };

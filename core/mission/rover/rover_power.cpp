@@ -55,7 +55,7 @@ void RoverPower::begin(SimTime now, const Vec3& p_S_m, double drive_w, bool is_p
   p_S_m_ = p_S_m;
   has_reserve_changed_ = has_reached_charge_ = has_keeping_changed_ = false;
   if (!has_battery()) return;
-  if (!is_parked) {
+  if (!is_parked && !expected_drive_w_) {
     demand_.drive_w = drive_w;
     begin_segment();
   }
@@ -109,7 +109,7 @@ PowerDemand RoverPower::demand_now(bool is_parked) const {
   demand.external_w = spec_.generator_w + claims_.supply_w + given_w_;
   demand.load_w = load_w(spec_.loads, {is_dark, is_parked}) + claims_.work_w + antennas_w_ +
                   panels_.motors_w(now_);
-  demand.drive_w = is_parked ? 0 : demand_.drive_w;
+  demand.drive_w = is_parked ? 0 : expected_drive_w_.value_or(demand_.drive_w);
   return demand;
 }
 
@@ -118,7 +118,7 @@ void RoverPower::settle(bool is_parked) {
   const PowerDemand demand = demand_now(is_parked);
   // A rover that drives begins a segment at each exchange: its motors' power is known only
   // afterwards.
-  if (is_parked && demand == demand_) return;
+  if ((is_parked || expected_drive_w_) && demand == demand_) return;
   begin_segment();
   demand_ = demand;
 }

@@ -93,6 +93,9 @@ class RoverPower : public PowerPort {
   }
   // At the end of an exchange: sets what flows from now on.
   void settle(bool is_parked);
+  // In an estimate: what the drives are expected to use from now on, absent for a rover at rest. It
+  // is known beforehand, so that energy is in closed form while the rover drives.
+  void set_expected_drive(std::optional<double> power_w) { expected_drive_w_ = power_w; }
   // Sets the power that the antennas use.
   void set_antennas(double power_w) { antennas_w_ = power_w; }
   // Id of the asset that the rover is plugged into; "": none.
@@ -197,6 +200,7 @@ class RoverPower : public PowerPort {
   std::optional<PanelSunlight> sun_;
   PowerClaims claims_;
   double antennas_w_ = 0;  // not saved: set at each exchange
+  std::optional<double> expected_drive_w_;  // not saved: estimates are not
   double given_w_ = 0;
   double sun_share_ = 1;
   std::optional<SimTime> injected_at_;  // when a failure takes effect

@@ -1,0 +1,101 @@
+#include "mission/estimate/estimate_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mission/light/sight_watch.h"
+
+namespace lsos {
+
+namespace {
+
+// Share of its light from which a panel surely is in the Sun; less may be a sliver of its disc.
+constexpr double clear_share = 0.25;
+
+// Greatest share of a panel that is up which the Sun reaches; absent without a panel.
+std::optional<double> lit_share(const RoverAgent& rover) {
+  const std::optional<PanelSunlight>& sun = rover.power().sun();
+  if (!sun || sun->panels.empty()) return {};
+  double most = 0;
+  for (const PanelSunlight::Panel& panel : sun->panels) {
+    if (panel.cosine > 0) most = std::max(most, panel.sun_fraction);
+  }
+  return most;
+}
+
+std::optional<double> known(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+}  // namespace
+
+void EstimateWatch::look(const Fleet& fleet, SimTime now) {
+  rovers_.resize(fleet.rovers.size());
+  const double passed_s = seconds(now - last_);
+  for (std::size_t k = 0; k < fleet.rovers.size(); ++k) {
+    const RoverAgent& agent = *fleet.rovers[k].agent;
+    const EventRecords& records = fleet.rovers[k].sequence.records();
+    Watched& rover = rovers_[k];
+    rover.sums.resize(records.size());
+    const double charge = agent.power().view().charge;
+    if (rover.running) {
+      Sums& sums = rover.sums[*rover.running];
+      sums.all_s += passed_s;
+      sums.charge_min = std::fmin(sums.charge_min, charge);
+      if (rover.lit > 0) sums.lit_s += passed_s;
+      if (rover.clear > 0) sums.clear_s += passed_s;
+      if (rover.seen > 0) sums.seen_s += passed_s;
+      if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
+    }
+    // What is found now holds until the next exchange.
+    rover.running.reset();
+    while (rover.first < records.size() && records[rover.first].end) ++rover.first;
+    for (std::size_t i = rover.first; i < records.size() && !rover.running; ++i) {
+      if (records[i].status == EventStatus::running) rover.running = i;
+    }
+    const std::optional<double> lit = lit_share(agent);
+    rover.lit = lit ? *lit > 0 : not_modelled;
+    rover.clear = lit ? *lit >= clear_share : not_modelled;
+    const std::optional<PairSight> earth = agent.sight_of(earth_id);
+    rover.seen = earth ? earth->is_visible : not_modelled;
+  }
+  last_ = now;
+}
+
+std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {
+  std::vector<EventEstimate> events;
+  for (std::size_t k = 0; k < fleet.rovers.size(); ++k) {
+    const EventSequence& sequence = fleet.rovers[k].sequence;
+    const bool has_panels = !fleet.rovers[k].agent->power().panels().specs().empty();
+    for (std::size_t i = 0; i < sequence.events().size(); ++i) {
+      const PlanEvent& planned = sequence.events()[i].event;
+      if (!planned.is_enabled) continue;
+      const EventRecord& record = sequence.records()[i];
+      EventEstimate& event = events.emplace_back();
+      event.rover_id = planned.rover_id;
+      event.sequence = planned.sequence;
+      event.type = planned.type;
+      event.label = planned.label;
+      event.status = record.status;
+      event.reason = record.reason;
+      if (record.start) event.start_s = seconds(*record.start);
+      if (!record.start || !record.end) continue;
+      event.end_s = seconds(*record.end);
+      event.distance_m = known(record.distance_m);
+      event.energy_used_j = known(record.energy_used_j);
+      event.solar_j = known(record.solar_j);
+      event.charge_end = known(record.charge_end);
+      const Sums& sums = rovers_[k].sums[i];
+      event.charge_min =
+          known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));
+      if (sums.all_s <= 0) continue;
+      if (has_panels) event.sunlit_share = {sums.clear_s / sums.all_s, sums.lit_s / sums.all_s};
+      if (sums.sight_s > 0) {
+        event.earth_visible_share = Expected::exactly(sums.seen_s / sums.sight_s);
+      }
+    }
+  }
+  return events;
+}
+
+}  // namespace lsos

@@ -1,0 +1,38 @@
+// Watches a simulation that is an estimate, and sums up what becomes of each event.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mission/estimate/event_estimate.h"
+#include "mission/fleet/fleet.h"
+
+namespace lsos {
+
+class EstimateWatch {
+ public:
+  // After each exchange, the one at the start too.
+  void look(const Fleet& fleet, SimTime now);
+  // Of all enabled events, by rover and sequence.
+  std::vector<EventEstimate> events(const Fleet& fleet) const;
+
+ private:
+  // Sums over the time of an event.
+  struct Sums {
+    double all_s = 0, charge_min = not_modelled;
+    double lit_s = 0, clear_s = 0;  // any of the Sun's light reaches a panel; much of it
+    double seen_s = 0, sight_s = 0;  // Earth is seen; it is known whether it is
+  };
+  struct Watched {
+    std::size_t first = 0;  // events before it have ended
+    std::optional<std::size_t> running;
+    std::vector<Sums> sums;
+    double lit = not_modelled, clear = not_modelled, seen = not_modelled;
+  };
+
+  std::vector<Watched> rovers_;
+  SimTime last_{};
+};
+
+}  // namespace lsos

@@ -1,0 +1,37 @@
+// What is expected of an event of a plan: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/sim_time.h"
+#include "mission/events/event_record.h"
+
+namespace lsos {
+
+// A quantity that is expected to lie between two values, which are equal where it is sure.
+struct Expected {
+  double low = 0, high = 0;
+
+  static Expected exactly(double value) { return {value, value}; }
+  bool is_sure() const { return low == high; }
+  double middle() const { return (low + high) / 2; }
+};
+
+// Absent: it cannot be known.
+struct EventEstimate {
+  std::string rover_id;
+  std::int64_t sequence = 0;
+  std::string type, label;
+  EventStatus status = EventStatus::not_started;
+  std::string reason;  // why it is expected to fail, "" when it is not
+  std::optional<double> start_s, end_s;  // since the mission's start
+  std::optional<double> distance_m, energy_used_j, solar_j;
+  std::optional<double> charge_end, charge_min;     // 0..1
+  // Shares of its time in which the Sun reaches a panel that is up, and in which Earth is in view
+  // of the antenna in use.
+  std::optional<Expected> sunlit_share, earth_visible_share;
+};
+
+}  // namespace lsos

@@ -1,0 +1,22 @@
+// The estimate of a mission as `check` shows it: as a table, as JSON, as CSV.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "mission/mission_estimate.h"
+
+namespace lsos {
+
+// A table with a line an event; of more than 40 events with one a rover and day of the mission, or
+// several days, unless `is_verbose`. Times are day and clock since the start; the day counts from
+// 1.
+std::string estimate_text(const MissionEstimate& estimate, bool is_verbose);
+// An array, an object an event; null where something cannot be known.
+nlohmann::ordered_json estimate_json(const MissionEstimate& estimate);
+
+// The same as a table with a heading; cells of what cannot be known are empty, shares have a column
+// for either end.
+std::string estimate_csv(const MissionEstimate& estimate);
+
+}  // namespace lsos

@@ -1,0 +1,156 @@
+// What `check` expects of each event, against what the simulation makes of it.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "system/plan_run.h"
+#include "system/source_files.h"
+
+namespace lsos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// The figures that core/mission/README.md states.
+constexpr double end_within = 0.1, energy_within = 0.15, charge_within = 0.05;
+// Energy of an event, J, below which a share of it says little.
+constexpr double energy_least_j = 36e3;
+
+json checked(const TempFolder& folder, const std::vector<Mark>& plan) {
+  const Outcome outcome =
+      run({"check", folder.write("checked.kml", kml(plan)), "--json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  return json::parse(outcome.out);
+}
+
+double middle(const json& value) {
+  if (value.is_number()) return value;
+  return (value.at("low").get<double>() + value.at("high").get<double>()) / 2;
+}
+
+// Charge of a rover at a time of the run.
+double charge_at(const PlanRun& run, const std::string& rover_id, double time_s) {
+  double charge = not_modelled;
+  for (const SampleRow& sample : run.samples()) {
+    if (sample.rover_id == rover_id && seconds(sample.time) <= time_s) charge = sample.charge;
+  }
+  return charge;
+}
+
+void expect_as_simulated(const std::vector<Mark>& plan) {
+  const PlanRun run(plan);
+  const json estimate = checked(run.folder, plan).at("estimate");
+  const json events = run.summary().at("events");
+  ASSERT_EQ(estimate.size(), events.size());
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    const json &event = events[k], &expected = estimate[k];
+    const std::string label = event.at("label");
+    EXPECT_EQ(expected.at("label"), label);
+    EXPECT_EQ(event.at("status"), "completed") << label;
+    const double start_s = event.at("start_s"), end_s = event.at("end_s");
+    EXPECT_NEAR(expected.at("start_s").get<double>(), start_s, end_within * start_s) << label;
+    EXPECT_NEAR(expected.at("end_s").get<double>(), end_s, end_within * end_s) << label;
+    const double distance_m = event.at("distance_m"), used_j = event.at("energy_used_j");
+    EXPECT_NEAR(expected.at("distance_m").get<double>(), distance_m, 1 + 0.01 * distance_m)
+        << label;
+    EXPECT_NEAR(expected.at("energy_used_j").get<double>(), used_j,
+                energy_within * std::max(energy_least_j, used_j))
+        << label;
+    const double charge = charge_at(run, event.at("rover_id"), end_s);
+    EXPECT_NEAR(expected.at("charge_end").get<double>(), charge, charge_within) << label;
+    EXPECT_LE(expected.at("charge_min").get<double>(), expected.at("charge_end").get<double>());
+  }
+}
+
+std::vector<Mark> a_day_out() {
+  return {mission({{"LogInterval", "1"}}),
+          sev("A", "31,12"),
+          event("Route", "A", 1, {}, line("31.005,12 31.005,12.005 31.01,12.005")),
+          event("EVA", "A", 2, {{"ActivityDuration", "1 h"}}),
+          event("Recharge", "A", 3, {{"EnergyRate", "2 kW"}, {"Duration", "30 min"}}),
+          event("PathPlanRoute", "A", 4, {}, point("31,12")),
+          event("StowSP", "A", 5),
+          event("Pause", "A", 6, {{"Duration", "2 h"}})};
+}
+
+TEST(Estimate, of_times_energy_and_charge_is_near_what_is_simulated) {
+  expect_as_simulated(a_day_out());
+}
+
+TEST(Estimate, of_rovers_that_wait_for_each_other_is_near_what_is_simulated) {
+  expect_as_simulated(two_rovers());
+}
+
+TEST(Estimate, knows_whether_sun_and_earth_are_seen) {
+  const TempFolder folder;
+  const json estimate = checked(folder, a_day_out()).at("estimate");
+  EXPECT_GT(middle(estimate[1].at("sunlit_share")), 0.9);
+  EXPECT_EQ(middle(estimate[1].at("earth_visible_share")), 1);
+  EXPECT_EQ(middle(estimate[5].at("sunlit_share")), 0);  // the panels are stowed
+}
+
+TEST(Estimate, of_a_drive_behind_another_rover_ends_behind_it) {
+  const TempFolder folder;
+  const json estimate =
+      checked(folder, {mission(), sev("A", "31,12"), sev("B", "30.999,12"),
+                       event("Route", "A", 1, {}, point("31.01,12")),
+                       event("Follow", "B", 1, {{"Leader", "A"}, {"Distance", "20"}})})
+          .at("estimate");
+  const double ahead_m = estimate[0].at("distance_m"), behind_m = estimate[1].at("distance_m");
+  // B begins 29.7 m behind A, and ends 20 m behind it.
+  EXPECT_NEAR(behind_m, ahead_m + 9.7, 2);
+  EXPECT_NEAR(estimate[1].at("end_s").get<double>(), estimate[0].at("end_s").get<double>(), 1);
+}
+
+TEST(Estimate, warns_of_a_battery_that_does_not_last) {
+  const TempFolder folder;
+  const json answer =
+      checked(folder, {mission(),
+                       Mark{"Rover",
+                            {{"RoverId", "A"}, {"RoverType", "SEV"}, {"InitialCharge", "0.05"}},
+                            point("31,12")},
+                       event("StowSP", "A", 1),
+                       event("Consume", "A", 2, {{"Power", "20 kW"}, {"Duration", "3 h"}})});
+  ASSERT_EQ(answer.at("faults").size(), 1) << answer.at("faults");
+  EXPECT_THAT(answer["faults"][0]["what"].get<std::string>(),
+              HasSubstr("Consume 'Consume 2': by the estimate it fails at 2026-01-01T0"));
+  EXPECT_TRUE(answer["is_valid"]);
+}
+
+TEST(Estimate, of_a_wait_for_a_condition_takes_no_time) {
+  const TempFolder folder;
+  const json estimate = checked(folder, {mission(), sev("A", "31,12"),
+                                         event("Pause", "A", 1,
+                                               {{"Duration", "300 d"},
+                                                {"StopWhen", "time &gt; 17280000"},
+                                                {"OnFailure", "skip"}})})
+                            .at("estimate");
+  EXPECT_NEAR(estimate[0].at("end_s").get<double>(), 17280000, 0.02 * 17280000);
+}
+
+TEST(Estimate, is_a_table_a_line_an_event_and_csv) {
+  const TempFolder folder;
+  const std::string plan = folder.write("plan.kml", kml(a_day_out()));
+  const Outcome outcome = run({"check", plan, "--csv", folder / "events.csv", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("A 2 'EVA 2'"));
+  const std::string csv = read_text(folder / "events.csv");
+  EXPECT_THAT(csv, HasSubstr("rover_id,sequence,type,label,start_s,end_s,"));
+  EXPECT_THAT(csv, HasSubstr("\nA,2,EVA,EVA 2,"));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
+}
+
+TEST(Estimate, of_shipped_plans_finds_nothing_wrong) {
+  for (const std::string plan : {"two_rovers", "solar_stop", "lunar_traverse", "drats_day"}) {
+    const TempFolder folder;
+    const std::string copy =
+        folder.write(plan + ".kml", read_text(repository() / "plans" / (plan + ".kml")));
+    const Outcome outcome = run({"check", copy, "--quiet"});
+    EXPECT_THAT(outcome.out, Not(HasSubstr("by the estimate"))) << plan;
+  }
+}
+
+}  // namespace
+}  // namespace lsos::test
