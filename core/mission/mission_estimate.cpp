@@ -7,17 +7,29 @@
 
 namespace lsos {
 
+namespace {
+
+// What events have been waited for for so long is not expected to come.
+constexpr SimTime idle_max = std::chrono::hours(100 * 24);
+
+}  // namespace
+
 MissionEstimate estimate_mission(Simulation& simulation) {
   MissionEstimate estimate;
   EstimateWatch watch;
   simulation.start();
   watch.look(simulation.fleet(), simulation.now());
   for (long long exchanges = 0; !simulation.is_finished(); ++exchanges) {
+    const std::optional<SimTime> idle_since = watch.idle_since();
+    if (idle_since && simulation.now() - *idle_since > idle_max) {
+      estimate.cut_short =
+          fmt::format("from {} on no event is under way", moment_text(*idle_since));
+    }
     if (exchanges >= exchanges_max) {
       estimate.cut_short =
-          fmt::format("too much happens: it ends at {}", moment_text(simulation.now()));
-      break;
+          fmt::format("at {} it has taken too many steps", moment_text(simulation.now()));
     }
+    if (!estimate.cut_short.empty()) break;
     simulation.advance();
     watch.look(simulation.fleet(), simulation.now());
   }

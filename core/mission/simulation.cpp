@@ -279,7 +279,7 @@ SkyView Simulation::sky(const Geodetic& place) const {
 
 std::optional<PairSight> Simulation::sight(const std::string& id, const std::string& other) const {
   if (!sight_) return {};
-  return sight_->between(fleet_, id, other);
+  return sight_->between(fleet_, moment(), id, other);
 }
 
 void Simulation::dispatch(const PlanEvent& event) {

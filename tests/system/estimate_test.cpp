@@ -109,7 +109,7 @@ TEST(Estimate, warns_of_a_battery_that_does_not_last) {
   const json answer =
       checked(folder, {mission(),
                        Mark{"Rover",
-                            {{"RoverId", "A"}, {"RoverType", "SEV"}, {"InitialCharge", "0.05"}},
+                            {{"RoverId", "A"}, {"RoverType", "SEV"}, {"InitialCharge", "0.2"}},
                             point("31,12")},
                        event("StowSP", "A", 1),
                        event("Consume", "A", 2, {{"Power", "20 kW"}, {"Duration", "3 h"}})});
@@ -124,7 +124,7 @@ TEST(Estimate, of_a_wait_for_a_condition_takes_no_time) {
   const json estimate = checked(folder, {mission(), sev("A", "31,12"),
                                          event("Pause", "A", 1,
                                                {{"Duration", "300 d"},
-                                                {"StopWhen", "time &gt; 17280000"},
+                                                {"StopWhen", "time_s &gt; 17280000"},
                                                 {"OnFailure", "skip"}})})
                             .at("estimate");
   EXPECT_NEAR(estimate[0].at("end_s").get<double>(), 17280000, 0.02 * 17280000);

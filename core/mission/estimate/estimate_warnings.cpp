@@ -35,7 +35,9 @@ std::vector<Fault> estimate_warnings(const std::vector<EventEstimate>& events, c
       return other.rover_id == event.rover_id && other.sequence == event.sequence;
     });
     const bool is_empty = event.charge_min && *event.charge_min <= empty;
-    const bool has_failed = event.status == EventStatus::failed && event.end_s;
+    // A condition that the plan has for ending it says what is meant.
+    const bool is_meant = event.reason.starts_with("StopWhen: ");
+    const bool has_failed = event.status == EventStatus::failed && event.end_s && !is_meant;
     const bool is_news = has_failed || (is_empty && !was_empty);
     was_empty = is_empty;
     if (!is_news || planned == plan.events.end() || is_known(*planned, known)) continue;

@@ -60,6 +60,13 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     rover.seen = earth ? earth->is_visible : not_modelled;
   }
   last_ = now;
+  const bool is_running =
+      std::ranges::any_of(rovers_, [](const Watched& rover) { return rover.running.has_value(); });
+  if (is_running) {
+    idle_since_.reset();
+  } else if (!idle_since_) {
+    idle_since_ = now;
+  }
 }
 
 std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {

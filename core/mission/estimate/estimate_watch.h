@@ -1,7 +1,7 @@
 // Watches a simulation that is an estimate, and sums up what becomes of each event.
 #pragma once
 
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +14,8 @@ class EstimateWatch {
  public:
   // After each exchange, the one at the start too.
   void look(const Fleet& fleet, SimTime now);
+  // Since when no event has been under way; absent: one is.
+  std::optional<SimTime> idle_since() const { return idle_since_; }
   // Of all enabled events, by rover and sequence.
   std::vector<EventEstimate> events(const Fleet& fleet) const;
 
@@ -21,7 +23,7 @@ class EstimateWatch {
   // Sums over the time of an event.
   struct Sums {
     double all_s = 0, charge_min = not_modelled;
-    double lit_s = 0, clear_s = 0;  // any of the Sun's light reaches a panel; much of it
+    double lit_s = 0, clear_s = 0;   // any of the Sun's light reaches a panel; much of it
     double seen_s = 0, sight_s = 0;  // Earth is seen; it is known whether it is
   };
   struct Watched {
@@ -33,6 +35,7 @@ class EstimateWatch {
 
   std::vector<Watched> rovers_;
   SimTime last_{};
+  std::optional<SimTime> idle_since_;
 };
 
 }  // namespace lsos

@@ -25,10 +25,10 @@ struct EventEstimate {
   std::int64_t sequence = 0;
   std::string type, label;
   EventStatus status = EventStatus::not_started;
-  std::string reason;  // why it is expected to fail, "" when it is not
+  std::string reason;                    // why it is expected to fail, "" when it is not
   std::optional<double> start_s, end_s;  // since the mission's start
   std::optional<double> distance_m, energy_used_j, solar_j;
-  std::optional<double> charge_end, charge_min;     // 0..1
+  std::optional<double> charge_end, charge_min;  // 0..1
   // Shares of its time in which the Sun reaches a panel that is up, and in which Earth is in view
   // of the antenna in use.
   std::optional<Expected> sunlit_share, earth_visible_share;

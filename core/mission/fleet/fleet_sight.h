@@ -21,9 +21,10 @@ class FleetSight {
   std::vector<PairRow> rows(const Fleet& fleet, const Moment& moment, std::size_t from) const;
   // Ends all open intervals and returns them.
   std::vector<SightIntervalRow> finish(const Fleet& fleet, SimTime now);
-  // Last result between two of rovers, assets and Earth; absent: there is none yet.
-  std::optional<PairSight> between(const Fleet& fleet, const std::string& one,
-                                   const std::string& other) const;
+  // Last result between two of rovers, assets and Earth; absent: there is none yet. In an estimate
+  // it is evaluated when it is asked for.
+  std::optional<PairSight> between(const Fleet& fleet, const Moment& moment, const std::string& one,
+                                   const std::string& other);
   // When a pair is next due if nothing moves; absent: never.
   std::optional<SimTime> wake() const { return watch_.wake(); }
   const SightWatch& watch() const { return watch_; }
@@ -34,6 +35,7 @@ class FleetSight {
  private:
   const Ground* ground_;
   SightWatch watch_;
+  bool is_estimate_;
 };
 
 }  // namespace lsos

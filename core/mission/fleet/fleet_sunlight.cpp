@@ -35,7 +35,7 @@ FleetSunlight::FleetSunlight(const Ground& ground, Renderer& renderer,
                              std::optional<double> optical_depth, std::optional<double> albedo,
                              bool is_estimate)
     : ground_(&ground),
-      light_(ground, renderer),
+      light_(ground, renderer, is_estimate),
       over_end_(ground, "the Sun"),
       optical_depth_(optical_depth.value_or(body().assumed_optical_depth)),
       albedo_(albedo.value_or(body().assumed_albedo)),

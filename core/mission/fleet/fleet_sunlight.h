@@ -14,7 +14,7 @@ namespace lsos {
 
 class FleetSunlight {
  public:
-  static constexpr int estimate_steps = 5;
+  static constexpr int estimate_steps = 8;
 
   // Ground and renderer must outlive it. `optical_depth`: of the air's dust, straight up; `albedo`:
   // share of sunlight that the ground reflects; absent: what the body assumes.

@@ -26,8 +26,8 @@ struct SimulationSetup {
   int threads = 1;
   // Torture mode: at each exchange all state is written out, thrown away, read back and compared.
   bool save_every_exchange = false;
-  // Whether it is an estimate: drives are foreseen (RoverAgent::foresee_drives), light and sight are
-  // evaluated less often, and nothing is logged or saved.
+  // Whether it is an estimate: drives are foreseen (RoverAgent::foresee_drives), light and sight
+  // are evaluated less often, and nothing is logged or saved.
   bool is_estimate = false;
   // Whether lines of sight are evaluated, for the layers `pairs` and `sight_intervals` of the log.
   bool keeps_sight = false;

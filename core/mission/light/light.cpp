@@ -51,7 +51,15 @@ std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& 
   SunColumn column = column_of(scene.faces, scene.eye_S_m, ground_->site().up_S(scene.eye_S_m));
   column.sun_S = sun_S;
   column.disc_rad = light.disc_rad;
-  append(all, ground_mesh(*ground_, column), Mat3::Identity(), Vec3::Zero());
+  double over_ground = 1;  // share of the disc that is above the ground
+  if (march_) {
+    const double middle_m = (column.low_m + column.high_m) / 2;
+    const Vec3 middle_S_m = scene.eye_S_m + middle_m * ground_->site().up_S(scene.eye_S_m);
+    over_ground = share_over_ground(*ground_, *march_, middle_S_m, sun_S, light.disc_rad);
+    if (over_ground <= 0) return fractions;
+  } else {
+    append(all, ground_mesh(*ground_, column), Mat3::Identity(), Vec3::Zero());
+  }
   const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
   for (std::size_t i = 0; i < scene.faces.size(); ++i) {
     if (!is_facing(scene.faces[i])) continue;
@@ -63,7 +71,7 @@ std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& 
     const std::vector<double> shares =
         renderer_->panels.visible_shares(scene.faces[i], all, directions);
     for (std::size_t k = 0; k < disc.size(); ++k) fractions[i] += disc[k].weight * shares[k];
-    fractions[i] *= 1 - light.eclipsed;
+    fractions[i] *= over_ground * (1 - light.eclipsed);
   }
   return fractions;
 }

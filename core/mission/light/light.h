@@ -3,12 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mission/light/diffuse_view_cache.h"
 #include "mission/light/lit_scene.h"
+#include "mission/light/marched_disc.h"
 #include "planet/sunlight.h"
 #include "terrain/ground.h"
 #include "view/exposure/renderer.h"
@@ -20,9 +22,12 @@ class Light {
  public:
   static constexpr int disc_samples_count = 16;
 
-  // Both must outlive it.
-  Light(const Ground& ground, Renderer& renderer)
-      : ground_(&ground), renderer_(&renderer), diffuse_views_(ground, renderer) {}
+  // Both must outlive it. `is_estimate`: the ground's horizon is marched to, once for all faces;
+  // only what is near is drawn.
+  Light(const Ground& ground, Renderer& renderer, bool is_estimate = false)
+      : ground_(&ground), renderer_(&renderer), diffuse_views_(ground, renderer) {
+    if (is_estimate) march_.emplace(ground, marched_resolution_m, ProbeDetail::sparse);
+  }
 
   // Share 0..1 of each face that is seen from the Sun, averaged over its disc. Near and far ground
   // counts.
@@ -33,6 +38,7 @@ class Light {
   const Ground* ground_;
   Renderer* renderer_;
   DiffuseViewCache diffuse_views_;
+  std::optional<HorizonMarch> march_;
 };
 
 }  // namespace lsos

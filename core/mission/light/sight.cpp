@@ -92,4 +92,17 @@ Sight::Disc Sight::disc(const Vec3& from_S_m, const Vec3& direction_S, double di
   return seen;
 }
 
+Sight::Disc Sight::marched_disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad,
+                                const std::vector<NamedMesh>& solids) {
+  const double fraction = share_over_ground(*ground_, march_, from_S_m, direction_S, disc_rad);
+  if (fraction < centre_share) return {false, fraction, ground_name};
+  if (solids.empty()) return {true, fraction, ""};
+  const Viewpoint viewer{direction_S};
+  const PanelFace face = target(Vec3::Zero(), direction_S);
+  if (share(face, merged(solids), viewer) >= centre_share) return {true, fraction, ""};
+  return {false, 0, hidden_by(solids, {}, [&](const Mesh& mesh) {
+            return share(face, mesh, viewer) >= centre_share;
+          })};
+}
+
 }  // namespace lsos

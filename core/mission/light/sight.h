@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mission/light/marched_disc.h"
 #include "terrain/ground.h"
 #include "view/exposure/renderer.h"
 #include "view/ground/sight_ground.h"
@@ -30,7 +31,11 @@ class Sight {
 
   // Both must outlive it.
   Sight(const Ground& ground, Renderer& renderer)
-      : site_(ground.site()), ground_(&ground), renderer_(&renderer), between_(ground) {}
+      : site_(ground.site()),
+        ground_(&ground),
+        renderer_(&renderer),
+        between_(ground),
+        march_(ground, marched_resolution_m, ProbeDetail::sparse) {}
 
   struct Line {
     double share = 0;  // of the target at the far end that is visible, 0..1
@@ -51,6 +56,10 @@ class Sight {
   Disc disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad,
             const std::vector<NamedMesh>& solids);
 
+  // The same for estimates: the horizon is marched to, and drawn is what stands near.
+  Disc marched_disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad,
+                    const std::vector<NamedMesh>& solids);
+
  private:
   // Share of a target that is visible from a viewpoint.
   double share(const PanelFace& target, const Mesh& solids, const Viewpoint& viewer);
@@ -59,6 +68,7 @@ class Sight {
   const Ground* ground_;
   Renderer* renderer_;
   SightGround between_;
+  HorizonMarch march_;
 };
 
 }  // namespace lsos

@@ -14,6 +14,7 @@ namespace lsos {
 namespace {
 
 constexpr double speed_of_light_mps = 299792458;
+constexpr SimTime estimate_least{60'000'000};  // between two evaluations because something moves
 
 }  // namespace
 
@@ -25,7 +26,7 @@ SightWatch::SightWatch(const Ground& ground, Renderer& renderer, std::size_t end
       earth_over_end_(ground, "Earth"),
       pairs_over_end_(ground, "another antenna"),
       earth_(ends),
-      steps_(is_estimate ? estimate_steps : 1) {
+      is_estimate_(is_estimate) {
   const bool has_earth = ground.site().body().name != earth_id;
   for (std::size_t from = 0; from < ends; ++from) {
     for (std::size_t to = from + 1; to < ends + (has_earth ? 1 : 0); ++to) {
@@ -47,7 +48,7 @@ bool SightWatch::is_near(const Pair& pair, const SightEnd& other,
 // How long a result between parked ends holds.
 SimTime SightWatch::interval(const Pair& pair) const {
   const Body& body = ground_->site().body();
-  if (pair.to == earth_) return steps_ * earth_interval(body);
+  if (pair.to == earth_) return (is_estimate_ ? estimate_steps : 1) * earth_interval(body);
   return pair.is_near_turning ? sun_interval(body) : SimTime::max() / 2;
 }
 
@@ -61,6 +62,8 @@ bool SightWatch::is_due(const Pair& pair, SimTime now, const std::vector<SightEn
     if (other.motion == Motion::none) continue;
     if (is_near(pair, other, ends)) motion = std::max(motion, other.motion);
   }
+  // Panels that follow the Sun move often, and little at a time.
+  if (is_estimate_ && now < *pair.time + estimate_least) return false;
   if (motion == Motion::has_ended) return true;
   return motion == Motion::goes_on && now > *pair.time && now % moving_update_period == SimTime{};
 }
@@ -73,8 +76,10 @@ void SightWatch::evaluate(Pair& pair, SimTime now, Instant utc, const std::vecto
     const Sighting earth =
         sighting(site.body(), site.p_F_m(from.antenna_S_m), CelestialBody::earth, utc);
     const Vec3 direction_S = site.R_FS().transpose() * earth.direction_F;
-    const Sight::Disc seen = sight_.disc(from.antenna_S_m, direction_S, earth.disc_rad,
-                                         solids(from.antenna_S_m, from.antenna_S_m));
+    const std::vector<NamedMesh> near = solids(from.antenna_S_m, from.antenna_S_m);
+    const Sight::Disc seen =
+        is_estimate_ ? sight_.marched_disc(from.antenna_S_m, direction_S, earth.disc_rad, near)
+                     : sight_.disc(from.antenna_S_m, direction_S, earth.disc_rad, near);
     pair.is_visible = seen.is_centre_seen;
     pair.fraction = seen.fraction;
     pair.hidden_by = seen.hidden_by;
@@ -115,7 +120,7 @@ std::vector<SightIntervalRow> SightWatch::look(SimTime now, Instant utc,
   std::vector<SightIntervalRow> ended;
   bool have_links_changed = false;
   for (Pair& pair : pairs_) {
-    if (!is_due(pair, now, ends)) continue;
+    if ((is_estimate_ && pair.to != earth_) || !is_due(pair, now, ends)) continue;
     const bool was_linked = pair.is_linked, is_first = !pair.time;
     count_own_way(pair, now, ends);
     evaluate(pair, now, utc, ends, solids);
@@ -195,6 +200,17 @@ std::vector<std::string> SightWatch::warnings_of_own_way(const std::vector<Sight
                     id(pair.from, ends), seconds(pair.in_own_way) / 3600));
   }
   return warnings;
+}
+
+void SightWatch::ask(std::size_t one, std::size_t other, SimTime now, Instant utc,
+                     const std::vector<SightEnd>& ends, const SolidsBetween& solids) {
+  constexpr SimTime holds{60'000'000};
+  for (Pair& pair : pairs_) {
+    if (std::minmax(pair.from, pair.to) != std::minmax(one, other)) continue;
+    if (pair.to == earth_ || (pair.time && now < *pair.time + holds)) return;
+    evaluate(pair, now, utc, ends, solids);
+    pair.time = now;
+  }
 }
 
 std::optional<PairSight> SightWatch::last(std::size_t one, std::size_t other) const {

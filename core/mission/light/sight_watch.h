@@ -60,7 +60,8 @@ class SightWatch {
 
   // `ground` and `renderer` must outlive it. Ends are always passed in the same order; Earth
   // follows them unless it is the planet.
-  // `is_estimate`: Earth is evaluated `estimate_steps` times less often.
+  // `is_estimate`: Earth is evaluated `estimate_steps` times less often and with one march,
+  // other pairs only when ask() does.
   SightWatch(const Ground& ground, Renderer& renderer, std::size_t ends, bool is_estimate = false);
   static constexpr int estimate_steps = 6;
 
@@ -69,6 +70,9 @@ class SightWatch {
                                      const SolidsBetween& solids);
   // Last result between two ends, by number, Earth after the others; absent: none yet.
   std::optional<PairSight> last(std::size_t one, std::size_t other) const;
+  // In an estimate: evaluates a pair now, where its last result is more than a minute old.
+  void ask(std::size_t one, std::size_t other, SimTime now, Instant utc,
+           const std::vector<SightEnd>& ends, const SolidsBetween& solids);
   // Rows of the last results from one end to those after it.
   std::vector<PairRow> rows(SimTime now, Instant utc, const std::vector<SightEnd>& ends,
                             std::size_t from) const;
@@ -131,7 +135,7 @@ class SightWatch {
   Sight sight_;
   SightOverEnd earth_over_end_, pairs_over_end_;
   std::size_t earth_;  // number of Earth as an end
-  int steps_;
+  bool is_estimate_;
   std::vector<Pair> pairs_;
 };
 

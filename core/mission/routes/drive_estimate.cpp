@@ -20,6 +20,8 @@ constexpr double passed_radius_m = 1;  // as in PathFollower
 // Distance between the places of a drawn line whose ground is examined, and between those that one
 // map of the ground serves.
 constexpr double sample_m = 2, map_m = 64;
+// Of a longer line only every second, third, ... stretch that a map serves is examined.
+constexpr double examined_m = 30e3;
 constexpr double stuck_s = 60;           // in which a rover that gets nowhere is found to be stuck
 constexpr double turn_least_rad = 0.03;  // as in PathFollower
 
@@ -78,7 +80,7 @@ void add_marks(DriveEstimate& drive, const DriveMark& end) {
 
 // Ground under a stretch of a line: what steady driving takes there.
 struct Steady {
-  double driven_m = 0, time_s = 0, energy_j = 0;
+  double along_m = 0, driven_m = 0, time_s = 0, energy_j = 0;
 };
 
 class DrawnDrive {
@@ -147,13 +149,15 @@ class DrawnDrive {
   // Returns false where the drive ends before the end of the piece.
   bool drive_piece(const DrivingPiece& piece) {
     const int parts = std::max(1, static_cast<int>(std::ceil(piece.length_m / map_m)));
+    const int every = 1 + static_cast<int>(piece.length_m / examined_m);
+    Steady steady;
     for (int k = 0; k < parts; ++k) {
       const double begin_m = piece.length_m * k / parts, end_m = piece.length_m * (k + 1) / parts;
-      const Steady steady = steady_over(piece, begin_m, end_m);
+      if (k % every == 0) steady = steady_over(piece, begin_m, end_m);
       const double left_m = piece.length_m - end_m;
       const double end_mps = std::sqrt(piece.end_speed_mps * piece.end_speed_mps +
                                        2 * cost_.acceleration_mps2 * left_m);
-      add(steady, end_m - begin_m, piece.speed_max_mps, end_mps);
+      add(steady, piece.speed_max_mps, end_mps);
       if (drive_.failure.empty()) continue;
       sum_.time_s += stuck_s;
       speed_mps_ = 0;
@@ -164,8 +168,8 @@ class DrawnDrive {
   }
 
   // Adds a stretch that begins at the present speed and ends at `end_mps` at most.
-  void add(const Steady& steady, double length_m, double most_mps, double end_mps) {
-    sum_.along_m += length_m;
+  void add(const Steady& steady, double most_mps, double end_mps) {
+    sum_.along_m += steady.along_m;
     sum_.driven_m += steady.driven_m;
     if (steady.time_s <= 0) return;
     const double steady_mps = steady.driven_m / steady.time_s;
@@ -210,6 +214,7 @@ class DrawnDrive {
       if (!find_failure(stance)) return sum;
       const SlopeDrive driven = stance_drive(cost_, stance);
       const double along_m = length_m / steps / std::cos(stance.pitch_rad);
+      sum.along_m += length_m / steps;
       sum.driven_m += along_m;
       sum.time_s += along_m / driven.speed_mps;
       sum.energy_j += along_m * driven.energy_jpm;

@@ -1,5 +1,5 @@
-// A drive under way in an estimate: where the rover is at a time between the marks of what the drive
-// is expected to take.
+// A drive under way in an estimate: where the rover is at a time between the marks of what the
+// drive is expected to take.
 #pragma once
 
 #include <cstddef>

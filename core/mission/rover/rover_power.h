@@ -199,7 +199,7 @@ class RoverPower : public PowerPort {
 
   std::optional<PanelSunlight> sun_;
   PowerClaims claims_;
-  double antennas_w_ = 0;  // not saved: set at each exchange
+  double antennas_w_ = 0;                   // not saved: set at each exchange
   std::optional<double> expected_drive_w_;  // not saved: estimates are not
   double given_w_ = 0;
   double sun_share_ = 1;

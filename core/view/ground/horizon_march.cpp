@@ -12,8 +12,8 @@ constexpr double eye_lift_m = 1e-3;  // above the ground, so that rounding does 
 
 }  // namespace
 
-HorizonMarch::HorizonMarch(const Ground& ground, double resolution_m)
-    : ground_(&ground), resolution_m_(resolution_m), probes_(ground) {}
+HorizonMarch::HorizonMarch(const Ground& ground, double resolution_m, ProbeDetail detail)
+    : ground_(&ground), resolution_m_(resolution_m), probes_(ground, detail) {}
 
 GroundSample HorizonMarch::ground_at(const Geodetic& place) {
   return probe(0).sample(ground_->site().p_S_m({place.lon_rad, place.lat_rad, 0}));

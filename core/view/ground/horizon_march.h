@@ -20,8 +20,9 @@ struct HorizonPoint {
 // Use one per thread; results do not depend on earlier calls.
 class HorizonMarch {
  public:
-  // `resolution_m`: much smaller detail is left out. Steps are as long, or 1 % of the distance.
-  HorizonMarch(const Ground& ground, double resolution_m);
+  // `resolution_m`: much smaller detail is left out; with ProbeDetail::sparse some at the
+  // resolution itself, too. Steps are as long, or 1 % of the distance.
+  HorizonMarch(const Ground& ground, double resolution_m, ProbeDetail detail = ProbeDetail::dense);
 
   struct Eye {
     Vec3 p_S_m, up_S;
