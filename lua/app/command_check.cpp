@@ -12,13 +12,13 @@
 #include "base/units.h"
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
-#include "lua/app/estimate_text.h"
 #include "lua/app/planning_watch.h"
 #include "lua/check/check_text.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_from.h"
 #include "mission/estimate/estimate_warnings.h"
+#include "product/estimate_text.h"
 
 namespace lsos {
 

@@ -16,7 +16,7 @@ class EstimateWatch {
   void look(const Fleet& fleet, SimTime now);
   // Since when no event has been under way; absent: one is.
   std::optional<SimTime> idle_since() const { return idle_since_; }
-  // Of all enabled events, by rover and sequence.
+  // Estimates of all enabled events, by rover and sequence.
   std::vector<EventEstimate> events(const Fleet& fleet) const;
 
  private:

@@ -20,7 +20,7 @@ constexpr double passed_radius_m = 1;  // as in PathFollower
 // Distance between the places of a drawn line whose ground is examined, and between those that one
 // map of the ground serves.
 constexpr double sample_m = 2, map_m = 64;
-// Of a longer line only every second, third, ... stretch that a map serves is examined.
+// Length beyond which only every second, third, ... stretch that a map serves is examined.
 constexpr double examined_m = 30e3;
 constexpr double stuck_s = 60;           // in which a rover that gets nowhere is found to be stuck
 constexpr double turn_least_rad = 0.03;  // as in PathFollower

@@ -1,4 +1,4 @@
-#include "lua/app/estimate_text.h"
+#include "product/estimate_text.h"
 
 #include <fmt/format.h>
 
