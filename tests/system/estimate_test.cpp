@@ -143,7 +143,7 @@ TEST(Estimate, is_a_table_a_line_an_event_and_csv) {
 }
 
 TEST(Estimate, of_shipped_plans_finds_nothing_wrong) {
-  for (const std::string plan : {"two_rovers", "solar_stop", "lunar_traverse", "drats_day"}) {
+  for (const std::string plan : {"two_rovers", "solar_stop", "lunar_traverse", "polar_team"}) {
     const TempFolder folder;
     const std::string copy =
         folder.write(plan + ".kml", read_text(repository() / "plans" / (plan + ".kml")));

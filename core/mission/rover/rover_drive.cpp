@@ -78,6 +78,11 @@ void RoverDrive::give(const DriveCommand& command) {
 }
 
 void RoverDrive::observe() {
+  // What moves on a rover that is carried has had it stepped: it goes on as foreseen.
+  if (foreseen_ || foreseen_pursuit_) {
+    is_parked_ = true;
+    return;
+  }
   update_slip();
   if (motion_->fault().empty()) motion_->find_fault(*journal_);
   if (!motion_->fault().empty()) return give({});
