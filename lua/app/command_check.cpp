@@ -14,6 +14,7 @@
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
 #include "lua/check/check_text.h"
+#include "lua/check/timeline_text.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_from.h"
@@ -26,7 +27,8 @@ namespace {
 
 struct CheckOptions {
   std::string plan;
-  std::string csv;   // file for the estimate; "": none
+  std::string csv;  // file for the estimate; "": none
+  bool has_timeline = false;
   std::string from;  // folder of the run with whose end it begins; "": none
   std::optional<std::uint64_t> seed;
   bool is_json = false;
@@ -206,9 +208,16 @@ int check_command(const CheckOptions& options) {
     }
     files.faults.add(not_kept);  // also when a leg has no route
   }
-  print_result("{}", options.is_json ? json_text(files, routes, estimate)
-                                     : check_text(files, routes, options.is_verbose) +
-                                           estimate_text(estimate, options.is_verbose));
+  if (options.is_json) {
+    print_result("{}", json_text(files, routes, estimate));
+  } else {
+    print_result("{}{}", check_text(files, routes, options.is_verbose),
+                 estimate_text(estimate, options.is_verbose));
+    if (options.has_timeline && !files.faults.has_errors()) {
+      print_result("{}",
+                   timeline_text(estimate, files.plan.activities, files.plan.mission.start_time));
+    }
+  }
   return files.faults.has_errors() ? 2 : 0;
 }
 
@@ -227,6 +236,9 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
   command.add_option("--from", options->from, from_help);
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
+  command.add_flag("--timeline", options->has_timeline,
+                   "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
+                   "below n no Sun, e no Earth, b both");
   command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
   command.add_flag("--json", options->is_json, "The answer as JSON");
   command.add_flag("--verbose", options->is_verbose, "Each leg, event, default and assumption");

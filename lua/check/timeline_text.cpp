@@ -13,14 +13,60 @@ namespace {
 constexpr double day_s = 86400, cell_s = 1200;
 constexpr int cells_a_day = 72, cells_a_label = 9;  // a label each three hours
 
-double overlap_s(const TimelineSpan& span, double begin_s) {
+struct Bar {
+  ShadeSpan time;
+  char letter = '?';
+};
+
+struct Lane {
+  RoverShade shade;
+  std::vector<Bar> bars;
+};
+
+char letter_of(Activity activity) {
+  switch (activity) {
+    case Activity::driving:
+      return 'D';
+    case Activity::crew:
+      return 'E';
+    case Activity::science:
+      return 'S';
+    case Activity::energy:
+      return 'C';
+    case Activity::communication:
+      return 'A';
+    case Activity::waiting:
+      return 'W';
+    case Activity::none:
+      break;
+  }
+  return 'O';
+}
+
+std::vector<Lane> lanes_of(const MissionEstimate& estimate,
+                           const std::map<std::string, Activity>& activities) {
+  std::vector<Lane> lanes;
+  for (const RoverShade& shade : estimate.shades) lanes.push_back({shade, {}});
+  for (const EventEstimate& event : estimate.events) {
+    const auto lane = std::ranges::find_if(
+        lanes, [&](const Lane& each) { return each.shade.rover_id == event.rover_id; });
+    if (lane == lanes.end() || !event.start_s) continue;
+    const auto activity = activities.find(event.type);
+    lane->bars.push_back(
+        {{*event.start_s, event.end_s.value_or(estimate.end_s)},
+         letter_of(activity == activities.end() ? Activity::none : activity->second)});
+  }
+  return lanes;
+}
+
+double overlap_s(const ShadeSpan& span, double begin_s) {
   return std::min(span.end_s, begin_s + cell_s) - std::max(span.begin_s, begin_s);
 }
 
 // The letter that takes most of a cell; an event that is over at once counts where nothing else is.
-char letter_at(const TimelineRover& rover, double begin_s) {
+char letter_at(const Lane& lane, double begin_s) {
   std::map<char, double> taken_s;
-  for (const TimelineBar& bar : rover.bars) {
+  for (const Bar& bar : lane.bars) {
     const double share_s = overlap_s(bar.time, begin_s);
     if (share_s >= 0 && bar.time.begin_s < begin_s + cell_s) taken_s[bar.letter] += share_s;
   }
@@ -30,14 +76,15 @@ char letter_at(const TimelineRover& rover, double begin_s) {
 }
 
 // Whether the spans take more than half of a cell.
-bool covers(const std::vector<TimelineSpan>& spans, double begin_s) {
+bool covers(const std::vector<ShadeSpan>& spans, double begin_s) {
   double sum_s = 0;
-  for (const TimelineSpan& span : spans) sum_s += std::max(0.0, overlap_s(span, begin_s));
+  for (const ShadeSpan& span : spans) sum_s += std::max(0.0, overlap_s(span, begin_s));
   return sum_s > cell_s / 2;
 }
 
-char shade_at(const TimelineRover& rover, double begin_s) {
-  const bool is_dark = covers(rover.dark, begin_s), is_unseen = covers(rover.unseen, begin_s);
+char shade_at(const Lane& lane, double begin_s) {
+  const bool is_dark = covers(lane.shade.dark, begin_s),
+             is_unseen = covers(lane.shade.unseen, begin_s);
   if (is_dark && is_unseen) return 'b';
   return is_dark ? 'n' : is_unseen ? 'e' : ' ';
 }
@@ -59,27 +106,30 @@ std::string without_end_blanks(std::string line) {
 
 }  // namespace
 
-std::string timeline_text(const std::vector<TimelineRover>& rovers, Instant start, double end_s) {
+std::string timeline_text(const MissionEstimate& estimate,
+                          const std::map<std::string, Activity>& activities, Instant start) {
+  const std::vector<Lane> lanes = lanes_of(estimate, activities);
   std::size_t width = 5;
-  for (const TimelineRover& rover : rovers)
-    width = std::max(width, std::min<std::size_t>(rover.id.size(), 12));
+  for (const Lane& lane : lanes) {
+    width = std::max(width, std::min<std::size_t>(lane.shade.rover_id.size(), 12));
+  }
   std::string text;
-  const int days = std::max(1, static_cast<int>(std::ceil(end_s / day_s - 1e-9)));
+  const int days = std::max(1, static_cast<int>(std::ceil(estimate.end_s / day_s - 1e-9)));
   for (int day = 0; day < days; ++day) {
     const double begin_s = day * day_s;
     text += fmt::format("day {}, {}\n", day + 1,
                         format_utc(start + from_seconds(begin_s)).substr(0, 10));
     text +=
         without_end_blanks(fmt::format("  {:<{}} {}", "UTC", width, clock_line(start, begin_s)));
-    for (const TimelineRover& rover : rovers) {
+    for (const Lane& lane : lanes) {
       std::string events, shades;
       for (int cell = 0; cell < cells_a_day; ++cell) {
         const double at_s = begin_s + cell * cell_s;
-        events += at_s < end_s ? letter_at(rover, at_s) : ' ';
-        shades += at_s < end_s ? shade_at(rover, at_s) : ' ';
+        events += at_s < estimate.end_s ? letter_at(lane, at_s) : ' ';
+        shades += at_s < estimate.end_s ? shade_at(lane, at_s) : ' ';
       }
-      text +=
-          without_end_blanks(fmt::format("  {:<{}} {}", rover.id.substr(0, width), width, events));
+      const std::string id = lane.shade.rover_id.substr(0, width);
+      text += without_end_blanks(fmt::format("  {:<{}} {}", id, width, events));
       if (shades.find_first_not_of(' ') == std::string::npos) continue;
       text += without_end_blanks(fmt::format("  {:<{}} {}", "", width, shades));
     }

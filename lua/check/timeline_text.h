@@ -1,32 +1,19 @@
 // The mission as a table of time for a terminal: days, in each a line a rover with its events.
 #pragma once
 
+#include <map>
 #include <string>
-#include <vector>
 
-#include "planet/utc.h"
+#include "mission/mission_estimate.h"
+#include "plan/declaration.h"
 
 namespace lsos {
 
-struct TimelineSpan {
-  double begin_s = 0, end_s = 0;  // since the mission's start
-};
-
-struct TimelineBar {
-  TimelineSpan time;
-  char letter = '?';
-};
-
-struct TimelineRover {
-  std::string id;
-  std::vector<TimelineBar> bars;
-  std::vector<TimelineSpan> dark;    // no Sun reaches its panels
-  std::vector<TimelineSpan> unseen;  // Earth is not in view
-};
-
 // Days of 24 h from the mission's start, a letter each 20 min: that of the event that takes most of
-// it, '.' where none does. Below, where anything is dark or unseen, a line with n (no Sun), e (no
-// Earth) or b (both).
-std::string timeline_text(const std::vector<TimelineRover>& rovers, Instant start, double end_s);
+// it, D of driving, E of EVAs, S of science, C of charging and loads, A of antennas, W of waiting,
+// O of others; '.' where none does. Below, where anything is dark or unseen, a line with n (no
+// Sun), e (no Earth) or b (both).
+std::string timeline_text(const MissionEstimate& estimate,
+                          const std::map<std::string, Activity>& activities, Instant start);
 
 }  // namespace lsos

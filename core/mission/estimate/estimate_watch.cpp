@@ -23,6 +23,16 @@ std::optional<double> lit_share(const RoverAgent& rover) {
   return most;
 }
 
+// Adds a span, which may continue the last one.
+void extend(std::vector<ShadeSpan>& spans, double begin_s, double end_s) {
+  if (end_s <= begin_s) return;
+  if (!spans.empty() && spans.back().end_s == begin_s) {
+    spans.back().end_s = end_s;
+  } else {
+    spans.push_back({begin_s, end_s});
+  }
+}
+
 std::optional<double> known(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
@@ -47,6 +57,8 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
       if (rover.seen > 0) sums.seen_s += passed_s;
       if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
     }
+    if (rover.lit == 0) extend(rover.shade.dark, seconds(last_), seconds(now));
+    if (rover.seen == 0) extend(rover.shade.unseen, seconds(last_), seconds(now));
     // What is found now holds until the next exchange.
     rover.running.reset();
     while (rover.first < records.size() && records[rover.first].end) ++rover.first;
@@ -67,6 +79,15 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
   } else if (!idle_since_) {
     idle_since_ = now;
   }
+}
+
+std::vector<RoverShade> EstimateWatch::shades(const Fleet& fleet) const {
+  std::vector<RoverShade> shades;
+  for (std::size_t k = 0; k < rovers_.size(); ++k) {
+    shades.push_back(rovers_[k].shade);
+    shades.back().rover_id = fleet.rovers[k].agent->id();
+  }
+  return shades;
 }
 
 std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {

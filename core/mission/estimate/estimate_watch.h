@@ -16,6 +16,8 @@ class EstimateWatch {
   void look(const Fleet& fleet, SimTime now);
   // Since when no event has been under way; absent: one is.
   std::optional<SimTime> idle_since() const { return idle_since_; }
+  // Shades of all rovers, up to the last exchange.
+  std::vector<RoverShade> shades(const Fleet& fleet) const;
   // Estimates of all enabled events, by rover and sequence.
   std::vector<EventEstimate> events(const Fleet& fleet) const;
 
@@ -30,6 +32,7 @@ class EstimateWatch {
     std::size_t first = 0;  // events before it have ended
     std::optional<std::size_t> running;
     std::vector<Sums> sums;
+    RoverShade shade;
     double lit = not_modelled, clear = not_modelled, seen = not_modelled;
   };
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/sim_time.h"
 #include "mission/events/event_record.h"
@@ -17,6 +18,18 @@ struct Expected {
   static Expected exactly(double value) { return {value, value}; }
   bool is_sure() const { return low == high; }
   double middle() const { return (low + high) / 2; }
+};
+
+// Since the mission's start.
+struct ShadeSpan {
+  double begin_s = 0, end_s = 0;
+};
+
+// When a rover is in the dark, and when it does not see Earth.
+struct RoverShade {
+  std::string rover_id;
+  std::vector<ShadeSpan> dark;    // no Sun reaches a panel that is up
+  std::vector<ShadeSpan> unseen;  // Earth is not in view of the antenna in use
 };
 
 // Absent: it cannot be known.

@@ -7,11 +7,25 @@ namespace {
 
 TEST(Timeline, has_a_line_a_rover_and_day_with_letters_each_20_minutes) {
   const Instant start = *parse_utc("2026-07-01T06:00:00Z").value;
-  TimelineRover a{"SEV A", {}, {}, {}};
-  a.bars = {{{0, 3600}, 'D'}, {{3600, 3600}, 'A'}, {{3600, 5400}, 'E'}, {{90000, 93600}, 'C'}};
-  a.dark = {{3600, 7200}};
-  a.unseen = {{6000, 9600}};
-  const std::string text = timeline_text({a, {"B", {}, {}, {}}}, start, 93600);
+  MissionEstimate estimate;
+  estimate.end_s = 93600;
+  estimate.shades = {{"SEV A", {{3600, 7200}}, {{6000, 9600}}}, {"B", {}, {}}};
+  const auto add = [&](const char* type, double start_s, double end_s) {
+    EventEstimate& event = estimate.events.emplace_back();
+    event.rover_id = "SEV A";
+    event.type = type;
+    event.start_s = start_s;
+    event.end_s = end_s;
+  };
+  add("Route", 0, 3600);
+  add("DeployCA", 3600, 3600);
+  add("EVA", 3600, 5400);
+  add("Recharge", 90000, 93600);
+  const std::map<std::string, Activity> activities{{"Route", Activity::driving},
+                                                   {"DeployCA", Activity::communication},
+                                                   {"EVA", Activity::crew},
+                                                   {"Recharge", Activity::energy}};
+  const std::string text = timeline_text(estimate, activities, start);
   EXPECT_EQ(text,
             "day 1, 2026-07-01\n"
             "  UTC   06:00    09:00    12:00    15:00    18:00    21:00    00:00    03:00\n"
