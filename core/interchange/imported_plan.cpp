@@ -292,7 +292,7 @@ class PlanMaker {
   std::map<const Table*, Above> above_;
   std::map<std::string, Before> before_of_;
   std::set<std::pair<const Table*, std::string>> reported_;  // columns whose unit was reported
-  // Of the row that is being read.
+  // The row that is being read, and what is known of it.
   const TypedRow* from_ = nullptr;
   SourcePlacemark placemark_;
   SourceData data_;
