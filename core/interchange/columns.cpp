@@ -143,9 +143,10 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
       continue;
     }
     const auto [word, unit] = name_and_unit(header);
-    // A header may be a name with brackets in it, too.
-    auto found = known.find(bare(header));
-    if (found == known.end()) found = known.find(bare(word));
+    // Brackets hold a unit, or belong to the name.
+    auto found = known.find(bare(word));
+    const bool has_unit = found != known.end();
+    if (!has_unit) found = known.find(bare(header));
     if (found == known.end()) {
       if (is_tool_column(bare(header)) || !is_filled(table, i)) continue;
       // A slip in a sheet is an error, and the column is read as it was meant; a map has columns of
@@ -169,7 +170,7 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
       continue;
     }
     first.emplace(found->second, place);
-    columns_.emplace(found->second, Column{i, found->first == bare(header) ? "" : unit});
+    columns_.emplace(found->second, Column{i, has_unit ? unit : ""});
   }
 }
 

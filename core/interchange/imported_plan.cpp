@@ -306,7 +306,11 @@ class PlanMaker {
 void add_owners(const std::vector<TypedRow>& rows, PlaceNames& places, Faults& faults) {
   for (const TypedRow& row : rows) {
     if (row.type != "Rover" && row.type != "Asset") continue;
-    const SourceGeometry geometry = own_geometry(*row.table, *row.row, *row.columns, faults);
+    SourceGeometry geometry = own_geometry(*row.table, *row.row, *row.columns, faults);
+    const std::string named = row.columns->text(*row.row, column::place);
+    if (geometry.kind.empty() && !named.empty()) {
+      geometry = places.geometry(named).value.value_or(SourceGeometry{});
+    }
     if (geometry.kind.empty()) continue;
     const std::string id = row.columns->text(*row.row, row.type + "Id");
     for (const std::string& name : {id, row.columns->text(*row.row, column::name)}) {

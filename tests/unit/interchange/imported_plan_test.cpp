@@ -88,6 +88,17 @@ TEST(ImportedPlan, joins_a_line_on_a_map_with_the_row_of_its_name) {
   EXPECT_THAT(made.left_out, ElementsAre("1 place that no row names: Elsewhere"));
 }
 
+TEST(ImportedPlan, has_units_that_are_signs_and_rovers_at_places) {
+  const Imported made =
+      import({"Type,RoverId,RoverType,Planet,StartTime,Terrain,Place,Initial Charge (%)\n"
+              "MissionInfo,,,Moon,2026-07-01 06:00,Flat,,\n"
+              "Rover,A,SEV,,,,\"0.01, 0\",95\n",
+              "Type,Rover,Place\nRoute,A,A\n"});
+  ASSERT_EQ(made.faults, "");
+  EXPECT_DOUBLE_EQ(made.plan.rovers.at(0).initial_charge, 0.95);
+  EXPECT_EQ(made.source.source.placemarks.at(2).geometries.at(0).coordinates, "0.01,0");
+}
+
 TEST(ImportedPlan, tells_faults_by_sheet_and_cell) {
   const Imported made = import({mission,
                                 "Type,Rover,Day,Start,Speed (kg),Place,Speed,Colour\n"
