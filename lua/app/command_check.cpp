@@ -238,7 +238,7 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
   command.add_flag("--timeline", options->has_timeline,
                    "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
-                   "below n no Sun, e no Earth, b both");
+                   "below n no Sun on its panels, e no Earth, b both");
   command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
   command.add_flag("--json", options->is_json, "The answer as JSON");
   command.add_flag("--verbose", options->is_verbose, "Each leg, event, default and assumption");

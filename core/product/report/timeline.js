@@ -39,7 +39,7 @@ function fillTimeline() {
   const used = kinds.filter(kind => page.events.some(event => event.start_s !== null && kindOf(event) === kind));
   place.append(make('h2', {}, 'Timeline'), make('div', {class: 'keys'},
     ...used.map(kind => key({style: `background:${kind.colour}`}, kind.name)),
-    ...([...shades.values()].some(shade => shade.dark.length > 0) ? [key({class: 'kind dark'}, 'no Sun')] : []),
+    ...([...shades.values()].some(shade => shade.dark.length > 0) ? [key({class: 'kind dark'}, 'no Sun on its panels')] : []),
     ...([...shades.values()].some(shade => shade.unseen.length > 0) ? [key({class: 'kind unseen'}, 'no Earth')] : [])));
   // Days begin at the clock time at which the mission does.
   const clocks = [0, 0.25, 0.5, 0.75].map(share => make('span', {style: `left:${100 * share}%`}, utcText(share * dayS).slice(11, 16)));
