@@ -37,7 +37,7 @@ class Columns {
   // those that mean nothing though their column is filled.
   Columns(const Table& table, const Declarations& declarations, Faults& faults);
 
-  // By canonical name: a field as plans write it, or one of namespace column.
+  // Finds a column by its canonical name: a field as plans write it, or one of namespace column.
   const Column* find(const std::string& name) const;
   const std::map<std::string, Column>& all() const { return columns_; }
 
