@@ -74,8 +74,8 @@ struct KmlPlacemark {
   std::optional<double> icon_heading_deg;  // clockwise from north
   KmlGeometry geometry;
   KmlCoordinates coordinates = {};  // replaces the geometry unless its kind is `none`
-  KmlTrack track;         // replaces the geometry when it has points
-  std::string schema_id;  // a schema of the document; "": no data
+  KmlTrack track;                   // replaces the geometry when it has points
+  std::string schema_id;            // a schema of the document; "": no data
   std::vector<std::pair<std::string, std::string>> data;  // field name, text
 };
 
