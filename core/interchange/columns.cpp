@@ -107,6 +107,32 @@ bool is_tool_column(const std::string& letters) {
   return std::ranges::find(stamped, letters) != stamped.end();
 }
 
+// Whether things of a plan may be among the rows: always in a sheet; of a map where the layer or a
+// column says so.
+bool may_have_things(const Table& table, const Declarations& declarations) {
+  if (table.has_letters || !name_meant(table.name, declarations).empty()) return true;
+  return std::ranges::any_of(table.header, [](const std::string& header) {
+    return header == column::type || header == "RoverId" || header == "Sequence";
+  });
+}
+
+// Reports the first cell of a sheet with text to the right of all headers: a comma too many has
+// moved what stands there.
+void report_cells_beside(const Table& table, Faults& faults) {
+  if (!table.has_letters) return;
+  for (const TableRow& row : table.rows) {
+    for (std::size_t i = table.header.size(); i < row.cells.size(); ++i) {
+      const std::string text = cell(row, i);
+      if (text.empty()) continue;
+      faults.error(place_of_cell(table, row.number, i),
+                   fmt::format("{} stands beside the last header; a text with a separator in it is "
+                               "to be in double quotes",
+                               quoted(text)));
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> plan_names(const Declarations& declarations) {
@@ -133,7 +159,9 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
     if (bare(name) == letters) names.push_back(name);
   }
   Suggestions suggest(names);
+  report_cells_beside(table, faults);
   std::map<std::string, Place> first;
+  const bool tells_unused = may_have_things(table, declarations);
   for (std::size_t i = 0; i < table.header.size(); ++i) {
     const std::string header(trimmed(table.header[i]));
     const Place place = place_of_cell(table, table.header_number, i);
@@ -149,20 +177,26 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
     if (!has_unit) found = known.find(bare(header));
     if (found == known.end()) {
       if (is_tool_column(bare(header)) || !is_filled(table, i)) continue;
-      // A slip in a sheet is an error, and the column is read as it was meant; a map has columns of
-      // its own.
-      const std::string meant = table.has_letters ? suggest(word) : "";
+      // A slip of one letter in a sheet is an error, and the column is read as it was meant; sheets
+      // and maps have columns of their own.
+      const std::string hint = table.has_letters ? suggest(word) : "";
+      const std::string meant = hint.empty() ? "" : bare(hint.substr(hint.find('\'')));
       const std::string what =
-          fmt::format("the column {} is not used: no field is called so", quoted(header));
-      if (meant.empty()) {
-        faults.warning(place, what);
+          fmt::format("the column {} is not used: no field is called so{}", quoted(header), hint);
+      found = known.find(meant);
+      if (found == known.end() || edit_distance(meant, bare(word)) > 1) {
+        if (tells_unused) faults.warning(place, what);
         continue;
       }
-      faults.error(place, what + meant);
-      found = known.find(bare(meant.substr(meant.find('\''))));
-      if (found == known.end()) continue;
+      faults.error(place, what);
     }
-    if (const auto earlier = first.find(found->second); earlier != first.end()) {
+    const auto earlier = first.find(found->second);
+    if (earlier != first.end() && !table.has_letters) {
+      // Maps have columns of their own, "label" beside "name": the very name of the field counts.
+      if (header == found->second) columns_[found->second] = Column{i, ""};
+      continue;
+    }
+    if (earlier != first.end()) {
       faults.error(place,
                    fmt::format("the column {} stands twice, here and at {}{}; one of them is "
                                "to be renamed or removed",

@@ -172,7 +172,7 @@ class PlanMaker {
   void add_time(const FieldDeclaration& field, const std::string& cell_text,
                 const std::string& unit) {
     const TimeContext context =
-        is_event_ ? TimeContext{date_, before_->start} : TimeContext{"", {}};
+        is_event_ ? TimeContext{date_, start_to_count_from()} : TimeContext{"", {}};
     // A moment may be a duration from the start, which begins with a digit and has no colon.
     const bool may_be_duration = field.kind == FieldKind::moment &&
                                  cell_text.find(':') == std::string::npos &&
@@ -191,6 +191,13 @@ class PlanMaker {
     faults_.error(cell_place(field.name), fmt::format("{} = {}", field.name, time.why));
   }
 
+  // The row's own start, which is read before other times, else the last above.
+  std::optional<Instant> start_to_count_from() const {
+    const SourceField* own = find("StartTime");
+    const Parsed<Instant> start = own == nullptr ? Parsed<Instant>{} : parse_utc(own->text);
+    return start ? start.value : before_->start;
+  }
+
   const SourceField* find(const std::string& name) const {
     const auto found = std::ranges::find(data_.fields, name, &SourceField::name);
     return found == data_.fields.end() ? nullptr : &*found;
@@ -207,6 +214,13 @@ class PlanMaker {
     begin_day();
     const SourceField* start = find("StartTime");
     const Parsed<Instant> instant = start == nullptr ? Parsed<Instant>{} : parse_utc(start->text);
+    if (instant && before_->start && *instant.value < *before_->start) {
+      faults_.warning(
+          cell_place("StartTime"),
+          fmt::format("{} is before the start that a row above of rover {} has, {}; is a "
+                      "Day wanted?",
+                      start->text, quoted(rover_id_), format_utc(*before_->start)));
+    }
     if (instant) before_->start = instant.value;
     if (has_day_) before_->date = date_;
     set_folders();
@@ -302,6 +316,17 @@ class PlanMaker {
   Before* before_ = nullptr;
 };
 
+// Whether a sheet can hold nothing of a plan.
+bool is_foreign(const Table& table, const Declarations& declarations) {
+  if (!table.has_letters || !name_meant(table.name, declarations).empty()) return false;
+  Faults unused;
+  const Columns columns(table, declarations, unused);
+  for (const char* name : {column::type, column::lon, column::lat, column::wkt, "RoverId"}) {
+    if (columns.find(name) != nullptr) return false;
+  }
+  return true;
+}
+
 // Rovers and assets are places by their ids and names.
 void add_owners(const std::vector<TypedRow>& rows, PlaceNames& places, Faults& faults) {
   for (const TypedRow& row : rows) {
@@ -330,6 +355,11 @@ ImportedPlan import_tables(const std::vector<Table>& tables, const Declarations&
   std::deque<Columns> columns;
   std::vector<TypedRow> rows;
   for (const Table& table : tables) {
+    if (is_foreign(table, declarations)) {
+      plan.left_out.push_back(
+          fmt::format("{}: a sheet with neither a column Type nor places", table.file));
+      continue;
+    }
     columns.emplace_back(table, declarations, faults);
     for (TypedRow& row :
          typed_rows(table, columns.back(), declarations, places, plan.left_out, faults)) {

@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/csv.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "interchange/clock_text.h"
 #include "interchange/workbook_archive.h"
 #include "plan/kml_text.h"
@@ -94,6 +98,32 @@ std::string shifted_date(const std::string& text) {
   return date ? *date.value + text.substr(10) : text;
 }
 
+std::optional<double> number_of(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
+  return value;
+}
+
+// A number as its cell shows it: "26:00:00" of 1.0833 days, "5 km/h".
+std::string as_shown(const std::string& text, const ShownFormat& format) {
+  const std::optional<double> number = number_of(text);
+  if (!number) return text;
+  if (format.is_span && *number >= 0 && *number < 10000) {
+    const auto whole_s = static_cast<long long>(std::llround(*number * 86400));
+    return fmt::format("{}:{:02}:{:02}", whole_s / 3600, whole_s / 60 % 60, whole_s % 60);
+  }
+  return find_unit(format.unit) == nullptr ? text : fmt::format("{} {}", text, format.unit);
+}
+
+// "08:00:00" of a clock in an ODS cell, "PT08H00M00S".
+std::string ods_clock(const std::string& text) {
+  int hours = 0, minutes = 0, seconds = 0, length = 0;
+  const int count = std::sscanf(text.c_str(), "PT%dH%dM%dS%n", &hours, &minutes, &seconds, &length);
+  if (count != 3 || static_cast<std::size_t>(length) != text.size()) return text;
+  return fmt::format("{:02}:{:02}:{:02}", hours, minutes, seconds);
+}
+
 void fill_merged(const std::vector<MergedCells>& merged, Cells& rows) {
   for (const MergedCells& block : merged) {
     if (block.row >= rows.size() || block.column >= rows[block.row].size()) continue;
@@ -121,7 +151,7 @@ Cells cells_of(OGRLayer& layer, const WorkbookFacts& facts, const std::string& f
     for (int i = 0; i < feature->GetFieldCount(); ++i) {
       std::string text =
           feature->IsFieldSetAndNotNull(i) != 0 ? feature->GetFieldAsString(i) : std::string();
-      if (facts.is_ods) text = plain_number(text);
+      if (facts.is_ods) text = ods_clock(plain_number(text));
       if (facts.counts_from_1904) text = shifted_date(text);
       rows[number - 1].push_back(std::move(text));
     }
@@ -193,6 +223,13 @@ std::vector<Table> read_workbook(const std::string& bytes, const std::string& fi
     OGRLayer& layer = *dataset->GetLayer(i);
     const std::string name = layer.GetName();
     Cells rows = cells_of(layer, facts, file, cells_left);
+    if (const auto formats = facts.formats.find(name); formats != facts.formats.end()) {
+      for (const auto& [at, format] : formats->second) {
+        if (at.first >= rows.size() || at.second >= rows[at.first].size()) continue;
+        std::string& text = rows[at.first][at.second];
+        text = as_shown(text, format);
+      }
+    }
     if (const auto merged = facts.merged.find(name); merged != facts.merged.end()) {
       fill_merged(merged->second, rows);
     }

@@ -51,6 +51,12 @@ void refuse_linked_crs(const std::string& bytes, const std::string& file) {
   }
 }
 
+// The layers of a GPX file are called routes, which are not events for that.
+std::vector<Table> without_names(std::vector<Table> tables) {
+  for (Table& table : tables) table.name.clear();
+  return tables;
+}
+
 std::vector<Table> json_tables(const std::string& bytes, const std::string& file,
                                const Declarations& declarations,
                                std::vector<std::string>& left_out) {
@@ -91,7 +97,7 @@ std::vector<Table> read_tables(const std::string& file, const Declarations& decl
     return json_tables(bytes, file, declarations, left_out);
   }
   if (ending == ".shp") return tables_of(read_layers(file, "ESRI Shapefile"));
-  if (ending == ".gpx") return without_body(tables_of(read_layers(file, "GPX")));
+  if (ending == ".gpx") return without_names(without_body(tables_of(read_layers(file, "GPX"))));
   if (ending == ".gpkg" || is_geopackage(bytes)) return tables_of(read_layers(file));
   if (ending == ".kml" || ending == ".kmz") return tables_of(parse_kml(bytes, file));
   if (ending == ".txt" || ending == ".md") return read_outline(bytes, file, declarations);

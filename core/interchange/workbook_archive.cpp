@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "plan/xml_element.h"
 #include "plan/zip_handle.h"
 
@@ -120,7 +121,70 @@ std::vector<MergedCells> merged_of_xlsx(const std::string& xml) {
   return merged;
 }
 
+// The text in quotes of a number format, "km/h" of 0.0" km/h".
+std::string quoted_part(const std::string& code) {
+  const std::size_t open = code.find('"');
+  const std::size_t close = open == std::string::npos ? open : code.find('"', open + 1);
+  if (close == std::string::npos) return "";
+  return std::string(trimmed(std::string_view(code).substr(open + 1, close - open - 1)));
+}
+
+// What each cell style (an index of cellXfs) shows (ECMA-376-1, 18.8.10 and 18.8.30).
+std::vector<ShownFormat> cell_styles(const std::string& xml) {
+  constexpr int built_in_span = 46;  // [h]:mm:ss
+  tinyxml2::XMLDocument styles;
+  styles.Parse(xml.c_str());
+  std::vector<ShownFormat> shown;
+  if (styles.RootElement() == nullptr) return shown;
+  std::map<int, ShownFormat> formats;
+  formats[built_in_span].is_span = true;
+  if (const XMLElement* codes = child(*styles.RootElement(), "numFmts")) {
+    for (const XMLElement* each = codes->FirstChildElement(); each != nullptr;
+         each = each->NextSiblingElement()) {
+      const std::string code = attribute(*each, "formatCode");
+      const bool is_span = code.find("[h") != std::string::npos ||
+                           code.find("[m") != std::string::npos ||
+                           code.find("[s") != std::string::npos;
+      formats[each->IntAttribute("numFmtId")] = {is_span, quoted_part(code)};
+    }
+  }
+  if (const XMLElement* cells = child(*styles.RootElement(), "cellXfs")) {
+    for (const XMLElement* each = cells->FirstChildElement(); each != nullptr;
+         each = each->NextSiblingElement()) {
+      shown.push_back(formats[each->IntAttribute("numFmtId")]);
+    }
+  }
+  return shown;
+}
+
+// The value of an attribute in the text of a start tag; "" without one.
+std::string_view value_in(std::string_view tag, std::string_view key) {
+  const std::size_t at = tag.find(key);
+  if (at == std::string_view::npos) return {};
+  const std::string_view rest = tag.substr(at + key.size());
+  return rest.substr(0, rest.find('"'));
+}
+
+// The cells <c r="B2" s="3"> whose style shows more than a number.
+std::map<std::pair<std::size_t, std::size_t>, ShownFormat> formats_of_xlsx(
+    const std::string& xml, const std::vector<ShownFormat>& styles) {
+  std::map<std::pair<std::size_t, std::size_t>, ShownFormat> formats;
+  for (std::size_t at = xml.find("<c "); at != std::string::npos; at = xml.find("<c ", at + 1)) {
+    const std::size_t end = std::min(xml.find('>', at), xml.size());
+    const std::string_view tag = std::string_view(xml).substr(at, end - at);
+    const std::string_view style = value_in(tag, " s=\"");
+    std::size_t index = 0;
+    const auto [stop, error] = std::from_chars(style.data(), style.data() + style.size(), index);
+    if (style.empty() || error != std::errc() || index >= styles.size()) continue;
+    const auto cell = cell_index(value_in(tag, " r=\""));
+    if (!cell || (!styles[index].is_span && styles[index].unit.empty())) continue;
+    formats[{cell->row, cell->column}] = styles[index];
+  }
+  return formats;
+}
+
 void add_xlsx(const Archive& archive, WorkbookFacts& facts) {
+  const std::vector<ShownFormat> styles = cell_styles(archive.unpacked("xl/styles.xml"));
   tinyxml2::XMLDocument workbook, links;
   workbook.Parse(archive.unpacked("xl/workbook.xml").c_str());
   links.Parse(archive.unpacked("xl/_rels/workbook.xml.rels").c_str());
@@ -141,7 +205,9 @@ void add_xlsx(const Archive& archive, WorkbookFacts& facts) {
        sheet = sheet->NextSiblingElement()) {
     const std::string target = targets[attribute(*sheet, "r:id")];
     const std::string name = target.starts_with('/') ? target.substr(1) : "xl/" + target;
-    facts.merged[attribute(*sheet, "name")] = merged_of_xlsx(archive.unpacked(name));
+    const std::string xml = archive.unpacked(name);
+    facts.merged[attribute(*sheet, "name")] = merged_of_xlsx(xml);
+    facts.formats[attribute(*sheet, "name")] = formats_of_xlsx(xml, styles);
   }
 }
 

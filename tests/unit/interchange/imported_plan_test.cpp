@@ -99,6 +99,19 @@ TEST(ImportedPlan, has_units_that_are_signs_and_rovers_at_places) {
   EXPECT_EQ(made.source.source.placemarks.at(2).geometries.at(0).coordinates, "0.01,0");
 }
 
+TEST(ImportedPlan, leaves_columns_of_a_map_alone) {
+  KmlSource map{"map.kml", {}};
+  SourcePlacemark place;
+  place.name = "Ridge";
+  place.plain_data = {{"label", "R", 1}, {"kind", "crest", 1}, {"age", "old", 1}};
+  place.geometries.push_back({"Point", "0,0", 1});
+  map.placemarks = {place};
+  Faults faults;
+  const ImportedPlan made = import_tables(tables_of(map), declarations(), faults);
+  EXPECT_EQ(faults_text(faults), "");
+  EXPECT_THAT(made.left_out, ElementsAre("1 place that no row names: Ridge"));
+}
+
 TEST(ImportedPlan, tells_faults_by_sheet_and_cell) {
   const Imported made = import({mission,
                                 "Type,Rover,Day,Start,Speed (kg),Place,Speed,Colour\n"

@@ -74,8 +74,10 @@ std::string xlsx(const std::string& rows, const std::string& after_rows = "",
             office + "/styles\" Target=\"styles.xml\"/></Relationships>"},
        {"xl/styles.xml",
         head + "<styleSheet xmlns=\"" + main +
-            "\"><numFmts count=\"0\"/><cellXfs count=\"3\"><xf numFmtId=\"0\"/><xf "
-            "numFmtId=\"22\"/><xf numFmtId=\"14\"/></cellXfs></styleSheet>"},
+            "\"><numFmts count=\"1\"><numFmt numFmtId=\"164\" formatCode=\"0.0&quot; "
+            "km/h&quot;\"/></numFmts><cellXfs count=\"5\"><xf numFmtId=\"0\"/><xf "
+            "numFmtId=\"22\"/><xf numFmtId=\"14\"/><xf numFmtId=\"46\"/><xf "
+            "numFmtId=\"164\"/></cellXfs></styleSheet>"},
        {"xl/worksheets/sheet1.xml", head + "<worksheet xmlns=\"" + main + "\"><sheetData>" + rows +
                                         "</sheetData>" + after_rows + "</worksheet>"}});
 }
@@ -123,6 +125,15 @@ TEST(Workbook, reads_dates_counted_from_1900_and_1904) {
   };
   EXPECT_THAT(start("46204.25", ""), HasSubstr("2026/07/01 06:00:00"));
   EXPECT_THAT(start("44742.25", "<workbookPr date1904=\"1\"/>"), HasSubstr("2026-07-01 06:00:00"));
+}
+
+TEST(Workbook, has_spans_and_units_that_number_formats_show) {
+  const SheetFile file("formats.xlsx", xlsx(header + "<row r=\"2\">" + text_cell("A2", "Pause") +
+                                            "<c r=\"B2\" s=\"3\"><v>1.0833333333333333</v></c><c "
+                                            "r=\"C2\" s=\"4\"><v>5.5</v></c></row>"));
+  const TableRow row = file.tables().at(0).rows.at(0);
+  EXPECT_EQ(cell(row, 1), "26:00:00");
+  EXPECT_EQ(cell(row, 2), "5.5 km/h");
 }
 
 TEST(Workbook, is_judged_by_its_directory_before_it_is_opened) {

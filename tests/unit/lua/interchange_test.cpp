@@ -60,7 +60,9 @@ ReadBack through(const std::string& ending, const KmlSource& plan, const std::st
   Faults faults;
   const std::vector<Table> tables = read_tables(file, shipped(), left_out);
   ImportedPlan imported = import_tables(tables, shipped(), faults);
-  for (const Fault& fault : faults.sorted()) ADD_FAILURE() << to_string(fault);
+  for (const Fault& fault : faults.sorted()) {
+    if (fault.severity == Severity::error) ADD_FAILURE() << to_string(fault);
+  }
   EXPECT_TRUE(left_out.empty() && imported.left_out.empty()) << file;
   imported.source.layers.clear();  // the body of a GeoPackage's layers is that of all plans here
   // The document that is written reads as the rows did.
