@@ -23,21 +23,12 @@ using tinyxml2::XMLElement;
 class Archive {
  public:
   Archive(const std::string& bytes, const std::string& file) : file_(file) {
-    zip_error_t error;
-    zip_error_init(&error);
-    zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-    zip_t* archive = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
-    if (archive == nullptr) {
-      if (source != nullptr) zip_source_free(source);
-      const std::string why = message(&error);
-      zip_error_fini(&error);
-      throw InputError({file, 0},
-                       fmt::format("cannot be unpacked: {}; the spreadsheet is cut short "
-                                   "or damaged",
-                                   why));
-    }
-    zip_error_fini(&error);
-    archive_.reset(archive);
+    std::string why;
+    archive_ = open_zip(bytes, why);
+    if (archive_ != nullptr) return;
+    throw InputError(
+        {file, 0},
+        fmt::format("cannot be unpacked: {}; the spreadsheet is cut short or damaged", why));
   }
 
   // Sum of the sizes in the archive's directory.

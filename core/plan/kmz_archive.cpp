@@ -13,21 +13,15 @@ namespace lsos {
 namespace {
 
 ZipHandle open_archive(const std::string& bytes, const std::string& file) {
-  zip_error_t error;
-  zip_error_init(&error);
-  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  zip_t* archive = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+  std::string why;
+  ZipHandle archive = open_zip(bytes, why);
   if (archive == nullptr) {
-    if (source != nullptr) zip_source_free(source);
-    const std::string why = message(&error);
-    zip_error_fini(&error);
     throw InputError({file, 0},
                      fmt::format("cannot be unpacked: {}; it begins as a KMZ but is cut short or "
                                  "damaged",
                                  why));
   }
-  zip_error_fini(&error);
-  return ZipHandle(archive);
+  return archive;
 }
 
 // Whether macOS added the file to the archive; such files are not the user's.

@@ -32,4 +32,19 @@ inline std::string message(zip_error_t* error) {
   return text;
 }
 
+// Opens the archive in `bytes`, which must outlive it, for reading; nullptr with the reason in
+// `why` when they are none.
+inline ZipHandle open_zip(const std::string& bytes, std::string& why) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  zip_t* archive = source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+  if (archive == nullptr) {
+    if (source != nullptr) zip_source_free(source);
+    why = message(&error);
+  }
+  zip_error_fini(&error);
+  return ZipHandle(archive);
+}
+
 }  // namespace lsos
