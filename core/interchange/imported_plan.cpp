@@ -181,6 +181,14 @@ class PlanMaker {
       return add_field(field.name, field_text(cell_text, field, unit, from_->table->has_commas));
     }
     Parsed<std::string> time = utc_text(cell_text, context);
+    const bool takes_first_day = time && is_event_ && !has_day_ && clock_s(cell_text);
+    if (takes_first_day && reported_.emplace(from_->table, column::day).second) {
+      faults_.warning(
+          cell_place(field.name),
+          fmt::format("{} = {}: no Day is said, so clock times of this sheet are of day "
+                      "1, {}",
+                      field.name, cell_text, date_));
+    }
     if (time && !parse_utc(*time.value)) {
       time.why = fmt::format(
           "{} is no time; 08:00, '+2 h', and a date and time such as 2026-07-01 "
@@ -305,7 +313,7 @@ class PlanMaker {
   Faults& faults_;
   std::map<const Table*, Above> above_;
   std::map<std::string, Before> before_of_;
-  std::set<std::pair<const Table*, std::string>> reported_;  // columns whose unit was reported
+  std::set<std::pair<const Table*, std::string>> reported_;  // columns of which a fault was told
   // The row that is being read, and what is known of it.
   const TypedRow* from_ = nullptr;
   SourcePlacemark placemark_;

@@ -99,6 +99,15 @@ TEST(ImportedPlan, has_units_that_are_signs_and_rovers_at_places) {
   EXPECT_EQ(made.source.source.placemarks.at(2).geometries.at(0).coordinates, "0.01,0");
 }
 
+TEST(ImportedPlan, says_that_clock_times_without_a_day_are_of_the_first) {
+  const Imported made =
+      import({mission, "Type,Rover,Start,Duration\nPause,A,08:00,1 h\nPause,A,10:00,1 h\n"});
+  EXPECT_EQ(start(made.plan.events.at(1)), "2026-07-01T10:00:00.000Z");
+  EXPECT_THAT(made.faults, HasSubstr("s2.csv:C2: warning: StartTime = 08:00: no Day is said, so "
+                                     "clock times of this sheet are of day 1, 2026-07-01"));
+  EXPECT_EQ(made.faults.find("C3"), std::string::npos);
+}
+
 TEST(ImportedPlan, leaves_columns_of_a_map_alone) {
   KmlSource map{"map.kml", {}};
   SourcePlacemark place;
