@@ -202,6 +202,10 @@ int check_command(const CheckOptions& options) {
       estimate = estimate_mission(simulation);
       files.faults.add(
           estimate_warnings(estimate.events, simulation.plan(), files.faults.sorted()));
+      if (!estimate.cut_short.empty()) {
+        files.faults.warning({files.plan.file, 0},
+                             "the estimate ends before the mission does: " + estimate.cut_short);
+      }
       if (!options.csv.empty()) write_file(options.csv, estimate_csv(estimate));
     } catch (const InputError& error) {
       if (!files.faults.has_errors()) files.faults.add(error.faults());

@@ -17,7 +17,10 @@ constexpr double empty = 1e-6;
 bool is_known(const PlanEvent& event, const std::vector<Fault>& known) {
   const std::string name = fmt::format("'{}'", event.label);
   return std::ranges::any_of(known, [&](const Fault& fault) {
-    return fault.place.file == event.place.file && fault.what.find(name) != std::string::npos;
+    const bool is_there =
+        fault.place.line == event.place.line || fault.place.line == event.geometry.line;
+    return fault.place.file == event.place.file && is_there &&
+           fault.what.find(name) != std::string::npos;
   });
 }
 
