@@ -13,6 +13,8 @@
 #include <memory>
 #include <optional>
 
+#include "access/file_access.h"
+#include "access/gdal_access.h"
 #include "base/csv.h"
 #include "base/error.h"
 #include "base/text.h"
@@ -209,7 +211,8 @@ std::vector<Table> read_workbook(const std::string& bytes, const std::string& fi
   const WorkbookFacts facts = workbook_facts(bytes, file, sheet_bytes_max);
   const GdalSilence silence;
   const SheetOptions options;
-  GDALAllRegister();
+  register_drivers();
+  allow_file(file);
   const char* const drivers[] = {facts.is_ods ? "ODS" : "XLSX", nullptr};
   const std::unique_ptr<GDALDataset, CloseDataset> dataset(
       GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <memory>
 
+#include "access/gdal_access.h"
 #include "base/error.h"
 #include "base/output_error.h"
 #include "interchange/places.h"
@@ -83,7 +84,7 @@ class TableWriter {
   TableWriter& operator=(const TableWriter&) = delete;
 
   std::string write(const std::vector<Table>& tables) {
-    GDALAllRegister();
+    register_drivers();
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(ending_));
     if (driver == nullptr) refuse(fmt::format("GDAL has no driver {}", driver_of(ending_)));
     Dataset dataset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));

@@ -11,6 +11,8 @@
 #include <memory>
 #include <optional>
 
+#include "access/file_access.h"
+#include "access/gdal_access.h"
 #include "base/error.h"
 #include "terrain/raster/gdal_call.h"
 #include "terrain/raster/raster_body.h"
@@ -191,7 +193,8 @@ namespace {
 // `what` it is that cannot be opened: "is no GPX file".
 KmlSource read(const std::string& file, const char* driver, const std::string& what) {
   const GdalSilence silence;
-  GDALAllRegister();
+  register_drivers();
+  allow_file(file);
   const char* const drivers[] = {driver, nullptr};
   CPLStringList options;
   // Times of GeoJSON are texts, and stay so: seconds of GDAL's own times are single precision.

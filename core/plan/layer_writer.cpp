@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "access/file_access.h"
+#include "access/gdal_access.h"
 #include "base/error.h"
 #include "base/qgis_style_table.h"
 #include "terrain/raster/gdal_call.h"
@@ -91,7 +93,8 @@ void write_form_layers(const std::string& file, const Body& body,
   const GdalSilence silence;
   const auto refuse = [&](const std::string& why) { throw InputError({file, 0}, why); };
   if (std::filesystem::exists(file)) refuse("is there already; it is not replaced");
-  GDALAllRegister();
+  register_drivers();
+  allow_file(file);
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);

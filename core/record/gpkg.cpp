@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "access/file_access.h"
+#include "access/gdal_access.h"
 #include "base/error.h"
 
 namespace lsos::gpkg {
@@ -26,7 +28,7 @@ namespace {
 
 GDALDriver* geopackage_driver() {
   static GDALDriver* driver = [] {
-    GDALAllRegister();
+    register_drivers();
     return GetGDALDriverManager()->GetDriverByName("GPKG");
   }();
   return driver;
@@ -90,6 +92,7 @@ std::string utc(const OGRFeature& feature, int field) {
 Dataset create(const std::string& file) {
   GDALDriver* driver = geopackage_driver();
   if (driver == nullptr) return nullptr;
+  allow_file(file);
   const WriteAheadLog settings;  // before the file exists
   CPLStringList options;
   // GDAL writes its table of row counts only on closing: other readers would find wrong counts.
@@ -99,12 +102,14 @@ Dataset create(const std::string& file) {
 
 Dataset open_to_read(const std::string& file) {
   if (geopackage_driver() == nullptr) return nullptr;
+  allow_file(file);
   const char* const drivers[] = {"GPKG", nullptr};
   return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
 }
 
 Dataset open_to_write(const std::string& file) {
   if (geopackage_driver() == nullptr) return nullptr;
+  allow_file(file);
   const WriteAheadLog settings;
   const char* const drivers[] = {"GPKG", nullptr};
   return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, drivers));

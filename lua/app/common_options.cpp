@@ -1,6 +1,31 @@
 #include "lua/app/common_options.h"
 
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+#include "access/file_access.h"
+#include "base/error.h"
+#include "lua/host/script_folders.h"
+
 namespace lsos {
+
+namespace {
+
+// The folders that an environment variable names, with colons between them.
+std::vector<std::string> listed_folders(const char* variable) {
+  const char* text = std::getenv(variable);
+  std::istringstream list(text == nullptr ? "" : text);
+  std::vector<std::string> folders;
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) folders.push_back(folder);
+  }
+  return folders;
+}
+
+}  // namespace
 
 CommandOption add_threads(CommandOptions& command, int& threads, const char* what) {
   return command.add_option("--threads", threads, what).between(1, 256);
@@ -34,6 +59,35 @@ void add_ground(CommandOptions& command, TerrainOptions& terrain) {
                      "LON0,LAT0,LON1,LAT1 of the map (all of the finest raster)");
   command.add_option("--resolution", terrain.resolution_m,
                      "Cell size of the map, m (the finest raster's own grid)");
+}
+
+void add_access(CommandOptions& command, AccessOptions& access) {
+  command
+      .add_option("--allow-files", access.folders,
+                  "A folder of rasters that the plan, or a VRT, may read beside its own")
+      .repeated();
+  command.add_flag("--allow-network", access.has_network, "Rasters may come from the network");
+}
+
+void restrict_to(const AccessOptions& access) {
+  restrict_access(access.has_network);
+  Faults faults;
+  const auto allow = [&](const std::string& option, const std::string& folder) {
+    std::error_code absent;
+    if (!std::filesystem::is_directory(folder, absent)) {
+      faults.error({}, fmt::format("{}: there is no folder '{}'", option, folder));
+    }
+    allow_folder(folder);
+  };
+  for (const std::string& folder : access.folders) allow("--allow-files", folder);
+  for (const std::string& folder : listed_folders("LSOS_ALLOW_FILES")) {
+    allow("LSOS_ALLOW_FILES", folder);
+  }
+  faults.throw_if_errors();
+  for (const char* variable : {"LSOS_PATH", "LSOS_REFERENCE_DATA"}) {
+    for (const std::string& folder : listed_folders(variable)) allow_folder(folder);
+  }
+  allow_folder(shipped_scripts());
 }
 
 }  // namespace lsos

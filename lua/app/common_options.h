@@ -1,6 +1,9 @@
 // Options that several commands have.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "lua/app/command_options.h"
 #include "lua/app/instrument_answer.h"
 #include "lua/app/terrain_source.h"
@@ -15,5 +18,16 @@ void add_style(CommandOptions& command, AnswerStyle& style);
 
 // Which terrain, and which part of it.
 void add_ground(CommandOptions& command, TerrainOptions& terrain);
+
+// What may be opened beside what the user names: --allow-files, --allow-network.
+struct AccessOptions {
+  std::vector<std::string> folders;
+  bool has_network = false;
+};
+void add_access(CommandOptions& command, AccessOptions& access);
+
+// From now on only files are opened that lie in these folders, in those of LSOS_ALLOW_FILES,
+// LSOS_PATH and LSOS_REFERENCE_DATA, among the shipped ones, or beside what the user names.
+void restrict_to(const AccessOptions& access);
 
 }  // namespace lsos

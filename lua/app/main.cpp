@@ -48,6 +48,7 @@ int run_program(std::vector<std::string> arguments) {
   // know which command uses them.
   bool is_quiet = false;
   int threads = 1;
+  lsos::AccessOptions access;
   std::vector<std::pair<CLI::App*, std::function<int()>>> prepared;
   for (const lsos::Command& command : lsos::commands()) {
     CLI::App* subcommand = app.add_subcommand(command.name, command.sentence);
@@ -55,6 +56,7 @@ int run_program(std::vector<std::string> arguments) {
     prepared.emplace_back(subcommand, command.prepare(options));
     if (!options.has_option("--quiet")) options.add_flag("--quiet", is_quiet, "").hidden();
     if (!options.has_option("--threads")) lsos::add_threads(options, threads, "").hidden();
+    lsos::add_access(options, access);
   }
 
   try {
@@ -63,6 +65,7 @@ int run_program(std::vector<std::string> arguments) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  lsos::restrict_to(access);
   const auto chosen =
       std::ranges::find_if(prepared, [](const auto& entry) { return entry.first->parsed(); });
   return chosen->second();

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <set>
 
+#include "access/file_access.h"
 #include "base/files.h"
 #include "base/parsed.h"
 #include "lua/host/cached_routes.h"
@@ -175,6 +176,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 PlanSource read_plan_source(const std::string& plan_file) {
   std::string bytes = read_bytes(plan_file);
   KmlSource source = parse_plan(bytes, plan_file);
+  allow_folder(std::filesystem::path(plan_file).parent_path().string());
   // The plan kept with a run is KML, which any viewer opens.
   if (is_geopackage(bytes)) bytes = kml_of(source);
   return {plan_file, std::move(source), "", std::move(bytes), true};

@@ -14,10 +14,10 @@ namespace {
 
 // A folder includes itself and folders on lower layers, never a neighbour.
 const std::map<std::string, int> layers = {
-    {"base", 0},    {"planet", 1},  {"driving", 1}, {"terrain", 2},
-    {"vehicle", 3}, {"view", 3},    {"power", 3},   {"route", 3},
-    {"plan", 3},    {"record", 3},  {"edit", 4},    {"interchange", 4},
-    {"mission", 4}, {"picture", 5}, {"product", 6}, {"lua", 7},
+    {"base", 0},    {"access", 1}, {"planet", 1},      {"driving", 1}, {"terrain", 2},
+    {"vehicle", 3}, {"view", 3},   {"power", 3},       {"route", 3},   {"plan", 3},
+    {"record", 3},  {"edit", 4},   {"interchange", 4}, {"mission", 4}, {"picture", 5},
+    {"product", 6}, {"lua", 7},
 };
 
 // The same of the rooms within a folder, "" being the folder's own files.
@@ -60,7 +60,8 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> table = {
       {std::regex("(lua|lauxlib|lualib)\\.h(pp)?"), {"lua"}},
       {std::regex("(Bullet|LinearMath|bt)[^.]*\\.h"), {"vehicle"}},
-      {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"), {"terrain", "record", "plan", "interchange"}},
+      {std::regex("(gdal|ogr|cpl_)[^/]*\\.h"),
+       {"access", "terrain", "record", "plan", "interchange"}},
       {std::regex("erfa[a-z]*\\.h"), {"planet"}},
       {std::regex("tinyxml2\\.h"), {"plan", "interchange"}},
       {std::regex("libxml/.*"), {"edit"}},  // changes in place

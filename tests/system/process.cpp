@@ -7,7 +7,10 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <stdexcept>
+
+#include "support/reference_data.h"
 
 namespace lsos::test {
 
@@ -18,6 +21,10 @@ namespace {
   const int nothing = open("/dev/null", O_RDONLY);
   if (dup2(nothing, 0) < 0 || dup2(out, 1) < 0 || dup2(err, 2) < 0) _exit(126);
   if (chdir(where.folder.c_str()) != 0) _exit(126);
+  // Rasters of the reference data are named by plans that lie elsewhere.
+  if (std::filesystem::is_directory(reference_folder())) {
+    setenv("LSOS_REFERENCE_DATA", reference_folder().c_str(), 0);
+  }
   for (const std::string& variable : where.environment) {
     putenv(const_cast<char*>(variable.c_str()));
   }

@@ -7,6 +7,8 @@
 
 #include <string>
 
+#include "access/gdal_access.h"
+
 namespace lsos {
 
 // Scope in which GDAL prints nothing on this thread.
@@ -14,14 +16,18 @@ class GdalSilence {
  public:
   GdalSilence() {
     CPLErrorReset();
+    forget_refusal();
     CPLPushErrorHandler(CPLQuietErrorHandler);
   }
   ~GdalSilence() { CPLPopErrorHandler(); }
   GdalSilence(const GdalSilence&) = delete;
   GdalSilence& operator=(const GdalSilence&) = delete;
 
-  // GDAL's last message on this thread, "" when there is none.
-  static std::string message() { return CPLGetLastErrorMsg(); }
+  // Why a file was not allowed to be opened on this thread, else GDAL's last message, "" when there
+  // is none.
+  static std::string message() {
+    return last_refusal().empty() ? CPLGetLastErrorMsg() : last_refusal();
+  }
 };
 
 // Bounds GDAL's cache of raster blocks for the whole program; by default it takes a twentieth of

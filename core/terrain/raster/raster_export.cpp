@@ -13,6 +13,8 @@
 #include <numbers>
 #include <vector>
 
+#include "access/file_access.h"
+#include "access/gdal_access.h"
 #include "terrain/raster/gdal_call.h"
 
 namespace lsos {
@@ -27,7 +29,7 @@ namespace fs = std::filesystem;
 }
 
 GDALDriver& driver(const char* name) {
-  GDALAllRegister();
+  register_drivers();
   GDALDriver* found = GetGDALDriverManager()->GetDriverByName(name);
   if (found == nullptr) {
     throw InputError({}, fmt::format("this GDAL has no driver {}; 3.1 or newer has it", name));
@@ -103,6 +105,7 @@ void write_cog(GDALDataset& dataset, const std::string& file) {
   options.SetNameValue("PREDICTOR", "YES");
   options.SetNameValue("OVERVIEW_RESAMPLING", "AVERAGE");
   const std::string unfinished = file + ".part";
+  allow_file(unfinished);
   CPLErrorReset();
   GDALDatasetUniquePtr copy(driver("COG").CreateCopy(unfinished.c_str(), &dataset, FALSE,
                                                      options.List(), nullptr, nullptr));

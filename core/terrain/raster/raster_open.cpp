@@ -6,8 +6,11 @@
 
 #include <filesystem>
 #include <mutex>
+#include <regex>
 #include <set>
 
+#include "access/file_access.h"
+#include "access/gdal_access.h"
 #include "terrain/raster/gdal_call.h"
 
 namespace lsos {
@@ -16,12 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void register_drivers() {
+void prepare_gdal() {
+  register_drivers();
   static std::once_flag once;
-  std::call_once(once, [] {
-    GDALAllRegister();
-    bound_block_cache();
-  });
+  std::call_once(once, bound_block_cache);
 }
 
 // "; did you mean its label 'LDEM_4.LBL'?" for the samples of a product whose label lies beside.
@@ -91,10 +92,26 @@ bool is_colour(GDALColorInterp meaning) {
   return colours.contains(meaning);
 }
 
+// Whether PROJ would read a file by its path, as of "+nadgrids=/FILE" or a WKT's PARAMETERFILE.
+bool names_file(const std::string& crs) {
+  static const std::regex by_path(R"re((grids=|PARAMETERFILE\["[^"]*",")[^" ]*[/\\])re",
+                                  std::regex::icase);
+  return std::regex_search(crs, by_path);
+}
+
+std::string wkt_of(const OGRSpatialReference& crs) {
+  char* wkt = nullptr;
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  crs.exportToWkt(&wkt, options);
+  std::string text = wkt == nullptr ? "" : wkt;
+  CPLFree(wkt);
+  return text;
+}
+
 }  // namespace
 
 std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const RasterName& name) {
-  register_drivers();
+  prepare_gdal();
   const GdalSilence silence;
   std::unique_ptr<GDALDataset> dataset(GDALDataset::Open(
       surface.file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
@@ -139,8 +156,22 @@ OGRSpatialReference crs_of(GDALDataset& dataset, const RasterSurface& surface,
   const GdalSilence silence;
   OGRSpatialReference crs;
   const std::string option = option_of_raster("crs");
+  const auto refuse_file = [&] {
+    name.refuse(
+        fmt::format("has a coordinate reference system that reads a file of its own (a grid by its "
+                    "path); grids by name, from PROJ's folders, are allowed ({})",
+                    option));
+  };
+  if (is_access_restricted() && names_file(surface.crs)) refuse_file();
   if (!surface.crs.empty()) {
-    if (crs.SetFromUserInput(surface.crs.c_str()) != OGRERR_NONE) {
+    // A text such as a URL or a path would be fetched.
+    const CSLConstList limits = is_access_restricted() && !has_network_access()
+                                    ? OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()
+                                    : nullptr;
+    if (crs.SetFromUserInput(surface.crs.c_str(), limits) != OGRERR_NONE) {
+      if (limits != nullptr && surface.crs.find("://") != std::string::npos) {
+        name.refuse("is said to be in a CRS that lies elsewhere: " + refused_network(surface.crs));
+      }
       name.refuse(
           fmt::format("is said to be in the CRS '{}', which GDAL does not know: an "
                       "authority's code (IAU_2015:30135, EPSG:32610), WKT or a PROJ "
@@ -157,6 +188,7 @@ OGRSpatialReference crs_of(GDALDataset& dataset, const RasterSurface& surface,
                     "lies: say it ({})",
                     option));
   }
+  if (is_access_restricted() && names_file(wkt_of(crs))) refuse_file();
   if (crs.IsCompound()) crs.StripVertical();
   if (crs.IsLocal() || (!crs.IsProjected() && !crs.IsGeographic())) {
     name.refuse(

@@ -1,0 +1,125 @@
+#include "access/bounded_files.h"
+
+#include <cpl_string.h>
+#include <cpl_vsi_virtual.h>
+
+#include <cerrno>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include "access/file_access.h"
+#include "access/gdal_access.h"
+
+namespace lsos {
+
+namespace {
+
+thread_local std::string refusal;
+
+// The file system of the machine.
+class BoundedFiles : public VSIFilesystemHandler {
+ public:
+  // Takes over `files`, which GDAL owned.
+  explicit BoundedFiles(VSIFilesystemHandler* files) : files_(files) {}
+
+  VSIVirtualHandle* Open(const char* path, const char* access, bool sets_error,
+                         CSLConstList options) override {
+    if (!check(path)) return nullptr;
+    return files_->Open(path, access, sets_error, options);
+  }
+  int Stat(const char* path, VSIStatBufL* stat, int flags) override {
+    if (is_allowed(path)) return files_->Stat(path, stat, flags);
+    errno = ENOENT;
+    return -1;
+  }
+  char** ReadDirEx(const char* folder, int files_max) override {
+    return is_allowed(folder) ? files_->ReadDirEx(folder, files_max) : nullptr;
+  }
+  char** SiblingFiles(const char* path) override {
+    return is_allowed(path) ? files_->SiblingFiles(path) : nullptr;
+  }
+  VSIDIR* OpenDir(const char* folder, int depth, const char* const* options) override {
+    return is_allowed(folder) ? files_->OpenDir(folder, depth, options) : nullptr;
+  }
+  int Unlink(const char* path) override { return check(path) ? files_->Unlink(path) : -1; }
+  int Rename(const char* from, const char* to) override {
+    return check(from) && check(to) ? files_->Rename(from, to) : -1;
+  }
+  int Mkdir(const char* folder, long mode) override {
+    return check(folder) ? files_->Mkdir(folder, mode) : -1;
+  }
+  int Rmdir(const char* folder) override { return check(folder) ? files_->Rmdir(folder) : -1; }
+  int IsCaseSensitive(const char* path) override { return files_->IsCaseSensitive(path); }
+  GIntBig GetDiskFreeSpace(const char* folder) override { return files_->GetDiskFreeSpace(folder); }
+  int SupportsSparseFiles(const char* path) override { return files_->SupportsSparseFiles(path); }
+  bool IsLocal(const char* path) override { return files_->IsLocal(path); }
+  bool SupportsSequentialWrite(const char* path, bool may_be_temporary) override {
+    return files_->SupportsSequentialWrite(path, may_be_temporary);
+  }
+  bool SupportsRandomWrite(const char* path, bool may_be_temporary) override {
+    return files_->SupportsRandomWrite(path, may_be_temporary);
+  }
+
+ private:
+  static bool check(const char* path) {
+    if (is_allowed(path)) return true;
+    refuse(refused_file(path));
+    errno = EACCES;
+    return false;
+  }
+
+  std::unique_ptr<VSIFilesystemHandler> files_;
+};
+
+// A file system of the network, or a stream of the program.
+class RefusedFiles : public VSIFilesystemHandler {
+ public:
+  VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
+    refuse(refused_network(path));
+    errno = EACCES;
+    return nullptr;
+  }
+  int Stat(const char* path, VSIStatBufL*, int) override {
+    refuse(refused_network(path));
+    errno = EACCES;
+    return -1;
+  }
+  bool IsLocal(const char*) override { return false; }
+};
+
+// File systems that read memory, or local files through this one.
+const std::set<std::string_view> local_prefixes = {"/vsimem/",   "/vsizip/",    "/vsigzip/",
+                                                   "/vsitar/",   "/vsisparse/", "/vsisubfile/",
+                                                   "/vsicrypt/", "/vsicached?"};
+
+// All others lead to the network, or to the program's own standard streams.
+void refuse_other_file_systems() {
+  std::set<VSIFilesystemHandler*> replaced;  // some serve several prefixes
+  const CPLStringList prefixes(VSIFileManager::GetPrefixes());
+  for (int i = 0; i < prefixes.size(); ++i) {
+    const char* prefix = prefixes[i];
+    if (local_prefixes.contains(prefix)) continue;
+    replaced.insert(VSIFileManager::GetHandler(prefix));
+    VSIFileManager::InstallHandler(prefix, new RefusedFiles);
+  }
+  for (VSIFilesystemHandler* handler : replaced) delete handler;
+}
+
+}  // namespace
+
+void bound_file_systems() {
+  // GDAL owns the handlers that it is given.
+  VSIFileManager::InstallHandler("", new BoundedFiles(VSIFileManager::GetHandler("")));
+  if (!has_network_access()) refuse_other_file_systems();
+}
+
+void refuse(const std::string& why) {
+  if (refusal.empty()) refusal = why;
+}
+
+const std::string& last_refusal() { return refusal; }
+
+void forget_refusal() { refusal.clear(); }
+
+}  // namespace lsos

@@ -1,0 +1,91 @@
+#include "access/file_access.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <shared_mutex>
+#include <vector>
+
+namespace lsos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Allowed {
+  std::shared_mutex mutex;
+  std::vector<fs::path> folders;
+  std::vector<fs::path> files;  // without their extensions
+};
+
+Allowed& allowed() {
+  static Allowed all;
+  return all;
+}
+
+std::atomic<bool> is_restricted = false;
+std::atomic<bool> may_use_network = true;
+
+// `path` without links and dots; of what does not exist, the part that does without links.
+fs::path resolved(const std::string& path) {
+  std::error_code unreadable;
+  const fs::path absolute = fs::absolute(path.empty() ? "." : path, unreadable);
+  fs::path canonical = fs::weakly_canonical(absolute, unreadable);
+  if (unreadable) canonical = absolute.lexically_normal();
+  return canonical.has_filename() ? canonical : canonical.parent_path();
+}
+
+bool lies_below(const fs::path& path, const fs::path& folder) {
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
+}
+
+// "/maps/dem" of "/maps/dem.tif" and "/maps/dem.tif.aux.xml".
+fs::path stem_of(const fs::path& file) {
+  const std::string name = file.filename();
+  return file.parent_path() / name.substr(0, name.find('.', 1));
+}
+
+void add(std::vector<fs::path>& paths, fs::path path) {
+  const std::unique_lock lock(allowed().mutex);
+  if (std::ranges::count(paths, path) == 0) paths.push_back(std::move(path));
+}
+
+}  // namespace
+
+void restrict_access(bool has_network) {
+  may_use_network = has_network;
+  is_restricted = true;
+}
+
+bool is_access_restricted() { return is_restricted; }
+
+bool has_network_access() { return may_use_network; }
+
+void allow_folder(const std::string& folder) { add(allowed().folders, resolved(folder)); }
+
+void allow_file(const std::string& file) { add(allowed().files, stem_of(resolved(file))); }
+
+bool is_allowed(const std::string& path) {
+  if (!is_restricted) return true;
+  const fs::path file = resolved(path);
+  const std::shared_lock lock(allowed().mutex);
+  return std::ranges::count(allowed().files, stem_of(file)) > 0 ||
+         std::ranges::any_of(allowed().folders,
+                             [&](const fs::path& folder) { return lies_below(file, folder); });
+}
+
+std::string refused_file(const std::string& path) {
+  return fmt::format(
+      "'{}' lies outside the plan's folder and those of LSOS_PATH; --allow-files '{}' or "
+      "LSOS_ALLOW_FILES allows what lies there",
+      path, resolved(path).parent_path().string());
+}
+
+std::string refused_network(const std::string& name) {
+  return fmt::format("'{}' needs the network; --allow-network allows it", name);
+}
+
+}  // namespace lsos

@@ -1,0 +1,290 @@
+// What a plan from elsewhere may open: nothing beyond its folder, and no connection, unless the
+// user says so.
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <sys/inotify.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+#include <atomic>
+#include <filesystem>
+#include <thread>
+
+#include "system/plan_text.h"
+#include "system/process.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+constexpr const char* crs_of_moon =
+    "GEOGCS[\"Moon\",DATUM[\"D_Moon\",SPHEROID[\"Moon\",1737400,0]],PRIMEM[\"Reference\",0],"
+    "UNIT[\"Degree\",0.0174532925199433]]";
+
+// Level ground around longitude 31, latitude 20.
+void write_raster(const TempFolder& folder, const std::string& name) {
+  std::string grid = "ncols 40\nnrows 40\nxllcorner 30.98\nyllcorner 19.98\ncellsize 0.001\n";
+  for (int row = 0; row < 40; ++row) {
+    for (int column = 0; column < 40; ++column) grid += "100 ";
+    grid += "\n";
+  }
+  folder.write(name + ".asc", grid);
+  folder.write(name + ".prj", crs_of_moon);
+}
+
+std::string vrt_of(const std::string& source) {
+  return fmt::format(
+      "<VRTDataset rasterXSize='40' rasterYSize='40'><SRS>{}</SRS>"
+      "<GeoTransform>30.98, 0.001, 0, 20.02, 0, -0.001</GeoTransform>"
+      "<VRTRasterBand dataType='Float32' band='1'><SimpleSource>"
+      "<SourceFilename relativeToVRT='{}'>{}</SourceFilename><SourceBand>1</SourceBand>"
+      "</SimpleSource></VRTRasterBand></VRTDataset>",
+      crs_of_moon, source.find_first_of("/<") == 0 ? 0 : 1, source);
+}
+
+std::string plan_on(const std::string& terrain) {
+  return kml(
+      {{"MissionInfo", {{"Planet", "Moon"}, {"StartTime", "2026-07-01"}, {"Terrain", terrain}}, ""},
+       sev("A", "31,20"),
+       event("Pause", "A", 1, {{"Duration", "5 s"}})});
+}
+
+std::string script_of(const std::string& raster) {
+  return "local lsos = require 'lsos'\nreturn lsos.terrain { api = 1, doc = 'Level ground.', "
+         "planet = "
+         "'Moon', soil = 'ApolloDense', surface = lsos.raster " +
+         raster + " }\n";
+}
+
+// Notices that a file is opened or read, by whatever program.
+class Watched {
+ public:
+  explicit Watched(const fs::path& file) : descriptor_(inotify_init1(IN_NONBLOCK)) {
+    inotify_add_watch(descriptor_, file.c_str(), IN_OPEN | IN_ACCESS);
+  }
+  ~Watched() { close(descriptor_); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+
+  bool was_opened() const {
+    char buffer[4096];
+    return read(descriptor_, buffer, sizeof buffer) > 0;
+  }
+
+ private:
+  int descriptor_;
+};
+
+// A server on this machine that hangs up on who calls.
+class Listener {
+ public:
+  Listener() : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    if (bind(socket_, reinterpret_cast<sockaddr*>(&address), size) != 0 ||
+        listen(socket_, 8) != 0 ||
+        getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size) != 0) {
+      ADD_FAILURE() << "no socket on the loopback";
+    }
+    port_ = ntohs(address.sin_port);
+    thread_ = std::thread([this] {
+      for (int call = 0; (call = accept(socket_, nullptr, nullptr)) >= 0; close(call)) ++calls_;
+    });
+  }
+  ~Listener() {
+    shutdown(socket_, SHUT_RDWR);  // accept then fails
+    thread_.join();
+    close(socket_);
+  }
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  int port() const { return port_; }
+  int calls() const { return calls_; }
+
+ private:
+  int socket_;
+  int port_ = 0;
+  std::atomic<int> calls_ = 0;
+  std::thread thread_;
+};
+
+struct ForeignFile {
+  std::string name;      // of the case
+  std::string terrain;   // as the plan names it; {} is the foreign folder
+  std::string contents;  // of the file that the plan names, "" where it is the foreign one
+};
+
+class ForeignFiles : public ::testing::TestWithParam<ForeignFile> {};
+
+TEST_P(ForeignFiles, are_not_opened_unless_the_user_allows_them) {
+  const TempFolder folder, elsewhere;
+  write_raster(elsewhere, "dem");
+  const Watched watched(elsewhere / "dem.asc");
+  const auto filled = [&](std::string text) {
+    for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
+      text.replace(at, 2, elsewhere.path().string());
+    }
+    return text;
+  };
+  const std::string terrain = filled(GetParam().terrain);
+  const bool is_script = terrain.find_first_of("./") == std::string::npos;
+  if (!GetParam().contents.empty()) {
+    folder.write(is_script ? "terrain/" + terrain + ".lua" : terrain,
+                 is_script ? script_of(filled(GetParam().contents)) : filled(GetParam().contents));
+  }
+  fs::create_symlink(elsewhere / "dem.asc", folder / "linked.asc");
+  fs::create_symlink(elsewhere / "dem.prj", folder / "linked.prj");
+  fs::create_directory_symlink(elsewhere.path(), folder / "maps");
+  const std::string plan = folder.write("plan.kml", plan_on(terrain));
+
+  const Outcome refused = run({"check", plan});
+  EXPECT_EQ(refused.exit_code, 2) << refused.out << refused.err;
+  EXPECT_THAT(refused.out + refused.err, HasSubstr("lies outside the plan's folder"));
+  EXPECT_THAT(refused.out + refused.err, HasSubstr("--allow-files '"));
+  EXPECT_FALSE(watched.was_opened());
+
+  const Outcome allowed = run({"check", plan, "--allow-files", elsewhere.path()});
+  EXPECT_EQ(allowed.exit_code, 0) << allowed.out << allowed.err;
+  EXPECT_TRUE(watched.was_opened());
+  const Outcome by_variable =
+      run({"check", plan}, {.environment = {"LSOS_ALLOW_FILES=/usr:" + elsewhere.path().string()}});
+  EXPECT_EQ(by_variable.exit_code, 0) << by_variable.out << by_variable.err;
+}
+
+const std::vector<ForeignFile> foreign_files = {
+    {"by_its_path", "{}/dem.asc", ""},
+    {"through_a_link", "linked.asc", ""},
+    {"through_a_linked_folder", "maps/dem.asc", ""},
+    {"in_a_vrt", "ground.vrt", vrt_of("{}/dem.asc")},
+    {"in_a_vrt_through_a_link", "ground.vrt", vrt_of("maps/dem.asc")},
+    {"in_a_vrt_with_bytes_of_a_file", "ground.vrt", vrt_of("/vsisubfile/0,{}/dem.asc")},
+    {"in_a_script", "Ground", "{ file = '{}/dem.asc' }"},
+    {"in_a_script_with_bytes_of_a_file", "Ground",
+     "{ file = '/vsisubfile/0,{}/dem.asc', crs = 'IAU_2015:30100' }"},
+};
+
+INSTANTIATE_TEST_SUITE_P(, ForeignFiles, ::testing::ValuesIn(foreign_files),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(ForeignFile, that_is_no_raster_is_not_even_read) {
+  const TempFolder folder, elsewhere;
+  const Watched watched(elsewhere.write("passwd", "root:x:0:0\n"));
+  for (const std::string& terrain :
+       {(elsewhere / "passwd").string(), fmt::format("GPKG:{}:t", (elsewhere / "passwd").string()),
+        fmt::format("NETCDF:{}:z", (elsewhere / "passwd").string())}) {
+    folder.write("terrain/Ground.lua", script_of(fmt::format("{{ file = '{}' }}", terrain)));
+    const std::string plan = folder.write("plan.kml", plan_on("Ground"));
+    const Outcome outcome = run({"check", plan});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_FALSE(watched.was_opened()) << terrain;
+  }
+}
+
+TEST(ForeignFile, is_named_by_the_user_on_the_command_line) {
+  const TempFolder elsewhere;
+  write_raster(elsewhere, "dem");
+  elsewhere.write("all.vrt", vrt_of("dem.asc"));
+  for (const char* name : {"dem.asc", "all.vrt"}) {
+    const Outcome outcome =
+        run({"terrain", elsewhere / name, "--at", "31,20"}, {.folder = fs::temp_directory_path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  }
+}
+
+TEST(ForeignFile, that_projections_would_read_is_refused) {
+  const TempFolder elsewhere;
+  write_raster(elsewhere, "dem");
+  const Watched watched(elsewhere.write("grid", "no grid"));
+  const Outcome outcome =
+      run({"terrain", elsewhere / "dem.asc", "--at", "31,20", "--crs",
+           fmt::format("+proj=longlat +R=1737400 +nadgrids={}", (elsewhere / "grid").string())});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err + outcome.out, HasSubstr("reads a file of its own"));
+  EXPECT_FALSE(watched.was_opened());
+}
+
+TEST(ForeignFile, of_a_run_stays_readable_where_the_plan_lies_beside_it) {
+  const TempFolder folder, output;
+  write_raster(folder, "dem");
+  const std::string plan = folder.write("plan.kml", plan_on("dem.asc"));
+  const std::string out = output / "run";
+  ASSERT_EQ(run({plan, "-o", out, "--quiet"}).exit_code, 0);
+  for (const std::string command : {"report", "overlay"}) {
+    const Outcome outcome = run({command, out, "--quiet"}, {.folder = output.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err.find("allow-files"), std::string::npos) << outcome.err;
+  }
+}
+
+class Connections : public ::testing::TestWithParam<ForeignFile> {};
+
+TEST_P(Connections, are_not_made_unless_the_user_allows_them) {
+  const TempFolder folder;
+  const Listener listener;
+  const auto filled = [&](std::string text) {
+    for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
+      text.replace(at, 2, fmt::format("127.0.0.1:{}", listener.port()));
+    }
+    return text;
+  };
+  const std::string terrain = filled(GetParam().terrain);
+  const bool is_script = terrain.find_first_of("./") == std::string::npos;
+  if (!GetParam().contents.empty()) {
+    folder.write(is_script ? "terrain/" + terrain + ".lua" : terrain,
+                 is_script ? script_of(filled(GetParam().contents)) : filled(GetParam().contents));
+  }
+  write_raster(folder, "dem");
+  folder.write(
+      "service.xml",
+      filled("<GDAL_WMS><Service name='TMS'><ServerUrl>http://{}/${z}</ServerUrl></Service>"
+             "<DataWindow><UpperLeftX>30.98</UpperLeftX><UpperLeftY>20.02</UpperLeftY>"
+             "<LowerRightX>31.02</LowerRightX><LowerRightY>19.98</LowerRightY>"
+             "<TileLevel>0</TileLevel><TileCountX>1</TileCountX><TileCountY>1</TileCountY>"
+             "</DataWindow><BlockSizeX>40</BlockSizeX><BlockSizeY>40</BlockSizeY>"
+             "<Projection>IAU_2015:30100</Projection><BandsCount>1</BandsCount>"
+             "<DataType>Float32</DataType></GDAL_WMS>"));
+  const std::string plan = folder.write("plan.kml", plan_on(terrain));
+  const Surroundings where{.environment = {"PROJ_NETWORK=ON"}};
+
+  const Outcome refused = run({"check", plan}, where);
+  EXPECT_EQ(refused.exit_code, 2) << refused.out << refused.err;
+  EXPECT_EQ(listener.calls(), 0);
+  if (GetParam().name.starts_with("database")) return;  // no driver, whatever the user says
+  EXPECT_THAT(refused.out + refused.err, HasSubstr("--allow-network"));
+  run({"check", plan, "--allow-network"}, where);
+  EXPECT_GT(listener.calls(), 0);
+}
+
+const std::vector<ForeignFile> connections = {
+    {"for_a_raster", "/vsicurl/http://{}/dem.tif", ""},
+    {"for_a_streamed_raster", "/vsicurl_streaming/http://{}/dem.tif", ""},
+    {"for_a_file_in_an_archive", "/vsizip//vsicurl/http://{}/dem.zip/dem.tif", ""},
+    {"for_a_script_s_raster", "Ground", "{ file = '/vsicurl/http://{}/dem.tif' }"},
+    {"for_a_source_of_a_vrt", "ground.vrt", vrt_of("/vsicurl/http://{}/dem.tif")},
+    {"for_a_service", "service.xml", ""},
+    {"for_a_service_in_a_vrt", "ground.vrt", vrt_of("service.xml")},
+    {"for_a_crs", "Ground", "{ file = '../dem.asc', crs = 'http://{}/crs' }"},
+    {"database", "Ground", "{ file = 'PG:host={} dbname=x' }"},
+};
+
+INSTANTIATE_TEST_SUITE_P(, Connections, ::testing::ValuesIn(connections),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(AllowedFolder, that_does_not_exist_is_a_mistake) {
+  const Outcome outcome = run({"list", "events", "--allow-files", "/no/such/folder"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err + outcome.out,
+              HasSubstr("--allow-files: there is no folder '/no/such/folder'"));
+}
+
+}  // namespace
+}  // namespace lsos::test
