@@ -188,7 +188,7 @@ void expect_round_trips(int count) {
 // The long tests set a greater number.
 TEST(MapTools, random_plans_come_back) {
   const char* count = std::getenv("LSOS_ROUND_TRIPS");
-  expect_round_trips(count == nullptr ? 24 : std::atoi(count));
+  expect_round_trips(count == nullptr ? 8 : std::atoi(count));
 }
 
 // GDAL converts the layers of a plan to a GeoPackage.
