@@ -173,7 +173,7 @@ const std::vector<ForeignFile> foreign_files = {
 };
 
 INSTANTIATE_TEST_SUITE_P(, ForeignFiles, ::testing::ValuesIn(foreign_files),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(ForeignFile, that_is_no_raster_is_not_even_read) {
   const TempFolder folder, elsewhere;
@@ -277,7 +277,7 @@ const std::vector<ForeignFile> connections = {
 };
 
 INSTANTIATE_TEST_SUITE_P(, Connections, ::testing::ValuesIn(connections),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tested) { return tested.param.name; });
 
 TEST(AllowedFolder, that_does_not_exist_is_a_mistake) {
   const Outcome outcome = run({"list", "events", "--allow-files", "/no/such/folder"});
