@@ -34,6 +34,7 @@ MissionEstimate estimate_mission(Simulation& simulation) {
     watch.look(simulation.fleet(), simulation.now());
   }
   estimate.events = watch.events(simulation.fleet());
+  estimate.days = watch.days(simulation.fleet());
   estimate.shades = watch.shades(simulation.fleet());
   estimate.end_s = seconds(simulation.now());
   return estimate;

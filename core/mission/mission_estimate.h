@@ -11,6 +11,7 @@ namespace lsos {
 
 struct MissionEstimate {
   std::vector<EventEstimate> events;  // enabled ones, by rover and sequence
+  std::vector<DayEstimate> days;      // by rover
   std::vector<RoverShade> shades;     // by rover
   double end_s = 0;                   // of the mission, since its start
   // Why it ends before the mission does; "" when it does not. What had not ended is not known.

@@ -143,6 +143,22 @@ Json estimate_json(const MissionEstimate& estimate) {
   return events;
 }
 
+std::string estimate_file_text(const MissionEstimate& estimate) {
+  Json days = Json::array();
+  for (const DayEstimate& day : estimate.days) {
+    days.push_back({{"rover_id", day.rover_id},
+                    {"day", day.day},
+                    {"distance_m", day.distance_m},
+                    {"energy_used_j", to_json(day.energy_used_j)},
+                    {"solar_j", to_json(day.solar_j)},
+                    {"charge_min", to_json(day.charge_min)},
+                    {"charge_end", to_json(day.charge_end)}});
+  }
+  const Json whole{
+      {"events", estimate_json(estimate)}, {"days", days}, {"cut_short", estimate.cut_short}};
+  return whole.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string estimate_csv(const MissionEstimate& estimate) {
   std::string text =
       "rover_id,sequence,type,label,start_s,end_s,distance_m,energy_used_j,solar_j,charge_end,"

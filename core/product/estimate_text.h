@@ -1,4 +1,5 @@
-// The estimate of a mission as `check` shows it: as a table, as JSON, as CSV.
+// The estimate of a mission as `check` shows it: as a table, as JSON, as CSV; and as a run keeps
+// it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -18,5 +19,10 @@ nlohmann::ordered_json estimate_json(const MissionEstimate& estimate);
 // The same as a table with a heading; cells of what cannot be known are empty, shares have a column
 // for either end.
 std::string estimate_csv(const MissionEstimate& estimate);
+
+// What a run's folder has of its estimate, for the report: an object with `events`, as above, and
+// `days`, an object a rover and day.
+inline constexpr const char* estimate_file = "estimate.json";
+std::string estimate_file_text(const MissionEstimate& estimate);
 
 }  // namespace lsos

@@ -260,6 +260,8 @@ nlohmann::ordered_json report_document(const ReportData& data, const Plan& plan,
   Json parsed = Json::parse(summary, nullptr, false);
   if (!parsed.is_object()) parsed = nullptr;
   if (parsed.is_object()) parsed.erase("events");  // the page takes them from the log
+  Json estimate = Json::parse(extras.estimate, nullptr, false);
+  if (!estimate.is_object()) estimate = nullptr;
   return {
       {"plan", plan.file},
       {"body", std::string(plan.mission.planet->name)},
@@ -270,6 +272,7 @@ nlohmann::ordered_json report_document(const ReportData& data, const Plan& plan,
       {"terrain", plan.mission.terrain.name},
       {"site", site_json(site)},
       {"summary", parsed},
+      {"estimate", estimate},
       {"quantities", data.quantities},
       {"rovers", rovers(data, extras)},
       {"assets", assets(data)},

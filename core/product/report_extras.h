@@ -48,6 +48,7 @@ struct ReportExtras {
   std::optional<ReportMap> map;
   std::vector<ReportPicture> pictures;
   std::map<std::string, ReportBattery> batteries;  // by rover id
+  std::string estimate;                            // text of the run's estimate.json, "" for none
   std::vector<std::string> left_out;               // parts missing from the page, and why
 };
 

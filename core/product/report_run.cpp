@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "picture/jpeg.h"
 #include "picture/picture_frame.h"
+#include "product/estimate_text.h"
 #include "product/report_map.h"
 #include "product/report_moments.h"
 #include "product/rover_days.h"
@@ -68,6 +69,7 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
   const ReportData data = read_report_data(log, run.files.plan, site);
   ReportExtras extras;
   extras.batteries = report_batteries(run.files);
+  extras.estimate = request.estimate;
   if (run.ground) {
     extras.map = report_map(*run.ground, data, request.shadow_at, request.threads);
     // Pictures may fail, as without a font or a GPU; the rest is still worth reading.
@@ -82,7 +84,8 @@ std::string report_of(PictureRun run, const LogReader& log, const std::string& s
 }
 
 void write_report(const std::string& run_dir, const MissionModel& files, const Ground& ground,
-                  const RunSummary& summary, const ReportRequest& request) {
+                  const RunSummary& summary, ReportRequest request) {
+  request.estimate = read_file(run_dir + "/" + estimate_file).value_or("");
   const LogReader log(run_dir + "/log.gpkg");
   PictureRun run;
   run.files = files;

@@ -15,6 +15,7 @@ struct ReportRequest {
   SimTime shadow_at{};  // time of the map's shadow, since the start
   bool has_pictures = true;
   int threads = 2;
+  std::string estimate = {};  // text of estimate.json, "" for none
 };
 
 // Batteries of the rovers that have one, by rover id.
@@ -26,8 +27,9 @@ std::map<std::string, ReportBattery> report_batteries(const MissionModel& files)
 std::string report_of(PictureRun run, const LogReader& log, const std::string& summary,
                       const ReportRequest& request, std::vector<std::string>& left_out);
 
-// Writes DIR/report.html of a run that has just ended.
+// Writes DIR/report.html of a run that has just ended; beside its results stands the estimate where
+// DIR has one.
 void write_report(const std::string& run_dir, const MissionModel& files, const Ground& ground,
-                  const RunSummary& summary, const ReportRequest& request);
+                  const RunSummary& summary, ReportRequest request);
 
 }  // namespace lsos

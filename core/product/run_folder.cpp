@@ -26,9 +26,10 @@ namespace {
 
 // The summary is removed first: without it a run is unfinished, whatever other files remain. The
 // log is moved last, see take_back().
-constexpr std::array run_files{"summary.json", "overlay.kml",  "overlay.kmz",  "report.html",
-                               "report.png",   "plan.kml",     "mission.qgz",  "hillshade.tif",
-                               "days.csv",     "log.gpkg-wal", "log.gpkg-shm", "log.gpkg"};
+constexpr std::array run_files{"summary.json", "overlay.kml",   "overlay.kmz",  "report.html",
+                               "report.png",   "plan.kml",      "mission.qgz",  "hillshade.tif",
+                               "days.csv",     "estimate.json", "log.gpkg-wal", "log.gpkg-shm",
+                               "log.gpkg"};
 // What a run that goes on needs.
 constexpr std::array kept_files{"plan.kml", "log.gpkg", "log.gpkg-wal", "log.gpkg-shm"};
 

@@ -11,9 +11,11 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/opened_run.h"
+#include "lua/check/run_estimate.h"
 #include "lua/host/run_mission.h"
 #include "product/comparison/several_runs.h"
 #include "product/comparison/several_runs_page.h"
+#include "product/estimate_text.h"
 #include "product/figure.h"
 #include "product/report_run.h"
 #include "product/rover_days.h"
@@ -27,7 +29,8 @@ struct ReportOptions {
   std::string file;                  // "": DIR/report.html, DIR/report.png
   std::string shadow_at;             // UTC, or a time from the start; "": the start
   bool has_pictures = true;
-  bool is_figure = false;  // a PNG for a paper
+  bool has_estimate = true;  // made where the run has none
+  bool is_figure = false;    // a PNG for a paper
   std::optional<int> dpi;
   int threads = 2;
   bool is_json = false;
@@ -86,6 +89,21 @@ void print_answer(const ReportOptions& options, const std::string& file,
   }
 }
 
+// Text of the run's estimate, which is made where the run has none; "" where it cannot be.
+std::string estimate_of(const ReportOptions& options, const std::string& folder,
+                        const LogReader& log, std::vector<std::string>& left_out) {
+  if (!options.has_estimate) return "";
+  const std::string file = folder + "/" + estimate_file;
+  if (const auto text = read_file(file)) return *text;
+  try {
+    make_run_estimate(folder, log, options.threads);
+    return read_file(file).value_or("");
+  } catch (const std::exception& error) {
+    left_out.push_back(fmt::format("the estimate: {}", error.what()));
+    return "";
+  }
+}
+
 int report_several(const ReportOptions& options) {
   std::vector<std::unique_ptr<LogReader>> logs;
   std::vector<RunOfPage> runs;
@@ -125,8 +143,9 @@ int report_command(const ReportOptions& options) {
       file = folder + "/report.html";
       write_days(folder);
     }
-    const ReportRequest request{shadow_time(options, from.run), options.has_pictures,
-                                options.threads};
+    const SimTime shadow_at = shadow_time(options, from.run);
+    const ReportRequest request{shadow_at, options.has_pictures, options.threads,
+                                estimate_of(options, folder, log, from.left_out)};
     const std::string summary = read_file(folder + "/summary.json").value_or("");
     write_file(file, report_of(from.run, log, summary, request, from.left_out));
   }
@@ -146,6 +165,8 @@ std::function<int()> prepare_report(CommandOptions& command) {
   command.add_option("--shadow-at", options->shadow_at,
                      "UTC, or a time from the start: of the shadow on the map (the start)");
   command.add_flag("!--no-pictures", options->has_pictures, "Leave them out");
+  command.add_flag("!--no-estimate", options->has_estimate,
+                   "Not beside the results; a run that has none gets one, as by check");
   command.add_flag("--png", options->is_figure, "Its plots as a figure for a paper");
   command.add_option("--dpi", options->dpi, "Of the figure, 18 cm wide (300)").between(50, 1200);
   add_threads(command, options->threads, "Threads that work on the map");

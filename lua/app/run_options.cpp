@@ -11,6 +11,8 @@ namespace lsos {
 
 void add_outcome_options(CommandOptions& command, OutcomeOptions& options) {
   command.add_flag("!--no-report", options.has_report, "No report.html, which takes some seconds");
+  command.add_flag("!--no-estimate", options.has_estimate,
+                   "No estimate beside the results in the report, which takes what check takes");
   command.add_flag("--quiet", options.is_quiet, "No progress");
   command.add_flag("--json", options.is_json, "The summary as JSON");
   add_threads(command, options.threads, "Threads that plan for rovers and step them");

@@ -15,7 +15,8 @@ namespace lsos {
 struct OutcomeOptions {
   bool is_quiet = false;
   bool is_json = false;
-  bool has_report = true;  // report.html
+  bool has_report = true;    // report.html
+  bool has_estimate = true;  // beside the results in the report
   int threads = 1;
 };
 void add_outcome_options(CommandOptions& command, OutcomeOptions& options);

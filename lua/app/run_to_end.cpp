@@ -13,8 +13,10 @@
 
 #include "base/console.h"
 #include "lua/app/progress.h"
+#include "lua/check/run_estimate.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
+#include "product/estimate_text.h"
 #include "product/qgis_run.h"
 #include "product/report_run.h"
 
@@ -122,17 +124,27 @@ int simulate(Simulation& simulation, Checkpoints& checkpoints, bool is_quiet) {
 }
 
 std::vector<Product> products_of(const MissionUnderWay& mission, const OutcomeOptions& options,
-                                 bool has_pictures) {
+                                 bool has_ended) {
   if (!options.has_report) return {};
   const std::string path = mission.folder.path();
   const MissionFiles& files = mission.files;
   const Ground& ground = mission.simulation.ground();
-  const ReportRequest request{{}, has_pictures, std::max(2, options.threads)};
-  return {{"mission.qgz", "report",
-           [&files, &ground, path](const RunSummary&) { write_qgis_project(path, files, ground); }},
-          {"report.html", "report", [&files, &ground, path, request](const RunSummary& summary) {
-             write_report(path, files, ground, summary, request);
-           }}};
+  const ReportRequest request{{}, has_ended, std::max(2, options.threads)};
+  std::vector<Product> products;
+  if (options.has_estimate && has_ended) {
+    const std::string legs = mission.simulation.cached_legs();
+    products.push_back({estimate_file, "report", [&files, path, legs, request](const RunSummary&) {
+                          write_run_estimate(path, files, legs, request.threads);
+                        }});
+  }
+  products.push_back({"mission.qgz", "report", [&files, &ground, path](const RunSummary&) {
+                        write_qgis_project(path, files, ground);
+                      }});
+  products.push_back(
+      {"report.html", "report", [&files, &ground, path, request](const RunSummary& summary) {
+         write_report(path, files, ground, summary, request);
+       }});
+  return products;
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::map<std::string, std::string> run_values(const MissionFiles& files,
   if (files.terrain.beyond) values["terrain_beyond"] = files.terrain.beyond->name;
   if (!simulation.renderer().empty()) values["renderer"] = simulation.renderer();
   if (files.from) {
-    values["from_log_sha256"] = files.from->log_sha256;
+    values[from_key] = files.from->log_sha256;
     values[site_lon_key] = fmt::format("{}", files.from->site.lon_rad);
     values[site_lat_key] = fmt::format("{}", files.from->site.lat_rad);
   }

@@ -9,6 +9,9 @@
 
 namespace lsos {
 
+// The key of a run that began as another had ended: the digest of that one's log.
+inline constexpr const char* from_key = "from_log_sha256";
+
 // The layer `run`: what the run was made of, nothing that differs between two equal runs.
 std::map<std::string, std::string> run_values(const MissionFiles& files,
                                               const Simulation& simulation);

@@ -142,6 +142,30 @@ TEST(Estimate, is_a_table_a_line_an_event_and_csv) {
   EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
 }
 
+TEST(Estimate, is_kept_beside_the_results_of_a_run_whose_log_it_does_not_change) {
+  const TempFolder folder;
+  const std::string plan = folder.write(
+      "plan.kml", kml({mission(), sev("A", "31,12"), event("Route", "A", 1, {}, point("31.001,12")),
+                       event("Pause", "A", 2, {{"Duration", "1 h"}})}));
+  const auto file = [&](const char* run, const char* name) { return folder / run + "/" + name; };
+  ASSERT_EQ(run({plan, "-o", folder / "with", "--quiet"}).exit_code, 0);
+  ASSERT_EQ(run({plan, "-o", folder / "without", "--quiet", "--no-estimate"}).exit_code, 0);
+  const std::string kept = read_text(file("with", "estimate.json"));
+  EXPECT_FALSE(std::filesystem::exists(file("without", "estimate.json")));
+  EXPECT_EQ(summary(folder / "with")["log_sha256"], summary(folder / "without")["log_sha256"]);
+  const json estimate = json::parse(kept);
+  EXPECT_EQ(estimate["events"].size(), 2U);
+  EXPECT_EQ(estimate["days"].size(), 1U);
+  EXPECT_THAT(read_text(file("with", "report.html")), HasSubstr("\"earth_visible_share\""));
+  EXPECT_THAT(read_text(file("without", "report.html")), HasSubstr("\"estimate\":null"));
+  // The report makes what the run has not, unless it is told not to.
+  ASSERT_EQ(run({"report", folder / "without", "--no-estimate", "--no-pictures"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(file("without", "estimate.json")));
+  ASSERT_EQ(run({"report", folder / "without", "--no-pictures"}).exit_code, 0);
+  EXPECT_EQ(read_text(file("without", "estimate.json")), kept);
+  EXPECT_THAT(read_text(file("without", "report.html")), HasSubstr("\"earth_visible_share\""));
+}
+
 TEST(Estimate, of_shipped_plans_finds_nothing_wrong) {
   for (const std::string plan : {"two_rovers", "solar_stop", "lunar_traverse", "polar_team"}) {
     const TempFolder folder;

@@ -44,6 +44,7 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
     await rest();
     return {whole, second, choice: choice.value, folds: folds.map(fold => fold.querySelector('summary').textContent),
       before, after: document.querySelectorAll('#event-table tbody tr').length,
+      expected: [...document.querySelectorAll('#event-table tbody tr')].map(row => [...row.querySelectorAll('.expected')].map(each => each.textContent)),
       first: document.querySelector('#findings').firstElementChild.textContent,
       pictures: text('#picture-list')};
   )js");
@@ -58,6 +59,12 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
   EXPECT_THAT(seen["first"].get<std::string>(), HasSubstr("1 event of B never began"));
   EXPECT_EQ(seen["before"], 0);
   EXPECT_EQ(seen["after"], 5);
+  // The estimate stands under the end, the energy and the charge.
+  ASSERT_EQ(seen["expected"][0].size(), 3u) << seen["expected"];
+  for (const json& cell : seen["expected"][0]) {
+    EXPECT_THAT(cell.get<std::string>(), StartsWith("est. "));
+  }
+  EXPECT_THAT(seen["second"]["rows"][0].get<std::string>(), HasSubstr("est. "));
   EXPECT_EQ(seen["folds"].size(), 3u) << seen["folds"];
   EXPECT_THAT(seen["pictures"].get<std::string>(), HasSubstr("failed"));
 }

@@ -48,6 +48,8 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     Watched& rover = rovers_[k];
     rover.sums.resize(records.size());
     const double charge = agent.power().view().charge;
+    rover.days.add({seconds(now), agent.view().distance_m, agent.power().energy_used_j(),
+                    agent.power().solar_j(), charge});
     if (rover.running) {
       Sums& sums = rover.sums[*rover.running];
       sums.all_s += passed_s;
@@ -88,6 +90,17 @@ std::vector<RoverShade> EstimateWatch::shades(const Fleet& fleet) const {
     shades.back().rover_id = fleet.rovers[k].agent->id();
   }
   return shades;
+}
+
+std::vector<DayEstimate> EstimateWatch::days(const Fleet& fleet) const {
+  std::vector<DayEstimate> days;
+  for (std::size_t k = 0; k < rovers_.size(); ++k) {
+    for (DayEstimate& day : rovers_[k].days.days()) {
+      day.rover_id = fleet.rovers[k].agent->id();
+      days.push_back(std::move(day));
+    }
+  }
+  return days;
 }
 
 std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {

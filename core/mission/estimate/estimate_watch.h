@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mission/estimate/day_sums.h"
 #include "mission/estimate/event_estimate.h"
 #include "mission/fleet/fleet.h"
 
@@ -18,6 +19,8 @@ class EstimateWatch {
   std::optional<SimTime> idle_since() const { return idle_since_; }
   // Shades of all rovers, up to the last exchange.
   std::vector<RoverShade> shades(const Fleet& fleet) const;
+  // Days of all rovers up to the last exchange, by rover; a day that has not begun is none.
+  std::vector<DayEstimate> days(const Fleet& fleet) const;
   // Estimates of all enabled events, by rover and sequence.
   std::vector<EventEstimate> events(const Fleet& fleet) const;
 
@@ -33,6 +36,7 @@ class EstimateWatch {
     std::optional<std::size_t> running;
     std::vector<Sums> sums;
     RoverShade shade;
+    DaySums days;
     double lit = not_modelled, clear = not_modelled, seen = not_modelled;
   };
 

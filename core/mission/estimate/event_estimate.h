@@ -1,4 +1,4 @@
-// What is expected of an event of a plan: plain values.
+// What is expected of an event of a plan, and of a day: plain values.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +45,16 @@ struct EventEstimate {
   // Shares of its time in which the Sun reaches a panel that is up, and in which Earth is in view
   // of the antenna in use.
   std::optional<Expected> sunlit_share, earth_visible_share;
+};
+
+// What is expected of a rover on a day of the mission, each 24 hours since its start. The last may
+// be shorter. Absent: the rover has no battery.
+struct DayEstimate {
+  std::string rover_id;
+  int day = 1;
+  double distance_m = 0;
+  std::optional<double> energy_used_j, solar_j;
+  std::optional<double> charge_min, charge_end;  // 0..1
 };
 
 }  // namespace lsos

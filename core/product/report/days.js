@@ -4,20 +4,19 @@ const dayS = 86400;
 const dayCount = Math.max(1, Math.ceil(endS / dayS - 1e-9));
 const daySpan = day => [(day - 1) * dayS, Math.min(day * dayS, endS)];
 
-const isKnown = value => value !== null && value !== undefined;
 const chargeText = value => (isKnown(value) ? `${(100 * value).toFixed(0)} %` : '–');
 const hoursText = value => (isKnown(value) ? `${(value / 3600).toFixed(1)} h` : '–');
 function dayColumns(days) {
   const columns = [
     ['Rover', day => swatch(roverOf(day.rover_id), day.rover_id)],
-    ['Distance', day => distanceText(day.distance_m), true],
+    ['Distance', day => withEstimate(distanceText(day.distance_m), day.distance_m, dayEstimateOf(day).distance_m, distanceText), true],
     ['Driving', day => durationText(day.drive_s), true],
     ['Steepest sample', day => (isKnown(day.max_slope_rad) ? `${((day.max_slope_rad * 180) / Math.PI).toFixed(1)}°` : '–'), true],
-    ['Energy used', day => energyText(day.energy_used_j), true],
-    ['From the Sun', day => energyText(day.solar_j), true],
+    ['Energy used', day => withEstimate(energyText(day.energy_used_j), day.energy_used_j, dayEstimateOf(day).energy_used_j, energyText), true],
+    ['From the Sun', day => withEstimate(energyText(day.solar_j), day.solar_j, dayEstimateOf(day).solar_j, energyText), true],
     ['Charge at start', day => chargeText(day.charge_start), true],
-    ['least', day => chargeText(day.charge_min), true],
-    ['at end', day => chargeText(day.charge_end), true],
+    ['least', day => withEstimate(chargeText(day.charge_min), day.charge_min, dayEstimateOf(day).charge_min, percentText), true],
+    ['at end', day => withEstimate(chargeText(day.charge_end), day.charge_end, dayEstimateOf(day).charge_end, percentText), true],
     ...(days.some(day => isKnown(day.charge_dawn) || isKnown(day.charge_dusk)) ? [
       ['at dawn', day => chargeText(day.charge_dawn), true], ['at dusk', day => chargeText(day.charge_dusk), true],
     ] : []),

@@ -130,13 +130,17 @@ function fillTables() {
     ['Type', event => event.type],
     ['Result', event => make('span', {class: `result ${event.status}`}, `${statusMarks[event.status] || ''} ${statusText(event.status)}`)],
     ['Start', event => at(event.start_s), true],
-    ['End', event => at(event.end_s), true],
+    ['End', event => withEstimate(at(event.end_s), event.end_s, estimateOf(event).end_s, clockOfEnd), true],
     ['Took', event => (event.start_s === null || event.end_s === null ? '–' : durationText(event.end_s - event.start_s)), true],
     ['Distance', event => distanceText(event.distance_m), true],
-    ['Energy used', event => energyText(event.energy_used_j), true],
+    ['Energy used', event => withEstimate(energyText(event.energy_used_j), event.energy_used_j, estimateOf(event).energy_used_j, energyText), true],
     ['From the Sun', event => energyText(event.solar_j), true],
+    ...(hasEstimate ? [
+      ['Charge at end', event => withEstimate(percentText(chargeAtEnd(event)), chargeAtEnd(event), estimateOf(event).charge_end, percentText), true],
+    ] : []),
     ['Reason', event => event.reason || ''],
   ];
+  if (hasEstimate) document.getElementById('event-table').before(make('p', {class: 'note', id: 'estimate-about'}, estimateText()));
   showEvents(events => table(eventColumns, events, (line, event) => {
     line.title = event.start_s === null ? 'It did not start' : 'Show it in the plots';
     line.addEventListener('click', () => showEvent(event));

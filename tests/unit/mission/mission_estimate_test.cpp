@@ -89,5 +89,25 @@ TEST_F(Estimate, of_a_drive_ends_where_the_battery_is_empty) {
   EXPECT_TRUE(estimate_warnings(events, mission.setup_.plan, warnings).empty());
 }
 
+TEST_F(Estimate, sums_up_days_which_end_between_what_happens) {
+  mission.setup_.rover_models["Test"].power.battery->capacity_j = 1e8;
+  mission.drive(100);
+  mission.event("Hold", 2 * 86400);
+  const MissionEstimate whole = estimate();
+  ASSERT_EQ(whole.days.size(), 3U);
+  EXPECT_EQ(whole.days[2].rover_id, "A");
+  EXPECT_EQ(whole.days[2].day, 3);
+  double distance_m = 0, used_j = 0;
+  for (const DayEstimate& day : whole.days) {
+    distance_m += day.distance_m;
+    used_j += *day.energy_used_j;
+    EXPECT_LE(*day.charge_min, *day.charge_end);
+  }
+  EXPECT_NEAR(distance_m, *whole.events[0].distance_m, 1e-9);
+  EXPECT_NEAR(used_j, *whole.events[0].energy_used_j + *whole.events[1].energy_used_j, 1);
+  EXPECT_NEAR(*whole.days[1].energy_used_j, 100 * 86400, 1e-3);  // it stands all day
+  EXPECT_NEAR(whole.days[0].distance_m, distance_m, 1e-9);
+}
+
 }  // namespace
 }  // namespace lsos::test
