@@ -147,7 +147,9 @@ TEST(Estimate, is_kept_beside_the_results_of_a_run_whose_log_it_does_not_change)
   const std::string plan = folder.write(
       "plan.kml", kml({mission(), sev("A", "31,12"), event("Route", "A", 1, {}, point("31.001,12")),
                        event("Pause", "A", 2, {{"Duration", "1 h"}})}));
-  const auto file = [&](const char* run, const char* name) { return folder / run + "/" + name; };
+  const auto file = [&](const char* run, const char* name) {
+    return (folder / run / name).string();
+  };
   ASSERT_EQ(run({plan, "-o", folder / "with", "--quiet"}).exit_code, 0);
   ASSERT_EQ(run({plan, "-o", folder / "without", "--quiet", "--no-estimate"}).exit_code, 0);
   const std::string kept = read_text(file("with", "estimate.json"));
