@@ -20,13 +20,13 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
   const auto rover = [](const std::string& id, const std::string& place) {
     return Mark{"Rover", {{"RoverId", id}, {"RoverType", "SEV"}}, point(place)};
   };
-  const std::string plan =
-      folder.write("plan.kml", kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
-                                    event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
-                                    event("Pause", "A", 2, {{"Duration", "26 h"}}),
-                                    event("Pause", "B", 1, {{"Duration", "25 h"}}),
-                                    event("Pause", "B", 2, {{"Duration", "1 h"}, {"Timeout", "5"}}),
-                                    event("Pause", "B", 3, {{"Duration", "20"}})}));
+  const std::string plan = folder.write(
+      "plan.kml", kml({mission(), rover("A", "-27,0"), rover("B", "-27,0.002"),
+                       event("Route", "A", 1, {}, line("-26.9995,0 -26.999,0.0003")),
+                       event("Pause", "A", 2, {{"Duration", "26 h"}, {"WarnWhen", "charge > 0.5"}}),
+                       event("Pause", "B", 1, {{"Duration", "25 h"}}),
+                       event("Pause", "B", 2, {{"Duration", "1 h"}, {"Timeout", "5"}}),
+                       event("Pause", "B", 3, {{"Duration", "20"}})}));
   ASSERT_EQ(run({plan, "-o", folder / "run", "--quiet"}).exit_code, 1);
   const json seen = in_browser(folder, folder / "run/report.html", R"js(
     await rest();
@@ -46,7 +46,8 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
       before, after: document.querySelectorAll('#event-table tbody tr').length,
       expected: [...document.querySelectorAll('#event-table tbody tr')].map(row => [...row.querySelectorAll('.expected')].map(each => each.textContent)),
       first: document.querySelector('#findings').firstElementChild.textContent,
-      pictures: text('#picture-list')};
+      pins: [...document.querySelectorAll('#map .note-mark')].map(mark => mark.textContent),
+      legend: text('.map-legend'), pictures: text('#picture-list')};
   )js");
   ASSERT_FALSE(seen.contains("error")) << seen;
   EXPECT_EQ(seen["whole"], 0);
@@ -59,6 +60,9 @@ TEST(ReportOfDays, begins_with_failures_and_shows_a_day_with_its_numbers) {
   EXPECT_THAT(seen["first"].get<std::string>(), HasSubstr("1 event of B never began"));
   EXPECT_EQ(seen["before"], 0);
   EXPECT_EQ(seen["after"], 5);
+  ASSERT_EQ(seen["pins"].size(), 1u) << seen["pins"];
+  EXPECT_THAT(seen["pins"][0].get<std::string>(), HasSubstr("warn when condition charge > 0.5"));
+  EXPECT_THAT(seen["legend"].get<std::string>(), HasSubstr("WarnWhen begins to hold"));
   // The estimate stands under the end, the energy and the charge.
   ASSERT_EQ(seen["expected"][0].size(), 3u) << seen["expected"];
   for (const json& cell : seen["expected"][0]) {

@@ -1,5 +1,9 @@
-// Notes of WarnWhen are red.
 const isWarning = note => note.name === 'warn_when';
+// WarnWhen: a red pin that points at its place, so that neither a rover nor an event there covers it. Its
+// outline is white within dark, so that it stands out from a red rover's line and from the ground.
+const warningPin = () => ['#17212b', '#fff', statusColours.failed].map((colour, k) => draw('path', {
+  d: 'M0 0 L-8 -14 L8 -14 Z', fill: colour, stroke: colour, 'stroke-width': [6, 3.6, 0][k], 'stroke-linejoin': 'round',
+})).concat(draw('path', {d: 'M0 -12.2 V-7.4 M0 -5.6 V-4.2', stroke: '#fff', 'stroke-width': 2}));
 const placedNotes = () => page.notes.filter(note => note.x_m !== undefined && roverOf(note.rover_id));
 // Of several runs the first one's events are marked, and those of others that ended in another way.
 const markedEvents = () => page.events.filter(event => event.x_m !== undefined && event.start_s !== null && !isAsInFirst(event));
@@ -91,15 +95,15 @@ class MissionMap {
     this.world.append(...firstOnTop(this.layers));
   }
   drawMarks() {
-    // Notes, as diamonds in their rover's colour, beneath the events.
+    // Notes, as diamonds in their rover's colour, beneath the events; warnings over all.
     this.notes = placedNotes().map(note => {
       const rover = roverOf(note.rover_id);
       const mark = draw('g', {class: 'note-mark', style: 'cursor:pointer'},
-        draw('path', {d: 'M0 -4.5 L4.5 0 L0 4.5 L-4.5 0 Z', fill: isWarning(note) ? statusColours.failed : '#fff', stroke: rover.ink, 'stroke-width': 1.6}),
+        ...(isWarning(note) ? warningPin() : [draw('path', {d: 'M0 -4.5 L4.5 0 L0 4.5 L-4.5 0 Z', fill: '#fff', stroke: rover.ink, 'stroke-width': 1.6})]),
         draw('title', {}, `${rover.id}, ${elapsedText(note.time_s)}: ${note.name.replaceAll('_', ' ')} ${noteText(note)}`));
       mark.addEventListener('click', () => showTime(note.time_s));
-      this.marks.append(mark);
-      return {rover, x: note.x_m, y: note.y_m, mark};
+      if (!isWarning(note)) this.marks.append(mark);
+      return {rover, x: note.x_m, y: note.y_m, mark, isWarning: isWarning(note)};
     });
     this.events = [];
     // Failed events are drawn on top.
@@ -132,7 +136,7 @@ class MissionMap {
         draw('path', {d: 'M0 -11 L8 9 L0 4.5 L-8 9 Z', fill: rover.ink, stroke: '#fff', 'stroke-width': 2, 'stroke-linejoin': 'round', 'paint-order': 'stroke'}));
       return arrow;
     });
-    this.marks.append(...firstOnTop(this.arrows));
+    this.marks.append(...firstOnTop(this.arrows), ...this.notes.filter(note => note.isWarning).map(note => note.mark));
   }
   buttons() {
     const button = (text, title, act) => {
@@ -151,7 +155,10 @@ class MissionMap {
     for (const status of new Set(markedEvents().map(e => e.status))) {
       legend.append(make('span', {}, draw('svg', {viewBox: '0 0 10 10', style: 'width:10px!important'}, draw('circle', {cx: 5, cy: 5, r: 4, fill: statusColours[status]})), `event ${statusText(status)}`));
     }
-    if (placedNotes().length > 0) {
+    if (placedNotes().some(isWarning)) {
+      legend.append(make('span', {}, draw('svg', {viewBox: '-11 -18 22 22', style: 'width:14px!important;height:14px!important'}, ...warningPin()), 'WarnWhen begins to hold'));
+    }
+    if (placedNotes().some(note => !isWarning(note))) {
       legend.append(make('span', {}, draw('svg', {viewBox: '0 0 10 10', style: 'width:10px!important'}, draw('path', {d: 'M5 1 L9 5 L5 9 L1 5 Z', fill: '#fff', stroke: '#44515d', 'stroke-width': 1.6})), 'note'));
     }
     if (page.map?.shadow) {

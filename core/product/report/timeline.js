@@ -1,5 +1,5 @@
 // The mission as planners draw it: a block a day with a lane a rover, its events as bars, dark while no
-// Sun reaches its panels, a red edge while it does not see Earth. A bar shows its time in the plots.
+// Sun reaches its panels or they are stowed, a red edge while it does not see Earth. A bar shows its time in the plots.
 
 // Pairs of begin and end, from a series, where the condition holds.
 function spansOf(series, holds) {
@@ -39,7 +39,7 @@ function fillTimeline() {
   const used = kinds.filter(kind => page.events.some(event => event.start_s !== null && kindOf(event) === kind));
   place.append(make('h2', {}, 'Timeline'), make('div', {class: 'keys'},
     ...used.map(kind => key({style: `background:${kind.colour}`}, kind.name)),
-    ...([...shades.values()].some(shade => shade.dark.length > 0) ? [key({class: 'kind dark'}, 'no Sun on its panels')] : []),
+    ...([...shades.values()].some(shade => shade.dark.length > 0) ? [key({class: 'kind dark'}, 'no Sun on its panels, or they are stowed')] : []),
     ...([...shades.values()].some(shade => shade.unseen.length > 0) ? [key({class: 'kind unseen'}, 'no Earth')] : [])));
   // Days begin at the clock time at which the mission does.
   const clocks = [0, 0.25, 0.5, 0.75].map(share => make('span', {style: `left:${100 * share}%`}, utcText(share * dayS).slice(11, 16)));
