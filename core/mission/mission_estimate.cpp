@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/moment_text.h"
 #include "mission/estimate/estimate_watch.h"
 
@@ -11,6 +13,19 @@ namespace {
 
 // What events have been waited for for so long is not expected to come.
 constexpr SimTime idle_max = std::chrono::hours(100 * 24);
+
+// Says of events whose turn came what they wait for, where the estimate ends before they start.
+void tell_what_is_awaited(Simulation& simulation, std::vector<EventEstimate>& events) {
+  simulation.stop("the estimate is cut short");
+  for (const EventRow& row : simulation.events()) {
+    const auto event = std::ranges::find_if(events, [&](const EventEstimate& each) {
+      return each.rover_id == row.rover_id && each.sequence == row.sequence;
+    });
+    if (event == events.end() || !event->ready_s || event->start_s) continue;
+    event->status = row.status;
+    event->reason = row.reason;
+  }
+}
 
 }  // namespace
 
@@ -33,10 +48,12 @@ MissionEstimate estimate_mission(Simulation& simulation) {
     simulation.advance();
     watch.look(simulation.fleet(), simulation.now());
   }
-  estimate.events = watch.events(simulation.fleet());
+  estimate.events = watch.events(simulation.fleet(), simulation.plan().mission.start_time);
   estimate.days = watch.days(simulation.fleet());
+  estimate.lacks = watch.lacks();
   estimate.shades = watch.shades(simulation.fleet());
   estimate.end_s = seconds(simulation.now());
+  if (!estimate.cut_short.empty()) tell_what_is_awaited(simulation, estimate.events);
   return estimate;
 }
 

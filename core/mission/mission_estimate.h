@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mission/estimate/event_estimate.h"
+#include "mission/estimate/lack.h"
 #include "mission/simulation.h"
 
 namespace lsos {
@@ -13,6 +14,7 @@ struct MissionEstimate {
   std::vector<EventEstimate> events;  // enabled ones, by rover and sequence
   std::vector<DayEstimate> days;      // by rover
   std::vector<RoverShade> shades;     // by rover
+  std::vector<Lack> lacks;            // by rover
   double end_s = 0;                   // of the mission, since its start
   // Why it ends before the mission does; "" when it does not. What had not ended is not known.
   std::string cut_short;

@@ -21,16 +21,28 @@ Json to_json(const std::optional<Expected>& value) {
   return {{"low", value->low}, {"high", value->high}};
 }
 
+// A range where there is one, else the value.
+Json to_json(const std::optional<double>& value, const std::optional<Expected>& range) {
+  return range ? to_json(range) : to_json(value);
+}
+
 // More lines than this are summed up by rover and day.
 constexpr std::size_t lines_max = 40;
 constexpr double day_s = 86400;
 
+std::optional<Expected> range_of(const std::optional<double>& value,
+                                 const std::optional<Expected>& range) {
+  if (range || !value) return range;
+  return Expected::exactly(*value);
+}
+
 // A line of the table; times and shares are those of all its events together.
 struct Line {
   std::string name;
-  std::optional<double> start_s, end_s;
-  std::optional<double> distance_m, energy_used_j, solar_j, charge_end, charge_min;
-  double all_s = 0, lit_s = 0, seen_s = 0;  // time that shares are of
+  std::optional<double> start_s, distance_m, solar_j;
+  std::optional<Expected> end_s, energy_used_j, charge_end, charge_min;
+  double all_s = 0;  // time that shares are of
+  Expected lit_s, seen_s;
   bool is_lit_known = false, is_seen_known = false;
 };
 
@@ -38,23 +50,31 @@ void add(std::optional<double>& sum, const std::optional<double>& value) {
   if (value) sum = sum.value_or(0) + *value;
 }
 
+void add(Expected& sum_s, double takes_s, const std::optional<Expected>& share) {
+  if (!share) return;
+  sum_s.low += takes_s * share->low;
+  sum_s.high += takes_s * share->high;
+}
+
 void add(Line& line, const EventEstimate& event) {
   if (event.start_s && !line.start_s) line.start_s = event.start_s;
   if (!event.end_s) return;
-  line.end_s = event.end_s;
+  line.end_s = range_of(event.end_s, event.end_range_s);
   add(line.distance_m, event.distance_m);
-  add(line.energy_used_j, event.energy_used_j);
-  add(line.solar_j, event.solar_j);
-  line.charge_end = event.charge_end;
-  if (event.charge_min) {
-    line.charge_min = std::min(line.charge_min.value_or(*event.charge_min), *event.charge_min);
+  if (const auto used_j = range_of(event.energy_used_j, event.energy_range_j)) {
+    const Expected sum_j = line.energy_used_j.value_or(Expected{});
+    line.energy_used_j = Expected{sum_j.low + used_j->low, sum_j.high + used_j->high};
   }
+  add(line.solar_j, event.solar_j);
+  line.charge_end = range_of(event.charge_end, event.charge_end_range);
+  const auto least = range_of(event.charge_min, event.charge_min_range);
+  if (least && (!line.charge_min || least->low < line.charge_min->low)) line.charge_min = least;
   const double takes_s = *event.end_s - *event.start_s;
   line.all_s += takes_s;
   line.is_lit_known |= event.sunlit_share.has_value();
   line.is_seen_known |= event.earth_visible_share.has_value();
-  if (event.sunlit_share) line.lit_s += takes_s * event.sunlit_share->middle();
-  if (event.earth_visible_share) line.seen_s += takes_s * event.earth_visible_share->middle();
+  add(line.lit_s, takes_s, event.sunlit_share);
+  add(line.seen_s, takes_s, event.earth_visible_share);
 }
 
 Line line_of(const EventEstimate& event) {
@@ -89,15 +109,34 @@ std::vector<Line> lines_by_days(const std::vector<EventEstimate>& events) {
   }
 }
 
-std::string time_text(const std::optional<double>& time_s) {
+std::string clock_text(double time_s, bool has_day) {
+  const auto minutes = static_cast<long long>(std::floor(time_s / 60));
+  const std::string clock = fmt::format("{:02}:{:02}", minutes / 60 % 24, minutes % 60);
+  return has_day ? fmt::format("{} {}", minutes / 1440 + 1, clock) : clock;
+}
+
+// "2 05:10", of a range "2 05:10-05:14".
+std::string time_text(const std::optional<Expected>& time_s) {
   if (!time_s) return "-";
-  const auto minutes = static_cast<long long>(std::floor(*time_s / 60));
-  return fmt::format("{} {:02}:{:02}", minutes / 1440 + 1, minutes / 60 % 24, minutes % 60);
+  const std::string low = clock_text(time_s->low, true), high = clock_text(time_s->high, true);
+  if (low == high) return low;
+  const bool is_same_day = low.substr(0, low.find(' ')) == high.substr(0, high.find(' '));
+  return low + "-" + clock_text(time_s->high, !is_same_day);
 }
 
 std::string number_text(const std::optional<double>& value, double unit, int digits,
                         const char* suffix = "") {
   return value ? fmt::format("{:.{}f}{}", *value / unit, digits, suffix) : "-";
+}
+
+// "3.12-3.61", of a range too narrow to be told one number.
+std::string range_text(const std::optional<Expected>& value, double unit, int digits,
+                       const char* suffix = "") {
+  if (!value) return "-";
+  const std::string low = number_text(value->low, unit, digits),
+                    high = number_text(value->high, unit, digits);
+  if (low == high) return number_text(value->middle(), unit, digits, suffix);
+  return low + "-" + high + suffix;
 }
 
 // In quotes where the text has a separator, a quote or a line end.
@@ -108,18 +147,40 @@ std::string cell(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string row_text(const Line& line, std::size_t width) {
-  const auto share = [&](bool is_known, double of_s) -> std::optional<double> {
+using Cells = std::vector<std::string>;
+
+Cells cells_of(const Line& line) {
+  const auto share = [&](bool is_known, const Expected& of_s) -> std::optional<Expected> {
     if (!is_known || line.all_s <= 0) return {};
-    return of_s / line.all_s;
+    return Expected{of_s.low / line.all_s, of_s.high / line.all_s};
   };
-  return fmt::format(
-      "  {:<{}}  {:>9}  {:>9} {:>8} {:>8} {:>8} {:>7} {:>7} {:>6} {:>6}\n", line.name, width,
-      time_text(line.start_s), time_text(line.end_s), number_text(line.distance_m, 1000, 3),
-      number_text(line.energy_used_j, 3.6e6, 3), number_text(line.solar_j, 3.6e6, 3),
-      number_text(line.charge_end, 0.01, 1, "%"), number_text(line.charge_min, 0.01, 1, "%"),
-      number_text(share(line.is_lit_known, line.lit_s), 0.01, 0, "%"),
-      number_text(share(line.is_seen_known, line.seen_s), 0.01, 0, "%"));
+  const std::optional<Expected>& used_j = line.energy_used_j;
+  return {line.name,
+          time_text(range_of(line.start_s, {})),
+          time_text(line.end_s),
+          number_text(line.distance_m, 1000, 3),
+          range_text(used_j, 3.6e6, used_j && !used_j->is_sure() ? 2 : 3),
+          number_text(line.solar_j, 3.6e6, 3),
+          range_text(line.charge_end, 0.01, 1, "%"),
+          range_text(line.charge_min, 0.01, 1, "%"),
+          range_text(share(line.is_lit_known, line.lit_s), 0.01, 0, "%"),
+          range_text(share(line.is_seen_known, line.seen_s), 0.01, 0, "%")};
+}
+
+// The first column on the left, all others on the right.
+std::string table_text(const std::vector<Cells>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Cells& row : rows) {
+    widths.resize(row.size());
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    text += fmt::format("  {:<{}}", row[0], widths[0]);
+    for (std::size_t k = 1; k < row.size(); ++k) text += fmt::format("  {:>{}}", row[k], widths[k]);
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -131,12 +192,12 @@ Json estimate_json(const MissionEstimate& estimate) {
                       {"sequence", event.sequence},
                       {"label", event.label},
                       {"start_s", to_json(event.start_s)},
-                      {"end_s", to_json(event.end_s)},
+                      {"end_s", to_json(event.end_s, event.end_range_s)},
                       {"distance_m", to_json(event.distance_m)},
-                      {"energy_used_j", to_json(event.energy_used_j)},
+                      {"energy_used_j", to_json(event.energy_used_j, event.energy_range_j)},
                       {"solar_j", to_json(event.solar_j)},
-                      {"charge_end", to_json(event.charge_end)},
-                      {"charge_min", to_json(event.charge_min)},
+                      {"charge_end", to_json(event.charge_end, event.charge_end_range)},
+                      {"charge_min", to_json(event.charge_min, event.charge_min_range)},
                       {"sunlit_share", to_json(event.sunlit_share)},
                       {"earth_visible_share", to_json(event.earth_visible_share)}});
   }
@@ -163,7 +224,8 @@ std::string estimate_csv(const MissionEstimate& estimate) {
   std::string text =
       "rover_id,sequence,type,label,start_s,end_s,distance_m,energy_used_j,solar_j,charge_end,"
       "charge_min,sunlit_share_low,sunlit_share_high,earth_visible_share_low,"
-      "earth_visible_share_high\n";
+      "earth_visible_share_high,end_s_low,end_s_high,energy_used_j_low,energy_used_j_high,"
+      "charge_end_low,charge_end_high,charge_min_low,charge_min_high\n";
   for (const EventEstimate& event : estimate.events) {
     text += fmt::format("{},{},{},{}", cell(event.rover_id), event.sequence, cell(event.type),
                         cell(event.label));
@@ -171,8 +233,12 @@ std::string estimate_csv(const MissionEstimate& estimate) {
                               event.solar_j, event.charge_end, event.charge_min}) {
       text += value ? fmt::format(",{}", *value) : ",";
     }
-    for (const auto& share : {event.sunlit_share, event.earth_visible_share}) {
-      text += share ? fmt::format(",{},{}", share->low, share->high) : ",,";
+    for (const auto& range :
+         {event.sunlit_share, event.earth_visible_share, range_of(event.end_s, event.end_range_s),
+          range_of(event.energy_used_j, event.energy_range_j),
+          range_of(event.charge_end, event.charge_end_range),
+          range_of(event.charge_min, event.charge_min_range)}) {
+      text += range ? fmt::format(",{},{}", range->low, range->high) : ",,";
     }
     text += "\n";
   }
@@ -188,12 +254,10 @@ std::string estimate_text(const MissionEstimate& estimate, bool is_verbose) {
   } else {
     lines = lines_by_days(estimate.events);
   }
-  std::size_t width = 0;
-  for (const Line& line : lines) width = std::max(width, line.name.size());
-  std::string text = fmt::format(
-      "  {:<{}}  {:>9}  {:>9} {:>8} {:>8} {:>8} {:>7} {:>7} {:>6} {:>6}\n", "estimate", width,
-      "start", "end", "km", "used kWh", "sun kWh", "charge", "least", "lit", "Earth");
-  for (const Line& line : lines) text += row_text(line, width);
+  std::vector<Cells> rows{
+      {"estimate", "start", "end", "km", "used kWh", "sun kWh", "charge", "least", "lit", "Earth"}};
+  for (const Line& line : lines) rows.push_back(cells_of(line));
+  std::string text = table_text(rows);
   if (!is_each) {
     text += fmt::format("  {} events in all: --verbose lists them\n", estimate.events.size());
   }

@@ -84,9 +84,10 @@ bool covers(const std::vector<ShadeSpan>& spans, double begin_s) {
 
 char shade_at(const Lane& lane, double begin_s) {
   const bool is_dark = covers(lane.shade.dark, begin_s),
+             is_stowed = covers(lane.shade.stowed, begin_s),
              is_unseen = covers(lane.shade.unseen, begin_s);
-  if (is_dark && is_unseen) return 'b';
-  return is_dark ? 'n' : is_unseen ? 'e' : ' ';
+  if ((is_dark || is_stowed) && is_unseen) return 'b';
+  return is_dark ? 'n' : is_stowed ? 's' : is_unseen ? 'e' : ' ';
 }
 
 // "06:00    09:00    ...", the clock at the beginning of each label's cells.

@@ -12,7 +12,7 @@ namespace lsos {
 // Days of 24 h from the mission's start, a letter each 20 min: that of the event that takes most of
 // it, D of driving, E of EVAs, S of science, C of charging and loads, A of antennas, W of waiting,
 // O of others; '.' where none does. Below, where anything is dark or unseen, a line with n (no
-// Sun), e (no Earth) or b (both).
+// Sun on panels that are up), s (panels stowed), e (no Earth) or b (no Earth, and n or s).
 std::string timeline_text(const MissionEstimate& estimate,
                           const std::map<std::string, Activity>& activities, Instant start);
 

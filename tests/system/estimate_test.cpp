@@ -51,16 +51,16 @@ void expect_as_simulated(const std::vector<Mark>& plan) {
     EXPECT_EQ(event.at("status"), "completed") << label;
     const double start_s = event.at("start_s"), end_s = event.at("end_s");
     EXPECT_NEAR(expected.at("start_s").get<double>(), start_s, end_within * start_s) << label;
-    EXPECT_NEAR(expected.at("end_s").get<double>(), end_s, end_within * end_s) << label;
+    EXPECT_NEAR(middle(expected.at("end_s")), end_s, end_within * end_s) << label;
     const double distance_m = event.at("distance_m"), used_j = event.at("energy_used_j");
     EXPECT_NEAR(expected.at("distance_m").get<double>(), distance_m, 1 + 0.01 * distance_m)
         << label;
-    EXPECT_NEAR(expected.at("energy_used_j").get<double>(), used_j,
+    EXPECT_NEAR(middle(expected.at("energy_used_j")), used_j,
                 energy_within * std::max(energy_least_j, used_j))
         << label;
     const double charge = charge_at(run, event.at("rover_id"), end_s);
-    EXPECT_NEAR(expected.at("charge_end").get<double>(), charge, charge_within) << label;
-    EXPECT_LE(expected.at("charge_min").get<double>(), expected.at("charge_end").get<double>());
+    EXPECT_NEAR(middle(expected.at("charge_end")), charge, charge_within) << label;
+    EXPECT_LE(middle(expected.at("charge_min")), middle(expected.at("charge_end")));
   }
 }
 
@@ -101,7 +101,7 @@ TEST(Estimate, of_a_drive_behind_another_rover_ends_behind_it) {
   const double ahead_m = estimate[0].at("distance_m"), behind_m = estimate[1].at("distance_m");
   // B begins 29.7 m behind A, and ends 20 m behind it.
   EXPECT_NEAR(behind_m, ahead_m + 9.7, 2);
-  EXPECT_NEAR(estimate[1].at("end_s").get<double>(), estimate[0].at("end_s").get<double>(), 1);
+  EXPECT_NEAR(middle(estimate[1].at("end_s")), middle(estimate[0].at("end_s")), 1);
 }
 
 TEST(Estimate, warns_of_a_battery_that_does_not_last) {
@@ -113,8 +113,9 @@ TEST(Estimate, warns_of_a_battery_that_does_not_last) {
                             point("31,12")},
                        event("StowSP", "A", 1),
                        event("Consume", "A", 2, {{"Power", "20 kW"}, {"Duration", "3 h"}})});
-  ASSERT_EQ(answer.at("faults").size(), 1) << answer.at("faults");
-  EXPECT_THAT(answer["faults"][0]["what"].get<std::string>(),
+  ASSERT_EQ(answer.at("faults").size(), 2) << answer.at("faults");
+  EXPECT_THAT(answer["faults"][0]["what"].get<std::string>(), HasSubstr("its panels are stowed"));
+  EXPECT_THAT(answer["faults"][1]["what"].get<std::string>(),
               HasSubstr("Consume 'Consume 2': by the estimate it fails at 2026-01-01T0"));
   EXPECT_TRUE(answer["is_valid"]);
 }
@@ -127,7 +128,7 @@ TEST(Estimate, of_a_wait_for_a_condition_takes_no_time) {
                                                 {"StopWhen", "time_s &gt; 17280000"},
                                                 {"OnFailure", "skip"}})})
                             .at("estimate");
-  EXPECT_NEAR(estimate[0].at("end_s").get<double>(), 17280000, 0.02 * 17280000);
+  EXPECT_NEAR(middle(estimate[0].at("end_s")), 17280000, 0.02 * 17280000);
 }
 
 TEST(Estimate, is_a_table_a_line_an_event_and_csv) {

@@ -41,11 +41,17 @@ std::vector<Fault> estimate_warnings(const std::vector<EventEstimate>& events, c
     // A condition that the plan has for ending it says what is meant.
     const bool is_meant = event.reason.starts_with("StopWhen: ");
     const bool has_failed = event.status == EventStatus::failed && event.end_s && !is_meant;
-    const bool is_news = has_failed || (is_empty && !was_empty);
+    const bool never_starts = event.status == EventStatus::not_started && event.ready_s &&
+                              event.reason.find("; it waited for ") != std::string::npos;
+    const bool is_news = has_failed || never_starts || (is_empty && !was_empty);
     was_empty = is_empty;
     if (!is_news || planned == plan.events.end() || is_known(*planned, known)) continue;
     std::string what = fmt::format("{} '{}': ", event.type, event.label);
-    if (has_failed) {
+    if (never_starts) {
+      what += fmt::format("by the estimate its turn comes at {} and it never starts: {}",
+                          format_utc(plan.mission.start_time + from_seconds(*event.ready_s)),
+                          event.reason);
+    } else if (has_failed) {
       what += fmt::format("by the estimate it fails at {}: {}",
                           format_utc(plan.mission.start_time + from_seconds(*event.end_s)),
                           event.reason);

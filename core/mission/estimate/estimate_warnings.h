@@ -1,5 +1,5 @@
-// What a planner must hear of an estimate: events that are expected to fail, batteries that are
-// expected to run empty.
+// What a planner must hear of an estimate: events that are expected to fail or never to
+// start, batteries that are expected to run empty.
 #pragma once
 
 #include <vector>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mission/estimate/event_ranges.h"
 #include "mission/light/sight_watch.h"
 
 namespace lsos {
@@ -11,6 +12,9 @@ namespace {
 
 // Share of its light from which a panel surely is in the Sun; less may be a sliver of its disc.
 constexpr double clear_share = 0.25;
+// Visible shares of Earth's disc between which its centre is within a third of its radius of the
+// horizon: it moves about as far between two looks of an estimate.
+constexpr double earth_surely = 0.7, earth_perhaps = 0.3;
 
 // Greatest share of a panel that is up which the Sun reaches; absent without a panel.
 std::optional<double> lit_share(const RoverAgent& rover) {
@@ -50,16 +54,22 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     const double charge = agent.power().view().charge;
     rover.days.add({seconds(now), agent.view().distance_m, agent.power().energy_used_j(),
                     agent.power().solar_j(), charge});
+    const DriveDoubt drives = agent.drive().doubt();
     if (rover.running) {
       Sums& sums = rover.sums[*rover.running];
       sums.all_s += passed_s;
       sums.charge_min = std::fmin(sums.charge_min, charge);
       if (rover.lit > 0) sums.lit_s += passed_s;
       if (rover.clear > 0) sums.clear_s += passed_s;
-      if (rover.seen > 0) sums.seen_s += passed_s;
+      if (rover.surely_seen > 0) sums.surely_seen_s += passed_s;
+      if (rover.perhaps_seen > 0) sums.perhaps_seen_s += passed_s;
       if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
+      sums.drives += drives - rover.drives;
     }
-    if (rover.lit == 0) extend(rover.shade.dark, seconds(last_), seconds(now));
+    rover.drives = drives;
+    if (rover.lit == 0) {
+      extend(rover.is_stowed ? rover.shade.stowed : rover.shade.dark, seconds(last_), seconds(now));
+    }
     if (rover.seen == 0) extend(rover.shade.unseen, seconds(last_), seconds(now));
     // What is found now holds until the next exchange.
     rover.running.reset();
@@ -70,8 +80,14 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     const std::optional<double> lit = lit_share(agent);
     rover.lit = lit ? *lit > 0 : not_modelled;
     rover.clear = lit ? *lit >= clear_share : not_modelled;
+    rover.is_stowed = lit && !agent.power().panels().is_any_up();
     const std::optional<PairSight> earth = agent.sight_of(earth_id);
     rover.seen = earth ? earth->is_visible : not_modelled;
+    rover.surely_seen = rover.perhaps_seen = rover.seen;
+    if (earth && earth->is_visible) rover.surely_seen = earth->fraction >= earth_surely;
+    // A disc that a body hides counts as hidden whole.
+    if (earth && !earth->is_visible) rover.perhaps_seen = earth->fraction >= earth_perhaps;
+    rover.lacks.look(fleet, k, rover.running, {rover.lit == 0, rover.seen > 0}, seconds(now));
   }
   last_ = now;
   const bool is_running =
@@ -103,8 +119,18 @@ std::vector<DayEstimate> EstimateWatch::days(const Fleet& fleet) const {
   return days;
 }
 
-std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {
+std::vector<Lack> EstimateWatch::lacks() const {
+  std::vector<Lack> lacks;
+  for (const Watched& rover : rovers_) {
+    for (Lack& lack : rover.lacks.lacks(seconds(last_))) lacks.push_back(std::move(lack));
+  }
+  return lacks;
+}
+
+std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mission_start) const {
   std::vector<EventEstimate> events;
+  std::vector<DoubtedEvent> doubted;
+  std::vector<std::size_t> doubted_at;  // places of their estimates
   for (std::size_t k = 0; k < fleet.rovers.size(); ++k) {
     const EventSequence& sequence = fleet.rovers[k].sequence;
     const bool has_panels = !fleet.rovers[k].agent->power().panels().specs().empty();
@@ -119,6 +145,7 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {
       event.label = planned.label;
       event.status = record.status;
       event.reason = record.reason;
+      if (record.ready) event.ready_s = seconds(*record.ready);
       if (record.start) event.start_s = seconds(*record.start);
       if (!record.start || !record.end) continue;
       event.end_s = seconds(*record.end);
@@ -127,15 +154,22 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet) const {
       event.solar_j = known(record.solar_j);
       event.charge_end = known(record.charge_end);
       const Sums& sums = rovers_[k].sums[i];
+      const RoverPower& power = fleet.rovers[k].agent->power();
+      doubted.push_back(
+          {nullptr, &planned, sums.drives, power.has_battery() ? power.capacity_j() : 0});
+      doubted_at.push_back(events.size() - 1);
       event.charge_min =
           known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));
       if (sums.all_s <= 0) continue;
       if (has_panels) event.sunlit_share = {sums.clear_s / sums.all_s, sums.lit_s / sums.all_s};
       if (sums.sight_s > 0) {
-        event.earth_visible_share = Expected::exactly(sums.seen_s / sums.sight_s);
+        event.earth_visible_share = {sums.surely_seen_s / sums.sight_s,
+                                     sums.perhaps_seen_s / sums.sight_s};
       }
     }
   }
+  for (std::size_t n = 0; n < doubted.size(); ++n) doubted[n].estimate = &events[doubted_at[n]];
+  add_ranges(doubted, mission_start);
   return events;
 }
 

@@ -7,6 +7,7 @@
 
 #include "mission/estimate/day_sums.h"
 #include "mission/estimate/event_estimate.h"
+#include "mission/estimate/lack_watch.h"
 #include "mission/fleet/fleet.h"
 
 namespace lsos {
@@ -21,15 +22,19 @@ class EstimateWatch {
   std::vector<RoverShade> shades(const Fleet& fleet) const;
   // Days of all rovers up to the last exchange, by rover; a day that has not begun is none.
   std::vector<DayEstimate> days(const Fleet& fleet) const;
+  // Stretches in which rovers lack what they need, by rover.
+  std::vector<Lack> lacks() const;
   // Estimates of all enabled events, by rover and sequence.
-  std::vector<EventEstimate> events(const Fleet& fleet) const;
+  std::vector<EventEstimate> events(const Fleet& fleet, Instant mission_start) const;
 
  private:
   // Sums over the time of an event.
   struct Sums {
     double all_s = 0, charge_min = not_modelled;
-    double lit_s = 0, clear_s = 0;   // any of the Sun's light reaches a panel; much of it
-    double seen_s = 0, sight_s = 0;  // Earth is seen; it is known whether it is
+    double lit_s = 0, clear_s = 0;  // any of the Sun's light reaches a panel; much of it
+    // Earth is surely seen, perhaps; it is known whether it is.
+    double surely_seen_s = 0, perhaps_seen_s = 0, sight_s = 0;
+    DriveDoubt drives;
   };
   struct Watched {
     std::size_t first = 0;  // events before it have ended
@@ -37,7 +42,11 @@ class EstimateWatch {
     std::vector<Sums> sums;
     RoverShade shade;
     DaySums days;
+    LackWatch lacks;
+    DriveDoubt drives;       // of all drives up to the last exchange
+    bool is_stowed = false;  // it has panels, and none is up
     double lit = not_modelled, clear = not_modelled, seen = not_modelled;
+    double surely_seen = not_modelled, perhaps_seen = not_modelled;
   };
 
   std::vector<Watched> rovers_;

@@ -28,7 +28,8 @@ struct ShadeSpan {
 // When a rover is in the dark, and when it does not see Earth.
 struct RoverShade {
   std::string rover_id;
-  std::vector<ShadeSpan> dark;    // no Sun reaches a panel that is up
+  std::vector<ShadeSpan> dark;    // panels are up, and no Sun reaches one
+  std::vector<ShadeSpan> stowed;  // it has panels, and none is up
   std::vector<ShadeSpan> unseen;  // Earth is not in view of the antenna in use
 };
 
@@ -38,10 +39,13 @@ struct EventEstimate {
   std::int64_t sequence = 0;
   std::string type, label;
   EventStatus status = EventStatus::not_started;
-  std::string reason;                    // why it is expected to fail, "" when it is not
+  std::string reason;                    // why it is expected to fail or not to start, else ""
   std::optional<double> start_s, end_s;  // since the mission's start
+  std::optional<double> ready_s;         // when its turn comes
   std::optional<double> distance_m, energy_used_j, solar_j;
   std::optional<double> charge_end, charge_min;  // 0..1
+  // Ranges in which quantities that are not sure are expected to lie.
+  std::optional<Expected> end_range_s, energy_range_j, charge_end_range, charge_min_range;
   // Shares of its time in which the Sun reaches a panel that is up, and in which Earth is in view
   // of the antenna in use.
   std::optional<Expected> sunlit_share, earth_visible_share;

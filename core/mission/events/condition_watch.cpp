@@ -16,7 +16,7 @@ void ConditionWatch::observe(const PlanEvent& event, const std::string& phase, b
   const PlanEvent::Condition& condition = event.warn_when;
   if (condition.text.empty() || is_faulty_ || !is_condition_due(is_first, turn.now)) return;
   std::string fault;
-  const bool does_hold = holds("WarnWhen", condition, event, phase, turn, fault);
+  const bool does_hold = lsos::holds("WarnWhen", condition, event, phase, turn, fault);
   const bool did_hold = std::exchange(holds_, does_hold);
   is_faulty_ = !fault.empty();
   RoverJournal& journal = turn.agent.journal();

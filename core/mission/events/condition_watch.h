@@ -15,6 +15,9 @@ class ConditionWatch {
   // `phase`: of the event, which runs.
   void observe(const PlanEvent& event, const std::string& phase, bool is_first, const Turn& turn);
 
+  // Whether it held when it was evaluated last.
+  bool holds() const { return holds_; }
+
   void archive(Archive& a) { LSOS_ARCHIVE(a, holds_, is_faulty_); }
 
  private:

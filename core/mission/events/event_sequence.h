@@ -45,6 +45,8 @@ class EventSequence {
   void stop(const Turn& turn, const std::string& reason, bool is_failure);
 
   bool is_finished() const { return is_finished_; }
+  // Whether WarnWhen of the running event held when it was evaluated last.
+  bool does_warn() const { return running_ && watch_.holds(); }
   // Whether the event whose turn it is waits for charge.
   bool waits_for_charge() const { return has_turn_ && waits_for_charge_; }
   // Label of a failed event with OnFailure = abort, else "".

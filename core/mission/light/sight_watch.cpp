@@ -216,7 +216,7 @@ void SightWatch::ask(std::size_t one, std::size_t other, SimTime now, Instant ut
 std::optional<PairSight> SightWatch::last(std::size_t one, std::size_t other) const {
   for (const Pair& pair : pairs_) {
     const bool is_it = std::minmax(pair.from, pair.to) == std::minmax(one, other);
-    if (is_it && pair.time) return PairSight{pair.is_visible, pair.is_linked};
+    if (is_it && pair.time) return PairSight{pair.is_visible, pair.is_linked, pair.fraction};
   }
   return {};
 }

@@ -110,6 +110,7 @@ struct PlannedRoute {
 // Line of sight and link to another antenna, see the log's layer `pairs`.
 struct PairSight {
   bool is_visible = false, is_linked = false;
+  double fraction = not_modelled;  // of the disc of Earth that is visible
 };
 
 // The ground at a place.

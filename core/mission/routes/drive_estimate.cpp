@@ -110,6 +110,7 @@ class DrawnDrive {
       if (sum_.along_m - drive_.marks.back().along_m >= mark_spacing_m / 2) add_mark();
     }
     add_mark();
+    drive_.slack = slack_.slack();
     return std::move(drive_);
   }
 
@@ -218,6 +219,7 @@ class DrawnDrive {
       sum.driven_m += along_m;
       sum.time_s += along_m / driven.speed_mps;
       sum.energy_j += along_m * driven.energy_jpm;
+      slack_.add(along_m / driven.speed_mps, along_m * driven.energy_jpm, driven.slip);
     }
     return sum;
   }
@@ -251,15 +253,17 @@ class DrawnDrive {
   double speed_mps_ = 0;
   int steep_ = 0;  // places one after another that are too steep
   DriveMark sum_;
+  DriveSlackSum slack_;
   DriveEstimate drive_;
 };
 
 }  // namespace
 
-DriveEstimate estimate_planned(const Vec3& from_S_m, const PlannedRoute& route,
-                               const FollowSettings& settings) {
+DriveEstimate estimate_planned(const DriveCost& cost, const Vec3& from_S_m,
+                               const PlannedRoute& route, const FollowSettings& settings) {
   DriveEstimate drive = line_of_drive(from_S_m, route.path_S_m, settings);
   if (drive.line_S_m.size() < 2) return drive;
+  drive.slack = line_slack(cost, drive.line_S_m);
   // Legs lie on the line from its beginning on, which the rover is near.
   double planned_m = 0, before_m = 0;
   for (const PlannedRoute::Leg& leg : route.legs) planned_m += leg.length_m;

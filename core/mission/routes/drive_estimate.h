@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mission/port/rover_port.h"
+#include "mission/routes/drive_slack.h"
 #include "route/cost/drive_cost.h"
 #include "terrain/ground.h"
 #include "vehicle/path_follower.h"
@@ -28,14 +29,16 @@ struct DriveEstimate {
   std::vector<std::size_t> gear_changes;  // points of the line, as in FollowSettings
   std::ptrdiff_t path_begins_at = 1;      // point of the line that is the path's first
   std::vector<DriveMark> marks;           // ascending; the first is all 0
+  DriveSlack slack;                       // of what it takes in all
   // Why it is expected to end at the last mark, before the end of its path; "" when it is not.
   std::string failure;
   bool is_blocked = false;  // by the ground ahead
 };
 
 // A drive on a planned route, whose legs say what they take. `from_S_m`: where the rover is.
-DriveEstimate estimate_planned(const Vec3& from_S_m, const PlannedRoute& route,
-                               const FollowSettings& settings);
+// `cost`: that the route was planned with.
+DriveEstimate estimate_planned(const DriveCost& cost, const Vec3& from_S_m,
+                               const PlannedRoute& route, const FollowSettings& settings);
 
 // A drive on any path. It ends where the ground is too steep for the rover's wheels or not known.
 // `yaw_rad`: of the rover, counter-clockwise from east. `cost`, `limits`: at the speed of the

@@ -239,9 +239,12 @@ PlannedRoute RoverRoutes::plan(const std::string& rover_id, SimTime now, std::in
 
 DriveEstimate RoverRoutes::estimate(const Vec3& from_S_m, double yaw_rad, const Path3& path_S_m,
                                     const FollowSettings& settings) {
-  if (path_S_m == last_.path_S_m) return estimate_planned(from_S_m, last_, settings);
   RouteSettings route;
   route.speed_mps = settings.speed_mps;
+  if (path_S_m == last_.path_S_m) {
+    route.slope_max_rad = settings.slope_max_rad;
+    return estimate_planned(cost(route), from_S_m, last_, settings);
+  }
   const DriveCost& driven = cost(route);
   return estimate_drawn(*ground_, driven,
                         limits_of(vehicle_, driven.speed_mps, driven.gravity_mps2), from_S_m,

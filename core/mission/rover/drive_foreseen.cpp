@@ -74,8 +74,10 @@ bool RoverDrive::carry(SimTime now) {
   if (!is_carried()) return false;
   const double driven_m = foreseen_->driven_m(), used_j = foreseen_->energy_j();
   const double power_w = foreseen_->power_w();
+  const DriveDoubt doubt = foreseen_->doubt();
   const std::size_t marks = foreseen_->marks_passed();
   foreseen_->advance(now);
+  doubt_ += foreseen_->doubt() - doubt;
   has_passed_mark_ = foreseen_->marks_passed() != marks;
   has_motion_ended_ |= has_passed_mark_;
   const SiteFrame& site = motion_->ground().site();

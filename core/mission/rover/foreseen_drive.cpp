@@ -63,6 +63,13 @@ double ForeseenDrive::power_w() const {
   return used_j / seconds(times_[mark_ + 1] - times_[mark_]);
 }
 
+DriveDoubt ForeseenDrive::doubt() const {
+  const DriveSlack& slack = estimate_.slack;
+  return {now_.time_s * (1 - slack.time_low), now_.time_s * (slack.time_high - 1),
+          now_.energy_j * (1 - slack.energy_low), now_.energy_j * (slack.energy_high - 1),
+          now_.energy_j};
+}
+
 double ForeseenDrive::speed_mps() const {
   if (has_ended()) return 0;
   const double driven_m = estimate_.marks[mark_ + 1].driven_m - estimate_.marks[mark_].driven_m;

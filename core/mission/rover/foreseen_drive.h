@@ -30,6 +30,8 @@ class ForeseenDrive {
   const Vec2& ahead_S() const { return ahead_S_; }  // unit, of the heading
   double driven_m() const { return now_.driven_m; }
   double energy_j() const { return now_.energy_j; }
+  // What of that may be less or more.
+  DriveDoubt doubt() const;
   double speed_mps() const;
   double remaining_m() const { return length_m_ - now_.along_m; }
   double share() const { return length_m_ > 0 ? now_.along_m / length_m_ : 1; }

@@ -75,6 +75,8 @@ class RoverDrive {
   bool is_carried() const { return foreseen_ && !foreseen_->has_ended() && is_driving(); }
   // At an exchange: carries the rover to where it is then. Returns whether a drive has ended.
   bool carry(SimTime now);
+  // What all its foreseen drives up to now may take less or more.
+  const DriveDoubt& doubt() const { return doubt_; }
   // It has come to a mark of its drive, so that light and sight are due.
   bool has_passed_mark() const { return has_passed_mark_; }
   // Whether the rover that it follows has set off and it has not yet set off behind it.
@@ -120,6 +122,7 @@ class RoverDrive {
   };
   std::optional<ForeseenDrive> foreseen_;
   std::optional<ForeseenPursuit> foreseen_pursuit_;
+  DriveDoubt doubt_;
   bool has_passed_mark_ = false;
   DriveCommand command_;
   bool has_new_command_ = false;

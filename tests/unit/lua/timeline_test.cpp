@@ -9,7 +9,8 @@ TEST(Timeline, has_a_line_a_rover_and_day_with_letters_each_20_minutes) {
   const Instant start = *parse_utc("2026-07-01T06:00:00Z").value;
   MissionEstimate estimate;
   estimate.end_s = 93600;
-  estimate.shades = {{"SEV A", {{3600, 7200}}, {{6000, 9600}}}, {"B", {}, {}}};
+  estimate.shades = {{"SEV A", {{3600, 7200}}, {}, {{6000, 9600}}},
+                     {"B", {}, {{0, 2400}}, {{1200, 3600}}}};
   const auto add = [&](const char* type, double start_s, double end_s) {
     EventEstimate& event = estimate.events.emplace_back();
     event.rover_id = "SEV A";
@@ -32,6 +33,7 @@ TEST(Timeline, has_a_line_a_rover_and_day_with_letters_each_20_minutes) {
             "  SEV A DDDEE...................................................................\n"
             "           nnbee\n"
             "  B     ........................................................................\n"
+            "        sbe\n"
             "day 2, 2026-07-02\n"
             "  UTC   06:00    09:00    12:00    15:00    18:00    21:00    00:00    03:00\n"
             "  SEV A ...CCC\n"

@@ -1,0 +1,30 @@
+// How sure an estimate of events is: what drives may take less or more, carried on through the
+// events that follow.
+#pragma once
+
+#include <vector>
+
+#include "mission/estimate/event_estimate.h"
+#include "mission/routes/drive_slack.h"
+#include "plan/plan.h"
+
+namespace lsos {
+
+// Ranges narrower than these are none: the quantity then is as sure as a number says.
+inline constexpr double end_told_s = 10, energy_told = 0.01, charge_told = 0.005;
+
+// An event with what is known of it beyond its estimate.
+struct DoubtedEvent {
+  EventEstimate* estimate = nullptr;
+  const PlanEvent* planned = nullptr;
+  DriveDoubt drives;      // of its own drives
+  double capacity_j = 0;  // of the rover's battery; 0: it has none
+};
+
+// Sets the ranges of the estimates. An event begins early or late as what it waits for does: the
+// event before it, those in StartAfter; a clock (StartTime, a time of the day that an event ends
+// at), a condition or a charge that is waited for are sure. Energy counts from where the battery
+// was full.
+void add_ranges(const std::vector<DoubtedEvent>& events, Instant mission_start);
+
+}  // namespace lsos
