@@ -88,14 +88,17 @@ void Simulation::throw_with_advice(Faults& faults) const {
   throw InputError(faults.sorted());
 }
 
+// Rovers that stand in each other are told of together with legs that have no route.
 void Simulation::plan_routes() {
-  if (!setup_.plans_ahead) return;
-  routes_ahead_ = lsos::plan_routes(fleet_, machine_, site_, setup_, *host_);
-  hand_out_routes();
-  // Legs are kept also when one has no route: finding that out takes longest.
-  if (setup_.cache_legs) setup_.cache_legs(site_.legs->kept());
   Faults faults;
-  faults.add(routes_ahead_.faults);
+  faults.add(overlapping_rovers(fleet_, machine_));
+  if (setup_.plans_ahead) {
+    routes_ahead_ = lsos::plan_routes(fleet_, machine_, site_, setup_, *host_);
+    hand_out_routes();
+    // Legs are kept also when one has no route: finding that out takes longest.
+    if (setup_.cache_legs) setup_.cache_legs(site_.legs->kept());
+    faults.add(routes_ahead_.faults);
+  }
   throw_with_advice(faults);
 }
 

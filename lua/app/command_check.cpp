@@ -14,11 +14,13 @@
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
 #include "lua/check/check_text.h"
+#include "lua/check/ground_faults.h"
 #include "lua/check/timeline_text.h"
 #include "lua/host/cached_routes.h"
 #include "lua/host/mission_reader.h"
 #include "lua/host/run_from.h"
 #include "mission/estimate/estimate_warnings.h"
+#include "mission/estimate/lack_warnings.h"
 #include "product/estimate_text.h"
 
 namespace lsos {
@@ -169,6 +171,16 @@ std::string json_text(const MissionMachine& machine) {
          "\n";
 }
 
+// `watch` and `not_kept`, warnings of routes that are not kept, must outlive it.
+SimulationSetup check_setup(const MissionFiles& files, const CheckOptions& options,
+                            PlanningWatch& watch, std::vector<Fault>& not_kept) {
+  SimulationSetup setup = simulation_setup(files);
+  setup.threads = options.threads;
+  setup.cache_legs = [&](const std::string& bytes) { not_kept = cache_legs(options.plan, bytes); };
+  setup.on_planning = [&](const std::string& what) { watch.plan(what); };
+  return setup;
+}
+
 int check_command(const CheckOptions& options) {
   if (!options.csv.empty()) {
     Faults faults;
@@ -186,13 +198,8 @@ int check_command(const CheckOptions& options) {
       // The constructor runs the machine's `initialise`: rovers are placed on the ground and routes
       // are planned, but nothing moves. Then events are gone through without dynamics.
       PlanningWatch watch(options.is_quiet);
-      SimulationSetup setup = simulation_setup(files);
-      setup.threads = options.threads;
+      SimulationSetup setup = check_setup(files, options, watch, not_kept);
       setup.is_estimate = setup.keeps_sight = true;
-      setup.cache_legs = [&](const std::string& bytes) {
-        not_kept = cache_legs(options.plan, bytes);
-      };
-      setup.on_planning = [&](const std::string& what) { watch.plan(what); };
       files.faults.add(cached_legs_advice(options.plan));
       Simulation simulation(std::move(setup));
       for (const std::string& line : simulation.assumptions()) files.assumptions.push_back(line);
@@ -202,6 +209,7 @@ int check_command(const CheckOptions& options) {
       estimate = estimate_mission(simulation);
       files.faults.add(
           estimate_warnings(estimate.events, simulation.plan(), files.faults.sorted()));
+      files.faults.add(lack_warnings(estimate.lacks, simulation.plan()));
       if (!estimate.cut_short.empty()) {
         files.faults.warning({files.plan.file, 0},
                              "the estimate ends before the mission does: " + estimate.cut_short);
@@ -211,6 +219,9 @@ int check_command(const CheckOptions& options) {
       if (!files.faults.has_errors()) files.faults.add(error.faults());
     }
     files.faults.add(not_kept);  // also when a leg has no route
+  } else if (options.from.empty()) {
+    PlanningWatch watch(options.is_quiet);
+    files.faults.add(ground_faults(files.faults, check_setup(files, options, watch, not_kept)));
   }
   if (options.is_json) {
     print_result("{}", json_text(files, routes, estimate));
@@ -240,9 +251,10 @@ std::function<int()> prepare_check(CommandOptions& command) {
   command.add_option("PLAN", options->plan, "A plan: KML, KMZ or GeoPackage").required();
   command.add_option("--from", options->from, from_help);
   command.add_option("--seed", options->seed, "Instead of the plan's Seed").seed();
-  command.add_flag("--timeline", options->has_timeline,
-                   "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
-                   "below n no Sun on its panels, e no Earth, b both");
+  command.add_flag(
+      "--timeline", options->has_timeline,
+      "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
+      "below n no Sun on its panels, s they are stowed, e no Earth, b that and n or s");
   command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
   command.add_flag("--json", options->is_json, "The answer as JSON");
   command.add_flag("--verbose", options->is_verbose, "Each leg, event, default and assumption");

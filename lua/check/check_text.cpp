@@ -150,7 +150,9 @@ std::string check_text(const MissionModel& files, const RoutesAhead& routes, boo
   const std::vector<Fault> faults = files.faults.sorted();
   std::string text = files.faults.has_errors() ? "" : verdict(files, faults.size());
   for (const Fault& fault : faults) text += to_string(fault) + "\n";
-  if (files.faults.has_errors()) return text;
+  if (files.faults.has_errors()) {
+    return text + "the plan has errors: it is not estimated what its events take\n";
+  }
   text += legs_text(files.plan, routes.planned, is_verbose);
   for (const DrawnEventLine& line : routes.drawn) text += line_text(line);
   text += timed_text(files.plan);

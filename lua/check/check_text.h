@@ -34,7 +34,7 @@ struct RoutesAhead {
 // States whether the plan can be run, then lists warnings, routes, defaults grouped by their
 // owners, and the number of assumptions; more than 30 planned legs are summed up by rover.
 // `is_verbose`: each leg, default and assumption is on a line of its own. For a plan with errors
-// only its faults are listed.
+// its faults are listed, and that there is no estimate.
 std::string check_text(const MissionModel& files, const RoutesAhead& routes, bool is_verbose);
 
 }  // namespace lsos

@@ -74,7 +74,6 @@ Faults place_rovers(Fleet& fleet, const MissionMachine& machine, const Ground& g
     }
     faults.add(site_faults(machine.rovers[i], ground, plans_its_route));
   }
-  if (!faults.has_errors()) faults.add(overlapping_rovers(fleet, machine));
   return faults;
 }
 

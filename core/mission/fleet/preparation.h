@@ -25,7 +25,7 @@ struct FleetRoutes {
 };
 
 // Places the rovers at their starts; those in `starts` begin as that says. Returns what is wrong
-// there and at their events' places.
+// there and at their events' places, but for rovers that stand in each other.
 Faults place_rovers(Fleet& fleet, const MissionMachine& machine, const Ground& ground,
                     ScriptHost& host, const std::map<std::string, RoverStart>& starts);
 

@@ -1,0 +1,151 @@
+// What `check` warns of by its estimate: stops in the dark, antennas that reach nobody, WarnWhen
+// that holds, events that never start. One warning a stretch, and none where nothing is wrong.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "system/plan_run.h"
+#include "system/source_files.h"
+
+namespace lsos::test {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// Earth is never seen from the far side, and always from the near one.
+constexpr const char *far_side = "180,12", *near_side = "31,12";
+// There the Sun is down from the start on for days.
+constexpr const char* night = "-149,12";
+constexpr const char* no_earth = "not sees('Earth')";
+
+std::vector<std::string> warnings(const std::vector<Mark>& plan) {
+  const TempFolder folder;
+  const Outcome outcome =
+      run({"check", folder.write("checked.kml", kml(plan)), "--json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  std::vector<std::string> all;
+  const json answer = json::parse(outcome.out);
+  for (const json& fault : answer.at("faults")) all.push_back(fault.at("what"));
+  return all;
+}
+
+Mark pause(int sequence, const std::string& duration, const Fields& more = {}) {
+  Fields fields{{"Duration", duration}};
+  fields.insert(fields.end(), more.begin(), more.end());
+  return event("Pause", "A", sequence, fields);
+}
+
+TEST(EstimateWarnings, tell_of_a_night_in_which_the_charge_falls_below_the_reserve_once) {
+  EXPECT_THAT(warnings({mission(), sev("A", night), pause(1, "20 h"), pause(2, "22 h")}),
+              ElementsAre(AllOf(
+                  HasSubstr("Pause 'Pause 1': by the estimate no Sun reaches the panels of A from "
+                            "2026-01-01T00:00:00"),
+                  HasSubstr("its charge falls from 100 % to"), HasSubstr("below its reserve of 10"),
+                  HasSubstr("a place or time in the Sun, a Recharge or less load helps"))));
+}
+
+TEST(EstimateWarnings, tell_of_panels_that_are_stowed) {
+  EXPECT_THAT(warnings({mission(), sev("A", near_side), event("StowSP", "A", 1), pause(2, "40 h")}),
+              ElementsAre(HasSubstr("all its panels are stowed: a DeploySP before")));
+}
+
+TEST(EstimateWarnings, tell_nothing_of_darkness_that_the_battery_bears) {
+  EXPECT_THAT(warnings({mission(), sev("A", near_side), event("StowSP", "A", 1), pause(2, "6 h"),
+                        event("DeploySP", "A", 3), pause(4, "10 h")}),
+              IsEmpty());
+}
+
+TEST(EstimateWarnings, tell_of_an_antenna_that_reaches_nobody) {
+  EXPECT_THAT(warnings({mission(), sev("A", far_side), event("DeployCA", "A", 1), pause(2, "2 h"),
+                        event("StowCA", "A", 3), event("DeployCA", "A", 4), pause(5, "1 h")}),
+              ElementsAre(AllOf(HasSubstr("DeployCA 'DeployCA 1': by the estimate antenna"),
+                                HasSubstr("sees neither Earth nor another end that it reaches"),
+                                HasSubstr("so it is once more until 2026-01-01T03:"))));
+}
+
+TEST(EstimateWarnings, tell_nothing_of_an_antenna_that_sees_earth_or_an_asset) {
+  EXPECT_THAT(
+      warnings({mission(), sev("A", near_side), event("DeployCA", "A", 1), pause(2, "2 h")}),
+      IsEmpty());
+  const Mark base{"Asset", {{"AssetId", "Base"}, {"AssetType", "Habitat"}}, point("180.003,12")};
+  EXPECT_THAT(
+      warnings({mission(), sev("A", far_side), base, event("DeployCA", "A", 1), pause(2, "2 h")}),
+      IsEmpty());
+}
+
+TEST(EstimateWarnings, tell_of_warn_when_once_a_stretch_though_several_events_have_it) {
+  EXPECT_THAT(warnings({mission(), sev("A", far_side), pause(1, "2 h", {{"WarnWhen", no_earth}}),
+                        pause(2, "2 h", {{"WarnWhen", no_earth}})}),
+              ElementsAre(HasSubstr("Pause 'Pause 1': by the estimate WarnWhen holds from "
+                                    "2026-01-01T00:00:00.000Z on for 4.0 h: not sees('Earth'); "
+                                    "another place or time, a DeployCA or an asset that relays "
+                                    "helps")));
+  EXPECT_THAT(warnings({mission(), sev("A", near_side), pause(1, "2 h", {{"WarnWhen", no_earth}})}),
+              IsEmpty());
+}
+
+TEST(EstimateWarnings, tell_of_no_sight_to_an_asset_where_it_is_asked_for) {
+  const auto with_base_at = [](const std::string& place) {
+    return std::vector<Mark>{
+        mission(), sev("A", near_side),
+        Mark{"Asset", {{"AssetId", "Base"}, {"AssetType", "Habitat"}}, point(place)},
+        pause(1, "2 h", {{"WarnWhen", "not sees('Base')"}})};
+  };
+  EXPECT_THAT(warnings(with_base_at("31.5,12")),  // 15 km away, beyond the horizon
+              ElementsAre(HasSubstr("WarnWhen holds from 2026-01-01T00:00:00.000Z on for")));
+  EXPECT_THAT(warnings(with_base_at("31.005,12")), IsEmpty());
+}
+
+TEST(EstimateWarnings, tell_of_an_event_that_never_starts) {
+  EXPECT_THAT(warnings({mission({{"MaxDuration", "3 d"}}), sev("A", near_side), pause(1, "1 h"),
+                        pause(2, "1 h", {{"StartWhen", "not sees('Earth')"}})}),
+              ElementsAre(AllOf(HasSubstr("Pause 'Pause 2': by the estimate its turn comes at "
+                                          "2026-01-01T01:00:00"),
+                                HasSubstr("and it never starts: MaxDuration is over; it waited "
+                                          "for StartWhen: not sees('Earth')"))));
+}
+
+TEST(EstimateWarnings, tell_of_half_of_the_charge_lost_though_the_reserve_is_left) {
+  EXPECT_THAT(warnings({mission(), sev("A", night), pause(1, "30 h")}),
+              ElementsAre(AllOf(HasSubstr("its charge falls from 100 % to 34 %; a place or time"),
+                                Not(HasSubstr("below its reserve")))));
+}
+
+TEST(EstimateWarnings, are_none_of_a_plan_with_errors_which_are_told_in_one_go_and_say_so) {
+  const TempFolder folder;
+  // A waits for B, which waits for A; its way leads where no slope is allowed; time goes back.
+  const Mark at_pole{
+      "MissionInfo",
+      {{"Planet", "Moon"}, {"StartTime", "2026-01-01T00:00:00Z"}, {"Terrain", "LunarSouthPole"}},
+      ""};
+  const std::string plan = folder.write(
+      "plan.kml",
+      kml({at_pole, sev("A", "46.332,-89.8434"), sev("B", "46.35,-89.8434"),
+           event("PathPlanRoute", "A", 1, {{"MaxSlope", "1"}}, point("46.30,-89.8439")),
+           event("Pause", "A", 2, {{"Duration", "1"}, {"StartTime", "2026-01-02T00:00:00Z"}}),
+           event("Pause", "A", 3, {{"Duration", "1"}, {"StartTime", "2026-01-01T10:00:00Z"}}),
+           event("Pause", "A", 4, {{"Duration", "1"}, {"StartAfter", "B/1"}}),
+           event("Pause", "B", 1, {{"Duration", "1"}, {"StartAfter", "A/4"}})}));
+  const Outcome outcome = run({"check", plan, "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.out, HasSubstr("Rover 'B': is placed where 'A' stands"));
+  EXPECT_THAT(outcome.out, HasSubstr("the goal is on a slope of 10 degrees, 1 are allowed"));
+  EXPECT_THAT(outcome.out, HasSubstr("'Pause 2' comes first by its Sequence, and starts at"));
+  EXPECT_THAT(outcome.out, HasSubstr("StartAfter goes in a circle"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("the plan has errors: it is not estimated what its events take"));
+}
+
+TEST(EstimateWarnings, are_told_in_one_go_with_other_warnings) {
+  EXPECT_THAT(warnings({mission(), sev("A", near_side), event("DeploySP", "A", 1),
+                        event("StowSP", "A", 2), pause(3, "40 h")}),
+              ElementsAre(HasSubstr("nothing is done"), HasSubstr("all its panels are stowed")));
+}
+
+}  // namespace
+}  // namespace lsos::test
