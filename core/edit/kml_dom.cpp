@@ -205,6 +205,27 @@ KmlElement KmlDom::add(KmlElement parent, const char* name, std::string_view tex
   return added;
 }
 
+KmlElement KmlDom::add_feature_part(KmlElement feature, const char* name, std::string_view text) {
+  // OGC 07-147r2, 9.1: the parts of a Feature in their order.
+  constexpr std::array<std::string_view, 20> order{
+      "name",        "visibility",     "open",        "author",    "link",
+      "address",     "AddressDetails", "phoneNumber", "Snippet",   "snippet",
+      "description", "LookAt",         "Camera",      "TimeStamp", "TimeSpan",
+      "styleUrl",    "Style",          "StyleMap",    "Region",    "ExtendedData"};
+  const auto rank = [&](std::string_view part) {
+    return std::find(order.begin(), order.end(), part) - order.begin();
+  };
+  KmlElement before = nullptr;
+  for (const KmlElement each : children(feature)) {
+    if (before == nullptr && rank(local_name(each)) > rank(name)) before = each;
+  }
+  if (before == nullptr) return add(feature, name, text);
+  const xmlNode* blanks = before->prev;
+  xmlNode* added = xmlAddPrevSibling(before, created(feature, name, text));
+  if (is_blank(blanks)) xmlAddNextSibling(added, xmlNewDocText(document_.get(), blanks->content));
+  return added;
+}
+
 void KmlDom::remove(KmlElement element) {
   if (is_blank(element->prev)) drop(element->prev);
   drop(element);

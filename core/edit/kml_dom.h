@@ -46,6 +46,9 @@ class KmlDom {
   KmlElement add(KmlElement parent, const char* name, std::string_view text);
   // The same as the first.
   KmlElement add_first(KmlElement parent, const char* name, std::string_view text);
+  // A new element of a Placemark or Folder, in the place that KML's schema gives to one of that
+  // name: after those that come before it, and before all others.
+  KmlElement add_feature_part(KmlElement feature, const char* name, std::string_view text);
   // With the blanks before it.
   void remove(KmlElement element);
 

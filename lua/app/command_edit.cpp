@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <set>
 
 #include "base/console.h"
 #include "base/files.h"
 #include "base/output_file.h"
 #include "lua/app/commands.h"
+#include "lua/edit/new_plan.h"
 #include "lua/edit/verb_table.h"
 #include "lua/host/mission_reader.h"
 
@@ -26,38 +26,13 @@ void check_new_file(const EditOptions& options) {
   faults.throw_if_errors();
 }
 
-// The new plan, before it is written. Throws InputError with its faults, if any.
-MissionFiles read_edited(const std::string& bytes, const std::string& file) {
-  const PlanSource source{file, parse_kml(bytes, file), "", bytes, true};
-  MissionFiles edited = read_mission(source, read_catalog(file));
-  if (edited.faults.has_errors()) {
-    print_message("{}: is not written, as the edited plan would have faults (lines are its own):\n",
-                  file);
-    edited.faults.throw_if_errors();
-  }
-  return edited;
-}
-
-// Tells warnings of the new plan that the old one had not.
-void tell_new_warnings(const Faults& old_faults, const Faults& new_faults) {
-  constexpr int most = 10;
-  std::set<std::string> known;
-  for (const Fault& fault : old_faults.sorted()) known.insert(fault.what);
-  int count = 0;
-  for (const Fault& fault : new_faults.sorted()) {
-    if (known.contains(fault.what) || ++count > most) continue;
-    print_message("{}\n", to_string(fault));
-  }
-  if (count > most) print_message("{} more warnings; 'check' tells them\n", count - most);
-}
-
 int edit_command(const EditOptions& options) {
   check_verb(options);
   check_new_file(options);
   const MissionFiles files = read_mission(options.plan);
   files.faults.throw_if_errors();
   const EditOutcome outcome = edited(options, files);
-  const MissionFiles new_files = read_edited(outcome.bytes, options.output);
+  const MissionFiles new_files = read_new_plan(outcome.bytes, options.output);
   write_file(options.output, outcome.bytes);
   tell_new_warnings(files.faults, new_files.faults);
   for (const std::string& warning : outcome.warnings) print_message("warning: {}\n", warning);

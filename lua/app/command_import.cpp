@@ -11,6 +11,8 @@
 #include "interchange/plan_document.h"
 #include "interchange/source_tables.h"
 #include "lua/app/commands.h"
+#include "lua/edit/import_onto.h"
+#include "lua/edit/imported_files.h"
 #include "lua/host/mission_reader.h"
 #include "plan/kml_reader.h"
 #include "plan/kml_writer.h"
@@ -22,6 +24,8 @@ namespace {
 struct ImportOptions {
   std::vector<std::string> files;
   std::string output;
+  std::string onto;  // a plan that takes up the rows; "": none
+  bool removes_missing = false;
   bool replaces = false;  // a file that is there
   bool is_json = false;
 };
@@ -33,52 +37,10 @@ void check_options(const ImportOptions& options) {
   if (!options.replaces && std::filesystem::exists(options.output, absent)) {
     faults.error({}, fmt::format("-o {}: is there already; --force replaces it", options.output));
   }
+  if (options.removes_missing && options.onto.empty()) {
+    faults.error({}, "--remove-missing: is for --onto PLAN.kml, whose Placemarks it removes");
+  }
   faults.throw_if_errors();
-}
-
-ImportedPlan imported(const ImportOptions& options, const Declarations& declarations,
-                      Faults& faults) {
-  std::vector<Table> tables;
-  std::vector<std::string> left_out;
-  for (const std::string& file : options.files) {
-    try {
-      for (Table& table : read_tables(file, declarations, left_out)) {
-        tables.push_back(std::move(table));
-      }
-    } catch (const InputError& error) {
-      faults.add(error.faults());
-    }
-  }
-  faults.throw_if_errors();  // a place that is missing would only follow from these
-  ImportedPlan plan = import_tables(tables, declarations, faults);
-  plan.left_out.insert(plan.left_out.begin(), left_out.begin(), left_out.end());
-  return plan;
-}
-
-// The faults of the plan, in words for sheets: its reader speaks of Placemarks where something is
-// missing in all files.
-Faults in_words_for_sheets(const Faults& faults) {
-  Faults told;
-  for (const Fault& fault : faults.sorted()) {
-    const bool lacks_mission = fault.what.starts_with("has no MissionInfo");
-    const bool lacks_place = fault.what.find(": has no geometry; ") != std::string::npos;
-    const bool lacks_rover = fault.what.starts_with("has no Rover");
-    if (lacks_mission) {
-      told.error({},
-                 "no file says the mission: a row of Type MissionInfo with Planet, StartTime and "
-                 "Terrain is wanted, or a line 'Mission: Planet Moon, StartTime ..., Terrain "
-                 "...' in an outline");
-    } else if (lacks_rover) {
-      told.error({},
-                 "no file has a rover: a row of Type Rover with RoverId, RoverType and a place is "
-                 "wanted, or a line 'Rover ID: TYPE at PLACE' in an outline");
-    } else if (lacks_place) {
-      told.error(fault.place, fault.what + "; Place, Lon and Lat, or WKT say where it is");
-    } else {
-      told.add({fault});
-    }
-  }
-  return told;
 }
 
 std::string counted(std::size_t count, const char* noun) {
@@ -110,10 +72,18 @@ std::string answer_json(const ImportOptions& options, const Plan& plan, const Fa
 
 int import_command(const ImportOptions& options) {
   check_options(options);
+  if (!options.onto.empty()) {
+    print_result("{}", import_onto({options.files, options.onto, options.output,
+                                    options.removes_missing, options.is_json}));
+    return 0;
+  }
   const std::shared_ptr<const Catalog> catalog = read_catalog(options.output);
   const Declarations& declarations = catalog->declarations();
   Faults faults;
-  const ImportedPlan made = imported(options, declarations, faults);
+  std::vector<std::string> left_out;
+  const std::vector<Table> tables = read_all_tables(options.files, declarations, left_out);
+  const ImportedPlan made = import_tables(tables, declarations, faults);
+  left_out.insert(left_out.end(), made.left_out.begin(), made.left_out.end());
   const Plan plan = read_plan(options.output, made.source, declarations, faults);
   in_words_for_sheets(faults).throw_if_errors();
 
@@ -129,8 +99,8 @@ int import_command(const ImportOptions& options) {
       read_plan(options.output, parse_kml(kml, options.output), declarations, none).hash() ==
       plan.hash());
   write_file(options.output, options.output.ends_with(".kmz") ? pack_kmz(kml) : kml);
-  print_result("{}", options.is_json ? answer_json(options, plan, faults, made.left_out)
-                                     : answer_text(options, plan, faults, made.left_out));
+  print_result("{}", options.is_json ? answer_json(options, plan, faults, left_out)
+                                     : answer_text(options, plan, faults, left_out));
   return 0;
 }
 
@@ -140,6 +110,11 @@ std::function<int()> prepare_import(CommandOptions& command) {
   const auto options = std::make_shared<ImportOptions>();
   command.add_option("FILE", options->files, import_formats).required();
   command.add_option("-o,--output", options->output, "The plan: X.kml or X.kmz").required();
+  command.add_option(
+      "--onto", options->onto,
+      "A plan that was drawn (KML, KMZ), which takes up the rows and keeps all else");
+  command.add_flag("--remove-missing", options->removes_missing,
+                   "With --onto: what has no row is removed; else it is kept");
   command.add_flag("--force", options->replaces, "Replace the plan where it is there already");
   command.add_flag("--json", options->is_json, "What was made, as JSON");
   return [options] { return import_command(*options); };

@@ -1,0 +1,118 @@
+#include "lua/edit/import_onto.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/console.h"
+#include "base/files.h"
+#include "edit/editable_file.h"
+#include "edit/put_rows.h"
+#include "interchange/imported_plan.h"
+#include "interchange/plan_tables.h"
+#include "lua/edit/change_text.h"
+#include "lua/edit/imported_files.h"
+#include "lua/edit/new_plan.h"
+#include "lua/host/mission_reader.h"
+#include "plan/suggestions.h"
+
+namespace lsos {
+
+namespace {
+
+// The mission, rovers and assets of the plan as a table, so that days are counted from its start
+// and places may be called by its rovers and assets where the sheets have only events.
+Table owners(const KmlSource& things, const Declarations& declarations) {
+  KmlSource some{things.file, {}};
+  for (const SourcePlacemark& thing : things.placemarks) {
+    const std::optional<ThingKey> key = key_of(thing);
+    if (key && key->kind != ThingKey::Kind::event) some.placemarks.push_back(thing);
+  }
+  Table table = plan_tables(some, declarations, TableDivision::none, false).front();
+  table.file = things.file;
+  return table;
+}
+
+// A sheet that has nothing in common with the plan is that of another one.
+void check_kinship(const RowChanges& changes, const Plan& plan, const OntoOptions& options) {
+  const auto is_of_plan = [&](const RowChange& change) {
+    return change.key.kind != ThingKey::Kind::mission;
+  };
+  const bool has_match = changes.unchanged > 1 || std::ranges::any_of(changes.changed, is_of_plan);
+  const bool has_rover = std::ranges::any_of(changes.added, [&](const RowChange& row) {
+    return row.key.kind == ThingKey::Kind::event && rover_of(plan, row.key.id) != nullptr;
+  });
+  if (has_match || has_rover) return;
+  std::vector<std::string> ids;
+  for (const PlanRover& rover : plan.rovers) ids.push_back(rover.id);
+  throw InputError({options.files.front(), 0},
+                   fmt::format("none of its {} rows is of a rover, an asset or an event of {}, "
+                               "whose rovers are {}; is it the sheet of another plan?",
+                               changes.added.size(), options.plan, fmt::join(ids, ", ")));
+}
+
+void check_files(const OntoOptions& options) {
+  for (const std::string& file : options.files) {
+    std::error_code absent;
+    if (std::filesystem::equivalent(file, options.plan, absent)) {
+      throw InputError({}, fmt::format("--onto {}: is the file that is imported, too; a sheet or "
+                                       "map with changes of it is wanted",
+                                       options.plan));
+    }
+  }
+}
+
+}  // namespace
+
+std::string import_onto(const OntoOptions& options) {
+  check_files(options);
+  const MissionFiles files = read_mission(options.plan);
+  files.faults.throw_if_errors();
+  const EditableFile file(files.plan_bytes, options.plan);
+  const char* ending = file.is_kmz() ? ".kmz" : ".kml";
+  if (!options.output.ends_with(ending)) {
+    throw InputError({}, fmt::format("-o {}: the name must end in {}, as the plan is that",
+                                     options.output, ending));
+  }
+  const Declarations& declarations = files.catalog->declarations();
+  const KmlSource things = plan_things(parse_kml(file.kml(), options.plan), declarations);
+
+  OntoResult result;
+  std::vector<Table> tables = read_all_tables(options.files, declarations, result.left_out);
+  const auto columns = sheet_columns(tables, declarations);
+  tables.push_back(owners(things, declarations));
+  Faults faults;
+  ImportedPlan made = import_tables(tables, declarations, faults);
+  result.left_out.insert(result.left_out.end(), made.left_out.begin(), made.left_out.end());
+  std::erase_if(made.source.placemarks,
+                [&](const SourcePlacemark& row) { return row.file == things.file; });
+
+  result.changes = row_changes(things, made.source.placemarks, columns, declarations);
+  if (!faults.has_errors()) check_kinship(result.changes, files.plan, options);
+  if (options.removes_missing) {
+    result.removed = removable(result.changes, made.source.placemarks);
+    leave_out(result.changes, result.removed);
+  }
+  result.changes.merged.layers = made.source.layers;
+  const Plan wanted = read_plan(options.plan, result.changes.merged, declarations, faults);
+  in_words_for_sheets(faults).throw_if_errors();
+
+  PlanDocument document(file.kml(), files.plan, declarations);
+  put_rows(document, result.changes, result.removed);
+  Faults none;
+  const Plan edited =
+      read_plan(options.plan, parse_kml(document.text(), options.plan), declarations, none);
+  // What was checked is what is written.
+  LSOS_ASSERT(none.has_errors() || edited.hash() == wanted.hash());
+  document.follow_rasters(options.output);
+  const std::string bytes = file.with(document.text());
+  const MissionFiles new_files = read_new_plan(bytes, options.output);
+  write_file(options.output, bytes);
+  tell_new_warnings(files.faults, new_files.faults);
+  result.plan_sha256 = new_files.plan.hash();
+  return options.is_json ? onto_json(result, options.output) : onto_text(result, options.output);
+}
+
+}  // namespace lsos

@@ -1,0 +1,33 @@
+#include "lua/edit/new_plan.h"
+
+#include <set>
+
+#include "base/console.h"
+#include "lua/host/mission_reader.h"
+
+namespace lsos {
+
+MissionFiles read_new_plan(const std::string& bytes, const std::string& file) {
+  const PlanSource source{file, parse_kml(bytes, file), "", bytes, true};
+  MissionFiles edited = read_mission(source, read_catalog(file));
+  if (edited.faults.has_errors()) {
+    print_message("{}: is not written, as the edited plan would have faults (lines are its own):\n",
+                  file);
+    edited.faults.throw_if_errors();
+  }
+  return edited;
+}
+
+void tell_new_warnings(const Faults& old_faults, const Faults& new_faults) {
+  constexpr int most = 10;
+  std::set<std::string> known;
+  for (const Fault& fault : old_faults.sorted()) known.insert(fault.what);
+  int count = 0;
+  for (const Fault& fault : new_faults.sorted()) {
+    if (known.contains(fault.what) || ++count > most) continue;
+    print_message("{}\n", to_string(fault));
+  }
+  if (count > most) print_message("{} more warnings; 'check' tells them\n", count - most);
+}
+
+}  // namespace lsos

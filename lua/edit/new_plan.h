@@ -1,0 +1,17 @@
+// The file of a plan that was edited: it is read before it is written.
+#pragma once
+
+#include <string>
+
+#include "lua/host/mission_files.h"
+
+namespace lsos {
+
+// Reads `bytes`, which are to be written to `file`. Throws InputError with the faults that the new
+// plan would have.
+MissionFiles read_new_plan(const std::string& bytes, const std::string& file);
+
+// Tells the warnings of the new plan that the old one had not.
+void tell_new_warnings(const Faults& old_faults, const Faults& new_faults);
+
+}  // namespace lsos
