@@ -97,6 +97,23 @@ xmlNode* created(KmlElement parent, const char* name, std::string_view text) {
   return element;
 }
 
+// The first child that KML's schema wants behind those of that name; nullptr when there is none.
+KmlElement part_behind(KmlElement feature, std::string_view name) {
+  // OGC 07-147r2, 9.1: the parts of a Feature in their order.
+  constexpr std::array<std::string_view, 20> order{
+      "name",        "visibility",     "open",        "author",    "link",
+      "address",     "AddressDetails", "phoneNumber", "Snippet",   "snippet",
+      "description", "LookAt",         "Camera",      "TimeStamp", "TimeSpan",
+      "styleUrl",    "Style",          "StyleMap",    "Region",    "ExtendedData"};
+  const auto rank = [&](std::string_view part) {
+    return std::find(order.begin(), order.end(), part) - order.begin();
+  };
+  for (const KmlElement each : children(feature)) {
+    if (rank(local_name(each)) > rank(name)) return each;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void KmlDom::Free::operator()(_xmlDoc* document) const { xmlFreeDoc(document); }
@@ -206,24 +223,17 @@ KmlElement KmlDom::add(KmlElement parent, const char* name, std::string_view tex
 }
 
 KmlElement KmlDom::add_feature_part(KmlElement feature, const char* name, std::string_view text) {
-  // OGC 07-147r2, 9.1: the parts of a Feature in their order.
-  constexpr std::array<std::string_view, 20> order{
-      "name",        "visibility",     "open",        "author",    "link",
-      "address",     "AddressDetails", "phoneNumber", "Snippet",   "snippet",
-      "description", "LookAt",         "Camera",      "TimeStamp", "TimeSpan",
-      "styleUrl",    "Style",          "StyleMap",    "Region",    "ExtendedData"};
-  const auto rank = [&](std::string_view part) {
-    return std::find(order.begin(), order.end(), part) - order.begin();
-  };
-  KmlElement before = nullptr;
-  for (const KmlElement each : children(feature)) {
-    if (before == nullptr && rank(local_name(each)) > rank(name)) before = each;
-  }
-  if (before == nullptr) return add(feature, name, text);
-  const xmlNode* blanks = before->prev;
-  xmlNode* added = xmlAddPrevSibling(before, created(feature, name, text));
+  const KmlElement next = part_behind(feature, name);
+  if (next == nullptr) return add(feature, name, text);
+  const xmlNode* blanks = next->prev;
+  xmlNode* added = xmlAddPrevSibling(next, created(feature, name, text));
   if (is_blank(blanks)) xmlAddNextSibling(added, xmlNewDocText(document_.get(), blanks->content));
   return added;
+}
+
+KmlElement KmlDom::copy_as_feature_part(KmlElement element, KmlElement feature) {
+  const KmlElement next = part_behind(feature, local_name(element));
+  return next == nullptr ? copy_into(element, feature) : copy_before(element, next);
 }
 
 void KmlDom::remove(KmlElement element) {
@@ -280,6 +290,21 @@ void set_text(KmlElement element, const std::string& text) {
     xmlAddChild(element, added);
   } else {
     xmlAddPrevSibling(element->children, added);
+  }
+}
+
+void append_text(KmlElement element, const std::string& text) {
+  xmlAddChild(element, xmlNewDocText(element->doc, xml(text.c_str())));
+}
+
+void erase_text(KmlElement element, std::string_view begin, std::string_view end) {
+  for (xmlNode* node = element->children; node != nullptr; node = node->next) {
+    if (!is_text(node)) continue;
+    std::string text(view(node->content));
+    const std::size_t from = text.find(begin), to = text.find(end, from);
+    if (from == std::string::npos || to == std::string::npos) continue;
+    text.erase(from, to + end.size() - from);
+    xmlNodeSetContent(node, xml(text.c_str()));
   }
 }
 

@@ -49,6 +49,8 @@ class KmlDom {
   // A new element of a Placemark or Folder, in the place that KML's schema gives to one of that
   // name: after those that come before it, and before all others.
   KmlElement add_feature_part(KmlElement feature, const char* name, std::string_view text);
+  // Likewise a copy.
+  KmlElement copy_as_feature_part(KmlElement element, KmlElement feature);
   // With the blanks before it.
   void remove(KmlElement element);
 
@@ -74,6 +76,10 @@ void set_attribute(KmlElement element, const char* name, const std::string& valu
 std::string text_of(KmlElement element);
 // Puts another text in place of that between the blanks around it.
 void set_text(KmlElement element, const std::string& text);
+// Puts a text behind what stands in the element, which keeps its CDATA.
+void append_text(KmlElement element, const std::string& text);
+// Takes away what was appended: from `begin` to `end`, with both.
+void erase_text(KmlElement element, std::string_view begin, std::string_view end);
 // The texts of coordinates of a Placemark's geometry, of Points, lines and rings; none where its
 // place stands in something else (gx:Track, Camera).
 std::vector<KmlElement> coordinates_of(KmlElement placemark);

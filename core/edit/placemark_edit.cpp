@@ -100,8 +100,17 @@ KmlElement schema_data(const PlanMark& mark) {
   return nullptr;
 }
 
+bool has_field(const std::string& type, const std::string& name, const Declarations& declarations) {
+  for (const auto& list : fields_of(type, declarations)) {
+    if (std::ranges::find(list, name, &FieldDeclaration::name) != list.end()) return true;
+  }
+  return false;
+}
+
 // The id of the <Schema> of a type, which is declared beside that of another where it is not.
-std::string schema_id(KmlDom& dom, const std::string& type, const std::string& other_id) {
+std::string schema_id(PlanDocument& document, const std::string& type,
+                      const std::string& other_id) {
+  KmlDom& dom = document.dom();
   KmlElement beside = nullptr;
   for (const KmlElement schema : dom.shared("Schema")) {
     const std::string id = attribute(schema, "id"), name = attribute(schema, "name");
@@ -110,7 +119,10 @@ std::string schema_id(KmlDom& dom, const std::string& type, const std::string& o
   }
   if (beside == nullptr) return type;
   const KmlElement added = dom.copy_behind(beside, beside);
-  for (const KmlElement field : children(added)) dom.remove(field);
+  for (const KmlElement field : children(added)) {
+    const std::string name = attribute(field, "name");
+    if (name != "Type" && !has_field(type, name, document.declarations())) dom.remove(field);
+  }
   set_attribute(added, "id", type);
   set_attribute(added, "name", type);
   return type;
@@ -144,13 +156,13 @@ void set_places(PlanDocument& document, const PlanMark& mark, const SourceGeomet
 
 void set_type(PlanDocument& document, PlanMark& mark, const std::string& type) {
   const KmlElement data = schema_data(mark);
-  const bool has_field = !document.field(mark, "Type").empty();
-  if (has_field || data == nullptr) document.set_field(mark, "Type", type);
+  const bool says_type = !document.field(mark, "Type").empty();
+  if (says_type || data == nullptr) document.set_field(mark, "Type", type);
   mark.type = type;
   if (data == nullptr) return;
   const std::size_t hash = mark.schema_url.rfind('#');
-  const std::string id = schema_id(
-      document.dom(), type, mark.schema_url.substr(hash == std::string::npos ? 0 : hash + 1));
+  const std::string id =
+      schema_id(document, type, mark.schema_url.substr(hash == std::string::npos ? 0 : hash + 1));
   mark.schema_url = mark.schema_url.substr(0, hash == std::string::npos ? 0 : hash) + "#" + id;
   set_attribute(data, "schemaUrl", mark.schema_url);
 }

@@ -10,14 +10,6 @@ namespace lsos {
 
 namespace {
 
-std::string html_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-  }
-  return escaped;
-}
-
 double to_three_digits(double value) {
   if (value == 0 || !std::isfinite(value)) return value;
   const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
@@ -43,6 +35,15 @@ class Table {
  private:
   std::string html_;
 };
+
+double value_of(const std::optional<double>& value) { return value.value_or(not_modelled); }
+
+// "40 %", "20 to 40 %".
+std::string share_text(const std::optional<Expected>& share) {
+  if (!share) return "";
+  if (share->is_sure()) return fmt::format("{:.3g} %", 100 * share->low);
+  return fmt::format("{:.3g} to {:.3g} %", 100 * share->low, 100 * share->high);
+}
 
 // "2026-07-01 12:00:00 UTC": a balloon needs no fractions of a second.
 std::string day_time(Instant instant) {
@@ -91,6 +92,30 @@ std::string balloon(const PlannedPathRow& row) {
   table.add("Energy", "energy_j", row.energy_j);
   table.add("Steepest", "slope_rad", row.slope_max_rad);
   return table.html();
+}
+
+std::string balloon(const EventEstimate& event, Instant start) {
+  Table table;
+  table.add("Expected to fail", event.reason);
+  if (event.start_s) table.add("Begins", day_time(start + from_seconds(*event.start_s)));
+  if (event.end_s) table.add("Ends", day_time(start + from_seconds(*event.end_s)));
+  if (event.start_s && event.end_s) table.add("Takes", "takes_s", *event.end_s - *event.start_s);
+  if (event.distance_m > 0.0) table.add("Drives", "distance_m", *event.distance_m);
+  table.add("Energy used", "energy_used_j", value_of(event.energy_used_j));
+  table.add("Solar energy", "solar_j", value_of(event.solar_j));
+  table.add_share("Charge at its end", value_of(event.charge_end));
+  table.add_share("Lowest charge", value_of(event.charge_min));
+  table.add("Panels in the Sun", share_text(event.sunlit_share));
+  table.add("Earth in view", share_text(event.earth_visible_share));
+  return table.html();
+}
+
+std::string html_text(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    escaped += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  }
+  return escaped;
 }
 
 }  // namespace lsos

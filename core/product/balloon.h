@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "mission/estimate/event_estimate.h"
 #include "planet/utc.h"
 #include "record/rows.h"
 
@@ -12,5 +13,9 @@ namespace lsos {
 std::string balloon(const SampleRow& row, Instant start);
 std::string balloon(const EventRow& row, Instant start);
 std::string balloon(const PlannedPathRow& row);
+std::string balloon(const EventEstimate& event, Instant start);
+
+// A text with what HTML would take for its own.
+std::string html_text(const std::string& text);
 
 }  // namespace lsos

@@ -13,6 +13,7 @@
 #include "lua/app/commands.h"
 #include "lua/app/common_options.h"
 #include "lua/app/planning_watch.h"
+#include "lua/check/annotated_plan.h"
 #include "lua/check/check_text.h"
 #include "lua/check/ground_faults.h"
 #include "lua/check/timeline_text.h"
@@ -30,6 +31,7 @@ namespace {
 struct CheckOptions {
   std::string plan;
   std::string csv;  // file for the estimate; "": none
+  std::string kml;  // likewise, the plan with it
   bool has_timeline = false;
   std::string from;  // folder of the run with whose end it begins; "": none
   std::optional<std::uint64_t> seed;
@@ -181,12 +183,18 @@ SimulationSetup check_setup(const MissionFiles& files, const CheckOptions& optio
   return setup;
 }
 
-int check_command(const CheckOptions& options) {
-  if (!options.csv.empty()) {
-    Faults faults;
-    check_output("--csv", options.csv, {".csv"}, {options.plan}, faults);
-    faults.throw_if_errors();
+void check_outputs(const CheckOptions& options) {
+  Faults faults;
+  if (!options.csv.empty()) check_output("--csv", options.csv, {".csv"}, {options.plan}, faults);
+  if (!options.kml.empty()) {
+    const char* ending = options.plan.ends_with(".kmz") ? ".kmz" : ".kml";
+    check_output("--kml", options.kml, {ending}, {options.plan}, faults);
   }
+  faults.throw_if_errors();
+}
+
+int check_command(const CheckOptions& options) {
+  check_outputs(options);
   MissionFiles files = read_mission(options.plan, options.seed);
   RoutesAhead routes;
   MissionEstimate estimate;
@@ -215,6 +223,9 @@ int check_command(const CheckOptions& options) {
                              "the estimate ends before the mission does: " + estimate.cut_short);
       }
       if (!options.csv.empty()) write_file(options.csv, estimate_csv(estimate));
+      if (!options.kml.empty()) {
+        write_file(options.kml, annotated_plan(files, simulation, estimate));
+      }
     } catch (const InputError& error) {
       if (!files.faults.has_errors()) files.faults.add(error.faults());
     }
@@ -256,6 +267,8 @@ std::function<int()> prepare_check(CommandOptions& command) {
       "Days as lines of time: D drive, E EVA, S science, C charge, A antenna, W wait; "
       "below n no Sun on its panels, s they are stowed, e no Earth, b that and n or s");
   command.add_option("--csv", options->csv, "A file for the estimate, a row an event");
+  command.add_option("--kml", options->kml,
+                     "A file for the plan with the estimate in its balloons, times and a folder");
   command.add_flag("--json", options->is_json, "The answer as JSON");
   command.add_flag("--verbose", options->is_verbose, "Each leg, event, default and assumption");
   command.add_flag("--quiet", options->is_quiet, "No progress");

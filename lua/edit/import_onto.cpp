@@ -37,10 +37,11 @@ Table owners(const KmlSource& things, const Declarations& declarations) {
 
 // A sheet that has nothing in common with the plan is that of another one.
 void check_kinship(const RowChanges& changes, const Plan& plan, const OntoOptions& options) {
-  const auto is_of_plan = [&](const RowChange& change) {
-    return change.key.kind != ThingKey::Kind::mission;
-  };
-  const bool has_match = changes.unchanged > 1 || std::ranges::any_of(changes.changed, is_of_plan);
+  const auto without_row =
+      static_cast<std::size_t>(std::ranges::count_if(changes.without_row, [](const ThingKey& key) {
+        return key.kind != ThingKey::Kind::mission;
+      }));
+  const bool has_match = without_row < plan.rovers.size() + plan.assets.size() + plan.events.size();
   const bool has_rover = std::ranges::any_of(changes.added, [&](const RowChange& row) {
     return row.key.kind == ThingKey::Kind::event && rover_of(plan, row.key.id) != nullptr;
   });
@@ -96,7 +97,9 @@ std::string import_onto(const OntoOptions& options) {
     leave_out(result.changes, result.removed);
   }
   result.changes.merged.layers = made.source.layers;
-  const Plan wanted = read_plan(options.plan, result.changes.merged, declarations, faults);
+  const MissionFiles wanted = read_mission(
+      PlanSource{options.plan, result.changes.merged, "", files.plan_bytes, true}, files.catalog);
+  faults.add(wanted.faults.sorted());
   in_words_for_sheets(faults).throw_if_errors();
 
   PlanDocument document(file.kml(), files.plan, declarations);
@@ -105,7 +108,7 @@ std::string import_onto(const OntoOptions& options) {
   const Plan edited =
       read_plan(options.plan, parse_kml(document.text(), options.plan), declarations, none);
   // What was checked is what is written.
-  LSOS_ASSERT(none.has_errors() || edited.hash() == wanted.hash());
+  LSOS_ASSERT(none.has_errors() || edited.hash() == wanted.plan.hash());
   document.follow_rasters(options.output);
   const std::string bytes = file.with(document.text());
   const MissionFiles new_files = read_new_plan(bytes, options.output);

@@ -1,0 +1,174 @@
+// `lsos-host import --onto`: sheets of a plan brought back into the KML that was drawn.
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/replaced.h"
+#include "system/process.h"
+#include "system/source_files.h"
+#include "system/temp_folder.h"
+
+namespace lsos::test {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string plan(const std::string& name) { return repository() / "plans" / (name + ".kml"); }
+
+// The document in W3C's canonical form.
+std::string canonical(const std::string& file) {
+  const Outcome outcome = run_command({"xmllint", "--nonet", "--c14n", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome.out;
+}
+
+class ImportOnto : public ::testing::Test {
+ protected:
+  std::string exported(const std::string& plan_file, const std::string& ending) const {
+    const std::string sheet = folder_ / ("sheet" + ending);
+    const Outcome outcome = run({"export", plan_file, "-o", sheet, "--force"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return sheet;
+  }
+  Outcome onto(const std::string& sheet, const std::string& plan_file,
+               const Words& more = {}) const {
+    Words words{"import", sheet, "--onto", plan_file, "-o", new_plan_, "--force"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  // What two files differ in, line by line, without positions.
+  std::string differences(const std::string& before, const std::string& after) const {
+    return run_command({"diff", "--unchanged-line-format=", "--old-line-format=-%L",
+                        "--new-line-format=+%L", before, after})
+        .out;
+  }
+  // A plan's sheet with its lines changed.
+  std::string edited(const std::string& plan_file, const std::string& from,
+                     const std::string& to) const {
+    const std::string sheet = read_text(exported(plan_file, ".csv"));
+    EXPECT_THAT(sheet, HasSubstr(from));
+    return folder_.write("edited.csv", replaced(sheet, from, to));
+  }
+  // The line of a sheet that begins with `begin`.
+  static std::string line_of(const std::string& sheet, const std::string& begin) {
+    const std::size_t at = sheet.find("\n" + begin) + 1;
+    return sheet.substr(at, sheet.find('\n', at) + 1 - at);
+  }
+
+  TempFolder folder_;
+  std::string new_plan_ = folder_ / "new.kml";
+};
+
+TEST_F(ImportOnto, every_shipped_plan_stays_as_it_was) {
+  for (const auto& entry : fs::directory_iterator(repository() / "plans")) {
+    if (entry.path().extension() != ".kml") continue;
+    const std::string file = entry.path();
+    for (const char* ending : {".csv", ".xlsx"}) {
+      const Outcome outcome = onto(exported(file, ending), file);
+      ASSERT_EQ(outcome.exit_code, 0) << file << ending << "\n" << outcome.err;
+      EXPECT_THAT(outcome.out, HasSubstr("0 changed, 0 added, ")) << file << ending;
+      EXPECT_THAT(outcome.out, HasSubstr(", 0 without a row kept, 0 removed; wrote"));
+      EXPECT_EQ(canonical(new_plan_), canonical(file)) << file << ending;
+    }
+  }
+}
+
+TEST_F(ImportOnto, a_cell_that_changes_changes_one_field) {
+  const std::string file = plan("drats_day");
+  const std::string before = line_of(read_text(exported(file, ".csv")), "A,\"60\"");
+  const std::string sheet = edited(file, before, replaced(before, "5 m", "7 m"));
+  const Outcome outcome = onto(sheet, file);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out,
+            "  changed: A/60 PathPlanRoute 'To A1 stop 2': ArrivalRadius = 7 m, was 5 m\n"
+            "1 changed, 0 added, 25 as they were, 0 without a row kept, 0 removed; wrote " +
+                new_plan_ + "\n");
+  EXPECT_EQ(differences(file, new_plan_),
+            "-          <SimpleData name=\"ArrivalRadius\">5 m</SimpleData>\n"
+            "+          <SimpleData name=\"ArrivalRadius\">7 m</SimpleData>\n");
+}
+
+TEST_F(ImportOnto, a_new_row_comes_beside_its_kin_with_their_style) {
+  const std::string file = plan("drats_day");
+  const std::string before = line_of(read_text(exported(file, ".csv")), "A,\"60\"");
+  const std::string added = replaced(replaced(before, "\"60\"", "65"), "To A1 stop 2", "Back & on");
+  const Outcome outcome = onto(edited(file, before, before + added), file);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("added: A/65 PathPlanRoute 'Back & on'"));
+  EXPECT_EQ(differences(file, new_plan_),
+            "+        <name>Back &amp; on</name>\n"
+            "+        <styleUrl>#driveA</styleUrl>\n"
+            "+        <ExtendedData><SchemaData schemaUrl=\"#PathPlanRoute\">\n"
+            "+          <SimpleData name=\"Type\">PathPlanRoute</SimpleData>\n"
+            "+          <SimpleData name=\"RoverId\">A</SimpleData>\n"
+            "+          <SimpleData name=\"Sequence\">65</SimpleData>\n"
+            "+          <SimpleData name=\"ArrivalRadius\">5 m</SimpleData>\n"
+            "+          <SimpleData name=\"OnFailure\">skip</SimpleData>\n"
+            "+        </SchemaData></ExtendedData>\n"
+            "+        <Point><coordinates>-111.453045,35.709875</coordinates></Point>\n"
+            "+      </Placemark>\n"
+            "+      <Placemark>\n");
+}
+
+TEST_F(ImportOnto, what_has_no_row_is_kept_unless_it_is_to_go) {
+  const std::string file = plan("drats_day");
+  const std::string gone = line_of(read_text(exported(file, ".csv")), "A,\"90\"");
+  const std::string sheet = edited(file, gone, "");
+  const Outcome kept = onto(sheet, file);
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_THAT(kept.out, HasSubstr("1 of the plan has no row and is kept (--remove-missing"));
+  EXPECT_EQ(canonical(new_plan_), canonical(file));
+  const Outcome removed = onto(sheet, file, {"--remove-missing"});
+  ASSERT_EQ(removed.exit_code, 0) << removed.err;
+  EXPECT_THAT(removed.out, HasSubstr("  removed: A/90\n"));
+  EXPECT_EQ(differences(file, new_plan_),
+            "-        <name>Mast up, A1 camp</name>\n"
+            "-        <ExtendedData><SchemaData schemaUrl=\"#DeployCA\">\n"
+            "-          <SimpleData name=\"Type\">DeployCA</SimpleData>\n"
+            "-          <SimpleData name=\"RoverId\">A</SimpleData>\n"
+            "-          <SimpleData name=\"Sequence\">90</SimpleData>\n"
+            "-        </SchemaData></ExtendedData>\n"
+            "-      </Placemark>\n"
+            "-      <Placemark>\n");
+}
+
+TEST_F(ImportOnto, a_sheet_of_events_alone_is_enough) {
+  // Days are counted from the start of the plan's mission, and its assets are places.
+  const std::string sheet =
+      folder_.write("some.csv",
+                    "Rover,Type,Sequence,Day,Start,Duration,Place,Notes,Power\n"
+                    "A,Pause,1000,2,08:00,1 h,Base,take the <bag>,\n"
+                    ",Consume,1010,,,30 min,,,200\n");
+  const Outcome outcome = onto(sheet, plan("drats_day"), {"--remove-missing", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto answer = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(answer["added"], nlohmann::json({"A/1000", "A/1010"}));
+  EXPECT_EQ(answer["removed"].size(), 22u) << "events; the sheet says nothing of rovers";
+  EXPECT_EQ(answer["kept"], nlohmann::json({"Rover A", "Rover B", "Asset Base"}));
+  const std::string text = read_text(new_plan_);
+  EXPECT_THAT(text, HasSubstr("<SimpleData name=\"StartTime\">2010-09-01T08:00:00Z<"));
+  EXPECT_THAT(text, HasSubstr("<description>take the &lt;bag&gt;</description>"));
+  EXPECT_THAT(text, HasSubstr("<Schema name=\"Consume\" id=\"Consume\">"));
+}
+
+TEST_F(ImportOnto, tells_what_does_not_fit) {
+  const Outcome other = onto(exported(plan("two_rovers"), ".csv"), plan("drats_day"));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr("sheet.csv: none of its 10 rows is of a rover, an asset or an "
+                                   "event of"));
+  EXPECT_THAT(other.err, HasSubstr("whose rovers are A, B; is it the sheet of another plan?"));
+  const std::string sheet = folder_.write("rover.csv",
+                                          "Rover,Type,Sequence,Duration\nA,Pause,11,1 h\n"
+                                          "C,Pause,10,1 h\n");
+  const Outcome unknown = onto(sheet, plan("drats_day"));
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("rover.csv:A3: Pause 10: RoverId = 'C': there is no such "
+                                     "rover"));
+  EXPECT_FALSE(fs::exists(new_plan_));
+}
+
+}  // namespace
+}  // namespace lsos::test
