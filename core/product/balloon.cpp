@@ -25,7 +25,7 @@ class Table {
   // The suffix of `name` gives the unit, as in the log.
   void add(const std::string& what, const std::string& name, double value) {
     if (std::isnan(value)) return;
-    html_ += fmt::format("<tr><td>{}<td>{}", what, quantity_text(name, to_three_digits(value)));
+    html_ += fmt::format("<tr><td>{}<td>{}", what, quantity_text(name, to_three_digits(value), 4));
   }
   void add_share(const std::string& what, double share) {
     if (!std::isnan(share)) html_ += fmt::format("<tr><td>{}<td>{:.3g} %", what, 100 * share);

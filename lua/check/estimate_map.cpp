@@ -34,14 +34,18 @@ const Outcome& outcome_of(const EventEstimate& event) {
   return *event.charge_end >= 0.6 ? plenty : *event.charge_end >= 0.3 ? some : little;
 }
 
-KmlStyle style_of(const Outcome& outcome) {
+std::string style_id(const Outcome& outcome, bool has_label) {
+  return std::string(outcome.id) + (has_label ? "" : "-unlabelled");
+}
+
+KmlStyle style_of(const Outcome& outcome, bool has_label) {
   KmlStyle style;
-  style.id = outcome.id;
+  style.id = style_id(outcome, has_label);
   style.line_color_abgr = style.icon_color_abgr = outcome.color_abgr;
   style.line_width = outcome.line_width;
   style.icon_href = server_icon(outcome.icon);
   style.icon_scale = 0.7;
-  style.label_scale = 0.8;
+  style.label_scale = has_label ? 0.8 : 0;
   return style;
 }
 
@@ -75,6 +79,15 @@ std::map<PlanEvent::Reference, std::vector<Geodetic>> planned_lines(const Simula
     line = simplified_line(*simulation.plan().mission.planet, line);
   }
   return lines;
+}
+
+// Whether the rover's next event ends where this one does.
+bool has_later_here(const EventEstimate& event, const EventCourses& courses, const Plan& plan) {
+  const auto next = std::next(courses.find({event.rover_id, event.sequence}));
+  if (next == courses.end() || next->first.rover_id != event.rover_id) return false;
+  const Geodetic& here = courses.at({event.rover_id, event.sequence}).end;
+  constexpr double same_place_m = 1;
+  return surface_distance_m(*plan.mission.planet, here, next->second.end) < same_place_m;
 }
 
 }  // namespace
@@ -112,7 +125,11 @@ EventCourses event_courses(const Simulation& simulation, const Declarations& dec
 KmlDocument estimate_map(const Plan& plan, const MissionEstimate& estimate,
                          const EventCourses& courses, const std::string& notes) {
   KmlDocument document;
-  for (const Outcome& outcome : outcomes) document.styles.push_back(style_of(outcome));
+  for (const Outcome& outcome : outcomes) {
+    for (const bool has_label : {true, false}) {
+      document.styles.push_back(style_of(outcome, has_label));
+    }
+  }
   const Instant start = plan.mission.start_time;
   std::map<int, KmlFolder> days;
   for (const EventEstimate& event : estimate.events) {
@@ -135,10 +152,11 @@ KmlDocument estimate_map(const Plan& plan, const MissionEstimate& estimate,
       line.geometry = {KmlGeometryKind::line, course->second.line};
       folder.folders.front().placemarks.push_back(std::move(line));
     }
-    // A label stays once it is reached.
+    // A label stays once it is reached, but those of one place would lie on each other.
+    mark.style_id = style_id(outcome_of(event), !has_later_here(event, courses, plan));
     mark.begin_utc = mark.end_utc;
     mark.end_utc.clear();
-    mark.geometry = {KmlGeometryKind::point, {*course->second.end}};
+    mark.geometry = {KmlGeometryKind::point, {course->second.end}};
     folder.placemarks.push_back(std::move(mark));
   }
   KmlFolder& all = document.folders.emplace_back();

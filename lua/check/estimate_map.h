@@ -11,10 +11,10 @@
 
 namespace lsos {
 
-// Where an event is expected to lead its rover.
+// Where an event that is expected to end leads its rover.
 struct EventCourse {
-  std::optional<Geodetic> end;  // absent: it does not end
-  std::vector<Geodetic> line;   // that it drives; empty: it does not
+  Geodetic end;                // absent: it does not end
+  std::vector<Geodetic> line;  // that it drives; empty: it does not
 };
 using EventCourses = std::map<PlanEvent::Reference, EventCourse>;
 
@@ -22,8 +22,9 @@ using EventCourses = std::map<PlanEvent::Reference, EventCourse>;
 EventCourses event_courses(const Simulation& simulation, const Declarations& declarations);
 
 // A document with styles, their ids beginning with "lsos-", and a folder Estimate: in it a folder a
-// day with a point at the end of each event, labelled "A #30 EVA 08:12 64 %", and lines coloured by
-// the charge at their ends. `notes`: for the folder's balloon.
+// day with a point at the end of each event, called "A #30 EVA 08:12 64 %", and lines coloured by
+// the charge at their ends. Where a rover stays, viewers show the name of the last point alone.
+// `notes`: for the folder's balloon.
 KmlDocument estimate_map(const Plan& plan, const MissionEstimate& estimate,
                          const EventCourses& courses, const std::string& notes);
 
