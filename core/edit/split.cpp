@@ -1,10 +1,13 @@
 #include "edit/split.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "base/units.h"
 #include "edit/coordinates.h"
 #include "edit/counted_quantities.h"
 #include "edit/event_names.h"
@@ -12,6 +15,7 @@
 #include "edit/shift.h"
 #include "edit/shifted_time.h"
 #include "plan/suggestions.h"
+#include "planet/body.h"
 
 namespace lsos {
 
@@ -36,8 +40,13 @@ class Splitter {
     const bool is_later = days_.first_day > 1;
     if (is_later) warn_of_conditions();
     for (const PlanRover& rover : plan_.rovers) {
-      if (is_later) put(rover);
-      charge(rover);
+      const auto begin = days_.begins.find(rover.id);
+      if (is_later && begin != days_.begins.end()) {
+        begin_as(rover, begin->second);
+      } else {
+        if (is_later) put(rover);
+        charge(rover);
+      }
     }
     const SimTime later = (days_.first_day - 1) * day;
     const PlanMark& mission = document_.mission();
@@ -52,7 +61,7 @@ class Splitter {
         ++split_.left_out;
       }
     }
-    if (is_later) {
+    if (is_later && days_.begins.empty()) {
       warn(
           "what earlier days deploy, use up or break is not in the new plan; 'run --from' begins "
           "with it, after a run of the days before");
@@ -107,7 +116,36 @@ class Splitter {
     }
   }
 
-  // Where the rover is expected when the first day begins.
+  // As the estimate has it.
+  void begin_as(const PlanRover& rover, const DayBegin& begin) {
+    const PlanMark& mark = document_.rover(rover.id);
+    constexpr double stays_m = 0.01;
+    const bool has_moved =
+        surface_distance_m(*plan_.mission.planet, begin.place, rover.start) > stays_m;
+    if (has_moved) set_point(document_, mark, coordinates_text(begin.place));
+    if (has_moved || !rover.heading_rad) {
+      const double heading_deg = std::fmod(degrees(begin.heading_rad) + 360, 360);
+      document_.set_field(mark, "Heading", fmt::format("{:.2f}", heading_deg));
+    }
+    const auto given = days_.charge.find(rover.id);
+    if (given != days_.charge.end()) {
+      document_.set_field(mark, "InitialCharge", fmt::format("{}", given->second));
+    } else if (begin.charge) {
+      document_.set_field(mark, "InitialCharge", fmt::format("{:.6g}", *begin.charge));
+    }
+    if (!begin.under_way.empty()) {
+      warn(fmt::format("Rover {}: {} goes on when day {} begins; the rover begins as that ends",
+                       quoted(rover.id), quoted(begin.under_way), days_.first_day));
+    }
+    if (!begin.not_in_plan.empty()) {
+      warn(
+          fmt::format("Rover {}: {} then, which a plan cannot say; events at its beginning can "
+                      "make it so, or 'run --from' after a run of the days before",
+                      quoted(rover.id), fmt::join(begin.not_in_plan, ", ")));
+    }
+  }
+
+  // Where the rover is drawn to be when the first day begins.
   void put(const PlanRover& rover) {
     std::optional<Geodetic> at;
     const PlanEvent* vague = nullptr;  // the last drive that says no place

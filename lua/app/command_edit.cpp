@@ -67,7 +67,7 @@ void add_options(CommandOptions& command, EditOptions& options) {
                      "repeat: a KML whose Points are gone to in their order, each once");
   command
       .add_option("--charge", options.charges,
-                  "split: charge of a rover at the beginning, ROVER=0.8")
+                  "split: charge of a rover at the beginning, ROVER=0.8; else as estimated")
       .repeated();
   command.set_footer(verb_examples());
 }

@@ -67,7 +67,7 @@ const std::vector<Verb>& verbs() {
        nullptr,
        edit_repeat},
       {"split",
-       "some days as a plan of their own",
+       "some days as a plan of their own, begun as the days before are estimated to end",
        "split --day 3..5 --charge SEV1=0.8",
        {"--day", "--charge"},
        {"--day"},

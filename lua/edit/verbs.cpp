@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/quantity.h"
+#include "base/units.h"
 #include "edit/editable_file.h"
 #include "edit/enable.h"
 #include "edit/event_names.h"
@@ -14,6 +16,7 @@
 #include "edit/repeat.h"
 #include "edit/shift.h"
 #include "edit/split.h"
+#include "lua/edit/day_begins.h"
 #include "lua/host/mission_reader.h"
 #include "mission/ahead/expected_begins.h"
 #include "product/rover_days.h"
@@ -217,17 +220,49 @@ std::string edit_repeat(Editing& editing) {
                      counted(repetition.times, "time"), counted(repeated.count, "event"));
 }
 
+namespace {
+
+// Begins by the estimate of the days before; none where there is no estimate, which is warned of.
+std::map<std::string, DayBegin> begins_of_day(Editing& editing, int day, const EventDays& days) {
+  try {
+    return day_begins(editing.files, day, days);
+  } catch (const InputError& error) {
+    editing.warnings.push_back(
+        fmt::format("the days before cannot be estimated: {}", error.faults().front().what));
+    return {};
+  }
+}
+
+// "; by the estimate SEV1 begins at 0.012,0.004 heading 90 with 84.2 %".
+std::string begins_text(const SplitDays& days) {
+  std::string text;
+  for (const auto& [id, begin] : days.begins) {
+    text += fmt::format("{} {} at {:.6f},{:.6f}, heading {:.0f}", text.empty() ? ";" : ",", id,
+                        lon_deg(begin.place), lat_deg(begin.place),
+                        std::fmod(degrees(begin.heading_rad) + 360, 360));
+    if (const auto given = days.charge.find(id); given != days.charge.end()) {
+      text += fmt::format(", with {:.1f} % (--charge)", 100 * given->second);
+    } else if (begin.charge) {
+      text += fmt::format(", with {:.1f} %", 100 * *begin.charge);
+    }
+  }
+  return text.empty() ? text : text + ", by the estimate of the days before";
+}
+
+}  // namespace
+
 std::string edit_split(Editing& editing) {
   const EditOptions& options = editing.options;
   const EventDays days = days_of(editing.files);
   EventChoice choice;
   read_days(options.day, choice);
-  const SplitDays wanted{choice.first_day, chosen_events(editing.files.plan, choice, days),
-                         read_charges(options, editing.files.plan)};
+  SplitDays wanted{choice.first_day, chosen_events(editing.files.plan, choice, days),
+                   read_charges(options, editing.files.plan)};
+  if (choice.first_day > 1) wanted.begins = begins_of_day(editing, choice.first_day, days);
   const Split split = lsos::split(editing.document, wanted, days);
   append(editing.warnings, split.warnings);
-  return fmt::format("{} of day {} kept, {} left out", counted(wanted.events.size(), "event"),
-                     options.day, split.left_out);
+  return fmt::format("{} of day {} kept, {} left out{}", counted(wanted.events.size(), "event"),
+                     options.day, split.left_out, begins_text(wanted));
 }
 
 std::string edit_mirror(Editing& editing) {

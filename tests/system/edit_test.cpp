@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "base/replaced.h"
@@ -101,6 +103,76 @@ TEST_F(Edit, a_repeated_day_can_be_split_off_again) {
   EXPECT_THAT(outcome.out, HasSubstr("22 events of day 2 kept, 22 left out"));
   EXPECT_THAT(read_text(new_plan_), HasSubstr("2010-09-01T15:00:00Z"));
   EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"InitialCharge\">0.8<"));
+}
+
+// Estimates of the plan's events, by sequence, of one rover.
+std::map<int, nlohmann::json> estimates(const std::string& plan) {
+  const Outcome outcome = run({"check", plan, "--json", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::map<int, nlohmann::json> of;
+  const auto answer = nlohmann::json::parse(outcome.out);
+  for (const nlohmann::json& event : answer.at("estimate")) {
+    of[event.at("sequence")] = event;
+  }
+  return of;
+}
+
+// Two days in the dark, so that all that is used is seen in the charge. `rest`: how long the last
+// event of the first day takes.
+std::string two_days(const std::string& rest) {
+  return kml({mission(), sev("A", "-149,12"),
+              event("PathPlanRoute", "A", 10, {}, point("-148.96,12.02")),
+              event("Consume", "A", 20, {{"Power", "500 W"}, {"Duration", "4 h"}}),
+              event("Pause", "A", 30, {{"Duration", rest}}),
+              event("Route", "A", 40, {{"StartTime", "2026-01-02T06:00:00Z"}},
+                    line("-148.96,12.02 -148.96,12.05 -148.94,12.05")),
+              event("Pause", "A", 50, {{"Duration", "3 h"}})});
+}
+
+TEST_F(Edit, a_day_that_is_split_off_goes_as_in_the_whole_plan) {
+  const std::string whole = folder_.write("whole.kml", two_days("12 h"));
+  const Outcome outcome = edit(whole, {"split", "--day", "2"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(
+      outcome.out,
+      ::testing::ContainsRegex(
+          "2 events of day 2 kept, 3 left out; A at -148[.]9[56][0-9]+,12[.][0-9]+, heading "
+          "[0-9]+, with [0-9.]+ %, by the estimate of the days before; wrote"));
+  EXPECT_EQ(outcome.err, "");
+  const auto in_whole = estimates(whole), alone = estimates(new_plan_);
+  ASSERT_EQ(alone.size(), 2u);
+  for (const auto& [sequence, event] : alone) {
+    const nlohmann::json &as_before = in_whole.at(sequence), &now = event;
+    const auto difference = [&](const char* name) {
+      return now.at(name).get<double>() - as_before.at(name).get<double>();
+    };
+    EXPECT_NEAR(difference("start_s"), -86400, 0.1) << sequence;
+    EXPECT_NEAR(difference("end_s"), -86400, 0.2) << sequence;
+    EXPECT_NEAR(difference("distance_m"), 0, 0.05) << sequence;
+    EXPECT_NEAR(difference("energy_used_j"), 0, 500) << sequence;
+    EXPECT_NEAR(difference("charge_end"), 0, 1e-5) << sequence;
+  }
+  EXPECT_LT(in_whole.at(40).at("charge_end").get<double>(), 0.9) << "it is not that of a new rover";
+}
+
+TEST_F(Edit, a_rover_whose_event_goes_on_begins_as_it_ends) {
+  const std::string whole = folder_.write("whole.kml", two_days("21 h"));
+  const Outcome outcome = edit(whole, {"split", "--day", "2"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err,
+            "warning: Rover 'A': 'Pause 30' goes on when day 2 begins; the rover begins as that "
+            "ends\n");
+}
+
+TEST_F(Edit, a_day_that_is_split_off_may_be_given_its_charge) {
+  const std::string days = folder_.write(
+      "days.kml",
+      kml({mission(), sev("A", "0,0"), event("Pause", "A", 10, {{"Duration", "2 h"}}),
+           event("Pause", "A", 20, {{"Duration", "60"}, {"StartTime", "2026-01-02T06:00:00Z"}})}));
+  const Outcome outcome = edit(days, {"split", "--day", "2", "--charge", "A=0.4"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(", with 40.0 % (--charge), by the estimate of"));
+  EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"InitialCharge\">0.4<"));
 }
 
 TEST_F(Edit, merges_a_plan_and_its_mirrored_rover) {

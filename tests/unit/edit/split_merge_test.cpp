@@ -51,6 +51,33 @@ TEST(Split, keeps_a_day_and_begins_with_it) {
                           HasSubstr("'run --from' begins with it")));
 }
 
+TEST(Split, rovers_begin_as_they_are_expected_to) {
+  TestPlan plan(three_days());
+  SplitDays days = day_2(plan);
+  days.begins["A"] = {geodetic_from_degrees(31.02, 20.001),
+                      -0.5,
+                      0.73456789,
+                      "broken",
+                      {"panel 'Roof' is stowed", "resource 'oxygen' is at 3"}};
+  const Geodetic home = plan.plan.rovers[1].start;
+  days.begins["B"] = {home, 1, 0.9, "", {}};
+  const Split split = lsos::split(plan.document, days, plan.days());
+  const Plan edited = plan.edited();
+  EXPECT_NEAR(lon_deg(edited.rovers[0].start), 31.02, 1e-9);
+  EXPECT_NEAR(lat_deg(edited.rovers[0].start), 20.001, 1e-9);
+  EXPECT_NEAR(*edited.rovers[0].heading_rad, 2 * std::numbers::pi - 0.5, 1e-4);
+  EXPECT_NEAR(edited.rovers[0].initial_charge, 0.734568, 1e-9);
+  EXPECT_EQ(edited.rovers[1].initial_charge, 0.6) << "as --charge has it";
+  EXPECT_EQ(edited.rovers[1].start.lon_rad, home.lon_rad);
+  EXPECT_THAT(split.warnings,
+              ElementsAre(HasSubstr("StartAfter = wait is left out"),
+                          "Rover 'A': 'broken' goes on when day 2 begins; the rover begins as that "
+                          "ends",
+                          "Rover 'A': panel 'Roof' is stowed, resource 'oxygen' is at 3 then, "
+                          "which a plan cannot say; events at its beginning can make it so, or "
+                          "'run --from' after a run of the days before"));
+}
+
 TEST(Split, warns_of_conditions_that_count_from_the_start) {
   TestPlan plan(mission() + rover("A") +
                 pause("a", "A", 10,
