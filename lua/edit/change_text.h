@@ -11,6 +11,7 @@ namespace lsos {
 struct OntoResult {
   RowChanges changes;
   std::vector<ThingKey> removed;
+  std::vector<ThingKey> removable;    // of those without a row
   std::vector<std::string> left_out;  // of the sheets
   std::string plan_sha256;            // of the new plan
 };
