@@ -88,12 +88,14 @@ std::string onto_text(const OntoResult& result, const std::string& output) {
   const std::vector<ThingKey> kept = kept_of(result);
   if (!result.removed.empty()) text += fmt::format("  removed: {}\n", keys_text(result.removed));
   if (!kept.empty()) {
-    text += fmt::format("  {} of the plan ha{} no row and {} kept{}: {}\n", kept.size(),
-                        kept.size() == 1 ? "s" : "ve", kept.size() == 1 ? "is" : "are",
-                        result.removed.empty() ? " (--remove-missing removes what the sheet could "
-                                                 "have rows of)"
-                                               : "",
-                        keys_text(kept));
+    const std::string hint =
+        result.removable.empty()
+            ? ""
+            : fmt::format(" (--remove-missing removes {})",
+                          result.removable.size() == kept.size()
+                              ? kept.size() == 1 ? "it" : "them"
+                              : fmt::format("{} of them", result.removable.size()));
+    text += fmt::format("  kept without a row{}: {}\n", hint, keys_text(kept));
   }
   return text + fmt::format(
                     "{} changed, {} added, {} as they were, {} without a row kept, {} "

@@ -92,8 +92,10 @@ std::string import_onto(const OntoOptions& options) {
 
   result.changes = row_changes(things, made.source.placemarks, columns, declarations);
   if (!faults.has_errors()) check_kinship(result.changes, files.plan, options);
+  result.removable = removable(result.changes, made.source.placemarks);
   if (options.removes_missing) {
-    result.removed = removable(result.changes, made.source.placemarks);
+    result.removed = std::move(result.removable);
+    result.removable.clear();
     leave_out(result.changes, result.removed);
   }
   result.changes.merged.layers = made.source.layers;

@@ -119,7 +119,7 @@ TEST_F(ImportOnto, what_has_no_row_is_kept_unless_it_is_to_go) {
   const std::string sheet = edited(file, gone, "");
   const Outcome kept = onto(sheet, file);
   ASSERT_EQ(kept.exit_code, 0) << kept.err;
-  EXPECT_THAT(kept.out, HasSubstr("1 of the plan has no row and is kept (--remove-missing"));
+  EXPECT_THAT(kept.out, HasSubstr("kept without a row (--remove-missing removes it): A/90\n"));
   EXPECT_EQ(canonical(new_plan_), canonical(file));
   const Outcome removed = onto(sheet, file, {"--remove-missing"});
   ASSERT_EQ(removed.exit_code, 0) << removed.err;
