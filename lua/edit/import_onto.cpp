@@ -30,7 +30,7 @@ Table owners(const KmlSource& things, const Declarations& declarations) {
     const std::optional<ThingKey> key = key_of(thing);
     if (key && key->kind != ThingKey::Kind::event) some.placemarks.push_back(thing);
   }
-  Table table = plan_tables(some, declarations, TableDivision::none, false).front();
+  Table table = plan_tables(some, declarations, TableDivision::none, true).front();
   table.file = things.file;
   return table;
 }

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/replaced.h"
 #include "system/process.h"
 #include "system/source_files.h"
 #include "system/temp_folder.h"
@@ -45,17 +44,25 @@ class ImportOnto : public ::testing::Test {
                         "--new-line-format=+%L", before, after})
         .out;
   }
-  // A plan's sheet with its lines changed.
-  std::string edited(const std::string& plan_file, const std::string& from,
-                     const std::string& to) const {
-    const std::string sheet = read_text(exported(plan_file, ".csv"));
-    EXPECT_THAT(sheet, HasSubstr(from));
-    return folder_.write("edited.csv", replaced(sheet, from, to));
-  }
-  // The line of a sheet that begins with `begin`.
-  static std::string line_of(const std::string& sheet, const std::string& begin) {
-    const std::size_t at = sheet.find("\n" + begin) + 1;
-    return sheet.substr(at, sheet.find('\n', at) + 1 - at);
+  // A plan's sheet, changed by a script that has its rows: `row(rover, sequence)` finds one, and
+  // `put(row, column, text)` writes a cell. Columns are known by their letters, without units.
+  std::string edited(const std::string& plan_file, const std::string& script) const {
+    const std::string sheet = exported(plan_file, ".csv"), changed = folder_ / "edited.csv";
+    const Outcome outcome = run_command(
+        {"python3", "-c",
+         "import csv, sys\n"
+         "rows = list(csv.reader(open(sys.argv[1])))\n"
+         "heads = [h.split('(')[0].replace(' ', '').lower() for h in rows[0]]\n"
+         "def put(row, column, text): row[heads.index(column)] = text\n"
+         "def row(rover, sequence):\n"
+         "  last = ''\n"
+         "  for each in rows[1:]:\n"
+         "    last = each[heads.index('rover' if 'rover' in heads else 'roverid')] or last\n"
+         "    if (last, each[heads.index('sequence')]) == (rover, sequence): return each\n" +
+             script + "\ncsv.writer(open(sys.argv[2], 'w')).writerows(rows)\n",
+         sheet, changed});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return changed;
   }
 
   TempFolder folder_;
@@ -78,8 +85,7 @@ TEST_F(ImportOnto, every_shipped_plan_stays_as_it_was) {
 
 TEST_F(ImportOnto, a_cell_that_changes_changes_one_field) {
   const std::string file = plan("drats_day");
-  const std::string before = line_of(read_text(exported(file, ".csv")), "A,\"60\"");
-  const std::string sheet = edited(file, before, replaced(before, "5 m", "7 m"));
+  const std::string sheet = edited(file, "put(row('A', '60'), 'arrivalradius', '7 m')");
   const Outcome outcome = onto(sheet, file);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.out,
@@ -93,9 +99,13 @@ TEST_F(ImportOnto, a_cell_that_changes_changes_one_field) {
 
 TEST_F(ImportOnto, a_new_row_comes_beside_its_kin_with_their_style) {
   const std::string file = plan("drats_day");
-  const std::string before = line_of(read_text(exported(file, ".csv")), "A,\"60\"");
-  const std::string added = replaced(replaced(before, "\"60\"", "65"), "To A1 stop 2", "Back & on");
-  const Outcome outcome = onto(edited(file, before, before + added), file);
+  const std::string sheet = edited(file,
+                                   "new = list(row('A', '60'))\n"
+                                   "put(new, 'sequence', '65')\n"
+                                   "put(new, 'name', 'Back & on')\n"
+                                   "put(new, 'arrivalradius', '5 m')\n"
+                                   "rows.insert(rows.index(row('A', '60')) + 1, new)");
+  const Outcome outcome = onto(sheet, file);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("added: A/65 PathPlanRoute 'Back & on'"));
   EXPECT_EQ(differences(file, new_plan_),
@@ -115,8 +125,7 @@ TEST_F(ImportOnto, a_new_row_comes_beside_its_kin_with_their_style) {
 
 TEST_F(ImportOnto, what_has_no_row_is_kept_unless_it_is_to_go) {
   const std::string file = plan("drats_day");
-  const std::string gone = line_of(read_text(exported(file, ".csv")), "A,\"90\"");
-  const std::string sheet = edited(file, gone, "");
+  const std::string sheet = edited(file, "rows.remove(row('A', '90'))");
   const Outcome kept = onto(sheet, file);
   ASSERT_EQ(kept.exit_code, 0) << kept.err;
   EXPECT_THAT(kept.out, HasSubstr("kept without a row (--remove-missing removes it): A/90\n"));
