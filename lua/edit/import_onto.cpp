@@ -102,7 +102,8 @@ std::string import_onto(const OntoOptions& options) {
   const MissionFiles wanted = read_mission(
       PlanSource{options.plan, result.changes.merged, "", files.plan_bytes, true}, files.catalog);
   faults.add(wanted.faults.sorted());
-  in_words_for_sheets(faults).throw_if_errors();
+  faults = in_words_for_sheets(faults);
+  faults.throw_if_errors();
 
   PlanDocument document(file.kml(), files.plan, declarations);
   put_rows(document, result.changes, result.removed);
@@ -115,7 +116,7 @@ std::string import_onto(const OntoOptions& options) {
   const std::string bytes = file.with(document.text());
   const MissionFiles new_files = read_new_plan(bytes, options.output);
   write_file(options.output, bytes);
-  tell_new_warnings(files.faults, new_files.faults);
+  tell_new_warnings(files.faults, faults);
   result.plan_sha256 = new_files.plan.hash();
   return options.is_json ? onto_json(result, options.output) : onto_text(result, options.output);
 }

@@ -148,11 +148,12 @@ TEST_F(ImportOnto, a_sheet_of_events_alone_is_enough) {
   // Days are counted from the start of the plan's mission, and its assets are places.
   const std::string sheet =
       folder_.write("some.csv",
-                    "Rover,Type,Sequence,Day,Start,Duration,Place,Notes,Power\n"
-                    "A,Pause,1000,2,08:00,1 h,Base,take the <bag>,\n"
-                    ",Consume,1010,,,30 min,,,200\n");
+                    "Rover,Type,Sequence,Day,Start,Duration,Place,Notes,Power,Colour\n"
+                    "A,Pause,1000,2,08:00,1 h,Base,take the <bag>,,red\n"
+                    ",Consume,1010,,,30 min,,,200,\n");
   const Outcome outcome = onto(sheet, plan("drats_day"), {"--remove-missing", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("some.csv:J1: warning: the column 'Colour' is not used"));
   const auto answer = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(answer["added"], nlohmann::json({"A/1000", "A/1010"}));
   EXPECT_EQ(answer["removed"].size(), 22u) << "events; the sheet says nothing of rovers";
