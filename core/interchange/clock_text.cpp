@@ -92,6 +92,27 @@ Parsed<std::string> date_of_day(std::string_view text, Instant mission_start) {
           {}};
 }
 
+std::optional<DayClock> day_clock(Instant instant, Instant mission_start) {
+  const auto date_in = [](const std::string& utc) {
+    using namespace std::chrono;
+    return sys_days(year(*digits(utc.substr(0, 4))) /
+                    month(static_cast<unsigned>(*digits(utc.substr(5, 2)))) /
+                    std::chrono::day(static_cast<unsigned>(*digits(utc.substr(8, 2)))));
+  };
+  const std::string utc = format_utc(instant);  // "2026-07-03T08:00:00.000Z"
+  DayClock found;
+  found.day = 1 + static_cast<int>((date_in(utc) - date_in(format_utc(mission_start))).count());
+  if (found.day < 1 || found.day > most_days) return {};
+  found.clock = utc.substr(11, 12);
+  while (found.clock.back() == '0') found.clock.pop_back();
+  if (found.clock.back() == '.') found.clock.pop_back();
+  if (found.clock.size() == 8 && found.clock.ends_with(":00")) found.clock.resize(5);
+  const Parsed<std::string> read = utc_text(found.clock, {utc.substr(0, 10), {}});
+  const Parsed<Instant> again = read ? parse_utc(*read.value) : Parsed<Instant>{};
+  if (!again || *again.value != instant) return {};
+  return found;
+}
+
 std::optional<double> clock_s(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return {};

@@ -20,6 +20,16 @@ struct TimeContext {
 // starts; or a date "2026-07-03", "2026/07/03".
 Parsed<std::string> date_of_day(std::string_view text, Instant mission_start);
 
+// A time as sheets write it: "08:00" or "08:00:30.5" (UTC) on day 1, 2, ... as date_of_day()
+// counts.
+struct DayClock {
+  int day = 1;
+  std::string clock;
+};
+// The day and clock that read back as exactly this instant; absent before day 1, and where no clock
+// says it, as in a leap second.
+std::optional<DayClock> day_clock(Instant instant, Instant mission_start);
+
 // A UTC time in ISO 8601 of "2026-07-03 08:00", a clock time "08:00" or "8:00:30" (UTC) on the day
 // of the row, or "+2 h" or "+0:30" after the last start above. Texts that are nothing of these are
 // returned as they are: a reader of fields says what is wrong with them.

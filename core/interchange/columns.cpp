@@ -141,6 +141,12 @@ std::vector<std::string> plan_names(const Declarations& declarations) {
   return names;
 }
 
+std::string column_meant(const std::string& header, const Declarations& declarations) {
+  const std::map<std::string, std::string> known = known_columns(declarations);
+  const auto found = known.find(bare(header));
+  return found == known.end() ? "" : found->second;
+}
+
 std::string name_meant(const std::string& text, const Declarations& declarations) {
   const std::string letters = bare(text);
   if (letters.empty()) return "";

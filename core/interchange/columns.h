@@ -48,6 +48,9 @@ class Columns {
   std::map<std::string, Column> columns_;
 };
 
+// The canonical name that a header without a unit means; "" when it means none.
+std::string column_meant(const std::string& header, const Declarations& declarations);
+
 // The NAME that a text means, in any case of letters, with or without blanks and a plural s:
 // "route", "Path plan route", "Rovers"; "" when it means none.
 std::string name_meant(const std::string& text, const Declarations& declarations);

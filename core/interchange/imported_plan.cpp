@@ -13,7 +13,9 @@
 #include "interchange/clock_text.h"
 #include "interchange/columns.h"
 #include "interchange/places.h"
+#include "interchange/rover_places.h"
 #include "interchange/row_types.h"
+#include "interchange/thing_fields.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -28,16 +30,6 @@ bool is_special(const std::string& name) {
     if (name == each) return true;
   }
   return false;
-}
-
-const FieldDeclaration* declared(const std::string& type, const std::string& field,
-                                 const Declarations& declarations) {
-  for (const auto& list : fields_of(type, declarations)) {
-    for (const FieldDeclaration& each : list) {
-      if (each.name == field) return &each;
-    }
-  }
-  return nullptr;
 }
 
 bool is_time(const FieldDeclaration& field) {
@@ -61,6 +53,9 @@ class PlanMaker {
   PlanMaker(const Declarations& declarations, const PlaceNames& places,
             std::optional<Instant> start, Faults& faults)
       : declarations_(declarations), places_(places), start_(start), faults_(faults) {}
+
+  // Whether the last row drives to several places by name.
+  bool is_way() const { return is_way_; }
 
   SourcePlacemark placemark(const TypedRow& from) {
     from_ = &from;
@@ -137,7 +132,7 @@ class PlanMaker {
     for (const auto& [name, column] : from_->columns->all()) {
       const std::string cell_text = text(name);
       if (is_special(name) || cell_text.empty()) continue;
-      const FieldDeclaration* field = declared(from_->type, name, declarations_);
+      const FieldDeclaration* field = declared_field(from_->type, name, declarations_);
       if (field == nullptr) {  // reported with the names that there are when the plan is read
         add_field(name, cell_text);
         continue;
@@ -248,6 +243,7 @@ class PlanMaker {
 
   void add_geometry() {
     const int before = place_faults_;
+    is_way_ = false;
     SourceGeometry geometry = place_of_row();
     if (place_faults_ > before) geometry = stand_in();
     if (geometry.kind.empty()) return;
@@ -276,6 +272,7 @@ class PlanMaker {
       } else if (!found) {
         place_fault(fmt::format("Place: {}", found.why));
       } else {
+        is_way_ = is_event_ && declarations_.events.at(from_->type).drives && places_.is_way(named);
         return std::move(*found.value);
       }
     } else if (geometry.kind.empty() && places_.has(placemark_.name) && wants_geometry()) {
@@ -318,7 +315,7 @@ class PlanMaker {
   const TypedRow* from_ = nullptr;
   SourcePlacemark placemark_;
   SourceData data_;
-  bool is_event_ = false, has_day_ = false;
+  bool is_event_ = false, has_day_ = false, is_way_ = false;
   int place_faults_ = 0;
   std::string rover_id_, date_;
   Before* before_ = nullptr;
@@ -335,10 +332,11 @@ bool is_foreign(const Table& table, const Declarations& declarations) {
   return true;
 }
 
-// Rovers and assets are places by their ids and names.
-void add_owners(const std::vector<TypedRow>& rows, PlaceNames& places, Faults& faults) {
+// Rovers or assets are places by their ids and names.
+void add_owners(const std::string& type, const std::vector<TypedRow>& rows, PlaceNames& places,
+                Faults& faults) {
   for (const TypedRow& row : rows) {
-    if (row.type != "Rover" && row.type != "Asset") continue;
+    if (row.type != type) continue;
     SourceGeometry geometry = own_geometry(*row.table, *row.row, *row.columns, faults);
     const std::string named = row.columns->text(*row.row, column::place);
     if (geometry.kind.empty() && !named.empty()) {
@@ -383,10 +381,16 @@ ImportedPlan import_tables(const std::vector<Table>& tables, const Declarations&
     return std::ranges::find(first, row.type) - std::ranges::begin(first);
   });
   Faults repeated;  // own_geometry() reports the same faults again when the row is read
-  add_owners(rows, places, repeated);
+  add_owners("Asset", rows, places, repeated);  // rovers may start at one
+  add_owners("Rover", rows, places, repeated);
   if (!tables.empty()) plan.source.file = tables.front().file;
   PlanMaker maker(declarations, places, mission_start(rows), faults);
-  for (const TypedRow& row : rows) plan.source.placemarks.push_back(maker.placemark(row));
+  std::vector<std::size_t> ways;
+  for (const TypedRow& row : rows) {
+    plan.source.placemarks.push_back(maker.placemark(row));
+    if (maker.is_way()) ways.push_back(plan.source.placemarks.size() - 1);
+  }
+  begin_lines_at_rovers(ways, declarations, plan.source);
   if (const std::vector<std::string> unused = places.unused(); !unused.empty()) {
     plan.left_out.push_back(fmt::format("{} place{} that no row names: {}", unused.size(),
                                         unused.size() == 1 ? "" : "s", listed(unused)));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "interchange/place_book.h"
 #include "interchange/table.h"
 #include "plan/declaration.h"
 #include "plan/kml_source.h"
@@ -16,7 +17,9 @@ namespace lsos {
 std::vector<Table> read_outline(const std::string& bytes, const std::string& file,
                                 const Declarations& declarations);
 
-// A plan's Placemarks, each with one SchemaData, as an outline that reads back equal.
-std::string outline_of(const KmlSource& plan);
+// A plan's things, see plan_things(), as an outline that reads back equal: places by name, then by
+// day and rover what is done, in words.
+std::string outline_of(const KmlSource& plan, const Declarations& declarations,
+                       const std::vector<Landmark>& landmarks = {});
 
 }  // namespace lsos

@@ -108,6 +108,18 @@ Parsed<SourceGeometry> PlaceNames::geometry(const std::string& text) const {
   return {std::move(line), {}};
 }
 
+bool PlaceNames::is_way(const std::string& text) const {
+  if (text.find(';') == std::string::npos || places_.contains(text)) return false;
+  std::size_t points = 0;
+  for (const std::string& part : split(text, ';')) {
+    if (part.empty()) continue;
+    const Parsed<SourceGeometry> place = one(part);
+    if (!place || place.value->kind != "Point") return false;
+    ++points;
+  }
+  return points > 1;
+}
+
 std::vector<std::string> PlaceNames::unused() const {
   std::vector<std::string> names;
   for (const auto& [name, place] : places_) {

@@ -26,6 +26,8 @@ class PlaceNames {
   // through all their points; or coordinates "lon, lat", several as "lon, lat; lon, lat"; or
   // well-known text.
   Parsed<SourceGeometry> geometry(const std::string& text) const;
+  // Whether the text names several points, which a rover visits one after the other.
+  bool is_way(const std::string& text) const;
   bool has(const std::string& name) const { return places_.contains(name); }
   // Those that nothing has referred to, in the order of their names.
   std::vector<std::string> unused() const;

@@ -7,18 +7,13 @@
 
 #include "base/quantity.h"
 #include "interchange/columns.h"
-#include "interchange/places.h"
+#include "interchange/sheet_tables.h"
+#include "interchange/thing_fields.h"
 #include "plan/classify.h"
 
 namespace lsos {
 
 namespace {
-
-const std::string* find(const SourcePlacemark& thing, const std::string& name) {
-  const auto& fields = thing.data.front().fields;
-  const auto found = std::ranges::find(fields, name, &SourceField::name);
-  return found == fields.end() ? nullptr : &found->text;
-}
 
 SourcePlacemark as_thing(const PlanPlacemark& ours) {
   SourcePlacemark thing = *ours.placemark;
@@ -45,16 +40,14 @@ std::vector<std::string> declared_fields(const std::set<std::string>& names,
 
 // The header of a table of these things: only columns that have a text.
 std::vector<std::string> header_of(const std::vector<const SourcePlacemark*>& things,
-                                   const Declarations& declarations, bool has_geometries) {
+                                   const Declarations& declarations) {
   std::set<std::string> types, filled;
-  bool has_name = false, has_description = false, has_point = false, has_wkt = false;
+  bool has_name = false, has_description = false;
   for (const SourcePlacemark* thing : things) {
     types.insert(thing->data.front().schema);
     for (const SourceField& field : thing->data.front().fields) filled.insert(field.name);
     has_name |= !thing->name.empty();
     has_description |= !thing->description.empty();
-    if (has_geometries || thing->geometries.empty()) continue;
-    (thing->geometries.front().kind == "Point" ? has_point : has_wkt) = true;
   }
   // What identifies a row comes first.
   std::vector<std::string> header;
@@ -66,12 +59,10 @@ std::vector<std::string> header_of(const std::vector<const SourcePlacemark*>& th
   if (filled.contains("StartTime") && !types.contains("MissionInfo")) {
     header.emplace_back("StartTime");
   }
-  if (has_point) header.insert(header.end(), {column::lon, column::lat});
   for (const std::string& field : declared_fields(types, declarations)) {
     const bool is_in = std::ranges::find(header, field) != header.end();
     if (!is_in && filled.contains(field)) header.push_back(field);
   }
-  if (has_wkt) header.emplace_back(column::wkt);
   if (has_description) header.emplace_back(column::description);
   return header;
 }
@@ -80,40 +71,26 @@ std::string cell_of(const SourcePlacemark& thing, const std::string& name) {
   if (name == column::type) return thing.data.front().schema;
   if (name == column::name) return thing.name;
   if (name == column::description) return thing.description;
-  const bool has_place = !thing.geometries.empty();
-  const bool is_point = has_place && thing.geometries.front().kind == "Point";
-  if (name == column::wkt) return has_place && !is_point ? wkt_of(thing.geometries.front()) : "";
-  if (name == column::lon || name == column::lat) {
-    if (!is_point) return "";
-    const std::string& coordinates = thing.geometries.front().coordinates;
-    const std::size_t comma = coordinates.find(',');
-    const std::size_t end = std::min(coordinates.find(',', comma + 1), coordinates.size());
-    return name == column::lon ? coordinates.substr(0, comma)
-                               : coordinates.substr(comma + 1, end - comma - 1);
-  }
-  const std::string* text = find(thing, name);
+  const std::string* text = thing_field(thing, name);
   return text == nullptr ? "" : *text;
 }
 
 Table table_of(const std::string& name, const std::vector<const SourcePlacemark*>& things,
-               const Declarations& declarations, bool has_geometries) {
+               const Declarations& declarations) {
   Table table;
   table.name = name;
-  table.header = header_of(things, declarations, has_geometries);
+  table.header = header_of(things, declarations);
   for (const SourcePlacemark* thing : things) {
     TableRow row{static_cast<int>(table.rows.size()) + 1, {}};
     for (const std::string& column : table.header) row.cells.push_back(cell_of(*thing, column));
-    if (has_geometries && !thing->geometries.empty()) row.geometry = thing->geometries.front();
+    if (!thing->geometries.empty()) row.geometry = thing->geometries.front();
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 std::string table_name(const std::string& type, TableDivision division) {
-  if (division == TableDivision::by_type) return type;
-  if (division == TableDivision::none) return "plan";
-  if (type == "MissionInfo") return "Mission";
-  return type == "Rover" || type == "Asset" ? type + "s" : "Events";
+  return division == TableDivision::by_type ? type : "plan";
 }
 
 }  // namespace
@@ -127,7 +104,8 @@ KmlSource plan_things(const KmlSource& source, const Declarations& declarations)
     for (const PlanPlacemark& each : *list) things.placemarks.push_back(as_thing(each));
     if (list != &ours.events) continue;
     const auto order = [](const SourcePlacemark& thing) {
-      const std::string *rover = find(thing, "RoverId"), *number = find(thing, "Sequence");
+      const std::string *rover = thing_field(thing, "RoverId"),
+                        *number = thing_field(thing, "Sequence");
       const auto sequence = number == nullptr ? Parsed<std::int64_t>{} : parse_integer(*number);
       return std::tuple(rover == nullptr ? std::string() : *rover, sequence.value.value_or(0));
     };
@@ -138,7 +116,11 @@ KmlSource plan_things(const KmlSource& source, const Declarations& declarations)
 }
 
 std::vector<Table> plan_tables(const KmlSource& things, const Declarations& declarations,
-                               TableDivision division, bool has_geometries) {
+                               TableDivision division, bool has_geometries,
+                               const std::vector<Landmark>& landmarks) {
+  if (!has_geometries && division != TableDivision::by_type) {
+    return sheet_tables(things, declarations, landmarks, division == TableDivision::none);
+  }
   std::vector<std::string> names;
   std::map<std::string, std::vector<const SourcePlacemark*>> parts;
   for (const SourcePlacemark& thing : things.placemarks) {
@@ -148,7 +130,7 @@ std::vector<Table> plan_tables(const KmlSource& things, const Declarations& decl
   }
   std::vector<Table> tables;
   for (const std::string& name : names) {
-    tables.push_back(table_of(name, parts[name], declarations, has_geometries));
+    tables.push_back(table_of(name, parts[name], declarations));
   }
   return tables;
 }

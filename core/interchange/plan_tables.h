@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "interchange/place_book.h"
 #include "interchange/table.h"
 #include "plan/declaration.h"
 #include "plan/kml_source.h"
@@ -16,14 +17,16 @@ KmlSource plan_things(const KmlSource& source, const Declarations& declarations)
 
 enum class TableDivision {
   none,     // all in one table, with a column Type
-  parts,    // Mission, Rovers, Assets and Events
-  by_type,  // a table for each NAME
+  parts,    // Mission, Rovers, Assets, Places and Events
+  by_type,  // a table for each NAME, whose rows have geometries
 };
 
-// Tables of plan_things(), with columns in the order in which people read them. Texts stay as they
-// are written. Places are in columns Lon and Lat, or WKT for lines and polygons; or, with
-// `has_geometries`, the rows' geometries.
+// Tables of plan_things(), with columns in the order in which people read them. For maps (by_type,
+// or `has_geometries`) texts stay as they are written. Sheets are for people: days and clock times,
+// places by name, with a row each, and units in the headers, where exactly the same value is read
+// back; WKT for lines of many points and polygons.
 std::vector<Table> plan_tables(const KmlSource& things, const Declarations& declarations,
-                               TableDivision division, bool has_geometries);
+                               TableDivision division, bool has_geometries,
+                               const std::vector<Landmark>& landmarks = {});
 
 }  // namespace lsos

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "plan/suggestions.h"
 
@@ -32,6 +33,7 @@ class RowTyper {
 
   void add(const TableRow& row) {
     const std::string text = columns_.text(row, column::type);
+    if (name_meant(text, declarations_).empty() && is_place_word(text)) return add_place(row);
     std::string type = text.empty() ? table_type_ : name_meant(text, declarations_);
     if (!type.empty()) {
       typed_.push_back({&table_, &row, &columns_, std::move(type)});
@@ -71,6 +73,27 @@ class RowTyper {
   }
 
  private:
+  static bool is_place_word(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text == "place" || text == "places";
+  }
+
+  void add_place(const TableRow& row) {
+    const std::string name = columns_.text(row, column::name);
+    Faults own;
+    SourceGeometry geometry = own_geometry(table_, row, columns_, own);
+    faults_.add(own.sorted());
+    if (own.has_errors()) return;
+    if (!name.empty() && !geometry.kind.empty()) {
+      places_.add(name, {std::move(geometry), {table_.file, row.number}});
+      return;
+    }
+    faults_.error({table_.file, row.number},
+                  fmt::format("a Place has {}; Name and Lon and Lat are wanted",
+                              name.empty() ? "no name" : "no coordinates"));
+  }
+
   bool broken_script(const std::string& name) {
     const auto broken = declarations_.broken_events.find(name);
     if (broken == declarations_.broken_events.end()) return false;

@@ -105,6 +105,7 @@ class TableWriter {
   void add(const Table& table, GDALDataset& dataset) {
     CPLStringList options;
     if (ending_ == ".geojson") options.SetNameValue("COORDINATE_PRECISION", "12");
+    if (ending_ == ".csv") options.SetNameValue("STRING_QUOTING", "IF_NEEDED");
     if (ending_ == ".gpkg") options.SetNameValue("GEOMETRY_NAME", "geom");
     const OGRwkbGeometryType kind = is_spreadsheet(ending_) ? wkbNone : geometry_of(table);
     // GeoJSON is degrees of no stated body: one in its own CRS is refused by most viewers.

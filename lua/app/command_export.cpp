@@ -23,15 +23,16 @@ struct ExportOptions {
   bool replaces = false;  // a file that is there
 };
 
-std::string bytes_of(const KmlSource& things, const Declarations& declarations, const Body& body,
-                     const std::string& file) {
+std::string bytes_of(const KmlSource& source, const KmlSource& things,
+                     const Declarations& declarations, const Body& body, const std::string& file) {
+  const std::vector<Landmark> named = landmarks(source, declarations);
   const std::string ending = std::filesystem::path(file).extension().string();
-  if (ending == ".txt") return outline_of(things);
+  if (ending == ".txt") return outline_of(things, declarations, named);
   const bool is_map = ending == ".geojson" || ending == ".gpkg";
   const TableDivision division = ending == ".gpkg"                       ? TableDivision::by_type
                                  : ending == ".xlsx" || ending == ".ods" ? TableDivision::parts
                                                                          : TableDivision::none;
-  return tables_as(ending, plan_tables(things, declarations, division, is_map), body, file);
+  return tables_as(ending, plan_tables(things, declarations, division, is_map, named), body, file);
 }
 
 int export_command(const ExportOptions& options) {
@@ -49,7 +50,8 @@ int export_command(const ExportOptions& options) {
   const Plan plan = read_plan(options.plan, source, declarations, faults);
   faults.throw_if_errors();
   const KmlSource things = plan_things(source, declarations);
-  write_file(options.output, bytes_of(things, declarations, *plan.mission.planet, options.output));
+  write_file(options.output,
+             bytes_of(source, things, declarations, *plan.mission.planet, options.output));
   print_result("{}: {} rows of {}\n", options.output, things.placemarks.size(), options.plan);
   return 0;
 }

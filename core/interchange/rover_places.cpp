@@ -1,0 +1,79 @@
+#include "interchange/rover_places.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "base/quantity.h"
+#include "interchange/places.h"
+#include "interchange/thing_fields.h"
+
+namespace lsos {
+
+namespace {
+
+std::string text_of(const SourcePlacemark& thing, const char* field) {
+  const std::string* text = thing_field(thing, field);
+  return text == nullptr ? "" : *text;
+}
+
+// The key of the last point that is drawn; "" for a polygon, within which the end is not known.
+std::string end_of(const SourcePlacemark& thing) {
+  if (thing.geometries.empty() || thing.geometries.front().kind == "Polygon") return "";
+  const std::vector<std::string> tuples = tuples_of(thing.geometries.front().coordinates);
+  return tuples.empty() ? "" : place_key(tuples.back());
+}
+
+}  // namespace
+
+std::string place_key(const std::string& tuple) {
+  double lon_deg = 0, lat_deg = 0;
+  const char* const end = tuple.data() + tuple.size();
+  const auto lon = std::from_chars(tuple.data(), end, lon_deg);
+  if (lon.ec != std::errc() || lon.ptr == end || *lon.ptr != ',') return "";
+  const auto lat = std::from_chars(lon.ptr + 1, end, lat_deg);
+  if (lat.ec != std::errc() || (lat.ptr != end && *lat.ptr != ',')) return "";
+  return fmt::format("{},{}", lon_deg, lat_deg);
+}
+
+std::vector<std::string> places_before(const KmlSource& plan, const Declarations& declarations) {
+  std::vector<std::string> before(plan.placemarks.size());
+  std::map<std::string, std::string> stands;  // by rover id
+  std::vector<std::size_t> events;
+  for (std::size_t i = 0; i < plan.placemarks.size(); ++i) {
+    const SourcePlacemark& thing = plan.placemarks[i];
+    if (thing_type(thing) == "Rover") stands[text_of(thing, "RoverId")] = end_of(thing);
+    if (declarations.events.contains(thing_type(thing))) events.push_back(i);
+  }
+  std::ranges::stable_sort(events, {}, [&](std::size_t i) {
+    const SourcePlacemark& thing = plan.placemarks[i];
+    const auto sequence = parse_integer(text_of(thing, "Sequence"));
+    return std::tuple(text_of(thing, "RoverId"), sequence.value.value_or(0));
+  });
+  for (const std::size_t i : events) {
+    const SourcePlacemark& thing = plan.placemarks[i];
+    std::string& place = stands[text_of(thing, "RoverId")];
+    before[i] = place;
+    const auto enabled = parse_boolean(text_of(thing, "Enabled"));
+    const bool is_enabled = enabled.value.value_or(true);
+    if (is_enabled && declarations.events.at(thing_type(thing)).drives) place = end_of(thing);
+  }
+  return before;
+}
+
+void begin_lines_at_rovers(const std::vector<std::size_t>& ways, const Declarations& declarations,
+                           KmlSource& plan) {
+  const std::vector<std::string> before = places_before(plan, declarations);
+  for (const std::size_t i : ways) {
+    SourcePlacemark& thing = plan.placemarks[i];
+    if (before[i].empty() || thing.geometries.empty()) continue;
+    std::string& line = thing.geometries.front().coordinates;
+    if (place_key(tuples_of(line).front()) != before[i]) line = before[i] + " " + line;
+  }
+}
+
+}  // namespace lsos
