@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "base/text.h"
 #include "base/unit_spellings.h"
 #include "interchange/clock_text.h"
 #include "plan/suggestions.h"
@@ -56,10 +57,9 @@ std::string kind_of(const FieldDeclaration& field) {
 }
 
 // The number with its unit, as a plan reads them: "mph" becomes km/h.
-std::string with_unit(const std::string& number, const std::string& unit,
-                      const FieldDeclaration& field) {
+std::string with_unit(const std::string& number, const std::string& unit, std::string_view kind) {
   if (find_unit(unit) != nullptr) return fmt::format("{} {}", number, unit);
-  const auto meant = spelled_unit(unit, kind_of(field));
+  const auto meant = spelled_unit(unit, kind);
   if (!meant) return number;
   if (meant->factor == 1) return fmt::format("{} {}", number, meant->symbol);
   double value = 0;
@@ -86,7 +86,19 @@ std::string field_text(const std::string& text, const FieldDeclaration& field,
   if (field.kind == FieldKind::duration) {
     if (const auto span_s = clock_s(number)) return fmt::format("{} s", *span_s);
   }
-  return unit.empty() || !is_bare_number(number) ? number : with_unit(number, unit, field);
+  if (!is_bare_number(number)) {
+    return field.amount_of.empty() ? with_known_unit(number, kind_of(field)) : number;
+  }
+  return unit.empty() ? number : with_unit(number, unit, kind_of(field));
+}
+
+std::string with_known_unit(const std::string& text, std::string_view kind) {
+  const std::size_t end = text.find_last_of("0123456789.");
+  if (end == std::string::npos || !is_bare_number(text.substr(0, end + 1))) return text;
+  const std::string unit(trimmed(std::string_view(text).substr(end + 1)));
+  // One letter may be a unit of another kind.
+  if (unit.size() < 2 || find_unit(unit) != nullptr) return text;
+  return spelled_unit(unit, kind) ? with_unit(text.substr(0, end + 1), unit, kind) : text;
 }
 
 std::string unit_fault(const std::string& unit, const FieldDeclaration& field) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "plan/declaration.h"
 
@@ -13,6 +14,10 @@ namespace lsos {
 // of the plan says what is wrong with it. UTC times are not changed here.
 std::string field_text(const std::string& text, const FieldDeclaration& field,
                        const std::string& unit, bool has_commas);
+
+// "2 h" of "2 hours", "80 %" of "80 percent": a number whose unit is spelled out, as a plan reads
+// it. `kind` is that of the unit, "duration". Other texts stay as they are.
+std::string with_known_unit(const std::string& text, std::string_view kind);
 
 // Why the unit in a column's header cannot be used for a field; "" when it can.
 std::string unit_fault(const std::string& unit, const FieldDeclaration& field);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -84,10 +85,22 @@ std::map<std::string, std::string> known_columns(const Declarations& declaration
   return known;
 }
 
-// Splits "Speed (km/h)" or "Speed [km/h]" into its name and its unit.
+// Splits "Duration in min" and "Speed km/h", whose last word is a unit.
+std::pair<std::string, std::string> name_and_last_unit(const std::string& header) {
+  const std::size_t blank = header.find_last_of(' ');
+  if (blank == std::string::npos) return {header, ""};
+  const std::string unit = header.substr(blank + 1);
+  std::string name(trimmed(header.substr(0, blank)));
+  const bool has_in = name.ends_with(" in");
+  if (has_in) name = trimmed(name.substr(0, name.size() - 3));
+  return find_unit(unit) != nullptr || has_in ? std::pair(name, unit)
+                                              : std::pair(header, std::string());
+}
+
+// Splits "Speed (km/h)", "Speed [km/h]" or "Speed in km/h" into its name and its unit.
 std::pair<std::string, std::string> name_and_unit(const std::string& header) {
   const std::size_t open = header.find_last_of("([");
-  if (open == std::string::npos || open == 0) return {header, ""};
+  if (open == std::string::npos || open == 0) return name_and_last_unit(header);
   const char close = header[open] == '(' ? ')' : ']';
   if (header.back() != close) return {header, ""};
   return {std::string(trimmed(header.substr(0, open))),
@@ -105,6 +118,20 @@ bool is_tool_column(const std::string& letters) {
       "fid",        "id",      "timestamp",  "end",       "altitude", "altitudemode",
       "tessellate", "extrude", "visibility", "draworder", "icon",     "snippet"};
   return std::ranges::find(stamped, letters) != stamped.end();
+}
+
+// Whether a column of a sheet is a coordinate in metres, and no other says where things are.
+bool is_projected(const Table& table, const std::string& header,
+                  const std::map<std::string, std::string>& known) {
+  constexpr std::array<std::string_view, 4> words{"x", "y", "easting", "northing"};
+  const bool is_one = std::ranges::find(words, bare(name_and_unit(header).first)) != words.end();
+  if (!is_one || !table.has_letters) return false;
+  return std::ranges::none_of(table.header, [&](const std::string& each) {
+    const auto found = known.find(bare(each));
+    if (found == known.end()) return false;
+    return found->second == column::lon || found->second == column::lat ||
+           found->second == column::wkt || found->second == column::place;
+  });
 }
 
 // Whether things of a plan may be among the rows: always in a sheet; of a map where the layer or a
@@ -147,6 +174,16 @@ std::string column_meant(const std::string& header, const Declarations& declarat
   return found == known.end() ? "" : found->second;
 }
 
+std::size_t known_headers(const std::vector<std::string>& cells, const Declarations& declarations) {
+  const std::map<std::string, std::string> known = known_columns(declarations);
+  std::size_t count = 0;
+  for (const std::string& text : cells) {
+    const std::string header(trimmed(text));
+    if (known.contains(bare(name_and_unit(header).first)) || known.contains(bare(header))) ++count;
+  }
+  return count;
+}
+
 std::string name_meant(const std::string& text, const Declarations& declarations) {
   const std::string letters = bare(text);
   if (letters.empty()) return "";
@@ -181,6 +218,13 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
     auto found = known.find(bare(word));
     const bool has_unit = found != known.end();
     if (!has_unit) found = known.find(bare(header));
+    if (found == known.end() && is_projected(table, header, known)) {
+      faults.error(place,
+                   fmt::format("{} has no CRS that is known: degrees under Lon and Lat are wanted, "
+                               "or a map with its CRS (.gpkg, .shp)",
+                               quoted(header)));
+      continue;
+    }
     if (found == known.end()) {
       if (is_tool_column(bare(header)) || !is_filled(table, i)) continue;
       // A slip of one letter in a sheet is an error, and the column is read as it was meant; sheets

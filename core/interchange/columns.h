@@ -51,6 +51,9 @@ class Columns {
 // The canonical name that a header without a unit means; "" when it means none.
 std::string column_meant(const std::string& header, const Declarations& declarations);
 
+// How many of these texts are headers that mean something.
+std::size_t known_headers(const std::vector<std::string>& cells, const Declarations& declarations);
+
 // The NAME that a text means, in any case of letters, with or without blanks and a plural s:
 // "route", "Path plan route", "Rovers"; "" when it means none.
 std::string name_meant(const std::string& text, const Declarations& declarations);

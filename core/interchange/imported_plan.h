@@ -17,13 +17,16 @@ struct ImportedPlan {
   // Places that no row names, and features that are nothing of a plan: "map.gpkg/Craters: 12
   // features without a Type: Crater A, ...". They are not in the plan.
   std::vector<std::string> left_out;
+  // How texts were understood: "'sev a' is taken for 'SEV A'".
+  std::vector<std::string> notes = {};
 };
 
 // A row is what its Type says, else what its sheet or layer is called after (`Route`, `Rovers`). A
 // feature or row with a name and a place, but no Type, is a place for others to name. Empty cells
 // of RoverId and Day are as in the row above. An event without a Sequence comes 10 after the
-// rover's row before. Reports faults of cells; what a plan may not say is found when it is read.
-ImportedPlan import_tables(const std::vector<Table>& tables, const Declarations& declarations,
+// rover's row before, or between it and the one after. Reports faults of cells; what a plan may not
+// say is found when it is read.
+ImportedPlan import_tables(std::vector<Table> tables, const Declarations& declarations,
                            Faults& faults);
 
 }  // namespace lsos

@@ -105,6 +105,8 @@ class OutlineReader {
   void read_heading(const Line& line, std::string_view heading, std::string_view rest) {
     const std::size_t blank = std::min(heading.find(' '), heading.size());
     std::string word(heading.substr(0, blank));
+    std::ranges::transform(word, word.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
     const std::string id = unquoted(heading.substr(blank));
     has_heading_ = false;

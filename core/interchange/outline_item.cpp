@@ -8,6 +8,7 @@
 
 #include "base/quantity.h"
 #include "base/text.h"
+#include "interchange/cell_text.h"
 #include "interchange/clock_text.h"
 #include "interchange/columns.h"
 #include "plan/suggestions.h"
@@ -42,7 +43,8 @@ std::pair<std::string_view, std::string_view> split_at_word(std::string_view tex
 }
 
 bool is_quantity(std::string_view text, const char* unit) {
-  return static_cast<bool>(parse_quantity(text, *find_unit(unit)));
+  const Unit& own = *find_unit(unit);
+  return static_cast<bool>(parse_quantity(with_known_unit(std::string(text), own.kind), own));
 }
 
 // One way to say an event. `fill` adds its fields from the text after the verb, and returns false
@@ -52,6 +54,7 @@ struct Verb {
   const char* type;
   bool (*fill)(std::string_view rest, OutlineFields& fields);
   std::string_view example;
+  bool may_say_where = true;  // with " at Ridge" at its end
 };
 
 bool fill_drive(std::string_view rest, OutlineFields& fields) {
@@ -120,9 +123,9 @@ bool fill_follow(std::string_view rest, OutlineFields& fields) {
 
 // Longer phrases stand before those that they begin with.
 constexpr Verb verbs[] = {
-    {"drive to", "PathPlanRoute", fill_drive, "drive to Ridge at 5 km/h"},
-    {"drive along", "Route", fill_drive, "drive along Traverse 1"},
-    {"drive straight to", "Route", fill_drive, "drive straight to Ridge"},
+    {"drive to", "PathPlanRoute", fill_drive, "drive to Ridge at 5 km/h", false},
+    {"drive along", "Route", fill_drive, "drive along Traverse 1", false},
+    {"drive straight to", "Route", fill_drive, "drive straight to Ridge", false},
     {"wait until", "Wait", fill_until, "wait until 08:00"},
     {"wait", "Pause", fill_stay, "wait 30 min"},
     {"pause", "Pause", fill_stay, "pause 30 min"},
@@ -137,7 +140,7 @@ constexpr Verb verbs[] = {
     {"track the sun", "SteerSP", fill_track, "track the Sun"},
     {"sample", "Sample", fill_stay, "sample 20 min"},
     {"drill", "Drill", fill_stay, "drill 1 h"},
-    {"follow", "Follow", fill_follow, "follow SEV A at 30 m"},
+    {"follow", "Follow", fill_follow, "follow SEV A at 30 m", false},
 };
 
 std::string what_would_be(std::string_view words) {
@@ -178,6 +181,18 @@ std::string_view take_time(std::string_view& item) {
   }
   const std::string_view time = item.substr(0, end);
   item = end == std::string_view::npos ? std::string_view() : trimmed(item.substr(end));
+  // "08:00 - drive to Ridge"
+  for (const std::string_view dash : {"- ", "\xe2\x80\x93 ", "\xe2\x80\x94 "}) {
+    if (item.starts_with(dash)) item = trimmed(item.substr(dash.size()));
+  }
+  return time;
+}
+
+// Takes a clock from the end of an item: "EVA 2 h at 08:00".
+std::string_view take_last_clock(std::string_view& item) {
+  const auto [words, time] = split_at_word(item, "at");
+  if (time.empty() || !clock_s(time)) return {};
+  item = words;
   return time;
 }
 
@@ -273,6 +288,9 @@ Parsed<OutlineFields> parse_item(std::string_view item, const Declarations& decl
   if (const std::string_view time = take_time(words); !time.empty()) {
     fields.emplace_back("StartTime", time);
   }
+  if (const std::string_view time = take_last_clock(words); !time.empty()) {
+    fields.emplace_back("StartTime", time);
+  }
   // "Sample at Ridge", "Sample": an event by its name, before what else begins so.
   auto [name, place] = split_at_word(words, "at");
   std::string type = name_meant(std::string(name), declarations);
@@ -287,7 +305,13 @@ Parsed<OutlineFields> parse_item(std::string_view item, const Declarations& decl
           {},
           fmt::format("{} is not understood{}", quoted(std::string(words)), what_would_be(words))};
     }
-    if (!verb->fill(*after(words, verb->words), fields)) {
+    std::string_view what = *after(words, verb->words);
+    if (verb->may_say_where) {
+      const auto [before, where] = split_at_word(what, "at");
+      if (!where.empty()) fields.emplace_back(column::place, place_text(where));
+      what = before;
+    }
+    if (!verb->fill(what, fields)) {
       return {{},
               fmt::format("{}: {} is written like '{}'", quoted(std::string(words)),
                           quoted(std::string(verb->words)), verb->example)};

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "interchange/names_in_any_case.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -55,26 +56,42 @@ void PlaceNames::add(const std::string& name, NamedPlace place) {
   places_.emplace(name, std::move(place));
 }
 
+std::vector<std::string> PlaceNames::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, place] : places_) {
+    if (names.empty() || names.back() != name) names.push_back(name);
+  }
+  return names;
+}
+
+std::string PlaceNames::known_name(const std::string& text) const {
+  if (places_.contains(text)) return text;
+  return name_in_any_case(text, names());
+}
+
+std::string PlaceNames::hint(const std::string& name) const { return did_you_mean(name, names()); }
+
 Parsed<SourceGeometry> PlaceNames::one(const std::string& text) const {
-  const auto [first, last] = places_.equal_range(text);
+  const std::string known = known_name(text);
+  const auto [first, last] = places_.equal_range(known.empty() ? text : known);
+  if (!known.empty() && known != text) {
+    notes_.add(fmt::format("{} is taken for {}", quoted(text), quoted(known)));
+  }
   if (first == last) {
     if (const std::string tuple = tuple_of(text); !tuple.empty()) {
       return {SourceGeometry{"Point", tuple, 0}, {}};
     }
-    for (const char* keyword : {"POINT", "LINESTRING", "POLYGON"}) {
+    for (const char* keyword : {"POINT", "LINESTRING", "POLYGON", "MULTI"}) {
       if (text.starts_with(keyword)) return parse_wkt(text);
     }
-    std::vector<std::string> names;
-    for (const auto& [name, place] : places_) {
-      if (names.empty() || names.back() != name) names.push_back(name);
-    }
-    if (names.empty()) {
+    const std::vector<std::string> known_names = names();
+    if (known_names.empty()) {
       return {{}, "there are no places: a map, or a sheet with names and Lon and Lat, has them"};
     }
-    const std::string hint = did_you_mean(text, names);
+    const std::string nearest = hint(text);
     return {{},
             fmt::format("there is no place {}{}", quoted(text),
-                        hint.empty() ? "; there are " + listed(names) : hint)};
+                        nearest.empty() ? "; there are " + listed(known_names) : nearest)};
   }
   if (const auto second = std::next(first); second != last) {
     const auto where = [](const NamedPlace& place) {
@@ -89,7 +106,7 @@ Parsed<SourceGeometry> PlaceNames::one(const std::string& text) const {
 }
 
 Parsed<SourceGeometry> PlaceNames::geometry(const std::string& text) const {
-  if (text.find(';') == std::string::npos || places_.contains(text)) return one(text);
+  if (text.find(';') == std::string::npos || has(text)) return one(text);
   SourceGeometry line{"LineString", "", 0};
   for (const std::string& part : split(text, ';')) {
     if (part.empty()) continue;
@@ -109,7 +126,7 @@ Parsed<SourceGeometry> PlaceNames::geometry(const std::string& text) const {
 }
 
 bool PlaceNames::is_way(const std::string& text) const {
-  if (text.find(';') == std::string::npos || places_.contains(text)) return false;
+  if (text.find(';') == std::string::npos || has(text)) return false;
   std::size_t points = 0;
   for (const std::string& part : split(text, ';')) {
     if (part.empty()) continue;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/parsed.h"
 #include "interchange/columns.h"
+#include "interchange/notes.h"
 #include "plan/kml_source.h"
 
 namespace lsos {
@@ -28,14 +29,23 @@ class PlaceNames {
   Parsed<SourceGeometry> geometry(const std::string& text) const;
   // Whether the text names several points, which a rover visits one after the other.
   bool is_way(const std::string& text) const;
-  bool has(const std::string& name) const { return places_.contains(name); }
+  bool has(const std::string& name) const { return !known_name(name).empty(); }
+  bool has_exactly(const std::string& name) const { return places_.contains(name); }
+  // "; did you mean 'Ridge'?", or "".
+  std::string hint(const std::string& name) const;
+  // "'ridge' is taken for 'Ridge'": texts that were understood in another case of letters.
+  const std::vector<std::string>& notes() const { return notes_.all(); }
   // Those that nothing has referred to, in the order of their names.
   std::vector<std::string> unused() const;
 
  private:
   Parsed<SourceGeometry> one(const std::string& text) const;
+  std::vector<std::string> names() const;
+  // The name that a text means, in any case of letters; "" when it means none.
+  std::string known_name(const std::string& text) const;
 
   std::multimap<std::string, NamedPlace> places_;
+  mutable Notes notes_;
 };
 
 // The place that a row states itself: the feature's geometry, WKT, or Lon and Lat. A geometry

@@ -161,6 +161,26 @@ Cells cells_of(OGRLayer& layer, const WorkbookFacts& facts, const std::string& f
   return rows;
 }
 
+// The text with titles above its header as comments: lines without a separator before the first
+// that has several, which tells the separator.
+std::string without_titles(const std::string& text) {
+  constexpr int lines_tried = 10;
+  const bool has_mark = text.starts_with("\xef\xbb\xbf");
+  std::size_t from = has_mark ? 3 : 0;
+  std::string marked = text.substr(0, from);
+  for (int i = 0; i < lines_tried && from < text.size(); ++i) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string line = text.substr(from, end - from);
+    const bool has_separator = line.find_first_of(";,\t") != std::string::npos;
+    if (line.find('"') != std::string::npos) return text;
+    if (has_separator) return marked + text.substr(from);
+    const bool is_blank = trimmed(line).empty();
+    marked += (is_blank ? "" : "# ") + line + '\n';
+    from = end + 1;
+  }
+  return text;
+}
+
 bool is_utf8(const std::string& bytes) {
   return CPLIsUTF8(bytes.c_str(), static_cast<int>(bytes.size())) != 0;
 }
@@ -182,7 +202,7 @@ std::string csv_text(const std::string& bytes, const std::string& file) {
 }
 
 std::vector<Table> read_csv(const std::string& bytes, const std::string& file) {
-  const CsvTable csv = parse_csv(csv_text(bytes, file));
+  const CsvTable csv = parse_csv(without_titles(csv_text(bytes, file)));
   if (!csv.fault.empty()) throw InputError({file, csv.fault_line}, csv.fault);
   Table table;
   table.file = file;

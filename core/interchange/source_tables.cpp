@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 
 #include "base/error.h"
+#include "base/sha256.h"
 #include "interchange/columns.h"
 #include "interchange/map_tables.h"
 #include "interchange/outline.h"
@@ -104,6 +106,25 @@ std::vector<Table> read_tables(const std::string& file, const Declarations& decl
   throw InputError(
       {file, 0}, fmt::format("{} is no format that is imported; there are {}",
                              ending.empty() ? "a name without an ending" : ending, import_formats));
+}
+
+void report_equal_files(const std::vector<std::string>& files, Faults& faults) {
+  std::map<std::string, std::string> known;  // files by their bytes' hash
+  for (const std::string& file : files) {
+    std::string hash;
+    try {
+      hash = sha256_hex(read_bytes(file));
+    } catch (const InputError&) {
+      continue;
+    }
+    const auto [first, is_new] = known.emplace(hash, file);
+    if (is_new) continue;
+    const std::string what =
+        first->second == file ? "is given twice" : "has the same content as " + first->second;
+    faults.error({file, 0}, what +
+                                ", so that all in it would stand twice in the plan; it is to "
+                                "be given once");
+  }
 }
 
 }  // namespace lsos

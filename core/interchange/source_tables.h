@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "interchange/table.h"
 #include "plan/declaration.h"
 
@@ -19,5 +20,9 @@ inline constexpr const char* import_formats =
 // table can hold. Throws InputError when the file cannot be read or has another format.
 std::vector<Table> read_tables(const std::string& file, const Declarations& declarations,
                                std::vector<std::string>& left_out);
+
+// Reports files that are given twice, or whose bytes are those of another: their events would stand
+// twice in the plan. Files that cannot be read are left to read_tables().
+void report_equal_files(const std::vector<std::string>& files, Faults& faults);
 
 }  // namespace lsos

@@ -47,19 +47,32 @@ Parsed<SourceGeometry> parse_wkt(const std::string& text) {
   }
   if (geometry->IsEmpty()) return {SourceGeometry{}, {}};
   SourceGeometry found;
-  switch (wkbFlatten(geometry->getGeometryType())) {
+  // A collection of one part, as map tools write it, is that part.
+  const OGRGeometry* whole = geometry.get();
+  const bool is_multiple =
+      OGR_GT_IsSubClassOf(wkbFlatten(whole->getGeometryType()), wkbGeometryCollection) != 0;
+  if (is_multiple) {
+    const OGRGeometryCollection& parts = *whole->toGeometryCollection();
+    if (parts.getNumGeometries() > 1) {
+      return {{},
+              fmt::format("is a {} of {} parts; one POINT, LINESTRING or POLYGON is wanted, a row "
+                          "for each part",
+                          whole->getGeometryName(), parts.getNumGeometries())};
+    }
+    whole = parts.getGeometryRef(0);
+  }
+  switch (wkbFlatten(whole->getGeometryType())) {
     case wkbPoint:
       found.kind = "Point";
-      found.coordinates =
-          fmt::format("{},{}", geometry->toPoint()->getX(), geometry->toPoint()->getY());
+      found.coordinates = fmt::format("{},{}", whole->toPoint()->getX(), whole->toPoint()->getY());
       break;
     case wkbLineString:
       found.kind = "LineString";
-      found.coordinates = coordinates_of(*geometry->toLineString());
+      found.coordinates = coordinates_of(*whole->toLineString());
       break;
     case wkbPolygon: {
       found.kind = "Polygon";
-      const OGRPolygon& polygon = *geometry->toPolygon();
+      const OGRPolygon& polygon = *whole->toPolygon();
       found.coordinates = coordinates_of(*polygon.getExteriorRing());
       for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
         found.holes.push_back({coordinates_of(*polygon.getInteriorRing(i)), 0});
@@ -69,7 +82,7 @@ Parsed<SourceGeometry> parse_wkt(const std::string& text) {
     default:
       return {{},
               fmt::format("is a {}; a POINT, LINESTRING or POLYGON is wanted",
-                          geometry->getGeometryName())};
+                          whole->getGeometryName())};
   }
   return {std::move(found), {}};
 }

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "interchange/ods_facts.h"
 #include "plan/xml_element.h"
 #include "plan/zip_handle.h"
 
@@ -202,45 +203,6 @@ void add_xlsx(const Archive& archive, WorkbookFacts& facts) {
   }
 }
 
-std::size_t count_of(const XMLElement& element, const char* name) {
-  constexpr int most = 2'000'000;
-  const int count = element.IntAttribute(name, 1);
-  return static_cast<std::size_t>(std::clamp(count, 1, most));
-}
-
-std::vector<MergedCells> merged_of_ods(const XMLElement& table) {
-  std::vector<MergedCells> merged;
-  std::size_t row = 0;
-  for (const XMLElement* line = table.FirstChildElement(); line != nullptr;
-       line = line->NextSiblingElement()) {
-    if (local_name(*line) != "table-row") continue;
-    std::size_t column = 0;
-    for (const XMLElement* each = line->FirstChildElement(); each != nullptr;
-         each = each->NextSiblingElement()) {
-      const std::size_t rows = count_of(*each, "table:number-rows-spanned");
-      const std::size_t columns = count_of(*each, "table:number-columns-spanned");
-      if (rows > 1 || columns > 1) merged.push_back({row, column, rows, columns});
-      column += count_of(*each, "table:number-columns-repeated");
-    }
-    row += count_of(*line, "table:number-rows-repeated");
-  }
-  return merged;
-}
-
-void add_ods(const Archive& archive, WorkbookFacts& facts) {
-  tinyxml2::XMLDocument content;
-  content.Parse(archive.unpacked("content.xml").c_str());
-  if (content.RootElement() == nullptr) return;
-  const XMLElement* body = child(*content.RootElement(), "body");
-  const XMLElement* sheet = body == nullptr ? nullptr : child(*body, "spreadsheet");
-  if (sheet == nullptr) return;
-  for (const XMLElement* table = sheet->FirstChildElement(); table != nullptr;
-       table = table->NextSiblingElement()) {
-    if (local_name(*table) != "table") continue;
-    facts.merged[attribute(*table, "table:name")] = merged_of_ods(*table);
-  }
-}
-
 }  // namespace
 
 WorkbookFacts workbook_facts(const std::string& bytes, const std::string& file,
@@ -258,7 +220,7 @@ WorkbookFacts workbook_facts(const std::string& bytes, const std::string& file,
     throw InputError({file, 0}, "is an archive, but no spreadsheet (XLSX or ODS) is in it");
   }
   if (facts.is_ods) {
-    add_ods(archive, facts);
+    add_ods(archive.unpacked("content.xml"), archive.unpacked("styles.xml"), facts);
   } else {
     add_xlsx(archive, facts);
   }

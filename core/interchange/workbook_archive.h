@@ -24,7 +24,7 @@ struct WorkbookFacts {
   bool is_ods = false;
   bool counts_from_1904 = false;                           // dates of an XLSX file
   std::map<std::string, std::vector<MergedCells>> merged;  // by sheet
-  // Formats of XLSX cells that show more than a number, by sheet and {row, column} from 0.
+  // Formats of cells that show more than a number, by sheet and {row, column} from 0.
   std::map<std::string, std::map<std::pair<std::size_t, std::size_t>, ShownFormat>> formats;
 };
 

@@ -48,10 +48,11 @@ std::string counted(std::size_t count, const char* noun) {
 }
 
 std::string answer_text(const ImportOptions& options, const Plan& plan, const Faults& faults,
-                        const std::vector<std::string>& left_out) {
+                        const ImportedPlan& made) {
   std::string text;
   for (const Fault& fault : faults.sorted()) text += to_string(fault) + "\n";
-  for (const std::string& line : left_out) text += fmt::format("left out: {}\n", line);
+  for (const std::string& line : made.notes) text += fmt::format("note: {}\n", line);
+  for (const std::string& line : made.left_out) text += fmt::format("left out: {}\n", line);
   return text + fmt::format("{}: {}, {}, {} of {}\n", options.output,
                             counted(plan.rovers.size(), "rover"),
                             counted(plan.assets.size(), "asset"),
@@ -59,14 +60,14 @@ std::string answer_text(const ImportOptions& options, const Plan& plan, const Fa
 }
 
 std::string answer_json(const ImportOptions& options, const Plan& plan, const Faults& faults,
-                        const std::vector<std::string>& left_out) {
+                        const ImportedPlan& made) {
   nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
   for (const Fault& fault : faults.sorted()) warnings.push_back(to_string(fault));
   const nlohmann::ordered_json answer{
       {"plan", options.output},       {"plan_sha256", plan.hash()},
       {"rovers", plan.rovers.size()}, {"assets", plan.assets.size()},
       {"events", plan.events.size()}, {"warnings", warnings},
-      {"left_out", left_out}};
+      {"notes", made.notes},          {"left_out", made.left_out}};
   return answer.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -81,9 +82,9 @@ int import_command(const ImportOptions& options) {
   const Declarations& declarations = catalog->declarations();
   Faults faults;
   std::vector<std::string> left_out;
-  const std::vector<Table> tables = read_all_tables(options.files, declarations, left_out);
-  const ImportedPlan made = import_tables(tables, declarations, faults);
-  left_out.insert(left_out.end(), made.left_out.begin(), made.left_out.end());
+  std::vector<Table> tables = read_all_tables(options.files, declarations, left_out);
+  ImportedPlan made = import_tables(std::move(tables), declarations, faults);
+  made.left_out.insert(made.left_out.begin(), left_out.begin(), left_out.end());
   const Plan plan = read_plan(options.output, made.source, declarations, faults);
   in_words_for_sheets(faults).throw_if_errors();
 
@@ -99,8 +100,8 @@ int import_command(const ImportOptions& options) {
       read_plan(options.output, parse_kml(kml, options.output), declarations, none).hash() ==
       plan.hash());
   write_file(options.output, options.output.ends_with(".kmz") ? pack_kmz(kml) : kml);
-  print_result("{}", options.is_json ? answer_json(options, plan, faults, left_out)
-                                     : answer_text(options, plan, faults, left_out));
+  print_result("{}", options.is_json ? answer_json(options, plan, faults, made)
+                                     : answer_text(options, plan, faults, made));
   return 0;
 }
 

@@ -12,6 +12,8 @@ std::vector<Table> read_all_tables(const std::vector<std::string>& files,
                                    std::vector<std::string>& left_out) {
   std::vector<Table> tables;
   Faults faults;
+  report_equal_files(files, faults);
+  faults.throw_if_errors();
   for (const std::string& file : files) {
     try {
       for (Table& table : read_tables(file, declarations, left_out)) {
