@@ -219,10 +219,13 @@ Columns::Columns(const Table& table, const Declarations& declarations, Faults& f
     const bool has_unit = found != known.end();
     if (!has_unit) found = known.find(bare(header));
     if (found == known.end() && is_projected(table, header, known)) {
-      faults.error(place,
-                   fmt::format("{} has no CRS that is known: degrees under Lon and Lat are wanted, "
-                               "or a map with its CRS (.gpkg, .shp)",
-                               quoted(header)));
+      if (!has_unknown_crs_) {
+        faults.error(
+            place,
+            "X and Y have no CRS that is known: degrees under Lon and Lat are wanted, or a "
+            "map with its CRS (.gpkg, .shp)");
+      }
+      has_unknown_crs_ = true;
       continue;
     }
     if (found == known.end()) {

@@ -41,11 +41,15 @@ class Columns {
   const Column* find(const std::string& name) const;
   const std::map<std::string, Column>& all() const { return columns_; }
 
+  // Whether places are in columns whose CRS nobody knows, which has been reported.
+  bool has_unknown_crs() const { return has_unknown_crs_; }
+
   // Text of the row's cell in that column; "" when there is none.
   std::string text(const TableRow& row, const std::string& name) const;
 
  private:
   std::map<std::string, Column> columns_;
+  bool has_unknown_crs_ = false;
 };
 
 // The canonical name that a header without a unit means; "" when it means none.

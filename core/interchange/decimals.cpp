@@ -112,10 +112,12 @@ Parsed<std::string> with_decimal_point(const std::string& text, Decimals decimal
   if (last == '.' && decimals == Decimals::commas) return {as_thousands + number.rest, {}};
   if (last == '.' && decimals == Decimals::points) return {text, {}};
   if (last == ',' && decimals != Decimals::points) return {as_decimal + number.rest, {}};
+  std::string shortest = as_decimal.substr(0, as_decimal.find_last_not_of('0') + 1);
+  if (shortest.ends_with('.')) shortest.pop_back();
   return {{},
           fmt::format("{} may be {} or {}, since this sheet's decimals may have commas; one of "
                       "them is to be written",
-                      quoted(text), as_thousands, as_decimal)};
+                      quoted(text), as_thousands, shortest)};
 }
 
 }  // namespace lsos

@@ -316,6 +316,8 @@ class PlacemarkMaker {
       Parsed<SourceGeometry> found = places_.geometry(placemark_.name);
       if (found) return std::move(*found.value);
       place_fault(found.why);
+    } else if (geometry.kind.empty() && from_->columns->has_unknown_crs() && wants_geometry()) {
+      ++place_faults_;
     } else if (geometry.kind.empty() && !placemark_.name.empty() && wants_geometry()) {
       const std::string hint = places_.hint(placemark_.name);
       if (hint.empty()) return geometry;

@@ -61,8 +61,12 @@ void check_layers(const KmlSource& source, const MissionInfo& mission, Faults& f
                                         "those of {}",
                                         layer.body, mission.planet->name, mission.planet->name));
     } else {
-      faults.error(place,
-                   fmt::format("its CRS is of {}, Planet is {}", layer.body, mission.planet->name));
+      faults.error(
+          place,
+          fmt::format("its CRS is of {}, Planet is {}; it is to be saved in {}, or in degrees "
+                      "of {}, which are then taken for those of {}",
+                      layer.body, mission.planet->name, mission.planet->crs, layer.body,
+                      mission.planet->name));
     }
   }
 }

@@ -115,15 +115,20 @@ INSTANTIATE_TEST_SUITE_P(Messages, OptionsMessage,
 
 class ImportMessage : public ::testing::TestWithParam<std::string> {};
 
-// The file is imported together with a mission, a rover and two places.
+// The file is imported together with a mission, a rover and two places. A plan is made of it where
+// all that is expected are warnings and notes; the line "# note: TEXT" expects a note of the file.
 TEST_P(ImportMessage, is_as_expected) {
   const fs::path file = messages / "import" / GetParam();
   const std::vector<std::string> lines = read_lines(file);
-  const Words expected = values(lines, "# expect: ");
-  ASSERT_FALSE(expected.empty()) << "the first lines must be '# expect: TEXT'";
+  Words expected = values(lines, "# expect: ");
+  for (const std::string& note : values(lines, "# note: ")) {
+    expected.push_back("note: " + (messages / "import").string() + "/" + note);
+  }
+  ASSERT_FALSE(expected.empty()) << "the first lines must be '# expect: TEXT' or '# note: TEXT'";
   const bool is_alone = !values(lines, "# alone").empty();
   const bool is_sound = std::ranges::all_of(expected, [](const std::string& text) {
-    return text.find("warning: ") != std::string::npos || text.starts_with("left out: ");
+    return text.find("warning: ") != std::string::npos || text.starts_with("left out: ") ||
+           text.starts_with("note: ");
   });
   const TempFolder folder;
   const std::string plan = (folder / "plan.kml").string();

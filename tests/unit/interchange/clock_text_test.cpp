@@ -40,5 +40,17 @@ TEST(TimeOfTable, is_a_clock_on_its_day_or_counts_from_the_row_before) {
   EXPECT_THAT(utc_text("08:00", {"", {}}).why, HasSubstr("a clock time needs a Day"));
 }
 
+TEST(DayClock, reads_back_as_the_same_instant) {
+  const auto written = [](const char* utc) {
+    const auto found = day_clock(*parse_utc(utc).value, start);
+    return found ? std::to_string(found->day) + " " + found->clock : "none";
+  };
+  EXPECT_EQ(written("2026-02-27T00:00:00Z"), "1 00:00");
+  EXPECT_EQ(written("2026-03-01T08:05:30Z"), "3 08:05:30");
+  EXPECT_EQ(written("2026-03-01T08:05:00.5Z"), "3 08:05:00.5");
+  EXPECT_EQ(written("2026-03-01T08:00:00.000001Z"), "none");
+  EXPECT_EQ(written("2026-02-26T23:59:59Z"), "none");
+}
+
 }  // namespace
 }  // namespace lsos

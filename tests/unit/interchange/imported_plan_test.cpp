@@ -137,5 +137,66 @@ TEST(ImportedPlan, tells_faults_by_sheet_and_cell) {
   EXPECT_THAT(made.faults, HasSubstr("s2.csv:H1: warning: the column 'Colour' is not used"));
 }
 
+std::vector<std::int64_t> sequences(const std::string& rows) {
+  const Imported made = import({mission, "Type,Rover,Sequence,Duration\n" + rows});
+  EXPECT_EQ(made.faults, "");
+  std::vector<std::int64_t> numbers;
+  for (const PlanEvent& event : made.plan.events) numbers.push_back(event.sequence);
+  return numbers;
+}
+
+TEST(ImportedPlan, numbers_rows_that_were_inserted_between_those_around_them) {
+  EXPECT_THAT(sequences("Pause,A,10,60\nPause,A,,60\nPause,A,20,60\nPause,A,,60\n"),
+              ElementsAre(10, 15, 20, 30));
+  EXPECT_THAT(sequences("Pause,A,10,60\nPause,A,,60\nPause,A,100,60\n"), ElementsAre(10, 20, 100));
+  EXPECT_THAT(sequences("Pause,A,10,60\nPause,A,,60\nPause,A,,60\nPause,A,13,60\n"),
+              ElementsAre(10, 11, 12, 13));
+  EXPECT_THAT(sequences("Pause,A,,60\nPause,A,5,60\n"), ElementsAre(2, 5));
+}
+
+// A planner who names the places to go to means from here.
+TEST(ImportedPlan, leads_to_several_places_from_where_the_rover_stands) {
+  const std::string places = "name,lon,lat\nRidge,0.01,0.005\nGate,0.02,0\n";
+  const Imported made = import({mission, places,
+                                "Type,Rover,Place\nRoute,A,Ridge; Gate\nRoute,A,Ridge\n"
+                                "Route,A,Ridge; Gate\nRoute,A,\"0.03,0; 0.04,0\"\n"});
+  ASSERT_EQ(made.faults, "");
+  const auto line = [&](std::size_t event) {
+    return made.source.source.placemarks.at(2 + event).geometries.at(0).coordinates;
+  };
+  EXPECT_EQ(line(0), "0,0 0.01,0.005 0.02,0");
+  EXPECT_EQ(line(1), "0.01,0.005");
+  EXPECT_EQ(line(2), "0.01,0.005 0.02,0");
+  EXPECT_EQ(line(3), "0.02,0 0.03,0 0.04,0");
+}
+
+TEST(ImportedPlan, knows_rovers_and_places_in_any_case_and_says_so) {
+  const Imported made = import({mission, "name,lon,lat\nRidge,0.01,0.005\n",
+                                "Type,Rover,Place\nRoute,a,RIDGE\nRoute,,ridge\n"});
+  ASSERT_EQ(made.faults, "");
+  EXPECT_EQ(made.plan.events.at(0).rover_id, "A");
+  EXPECT_THAT(made.source.notes, ElementsAre("'a' is taken for 'A'", "'RIDGE' is taken for 'Ridge'",
+                                             "'ridge' is taken for 'Ridge'"));
+}
+
+TEST(ImportedPlan, finds_its_header_below_a_title_and_leaves_comments_out) {
+  const Imported made = import({mission,
+                                "Plan of the week,,\n,,\nType,Rover,Duration in min\n"
+                                "# to be discussed,,\nPause,A,90\n"});
+  ASSERT_EQ(made.faults, "");
+  EXPECT_EQ(std::get<double>(made.plan.events.at(0).params.at("duration_s")), 5400);
+  EXPECT_THAT(made.source.notes,
+              ElementsAre("s2.csv: the header is row 3; the rows above it are left out"));
+}
+
+TEST(ImportedPlan, says_once_for_a_column_what_numbers_without_a_unit_are) {
+  const Imported made = import({mission,
+                                "Type,Rover,Place,Speed,Duration\nRoute,A,\"0.1,0\",2,\n"
+                                "Route,A,\"0,0\",3,\nPause,A,,,60\nPause,A,,,2 h\n"});
+  EXPECT_THAT(made.source.notes,
+              ElementsAre("s2.csv:D1: column Speed: numbers without a unit are m/s",
+                          "s2.csv:E1: column Duration: numbers without a unit are s"));
+}
+
 }  // namespace
 }  // namespace lsos::test

@@ -136,6 +136,49 @@ TEST(Workbook, has_spans_and_units_that_number_formats_show) {
   EXPECT_EQ(cell(row, 2), "5.5 km/h");
 }
 
+// An ODS archive whose cells B2 and, by its column, C2 show km/h.
+std::string ods() {
+  const std::string names = R"(xmlns:office="urn:oasis:names:tc:opendocument:xmlns:office:1.0" )"
+                            R"(xmlns:table="urn:oasis:names:tc:opendocument:xmlns:table:1.0" )"
+                            R"(xmlns:text="urn:oasis:names:tc:opendocument:xmlns:text:1.0" )"
+                            R"(xmlns:style="urn:oasis:names:tc:opendocument:xmlns:style:1.0" )"
+                            R"(xmlns:number="urn:oasis:names:tc:opendocument:xmlns:datastyle:1.0")";
+  const auto text = [](const char* words) {
+    return fmt::format(
+        R"(<table:table-cell office:value-type="string"><text:p>{}</text:p></table:table-cell>)",
+        words);
+  };
+  const auto number = [](const char* value, const char* style) {
+    return fmt::format(R"(<table:table-cell {} office:value-type="float" office:value="{}"/>)",
+                       style, value);
+  };
+  return pack_zip(
+      {{"mimetype", "application/vnd.oasis.opendocument.spreadsheet"},
+       {"styles.xml", "<office:document-styles " + names + "/>"},
+       {"content.xml",
+        "<office:document-content " + names + "><office:automatic-styles>" +
+            R"(<number:number-style style:name="N1"><number:number number:decimal-places="1"/>)" +
+            "<number:text> km/h</number:text></number:number-style>" +
+            R"(<style:style style:name="ce1" style:family="table-cell" )" +
+            R"(style:data-style-name="N1"/></office:automatic-styles><office:body>)" +
+            R"(<office:spreadsheet><table:table table:name="Events">)" +
+            R"(<table:table-column table:number-columns-repeated="2"/>)" +
+            R"(<table:table-column table:default-cell-style-name="ce1"/><table:table-row>)" +
+            text("Type") + text("Speed") + text("Limit") + text("No") +
+            "</table:table-row><table:table-row>" + text("Route") +
+            number("5.5", R"(table:style-name="ce1")") + number("7", "") + number("3", "") +
+            "</table:table-row></table:table></office:spreadsheet></office:body>" +
+            "</office:document-content>"}});
+}
+
+TEST(Workbook, has_units_that_number_formats_of_ods_show) {
+  const SheetFile file("formats.ods", ods());
+  const TableRow row = file.tables().at(0).rows.at(0);
+  EXPECT_EQ(cell(row, 1), "5.5 km/h");
+  EXPECT_EQ(cell(row, 2), "7 km/h");
+  EXPECT_EQ(cell(row, 3), "3");
+}
+
 TEST(Workbook, is_judged_by_its_directory_before_it_is_opened) {
   const std::string bytes = xlsx(header + std::string(3'000'000, ' '));
   EXPECT_LT(bytes.size(), 20'000u);
@@ -173,6 +216,13 @@ TEST(Csv, is_read_in_utf_8_utf_16_and_windows_1252) {
               "e");
     EXPECT_TRUE(table.has_commas);
   }
+}
+
+TEST(Csv, below_a_title_is_separated_as_its_header) {
+  const Table table = read_csv("Plan of the week\n\nType;Rover\nPause;A\n", "tasks.csv").at(0);
+  EXPECT_EQ(table.header_number, 3);
+  EXPECT_EQ(table.header.size(), 2u);
+  EXPECT_EQ(read_csv("Name\nRidge\n", "tasks.csv").at(0).header.at(0), "Name");
 }
 
 TEST(Csv, without_text_is_told) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "interchange/imported_plan.h"
 #include "plan/kml_writer.h"
 #include "support/reference_data.h"
 #include "unit/plan/plan_fixture.h"
@@ -115,6 +116,53 @@ TEST_F(SourceTables, follow_no_link_to_a_crs) {
   EXPECT_THAT(error("a.geojson", R"({"type":"FeatureCollection",
     "crs":{"type":"link","properties":{"href":"http://127.0.0.1:9/crs"}},"features":[]})"),
               HasSubstr("a.geojson:2: its crs is a link, and no link is followed"));
+}
+
+TEST_F(SourceTables, of_a_file_that_is_given_twice_are_refused) {
+  for (const char* name : {"a.csv", "b.csv", "c.csv"}) {
+    std::ofstream(folder_ / name) << (name[0] == 'c' ? "Type,Rover\n" : "Type,Place\n");
+  }
+  const auto path = [&](const char* name) { return (folder_ / name).string(); };
+  Faults faults;
+  report_equal_files({path("a.csv"), path("c.csv"), path("absent.csv")}, faults);
+  EXPECT_EQ(faults_text(faults), "");
+  report_equal_files({path("a.csv"), path("c.csv"), path("b.csv"), path("a.csv")}, faults);
+  EXPECT_THAT(faults_text(faults), HasSubstr("b.csv: has the same content as " + path("a.csv") +
+                                             ", so that all in it would stand twice"));
+  EXPECT_THAT(faults_text(faults), HasSubstr("a.csv: is given twice, so that"));
+}
+
+// Web maps of Earth are in metres.
+TEST_F(SourceTables, in_metres_of_another_body_say_what_to_do) {
+  const auto tables = read("map.geojson", R"({"type":"FeatureCollection",
+    "crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::3857"}},"features":[
+    {"type":"Feature","properties":{"name":"Ridge"},
+     "geometry":{"type":"Point","coordinates":[1000,1000]}}]})");
+  Faults faults;
+  const ImportedPlan made = import_tables(tables, declarations(), faults);
+  KmlSource source = made.source;
+  SourcePlacemark mission;
+  mission.data.push_back(
+      {"",
+       "MissionInfo",
+       {{"Planet", "Moon", 1}, {"StartTime", "2026-07-01", 1}, {"Terrain", "Flat", 1}},
+       1});
+  source.placemarks.push_back(mission);
+  read_plan("plan.kml", source, declarations(), faults);
+  EXPECT_THAT(faults_text(faults),
+              HasSubstr("its CRS is of Earth, Planet is Moon; it is to be saved in IAU_2015:30100, "
+                        "or in degrees of Earth, which are then taken for those of Moon"));
+}
+
+TEST_F(SourceTables, of_a_folder_called_as_an_event_are_of_its_type) {
+  const auto tables = read("map.kml", R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document>
+    <Folder><name>Route</name><Placemark><name>Out</name><ExtendedData><Data name="RoverId">
+    <value>A</value></Data></ExtendedData><LineString><coordinates>0,0 0.01,0</coordinates>
+    </LineString></Placemark></Folder></Document></kml>)");
+  Faults faults;
+  const ImportedPlan made = import_tables(tables, declarations(), faults);
+  ASSERT_EQ(made.source.placemarks.size(), 1u);
+  EXPECT_EQ(made.source.placemarks[0].data.at(0).schema, "Route");
 }
 
 }  // namespace
