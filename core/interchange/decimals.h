@@ -13,7 +13,7 @@ namespace lsos {
 // "1.200" and "1,200" show nothing.
 enum class Decimals { points, commas, either };
 
-// By the cells of a table below fields of numbers. Points where the table has no decimal commas.
+// What the cells below fields of numbers show. Points where the table has no decimal commas.
 Decimals decimals_of(const Table& table, const Columns& columns, const Declarations& declarations);
 
 // The text with a decimal point and without separators of thousands: "1200.5 s" of "1.200,5 s".

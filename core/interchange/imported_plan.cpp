@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 #include <optional>
+#include <set>
 
 #include "interchange/clock_text.h"
 #include "interchange/columns.h"
@@ -75,19 +76,25 @@ ImportedPlan import_tables(std::vector<Table> tables, const Declarations& declar
   PlaceNames places;
   std::deque<Columns> columns;
   std::vector<TypedRow> rows;
+  std::set<std::string> wanted;
+  std::vector<const Table*> used;
   for (const Table& table : tables) {
     if (is_foreign(table, declarations)) {
       plan.left_out.push_back(
           fmt::format("{}: a sheet with neither a column Type nor places", table.file));
       continue;
     }
+    used.push_back(&table);
     columns.emplace_back(table, declarations, faults);
+    wanted.merge(wanted_places(table, columns.back()));
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
     for (TypedRow& row :
-         typed_rows(table, columns.back(), declarations, places, plan.left_out, faults)) {
+         typed_rows(*used[i], columns[i], declarations, wanted, places, plan.left_out, faults)) {
       rows.push_back(std::move(row));
     }
-    if (!table.body.empty()) {
-      plan.source.layers.push_back({table.file, table.body, table.is_geographic});
+    if (!used[i]->body.empty()) {
+      plan.source.layers.push_back({used[i]->file, used[i]->body, used[i]->is_geographic});
     }
   }
   // Rows of events stay in their order, which their numbers and times follow.

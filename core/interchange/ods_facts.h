@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "interchange/workbook_archive.h"
+#include "interchange/workbook_facts.h"
 
 namespace lsos {
 

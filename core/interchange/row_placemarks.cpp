@@ -311,7 +311,7 @@ class PlacemarkMaker {
         is_way_ = is_event_ && declarations_.events.at(from_->type).drives && places_.is_way(named);
         return std::move(*found.value);
       }
-    } else if (geometry.kind.empty() && places_.has(placemark_.name) && wants_geometry()) {
+    } else if (geometry.kind.empty() && wants_geometry() && places_.has(placemark_.name)) {
       // A line on the map and a row of the same name are one event.
       Parsed<SourceGeometry> found = places_.geometry(placemark_.name);
       if (found) return std::move(*found.value);

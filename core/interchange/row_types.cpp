@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/text.h"
 #include "plan/suggestions.h"
 
 namespace lsos {
@@ -19,13 +20,20 @@ bool looks_like_ours(const TableRow& row, const Columns& columns) {
   return false;
 }
 
+std::string small(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 class RowTyper {
  public:
   RowTyper(const Table& table, const Columns& columns, const Declarations& declarations,
-           PlaceNames& places, Faults& faults)
+           const std::set<std::string>& wanted, PlaceNames& places, Faults& faults)
       : table_(table),
         columns_(columns),
         declarations_(declarations),
+        wanted_(wanted),
         places_(places),
         faults_(faults),
         names_(plan_names(declarations)),
@@ -34,6 +42,7 @@ class RowTyper {
   void add(const TableRow& row) {
     const std::string text = columns_.text(row, column::type);
     if (name_meant(text, declarations_).empty() && is_place_word(text)) return add_place(row);
+    if (text.empty() && row.geometry && is_wanted(row)) return add_place(row);
     std::string type = text.empty() ? table_type_ : name_meant(text, declarations_);
     if (!type.empty()) {
       typed_.push_back({&table_, &row, &columns_, std::move(type)});
@@ -73,10 +82,14 @@ class RowTyper {
   }
 
  private:
-  static bool is_place_word(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text == "place" || text == "places";
+  static bool is_place_word(const std::string& text) {
+    return small(text) == "place" || small(text) == "places";
+  }
+
+  // Whether a row of a sheet names the feature, which says nothing of an event itself.
+  bool is_wanted(const TableRow& row) const {
+    return !looks_like_ours(row, columns_) &&
+           wanted_.contains(small(columns_.text(row, column::name)));
   }
 
   void add_place(const TableRow& row) {
@@ -104,6 +117,7 @@ class RowTyper {
   const Table& table_;
   const Columns& columns_;
   const Declarations& declarations_;
+  const std::set<std::string>& wanted_;
   PlaceNames& places_;
   Faults& faults_;
   Suggestions names_;
@@ -114,10 +128,27 @@ class RowTyper {
 
 }  // namespace
 
+std::set<std::string> wanted_places(const Table& table, const Columns& columns) {
+  std::set<std::string> names;
+  for (const TableRow& row : table.rows) {
+    if (row.geometry) continue;
+    names.insert(small(columns.text(row, column::name)));
+    const std::string places = columns.text(row, column::place);
+    for (std::size_t from = 0; from < places.size();) {
+      const std::size_t end = std::min(places.find(';', from), places.size());
+      names.insert(small(std::string(trimmed(std::string_view(places).substr(from, end - from)))));
+      from = end + 1;
+    }
+  }
+  names.erase("");
+  return names;
+}
+
 std::vector<TypedRow> typed_rows(const Table& table, const Columns& columns,
-                                 const Declarations& declarations, PlaceNames& places,
+                                 const Declarations& declarations,
+                                 const std::set<std::string>& wanted, PlaceNames& places,
                                  std::vector<std::string>& left_out, Faults& faults) {
-  RowTyper typer(table, columns, declarations, places, faults);
+  RowTyper typer(table, columns, declarations, wanted, places, faults);
   for (const TableRow& row : table.rows) typer.add(row);
   return typer.take(left_out);
 }

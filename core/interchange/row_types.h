@@ -1,6 +1,7 @@
 // What each row of a table is: a thing of a plan, a place for others to name, or nothing.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,16 @@ struct TypedRow {
   std::string type;  // MissionInfo, Rover, Asset or an event
 };
 
+// Names that the rows of sheets and outlines give to places, in small letters.
+std::set<std::string> wanted_places(const Table& table, const Columns& columns);
+
 // The rows of a table that are things of a plan. Others with a name and a place are added to
-// `places`; features of a map that are nothing are counted in `left_out`, and rows of a sheet that
+// `places`, also features of a layer that is called as an event where they are `wanted` and have no
+// RoverId; features of a map that are nothing are counted in `left_out`, and rows of a sheet that
 // are nothing are reported.
 std::vector<TypedRow> typed_rows(const Table& table, const Columns& columns,
-                                 const Declarations& declarations, PlaceNames& places,
+                                 const Declarations& declarations,
+                                 const std::set<std::string>& wanted, PlaceNames& places,
                                  std::vector<std::string>& left_out, Faults& faults);
 
 }  // namespace lsos

@@ -104,9 +104,10 @@ class SheetMaker {
     // What identifies a row comes first, what is long last.
     std::vector<std::string> names;
     if (is_one_ || sheet == "Events") names = {column::type};
+    if (!is_one_ && sheet != "Events") names = {"RoverId", "RoverType", "AssetId", "AssetType"};
     for (const char* first : {"RoverId", "Sequence", column::name, column::day, "StartTime",
                               column::place, column::lon, column::lat}) {
-      names.emplace_back(first);
+      if (std::ranges::find(names, first) == names.end()) names.emplace_back(first);
     }
     const auto add = [&](const auto& fields) {
       for (const FieldDeclaration& field : fields) {

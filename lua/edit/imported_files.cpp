@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "interchange/columns.h"
+#include "interchange/header_row.h"
 #include "interchange/source_tables.h"
 
 namespace lsos {
@@ -30,8 +31,9 @@ std::vector<Table> read_all_tables(const std::vector<std::string>& files,
 std::map<std::string, SheetColumns> sheet_columns(const std::vector<Table>& tables,
                                                   const Declarations& declarations) {
   std::map<std::string, SheetColumns> all;
-  for (const Table& table : tables) {
-    Faults told;  // by import_tables()
+  for (Table table : tables) {
+    Faults told;  // by import_tables(), as notes are
+    find_header(table, declarations);
     SheetColumns& columns = all[table.file];
     const Columns said(table, declarations, told);
     for (const auto& [name, column] : said.all()) {

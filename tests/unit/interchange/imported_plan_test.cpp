@@ -198,5 +198,12 @@ TEST(ImportedPlan, says_once_for_a_column_what_numbers_without_a_unit_are) {
                           "s2.csv:E1: column Duration: numbers without a unit are s"));
 }
 
+TEST(ImportedPlan, takes_a_collection_of_one_line_for_the_line) {
+  const Imported made =
+      import({mission, "Type,Rover,WKT\nRoute,A,\"MULTILINESTRING ((0 0, 0.01 0))\"\n"});
+  ASSERT_EQ(made.faults, "");
+  EXPECT_EQ(made.plan.events.at(0).geometry.points.size(), 2u);
+}
+
 }  // namespace
 }  // namespace lsos::test

@@ -60,8 +60,8 @@ KmlSource plan() {
 TEST(SheetTables, say_days_clocks_places_and_units) {
   const std::vector<Table> tables = sheet_tables(plan(), known(), {}, false);
   ASSERT_EQ(tables.size(), 5u);
-  EXPECT_THAT(tables[1].header, ElementsAre("Rover", "Place", "Rover Type"));
-  EXPECT_THAT(tables[1].rows[0].cells, ElementsAre("A", "Home", "SEV"));
+  EXPECT_THAT(tables[1].header, ElementsAre("Rover", "Rover Type", "Place"));
+  EXPECT_THAT(tables[1].rows[0].cells, ElementsAre("A", "SEV", "Home"));
   const Table& places = tables[3];
   EXPECT_EQ(places.name, "Places");
   ASSERT_EQ(places.rows.size(), 2u);

@@ -154,6 +154,19 @@ TEST_F(SourceTables, in_metres_of_another_body_say_what_to_do) {
                         "or in degrees of Earth, which are then taken for those of Moon"));
 }
 
+// Who draws lines in a folder Route means the row of a sheet that names them.
+TEST_F(SourceTables, of_a_folder_called_as_an_event_are_lines_for_a_sheet_that_names_them) {
+  auto tables = read("map.kml", R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document>
+    <Folder><name>Route</name><Placemark><name>Out</name><LineString>
+    <coordinates>0,0 0.01,0</coordinates></LineString></Placemark></Folder></Document></kml>)");
+  tables.push_back(read("when.csv", "Type,Name,Rover\nRoute,out,A\n").at(0));
+  Faults faults;
+  const ImportedPlan made = import_tables(tables, declarations(), faults);
+  EXPECT_EQ(faults_text(faults), "");
+  ASSERT_EQ(made.source.placemarks.size(), 1u);
+  EXPECT_EQ(made.source.placemarks[0].geometries.at(0).coordinates, "0,0 0.01,0");
+}
+
 TEST_F(SourceTables, of_a_folder_called_as_an_event_are_of_its_type) {
   const auto tables = read("map.kml", R"(<kml xmlns="http://www.opengis.net/kml/2.2"><Document>
     <Folder><name>Route</name><Placemark><name>Out</name><ExtendedData><Data name="RoverId">
