@@ -72,15 +72,15 @@ Decimals shown_by(const Grouped& number) {
 Decimals decimals_of(const Table& table, const Columns& columns, const Declarations& declarations) {
   if (!table.has_commas) return Decimals::points;
   bool has_points = false, has_commas = false;
-  for (const auto& [name, column] : columns.all()) {
+  for (const auto& each : columns.all()) {
     const auto is_number = [&](const std::string& type) {
-      const FieldDeclaration* field = declared_field(type, name, declarations);
+      const FieldDeclaration* field = declared_field(type, each.first, declarations);
       return field != nullptr &&
              (field->kind == FieldKind::number || field->kind == FieldKind::duration);
     };
     if (!std::ranges::any_of(plan_names(declarations), is_number)) continue;
     for (const TableRow& row : table.rows) {
-      const Decimals shown = shown_by(grouped(cell(row, column.index)));
+      const Decimals shown = shown_by(grouped(cell(row, each.second.index)));
       has_points = has_points || shown == Decimals::points;
       has_commas = has_commas || shown == Decimals::commas;
     }

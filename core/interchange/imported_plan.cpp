@@ -57,7 +57,7 @@ void add_owners(const std::string& type, const std::vector<TypedRow>& rows, Plac
     const std::string id = row.columns->text(*row.row, row.type + "Id");
     for (const std::string& name : {id, row.columns->text(*row.row, column::name)}) {
       if (!name.empty() && !places.has_exactly(name)) {
-        places.add(name, {geometry, {row.table->file, row.row->number}, true});
+        places.add(name, {geometry, {row.table->file, row.row->number}, true, true});
       }
     }
   }
@@ -115,6 +115,7 @@ ImportedPlan import_tables(std::vector<Table> tables, const Declarations& declar
     plan.left_out.push_back(fmt::format("{} place{} that no row names: {}", unused.size(),
                                         unused.size() == 1 ? "" : "s", listed(unused)));
   }
+  plan.places = places.used_points();
   for (const std::string& note : places.notes()) notes.add(note);
   plan.notes = notes.all();
   return plan;

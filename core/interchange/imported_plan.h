@@ -14,6 +14,8 @@ namespace lsos {
 struct ImportedPlan {
   // Placemarks with one SchemaData each, in folders by rover and day.
   KmlSource source;
+  // Places that rows name, which are no part of the plan but keep their names on its map.
+  std::vector<SourcePlacemark> places = {};
   // Places that no row names, and features that are nothing of a plan: "map.gpkg/Craters: 12
   // features without a Type: Crater A, ...". They are not in the plan.
   std::vector<std::string> left_out;

@@ -164,7 +164,8 @@ std::string what_would_be(std::string_view words) {
 // Takes a time from the beginning of an item: "08:00", "+2 h", "2026-07-01T08:00".
 std::string_view take_time(std::string_view& item) {
   std::size_t end = item.find(' ');
-  const std::string_view word = item.substr(0, end);
+  std::string_view word = item.substr(0, end);
+  if (word.ends_with(':')) word.remove_suffix(1);  // "08:00: drive to Ridge"
   if (word.starts_with('+')) {
     // "+ 2 h" and "+2 h" have their unit in a word of its own.
     for (int words = 0; words < 3 && end != std::string_view::npos; ++words) {
@@ -179,7 +180,8 @@ std::string_view take_time(std::string_view& item) {
   } else if (!clock_s(word) && !(word.size() > 10 && word[4] == '-' && word[7] == '-')) {
     return {};
   }
-  const std::string_view time = item.substr(0, end);
+  std::string_view time = item.substr(0, end);
+  if (time.ends_with(':')) time.remove_suffix(1);
   item = end == std::string_view::npos ? std::string_view() : trimmed(item.substr(end));
   // "08:00 - drive to Ridge"
   for (const std::string_view dash : {"- ", "\xe2\x80\x93 ", "\xe2\x80\x94 "}) {

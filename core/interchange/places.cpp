@@ -137,6 +137,18 @@ bool PlaceNames::is_way(const std::string& text) const {
   return points > 1;
 }
 
+std::vector<SourcePlacemark> PlaceNames::used_points() const {
+  std::vector<SourcePlacemark> points;
+  for (const auto& [name, place] : places_) {
+    if (!place.is_used || place.is_owner || place.geometry.kind != "Point") continue;
+    SourcePlacemark point;
+    point.name = name;
+    point.geometries = {place.geometry};
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
 std::vector<std::string> PlaceNames::unused() const {
   std::vector<std::string> names;
   for (const auto& [name, place] : places_) {

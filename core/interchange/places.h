@@ -18,6 +18,7 @@ struct NamedPlace {
   SourceGeometry geometry;
   Place place;  // where it stands
   mutable bool is_used = false;
+  bool is_owner = false;  // a rover or an asset
 };
 
 class PlaceNames {
@@ -35,6 +36,8 @@ class PlaceNames {
   std::string hint(const std::string& name) const;
   // "'ridge' is taken for 'Ridge'": texts that were understood in another case of letters.
   const std::vector<std::string>& notes() const { return notes_.all(); }
+  // Points that something has referred to, but for rovers and assets, in the order of their names.
+  std::vector<SourcePlacemark> used_points() const;
   // Those that nothing has referred to, in the order of their names.
   std::vector<std::string> unused() const;
 

@@ -87,6 +87,13 @@ class DocumentMaker {
       }
       list->push_back(std::move(placemark));
     }
+    if (!look_.places.empty()) document_.folders.push_back({"Places", "", false, {}, {}});
+    for (const SourcePlacemark& from : look_.places) {
+      KmlPlacemark place;
+      place.name = from.name;
+      place.coordinates = coordinates_of(from.geometries.front());
+      document_.folders.back().placemarks.push_back(std::move(place));
+    }
     return write_kml(document_);
   }
 

@@ -10,7 +10,9 @@ namespace lsos {
 struct DocumentLook {
   std::string name;  // "": that of the source
   std::string description = {};
-  std::string target = {};   // body that a viewer shows it on, see KmlDocument
+  std::string target = {};  // body that a viewer shows it on, see KmlDocument
+  std::vector<SourcePlacemark> places =
+      {};                    // Points of a folder Places, which are no part of the plan
   bool has_folders = false;  // Placemarks lie in their folders, and rovers have colours
 };
 

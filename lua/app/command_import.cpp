@@ -93,6 +93,7 @@ int import_command(const ImportOptions& options) {
   look.description = fmt::format("Imported from {}.", fmt::join(options.files, ", "));
   look.target = target_of(*plan.mission.planet);
   look.has_folders = true;
+  look.places = made.places;
   const std::string kml = kml_of(made.source, look);
   // What was checked is what is written.
   Faults none;

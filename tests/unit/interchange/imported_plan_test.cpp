@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "interchange/map_tables.h"
+#include "interchange/place_book.h"
+#include "interchange/plan_document.h"
 #include "interchange/sheets.h"
+#include "plan/kml_reader.h"
 #include "unit/plan/plan_fixture.h"
 
 namespace lsos::test {
@@ -196,6 +199,24 @@ TEST(ImportedPlan, says_once_for_a_column_what_numbers_without_a_unit_are) {
   EXPECT_THAT(made.source.notes,
               ElementsAre("s2.csv:D1: column Speed: numbers without a unit are m/s",
                           "s2.csv:E1: column Duration: numbers without a unit are s"));
+}
+
+// The plan's map shows them, and export names them again.
+TEST(ImportedPlan, keeps_places_that_rows_name) {
+  const Imported made = import({mission, "name,lon,lat\nRim,0.010,0.005\nGate,0.02,0\n",
+                                "Type,Rover,Place\nRoute,A,Rim\nRoute,A,A\n"});
+  ASSERT_EQ(made.source.places.size(), 1u);
+  EXPECT_EQ(made.source.places[0].name, "Rim");
+  DocumentLook look;
+  look.places = made.source.places;
+  const KmlSource read = parse_kml(kml_of(made.source.source, look), "plan.kml");
+  const std::vector<Landmark> marks = landmarks(read, declarations());
+  ASSERT_EQ(marks.size(), 1u);
+  EXPECT_EQ(marks[0].name, "Rim");
+  EXPECT_EQ(marks[0].coordinates, "0.010,0.005");
+  Faults faults;
+  EXPECT_EQ(read_plan("plan.kml", read, declarations(), faults).hash(), made.plan.hash());
+  EXPECT_EQ(faults_text(faults), "");
 }
 
 TEST(ImportedPlan, takes_a_collection_of_one_line_for_the_line) {

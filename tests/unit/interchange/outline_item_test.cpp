@@ -16,9 +16,9 @@ OutlineFields read(const char* item) {
 }
 
 TEST(OutlineItem, has_a_clock_at_either_end) {
-  for (const char* item :
-       {"08:00 drive straight to Ridge", "08:00 - Drive straight TO Ridge",
-        "drive straight to Ridge at 08:00", "08:00 \xe2\x80\x93 Route at Ridge"}) {
+  for (const char* item : {"08:00 drive straight to Ridge", "08:00 - Drive straight TO Ridge",
+                           "drive straight to Ridge at 08:00", "08:00: drive straight to Ridge",
+                           "08:00 \xe2\x80\x93 Route at Ridge"}) {
     EXPECT_THAT(read(item), UnorderedElementsAre(Pair("StartTime", "08:00"), Pair("Type", "Route"),
                                                  Pair("Place", "Ridge")))
         << item;
