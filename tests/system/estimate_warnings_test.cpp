@@ -110,6 +110,22 @@ TEST(EstimateWarnings, tell_of_an_event_that_never_starts) {
                                           "for StartWhen: not sees('Earth')"))));
 }
 
+TEST(EstimateWarnings, tell_of_a_rover_that_stands_where_another_goes) {
+  const auto plan_to = [](const std::string& place_of_b) {
+    return std::vector<Mark>{mission(),
+                             sev("A", "31,12"),
+                             sev("B", "31.002,12"),
+                             event("Route", "A", 1, {}, point("31.001,12")),
+                             event("Pause", "B", 1, {{"Duration", "10 min"}}),
+                             event("Route", "B", 2, {}, point(place_of_b))};
+  };
+  EXPECT_THAT(warnings(plan_to("31.001,12")),
+              ElementsAre(AllOf(HasSubstr("Route 'Route 2': by the estimate A stands where it ends "
+                                          "at 2026-01-01T00:"),
+                                HasSubstr("give each a place of its own"))));
+  EXPECT_THAT(warnings(plan_to("31.0015,12")), IsEmpty());
+}
+
 TEST(EstimateWarnings, tell_of_half_of_the_charge_lost_though_the_reserve_is_left) {
   EXPECT_THAT(warnings({mission(), sev("A", night), pause(1, "30 h")}),
               ElementsAre(AllOf(HasSubstr("its charge falls from 100 % to 34 %; a place or time"),

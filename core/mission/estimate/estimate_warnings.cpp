@@ -43,7 +43,8 @@ std::vector<Fault> estimate_warnings(const std::vector<EventEstimate>& events, c
     const bool has_failed = event.status == EventStatus::failed && event.end_s && !is_meant;
     const bool never_starts = event.status == EventStatus::not_started && event.ready_s &&
                               event.reason.find("; it waited for ") != std::string::npos;
-    const bool is_news = has_failed || never_starts || (is_empty && !was_empty);
+    const bool meets = !event.meets.empty() && !has_failed;
+    const bool is_news = has_failed || never_starts || meets || (is_empty && !was_empty);
     was_empty = is_empty;
     if (!is_news || planned == plan.events.end() || is_known(*planned, known)) continue;
     std::string what = fmt::format("{} '{}': ", event.type, event.label);
@@ -51,6 +52,11 @@ std::vector<Fault> estimate_warnings(const std::vector<EventEstimate>& events, c
       what += fmt::format("by the estimate its turn comes at {} and it never starts: {}",
                           format_utc(plan.mission.start_time + from_seconds(*event.ready_s)),
                           event.reason);
+    } else if (meets) {
+      what += fmt::format(
+          "by the estimate {} stands where it ends at {}: a run ends it before they touch; give "
+          "each a place of its own, some metres apart",
+          event.meets, format_utc(plan.mission.start_time + from_seconds(*event.end_s)));
     } else if (has_failed) {
       what += fmt::format("by the estimate it fails at {}: {}",
                           format_utc(plan.mission.start_time + from_seconds(*event.end_s)),

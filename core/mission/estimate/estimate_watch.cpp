@@ -41,6 +41,18 @@ std::optional<double> known(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
+// The other rover that stands where this one is, "" without any. Drives of an estimate go through
+// each other, while those of a run end before they touch.
+std::string standing_at(const Fleet& fleet, std::size_t k) {
+  const Footprint footprint = fleet.rovers[k].agent->motion().footprint();
+  for (std::size_t other = 0; other < fleet.rovers.size(); ++other) {
+    const RoverAgent& agent = *fleet.rovers[other].agent;
+    if (other == k || agent.drive().is_carried()) continue;
+    if (overlap(footprint, agent.motion().footprint())) return agent.id();
+  }
+  return "";
+}
+
 }  // namespace
 
 void EstimateWatch::look(const Fleet& fleet, SimTime now) {
@@ -65,6 +77,8 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
       if (rover.perhaps_seen > 0) sums.perhaps_seen_s += passed_s;
       if (!std::isnan(rover.seen)) sums.sight_s += passed_s;
       sums.drives += drives - rover.drives;
+      const EventRecord& record = records[*rover.running];
+      if (record.end && record.distance_m > 0) sums.meets = standing_at(fleet, k);
     }
     rover.drives = drives;
     if (rover.lit == 0) {
@@ -145,6 +159,7 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.label = planned.label;
       event.status = record.status;
       event.reason = record.reason;
+      event.meets = rovers_[k].sums[i].meets;
       if (record.ready) event.ready_s = seconds(*record.ready);
       if (record.start) event.start_s = seconds(*record.start);
       if (!record.start || !record.end) continue;

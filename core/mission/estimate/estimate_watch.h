@@ -35,6 +35,7 @@ class EstimateWatch {
     // Earth is surely seen, perhaps; it is known whether it is.
     double surely_seen_s = 0, perhaps_seen_s = 0, sight_s = 0;
     DriveDoubt drives;
+    std::string meets;  // the rover that stands where its drive has ended
   };
   struct Watched {
     std::size_t first = 0;  // events before it have ended

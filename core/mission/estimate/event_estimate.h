@@ -40,6 +40,7 @@ struct EventEstimate {
   std::string type, label;
   EventStatus status = EventStatus::not_started;
   std::string reason;                    // why it is expected to fail or not to start, else ""
+  std::string meets;                     // the rover that stands where its drive ends, else ""
   std::optional<double> start_s, end_s;  // since the mission's start
   std::optional<double> ready_s;         // when its turn comes
   std::optional<double> distance_m, energy_used_j, solar_j;
