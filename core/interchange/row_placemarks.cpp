@@ -225,6 +225,7 @@ class PlacemarkMaker {
                       "1, {}",
                       field.name, cell_text, date_));
     }
+    if (time && is_event_ && has_day_) note_other_days(cell_text);
     if (time && !parse_utc(*time.value)) {
       time.why = fmt::format(
           "{} is no time; 08:00, '+2 h', and a date and time such as 2026-07-01 "
@@ -233,6 +234,18 @@ class PlacemarkMaker {
     }
     if (time.why.empty()) return add_field(field.name, std::move(*time.value));
     faults_.error(cell_place(field.name), fmt::format("{} = {}", field.name, time.why));
+  }
+
+  // Tells where a clock time falls on another day of reports, `check` and `edit`.
+  void note_other_days(const std::string& cell_text) {
+    const std::string start_clock = format_utc(*start_).substr(11, 5);
+    const auto clock = clock_s(cell_text), days_begin = clock_s(start_clock);
+    if (!clock || !days_begin || *clock >= *days_begin) return;
+    notes_.add(
+        fmt::format("days are UTC dates here; reports, check and edit count them from {0} "
+                    "on, when the mission starts, so that a time before {0} is of the day "
+                    "before there",
+                    start_clock));
   }
 
   // The row's own start, which is read before other times, else the last above.

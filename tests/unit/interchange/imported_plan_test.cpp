@@ -17,6 +17,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const std::string mission =
     "Type,RoverId,RoverType,Planet,StartTime,Terrain,Lon,Lat\n"
@@ -199,6 +200,19 @@ TEST(ImportedPlan, says_once_for_a_column_what_numbers_without_a_unit_are) {
   EXPECT_THAT(made.source.notes,
               ElementsAre("s2.csv:D1: column Speed: numbers without a unit are m/s",
                           "s2.csv:E1: column Duration: numbers without a unit are s"));
+}
+
+TEST(ImportedPlan, says_where_its_days_are_not_those_of_reports) {
+  const auto notes = [](const std::string& clock) {
+    return import({mission, "Type,Rover,Day,Start,Duration\nPause,A,1,07:00,1 h\nPause,A,2," +
+                                clock + ",1 h\n"})
+        .source.notes;
+  };
+  EXPECT_THAT(notes("06:00"), IsEmpty());
+  EXPECT_THAT(notes("05:59"),
+              ElementsAre("days are UTC dates here; reports, check and edit count them from 06:00 "
+                          "on, when the mission starts, so that a time before 06:00 is of the day "
+                          "before there"));
 }
 
 // The plan's map shows them, and export names them again.
