@@ -9,13 +9,11 @@
 #include <string_view>
 
 #include "access/file_access.h"
-#include "access/gdal_access.h"
+#include "access/refusal.h"
 
 namespace lsos {
 
 namespace {
-
-thread_local std::string refusal;
 
 // The file system of the machine.
 class BoundedFiles : public VSIFilesystemHandler {
@@ -113,13 +111,5 @@ void bound_file_systems() {
   VSIFileManager::InstallHandler("", new BoundedFiles(VSIFileManager::GetHandler("")));
   if (!has_network_access()) refuse_other_file_systems();
 }
-
-void refuse(const std::string& why) {
-  if (refusal.empty()) refusal = why;
-}
-
-const std::string& last_refusal() { return refusal; }
-
-void forget_refusal() { refusal.clear(); }
 
 }  // namespace lsos

@@ -1,16 +1,11 @@
 // GDAL's file systems, bounded by file_access.h.
 #pragma once
 
-#include <string>
-
 namespace lsos {
 
 // Puts a check before GDAL's own file systems: a local file is opened where it is allowed, and
 // files of the network where connections are. Sources of a VRT and files within archives pass
 // through these too.
 void bound_file_systems();
-
-// Remembers, for last_refusal, why something is not opened on this thread.
-void refuse(const std::string& why);
 
 }  // namespace lsos

@@ -12,6 +12,7 @@
 
 #include "access/bounded_files.h"
 #include "access/file_access.h"
+#include "access/refusal.h"
 
 namespace lsos {
 

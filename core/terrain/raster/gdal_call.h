@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "access/gdal_access.h"
+#include "access/refusal.h"
 
 namespace lsos {
 
