@@ -151,6 +151,7 @@ std::string check_text(const MissionModel& files, const RoutesAhead& routes, boo
   std::string text = files.faults.has_errors() ? "" : verdict(files, faults.size());
   for (const Fault& fault : faults) text += to_string(fault) + "\n";
   if (files.faults.has_errors()) {
+    if (files.plan.events.empty()) return text;
     return text + "the plan has errors: it is not estimated what its events take\n";
   }
   text += legs_text(files.plan, routes.planned, is_verbose);

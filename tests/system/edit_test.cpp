@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "base/replaced.h"
 #include "system/plan_text.h"
@@ -105,14 +106,26 @@ TEST_F(Edit, a_repeated_day_can_be_split_off_again) {
   EXPECT_THAT(read_text(new_plan_), HasSubstr("name=\"InitialCharge\">0.8<"));
 }
 
-// Estimates of the plan's events, by sequence, of one rover.
-std::map<int, nlohmann::json> estimates(const std::string& plan) {
-  const Outcome outcome = run({"check", plan, "--json", "--quiet"});
+// Estimates of the plan's events of one rover, by sequence and column; numbers without ranges.
+std::map<int, std::map<std::string, double>> estimates(const std::string& plan) {
+  const TempFolder folder;
+  const Outcome outcome = run({"check", plan, "--csv", folder / "events.csv", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  std::map<int, nlohmann::json> of;
-  const auto answer = nlohmann::json::parse(outcome.out);
-  for (const nlohmann::json& event : answer.at("estimate")) {
-    of[event.at("sequence")] = event;
+  std::istringstream table(read_text(folder / "events.csv"));
+  const auto cells = [](const std::string& line) {
+    std::istringstream row(line);
+    std::vector<std::string> all;
+    for (std::string cell; std::getline(row, cell, ',');) all.push_back(cell);
+    return all;
+  };
+  std::string line;
+  std::getline(table, line);
+  const std::vector<std::string> header = cells(line);
+  std::map<int, std::map<std::string, double>> of;
+  while (std::getline(table, line)) {
+    const std::vector<std::string> row = cells(line);
+    auto& event = of[std::stoi(row.at(1))];
+    for (std::size_t i = 4; i < row.size(); ++i) event[header.at(i)] = std::atof(row[i].c_str());
   }
   return of;
 }
@@ -142,17 +155,15 @@ TEST_F(Edit, a_day_that_is_split_off_goes_as_in_the_whole_plan) {
   const auto in_whole = estimates(whole), alone = estimates(new_plan_);
   ASSERT_EQ(alone.size(), 2u);
   for (const auto& [sequence, event] : alone) {
-    const nlohmann::json &as_before = in_whole.at(sequence), &now = event;
-    const auto difference = [&](const char* name) {
-      return now.at(name).get<double>() - as_before.at(name).get<double>();
-    };
+    const auto &as_before = in_whole.at(sequence), &now = event;
+    const auto difference = [&](const char* name) { return now.at(name) - as_before.at(name); };
     EXPECT_NEAR(difference("start_s"), -86400, 0.1) << sequence;
     EXPECT_NEAR(difference("end_s"), -86400, 0.2) << sequence;
     EXPECT_NEAR(difference("distance_m"), 0, 0.05) << sequence;
     EXPECT_NEAR(difference("energy_used_j"), 0, 500) << sequence;
     EXPECT_NEAR(difference("charge_end"), 0, 1e-5) << sequence;
   }
-  EXPECT_LT(in_whole.at(40).at("charge_end").get<double>(), 0.9) << "it is not that of a new rover";
+  EXPECT_LT(in_whole.at(40).at("charge_end"), 0.9) << "it is not that of a new rover";
 }
 
 TEST_F(Edit, a_rover_whose_event_goes_on_begins_as_it_ends) {
