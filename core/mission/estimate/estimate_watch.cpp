@@ -81,6 +81,15 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
       if (record.end && record.distance_m > 0) sums.meets = standing_at(fleet, k);
     }
     rover.drives = drives;
+    if (const std::size_t at = rover.running.value_or(rover.first); at < records.size()) {
+      Sums& sums = rover.sums[at];
+      sums.sun_less_j += rover.sun_less_w * passed_s;
+      sums.sun_more_j += rover.sun_more_w * passed_s;
+      if (charge >= full_charge) {
+        sums.sun_less_j = sums.sun_more_j = 0;
+        sums.was_full = true;
+      }
+    }
     if (rover.lit == 0) {
       extend(rover.is_stowed ? rover.shade.stowed : rover.shade.dark, seconds(last_), seconds(now));
     }
@@ -94,6 +103,9 @@ void EstimateWatch::look(const Fleet& fleet, SimTime now) {
     const std::optional<double> lit = lit_share(agent);
     rover.lit = lit ? *lit > 0 : not_modelled;
     rover.clear = lit ? *lit >= clear_share : not_modelled;
+    const std::optional<PanelSunlight>& sun = agent.power().sun();
+    rover.sun_less_w = sun ? sun->less_w : 0;
+    rover.sun_more_w = sun ? sun->more_w : 0;
     rover.is_stowed = lit && !agent.power().panels().is_any_up();
     const std::optional<PairSight> earth = agent.sight_of(earth_id);
     rover.seen = earth ? earth->is_visible : not_modelled;
@@ -170,8 +182,9 @@ std::vector<EventEstimate> EstimateWatch::events(const Fleet& fleet, Instant mis
       event.charge_end = known(record.charge_end);
       const Sums& sums = rovers_[k].sums[i];
       const RoverPower& power = fleet.rovers[k].agent->power();
-      doubted.push_back(
-          {nullptr, &planned, sums.drives, power.has_battery() ? power.capacity_j() : 0});
+      doubted.push_back({nullptr, &planned, sums.drives,
+                         power.has_battery() ? power.capacity_j() : 0, sums.sun_less_j,
+                         sums.sun_more_j, sums.was_full});
       doubted_at.push_back(events.size() - 1);
       event.charge_min =
           known(std::fmin(sums.charge_min, std::fmin(record.charge_start, record.charge_end)));

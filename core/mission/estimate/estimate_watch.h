@@ -35,6 +35,9 @@ class EstimateWatch {
     // Earth is surely seen, perhaps; it is known whether it is.
     double surely_seen_s = 0, perhaps_seen_s = 0, sight_s = 0;
     DriveDoubt drives;
+    // The wait for it counts, too; since the battery was full.
+    double sun_less_j = 0, sun_more_j = 0;
+    bool was_full = false;
     std::string meets;  // the rover that stands where its drive has ended
   };
   struct Watched {
@@ -48,6 +51,7 @@ class EstimateWatch {
     bool is_stowed = false;  // it has panels, and none is up
     double lit = not_modelled, clear = not_modelled, seen = not_modelled;
     double surely_seen = not_modelled, perhaps_seen = not_modelled;
+    double sun_less_w = 0, sun_more_w = 0;
   };
 
   std::vector<Watched> rovers_;

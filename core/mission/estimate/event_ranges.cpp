@@ -11,8 +11,6 @@ namespace {
 
 // Times that differ by less are the same, s: an event begins at the exchange after another ends.
 constexpr double same_s = 1;
-// Charge from which a battery counts as full.
-constexpr double full = 1 - 1e-3;
 
 // What has come together of a rover's events.
 struct Carried {
@@ -66,15 +64,16 @@ void add_energy(const DoubtedEvent& event, const Expected& duration_s, Carried& 
   const double more_j = event.drives.more_j + other_w * (duration_s.high - takes_s);
   estimate.energy_range_j =
       told(std::max(0.0, used_j - less_j), used_j + more_j, energy_told * used_j);
-  carried.less_j += less_j;
-  carried.more_j += more_j;
+  if (event.was_full) carried.less_j = carried.more_j = 0;
+  carried.less_j += less_j + event.sun_more_j;
+  carried.more_j += more_j + event.sun_less_j;
   if (!estimate.charge_end || !estimate.charge_min || event.capacity_j <= 0) return;
   const auto of_charge = [&](double charge) {
     return told(std::max(0.0, charge - carried.more_j / event.capacity_j),
                 std::min(1.0, charge + carried.less_j / event.capacity_j), charge_told);
   };
   estimate.charge_min_range = of_charge(*estimate.charge_min);
-  if (*estimate.charge_end >= full) {
+  if (*estimate.charge_end >= full_charge) {
     carried.less_j = carried.more_j = 0;
   } else {
     estimate.charge_end_range = of_charge(*estimate.charge_end);

@@ -1,5 +1,5 @@
-// How sure an estimate of events is: what drives may take less or more, carried on through the
-// events that follow.
+// How sure an estimate of events is: what drives may take less or more and what a Sun along the
+// horizon may give, carried on through the events that follow.
 #pragma once
 
 #include <vector>
@@ -10,6 +10,8 @@
 
 namespace lsos {
 
+// Charge from which a battery counts as full.
+inline constexpr double full_charge = 1 - 1e-3;
 // Ranges narrower than these are none: the quantity then is as sure as a number says.
 inline constexpr double end_told_s = 10, energy_told = 0.01, charge_told = 0.005;
 
@@ -19,6 +21,9 @@ struct DoubtedEvent {
   const PlanEvent* planned = nullptr;
   DriveDoubt drives;      // of its own drives
   double capacity_j = 0;  // of the rover's battery; 0: it has none
+  // What the Sun may give less or more, in its course and in the wait for it.
+  double sun_less_j = 0, sun_more_j = 0;
+  bool was_full = false;  // the battery, at some time of these
 };
 
 // Sets the ranges of the estimates. An event begins early or late as what it waits for does: the

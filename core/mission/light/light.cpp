@@ -35,14 +35,15 @@ SunColumn column_of(const std::vector<PanelFace>& faces, const Vec3& eye_S_m, co
 
 }  // namespace
 
-std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& light) {
-  std::vector<double> fractions(scene.faces.size(), 0.0);
-  if (light.irradiance_wpm2 <= 0 || light.eclipsed >= 1) return fractions;
-  if (is_deep_night(ground_->site(), scene.eye_S_m, light)) return fractions;
+SunRange Light::sun_range(const LitScene& scene, const Sunlight& light) {
+  const std::vector<double> none(scene.faces.size(), 0.0);
+  SunRange range{none, none, none};
+  if (light.irradiance_wpm2 <= 0 || light.eclipsed >= 1) return range;
+  if (is_deep_night(ground_->site(), scene.eye_S_m, light)) return range;
   const Vec3 sun_S = direction_S(ground_->site(), scene.eye_S_m, light.seen);
   const double sine = std::sin(light.disc_rad);
   const auto is_facing = [&](const PanelFace& face) { return face.normal().dot(sun_S) > -sine; };
-  if (std::ranges::none_of(scene.faces, is_facing)) return fractions;
+  if (std::ranges::none_of(scene.faces, is_facing)) return range;
 
   const std::vector<DiscSample> disc = disc_samples(sun_S, light.disc_rad, disc_samples_count);
   std::vector<Vec3> directions;
@@ -51,12 +52,12 @@ std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& 
   SunColumn column = column_of(scene.faces, scene.eye_S_m, ground_->site().up_S(scene.eye_S_m));
   column.sun_S = sun_S;
   column.disc_rad = light.disc_rad;
-  double over_ground = 1;  // share of the disc that is above the ground
+  DiscShare over_ground;  // share of the disc that is above the ground
   if (march_) {
     const double middle_m = (column.low_m + column.high_m) / 2;
     const Vec3 middle_S_m = scene.eye_S_m + middle_m * ground_->site().up_S(scene.eye_S_m);
     over_ground = share_over_ground(*ground_, *march_, middle_S_m, sun_S, light.disc_rad);
-    if (over_ground <= 0) return fractions;
+    if (over_ground.high <= 0) return range;
   } else {
     append(all, ground_mesh(*ground_, column), Mat3::Identity(), Vec3::Zero());
   }
@@ -70,10 +71,14 @@ std::vector<double> Light::sun_fractions(const LitScene& scene, const Sunlight& 
     }
     const std::vector<double> shares =
         renderer_->panels.visible_shares(scene.faces[i], all, directions);
-    for (std::size_t k = 0; k < disc.size(); ++k) fractions[i] += disc[k].weight * shares[k];
-    fractions[i] *= over_ground * (1 - light.eclipsed);
+    double open = 0;  // share that the ground alone might hide
+    for (std::size_t k = 0; k < disc.size(); ++k) open += disc[k].weight * shares[k];
+    open *= 1 - light.eclipsed;
+    range.expected[i] = open * over_ground.expected;
+    range.low[i] = open * over_ground.low;
+    range.high[i] = open * over_ground.high;
   }
-  return fractions;
+  return range;
 }
 
 }  // namespace lsos

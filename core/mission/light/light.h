@@ -17,6 +17,11 @@
 
 namespace lsos {
 
+// Shares 0..1 of faces that are seen from the Sun: as expected, least and greatest.
+struct SunRange {
+  std::vector<double> expected, low, high;
+};
+
 // Results are pure functions of the arguments.
 class Light {
  public:
@@ -31,7 +36,11 @@ class Light {
 
   // Share 0..1 of each face that is seen from the Sun, averaged over its disc. Near and far ground
   // counts.
-  std::vector<double> sun_fractions(const LitScene& scene, const Sunlight& light);
+  std::vector<double> sun_fractions(const LitScene& scene, const Sunlight& light) {
+    return sun_range(scene, light).expected;
+  }
+  // The same with what an estimate does not know of the horizon; else all three are equal.
+  SunRange sun_range(const LitScene& scene, const Sunlight& light);
   DiffuseViewCache& diffuse_views() { return diffuse_views_; }
 
  private:

@@ -94,7 +94,8 @@ Sight::Disc Sight::disc(const Vec3& from_S_m, const Vec3& direction_S, double di
 
 Sight::Disc Sight::marched_disc(const Vec3& from_S_m, const Vec3& direction_S, double disc_rad,
                                 const std::vector<NamedMesh>& solids) {
-  const double fraction = share_over_ground(*ground_, march_, from_S_m, direction_S, disc_rad);
+  const double fraction =
+      share_over_ground(*ground_, march_, from_S_m, direction_S, disc_rad).expected;
   if (fraction < centre_share) return {false, fraction, ground_name};
   if (solids.empty()) return {true, fraction, ""};
   const Viewpoint viewer{direction_S};

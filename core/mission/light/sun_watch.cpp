@@ -98,15 +98,20 @@ PanelSunlight evaluate_sunlight(Light& light, const Ground& ground, const RoverA
     scene.faces.push_back(
         {R_SB * Vec3(0, 0, rover.shape().top_m() + probe_above_m), u, sun_S.cross(u)});
   }
-  const std::vector<double> fractions = light.sun_fractions(scene, sun);
+  const SunRange range = light.sun_range(scene, sun);
+  const std::vector<double>& fractions = range.expected;
   const std::vector<DiffuseView> views = diffuse_views(light, rover.id(), scene, up.size(), sun);
 
   PanelSunlight value;
   value.time = now;
   value.panels.resize(panels.specs().size());
   for (std::size_t k = 0; k < up.size(); ++k) {
-    value.panels[up[k]] =
-        lit(panels.specs()[up[k]], scene.faces[k], fractions[k], views[k], sun_S, sun);
+    const auto lit_by = [&](double fraction) {
+      return lit(panels.specs()[up[k]], scene.faces[k], fraction, views[k], sun_S, sun);
+    };
+    const PanelSunlight::Panel& panel = value.panels[up[k]] = lit_by(fractions[k]);
+    value.less_w += panel.power_w - lit_by(range.low[k]).power_w;
+    value.more_w += lit_by(range.high[k]).power_w - panel.power_w;
   }
   value.is_dark = std::ranges::all_of(fractions, [](double fraction) { return fraction <= 0; });
   return value;

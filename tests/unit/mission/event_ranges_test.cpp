@@ -27,7 +27,8 @@ class EventRanges : public ::testing::Test {
   void find() {
     std::vector<DoubtedEvent> all;
     for (std::size_t k = 0; k < events.size(); ++k) {
-      all.push_back({&events[k], &plan[k], doubts[k], 1e7});
+      all.push_back(
+          {&events[k], &plan[k], doubts[k], 1e7, sun_less_j[k], sun_more_j[k], was_full[k]});
     }
     add_ranges(all, start);
   }
@@ -41,6 +42,8 @@ class EventRanges : public ::testing::Test {
   std::array<PlanEvent, 8> plan;
   std::vector<EventEstimate> events;
   std::vector<DriveDoubt> doubts;
+  std::array<double, 8> sun_less_j{}, sun_more_j{};
+  std::array<bool, 8> was_full{};
 };
 
 // A drive that is expected to use all of its energy by itself.
@@ -50,6 +53,20 @@ TEST_F(EventRanges, are_none_where_nothing_drives) {
   add("A", 1, 0, 100);
   find();
   EXPECT_FALSE(events[0].end_range_s || events[0].energy_range_j || events[0].charge_end_range);
+}
+
+TEST_F(EventRanges, of_charge_hold_what_a_sun_along_the_horizon_may_give) {
+  for (int k = 0; k < 3; ++k) add("A", k, 100 * k, 100 * (k + 1));
+  sun_less_j[0] = 1e5, sun_more_j[0] = 2e6;
+  sun_more_j[1] = 1e6;
+  sun_more_j[2] = 5e5, was_full[2] = true;
+  find();
+  EXPECT_DOUBLE_EQ(events[0].charge_end_range->low, 0.49);
+  EXPECT_DOUBLE_EQ(events[0].charge_end_range->high, 0.7);
+  EXPECT_DOUBLE_EQ(events[1].charge_end_range->high, 0.8);
+  EXPECT_DOUBLE_EQ(events[2].charge_end_range->low, 0.5);
+  EXPECT_DOUBLE_EQ(events[2].charge_end_range->high, 0.55);
+  EXPECT_FALSE(events[0].energy_range_j) << "what is used is sure";
 }
 
 TEST_F(EventRanges, add_up_from_event_to_event) {
