@@ -3,6 +3,10 @@
 #include <cpl_string.h>
 #include <cpl_vsi_virtual.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <memory>
 #include <set>
@@ -62,7 +66,8 @@ class BoundedFiles : public VSIFilesystemHandler {
  private:
   static bool check(const char* path) {
     if (is_allowed(path)) return true;
-    refuse(refused_file(path));
+    // GDAL asks there what machine it runs on before it calls a server.
+    if (!std::string_view(path).starts_with("/sys/")) refuse(refused_file(path));
     errno = EACCES;
     return false;
   }
@@ -70,20 +75,59 @@ class BoundedFiles : public VSIFilesystemHandler {
   std::unique_ptr<VSIFilesystemHandler> files_;
 };
 
-// A file system of the network, or a stream of the program.
+bool is_stream(std::string_view prefix) { return prefix.starts_with("/vsistd"); }
+
+// A file system of the network, or a standard stream of the program.
 class RefusedFiles : public VSIFilesystemHandler {
  public:
   VSIVirtualHandle* Open(const char* path, const char*, bool, CSLConstList) override {
-    refuse(refused_network(path));
-    errno = EACCES;
+    tell(path);
     return nullptr;
   }
   int Stat(const char* path, VSIStatBufL*, int) override {
-    refuse(refused_network(path));
-    errno = EACCES;
+    tell(path);
     return -1;
   }
   bool IsLocal(const char*) override { return false; }
+
+ private:
+  static void tell(const char* path) {
+    refuse(is_stream(path) ? fmt::format("'{}' is a stream of the program, and no raster", path)
+                           : refused_network(path));
+    errno = EACCES;
+  }
+};
+
+// A file system of the network where that is allowed, which is no way to local files.
+class WebFiles : public VSIFilesystemHandler {
+ public:
+  explicit WebFiles(VSIFilesystemHandler* files) : files_(files) {}
+
+  VSIVirtualHandle* Open(const char* path, const char* access, bool sets_error,
+                         CSLConstList options) override {
+    return check(path) ? files_->Open(path, access, sets_error, options) : nullptr;
+  }
+  int Stat(const char* path, VSIStatBufL* stat, int flags) override {
+    return check(path) ? files_->Stat(path, stat, flags) : -1;
+  }
+  char** ReadDirEx(const char* folder, int files_max) override {
+    return check(folder) ? files_->ReadDirEx(folder, files_max) : nullptr;
+  }
+  bool IsLocal(const char*) override { return false; }
+
+ private:
+  static bool check(const char* path) {
+    std::string lower(path);
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (lower.find("file:") == std::string::npos && lower.find("%3a") == std::string::npos) {
+      return true;
+    }
+    refuse(fmt::format("'{}' is no address of the network", path));
+    errno = EACCES;
+    return false;
+  }
+
+  VSIFilesystemHandler* files_;  // that of GDAL, which serves several prefixes and stays
 };
 
 // File systems that read memory, or local files through this one.
@@ -92,13 +136,18 @@ const std::set<std::string_view> local_prefixes = {"/vsimem/",   "/vsizip/",    
                                                    "/vsicrypt/", "/vsicached?"};
 
 // All others lead to the network, or to the program's own standard streams.
-void refuse_other_file_systems() {
+void bound_other_file_systems() {
   std::set<VSIFilesystemHandler*> replaced;  // some serve several prefixes
   const CPLStringList prefixes(VSIFileManager::GetPrefixes());
   for (int i = 0; i < prefixes.size(); ++i) {
     const char* prefix = prefixes[i];
     if (local_prefixes.contains(prefix)) continue;
-    replaced.insert(VSIFileManager::GetHandler(prefix));
+    VSIFilesystemHandler* handler = VSIFileManager::GetHandler(prefix);
+    if (has_network_access() && !is_stream(prefix)) {
+      VSIFileManager::InstallHandler(prefix, new WebFiles(handler));
+      continue;
+    }
+    replaced.insert(handler);
     VSIFileManager::InstallHandler(prefix, new RefusedFiles);
   }
   for (VSIFilesystemHandler* handler : replaced) delete handler;
@@ -109,7 +158,7 @@ void refuse_other_file_systems() {
 void bound_file_systems() {
   // GDAL owns the handlers that it is given.
   VSIFileManager::InstallHandler("", new BoundedFiles(VSIFileManager::GetHandler("")));
-  if (!has_network_access()) refuse_other_file_systems();
+  bound_other_file_systems();
 }
 
 }  // namespace lsos

@@ -68,6 +68,25 @@ void allow_folder(const std::string& folder) { add(allowed().folders, resolved(f
 
 void allow_file(const std::string& file) { add(allowed().files, stem_of(resolved(file))); }
 
+std::string file_on_disk(const std::string& name) {
+  std::string rest = name;
+  while (rest.starts_with("/vsi") || rest.starts_with("vsi")) {
+    const std::size_t slash = rest.find('/', 1);
+    if (slash == std::string::npos) break;
+    rest.erase(0, slash + 1);
+  }
+  if (rest == name) return name;
+  if (rest.starts_with('{')) return rest.substr(1, rest.find('}') - 1);
+  fs::path path = rest;
+  std::error_code absent;
+  while (path.has_relative_path() && !fs::exists(path, absent)) path = path.parent_path();
+  return path.string();
+}
+
+void allow_raster(const std::string& name) {
+  allow_folder(fs::path(file_on_disk(name)).parent_path().string());
+}
+
 bool is_allowed(const std::string& path) {
   if (!is_restricted) return true;
   const fs::path file = resolved(path);

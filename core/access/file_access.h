@@ -19,7 +19,13 @@ void allow_folder(const std::string& folder);
 // .aux.xml of a raster.
 void allow_file(const std::string& file);
 
+// The folder of a raster that the user names, which may lie in an archive:
+// "/vsizip/MAPS/all.zip/dem.tif".
+void allow_raster(const std::string& name);
+
 bool is_allowed(const std::string& path);
+// The file on disk that such a name leads to: the archive.
+std::string file_on_disk(const std::string& name);
 
 // What stands in a message about a file that may not be opened: "lies outside ...: --allow-files
 // FOLDER allows it".

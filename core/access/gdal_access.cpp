@@ -1,6 +1,9 @@
 #include "access/gdal_access.h"
 
+#include <cpl_conv.h>
+#include <cpl_http.h>
 #include <cpl_string.h>
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_srs_api.h>
 
@@ -23,50 +26,43 @@ constexpr const char* file_drivers =
     "VRT;GTiff;COG;MEM;NITF;HFA;AIG;AAIGrid;DTED;PNG;JPEG;GIF;BMP;WEBP;PNM;JP2OpenJPEG;"
     "ISIS2;ISIS3;PDS;PDS4;VICAR;SRTMHGT;USGSDEM;GRASSASCIIGrid;ERS;ENVI;EHdr;GenBin;ISCE;"
     "ROI_PAC;RST;RRASTER;RMF;BT;GTX;LCP;Leveller;Terragen;GSAG;GSBG;GS7BG;SAGA;XYZ;HF2;"
-    "ZMap;BYN;SIGDEM;NWT_GRD;ILWIS;PCIDSK;NGSGEOID;GRIB;netCDF;GPKG;CSV;XLSX;ODS;GeoJSON;"
+    "ZMap;BYN;SIGDEM;NWT_GRD;ILWIS;PCIDSK;NGSGEOID;GRIB;GPKG;CSV;XLSX;ODS;GeoJSON;"
     "ESRI Shapefile;GPX;Memory";
 
-// Names such as GPKG:"FILE":TABLE are opened by a driver's own library, past GDAL's file systems.
-std::string file_within(std::string_view name) {
-  name.remove_prefix(name.find(':') + 1);
-  if (name.starts_with('"')) {
-    name.remove_prefix(1);
-    return std::string(name.substr(0, name.find('"')));
+GDALDataset* (*open_geopackage)(GDALOpenInfo*) = nullptr;
+
+// SQLite opens its files past GDAL's file systems, and others that a VRT's options attach. Plans
+// and logs, which the program itself names, are vectors.
+GDALDataset* open_vectors_alone(GDALOpenInfo* info) {
+  if ((info->nOpenFlags & GDAL_OF_VECTOR) != 0) return open_geopackage(info);
+  if (STARTS_WITH_CI(info->pszFilename, "GPKG:") ||
+      EQUAL(CPLGetExtension(info->pszFilename), "gpkg")) {
+    refuse(
+        fmt::format("rasters in a GeoPackage are not read ('{}'); gdal_translate makes a GeoTIFF "
+                    "of one",
+                    info->pszFilename));
   }
-  return std::string(name.substr(0, name.find(':')));
+  return nullptr;
 }
 
-// A driver that opens such names, and how it does it unbounded.
-struct PrefixDriver {
-  const char* name;
-  GDALDataset* (*open)(GDALOpenInfo*) = nullptr;
-};
-std::array prefix_drivers{PrefixDriver{"GPKG"}, PrefixDriver{"netCDF"}};
-
-template <std::size_t index>
-GDALDataset* open_within_bounds(GDALOpenInfo* info) {
-  const PrefixDriver& driver = prefix_drivers[index];
-  const std::string prefix = std::string(driver.name) + ":";
-  if (STARTS_WITH_CI(info->pszFilename, prefix.c_str())) {
-    const std::string file = file_within(info->pszFilename);
-    if (file.find("://") != std::string::npos) {
-      refuse(refused_network(file));
-      return nullptr;
-    }
-    if (!is_allowed(file)) {
-      refuse(refused_file(file));
-      return nullptr;
-    }
+void bound_other_ways() {
+  GDALDriverManager& manager = *GetGDALDriverManager();
+  if (GDALDriver* driver = manager.GetDriverByName("GPKG")) {
+    open_geopackage = driver->pfnOpen;
+    driver->pfnOpen = open_vectors_alone;
   }
-  return driver.open(info);
+  // Its names may hold an address in memory.
+  if (GDALDriver* driver = manager.GetDriverByName("MEM")) driver->pfnOpen = nullptr;
 }
 
-template <std::size_t index>
-void bound_prefix_driver() {
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(prefix_drivers[index].name);
-  if (driver == nullptr) return;
-  prefix_drivers[index].open = driver->pfnOpen;
-  driver->pfnOpen = open_within_bounds<index>;
+// Answers what GDAL would fetch by itself, such as a CRS that is a URL.
+CPLHTTPResult* refuse_fetch(const char* url, CSLConstList, GDALProgressFunc, void*,
+                            CPLHTTPFetchWriteFunc, void*, void*) {
+  refuse(refused_network(url));
+  auto* result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+  result->nStatus = -1;
+  result->pszErrBuf = CPLStrdup(refused_network(url).c_str());
+  return result;
 }
 
 // A driver that calls a server, and how it knows what is meant for it, without any call.
@@ -128,10 +124,12 @@ void register_drivers() {
     leave_out_other_drivers();
     if (!has_network_access()) {
       OSRSetPROJEnableNetwork(FALSE);
+      CPLHTTPSetFetchCallback(refuse_fetch, nullptr);
       refuse_services<0>();
     }
-    bound_prefix_driver<0>();
-    bound_prefix_driver<1>();
+    bound_other_ways();
+    // GDAL's own tables.
+    if (const char* table = CPLFindFile("gdal", "gdalvrt.xsd")) allow_folder(CPLGetPath(table));
     bound_file_systems();
   });
 }

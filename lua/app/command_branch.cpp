@@ -59,6 +59,7 @@ void check(const BranchOptions& options) {
 PlanSource revised_source(const BranchOptions& options, const MissionFiles& trunk,
                           const EventReferences& begun) {
   PlanSource source = read_plan_source(options.plan);
+  allow_beside(options.plan);
   const MissionFiles files =
       read_mission(source, read_catalog(source.file), trunk.plan.mission.seed);
   files.faults.throw_if_errors();

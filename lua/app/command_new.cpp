@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "access/file_access.h"
 #include "base/console.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -118,6 +119,7 @@ NewFiles new_plan_file(const NewOptions& options, const Catalog& catalog) {
   plan.body = option_body("--planet", options.planet.empty() ? "Moon" : options.planet, faults);
   plan.terrain = options.terrain.empty() ? "Craters" : options.terrain;
   const auto& terrains = catalog.declarations().terrains;
+  if (fs::exists(plan.terrain)) allow_raster(plan.terrain);
   if (std::ranges::count(terrains, plan.terrain) == 0 && !fs::exists(plan.terrain)) {
     faults.error({}, fmt::format("--terrain {}: there is no such terrain and no such file{}",
                                  plan.terrain, did_you_mean(plan.terrain, terrains)));

@@ -94,7 +94,8 @@ std::string estimate_of(const ReportOptions& options, const std::string& folder,
                         const LogReader& log, std::vector<std::string>& left_out) {
   if (!options.has_estimate) return "";
   const std::string file = folder + "/" + estimate_file;
-  if (const auto text = read_file(file)) return *text;
+  const std::string text = read_file(file).value_or("");
+  if (nlohmann::json::accept(text)) return text;
   try {
     make_run_estimate(folder, log, options.threads);
     return read_file(file).value_or("");

@@ -90,11 +90,12 @@ namespace {
 
 // A run may come from elsewhere: it opens what lies beside a plan of the user's only where there is
 // one, of that name.
-void allow_beside(const std::filesystem::path& plan) {
+void allow_original(const std::filesystem::path& plan) {
   std::error_code unreadable;
   if (!std::filesystem::is_regular_file(plan, unreadable)) return;
   try {
     read_plan_source(plan.string());
+    allow_beside(plan.string());
   } catch (const InputError&) {
     // Its rasters are then refused by name, should the run need any.
   }
@@ -104,11 +105,12 @@ void allow_beside(const std::filesystem::path& plan) {
 
 PlanSource source_of_run(const std::string& folder, const SavedMission& mission) {
   PlanSource source = read_plan_source(folder + "/plan.kml");
+  allow_beside(source.file);
   std::error_code unreadable;
   const auto original = std::filesystem::path(mission.plan_file);
   if (std::filesystem::is_directory(original.parent_path(), unreadable)) {
     source.file = mission.plan_file;
-    allow_beside(original);
+    allow_original(original);
   }
   source.soil = mission.soil;
   return source;

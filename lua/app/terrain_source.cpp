@@ -77,7 +77,7 @@ TerrainSpec named_terrain(const Catalog& catalog, const std::string& name,
                                      name, fs::path(name).stem().string()));
   }
   if (!is_script && is_raster_name(name)) {
-    allow_folder(fs::path(name).parent_path().string());
+    allow_raster(name);
     return raster_terrain(surface, {});
   }
   return catalog.load_terrain(name, {});
@@ -92,7 +92,6 @@ TerrainSource terrain_source(const TerrainOptions& options) {
       options.planet.empty() ? nullptr : option_body("--planet", options.planet, faults);
   faults.throw_if_errors();
   const auto catalog = read_catalog("");
-  allow_folder(".");  // whose terrain/ has scripts too
   source.is_script = is_script_of(*catalog, options.name);
   source.spec = named_terrain(*catalog, options.name, surface_of(options));
   if (source.is_script) refuse_raster_options(options);

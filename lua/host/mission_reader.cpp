@@ -62,7 +62,12 @@ std::vector<ScriptFolder> script_folders(const std::string& plan_file) {
   return script_folders(plan_file, path == nullptr ? "" : path, shipped_scripts());
 }
 
+void allow_beside(const std::string& plan_file) {
+  allow_folder(std::filesystem::path(plan_file).parent_path().string());
+}
+
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file) {
+  if (plan_file.empty()) allow_folder(".");  // where its scripts are found
   return std::make_shared<const Catalog>(script_folders(plan_file));
 }
 
@@ -161,6 +166,7 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
   // The file is read once: a pipe cannot be read again, and a file may change.
   try {
     const PlanSource source = read_plan_source(plan_file);
+    allow_beside(plan_file);
     files.plan_bytes = source.bytes;
     files.plan = read_plan(plan_file, source.kml, files.catalog->declarations(), files.faults);
   } catch (const InputError& error) {
@@ -176,7 +182,6 @@ MissionFiles read_mission(const std::string& plan_file, std::optional<std::uint6
 PlanSource read_plan_source(const std::string& plan_file) {
   std::string bytes = read_bytes(plan_file);
   KmlSource source = parse_plan(bytes, plan_file);
-  allow_folder(std::filesystem::path(plan_file).parent_path().string());
   // The plan kept with a run is KML, which any viewer opens.
   if (is_geopackage(bytes)) bytes = kml_of(source);
   return {plan_file, std::move(source), "", std::move(bytes), true};

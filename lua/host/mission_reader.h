@@ -16,6 +16,8 @@ namespace lsos {
 
 // Folders of the scripts that a plan can use, or that any plan can use for "".
 std::vector<ScriptFolder> script_folders(const std::string& plan_file);
+// Rasters beside a plan of the user may be read from now on.
+void allow_beside(const std::string& plan_file);
 // Catalog of those scripts.
 std::shared_ptr<const Catalog> read_catalog(const std::string& plan_file);
 

@@ -24,14 +24,23 @@ MissionFiles files_of_run(const std::string& folder,
     const std::string original = summary["plan"].get<std::string>();
     std::error_code unreadable;  // as in a folder that may not be entered
     if (std::filesystem::is_regular_file(original, unreadable)) {
-      MissionFiles files = read_mission(original, seed);
-      if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) return files;
+      // The run may come from elsewhere: what lies beside that plan is read where it is the same.
+      try {
+        MissionFiles files = read_mission(read_plan_source(original), read_catalog(original), seed);
+        if (!files.faults.has_errors() && files.plan.hash() == run.at("plan_sha256")) {
+          allow_beside(original);
+          return files;
+        }
+      } catch (const InputError&) {
+        // It is no plan any more: the copy is.
+      }
     }
   }
   const std::string copy = folder + "/plan.kml";
   MissionFiles files = read_mission(copy, seed);
   if (!files.faults.has_errors()) return files;
-  MissionFiles with_ours = read_mission(read_plan_source(copy), read_catalog(""), seed);
+  const auto ours = std::make_shared<const Catalog>(script_folders(""));
+  MissionFiles with_ours = read_mission(read_plan_source(copy), ours, seed);
   return with_ours.faults.has_errors() ? files : with_ours;
 }
 

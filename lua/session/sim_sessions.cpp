@@ -48,7 +48,9 @@ SimSession& SimSessions::at(ScriptInstance number) {
 }
 
 ScriptInstance SimSessions::open(const std::string& plan_file) {
-  return add(read_plan_source(plan_file), read_catalog(plan_file));
+  PlanSource source = read_plan_source(plan_file);
+  allow_beside(plan_file);
+  return add(std::move(source), read_catalog(plan_file));
 }
 
 ScriptInstance SimSessions::open(lua_State* L, int table, const Place& place) {

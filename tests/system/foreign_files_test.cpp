@@ -175,6 +175,81 @@ const std::vector<ForeignFile> foreign_files = {
 INSTANTIATE_TEST_SUITE_P(, ForeignFiles, ::testing::ValuesIn(foreign_files),
                          [](const auto& tested) { return tested.param.name; });
 
+// Whether `check` refuses a plan on ground of that VRT, and opens the watched file.
+void expect_refused(const TempFolder& folder, const std::string& vrt, const Watched& watched,
+                    const Words& options = {}) {
+  folder.write("ground.vrt", vrt);
+  Words words{"check", folder.write("plan.kml", plan_on("ground.vrt"))};
+  words.insert(words.end(), options.begin(), options.end());
+  const Outcome outcome = run(words, {.folder = folder.path()});
+  EXPECT_EQ(outcome.exit_code, 2) << vrt << outcome.out;
+  EXPECT_FALSE(watched.was_opened()) << vrt;
+}
+
+TEST(ForeignFile, is_not_reached_by_libraries_that_open_files_themselves) {
+  const TempFolder folder, elsewhere;
+  const std::string database = elsewhere / "maps.gpkg", made = elsewhere / "made.db";
+  ASSERT_EQ(run_command({"sqlite3", database, "create table t (a)"}).exit_code, 0);
+  ASSERT_EQ(run_command({"sqlite3", folder / "own.gpkg", "create table t (a)"}).exit_code, 0);
+  const Watched watched(database);
+  for (const std::string& name :
+       {fmt::format("GPKG:{}:t", database),
+        fmt::format("GPKG:\"{}/\"../{}:t", folder.path().string(),
+                    fs::relative(database, folder.path().parent_path()).string()),
+        fmt::format("GPKG:\"file:{}?x=1\":t", database), fmt::format("NETCDF:\"{}\":t", database),
+        fmt::format("SQLITE:{}", database)}) {
+    expect_refused(folder, vrt_of(name), watched);
+  }
+  for (const std::string statement : {fmt::format("ATTACH DATABASE '{}' AS x", database),
+                                      fmt::format("VACUUM INTO '{}'", made)}) {
+    std::string vrt = vrt_of("own.gpkg");
+    vrt.insert(vrt.find("<SourceBand>"),
+               fmt::format("<OpenOptions><OOI key='PRELUDE_STATEMENTS'>{}</OOI></OpenOptions>",
+                           statement));
+    expect_refused(folder, vrt, watched);
+  }
+  EXPECT_FALSE(fs::exists(made));
+}
+
+TEST(ForeignFile, is_no_address_of_the_network) {
+  const TempFolder folder, elsewhere;
+  write_raster(elsewhere, "dem");
+  const Watched watched(elsewhere / "dem.asc");
+  for (const char* prefix :
+       {"/vsicurl/file://", "/vsicurl/FILE%3A//", "/vsicurl_streaming/file://"}) {
+    expect_refused(folder, vrt_of(prefix + (elsewhere / "dem.asc").string()), watched,
+                   {"--allow-network"});
+  }
+}
+
+TEST(ForeignFile, in_an_archive_is_named_by_the_user_or_refused_by_name) {
+  const TempFolder folder, elsewhere;
+  write_raster(elsewhere, "dem");
+  ASSERT_EQ(run_command(
+                {"tar", "-C", elsewhere.path(), "-cf", elsewhere / "all.tar", "dem.asc", "dem.prj"})
+                .exit_code,
+            0);
+  const std::string name = fmt::format("/vsitar/{}/dem.asc", (elsewhere / "all.tar").string());
+  const Outcome named = run({"terrain", name, "--at", "31,20"});
+  EXPECT_EQ(named.exit_code, 0) << named.out << named.err;
+  const Outcome refused = run({"check", folder.write("plan.kml", plan_on(name))});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.out + refused.err,
+              HasSubstr("--allow-files '" + elsewhere.path().string() + "'"));
+}
+
+TEST(ForeignFile, is_the_users_in_the_working_folder) {
+  const TempFolder folder;
+  write_raster(folder, "dem");
+  folder.write("terrain/Ground.lua", script_of("{ file = '../dem.asc' }"));
+  for (const std::string terrain : {"dem.asc", "Ground"}) {
+    const Outcome outcome =
+        run({"new", "plan", "p_" + terrain, "--terrain", terrain, "--site", "31,20"},
+            {.folder = folder.path()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  }
+}
+
 TEST(ForeignFile, that_is_no_raster_is_not_even_read) {
   const TempFolder folder, elsewhere;
   const Watched watched(elsewhere.write("passwd", "root:x:0:0\n"));
@@ -272,6 +347,19 @@ const std::vector<ForeignFile> connections = {
     {"for_a_source_of_a_vrt", "ground.vrt", vrt_of("/vsicurl/http://{}/dem.tif")},
     {"for_a_service", "service.xml", ""},
     {"for_a_service_in_a_vrt", "ground.vrt", vrt_of("service.xml")},
+    {"for_a_crs_of_a_warped_vrt", "ground.vrt",
+     "<VRTDataset rasterXSize='40' rasterYSize='40' "
+     "subClass='VRTWarpedDataset'><SRS>EPSG:4326</SRS>"
+     "<GeoTransform>30.98, 0.001, 0, 20.02, 0, -0.001</GeoTransform><VRTRasterBand "
+     "dataType='Float32' "
+     "band='1' subClass='VRTWarpedRasterBand'/><GDALWarpOptions><SourceDataset relativeToVRT='1'>"
+     "dem.asc</"
+     "SourceDataset><Transformer><GenImgProjTransformer><SrcGeoTransform>30.98,0.001,0,20.02,"
+     "0,-0.001</SrcGeoTransform><DstGeoTransform>30.98,0.001,0,20.02,0,-0.001</DstGeoTransform>"
+     "<ReprojectTransformer><ReprojectionTransformer><SourceSRS>http://{}/srs</SourceSRS>"
+     "<TargetSRS>EPSG:4326</TargetSRS></ReprojectionTransformer></ReprojectTransformer>"
+     "</GenImgProjTransformer></Transformer><BandList><BandMapping src='1' dst='1'/></BandList>"
+     "</GDALWarpOptions></VRTDataset>"},
     {"for_a_crs", "Ground", "{ file = '../dem.asc', crs = 'http://{}/crs' }"},
     {"database", "Ground", "{ file = 'PG:host={} dbname=x' }"},
 };

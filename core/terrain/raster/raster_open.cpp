@@ -37,6 +37,10 @@ std::string suggest_opening(const std::string& file) {
       return fmt::format("; did you mean its label '{}'?", label.string());
     }
   }
+  for (const char* extension : {".nc", ".grd", ".h5", ".gpkg"}) {
+    if (path.extension() == extension)
+      return "; gdal_translate makes a GeoTIFF of it, which is read";
+  }
   if (path.extension() == ".zip") {
     return fmt::format("; of an archive name the file inside: '/vsizip/{}/FILE'", file);
   }
@@ -115,6 +119,10 @@ std::unique_ptr<GDALDataset> open_raster(const RasterSurface& surface, const Ras
   const GdalSilence silence;
   std::unique_ptr<GDALDataset> dataset(GDALDataset::Open(
       surface.file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  const std::string on_disk = file_on_disk(surface.file);
+  if (dataset == nullptr && last_refusal().empty() && !is_allowed(on_disk)) {
+    name.refuse(fmt::format("cannot be opened: {}", refused_file(on_disk)));
+  }
   if (dataset == nullptr) {
     name.refuse(fmt::format("cannot be opened: {}{}", GdalSilence::message(),
                             suggest_opening(surface.file)));
