@@ -111,7 +111,7 @@ Parsed<std::string> with_decimal_point(const std::string& text, Decimals decimal
   if (!may_be_thousands) return {as_decimal + number.rest, {}};
   if (last == '.' && decimals == Decimals::commas) return {as_thousands + number.rest, {}};
   if (last == '.' && decimals == Decimals::points) return {text, {}};
-  if (last == ',' && decimals != Decimals::points) return {as_decimal + number.rest, {}};
+  if (last == ',' && decimals == Decimals::commas) return {as_decimal + number.rest, {}};
   std::string shortest = as_decimal.substr(0, as_decimal.find_last_not_of('0') + 1);
   if (shortest.ends_with('.')) shortest.pop_back();
   return {{},

@@ -66,7 +66,7 @@ void add_owners(const std::string& type, const std::vector<TypedRow>& rows, Plac
 }  // namespace
 
 ImportedPlan import_tables(std::vector<Table> tables, const Declarations& declarations,
-                           Faults& faults) {
+                           Faults& faults, ImportedRows rows_are) {
   ImportedPlan plan;
   Notes notes;
   for (Table& table : tables) {
@@ -109,8 +109,12 @@ ImportedPlan import_tables(std::vector<Table> tables, const Declarations& declar
   RowPlacemarks made =
       placemarks_of(rows, declarations, places, mission_start(rows), notes, faults);
   plan.source.placemarks = std::move(made.placemarks);
-  number_events(plan.source, faults);
-  begin_lines_at_rovers(made.ways, declarations, plan.source);
+  if (rows_are == ImportedRows::changes) {
+    report_unnumbered(plan.source, faults);
+  } else {
+    number_events(plan.source, faults);
+    begin_lines_at_rovers(made.ways, declarations, plan.source);
+  }
   if (const std::vector<std::string> unused = places.unused(); !unused.empty()) {
     plan.left_out.push_back(fmt::format("{} place{} that no row names: {}", unused.size(),
                                         unused.size() == 1 ? "" : "s", listed(unused)));

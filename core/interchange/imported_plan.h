@@ -28,7 +28,11 @@ struct ImportedPlan {
 // of RoverId and Day are as in the row above. An event without a Sequence comes 10 after the
 // rover's row before, or between it and the one after. Reports faults of cells; what a plan may not
 // say is found when it is read.
+//
+// `rows`: a plan of their own, or changes of one that was drawn, whose other events they need not
+// have: each event then must have its Sequence, and lines begin as they are written.
+enum class ImportedRows { plan, changes };
 ImportedPlan import_tables(std::vector<Table> tables, const Declarations& declarations,
-                           Faults& faults);
+                           Faults& faults, ImportedRows rows = ImportedRows::plan);
 
 }  // namespace lsos

@@ -82,4 +82,15 @@ void number_events(KmlSource& plan, Faults& faults) {
   }
 }
 
+void report_unnumbered(const KmlSource& plan, Faults& faults) {
+  for (const SourcePlacemark& placemark : plan.placemarks) {
+    for (const SourceField& field : placemark.data.front().fields) {
+      if (field.name != "Sequence" || !field.text.empty()) continue;
+      faults.error({placemark.file, field.line, field.column},
+                   "Sequence is empty: with --onto it says which event of the plan the row is; a "
+                   "new one takes a number that is free, between those that it goes between");
+    }
+  }
+}
+
 }  // namespace lsos

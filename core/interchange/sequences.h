@@ -12,4 +12,7 @@ namespace lsos {
 // the order of their rows.
 void number_events(KmlSource& plan, Faults& faults);
 
+// Reports events whose Sequence is empty, where it says which event of another plan is meant.
+void report_unnumbered(const KmlSource& plan, Faults& faults);
+
 }  // namespace lsos

@@ -9,6 +9,7 @@
 #include "base/console.h"
 #include "base/files.h"
 #include "edit/editable_file.h"
+#include "edit/plan_thing.h"
 #include "edit/put_rows.h"
 #include "interchange/imported_plan.h"
 #include "interchange/plan_tables.h"
@@ -65,6 +66,28 @@ void check_files(const OntoOptions& options) {
   }
 }
 
+// The first row of a day begins at midnight where it says no time. In a sheet that has no column of
+// times it is the drawn event's own that counts.
+void keep_times_without_column(const KmlSource& things,
+                               const std::map<std::string, SheetColumns>& columns,
+                               std::vector<SourcePlacemark>& rows) {
+  const auto is_drawn = [&](const SourcePlacemark& row) {
+    return std::ranges::any_of(things.placemarks, [&](const SourcePlacemark& thing) {
+      return field_of(thing, "RoverId") == field_of(row, "RoverId") &&
+             field_of(thing, "Sequence") == field_of(row, "Sequence");
+    });
+  };
+  for (SourcePlacemark& row : rows) {
+    const auto sheet = columns.find(row.file);
+    if (sheet == columns.end() || sheet->second.names.contains("StartTime")) continue;
+    if (field_of(row, "StartTime").empty() || !is_drawn(row)) continue;
+    for (SourceData& data : row.data) {
+      std::erase_if(data.fields,
+                    [](const SourceField& field) { return field.name == "StartTime"; });
+    }
+  }
+}
+
 }  // namespace
 
 std::string import_onto(const OntoOptions& options) {
@@ -85,7 +108,8 @@ std::string import_onto(const OntoOptions& options) {
   const auto columns = sheet_columns(tables, declarations);
   tables.push_back(owners(things, declarations));
   Faults faults;
-  ImportedPlan made = import_tables(tables, declarations, faults);
+  ImportedPlan made = import_tables(tables, declarations, faults, ImportedRows::changes);
+  keep_times_without_column(things, columns, made.source.placemarks);
   result.left_out.insert(result.left_out.end(), made.left_out.begin(), made.left_out.end());
   std::erase_if(made.source.placemarks,
                 [&](const SourcePlacemark& row) { return row.file == things.file; });

@@ -200,7 +200,7 @@ TEST(ForeignFile, is_not_reached_by_libraries_that_open_files_themselves) {
         fmt::format("SQLITE:{}", database)}) {
     expect_refused(folder, vrt_of(name), watched);
   }
-  for (const std::string statement : {fmt::format("ATTACH DATABASE '{}' AS x", database),
+  for (const std::string& statement : {fmt::format("ATTACH DATABASE '{}' AS x", database),
                                       fmt::format("VACUUM INTO '{}'", made)}) {
     std::string vrt = vrt_of("own.gpkg");
     vrt.insert(vrt.find("<SourceBand>"),

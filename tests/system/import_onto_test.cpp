@@ -97,6 +97,26 @@ TEST_F(ImportOnto, a_cell_that_changes_changes_one_field) {
             "+          <SimpleData name=\"ArrivalRadius\">7 m</SimpleData>\n");
 }
 
+TEST_F(ImportOnto, a_row_without_a_sequence_is_no_guess_at_an_event) {
+  const Outcome outcome = onto(
+      folder_.write("part.csv", "Rover,Sequence,Type,Name,Activity Duration\nA,,EVA,New,1:00\n"),
+      plan("drats_day"));
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  EXPECT_THAT(outcome.err, HasSubstr("part.csv:B2: Sequence is empty: with --onto it says which "
+                                     "event of the plan the row is"));
+  EXPECT_FALSE(fs::exists(new_plan_));
+}
+
+TEST_F(ImportOnto, a_day_without_times_leaves_those_of_the_plan) {
+  const std::string file = plan("drats_day");
+  const Outcome outcome = onto(
+      folder_.write("part.csv", "Rover,Sequence,Day,Type,Duration\nA,110,2,Recharge,11 h\n"), file);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(differences(file, new_plan_),
+            "-          <SimpleData name=\"Duration\">12 h</SimpleData>\n"
+            "+          <SimpleData name=\"Duration\">11 h</SimpleData>\n");
+}
+
 TEST_F(ImportOnto, a_new_row_comes_beside_its_kin_with_their_style) {
   const std::string file = plan("drats_day");
   const std::string sheet = edited(file,
