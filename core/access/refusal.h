@@ -7,7 +7,7 @@ namespace lsos {
 
 // Remembers the first reason on this thread since forget_refusal.
 void refuse(const std::string& why);
-// That reason, "" when there is none.
+// The remembered reason, "" when there is none.
 const std::string& last_refusal();
 void forget_refusal();
 

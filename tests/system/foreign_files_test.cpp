@@ -201,7 +201,7 @@ TEST(ForeignFile, is_not_reached_by_libraries_that_open_files_themselves) {
     expect_refused(folder, vrt_of(name), watched);
   }
   for (const std::string& statement : {fmt::format("ATTACH DATABASE '{}' AS x", database),
-                                      fmt::format("VACUUM INTO '{}'", made)}) {
+                                       fmt::format("VACUUM INTO '{}'", made)}) {
     std::string vrt = vrt_of("own.gpkg");
     vrt.insert(vrt.find("<SourceBand>"),
                fmt::format("<OpenOptions><OOI key='PRELUDE_STATEMENTS'>{}</OOI></OpenOptions>",
@@ -243,9 +243,9 @@ TEST(ForeignFile, is_the_users_in_the_working_folder) {
   write_raster(folder, "dem");
   folder.write("terrain/Ground.lua", script_of("{ file = '../dem.asc' }"));
   for (const std::string terrain : {"dem.asc", "Ground"}) {
-    const Outcome outcome =
-        run({"new", "plan", "p_" + terrain, "--terrain", terrain, "--site", "31,20"},
-            {.folder = folder.path()});
+    const Outcome outcome = run({"new", "plan", terrain == "Ground" ? "by_script" : "by_file",
+                                 "--terrain", terrain, "--site", "31,20"},
+                                {.folder = folder.path()});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   }
 }

@@ -35,8 +35,8 @@ struct PanelSunlight {
   SimTime time{};
   bool is_dark = false;  // no sunlight falls on the rover
   std::vector<Panel> panels;
-  // Of an estimate: by how much the power of all panels may be less or more, W. An estimate is not
-  // saved.
+  // What the power of all panels may be less or more, W, where an estimate is not sure of the
+  // horizon. An estimate is not saved.
   double less_w = 0, more_w = 0;
 
   void archive(Archive& a) { LSOS_ARCHIVE(a, time, is_dark, panels); }
