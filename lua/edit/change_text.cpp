@@ -42,6 +42,9 @@ std::vector<std::string> what_changed(const RowChange& change) {
     parts.push_back(value_text(name, field_of(change.before, name), field_of(change.after, name)));
   }
   if (change.has_new_place) parts.emplace_back("another place");
+  if (change.has_new_type && !change.has_new_place && !change.after.geometries.empty()) {
+    parts.emplace_back("its place stays");
+  }
   if (change.has_new_description) parts.emplace_back("another description");
   return parts;
 }

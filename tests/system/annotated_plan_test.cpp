@@ -7,6 +7,7 @@
 
 #include "base/replaced.h"
 #include "support/reference_data.h"
+#include "system/kml_file.h"
 #include "system/plan_text.h"
 #include "system/process.h"
 #include "system/source_files.h"
@@ -19,8 +20,6 @@ namespace fs = std::filesystem;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-std::string plan(const std::string& name) { return repository() / "plans" / (name + ".kml"); }
 
 nlohmann::json checked(const std::string& file) {
   const Outcome outcome = run({"check", file, "--json", "--quiet"});

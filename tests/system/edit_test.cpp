@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/replaced.h"
+#include "system/kml_file.h"
 #include "system/plan_text.h"
 #include "system/process.h"
 #include "system/source_files.h"
@@ -19,15 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-std::string plan(const std::string& name) { return repository() / "plans" / (name + ".kml"); }
-
-// The document in W3C's canonical form.
-std::string canonical(const std::string& file) {
-  const Outcome outcome = run_command({"xmllint", "--nonet", "--c14n", file});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return outcome.out;
-}
 
 class Edit : public ::testing::Test {
  protected:

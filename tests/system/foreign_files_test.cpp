@@ -123,24 +123,33 @@ struct ForeignFile {
   std::string contents;  // of the file that the plan names, "" where it is the foreign one
 };
 
+// Each "{}" replaced.
+std::string filled(std::string text, const std::string& value) {
+  for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
+    text.replace(at, 2, value);
+  }
+  return text;
+}
+
+// Writes what a case names, a script or a file, and returns the plan's Terrain.
+std::string write_terrain(const TempFolder& folder, const ForeignFile& of,
+                          const std::string& value) {
+  std::string terrain = filled(of.terrain, value);
+  if (of.contents.empty()) return terrain;
+  const std::string contents = filled(of.contents, value);
+  const bool is_script = terrain.find_first_of("./") == std::string::npos;
+  folder.write(is_script ? "terrain/" + terrain + ".lua" : terrain,
+               is_script ? script_of(contents) : contents);
+  return terrain;
+}
+
 class ForeignFiles : public ::testing::TestWithParam<ForeignFile> {};
 
 TEST_P(ForeignFiles, are_not_opened_unless_the_user_allows_them) {
   const TempFolder folder, elsewhere;
   write_raster(elsewhere, "dem");
   const Watched watched(elsewhere / "dem.asc");
-  const auto filled = [&](std::string text) {
-    for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
-      text.replace(at, 2, elsewhere.path().string());
-    }
-    return text;
-  };
-  const std::string terrain = filled(GetParam().terrain);
-  const bool is_script = terrain.find_first_of("./") == std::string::npos;
-  if (!GetParam().contents.empty()) {
-    folder.write(is_script ? "terrain/" + terrain + ".lua" : terrain,
-                 is_script ? script_of(filled(GetParam().contents)) : filled(GetParam().contents));
-  }
+  const std::string terrain = write_terrain(folder, GetParam(), elsewhere.path());
   fs::create_symlink(elsewhere / "dem.asc", folder / "linked.asc");
   fs::create_symlink(elsewhere / "dem.prj", folder / "linked.prj");
   fs::create_directory_symlink(elsewhere.path(), folder / "maps");
@@ -305,18 +314,8 @@ class Connections : public ::testing::TestWithParam<ForeignFile> {};
 TEST_P(Connections, are_not_made_unless_the_user_allows_them) {
   const TempFolder folder;
   const Listener listener;
-  const auto filled = [&](std::string text) {
-    for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
-      text.replace(at, 2, fmt::format("127.0.0.1:{}", listener.port()));
-    }
-    return text;
-  };
-  const std::string terrain = filled(GetParam().terrain);
-  const bool is_script = terrain.find_first_of("./") == std::string::npos;
-  if (!GetParam().contents.empty()) {
-    folder.write(is_script ? "terrain/" + terrain + ".lua" : terrain,
-                 is_script ? script_of(filled(GetParam().contents)) : filled(GetParam().contents));
-  }
+  const std::string server = fmt::format("127.0.0.1:{}", listener.port());
+  const std::string terrain = write_terrain(folder, GetParam(), server);
   write_raster(folder, "dem");
   folder.write(
       "service.xml",
@@ -326,7 +325,8 @@ TEST_P(Connections, are_not_made_unless_the_user_allows_them) {
              "<TileLevel>0</TileLevel><TileCountX>1</TileCountX><TileCountY>1</TileCountY>"
              "</DataWindow><BlockSizeX>40</BlockSizeX><BlockSizeY>40</BlockSizeY>"
              "<Projection>IAU_2015:30100</Projection><BandsCount>1</BandsCount>"
-             "<DataType>Float32</DataType></GDAL_WMS>"));
+             "<DataType>Float32</DataType></GDAL_WMS>",
+             server));
   const std::string plan = folder.write("plan.kml", plan_on(terrain));
   const Surroundings where{.environment = {"PROJ_NETWORK=ON"}};
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "system/kml_file.h"
 #include "system/process.h"
 #include "system/source_files.h"
 #include "system/temp_folder.h"
@@ -14,15 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-std::string plan(const std::string& name) { return repository() / "plans" / (name + ".kml"); }
-
-// The document in W3C's canonical form.
-std::string canonical(const std::string& file) {
-  const Outcome outcome = run_command({"xmllint", "--nonet", "--c14n", file});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return outcome.out;
-}
 
 class ImportOnto : public ::testing::Test {
  protected:
@@ -115,6 +107,15 @@ TEST_F(ImportOnto, a_day_without_times_leaves_those_of_the_plan) {
   EXPECT_EQ(differences(file, new_plan_),
             "-          <SimpleData name=\"Duration\">12 h</SimpleData>\n"
             "+          <SimpleData name=\"Duration\">11 h</SimpleData>\n");
+}
+
+TEST_F(ImportOnto, another_type_is_told_to_keep_its_place) {
+  const Outcome outcome =
+      onto(folder_.write("part.csv", "Rover,Sequence,Type,Activity Duration\nA,10,EVA,1:00\n"),
+           plan("drats_day"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("Type = EVA, was PathPlanRoute"));
+  EXPECT_THAT(outcome.out, HasSubstr("its place stays"));
 }
 
 TEST_F(ImportOnto, a_new_row_comes_beside_its_kin_with_their_style) {
